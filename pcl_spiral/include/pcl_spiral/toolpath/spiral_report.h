@@ -1,0 +1,49 @@
+/** \file
+ *  What a spiral toolpath was made from and came to.
+ */
+#pragma once
+
+#include <pcl_spiral/features/boundary_loop.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Wall time of one stage. */
+struct StageTime {
+  std::string name;
+  double seconds = 0.0;
+};
+
+/** Figures of a run: counts, lengths in mm, seconds. */
+struct SpiralReport {
+  std::size_t input_points = 0;
+  std::size_t nonfinite_points = 0; ///< dropped
+  std::size_t duplicate_points = 0; ///< dropped
+  std::size_t outlier_points = 0;   ///< dropped
+  std::size_t used_points = 0;
+  double spacing = 0.0;             ///< median distance of neighbouring points
+  double noise = 0.0;               ///< standard deviation of the points about the fitted surface
+  int projection_neighbours = 0;    ///< neighbours in one surface fit
+  std::vector<BoundaryLoop> loops;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< of the spiral, one boundary only
+  std::size_t boundaries = 0;       ///< 1 or 2
+  bool harmonic_lines = false;      ///< the fallback made the lines
+  std::vector<Polyline> radial_lines;
+  std::size_t turns = 0;
+  std::size_t path_points = 0;
+  double path_length = 0.0;
+  double smallest_step_over = 0.0;
+  double largest_step_over = 0.0;
+  double largest_allowed_step = 0.0;
+  double largest_gap = 0.0;         ///< longest linear move
+  double largest_axis_change = 0.0; ///< degrees between neighbouring path points
+  std::vector<StageTime> stages;
+  std::vector<std::string> warnings;
+};
+
+} // namespace pcl_spiral

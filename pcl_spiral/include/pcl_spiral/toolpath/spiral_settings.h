@@ -1,0 +1,60 @@
+/** \file
+ *  What a user asks of a spiral toolpath.
+ */
+#pragma once
+
+#include <pcl_spiral/common/progress.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace pcl_spiral {
+
+/** How many boundaries the spiral runs between. */
+enum class BoundaryMode { Automatic, OneBoundary, TwoBoundaries };
+/** Which way the spiral travels. */
+enum class SpiralDirection { Outward, Inward };
+/** Which way the spiral winds, seen from outside the material. */
+enum class SpiralSense { CounterClockwise, Clockwise };
+/** Along what the distance of neighbouring turns is measured. */
+enum class Pitch {
+  AcrossFeed, ///< across the feed: what leaves the scallop
+  AlongLine   ///< along the radial line, as published (Wu et al. 2025); over-machines where lines meet turns obliquely
+};
+/** What to do with holes in the data that are no boundary of the part. */
+enum class GapHandling { Bridge, Refuse };
+/** How lines between the boundaries are found. */
+enum class LineMethod {
+  Automatic, ///< geodesics, and the harmonic function's gradient lines where geodesics merge
+  Geodesic,
+  Harmonic
+};
+
+/** Settings of a spiral toolpath. Lengths in mm, angles in degrees. */
+struct SpiralSettings {
+  double tool_radius = 0.0;    ///< ball radius; must be set
+  double scallop_height = 0.0; ///< allowed height of the ridge between turns; must be set
+  double chord_error = 0.005;  ///< allowed distance between a linear move and the surface curve
+  double max_step = 0.0;       ///< longest linear move; 0: the tool radius
+  double tilt_angle = 15.0;    ///< side tilt of the axis about the feed direction
+  double lead_angle = 0.0;     ///< lead of the axis in the feed direction
+  double max_axis_rate = 10.0; ///< largest turn of the axis per mm of path
+  double feed = 1000.0;        ///< mm/min at the contact
+  std::optional<Eigen::Vector3d> centre;      ///< of a surface with one boundary; absent: found
+  std::optional<Eigen::Vector3d> start_point; ///< the first radial line ends nearest here; absent: found
+  std::optional<Eigen::Vector3d> view_point;  ///< normals face it; absent: towards +z as a whole
+  bool flip_normals = false;
+  BoundaryMode boundary_mode = BoundaryMode::Automatic;
+  SpiralDirection direction = SpiralDirection::Outward;
+  SpiralSense sense = SpiralSense::CounterClockwise;
+  Pitch pitch = Pitch::AcrossFeed;
+  GapHandling gaps = GapHandling::Bridge;
+  LineMethod lines = LineMethod::Automatic;
+  double thinning = 0.0;            ///< voxel edge of the thinning filter; 0: none
+  int outlier_neighbours = 0;       ///< neighbours of the statistical outlier filter; 0: none
+  double outlier_deviations = 3.0;  ///< its threshold in standard deviations
+  int threads = 0;                  ///< 0: all
+};
+
+} // namespace pcl_spiral

@@ -1,0 +1,119 @@
+/** \file
+ *  From a cloud to one continuous spiral toolpath.
+ */
+#pragma once
+
+#include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/toolpath/spiral_report.h>
+#include <pcl_spiral/toolpath/spiral_settings.h>
+
+#include <pcl/pcl_base.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+namespace pcl_spiral {
+
+/** One continuous spiral over a scanned surface with one boundary (a dome) or two (an annulus).
+ *
+ *  Chains every stage: surface preparation, boundary loops, radial lines, turns, projection, tool axis. Give it a
+ *  cloud and three lengths: tool radius, scallop height, chord error, all in the unit of the cloud (mm).
+ *  Source: Wu, Chai, Bo, Liu, Wang, China Mechanical Engineering 36(4), 2025, 697-702, with corrected equations.
+ *
+ *  On failure the output is empty and getStatus says why. The input cloud is never changed.
+ *  The same input gives the same bytes for any number of threads.
+ */
+template <typename PointInT, typename PointNT = pcl::Normal, typename PointOutT = ToolpathPoint>
+class SpiralToolpathGenerator : public pcl::PCLBase<PointInT> {
+public:
+  using Ptr = pcl::shared_ptr<SpiralToolpathGenerator>;
+  using ConstPtr = pcl::shared_ptr<const SpiralToolpathGenerator>;
+  using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
+
+  /** Oriented normals of the input, one a point, out of the material. Without them the class finds its own. */
+  void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
+  NormalsConstPtr getInputNormals() const { return normals_; }
+
+  /** Radius of the ball cutter, mm. Must be set, above the scallop height. */
+  void setToolRadius(double radius) { settings_.tool_radius = radius; }
+  double getToolRadius() const { return settings_.tool_radius; }
+
+  /** Allowed height of the ridge between neighbouring turns, mm. Must be set. */
+  void setScallopHeight(double height) { settings_.scallop_height = height; }
+  double getScallopHeight() const { return settings_.scallop_height; }
+
+  /** Allowed distance between a linear move and the curve on the surface, mm; 0.005 by default. */
+  void setChordError(double error) { settings_.chord_error = error; }
+  double getChordError() const { return settings_.chord_error; }
+
+  /** Longest linear move, mm; 0, the default, means the tool radius. */
+  void setMaxStep(double step) { settings_.max_step = step; }
+  double getMaxStep() const { return settings_.max_step; }
+
+  /** Side tilt of the tool axis about the feed direction, degrees; 15 by default. */
+  void setTiltAngle(double degrees) { settings_.tilt_angle = degrees; }
+  double getTiltAngle() const { return settings_.tilt_angle; }
+
+  /** Lead of the tool axis in the feed direction, degrees; 0 by default. */
+  void setLeadAngle(double degrees) { settings_.lead_angle = degrees; }
+  double getLeadAngle() const { return settings_.lead_angle; }
+
+  /** Largest turn of the tool axis, degrees per mm of path; 10 by default. */
+  void setMaxAxisRate(double degrees_per_mm) { settings_.max_axis_rate = degrees_per_mm; }
+  double getMaxAxisRate() const { return settings_.max_axis_rate; }
+
+  /** Centre of a surface with one boundary; projected onto the surface. Without it, the point whose largest geodesic
+   *  distance to the rim is smallest. */
+  void setCenter(const Eigen::Vector3d& centre) { settings_.centre = centre; }
+  void clearCenter() { settings_.centre.reset(); }
+
+  /** The first radial line ends at the rim point nearest here. */
+  void setStartPoint(const Eigen::Vector3d& point) { settings_.start_point = point; }
+
+  /** Where the scanner stood: normals face it. */
+  void setViewPoint(const Eigen::Vector3d& point) { settings_.view_point = point; }
+
+  /** Every setting at once. */
+  void setSettings(const SpiralSettings& settings) { settings_ = settings; }
+  const SpiralSettings& getSettings() const { return settings_; }
+
+  void setBoundaryMode(BoundaryMode mode) { settings_.boundary_mode = mode; }
+  BoundaryMode getBoundaryMode() const { return settings_.boundary_mode; }
+  void setDirection(SpiralDirection direction) { settings_.direction = direction; }
+  SpiralDirection getDirection() const { return settings_.direction; }
+  void setSense(SpiralSense sense) { settings_.sense = sense; }
+  SpiralSense getSense() const { return settings_.sense; }
+  void setPitch(Pitch pitch) { settings_.pitch = pitch; }
+  Pitch getPitch() const { return settings_.pitch; }
+  void setGapHandling(GapHandling gaps) { settings_.gaps = gaps; }
+  GapHandling getGapHandling() const { return settings_.gaps; }
+  void setLineMethod(LineMethod method) { settings_.lines = method; }
+  LineMethod getLineMethod() const { return settings_.lines; }
+  void setFlipNormals(bool flip) { settings_.flip_normals = flip; }
+  bool getFlipNormals() const { return settings_.flip_normals; }
+
+  /** Threads to use; 0, the default, means all. The output does not depend on it. */
+  void setNumberOfThreads(int threads) { settings_.threads = threads; }
+  int getNumberOfThreads() const { return settings_.threads; }
+
+  /** Called with the share done; returning false cancels. */
+  void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
+
+  /** Make the toolpath. \p path is empty on failure; see getStatus. */
+  void compute(pcl::PointCloud<PointOutT>& path);
+
+  const Status& getStatus() const { return status_; }
+  /** Loops, lines, counts, times and warnings of the last compute. */
+  const SpiralReport& getReport() const { return report_; }
+
+private:
+  NormalsConstPtr normals_;
+  SpiralSettings settings_;
+  ProgressCallback progress_;
+  Status status_;
+  SpiralReport report_;
+};
+
+} // namespace pcl_spiral
+
+#include <pcl_spiral/toolpath/impl/spiral_toolpath_generator.hpp>
