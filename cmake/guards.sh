@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# Fails when the source tree breaks a rule of the house that a compiler does not see.
+# Usage: guards.sh [SOURCE_DIR]
+set -euo pipefail
+cd "${1:-"$(dirname "${BASH_SOURCE[0]}")/.."}"
+
+faults=0
+fault() { # WHAT LINES: reports the lines found, if any
+  [ -z "$2" ] && return
+  faults=1
+  printf '%s:\n%s\n' "$1" "$2" >&2
+}
+
+level() { # FOLDER -> its height; a folder includes its own height and below
+  case "$1" in
+    core) echo 0 ;;
+    common | search) echo 1 ;;
+    features | surface) echo 2 ;;
+    geodesic) echo 3 ;;
+    toolpath | mesh) echo 4 ;;
+    verify) echo 5 ;;
+    io | visualization) echo 6 ;;
+    *) echo unknown ;;
+  esac
+}
+
+library=pcl_spiral
+[ -d "$library" ] || { echo "no folder $library in $PWD: give the source directory" >&2; exit 2; }
+
+fault "core stands on Eigen alone; these lines include PCL" \
+  "$(grep -rnE '#[[:space:]]*include[[:space:]]*[<"]pcl/' $library/include/pcl_spiral/core $library/src/core || true)"
+
+for folder in $library/include/pcl_spiral/*/ $library/src/*/; do
+  room=$(basename "$folder")
+  own=$(level "$room")
+  [ "$own" = unknown ] && { fault "folder without a place in the layers (give it one in cmake/guards.sh)" "$folder"; continue; }
+  while IFS=: read -r file line text; do
+    included=$(sed -E 's/.*[<"]pcl_spiral\/([a-z_]+)\/.*/\1/' <<<"$text")
+    theirs=$(level "$included")
+    if [ "$theirs" = unknown ] || [ "$theirs" -gt "$own" ]; then
+      fault "$room includes $included, which stands above it" "$file:$line:$text"
+    fi
+  done < <(grep -rnE '#[[:space:]]*include[[:space:]]*[<"]pcl_spiral/[a-z_]+/' "$folder" || true)
+done
+
+fault "newer PCL base classes have members of these names; choose others" \
+  "$(grep -rnE '\b(threads_|chunk_size_)\b' $library --include='*.h' --include='*.hpp' --include='*.cpp' || true)"
+
+flags='-march=native|-mavx|-ffast-math|-Ofast|PCL_NO_PRECOMPILE'
+fault "flags that break PCL's ABI, the same bytes everywhere, or the compile time" \
+  "$(find . -name 'build*' -prune -o -path ./.git -prune -o -type f \
+       \( -name CMakeLists.txt -o -name '*.cmake' -o -name '*.in' -o -name CMakePresets.json -o -path ./.ci/run \) -print0 |
+     xargs -0 grep -nE -e "$flags" || true)"
+fault "pragmas that break the same bytes everywhere" \
+  "$(grep -rnE 'pragma.*(fast-math|Ofast|march=)|attribute.*(fast-math|Ofast)' $library examples || true)"
+
+exit $faults

@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that are missing: as root, through sudo, or by saying which they are.
+# Usage: install_dependencies.sh [build] [test] [display]     (build alone when nothing is named)
+set -euo pipefail
+
+build=(g++ cmake ninja-build ccache libpcl-dev libeigen3-dev libboost-dev libboost-program-options-dev
+  libnanoflann-dev nlohmann-json3-dev libyaml-cpp-dev)
+test=(libgtest-dev pkg-config)
+display=(xvfb xauth libgl1-mesa-dri) # pictures where there is no screen
+
+wanted=()
+for group in "${@:-build}"; do
+  case "$group" in
+    build) wanted+=("${build[@]}") ;;
+    test) wanted+=("${test[@]}") ;;
+    display) wanted+=("${display[@]}") ;;
+    *) echo "unknown group '$group': name build, test or display" >&2; exit 2 ;;
+  esac
+done
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+  echo "This is no Debian system, so nothing is checked or installed. Needed, by Debian's names: ${wanted[*]}" >&2
+  exit 0
+fi
+
+missing=()
+for package in "${wanted[@]}"; do
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  echo "Packages: all there."
+  exit 0
+fi
+
+if [ "$(id -u)" -eq 0 ]; then
+  as_root=(env)
+elif command -v sudo >/dev/null && { sudo -n true 2>/dev/null || [ -t 0 ]; }; then
+  as_root=(sudo env)
+else
+  echo "Missing packages, and neither root nor sudo at hand. Have an administrator run:" >&2
+  echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
+  exit 1
+fi
+echo "Packages: installing ${missing[*]}"
+"${as_root[@]}" apt-get update -q || echo "apt-get update failed; trying with the lists that are there" >&2
+"${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"

@@ -1,0 +1,52 @@
+# Installs the three targets, the headers, the CMake package, the pkg-config files; CPack makes the .deb.
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_spiral)
+
+# An export set of its own for each target: who wants the filters alone imports nothing of VTK.
+function(pcl_spiral_install target component description requires)
+  if(NOT TARGET ${target})
+    return()
+  endif()
+  install(TARGETS ${target} EXPORT ${target}
+          RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT ${target} FILE pcl_spiral_${component}_targets.cmake NAMESPACE pcl_spiral:: DESTINATION ${package_dir})
+
+  file(RELATIVE_PATH PC_PREFIX /root/${CMAKE_INSTALL_LIBDIR}/pkgconfig /root)
+  set(PC_NAME ${target})
+  set(PC_DESCRIPTION ${description})
+  set(PC_REQUIRES ${requires})
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/pcl_spiral.pc.in ${PROJECT_BINARY_DIR}/${target}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${target}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+pcl_spiral_install(pcl_spiral core "${PROJECT_DESCRIPTION}" "pcl_features pcl_filters pcl_search pcl_kdtree eigen3")
+pcl_spiral_install(pcl_spiral_io io "Readers and writers of pcl_spiral" "pcl_spiral pcl_io")
+pcl_spiral_install(pcl_spiral_visualization visualization "Pictures and viewer of pcl_spiral" "pcl_spiral")
+
+install(DIRECTORY pcl_spiral/include/pcl_spiral DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+configure_package_config_file(cmake/pcl_spiral-config.cmake.in ${PROJECT_BINARY_DIR}/pcl_spiral-config.cmake
+                              INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/pcl_spiral-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/pcl_spiral-config.cmake ${PROJECT_BINARY_DIR}/pcl_spiral-config-version.cmake
+        DESTINATION ${package_dir})
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME pcl-spiral)
+set(CPACK_PACKAGE_CONTACT "The pcl_spiral authors <pcl_spiral@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libpcl-dev (>= 1.13), libeigen3-dev")
+find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
+if(DPKG_SHLIBDEPS)
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/pcl_spiral)
+endif()
+include(CPack)

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# The guards pass the project's own tree and find every fault planted in a copy of it.
+# Usage: run.sh SOURCE_DIR
+set -euo pipefail
+source_dir=$1
+guards=$source_dir/cmake/guards.sh
+bash "$guards" "$source_dir"
+
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+missed=0
+
+plant() { # FILE LINE: a fresh copy with LINE at the end of FILE must be refused, naming FILE
+  rm -rf "${tree:?}"/*
+  cp -r "$source_dir"/{pcl_spiral,examples,cmake,CMakeLists.txt,CMakePresets.json} "$tree"
+  mkdir -p "$(dirname "$tree/$1")"
+  printf '%s\n' "$2" >>"$tree/$1"
+  if said=$(bash "$guards" "$tree" 2>&1) || ! grep -qF "$(dirname "$1")" <<<"$said"; then
+    echo "not found: '$2' in $1" >&2
+    missed=1
+  fi
+}
+
+headers=pcl_spiral/include/pcl_spiral
+plant $headers/core/polyline.h '#include <pcl/point_types.h>'
+plant pcl_spiral/src/core/polyline.cpp '# include "pcl/point_cloud.h"'
+plant $headers/core/polyline.h '#include <pcl_spiral/common/status.h>'
+plant $headers/common/status.h '#include <pcl_spiral/surface/mls_projector.h>'
+plant $headers/surface/impl/planted.hpp '#include <pcl_spiral/geodesic/geodesic_path.h>'
+plant pcl_spiral/src/toolpath/planted.cpp '#include "pcl_spiral/io/toolpath_writer.h"'
+plant $headers/utils/planted.h '#pragma once'
+plant $headers/common/status.h 'struct Planted { int threads_ = 0; };'
+plant $headers/toolpath/spiral_settings.h 'struct Planted { int chunk_size_ = 0; };'
+plant CMakeLists.txt 'add_compile_options(-march=native)'
+plant pcl_spiral/CMakeLists.txt 'target_compile_options(pcl_spiral PRIVATE -ffast-math)'
+plant cmake/planted.cmake 'add_compile_definitions(PCL_NO_PRECOMPILE)'
+plant pcl_spiral/src/core/polyline.cpp '#pragma GCC optimize("fast-math")'
+exit $missed

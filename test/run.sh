@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Builds everything and runs every test. Installs what is missing on a Debian system.
+# Usage: test/run.sh [options for ctest]     build folder: build, or what PCL_SPIRAL_BUILD_DIR names
+set -euo pipefail
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=${PCL_SPIRAL_BUILD_DIR:-$top/build}
+
+bash "$top/cmake/install_dependencies.sh" build test display
+
+echo "Configuring $build"
+cmake -G Ninja -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release -DPCL_SPIRAL_BUILD_TESTS=ON \
+  -DPCL_SPIRAL_BUILD_EXAMPLES=ON
+
+# PCL's headers take up to 1.5 GB a compiler.
+memory_jobs=$(awk '/MemAvailable/ { print int($2 / 1.5e6) }' /proc/meminfo)
+jobs=$(nproc)
+[ "$memory_jobs" -ge "$jobs" ] || jobs=$((memory_jobs > 0 ? memory_jobs : 1))
+echo "Building with $jobs jobs"
+cmake --build "$build" --parallel "$jobs"
+
+echo "Testing"
+display=()
+[ -n "${DISPLAY:-}" ] || display=(xvfb-run -a -s "-screen 0 1280x1024x24")
+"${display[@]}" ctest --test-dir "$build" --output-on-failure "$@"
