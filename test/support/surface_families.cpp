@@ -1,0 +1,218 @@
+#include "support/surfaces.h"
+
+#include <array>
+#include <cmath>
+
+namespace pcl_spiral::test {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/** z = f(x, y); chart x, y. Derived classes give f with its first and second derivatives. */
+class HeightField : public AnalyticSurface {
+public:
+  using AnalyticSurface::AnalyticSurface;
+  struct Jet {
+    double f, fx, fy, fxx, fxy, fyy;
+  };
+  virtual Jet jet(double x, double y) const = 0;
+
+  double value(const Eigen::Vector3d& x) const override { return x.z() - jet(x.x(), x.y()).f; }
+  Eigen::Vector3d gradient(const Eigen::Vector3d& x) const override
+  {
+    const Jet j = jet(x.x(), x.y());
+    return {-j.fx, -j.fy, 1.0};
+  }
+  Eigen::Matrix3d hessian(const Eigen::Vector3d& x) const override
+  {
+    const Jet j = jet(x.x(), x.y());
+    Eigen::Matrix3d h = Eigen::Matrix3d::Zero();
+    h(0, 0) = -j.fxx;
+    h(0, 1) = h(1, 0) = -j.fxy;
+    h(1, 1) = -j.fyy;
+    return h;
+  }
+  Eigen::Vector3d lift(const Eigen::Vector2d& u) const override { return {u.x(), u.y(), jet(u.x(), u.y()).f}; }
+  Eigen::Vector2d chart(const Eigen::Vector3d& x) const override { return x.head<2>(); }
+  double areaElement(const Eigen::Vector2d& u) const override
+  {
+    const Jet j = jet(u.x(), u.y());
+    return std::sqrt(1.0 + j.fx * j.fx + j.fy * j.fy);
+  }
+};
+
+class SineSum : public HeightField {
+public:
+  using HeightField::HeightField;
+  Jet jet(double x, double y) const override
+  {
+    static const std::array<std::array<double, 4>, 3> waves{{{105.9, 0.004286, 0.00132, 1.687},
+                                                             {129.2, -0.001399, 0.004411, 2.88},
+                                                             {7.714, 0.004276, -0.008126, 2.695}}};
+    Jet j{0, 0, 0, 0, 0, 0};
+    for (const auto& [amplitude, kx, ky, phase] : waves) {
+      const double s = amplitude * std::sin(kx * x + ky * y + phase);
+      const double c = amplitude * std::cos(kx * x + ky * y + phase);
+      j.f += s;
+      j.fx += kx * c;
+      j.fy += ky * c;
+      j.fxx -= kx * kx * s;
+      j.fxy -= kx * ky * s;
+      j.fyy -= ky * ky * s;
+    }
+    return j;
+  }
+};
+
+class Quadric : public HeightField {
+public:
+  Quadric(double cx, double cy, Region region) : HeightField(std::move(region)), cx_(cx), cy_(cy) {}
+  Jet jet(double x, double y) const override
+  {
+    return {0.5 * (cx_ * x * x + cy_ * y * y), cx_ * x, cy_ * y, cx_, 0.0, cy_};
+  }
+
+private:
+  double cx_, cy_;
+};
+
+/** The ellipsoid x^2/a^2 + y^2/c^2 + z^2/b^2 = 1, c infinite for a cylinder; sign -1 turns the normals inwards. */
+class RoundSurface : public AnalyticSurface {
+public:
+  RoundSurface(const Eigen::Vector3d& inverse_squares, double scale, Region region)
+      : AnalyticSurface(std::move(region)), q_(inverse_squares), scale_(scale)
+  {
+  }
+  double value(const Eigen::Vector3d& x) const override
+  {
+    return 0.5 * scale_ * (x.dot(q_.cwiseProduct(x)) - 1.0);
+  }
+  Eigen::Vector3d gradient(const Eigen::Vector3d& x) const override { return scale_ * q_.cwiseProduct(x); }
+  Eigen::Matrix3d hessian(const Eigen::Vector3d&) const override
+  {
+    return (scale_ * q_).asDiagonal().toDenseMatrix();
+  }
+  /** Over the plane; the upper half, or the lower for inward normals. */
+  Eigen::Vector3d lift(const Eigen::Vector2d& u) const override
+  {
+    const double z = std::sqrt((1.0 - q_[0] * u.x() * u.x() - q_[1] * u.y() * u.y()) / q_[2]);
+    return {u.x(), u.y(), scale_ > 0.0 ? z : -z};
+  }
+  Eigen::Vector2d chart(const Eigen::Vector3d& x) const override { return x.head<2>(); }
+  double areaElement(const Eigen::Vector2d& u) const override
+  {
+    const Eigen::Vector3d g = gradient(lift(u));
+    return g.norm() / std::abs(g.z());
+  }
+
+private:
+  Eigen::Vector3d q_;
+  double scale_;
+};
+
+/** Spheroid about z with the chart a beta (cos theta, sin theta), beta the parametric latitude from the pole. */
+class Spheroid : public RoundSurface {
+public:
+  Spheroid(double a, double b, Region region)
+      : RoundSurface({1 / (a * a), 1 / (a * a), 1 / (b * b)}, b, std::move(region)), a_(a), b_(b)
+  {
+  }
+  Eigen::Vector3d lift(const Eigen::Vector2d& u) const override
+  {
+    const double rho = u.norm(), beta = rho / a_;
+    const Eigen::Vector2d plan = rho > 0.0 ? Eigen::Vector2d(a_ * std::sin(beta) / rho * u) : u;
+    return {plan.x(), plan.y(), b_ * std::cos(beta)};
+  }
+  Eigen::Vector2d chart(const Eigen::Vector3d& x) const override
+  {
+    const double r = x.head<2>().norm();
+    const double beta = std::atan2(r / a_, x.z() / b_);
+    return r > 0.0 ? Eigen::Vector2d(a_ * beta / r * x.head<2>()) : Eigen::Vector2d(x.head<2>());
+  }
+  double areaElement(const Eigen::Vector2d& u) const override
+  {
+    const double beta = u.norm() / a_;
+    const double ratio = beta > 1e-9 ? std::sin(beta) / beta : 1.0;
+    return ratio * std::hypot(a_ * std::cos(beta), b_ * std::sin(beta)) / a_;
+  }
+
+private:
+  double a_, b_;
+};
+
+} // namespace
+
+SurfacePtr
+flat(Region region)
+{
+  return std::make_shared<Quadric>(0.0, 0.0, std::move(region));
+}
+
+SurfacePtr
+freeform()
+{
+  return std::make_shared<SineSum>(Region({rectangle(1000.0, 1000.0)}));
+}
+
+SurfacePtr
+spheroidCap(double a, double b, double hole_radius)
+{
+  std::vector<PlaneLoop> loops{circle({0.0, 0.0}, 0.5 * pi * a)};
+  if (hole_radius > 0.0)
+    loops.push_back(circle({0.0, 0.0}, a * std::asin(hole_radius / a)));
+  return std::make_shared<Spheroid>(a, b, Region(std::move(loops)));
+}
+
+SurfacePtr
+bowl(double radius, double opening)
+{
+  const Eigen::Vector3d q = Eigen::Vector3d::Constant(1.0 / (radius * radius));
+  return std::make_shared<RoundSurface>(q, -radius, Region({circle({0.0, 0.0}, opening)}));
+}
+
+SurfacePtr
+ball(double radius, Region region)
+{
+  const Eigen::Vector3d q = Eigen::Vector3d::Constant(1.0 / (radius * radius));
+  return std::make_shared<RoundSurface>(q, radius, std::move(region));
+}
+
+SurfacePtr
+cylinder(double radius, Region region)
+{
+  const double q = 1.0 / (radius * radius);
+  return std::make_shared<RoundSurface>(Eigen::Vector3d(q, 0.0, q), radius, std::move(region));
+}
+
+SurfacePtr
+quadric(double rx, double ry, Region region)
+{
+  return std::make_shared<Quadric>(1.0 / rx, 1.0 / ry, std::move(region));
+}
+
+SurfacePtr
+ovalSaddle()
+{
+  return quadric(250.0, -200.0, Region({ellipse(150.0, 100.0)}));
+}
+
+SurfacePtr
+offCentreAnnulus()
+{
+  return quadric(-600.0, -600.0, Region({circle({0.0, 0.0}, 150.0), circle({40.0, 25.0}, 45.0)}));
+}
+
+SurfacePtr
+kidneyPatch()
+{
+  return quadric(800.0, -500.0, Region({kidney(120.0, 45.0, 0.012)}));
+}
+
+SurfacePtr
+ellPatch()
+{
+  return quadric(-600.0, -900.0, Region({ell(200.0, 90.0)}));
+}
+
+} // namespace pcl_spiral::test
