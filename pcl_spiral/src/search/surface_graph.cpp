@@ -1,0 +1,228 @@
+#include <pcl_spiral/search/surface_graph.h>
+
+#include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/search/local_star.h>
+#include <pcl_spiral/search/neighbour_search.h>
+
+#include "normal_orientation.h"
+#include "star_set.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr std::size_t fewest_points = 50;
+constexpr int most_neighbours = 256;
+constexpr int pinhole_edges = 6;
+
+/** What one neighbourhood tells about its point. */
+struct LocalShape {
+  Eigen::Vector3d normal; ///< least principal axis of the neighbours (Hoppe et al. 1992), sign arbitrary
+  double radius;          ///< distance to the k-th neighbour
+};
+
+LocalShape
+localShape(const Neighbourhood& near)
+{
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+  for (int j = 0; j < near.size; ++j) {
+    const Eigen::Vector3d d(near.x[j], near.y[j], near.z[j]);
+    mean += d;
+    moment += d * d.transpose();
+  }
+  mean /= near.size;
+  const Eigen::Matrix3d covariance = moment / near.size - mean * mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance);
+  return {solver.eigenvectors().col(0), std::sqrt(static_cast<double>(near.squared_distance[near.size - 1]))};
+}
+
+/** Spacing of k evenly spread points in a disc of this radius. */
+double
+evenSpacing(double radius, int k)
+{
+  return radius * std::sqrt(M_PI / k);
+}
+
+/** Tangent-plane coordinates of a neighbourhood, and its star. */
+class StarWorker {
+public:
+  StarWorker(const PointBlocks& blocks, int k, double max_circumradius)
+  : search_(blocks, k), wide_search_(blocks, 4 * k), blocks_(blocks), k_(k), max_circumradius_(max_circumradius)
+  {
+  }
+
+  void
+  setRun(std::size_t block)
+  {
+    block_ = block;
+    search_.setRun(blocks_.blockBox(block));
+    wide_ready_ = false;
+  }
+
+  /** Shape and star of point \p i; true when the first k neighbours were enough to settle the star. */
+  bool
+  visit(std::size_t i, LocalShape& shape)
+  {
+    near_ = &search_.find(blocks_.position(i));
+    shape = localShape(*near_);
+    const double max_circumradius = max_circumradius_ * evenSpacing(shape.radius, k_);
+    computeStar(*near_, shape.normal, max_circumradius);
+    if (shape.radius >= 2.0 * std::min(star_.reach(), max_circumradius))
+      return true;
+    if (!wide_ready_)
+      wide_search_.setRun(blocks_.blockBox(block_));
+    wide_ready_ = true;
+    near_ = &wide_search_.find(blocks_.position(i));
+    computeStar(*near_, shape.normal, max_circumradius);
+    return false;
+  }
+
+  /** Append the star's spokes as indices. */
+  void
+  append(std::vector<std::uint32_t>& spokes) const
+  {
+    for (const LocalStar::Spoke& s : star_.spokes())
+      spokes.push_back(near_->index[s.neighbour] | (s.triangle_next ? StarSet::triangle_flag : 0u));
+  }
+  std::size_t spokeCount() const { return star_.spokes().size(); }
+
+private:
+  void
+  computeStar(const Neighbourhood& near, const Eigen::Vector3d& normal, double max_circumradius)
+  {
+    Eigen::Vector3d e1, e2;
+    tangentFrame(normal, e1, e2);
+    u_.resize(near.size);
+    v_.resize(near.size);
+    for (int j = 0; j < near.size; ++j) {
+      const Eigen::Vector3d d(near.x[j], near.y[j], near.z[j]);
+      u_[j] = d.dot(e1);
+      v_[j] = d.dot(e2);
+    }
+    star_.compute(u_.data(), v_.data(), near.size, max_circumradius);
+  }
+
+  NeighbourSearch search_, wide_search_;
+  const PointBlocks& blocks_;
+  int k_;
+  double max_circumradius_;
+  std::size_t block_ = 0;
+  bool wide_ready_ = false;
+  const Neighbourhood* near_ = nullptr;
+  LocalStar star_;
+  std::vector<double> u_, v_;
+};
+
+/** Enough neighbours that most stars are settled by them; scan lines far apart need more than an even cloud. */
+int
+enoughNeighbours(const PointBlocks& blocks, const SurfaceGraphOptions& options)
+{
+  int k = std::min<int>(options.neighbours, static_cast<int>(blocks.size()));
+  const std::size_t step = std::max<std::size_t>(1, blocks.blockCount() / 64);
+  for (; 2 * k <= most_neighbours; k *= 2) {
+    StarWorker worker(blocks, k, options.max_circumradius);
+    std::size_t visited = 0, unsettled = 0;
+    for (std::size_t b = 0; b < blocks.blockCount(); b += step) {
+      worker.setRun(b);
+      for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); i += 4) {
+        LocalShape shape;
+        unsettled += !worker.visit(i, shape);
+        ++visited;
+      }
+    }
+    if (3 * unsettled < visited)
+      break;
+  }
+  return k;
+}
+
+/** One pass over all neighbourhoods: normals (sign arbitrary), radii, stars. */
+StarSet
+visitAll(const PointBlocks& blocks, int k, double max_circumradius, std::vector<Eigen::Vector3f>& normals,
+         std::vector<float>& radii)
+{
+  const auto block_count = static_cast<std::int64_t>(blocks.blockCount());
+  normals.resize(blocks.size());
+  radii.resize(blocks.size());
+  StarSet stars;
+  stars.begin.assign(blocks.size() + 1, 0);
+  std::vector<std::vector<std::uint32_t>> spokes(block_count);
+#pragma omp parallel
+  {
+    StarWorker worker(blocks, k, max_circumradius);
+#pragma omp for schedule(dynamic, 16)
+    for (std::int64_t b = 0; b < block_count; ++b) {
+      worker.setRun(b);
+      spokes[b].reserve(8 * PointBlocks::block_size);
+      for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); ++i) {
+        LocalShape shape;
+        worker.visit(i, shape);
+        normals[i] = shape.normal.cast<float>();
+        radii[i] = static_cast<float>(shape.radius);
+        worker.append(spokes[b]);
+        stars.begin[i + 1] = static_cast<std::uint32_t>(worker.spokeCount());
+      }
+    }
+  }
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    stars.begin[i + 1] += stars.begin[i];
+  stars.spokes.resize(stars.begin.back());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t b = 0; b < block_count; ++b)
+    std::copy(spokes[b].begin(), spokes[b].end(), stars.spokes.begin() + stars.begin[blocks.blockBegin(b)]);
+  return stars;
+}
+
+double
+median(std::vector<float> values)
+{
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+} // namespace
+
+double
+SurfaceGraph::spacing(std::size_t i) const
+{
+  return evenSpacing(radii_[i], neighbours_);
+}
+
+Status
+SurfaceGraph::build(const std::vector<Eigen::Vector3f>& points, const SurfaceGraphOptions& options)
+{
+  if (points.size() < fewest_points)
+    return {StatusCode::InvalidInput, "the cloud has " + std::to_string(points.size()) +
+                                          " usable points; a surface needs at least " +
+                                          std::to_string(fewest_points) + ": scan more densely or thin less"};
+  blocks_ = PointBlocks(points);
+  neighbours_ = enoughNeighbours(blocks_, options);
+  StarSet stars = visitAll(blocks_, neighbours_, options.max_circumradius, normals_, radii_);
+  spacing_ = evenSpacing(median(radii_), neighbours_);
+  if (!(spacing_ > 0.0))
+    return {StatusCode::InvalidInput, "most points of the cloud coincide: remove duplicates or check the units"};
+
+  std::vector<std::uint8_t> flipped = consistentSigns(normals_, stars);
+  orientation_is_clear_ = chooseOuterSide(blocks_, normals_, radii_, options, flipped);
+  mean_normal_.setZero();
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (flipped[i]) {
+      normals_[i] = -normals_[i];
+      stars.reverse(i);
+    }
+    mean_normal_ += radii_[i] * radii_[i] * normals_[i].cast<double>();
+  }
+  double area = 0.0;
+  for (const float r : radii_)
+    area += static_cast<double>(r) * r;
+  mean_normal_ /= area;
+  triangulation_ = Triangulation(size(), stars.agreedTriangles(pinhole_edges));
+  return Status::success();
+}
+
+} // namespace pcl_spiral
