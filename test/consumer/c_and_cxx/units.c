@@ -1,0 +1,1 @@
+double metres_to_millimetres(double metres) { return metres * 1000.0; }

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Installs the build, makes outside programs against it, runs them, moves the installation, runs them again.
+# Usage: run.sh BUILD_DIR [option for the outside programs' cmake ...]
+set -euo pipefail
+build=$1
+shift
+options=("$@")
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+first="$scratch/first prefix"
+second="$scratch/second prefix"
+
+fail() { echo "consumer: $*" >&2; exit 1; }
+
+make_program() { # NAME PREFIX BUILD: configures and builds an outside program, installs it beside the library
+  cmake -G Ninja -S "$here/$1" -B "$3" "${options[@]}" -DCMAKE_PREFIX_PATH="$2" -DCMAKE_INSTALL_PREFIX="$2" >"$scratch/log" 2>&1 ||
+    { cat "$scratch/log"; fail "$1 does not configure"; }
+  cmake --build "$3" >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$1 does not build"; }
+  cmake --install "$3" >/dev/null
+}
+
+make_by_pkg_config() { # NAME PREFIX: the same source as NAME, by pkg-config and the bare compiler
+  local flags # pkg-config escapes blanks as a shell does, hence eval
+  flags=$(PKG_CONFIG_PATH="$2/lib/pkgconfig" pkg-config --cflags --libs pcl_spiral)
+  eval "${CXX:-c++} ${CXXFLAGS:-} -std=c++17 -o \"\$2/bin/by_pkg_config\" \"\$here/\$1/main.cpp\" $flags" \
+    "'-Wl,-rpath,\$ORIGIN/../lib'"
+}
+
+run_all() { # PREFIX
+  for program in cxx_only c_and_cxx by_pkg_config; do
+    "$1/bin/$program" || fail "$program fails in '$1'"
+  done
+  "$1/bin/example_step_over" 10 0.05 >/dev/null || fail "the installed example fails in '$1'"
+}
+
+cmake --install "$build" --prefix "$first" >/dev/null
+make_program cxx_only "$first" "$scratch/cxx_only"
+make_program c_and_cxx "$first" "$scratch/c_and_cxx"
+make_by_pkg_config cxx_only "$first"
+run_all "$first"
+if readelf -d "$first/bin/cxx_only" | grep -E 'NEEDED.*(vtk|Qt)'; then
+  fail "a program that wants the filters alone was linked to the libraries above"
+fi
+
+mv "$first" "$second"
+run_all "$second"
+said=$(grep -rlF -e "$first" "$second" || true)
+[ -z "$said" ] || fail "these installed files know where they were first: $said"
+said=$(grep -rlFI -e "$build" "$second" || true)
+[ -z "$said" ] || fail "these installed files know the build folder: $said"
+make_program cxx_only "$second" "$scratch/cxx_only_again"
+"$second/bin/cxx_only" || fail "cxx_only, made against the moved installation, fails"
