@@ -1,0 +1,17 @@
+/** \file
+ *  The exception of readers and writers.
+ */
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace pcl_spiral {
+
+/** A file that cannot be read or written. The message names the file, the line or byte, the reason and the remedy. */
+class FileError : public std::runtime_error {
+public:
+  FileError(const std::string& file, const std::string& reason) : std::runtime_error(file + ": " + reason) {}
+};
+
+} // namespace pcl_spiral

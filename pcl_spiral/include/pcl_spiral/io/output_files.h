@@ -1,0 +1,46 @@
+/** \file
+ *  Several output files that appear together or not at all.
+ */
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Output files written under temporary names in their own folders and renamed at the end.
+ *
+ *  \code
+ *  OutputFiles files({"part.csv", "part.vtp"});  // throws where a path cannot be written
+ *  writeToolpath(files.temporary(0), ...);
+ *  writeToolpath(files.temporary(1), ...);
+ *  files.commit();                               // all of them, or none and the earlier files as they were
+ *  \endcode
+ *  Without commit the destructor removes what was written.
+ */
+class OutputFiles {
+public:
+  /** Checks that every path can be written, by making and removing a file beside it.
+   *  \throw FileError folder missing or not writable, a folder in place of the file, a path given twice */
+  explicit OutputFiles(std::vector<std::string> paths);
+  ~OutputFiles();
+  OutputFiles(const OutputFiles&) = delete;
+  OutputFiles& operator=(const OutputFiles&) = delete;
+
+  std::size_t size() const { return targets_.size(); }
+  /** The path as it was given. */
+  const std::string& path(std::size_t i) const { return paths_[i]; }
+  /** Where to write the file \p i; ends in the same extension. */
+  const std::string& temporary(std::size_t i) const { return temporaries_[i]; }
+
+  /** Rename every temporary to its target. \throw FileError after earlier files have been put back */
+  void commit();
+
+private:
+  std::vector<std::string> paths_;
+  std::vector<std::string> targets_; ///< paths with symbolic links followed
+  std::vector<std::string> temporaries_;
+};
+
+} // namespace pcl_spiral

@@ -1,0 +1,89 @@
+/** \file
+ *  Words for the choices in the settings, as options, job files and reports spell them.
+ */
+#pragma once
+
+#include <pcl_spiral/io/length_unit.h>
+#include <pcl_spiral/toolpath/spiral_settings.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace pcl_spiral {
+
+/** The words of an enumeration: a value and its word each. Specialised for every choice a user has. */
+template <typename Enum>
+struct ChoiceNames;
+
+template <>
+struct ChoiceNames<LengthUnit> {
+  static constexpr std::array<std::pair<LengthUnit, const char*>, 3> words{
+      {{LengthUnit::Millimetre, "mm"}, {LengthUnit::Metre, "m"}, {LengthUnit::Inch, "inch"}}};
+};
+template <>
+struct ChoiceNames<BoundaryMode> {
+  static constexpr std::array<std::pair<BoundaryMode, const char*>, 3> words{
+      {{BoundaryMode::Automatic, "auto"}, {BoundaryMode::OneBoundary, "one"}, {BoundaryMode::TwoBoundaries, "two"}}};
+};
+template <>
+struct ChoiceNames<SpiralDirection> {
+  static constexpr std::array<std::pair<SpiralDirection, const char*>, 2> words{
+      {{SpiralDirection::Outward, "outward"}, {SpiralDirection::Inward, "inward"}}};
+};
+template <>
+struct ChoiceNames<SpiralSense> {
+  static constexpr std::array<std::pair<SpiralSense, const char*>, 2> words{
+      {{SpiralSense::CounterClockwise, "ccw"}, {SpiralSense::Clockwise, "cw"}}};
+};
+template <>
+struct ChoiceNames<Pitch> {
+  static constexpr std::array<std::pair<Pitch, const char*>, 2> words{
+      {{Pitch::AcrossFeed, "across"}, {Pitch::AlongLine, "along"}}};
+};
+template <>
+struct ChoiceNames<GapHandling> {
+  static constexpr std::array<std::pair<GapHandling, const char*>, 2> words{
+      {{GapHandling::Bridge, "bridge"}, {GapHandling::Refuse, "refuse"}}};
+};
+template <>
+struct ChoiceNames<LineMethod> {
+  static constexpr std::array<std::pair<LineMethod, const char*>, 3> words{
+      {{LineMethod::Automatic, "auto"}, {LineMethod::Geodesic, "geodesic"}, {LineMethod::Harmonic, "harmonic"}}};
+};
+
+/** The word for \p choice. */
+template <typename Enum>
+std::string
+choiceName(Enum choice)
+{
+  for (const auto& [value, word] : ChoiceNames<Enum>::words)
+    if (value == choice)
+      return word;
+  return "?";
+}
+
+/** The choice that \p name stands for; nothing where no word matches. */
+template <typename Enum>
+std::optional<Enum>
+choiceFromName(const std::string& name)
+{
+  for (const auto& [value, word] : ChoiceNames<Enum>::words)
+    if (word == name)
+      return value;
+  return std::nullopt;
+}
+
+/** Every word, for help and messages: "auto|one|two". */
+template <typename Enum>
+std::string
+choiceList()
+{
+  std::string list;
+  for (const auto& [value, word] : ChoiceNames<Enum>::words)
+    list += (list.empty() ? "" : "|") + std::string(word);
+  return list;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,26 @@
+/** \file
+ *  Readers of toolpath files.
+ */
+#pragma once
+
+#include <pcl_spiral/common/point_types.h>
+
+#include <pcl/point_cloud.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A toolpath as it was written. */
+struct ToolpathFile {
+  pcl::PointCloud<ToolpathPoint> path;
+  std::vector<double> feed; ///< a point, mm/min; empty where the format has none (.pcd, .ply)
+};
+
+/** A toolpath from .csv, .pcd, .ply or .vtp as the writers make it. A CSV may hold comment lines (#).
+ *  \throw FileError naming the line, byte or array that is missing or wrong */
+ToolpathFile
+readToolpath(const std::string& file);
+
+} // namespace pcl_spiral

@@ -1,0 +1,239 @@
+#include "field_layout.h"
+#include "point_table.h"
+#include "text_scan.h"
+
+#include <pcl_spiral/io/file_error.h>
+
+#include <pcl/io/lzf.h>
+
+namespace pcl_spiral {
+namespace {
+
+// Own reading, because PCL 1.13's ends the program on an empty file or one without a header, and takes words that are
+// no numbers and missing columns for zeros; only its decompression is used.
+
+struct PcdField {
+  FieldType type;
+  std::size_t count = 1;
+  std::size_t offset = 0;   ///< bytes within a record
+  std::size_t position = 0; ///< words within a line
+};
+
+struct PcdHeader {
+  Names names;
+  std::vector<PcdField> fields;
+  std::size_t points = 0;
+  std::size_t words_a_point = 0;
+  std::size_t bytes_a_point = 0;
+  std::string data; ///< ascii, binary, binary_compressed
+  std::size_t begin = 0;
+  std::size_t lines = 0;
+};
+
+class PcdHeaderReader {
+public:
+  PcdHeaderReader(const std::string& file, std::string_view bytes) : file_(file), lines_(bytes) {}
+
+  PcdHeader
+  read()
+  {
+    std::string_view line;
+    while (header_.data.empty()) {
+      if (!lines_.next(line))
+        throw FileError(file_, "has no DATA line: not a PCD file, or cut off in its header");
+      if (!line.empty() && line[0] != '#')
+        takeLine(line);
+    }
+    header_.begin = lines_.position();
+    header_.lines = lines_.number();
+    settle();
+    return header_;
+  }
+
+private:
+  [[noreturn]] void
+  fail(const std::string& what) const
+  {
+    throw FileError(file_, atLine(lines_.number(), what));
+  }
+
+  std::size_t
+  count(std::string_view word) const
+  {
+    const std::optional<double> value = toNumber(word);
+    if (!value || !(*value >= 0.0 && *value < 1e15) || *value != static_cast<double>(static_cast<std::size_t>(*value)))
+      fail(quoted(word) + " is not a count");
+    return static_cast<std::size_t>(*value);
+  }
+
+  void
+  takeLine(std::string_view line)
+  {
+    splitWords(line, ' ', words_);
+    const std::string_view key = words_[0];
+    if (key == "VERSION" || key == "VIEWPOINT")
+      return;
+    if (words_.size() < 2)
+      fail(quoted(key) + " without a value in the header");
+    if (key == "FIELDS" || key == "COLUMNS") {
+      header_.names.assign(words_.begin() + 1, words_.end());
+      header_.fields.resize(header_.names.size());
+    }
+    else if (key == "SIZE" || key == "TYPE" || key == "COUNT")
+      takeFields(key);
+    else if (key == "WIDTH")
+      width_ = count(words_[1]);
+    else if (key == "HEIGHT")
+      height_ = count(words_[1]);
+    else if (key == "POINTS")
+      header_.points = count(words_[1]);
+    else if (key == "DATA")
+      header_.data = words_[1];
+    else
+      fail(quoted(key) + " is no line of a PCD header; is this a PCD file?");
+  }
+
+  void
+  takeFields(std::string_view key)
+  {
+    if (words_.size() != header_.fields.size() + 1)
+      fail(std::string(key) + " has " + std::to_string(words_.size() - 1) + " entries for " +
+           std::to_string(header_.fields.size()) + " fields");
+    for (std::size_t i = 0; i < header_.fields.size(); ++i) {
+      const std::string_view word = words_[i + 1];
+      if (key == "TYPE")
+        header_.fields[i].type.kind = word[0];
+      else if (key == "SIZE")
+        header_.fields[i].type.size = static_cast<int>(std::min<std::size_t>(count(word), 9));
+      else
+        header_.fields[i].count = count(word);
+    }
+  }
+
+  void
+  settle()
+  {
+    if (header_.points == 0)
+      header_.points = width_ * std::max<std::size_t>(height_, 1);
+    else if (width_ > 0 && width_ * std::max<std::size_t>(height_, 1) != header_.points)
+      fail("the header says WIDTH x HEIGHT = " + std::to_string(width_ * std::max<std::size_t>(height_, 1)) +
+           ", but POINTS " + std::to_string(header_.points));
+    if (header_.points == 0)
+      fail("the header says that there are no points");
+    for (PcdField& field : header_.fields) {
+      const int size = field.type.size;
+      const bool real = field.type.kind == 'F' && (size == 4 || size == 8);
+      const bool whole = (field.type.kind == 'I' || field.type.kind == 'U') &&
+                         (size == 1 || size == 2 || size == 4 || size == 8);
+      if (!real && !whole)
+        fail("the header has a field of TYPE " + std::string(1, field.type.kind) + " SIZE " + std::to_string(size));
+      field.offset = header_.bytes_a_point;
+      field.position = header_.words_a_point;
+      header_.bytes_a_point += field.count * static_cast<std::size_t>(size);
+      header_.words_a_point += field.count;
+    }
+  }
+
+  std::string file_;
+  LineScanner lines_;
+  std::vector<std::string_view> words_;
+  PcdHeader header_;
+  std::size_t width_ = 0;
+  std::size_t height_ = 1;
+};
+
+[[noreturn]] void
+failCutOff(const std::string& file, std::size_t there, std::size_t needed)
+{
+  throw FileError(file, "is cut off: byte " + std::to_string(there) + " is its last, and the points of its header need " +
+                            std::to_string(needed) + " bytes; copy or export it again");
+}
+
+PointTable
+readAscii(const std::string& file, std::string_view bytes, const PcdHeader& header,
+          const std::vector<std::size_t>& wanted)
+{
+  PointTable table(wanted.size());
+  LineScanner lines(bytes.substr(std::min(header.begin, bytes.size())));
+  std::string_view line;
+  std::vector<std::string_view> words;
+  while (table[0].size() < header.points && lines.next(line)) {
+    if (line.empty() || line[0] == '#')
+      continue;
+    splitWords(line, ' ', words);
+    const std::size_t number = header.lines + lines.number();
+    if (words.size() != header.words_a_point)
+      throw FileError(file, atLine(number, std::to_string(words.size()) + " values, where the header names " +
+                                               std::to_string(header.words_a_point)));
+    for (std::size_t c = 0; c < wanted.size(); ++c) {
+      const std::string_view word = words[header.fields[wanted[c]].position];
+      const std::optional<double> value = toNumber(word);
+      if (!value)
+        throw FileError(file, atLine(number, quoted(word) + " is not a number"));
+      table[c].push_back(*value);
+    }
+  }
+  if (table[0].size() < header.points)
+    throw FileError(file, atLine(header.lines + lines.number(),
+                                 "the file ends after " + std::to_string(table[0].size()) + " of " +
+                                     std::to_string(header.points) + " points; copy or export it again"));
+  return table;
+}
+
+/** The body of a compressed file: all values of one field, then all of the next. */
+std::string
+decompressed(const std::string& file, std::string_view bytes, const PcdHeader& header)
+{
+  if (bytes.size() < header.begin + 8)
+    failCutOff(file, bytes.size(), header.begin + 8);
+  const auto packed = static_cast<std::size_t>(loadAs<std::uint32_t>(bytes.data() + header.begin));
+  const auto unpacked = static_cast<std::size_t>(loadAs<std::uint32_t>(bytes.data() + header.begin + 4));
+  if (bytes.size() < header.begin + 8 + packed)
+    failCutOff(file, bytes.size(), header.begin + 8 + packed);
+  if (unpacked != header.points * header.bytes_a_point)
+    throw FileError(file, "byte " + std::to_string(header.begin) + ": the packed points come to " +
+                              std::to_string(unpacked) + " bytes, the header to " +
+                              std::to_string(header.points * header.bytes_a_point));
+  std::string body(unpacked, '\0');
+  const unsigned int got = pcl::lzfDecompress(bytes.data() + header.begin + 8, static_cast<unsigned int>(packed),
+                                              body.data(), static_cast<unsigned int>(unpacked));
+  if (got != unpacked)
+    throw FileError(file, "byte " + std::to_string(header.begin + 8) + ": the packed points cannot be unpacked");
+  return body;
+}
+
+PointTable
+readBinary(std::string_view body, const PcdHeader& header, const std::vector<std::size_t>& wanted, bool by_field)
+{
+  PointTable table(wanted.size());
+  for (std::size_t c = 0; c < wanted.size(); ++c) {
+    const PcdField& field = header.fields[wanted[c]];
+    const std::size_t first = by_field ? field.offset * header.points : field.offset;
+    const std::size_t step = by_field ? field.count * static_cast<std::size_t>(field.type.size) : header.bytes_a_point;
+    table[c].resize(header.points);
+    for (std::size_t i = 0; i < header.points; ++i)
+      table[c][i] = loadField(body.data() + first + i * step, field.type);
+  }
+  return table;
+}
+
+} // namespace
+
+PointTable
+readPcdTable(const std::string& file, std::string_view bytes, const Names& wanted)
+{
+  const PcdHeader header = PcdHeaderReader(file, bytes).read();
+  const std::vector<std::size_t> fields = columnsOf(file, header.names, wanted);
+  if (header.data == "ascii")
+    return readAscii(file, bytes, header, fields);
+  if (header.data == "binary_compressed")
+    return readBinary(decompressed(file, bytes, header), header, fields, true);
+  if (header.data != "binary")
+    throw FileError(file, atLine(header.lines, "DATA " + quoted(header.data) +
+                                                   " is none of ascii, binary, binary_compressed"));
+  if ((bytes.size() - std::min(header.begin, bytes.size())) / header.bytes_a_point < header.points)
+    failCutOff(file, bytes.size(), header.begin + header.points * header.bytes_a_point);
+  return readBinary(bytes.substr(header.begin), header, fields, false);
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,206 @@
+#include "point_table.h"
+#include "text_scan.h"
+
+#include <pcl_spiral/io/file_error.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace pcl_spiral {
+namespace {
+
+std::string
+lower(std::string_view text)
+{
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
+std::string
+joined(const Names& names)
+{
+  std::string list;
+  for (const std::string& name : names)
+    list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/** Position of \p name, upper or lower case; the count of names where it is not there. */
+std::size_t
+find(const Names& names, const std::string& name)
+{
+  const auto same = [&](const std::string& other) { return lower(other) == lower(name); };
+  return static_cast<std::size_t>(std::find_if(names.begin(), names.end(), same) - names.begin());
+}
+
+char
+separatorOf(std::string_view line)
+{
+  return line.find(';') != std::string_view::npos ? ';' : line.find(',') != std::string_view::npos ? ',' : ' ';
+}
+
+Names
+unquoted(const std::vector<std::string_view>& words)
+{
+  Names names;
+  for (std::string_view word : words) {
+    if (word.size() >= 2 && (word.front() == '"' || word.front() == '\'') && word.back() == word.front())
+      word = word.substr(1, word.size() - 2);
+    names.emplace_back(word);
+  }
+  return names;
+}
+
+/** Words rather than a number; a number written wrongly, such as 1,5, is not a heading. */
+bool
+isHeading(std::string_view word)
+{
+  const auto letter = [](unsigned char c) { return std::isalpha(c) || c == '"' || c == '_'; };
+  return !toNumber(word) && std::any_of(word.begin(), word.end(), letter);
+}
+
+/** A text of points, read line by line. */
+class TextTable {
+public:
+  TextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns)
+  : file_(file), bytes_(bytes), wanted_(wanted), names_(columns), named_by_user_(!columns.empty())
+  {
+  }
+
+  PointTable
+  read()
+  {
+    checkText();
+    LineScanner lines(bytes_);
+    std::string_view line;
+    while (lines.next(line)) {
+      const std::size_t comment = line.substr(0, 2) == "//" ? 2 : line.substr(0, 1) == "#" ? 1 : 0;
+      if (line.empty())
+        continue;
+      if (comment > 0)
+        takeCommentedHeader(trimmed(line.substr(comment)));
+      else
+        takeLine(line, lines.number());
+    }
+    if (table_.empty() || table_[0].empty())
+      throw FileError(file_, "holds no points (" + std::to_string(lines.number()) + " lines)");
+    return std::move(table_);
+  }
+
+private:
+  void
+  checkText()
+  {
+    if (bytes_.substr(0, 3) == "\xEF\xBB\xBF")
+      bytes_.remove_prefix(3);
+    const std::size_t zero = bytes_.find('\0');
+    if (zero != std::string_view::npos)
+      throw FileError(file_, "byte " + std::to_string(zero) + ": not a text; write it as plain text (UTF-8)");
+  }
+
+  /** "# x y z" or "//X Y Z" above the points names the columns, as many programs write it. */
+  void
+  takeCommentedHeader(std::string_view line)
+  {
+    if (started_ || !names_.empty())
+      return;
+    splitWords(line, separatorOf(line), words_);
+    const Names names = unquoted(words_);
+    const auto known = [&](const std::string& name) { return find(names, name) < names.size(); };
+    if (std::all_of(wanted_.begin(), wanted_.end(), known))
+      names_ = names;
+  }
+
+  void
+  takeLine(std::string_view line, std::size_t number)
+  {
+    if (!started_) {
+      separator_ = separatorOf(line);
+      splitWords(line, separator_, words_);
+      const bool header = isHeading(words_[0]);
+      start(header, number);
+      if (header)
+        return;
+    }
+    splitWords(line, separator_, words_);
+    takeNumbers(number);
+  }
+
+  /** Settle which columns are wanted, from the first line that is no comment. */
+  void
+  start(bool header, std::size_t number)
+  {
+    started_ = true;
+    if (header && !named_by_user_)
+      names_ = unquoted(words_);
+    if (words_.size() < wanted_.size())
+      throw FileError(file_, atLine(number, std::to_string(words_.size()) + " column(s), where " + joined(wanted_) +
+                                                " are needed; see --columns"));
+    if (names_.empty())
+      names_ = wanted_;
+    if (header && !named_by_user_ && find(names_, wanted_[0]) == names_.size())
+      throw FileError(file_, atLine(number, quoted(words_[0]) + " is neither a number nor a heading with " +
+                                                joined(wanted_) + "; name the columns with --columns"));
+    positions_ = columnsOf(file_, names_, wanted_);
+    width_ = words_.size();
+    const std::size_t last = *std::max_element(positions_.begin(), positions_.end());
+    if (last >= width_)
+      throw FileError(file_, atLine(number, std::to_string(width_) + " columns, where column " +
+                                                std::to_string(last + 1) + " is asked for; see --columns"));
+    table_.resize(wanted_.size());
+  }
+
+  void
+  takeNumbers(std::size_t number)
+  {
+    if (words_.size() != width_)
+      throw FileError(file_, atLine(number, std::to_string(words_.size()) + " columns, where the lines before have " +
+                                                std::to_string(width_) + "; is the file cut off?"));
+    for (std::size_t c = 0; c < positions_.size(); ++c) {
+      const std::string_view word = words_[positions_[c]];
+      const std::optional<double> value = toNumber(word);
+      if (!value) {
+        const bool comma = word.find_first_of(", \t") != std::string_view::npos;
+        throw FileError(file_, atLine(number, quoted(word) + " is not a number" +
+                                                  (comma ? "; write decimals with a point, not a comma" : "")));
+      }
+      table_[c].push_back(*value);
+    }
+  }
+
+  std::string file_;
+  std::string_view bytes_;
+  Names wanted_;
+  Names names_;
+  bool named_by_user_;
+  bool started_ = false;
+  char separator_ = ' ';
+  std::size_t width_ = 0;
+  std::vector<std::size_t> positions_;
+  std::vector<std::string_view> words_;
+  PointTable table_;
+};
+
+} // namespace
+
+std::vector<std::size_t>
+columnsOf(const std::string& file, const Names& names, const Names& wanted)
+{
+  std::vector<std::size_t> positions;
+  for (const std::string& name : wanted) {
+    positions.push_back(find(names, name));
+    if (positions.back() == names.size())
+      throw FileError(file, "has no '" + name + "'; it has: " + joined(names));
+  }
+  return positions;
+}
+
+PointTable
+readTextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns)
+{
+  return TextTable(file, bytes, wanted, columns).read();
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,131 @@
+#include "byte_file.h"
+
+#include <pcl_spiral/io/report_writer.h>
+#include <pcl_spiral/io/setting_names.h>
+
+#include <nlohmann/json.hpp>
+
+namespace pcl_spiral {
+namespace {
+
+using Json = nlohmann::ordered_json; // keeps the order of writing
+
+Json
+toJson(const Eigen::Vector3d& v)
+{
+  return Json::array({v.x(), v.y(), v.z()});
+}
+
+Json
+toJson(const std::optional<Eigen::Vector3d>& v)
+{
+  return v ? toJson(*v) : Json();
+}
+
+Json
+settingsJson(const SpiralSettings& s)
+{
+  return {{"tool_radius", s.tool_radius},
+          {"scallop", s.scallop_height},
+          {"chord_error", s.chord_error},
+          {"max_step", s.max_step > 0.0 ? s.max_step : s.tool_radius},
+          {"tilt", s.tilt_angle},
+          {"lead", s.lead_angle},
+          {"max_axis_rate", s.max_axis_rate},
+          {"feed", s.feed},
+          {"center", toJson(s.centre)},
+          {"start", toJson(s.start_point)},
+          {"view_point", toJson(s.view_point)},
+          {"flip_normals", s.flip_normals},
+          {"boundaries", choiceName(s.boundary_mode)},
+          {"direction", choiceName(s.direction)},
+          {"sense", choiceName(s.sense)},
+          {"pitch", choiceName(s.pitch)},
+          {"lines", choiceName(s.lines)},
+          {"gaps", choiceName(s.gaps)},
+          {"thin", s.thinning},
+          {"outliers", s.outlier_neighbours > 0 ? Json::array({s.outlier_neighbours, s.outlier_deviations}) : Json()},
+          {"threads", s.threads}};
+}
+
+Json
+loopsJson(const SpiralReport& report)
+{
+  Json loops = Json::array();
+  for (const BoundaryLoop& loop : report.loops) {
+    Json corners = Json::array();
+    for (const std::size_t corner : loop.corners)
+      if (corner < loop.curve.size())
+        corners.push_back(toJson(loop.curve[corner]));
+    const char* const type = loop.type == LoopType::Outer   ? "outer"
+                             : loop.type == LoopType::Inner ? "inner"
+                                                            : "scan gap";
+    loops.push_back({{"type", type},
+                     {"length", loop.length},
+                     {"points", std::max(loop.points.size(), loop.indices.size())},
+                     {"corners", corners}});
+  }
+  return loops;
+}
+
+Json
+surfaceJson(const SpiralReport& report)
+{
+  return {{"input_points", report.input_points},
+          {"nonfinite_points", report.nonfinite_points},
+          {"duplicate_points", report.duplicate_points},
+          {"outlier_points", report.outlier_points},
+          {"used_points", report.used_points},
+          {"spacing", report.spacing},
+          {"noise", report.noise},
+          {"projection_neighbours", report.projection_neighbours}};
+}
+
+Json
+pathJson(const SpiralReport& report, double feed)
+{
+  return {{"boundaries", report.boundaries},
+          {"center", report.boundaries == 1 ? toJson(report.centre) : Json()},
+          {"radial_lines", report.radial_lines.size()},
+          {"harmonic_lines", report.harmonic_lines},
+          {"turns", report.turns},
+          {"points", report.path_points},
+          {"length", report.path_length},
+          {"machining_minutes", feed > 0.0 ? Json(report.path_length / feed) : Json()},
+          {"smallest_step_over", report.smallest_step_over},
+          {"largest_step_over", report.largest_step_over},
+          {"largest_allowed_step", report.largest_allowed_step},
+          {"largest_gap", report.largest_gap},
+          {"largest_axis_change", report.largest_axis_change}};
+}
+
+} // namespace
+
+void
+writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings,
+                const SpiralReport& report)
+{
+  Json stages = Json::object();
+  double total = 0.0;
+  for (const StageTime& stage : report.stages) {
+    stages[stage.name] = stage.seconds;
+    total += stage.seconds;
+  }
+  std::vector<std::string> warnings = files.warnings;
+  warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
+  const Json json = {
+      {"units", {{"length", "mm"}, {"angle", "degree"}, {"feed", "mm/min"}, {"time", "s"}}},
+      {"input", {{"file", files.scan}, {"unit", choiceName(files.unit)}, {"origin", toJson(files.origin)}}},
+      {"outputs", files.outputs},
+      {"settings", settingsJson(settings)},
+      {"surface", surfaceJson(report)},
+      {"loops", loopsJson(report)},
+      {"path", pathJson(report, settings.feed)},
+      {"seconds", {{"total", total}, {"stages", stages}}},
+      {"warnings", warnings}};
+  ByteFile out(file);
+  out.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  out.close();
+}
+
+} // namespace pcl_spiral

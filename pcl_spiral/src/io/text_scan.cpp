@@ -1,0 +1,92 @@
+#include "text_scan.h"
+
+#include <charconv>
+
+namespace pcl_spiral {
+namespace {
+
+bool
+isBlank(char c)
+{
+  return c == ' ' || c == '\t';
+}
+
+} // namespace
+
+bool
+LineScanner::next(std::string_view& line)
+{
+  if (position_ >= text_.size())
+    return false;
+  std::size_t end = position_;
+  while (end < text_.size() && text_[end] != '\n' && text_[end] != '\r')
+    ++end;
+  line = trimmed(text_.substr(position_, end - position_));
+  const bool two = end + 1 < text_.size() && text_[end] == '\r' && text_[end + 1] == '\n';
+  position_ = end + (two ? 2 : 1);
+  ++number_;
+  return true;
+}
+
+std::string_view
+trimmed(std::string_view text)
+{
+  while (!text.empty() && isBlank(text.front()))
+    text.remove_prefix(1);
+  while (!text.empty() && isBlank(text.back()))
+    text.remove_suffix(1);
+  return text;
+}
+
+void
+splitWords(std::string_view line, char separator, std::vector<std::string_view>& words)
+{
+  words.clear();
+  if (separator != ' ') {
+    for (std::size_t begin = 0; begin <= line.size();) {
+      const std::size_t end = std::min(line.find(separator, begin), line.size());
+      words.push_back(trimmed(line.substr(begin, end - begin)));
+      begin = end + 1;
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < line.size();) {
+    while (i < line.size() && isBlank(line[i]))
+      ++i;
+    const std::size_t begin = i;
+    while (i < line.size() && !isBlank(line[i]))
+      ++i;
+    if (i > begin)
+      words.push_back(line.substr(begin, i - begin));
+  }
+}
+
+std::optional<double>
+toNumber(std::string_view word)
+{
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-')
+    word.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size())
+    return std::nullopt;
+  return value;
+}
+
+std::string
+atLine(std::size_t number, const std::string& what)
+{
+  return "line " + std::to_string(number) + ": " + what;
+}
+
+std::string
+quoted(std::string_view word)
+{
+  constexpr std::size_t longest = 40;
+  std::string text = "'";
+  for (const char c : word.substr(0, longest))
+    text += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
+  return text + (word.size() > longest ? "...'" : "'");
+}
+
+} // namespace pcl_spiral

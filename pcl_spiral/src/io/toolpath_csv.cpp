@@ -1,0 +1,70 @@
+#include "byte_file.h"
+#include "fixed_point.h"
+
+#include <pcl_spiral/io/toolpath_writer.h>
+
+#include <algorithm>
+
+namespace pcl_spiral {
+
+const char* const toolpath_csv_header = "turn,arc_length,cc_x,cc_y,cc_z,normal_x,normal_y,normal_z,tip_x,tip_y,tip_z,"
+                                        "axis_x,axis_y,axis_z,feed";
+
+namespace {
+
+constexpr std::size_t rows_a_block = 8192;
+constexpr std::size_t blocks_a_round = 64; ///< bounds the memory; the same for any number of threads
+
+template <int Decimals>
+char*
+writeField(char* out, double value)
+{
+  out = writeFixed<Decimals>(out, value);
+  *out++ = ',';
+  return out;
+}
+
+char*
+writeRow(char* out, const ToolpathPoint& point, const ToolpathMotion& motion)
+{
+  const Eigen::Vector3d tip = toolTip(point, motion.tool_radius);
+  out = writeField<6>(out, point.turn);
+  out = writeField<6>(out, point.arc_length);
+  for (int i = 0; i < 3; ++i)
+    out = writeField<6>(out, point.data[i]);
+  for (int i = 0; i < 3; ++i)
+    out = writeField<9>(out, point.data_n[i]);
+  for (int i = 0; i < 3; ++i)
+    out = writeField<6>(out, tip[i]);
+  for (int i = 0; i < 3; ++i)
+    out = writeField<9>(out, point.data_axis[i]);
+  out = writeFixed<3>(out, motion.feed);
+  *out++ = '\n';
+  return out;
+}
+
+} // namespace
+
+void
+writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion)
+{
+  ByteFile out(file);
+  out.write(std::string(toolpath_csv_header) + "\n");
+  std::vector<std::string> blocks(blocks_a_round);
+  for (std::size_t begin = 0; begin < path.size(); begin += rows_a_block * blocks_a_round) {
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t b = 0; b < blocks_a_round; ++b) {
+      blocks[b].clear();
+      const std::size_t first = begin + b * rows_a_block;
+      const std::size_t last = std::min(first + rows_a_block, path.size());
+      char row[15 * (fixed_point_room + 1)];
+      for (std::size_t i = first; i < last; ++i)
+        blocks[b].append(row, static_cast<std::size_t>(writeRow(row, path[i], motion) - row));
+    }
+    for (const std::string& block : blocks)
+      out.write(block);
+  }
+  out.close();
+}
+
+} // namespace pcl_spiral

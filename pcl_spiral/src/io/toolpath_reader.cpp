@@ -1,0 +1,97 @@
+#include "byte_file.h"
+#include "point_table.h"
+#include "quiet_vtk.h"
+
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/toolpath_reader.h>
+
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
+
+namespace pcl_spiral {
+namespace {
+
+/** Columns of a path: x y z, normal, axis, arc length, turn, and the feed where there is one. */
+ToolpathFile
+fromColumns(const PointTable& table)
+{
+  ToolpathFile file;
+  file.path.resize(table[0].size());
+  for (std::size_t i = 0; i < file.path.size(); ++i) {
+    ToolpathPoint& point = file.path[i];
+    for (std::size_t c = 0; c < 3; ++c) {
+      point.data[c] = static_cast<float>(table[c][i]);
+      point.data_n[c] = static_cast<float>(table[3 + c][i]);
+      point.data_axis[c] = static_cast<float>(table[6 + c][i]);
+    }
+    point.arc_length = table[9][i];
+    point.turn = static_cast<float>(table[10][i]);
+  }
+  if (table.size() > 11)
+    file.feed = table[11];
+  return file;
+}
+
+void
+append(PointTable& table, const std::string& file, vtkDataArray* array, const char* name, int components)
+{
+  if (!array || array->GetNumberOfComponents() != components)
+    throw FileError(file, std::string("has no point data ") + name + "; it is not a toolpath of ours");
+  for (int c = 0; c < components; ++c) {
+    table.emplace_back(static_cast<std::size_t>(array->GetNumberOfTuples()));
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+      table.back()[static_cast<std::size_t>(i)] = array->GetComponent(i, c);
+  }
+}
+
+PointTable
+readVtpTable(const std::string& file)
+{
+  readBytes(file); // missing, a folder, empty
+  const QuietVtk quiet;
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkPolyData* const data = reader->GetOutput();
+  if (!data || data->GetNumberOfPoints() == 0 || data->GetNumberOfLines() != 1)
+    throw FileError(file, "is not a readable polyline file; make it again");
+  vtkPointData* const arrays = data->GetPointData();
+  PointTable table;
+  append(table, file, data->GetPoints()->GetData(), "Points", 3);
+  append(table, file, arrays->GetArray("Normals"), "Normals", 3);
+  append(table, file, arrays->GetArray("ToolAxis"), "ToolAxis", 3);
+  append(table, file, arrays->GetArray("ArcLength"), "ArcLength", 1);
+  append(table, file, arrays->GetArray("Turn"), "Turn", 1);
+  append(table, file, arrays->GetArray("Feed"), "Feed", 1);
+  return table;
+}
+
+} // namespace
+
+ToolpathFile
+readToolpath(const std::string& file)
+{
+  const std::string extension = lowerExtension(file);
+  const Names tail{"axis_x", "axis_y", "axis_z", "arc_length", "turn"};
+  const auto names = [&tail](Names first, const Names& last = {}) {
+    first.insert(first.end(), tail.begin(), tail.end());
+    first.insert(first.end(), last.begin(), last.end());
+    return first;
+  };
+  if (extension == ".csv")
+    return fromColumns(readTextTable(
+        file, readBytes(file), names({"cc_x", "cc_y", "cc_z", "normal_x", "normal_y", "normal_z"}, {"feed"})));
+  if (extension == ".pcd")
+    return fromColumns(
+        readPcdTable(file, readBytes(file), names({"x", "y", "z", "normal_x", "normal_y", "normal_z"})));
+  if (extension == ".ply")
+    return fromColumns(readPlyTable(file, readBytes(file), names({"x", "y", "z", "nx", "ny", "nz"})));
+  if (extension == ".vtp")
+    return fromColumns(readVtpTable(file));
+  throw FileError(file, "extension '" + extension + "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");
+}
+
+} // namespace pcl_spiral

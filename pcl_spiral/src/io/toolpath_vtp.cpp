@@ -1,0 +1,77 @@
+#include "quiet_vtk.h"
+
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/toolpath_writer.h>
+
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <numeric>
+
+namespace pcl_spiral {
+namespace {
+
+/** A named array of \p components values a point, filled by \p value(point, component). */
+template <typename Array, typename Value>
+vtkSmartPointer<Array>
+pointArray(const char* name, int components, const pcl::PointCloud<ToolpathPoint>& path, Value value)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(path.size()));
+  for (std::size_t i = 0; i < path.size(); ++i)
+    for (int c = 0; c < components; ++c)
+      array->SetTypedComponent(static_cast<vtkIdType>(i), c, value(path[i], c));
+  return array;
+}
+
+vtkSmartPointer<vtkPolyData>
+polyData(const pcl::PointCloud<ToolpathPoint>& path, double feed)
+{
+  using P = ToolpathPoint;
+  vtkNew<vtkPoints> points;
+  points->SetData(pointArray<vtkFloatArray>("Points", 3, path, [](const P& p, int c) { return p.data[c]; }));
+  std::vector<vtkIdType> order(path.size());
+  std::iota(order.begin(), order.end(), 0);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(static_cast<vtkIdType>(order.size()), order.data());
+
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetLines(lines);
+  vtkPointData* const arrays = data->GetPointData();
+  arrays->SetNormals(pointArray<vtkFloatArray>("Normals", 3, path, [](const P& p, int c) { return p.data_n[c]; }));
+  arrays->AddArray(pointArray<vtkFloatArray>("ToolAxis", 3, path, [](const P& p, int c) { return p.data_axis[c]; }));
+  arrays->AddArray(
+      pointArray<vtkFloatArray>("Feed", 1, path, [feed](const P&, int) { return static_cast<float>(feed); }));
+  arrays->AddArray(pointArray<vtkFloatArray>("Turn", 1, path, [](const P& p, int) { return p.turn; }));
+  arrays->AddArray(pointArray<vtkDoubleArray>("ArcLength", 1, path, [](const P& p, int) { return p.arc_length; }));
+  return data;
+}
+
+} // namespace
+
+void
+writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion)
+{
+  const QuietVtk quiet;
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName(file.c_str());
+  writer->SetInputData(polyData(path, motion.feed));
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToNone();
+  const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
+  if (!written)
+    throw FileError(file, std::string("cannot be written: ") +
+                              vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,31 @@
+#include "byte_file.h"
+
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/toolpath_writer.h>
+
+namespace pcl_spiral {
+
+const std::vector<std::string>&
+toolpathExtensions()
+{
+  static const std::vector<std::string> extensions{".csv", ".pcd", ".ply", ".vtp"};
+  return extensions;
+}
+
+void
+writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion)
+{
+  const std::string extension = lowerExtension(file);
+  if (extension == ".csv")
+    writeToolpathCSV(file, path, motion);
+  else if (extension == ".pcd")
+    writeToolpathPCD(file, path);
+  else if (extension == ".ply")
+    writeToolpathPLY(file, path);
+  else if (extension == ".vtp")
+    writeToolpathVTP(file, path, motion);
+  else
+    throw FileError(file, "extension '" + extension + "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,248 @@
+// Toolpath files: read back by our readers, by PCL and VTK, and by a plain parser of the header.
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/toolpath_reader.h>
+#include <pcl_spiral/io/toolpath_writer.h>
+
+#include "support/scratch_folder.h"
+
+#include <gtest/gtest.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+#include <vtkCell.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <sstream>
+
+using namespace pcl_spiral;
+
+namespace {
+
+/** A spiral on a paraboloid with a tilted axis; lengths beyond what a float holds to the micrometre. */
+pcl::PointCloud<ToolpathPoint>
+spiral(std::size_t count)
+{
+  pcl::PointCloud<ToolpathPoint> path;
+  path.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double turn = 0.01 * static_cast<double>(i), angle = 2.0 * M_PI * turn, r = 0.4 * turn;
+    const Eigen::Vector3d p(r * std::cos(angle), r * std::sin(angle), -0.001 * r * r);
+    const Eigen::Vector3d n = Eigen::Vector3d(0.002 * p.x(), 0.002 * p.y(), 1.0).normalized();
+    path[i].getVector3fMap() = p.cast<float>();
+    path[i].getNormalVector3fMap() = n.cast<float>();
+    path[i].getAxisVector3fMap() = (n + Eigen::Vector3d(0.2, -0.1, 0.0)).normalized().cast<float>();
+    path[i].arc_length = 1.0e6 + 1.0 / 3.0 * static_cast<double>(i);
+    path[i].turn = static_cast<float>(turn);
+  }
+  return path;
+}
+
+void
+expectNear(const pcl::PointCloud<ToolpathPoint>& a, const pcl::PointCloud<ToolpathPoint>& b, double length,
+           double direction)
+{
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      ASSERT_NEAR(a[i].data[c], b[i].data[c], length);
+      ASSERT_NEAR(a[i].data_n[c], b[i].data_n[c], direction);
+      ASSERT_NEAR(a[i].data_axis[c], b[i].data_axis[c], direction);
+    }
+    ASSERT_NEAR(a[i].arc_length, b[i].arc_length, length);
+    ASSERT_NEAR(a[i].turn, b[i].turn, length);
+  }
+}
+
+const ToolpathMotion motion{10.0, 1500.0};
+
+} // namespace
+
+TEST(ToolpathFiles, RoundTrip)
+{
+  const ScratchFolder folder;
+  const auto path = spiral(30011); // more than one block of rows, and a part of one
+  for (const std::string& extension : toolpathExtensions()) {
+    const std::string file = folder.path("path" + extension);
+    writeToolpath(file, path, motion);
+    const ToolpathFile back = readToolpath(file);
+    const bool text = extension == ".csv"; // half of the last decimal, and the float's own rounding
+    expectNear(back.path, path, text ? 0.5e-6 + 3e-5 * 0.5 : 0.0, text ? 0.6e-9 + 3e-8 : 0.0);
+    if (extension == ".csv" || extension == ".vtp") {
+      ASSERT_EQ(back.feed.size(), path.size());
+      EXPECT_EQ(back.feed.front(), motion.feed);
+      EXPECT_EQ(back.feed.back(), motion.feed);
+    }
+  }
+}
+
+TEST(ToolpathFiles, CsvHasTheAgreedShape)
+{
+  const ScratchFolder folder;
+  pcl::PointCloud<ToolpathPoint> path;
+  path.resize(2);
+  path[0].x = 1.5f;
+  path[0].y = -0.0000001f;
+  path[0].z = -2.25f;
+  path[0].normal_z = 1.0f;
+  path[0].axis_x = 0.5f;
+  path[0].axis_z = 0.75f;
+  path[0].arc_length = 123456789.0625;
+  path[0].turn = 3.5f;
+  path[1].x = std::numeric_limits<float>::quiet_NaN();
+  path[1].y = 3e38f;
+  writeToolpathCSV(folder.path("a.csv"), path, {4.0, 1500.0});
+  std::istringstream lines(readText(folder.path("a.csv")));
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "turn,arc_length,cc_x,cc_y,cc_z,normal_x,normal_y,normal_z,tip_x,tip_y,tip_z,axis_x,axis_y,axis_z,feed");
+  std::getline(lines, line);
+  EXPECT_EQ(line, "3.500000,123456789.062500,1.500000,0.000000,-2.250000,0.000000000,0.000000000,1.000000000,"
+                  "-0.500000,0.000000,-1.250000,0.500000000,0.000000000,0.750000000,1500.000");
+  std::getline(lines, line);
+  char huge[64];
+  std::snprintf(huge, sizeof(huge), ",%.6f,", static_cast<double>(3e38f));
+  EXPECT_EQ(line.find("0.000000,0.000000,nan"), 0U) << line;
+  EXPECT_NE(line.find(huge), std::string::npos) << line;
+  EXPECT_FALSE(std::getline(lines, line));
+}
+
+TEST(ToolpathFiles, CsvNumbersAreThoseOfPrintf)
+{
+  const ScratchFolder folder;
+  pcl::PointCloud<ToolpathPoint> path;
+  path.resize(20000);
+  unsigned int seed = 7;
+  for (ToolpathPoint& point : path) {
+    seed = seed * 1664525U + 1013904223U;
+    const double magnitude = std::pow(10.0, static_cast<int>(seed % 13) - 6);
+    point.arc_length = magnitude * (static_cast<double>(seed) / 2147483648.0 - 1.0);
+  }
+  writeToolpathCSV(folder.path("a.csv"), path, motion);
+  std::istringstream lines(readText(folder.path("a.csv")));
+  std::string line;
+  std::getline(lines, line);
+  std::size_t same = 0;
+  for (const ToolpathPoint& point : path) {
+    std::getline(lines, line);
+    char expected[64];
+    std::snprintf(expected, sizeof(expected), "%.6f", point.arc_length);
+    const std::string written = line.substr(9, line.find(',', 9) - 9);
+    ASSERT_NEAR(std::stod(written), point.arc_length, 0.5e-6 * (1.0 + 1e-6)) << written;
+    same += written == expected || (std::string(expected) == "-0.000000" && written == "0.000000");
+  }
+  EXPECT_EQ(same, path.size());
+}
+
+TEST(ToolpathFiles, CsvOfAMillionRowsIsFast)
+{
+  const ScratchFolder folder;
+  const auto path = spiral(1000000);
+  const auto start = std::chrono::steady_clock::now();
+  writeToolpathCSV(folder.path("a.csv"), path, motion);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  RecordProperty("seconds", std::to_string(seconds));
+  std::printf("a million rows in %.2f s\n", seconds);
+  EXPECT_LT(seconds, 3.0) << "well under a second where nothing else runs";
+}
+
+TEST(ToolpathFiles, PclReadsThemBack)
+{
+  const ScratchFolder folder;
+  const auto path = spiral(1000);
+  pcl::PointCloud<ToolpathPoint> pcd, ply;
+  writeToolpathPCD(folder.path("a.pcd"), path);
+  ASSERT_EQ(pcl::io::loadPCDFile(folder.path("a.pcd"), pcd), 0);
+  expectNear(pcd, path, 0.0, 0.0);
+  writeToolpathPLY(folder.path("a.ply"), path);
+  ASSERT_EQ(pcl::io::loadPLYFile(folder.path("a.ply"), ply), 0);
+  expectNear(ply, path, 0.0, 0.0);
+}
+
+TEST(ToolpathFiles, PlyHeaderDescribesItsBytes)
+{
+  const ScratchFolder folder;
+  const auto path = spiral(10);
+  writeToolpathPLY(folder.path("a.ply"), path);
+  const std::string bytes = readText(folder.path("a.ply"));
+  const std::string mark = "end_header\n";
+  const std::size_t body = bytes.find(mark) + mark.size();
+  std::istringstream header(bytes.substr(0, body));
+  std::string line;
+  std::size_t row = 0, length_at = 0;
+  while (std::getline(header, line)) {
+    if (line == "property double arc_length")
+      length_at = row;
+    row += line.rfind("property float ", 0) == 0 ? 4 : line.rfind("property double ", 0) == 0 ? 8 : 0;
+  }
+  ASSERT_EQ(bytes.size(), body + 10 * row);
+  double length = 0.0;
+  std::memcpy(&length, bytes.data() + body + 7 * row + length_at, sizeof(length));
+  EXPECT_EQ(length, path[7].arc_length);
+}
+
+TEST(ToolpathFiles, VtkReadsOnePolyline)
+{
+  const ScratchFolder folder;
+  const auto path = spiral(500);
+  writeToolpathVTP(folder.path("a.vtp"), path, motion);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(folder.path("a.vtp").c_str());
+  reader->Update();
+  vtkPolyData* const data = reader->GetOutput();
+  ASSERT_EQ(data->GetNumberOfPoints(), 500);
+  ASSERT_EQ(data->GetNumberOfCells(), 1);
+  EXPECT_EQ(data->GetCell(0)->GetCellType(), VTK_POLY_LINE);
+  for (vtkIdType i = 0; i < 500; ++i)
+    ASSERT_EQ(data->GetCell(0)->GetPointId(static_cast<int>(i)), i);
+  vtkPointData* const arrays = data->GetPointData();
+  ASSERT_NE(arrays->GetNormals(), nullptr);
+  EXPECT_STREQ(arrays->GetNormals()->GetName(), "Normals");
+  for (const char* name : {"Normals", "ToolAxis", "Feed", "Turn", "ArcLength"})
+    ASSERT_NE(arrays->GetArray(name), nullptr) << name;
+  EXPECT_EQ(arrays->GetArray("ArcLength")->GetComponent(499, 0), path[499].arc_length);
+  EXPECT_EQ(arrays->GetArray("ToolAxis")->GetComponent(499, 0), path[499].axis_x);
+  EXPECT_EQ(arrays->GetArray("Feed")->GetComponent(0, 0), motion.feed);
+}
+
+TEST(ToolpathFiles, TipLiesBelowTheBallCentre)
+{
+  for (const ToolpathPoint& point : spiral(100)) {
+    const Eigen::Vector3d centre =
+        point.getVector3fMap().cast<double>() + 10.0 * point.getNormalVector3fMap().cast<double>();
+    EXPECT_NEAR((centre - toolTip(point, 10.0)).norm(), 10.0, 1e-5);
+    EXPECT_NEAR((centre - toolTip(point, 10.0)).dot(point.getAxisVector3fMap().cast<double>()), 10.0, 1e-5);
+  }
+}
+
+TEST(ToolpathFiles, AFullDiskIsAnError)
+{
+  if (!std::filesystem::exists("/dev/full"))
+    return;
+  const auto path = spiral(50000);
+  EXPECT_THROW(writeToolpathCSV("/dev/full", path, motion), FileError);
+  EXPECT_THROW(writeToolpathPLY("/dev/full", path), FileError);
+  EXPECT_THROW(writeToolpathPCD("/dev/full", path), FileError);
+  // not the VTP: VTK's writer removes the file it could not write
+}
+
+TEST(ToolpathFiles, ReaderSaysWhatIsMissing)
+{
+  const ScratchFolder folder;
+  writeText(folder.path("a.csv"), "turn,cc_x\n1,2\n");
+  writeText(folder.path("a.vtp"), "<VTKFile type=\"PolyData\">");
+  EXPECT_THROW(readToolpath(folder.path("a.csv")), FileError);
+  EXPECT_THROW(readToolpath(folder.path("a.vtp")), FileError);
+  writeToolpathVTP(folder.path("whole.vtp"), spiral(100), motion);
+  const std::string whole = readText(folder.path("whole.vtp"));
+  writeText(folder.path("half.vtp"), whole.substr(0, whole.size() / 2));
+  EXPECT_THROW(readToolpath(folder.path("half.vtp")), FileError);
+  EXPECT_THROW(readToolpath(folder.path("missing.csv")), FileError);
+  EXPECT_THROW(writeToolpath(folder.path("a.dwg"), spiral(3), motion), FileError);
+}
