@@ -102,6 +102,19 @@ TEST(PointBlocks, OrderDependsOnTheSetAlone)
   }
 }
 
+TEST(PointBlocks, BoxHoldsThePointsTightly)
+{
+  for (const std::size_t n : {5, 100, 1100}) { // blocks do not fill the tree
+    const auto points = randomSurface(n, 12);
+    pcl_spiral::Box box;
+    for (const auto& p : points)
+      box.extend(p.data());
+    const pcl_spiral::PointBlocks blocks(points);
+    EXPECT_EQ(blocks.box().low, box.low);
+    EXPECT_EQ(blocks.box().high, box.high);
+  }
+}
+
 TEST(PointBlocks, NearestAgainstBruteForce)
 {
   const auto points = randomSurface(5000, 11);

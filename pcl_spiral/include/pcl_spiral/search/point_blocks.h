@@ -30,8 +30,10 @@ struct Box {
   void
   extend(const Box& other)
   {
-    extend(other.low.data());
-    extend(other.high.data());
+    for (int d = 0; d < 3; ++d) {
+      low[d] = std::min(low[d], other.low[d]);
+      high[d] = std::max(high[d], other.high[d]);
+    }
   }
   float
   squaredDistance(const Box& other) const

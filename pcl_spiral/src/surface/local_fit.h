@@ -1,0 +1,28 @@
+/** \file
+ *  One local fit of the surface. Private to surface.
+ */
+#pragma once
+
+#include <pcl_spiral/search/neighbour_search.h>
+#include <pcl_spiral/surface/mls_surface.h>
+
+namespace pcl_spiral {
+
+/** How far a query lies beyond the outermost of its neighbours, seen towards their centroid (an offset from it in the
+ *  tangent plane); 0 when it lies among them. */
+double
+overhang(const Neighbourhood& near, const Eigen::Vector3d& centroid);
+
+/** Foot of a query on the quadric f(u, v) = b0 + b1 u + b2 v + b3 u^2 + b4 u v + b5 v^2 over the plane across \p up,
+ *  fitted to its neighbours with the weight (1 - r^2)^3, r the distance in the plane over that of the farthest.
+ *  Source: Levin, The approximation power of moving least squares, 1998; weight after Wendland. */
+SurfaceFoot
+quadraticFoot(const Eigen::Vector3d& query, const Neighbourhood& near, const Eigen::Vector3d& up);
+
+/** Foot by the published directional centroid: along the mean normal onto the plane through the weighted centroid.
+ *  Source: Wu et al. 2025, equations (8)-(11), with weights exp(-|p - q|^2 / h^2). */
+SurfaceFoot
+directionalCentroidFoot(const Eigen::Vector3d& query, const Neighbourhood& near,
+                        const std::vector<Eigen::Vector3f>& normals);
+
+} // namespace pcl_spiral

@@ -1,0 +1,151 @@
+// Moving least squares against a sphere, a cylinder and a paraboloid known exactly, with and without noise.
+#include <pcl_spiral/surface/mls_surface.h>
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <random>
+
+namespace {
+
+using Eigen::Vector3d;
+
+std::vector<Eigen::Vector3f>
+cap(std::size_t n, double radius, double noise, std::uint64_t seed)
+{
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> u;
+  std::normal_distribution<double> g;
+  std::vector<Eigen::Vector3f> points(n);
+  for (auto& p : points) {
+    const double z = 0.5 + 0.5 * u(random), a = 2 * M_PI * u(random), r = std::sqrt(1 - z * z);
+    p = ((radius + noise * g(random)) * Vector3d(r * std::cos(a), r * std::sin(a), z)).cast<float>();
+  }
+  return points;
+}
+
+pcl_spiral::SurfaceGraph
+graphOf(const std::vector<Eigen::Vector3f>& points)
+{
+  pcl_spiral::SurfaceGraph graph;
+  EXPECT_TRUE(graph.build(points, {}).ok());
+  return graph;
+}
+
+std::vector<Vector3d>
+queriesOn(double radius, std::size_t n, double lowest = 0.55)
+{
+  std::mt19937_64 random(99);
+  std::uniform_real_distribution<double> u;
+  std::vector<Vector3d> queries(n);
+  for (auto& q : queries) {
+    const double z = lowest + (1 - lowest) * u(random), a = 2 * M_PI * u(random), r = std::sqrt(1 - z * z);
+    q = radius * Vector3d(r * std::cos(a), r * std::sin(a), z);
+  }
+  return queries;
+}
+
+TEST(MlsSurface, SphereExactly)
+{
+  const double radius = 100.0;
+  const auto graph = graphOf(cap(40000, radius, 0.0, 1));
+  const pcl_spiral::MlsSurface surface(graph);
+  EXPECT_EQ(surface.neighbours(), 32);
+  auto queries = queriesOn(radius, 3000);
+  for (auto& q : queries)
+    q *= 1.005; // half a millimetre off
+  std::vector<pcl_spiral::SurfaceFoot> feet;
+  surface.project(queries, feet);
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    ASSERT_TRUE(feet[i].valid);
+    EXPECT_NEAR(feet[i].position.norm(), radius, 1e-4);
+    EXPECT_LT(feet[i].position.cross(queries[i].normalized()).norm(), 2e-4); // straight below
+    EXPECT_LT(feet[i].normal.cross(queries[i].normalized()).norm(), 1e-3);
+    EXPECT_GT(feet[i].normal.dot(queries[i]), 0.0);
+    EXPECT_NEAR(feet[i].curvature1, 1.0 / radius, 2e-4);
+    EXPECT_NEAR(feet[i].curvature2, 1.0 / radius, 2e-4);
+  }
+}
+
+TEST(MlsSurface, CylinderCurvaturesAndDirections)
+{
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> u(-1.0, 1.0);
+  std::vector<Eigen::Vector3f> points(30000);
+  for (auto& p : points) {
+    const double a = u(random), x = 50 * u(random);
+    p = Vector3d(x, 40 * std::sin(a), 40 * std::cos(a)).cast<float>();
+  }
+  const auto graph = graphOf(points);
+  const pcl_spiral::MlsSurface surface(graph);
+  for (const double a : {-0.8, -0.2, 0.0, 0.5}) {
+    const auto foot = surface.project(Vector3d(3.0, 40 * std::sin(a), 40 * std::cos(a)));
+    ASSERT_TRUE(foot.valid);
+    EXPECT_NEAR(foot.curvature1, 1.0 / 40, 2e-4);
+    EXPECT_NEAR(foot.curvature2, 0.0, 2e-4);
+    EXPECT_LT(std::abs(foot.direction1.x()), 0.02);
+    EXPECT_NEAR(foot.normalCurvature(Vector3d::UnitX()), 0.0, 2e-4);
+  }
+}
+
+TEST(MlsSurface, NoiseIsMeasuredAndAveraged)
+{
+  const double radius = 400.0, sigma = 0.05;
+  const auto graph = graphOf(cap(100000, radius, sigma, 3));
+  const pcl_spiral::MlsSurface surface(graph);
+  EXPECT_NEAR(surface.noise(), sigma, 0.05 * sigma);
+  EXPECT_EQ(surface.neighbours(), 256);
+  std::vector<pcl_spiral::SurfaceFoot> feet;
+  surface.project(queriesOn(radius, 3000), feet);
+  double squares = 0.0;
+  for (const auto& foot : feet)
+    squares += std::pow(foot.position.norm() - radius, 2);
+  EXPECT_LT(std::sqrt(squares / feet.size()), 0.25 * sigma);
+}
+
+TEST(MlsSurface, RefusesWhatIsNotOnTheSurface)
+{
+  const auto graph = graphOf(cap(20000, 100.0, 0.0, 4));
+  const pcl_spiral::MlsSurface surface(graph);
+  const double s = graph.spacing();
+  EXPECT_FALSE(surface.project(Vector3d(0, 0, 100 + 10 * s)).valid);
+  EXPECT_FALSE(surface.project(Vector3d(0, 0, std::nan(""))).valid);
+  EXPECT_FALSE(surface.project(Vector3d(0, 0, 1e30)).valid);
+  const double rim = std::acos(0.5), beyond = rim + 2.5 * s / 100.0, within = rim - 0.5 * s / 100.0;
+  EXPECT_FALSE(surface.project(100 * Vector3d(std::sin(beyond), 0, std::cos(beyond))).valid);
+  EXPECT_TRUE(surface.project(100 * Vector3d(std::sin(within), 0, std::cos(within))).valid);
+}
+
+TEST(MlsSurface, PublishedMethodHasItsKnownBias)
+{
+  const double radius = 100.0;
+  const auto graph = graphOf(cap(40000, radius, 0.0, 5));
+  const pcl_spiral::MlsSurface surface(graph, 32, pcl_spiral::ProjectionMethod::DirectionalCentroid);
+  const double h = 0.5 * std::sqrt(32 / M_PI) * graph.spacing(); // half the radius of 32 neighbours
+  double mean = 0.0;
+  const auto queries = queriesOn(radius, 2000, 0.7);
+  std::vector<pcl_spiral::SurfaceFoot> feet;
+  surface.project(queries, feet);
+  for (const auto& foot : feet) {
+    ASSERT_TRUE(foot.valid);
+    mean += (foot.position.norm() - radius) / feet.size();
+  }
+  EXPECT_NEAR(mean, -2.0 / radius * h * h / 4.0, 0.1 * 2.0 / radius * h * h / 4.0);
+}
+
+TEST(MlsSurface, SameBytesForAnyThreads)
+{
+  const auto graph = graphOf(cap(20000, 100.0, 0.01, 6));
+  const auto queries = queriesOn(100.0, 2000);
+  std::vector<pcl_spiral::SurfaceFoot> one, two;
+  omp_set_num_threads(1);
+  pcl_spiral::MlsSurface(graph).project(queries, one);
+  omp_set_num_threads(2);
+  pcl_spiral::MlsSurface(graph).project(queries, two);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    ASSERT_EQ(one[i].position, two[i].position);
+    ASSERT_EQ(one[i].normal, two[i].normal);
+  }
+}
+
+} // namespace
