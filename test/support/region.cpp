@@ -97,8 +97,8 @@ Region::integrate(const std::function<double(const Eigen::Vector2d&)>& f, int ro
       for (int p = 0; p < pieces; ++p) {
         const double middle = from + (2 * p + 1) * half;
         for (std::size_t i = 0; i < nodes.size(); ++i)
-          sum += weights[i] * half * dv *
-                 (f({middle - half * nodes[i], v}) + f({middle + half * nodes[i], v}));
+          sum +=
+              weights[i] * half * dv * (f({middle - half * nodes[i], v}) + f({middle + half * nodes[i], v}));
       }
     }
   }

@@ -55,7 +55,8 @@ sampleUniform(const AnalyticSurface& surface, std::size_t count, std::uint64_t s
 }
 
 Sampled
-sampleScanLines(const AnalyticSurface& surface, double along, double across, std::uint64_t seed, double jitter)
+sampleScanLines(const AnalyticSurface& surface, double along, double across, std::uint64_t seed,
+                double jitter)
 {
   const Region& region = surface.region();
   Random random(seed);

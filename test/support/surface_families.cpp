@@ -18,13 +18,19 @@ public:
   };
   virtual Jet jet(double x, double y) const = 0;
 
-  double value(const Eigen::Vector3d& x) const override { return x.z() - jet(x.x(), x.y()).f; }
-  Eigen::Vector3d gradient(const Eigen::Vector3d& x) const override
+  double
+  value(const Eigen::Vector3d& x) const override
+  {
+    return x.z() - jet(x.x(), x.y()).f;
+  }
+  Eigen::Vector3d
+  gradient(const Eigen::Vector3d& x) const override
   {
     const Jet j = jet(x.x(), x.y());
     return {-j.fx, -j.fy, 1.0};
   }
-  Eigen::Matrix3d hessian(const Eigen::Vector3d& x) const override
+  Eigen::Matrix3d
+  hessian(const Eigen::Vector3d& x) const override
   {
     const Jet j = jet(x.x(), x.y());
     Eigen::Matrix3d h = Eigen::Matrix3d::Zero();
@@ -33,9 +39,18 @@ public:
     h(1, 1) = -j.fyy;
     return h;
   }
-  Eigen::Vector3d lift(const Eigen::Vector2d& u) const override { return {u.x(), u.y(), jet(u.x(), u.y()).f}; }
-  Eigen::Vector2d chart(const Eigen::Vector3d& x) const override { return x.head<2>(); }
-  double areaElement(const Eigen::Vector2d& u) const override
+  Eigen::Vector3d
+  lift(const Eigen::Vector2d& u) const override
+  {
+    return {u.x(), u.y(), jet(u.x(), u.y()).f};
+  }
+  Eigen::Vector2d
+  chart(const Eigen::Vector3d& x) const override
+  {
+    return x.head<2>();
+  }
+  double
+  areaElement(const Eigen::Vector2d& u) const override
   {
     const Jet j = jet(u.x(), u.y());
     return std::sqrt(1.0 + j.fx * j.fx + j.fy * j.fy);
@@ -45,7 +60,8 @@ public:
 class SineSum : public HeightField {
 public:
   using HeightField::HeightField;
-  Jet jet(double x, double y) const override
+  Jet
+  jet(double x, double y) const override
   {
     static const std::array<std::array<double, 4>, 3> waves{{{105.9, 0.004286, 0.00132, 1.687},
                                                              {129.2, -0.001399, 0.004411, 2.88},
@@ -68,7 +84,8 @@ public:
 class Quadric : public HeightField {
 public:
   Quadric(double cx, double cy, Region region) : HeightField(std::move(region)), cx_(cx), cy_(cy) {}
-  Jet jet(double x, double y) const override
+  Jet
+  jet(double x, double y) const override
   {
     return {0.5 * (cx_ * x * x + cy_ * y * y), cx_ * x, cy_ * y, cx_, 0.0, cy_};
   }
@@ -77,30 +94,43 @@ private:
   double cx_, cy_;
 };
 
-/** The ellipsoid x^2/a^2 + y^2/c^2 + z^2/b^2 = 1, c infinite for a cylinder; sign -1 turns the normals inwards. */
+/** The ellipsoid x^2/a^2 + y^2/c^2 + z^2/b^2 = 1, c infinite for a cylinder; sign -1 turns the normals
+ * inwards. */
 class RoundSurface : public AnalyticSurface {
 public:
   RoundSurface(const Eigen::Vector3d& inverse_squares, double scale, Region region)
       : AnalyticSurface(std::move(region)), q_(inverse_squares), scale_(scale)
   {
   }
-  double value(const Eigen::Vector3d& x) const override
+  double
+  value(const Eigen::Vector3d& x) const override
   {
     return 0.5 * scale_ * (x.dot(q_.cwiseProduct(x)) - 1.0);
   }
-  Eigen::Vector3d gradient(const Eigen::Vector3d& x) const override { return scale_ * q_.cwiseProduct(x); }
-  Eigen::Matrix3d hessian(const Eigen::Vector3d&) const override
+  Eigen::Vector3d
+  gradient(const Eigen::Vector3d& x) const override
+  {
+    return scale_ * q_.cwiseProduct(x);
+  }
+  Eigen::Matrix3d
+  hessian(const Eigen::Vector3d&) const override
   {
     return (scale_ * q_).asDiagonal().toDenseMatrix();
   }
   /** Over the plane; the upper half, or the lower for inward normals. */
-  Eigen::Vector3d lift(const Eigen::Vector2d& u) const override
+  Eigen::Vector3d
+  lift(const Eigen::Vector2d& u) const override
   {
     const double z = std::sqrt((1.0 - q_[0] * u.x() * u.x() - q_[1] * u.y() * u.y()) / q_[2]);
     return {u.x(), u.y(), scale_ > 0.0 ? z : -z};
   }
-  Eigen::Vector2d chart(const Eigen::Vector3d& x) const override { return x.head<2>(); }
-  double areaElement(const Eigen::Vector2d& u) const override
+  Eigen::Vector2d
+  chart(const Eigen::Vector3d& x) const override
+  {
+    return x.head<2>();
+  }
+  double
+  areaElement(const Eigen::Vector2d& u) const override
   {
     const Eigen::Vector3d g = gradient(lift(u));
     return g.norm() / std::abs(g.z());
@@ -111,26 +141,30 @@ private:
   double scale_;
 };
 
-/** Spheroid about z with the chart a beta (cos theta, sin theta), beta the parametric latitude from the pole. */
+/** Spheroid about z with the chart a beta (cos theta, sin theta), beta the parametric latitude from the pole.
+ */
 class Spheroid : public RoundSurface {
 public:
   Spheroid(double a, double b, Region region)
       : RoundSurface({1 / (a * a), 1 / (a * a), 1 / (b * b)}, b, std::move(region)), a_(a), b_(b)
   {
   }
-  Eigen::Vector3d lift(const Eigen::Vector2d& u) const override
+  Eigen::Vector3d
+  lift(const Eigen::Vector2d& u) const override
   {
     const double rho = u.norm(), beta = rho / a_;
     const Eigen::Vector2d plan = rho > 0.0 ? Eigen::Vector2d(a_ * std::sin(beta) / rho * u) : u;
     return {plan.x(), plan.y(), b_ * std::cos(beta)};
   }
-  Eigen::Vector2d chart(const Eigen::Vector3d& x) const override
+  Eigen::Vector2d
+  chart(const Eigen::Vector3d& x) const override
   {
     const double r = x.head<2>().norm();
     const double beta = std::atan2(r / a_, x.z() / b_);
     return r > 0.0 ? Eigen::Vector2d(a_ * beta / r * x.head<2>()) : Eigen::Vector2d(x.head<2>());
   }
-  double areaElement(const Eigen::Vector2d& u) const override
+  double
+  areaElement(const Eigen::Vector2d& u) const override
   {
     const double beta = u.norm() / a_;
     const double ratio = beta > 1e-9 ? std::sin(beta) / beta : 1.0;

@@ -18,8 +18,8 @@ namespace pcl_spiral::test {
 
 /** A bounded piece of an implicit surface F = 0 with a chart (u, v) and an outline given in the chart.
  *
- *  F grows out of the material, the side the cutter is on; curvature is positive where the material is convex.
- *  Positions, normals and distances are those of the whole surface, beyond the outline too.
+ *  F grows out of the material, the side the cutter is on; curvature is positive where the material is
+ * convex. Positions, normals and distances are those of the whole surface, beyond the outline too.
  */
 class AnalyticSurface {
 public:
@@ -35,8 +35,16 @@ public:
   /** dA / du dv. */
   virtual double areaElement(const Eigen::Vector2d& u) const = 0;
 
-  const Region& region() const { return region_; }
-  Eigen::Vector3d normal(const Eigen::Vector3d& x) const { return gradient(x).normalized(); }
+  const Region&
+  region() const
+  {
+    return region_;
+  }
+  Eigen::Vector3d
+  normal(const Eigen::Vector3d& x) const
+  {
+    return gradient(x).normalized();
+  }
   /** Normal curvature in the direction of \p d, 1/mm. */
   double normalCurvature(const Eigen::Vector3d& x, const Eigen::Vector3d& d) const;
   /** Smallest and largest normal curvature, 1/mm. */
@@ -52,10 +60,15 @@ public:
   double area() const;
   /** The outlines in space, the outer first, corners kept. */
   const std::vector<Polyline>& outlines() const;
-  /** Straight distance from \p x to the nearest outline; shorter than the distance along the surface by d^3 k^2 / 24. */
+  /** Straight distance from \p x to the nearest outline; shorter than the distance along the surface by d^3
+   * k^2 / 24. */
   double rimDistance(const Eigen::Vector3d& x) const;
   /** Whether the point of the surface at \p x is within the outline. */
-  bool contains(const Eigen::Vector3d& x) const { return region_.contains(chart(x)); }
+  bool
+  contains(const Eigen::Vector3d& x) const
+  {
+    return region_.contains(chart(x));
+  }
 
 private:
   struct Rim;
@@ -71,10 +84,11 @@ using SurfacePtr = std::shared_ptr<const AnalyticSurface>;
 
 /** The x-y plane. */
 SurfacePtr flat(Region region);
-/** Sums of sines on a square of side 1000: relief 449, smallest curvature radius 301 (concave), 396 convex. */
+/** Sums of sines on a square of side 1000: relief 449, smallest curvature radius 301 (concave), 396 convex.
+ */
 SurfacePtr freeform();
-/** Upper half of the spheroid of semi-axes a, a, b down to z = 0; chart: parametric latitude from the pole times a.
- *  With \p hole_radius the part nearer to the axis than that is missing. */
+/** Upper half of the spheroid of semi-axes a, a, b down to z = 0; chart: parametric latitude from the pole
+ * times a. With \p hole_radius the part nearer to the axis than that is missing. */
 SurfacePtr spheroidCap(double a, double b, double hole_radius = 0.0);
 /** The inside of a spherical bowl, cutter within. */
 SurfacePtr bowl(double radius = 130.0, double opening = 100.0);

@@ -1,0 +1,55 @@
+/** \file
+ *  A toolpath as the checks read it, and places on it. Lengths in mm.
+ */
+#pragma once
+
+#include <pcl_spiral/common/point_types.h>
+
+#include <pcl/point_cloud.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl_spiral::test {
+
+/** Contacts with unit normals out of the material; turns may be empty. */
+struct CheckedPath {
+  std::vector<Eigen::Vector3d> contacts;
+  std::vector<Eigen::Vector3d> normals;
+  std::vector<double> turns;
+
+  std::size_t
+  size() const
+  {
+    return contacts.size();
+  }
+  /** Turn count at a point, or 0 when none was given. */
+  double
+  turn(std::size_t i) const
+  {
+    return i < turns.size() ? turns[i] : 0.0;
+  }
+};
+
+/** A measured value and where it was found. */
+struct Place {
+  double value = 0.0;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  double rim = 0.0;      ///< distance to the true outline
+  double turn = 0.0;     ///< of the path there
+  std::size_t index = 0; ///< of the path point or move
+};
+
+CheckedPath fromToolpath(const pcl::PointCloud<ToolpathPoint>& path);
+
+/** Value at the share \p q of the sorted order, nearest rank; reorders \p values. 0 when there are none. */
+double quantile(std::vector<double>& values, double q);
+
+/** Step-over that leaves the height \p h between balls of radius \p r across the normal curvature \p kappa
+ * (convex positive); along the surface. Two balls whose centres stand on the offset circle meet at height h.
+ */
+double exactStepOver(double r, double h, double kappa);
+
+} // namespace pcl_spiral::test
