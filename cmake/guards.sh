@@ -30,7 +30,7 @@ library=pcl_spiral
 fault "core stands on Eigen alone; these lines include PCL" \
   "$(grep -rnE '#[[:space:]]*include[[:space:]]*[<"]pcl/' $library/include/pcl_spiral/core $library/src/core || true)"
 
-for folder in $library/include/pcl_spiral/*/ $library/src/*/; do
+for folder in "$library"/include/pcl_spiral/*/ "$library"/src/*/; do
   room=$(basename "$folder")
   own=$(level "$room")
   [ "$own" = unknown ] && { fault "folder without a place in the layers (give it one in cmake/guards.sh)" "$folder"; continue; }

@@ -22,7 +22,7 @@ function(pcl_spiral_install target component description requires)
 endfunction()
 
 pcl_spiral_install(pcl_spiral core "${PROJECT_DESCRIPTION}" "pcl_features pcl_filters pcl_search pcl_kdtree eigen3")
-pcl_spiral_install(pcl_spiral_io io "Readers and writers of pcl_spiral" "pcl_spiral pcl_io")
+pcl_spiral_install(pcl_spiral_io io "Readers and writers of pcl_spiral" "pcl_spiral")
 pcl_spiral_install(pcl_spiral_visualization visualization "Pictures and viewer of pcl_spiral" "pcl_spiral")
 
 install(DIRECTORY pcl_spiral/include/pcl_spiral DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})

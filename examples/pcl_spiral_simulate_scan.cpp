@@ -1,0 +1,178 @@
+// Simulates a line-laser scan of a tank dome: scan lines, noise, a few outliers, a shadow. The same seed
+// gives the same file.
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <Eigen/Geometry>
+#include <boost/program_options.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <random>
+
+namespace po = boost::program_options;
+
+namespace {
+
+/** What is scanned and how; lengths in mm. */
+struct Scan {
+  double radius = 300;      ///< of the tank: horizontal semi-axis of the dome, a spheroid
+  double height = 156;      ///< of the dome: its vertical semi-axis
+  double rim = 270;         ///< radius at which the part ends
+  double line_spacing = 2;  ///< of the scan lines, along x
+  double point_spacing = 1; ///< of the points on a line, near the top
+  double noise = 0.02;      ///< standard deviation along the beam
+  double outliers = 0.0005; ///< share of false points
+  double shadow = 12;       ///< diameter of an object between scanner and dome; 0: none
+  double standoff = 400;    ///< of the scanner above the top of the dome
+  double baseline = 200;    ///< between laser and camera, along x
+  unsigned seed = 1;
+};
+
+/** Distance along the beam to the dome, if it meets it inside the rim. */
+std::optional<double>
+range(const Scan& scan, const Eigen::Vector3d& laser, const Eigen::Vector3d& beam)
+{
+  const Eigen::Array3d axes(scan.radius, scan.radius, scan.height);
+  const Eigen::Vector3d o = laser.array() / axes, d = beam.array() / axes;
+  const double b = o.dot(d), root = b * b - d.squaredNorm() * (o.squaredNorm() - 1);
+  if (root < 0)
+    return std::nullopt;
+  const double t = (-b - std::sqrt(root)) / d.squaredNorm();
+  const Eigen::Vector3d p = laser + t * beam;
+  if (p.z() < 0 || p.head<2>().norm() > scan.rim)
+    return std::nullopt;
+  return t;
+}
+
+/** True if the object stands between the point and the eye (the laser, or the camera). */
+bool
+hidden(const Eigen::Vector3d& point, const Eigen::Vector3d& eye, const Eigen::Vector3d& object, double radius)
+{
+  return Eigen::ParametrizedLine<double, 3>::Through(point, eye).distance(object) < radius;
+}
+
+/** The points in the order in which the scanner sees them, a line at a time. */
+pcl::PointCloud<pcl::PointXYZ>
+simulate(const Scan& scan)
+{
+  std::mt19937_64 random(scan.seed);
+  std::normal_distribution<double> noise(0, 1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const double top = scan.height + scan.standoff;
+  const double x = 0.4 * scan.rim, y = 0.3 * scan.rim;
+  const double z = scan.height * std::sqrt(1 - (x * x + y * y) / (scan.radius * scan.radius));
+  const Eigen::Vector3d object(x, y, z + 2 * scan.shadow);
+
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  cloud.sensor_origin_ = Eigen::Vector4f(0, 0, static_cast<float>(top), 1);
+  const double angle_step = scan.point_spacing / scan.standoff, widest = std::atan(scan.rim / scan.standoff);
+  const int lines = static_cast<int>(scan.rim / scan.line_spacing),
+            beams = static_cast<int>(widest / angle_step);
+  for (int line = -lines; line <= lines; ++line) {
+    const double phase = uniform(random); // the sensor's clock is not that of the gantry
+    const Eigen::Vector3d laser(line * scan.line_spacing, 0, top),
+        camera = laser - scan.baseline * Eigen::Vector3d::UnitX();
+    for (int i = -beams - 1; i <= beams; ++i) {
+      const double angle = (i + phase) * angle_step;
+      const Eigen::Vector3d beam(0, std::sin(angle), -std::cos(angle));
+      const auto t = range(scan, laser, beam);
+      const double error =
+          uniform(random) < scan.outliers ? 40 * (uniform(random) - 0.5) : scan.noise * noise(random);
+      if (!t)
+        continue;
+      const Eigen::Vector3d p = laser + *t * beam;
+      if (hidden(p, laser, object, scan.shadow / 2) || hidden(p, camera, object, scan.shadow / 2))
+        continue;
+      const Eigen::Vector3f seen = (p + error * beam).cast<float>();
+      cloud.emplace_back(seen.x(), seen.y(), seen.z());
+    }
+  }
+  return cloud;
+}
+
+/** What is wrong with the options, or nothing. */
+std::string
+complaint(const Scan& s)
+{
+  if (!(s.radius > 0 && s.height > 0 && s.line_spacing > 0 && s.point_spacing > 0 && s.standoff > 0))
+    return "radius, height, spacings and standoff must be above 0 mm";
+  if (!(s.rim > 0 && s.rim <= s.radius))
+    return "--rim must be above 0 and no larger than --radius";
+  if (!(s.noise >= 0 && s.shadow >= 0 && s.outliers >= 0 && s.outliers < 1))
+    return "--noise and --shadow must not be negative, --outliers must be a share from 0 to 1";
+  if (s.rim / s.line_spacing * s.rim / s.point_spacing > 1e8)
+    return "that is over 400 million points: enlarge --line-spacing or --point-spacing";
+  return "";
+}
+
+/** Writes under a temporary name first, so that no half file is left. False if it cannot be written. */
+bool
+write(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& cloud)
+try {
+  const std::filesystem::path path(file);
+  const std::filesystem::path part = path.parent_path() / (".part_" + path.filename().string());
+  const int failed = path.extension() == ".ply" ? pcl::PLYWriter().write(part.string(), cloud, true, false)
+                                                : pcl::io::savePCDFileBinary(part.string(), cloud);
+  if (failed == 0)
+    std::filesystem::rename(part, path);
+  return failed == 0;
+}
+catch (const std::exception&) {
+  return false;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+try {
+  Scan s;
+  std::string file;
+  po::options_description options("Simulate a line-laser scan of a tank dome. Lengths in mm.\n"
+                                  "  pcl_spiral_simulate_scan -o dome.pcd --noise 0.05\nOptions");
+  auto add = options.add_options();
+  add("help,h", "this text");
+  add("output,o", po::value(&file)->required(), "file to write, .pcd or .ply");
+  add("radius", po::value(&s.radius)->default_value(s.radius), "radius of the tank");
+  add("height", po::value(&s.height)->default_value(s.height), "height of the whole dome");
+  add("rim", po::value(&s.rim)->default_value(s.rim), "radius at which the part ends");
+  add("line-spacing", po::value(&s.line_spacing)->default_value(s.line_spacing), "between scan lines");
+  add("point-spacing", po::value(&s.point_spacing)->default_value(s.point_spacing),
+      "between points of a line");
+  add("noise", po::value(&s.noise)->default_value(s.noise, "0.02"), "standard deviation along the beam");
+  add("outliers", po::value(&s.outliers)->default_value(s.outliers, "0.0005"), "share of false points");
+  add("shadow", po::value(&s.shadow)->default_value(s.shadow), "diameter of an object in the way; 0: none");
+  add("standoff", po::value(&s.standoff)->default_value(s.standoff), "of the scanner above the dome");
+  add("seed", po::value(&s.seed)->default_value(s.seed), "of the random numbers");
+  po::variables_map given;
+  po::store(po::parse_command_line(argc, argv, options), given);
+  if (given.count("help")) {
+    std::cout << options;
+    return 0;
+  }
+  po::notify(given);
+  const std::string extension = std::filesystem::path(file).extension().string();
+  const std::string wrong =
+      extension != ".pcd" && extension != ".ply" ? "'" + file + "': name a .pcd or .ply file" : complaint(s);
+  if (!wrong.empty())
+    throw po::error(wrong);
+
+  const auto cloud = simulate(s);
+  if (cloud.empty() || !write(file, cloud)) {
+    std::cerr << (cloud.empty() ? "the scanner saw nothing: use finer spacings"
+                                : "cannot write '" + file + "': check folder, rights and space")
+              << '\n';
+    return 1;
+  }
+  std::cout << file << ": " << cloud.size() << " points\n";
+  return 0;
+}
+catch (const po::error& error) {
+  std::cerr << "pcl_spiral_simulate_scan: " << error.what() << "; --help lists the options\n";
+  return 2;
+}

@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# From a scan to a spiral toolpath, report and pictures. Installs what is missing on a Debian system.
+# Usage: examples/quickstart.sh [SCAN] [options of pcl_spiral_toolpath]
+#   without SCAN, a line-laser scan of a tank dome is simulated, and cut with a 10 mm ball, 0.05 mm scallop
+#   with SCAN, name the cutter: examples/quickstart.sh part.ply --tool-radius 6 --scallop 0.02
+# The files are written to quickstart_output in the current folder.
+set -euo pipefail
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=${PCL_SPIRAL_BUILD_DIR:-$top/build}
+output=$PWD/quickstart_output
+
+case "${1:-}" in
+  -h | --help) sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  "" | -*) scan= ;;
+  *)
+    scan=$1
+    shift
+    [ -r "$scan" ] || { echo "$scan: no such file, or not readable" >&2; exit 1; }
+    ;;
+esac
+options=("$@")
+
+default() { # OPTION VALUE: adds it unless the user gave it
+  local given
+  for given in ${options[@]+"${options[@]}"}; do
+    case "$given" in "$1" | "$1="*) return ;; esac
+  done
+  options+=("$1" "$2")
+}
+
+groups=(build)
+display=()
+if [ -z "${DISPLAY:-}" ]; then # pictures need a display
+  groups+=(display)
+  display=(xvfb-run -a -s "-screen 0 1280x1024x24")
+fi
+bash "$top/cmake/install_dependencies.sh" "${groups[@]}"
+
+echo "Building the programs in $build (a few minutes the first time)"
+if [ ! -f "$build/CMakeCache.txt" ]; then
+  cmake -G Ninja -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release -DPCL_SPIRAL_BUILD_TESTS=OFF >/dev/null
+fi
+cmake --build "$build" --target pcl_spiral_toolpath pcl_spiral_simulate_scan
+
+mkdir -p "$output"
+if [ -z "$scan" ]; then
+  scan=$output/dome.pcd
+  echo "Simulating a scan"
+  "$build/examples/pcl_spiral_simulate_scan" -o "$scan"
+  default --tool-radius 10
+  default --scallop 0.05
+fi
+
+name=$(basename "$scan")
+part=$output/${name%.*}_spiral
+echo "Making the toolpath"
+"${display[@]}" "$build/examples/pcl_spiral_toolpath" "$scan" -o "$part.csv" -o "$part.vtp" -o "$part.json" \
+  -o "$part.png" ${options[@]+"${options[@]}"}
+
+echo "Written:"
+ls -1 "$part"*
