@@ -1,5 +1,8 @@
 // Simulates a line-laser scan of a tank dome: scan lines, noise, a few outliers, a shadow. The same seed
 // gives the same file.
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/output_files.h>
+
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 #include <pcl/point_cloud.h>
@@ -110,22 +113,6 @@ complaint(const Scan& s)
   return "";
 }
 
-/** Writes under a temporary name first, so that no half file is left. False if it cannot be written. */
-bool
-write(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& cloud)
-try {
-  const std::filesystem::path path(file);
-  const std::filesystem::path part = path.parent_path() / (".part_" + path.filename().string());
-  const int failed = path.extension() == ".ply" ? pcl::PLYWriter().write(part.string(), cloud, true, false)
-                                                : pcl::io::savePCDFileBinary(part.string(), cloud);
-  if (failed == 0)
-    std::filesystem::rename(part, path);
-  return failed == 0;
-}
-catch (const std::exception&) {
-  return false;
-}
-
 } // namespace
 
 int
@@ -163,16 +150,25 @@ try {
     throw po::error(wrong);
 
   const auto cloud = simulate(s);
-  if (cloud.empty() || !write(file, cloud)) {
-    std::cerr << (cloud.empty() ? "the scanner saw nothing: use finer spacings"
-                                : "cannot write '" + file + "': check folder, rights and space")
-              << '\n';
+  if (cloud.empty()) {
+    std::cerr << "the scanner saw nothing: use finer spacings\n";
     return 1;
   }
+  pcl_spiral::OutputFiles output({file});
+  const std::string& part = output.temporary(0);
+  const int failed = extension == ".ply" ? pcl::PLYWriter().write(part, cloud, true, false)
+                                         : pcl::io::savePCDFileBinary(part, cloud);
+  if (failed)
+    throw pcl_spiral::FileError(file, "cannot be written; is the disk full?");
+  output.commit();
   std::cout << file << ": " << cloud.size() << " points\n";
   return 0;
 }
 catch (const po::error& error) {
   std::cerr << "pcl_spiral_simulate_scan: " << error.what() << "; --help lists the options\n";
   return 2;
+}
+catch (const std::exception& error) {
+  std::cerr << "pcl_spiral_simulate_scan: " << error.what() << '\n';
+  return 1;
 }

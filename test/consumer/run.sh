@@ -29,7 +29,7 @@ make_by_pkg_config() { # NAME PREFIX: the same source as NAME, by pkg-config and
 
 run_all() { # PREFIX
   for program in cxx_only c_and_cxx by_pkg_config; do
-    "$1/bin/$program" || fail "$program fails in '$1'"
+    "$1/bin/$program" "$scratch" || fail "$program fails in '$1'"
   done
   "$1/bin/example_step_over" 10 0.05 >/dev/null || fail "the installed example fails in '$1'"
 }
