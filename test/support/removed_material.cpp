@@ -2,6 +2,7 @@
 
 #include "support/move_tree.h"
 #include "support/sampling.h"
+#include "support/stock.h"
 
 #include <Eigen/Geometry>
 
@@ -14,151 +15,6 @@
 namespace pcl_spiral::test {
 
 namespace {
-
-constexpr double outside = -1e9; ///< stock where samples do not count
-
-/** A surface sample and the stock over it. */
-struct Sample {
-  Eigen::Vector3d x;
-  double stock = outside;
-  std::size_t move = 0;
-  bool met = false;
-};
-
-class Stock {
-public:
-  Stock(const AnalyticSurface& surface, const MoveTree& tree, const RemovalSettings& s, double band)
-      : surface_(surface), tree_(tree), radius_(s.tool_radius), h_(s.scallop_height), band_(band)
-  {
-  }
-
-  bool
-  main(const Eigen::Vector3d& x) const
-  {
-    return surface_.contains(x) && surface_.rimDistance(x) >= band_;
-  }
-
-  Sample
-  at(const Eigen::Vector3d& x) const
-  {
-    const Eigen::Vector3d n = surface_.normal(x);
-    const double start =
-        0.2 * h_; // a short ray is quick; one that starts within the cut is cast anew from deeper
-    MoveTree::Entry entry = tree_.entry(x, n, radius_, start, 20.0 * h_);
-    if (entry.met && entry.t <= -start)
-      entry = tree_.entry(x, n, radius_, radius_, 20.0 * h_);
-    return {x, entry.t, entry.move, entry.met};
-  }
-
-  /** Direction across the feed at a sample: along the surface, normal to the move met there. */
-  Eigen::Vector3d
-  across(const Sample& s) const
-  {
-    const Eigen::Vector3d n = surface_.normal(s.x);
-    const Eigen::Vector3d feed = tree_.points()[s.move + 1] - tree_.points()[s.move];
-    const Eigen::Vector3d w = n.cross(feed);
-    return w.norm() > 1e-12 ? Eigen::Vector3d(w.normalized()) : Eigen::Vector3d(n.unitOrthogonal());
-  }
-
-  /** Stock a distance \p d off along \p w; outside when that place is not in the main area. */
-  Sample
-  off(const Sample& from, const Eigen::Vector3d& w, double d, bool near_rim) const
-  {
-    const Eigen::Vector3d x = surface_.pulled(from.x + d * w);
-    return near_rim && !main(x) ? Sample{x} : at(x);
-  }
-
-  double
-  pitch(const Sample& s, const Eigen::Vector3d& w) const
-  {
-    return exactStepOver(radius_, h_, surface_.normalCurvature(s.x, w));
-  }
-
-  /** Golden section for the largest stock between the offsets lo and hi along w. */
-  Sample
-  golden(const Sample& from, const Eigen::Vector3d& w, double lo, double hi, bool near_rim, int rounds) const
-  {
-    constexpr double g = 0.6180339887498949;
-    double a = hi - g * (hi - lo), b = lo + g * (hi - lo);
-    Sample fa = off(from, w, a, near_rim), fb = off(from, w, b, near_rim);
-    for (int i = 0; i < rounds; ++i)
-      if (fa.stock > fb.stock) {
-        hi = b;
-        b = a;
-        fb = fa;
-        a = hi - g * (hi - lo);
-        fa = off(from, w, a, near_rim);
-      }
-      else {
-        lo = a;
-        a = b;
-        fa = fb;
-        b = lo + g * (hi - lo);
-        fb = off(from, w, b, near_rim);
-      }
-    return fa.stock > fb.stock ? fa : fb;
-  }
-
-  /** Climb across the feed to the top of the ridge. */
-  Sample
-  climbed(const Sample& start) const
-  {
-    if (!start.met)
-      return start;
-    Eigen::Vector3d w = across(start);
-    const double s = pitch(start, w), step = 0.1 * s;
-    const bool near_rim = surface_.rimDistance(start.x) < band_ + 1.5 * s;
-    Sample best = off(start, w, step, near_rim);
-    const Sample back = off(start, w, -step, near_rim);
-    if (back.stock > best.stock) {
-      w = -w;
-      best = back;
-    }
-    double d = best.stock > start.stock ? step : 0.0;
-    for (int i = 0; d > 0.0 && i < 12; ++i) {
-      const Sample next = off(start, w, d + step, near_rim);
-      if (next.stock <= best.stock)
-        break;
-      best = next;
-      d += step;
-    }
-    const Sample top = golden(start, w, d - step, d + step, near_rim, 15);
-    return top.stock > std::max(best.stock, start.stock) ? top : best.stock > start.stock ? best : start;
-  }
-
-  /** Follow the ridge both ways by a move's length for its highest place. */
-  Sample
-  followed(const Sample& ridge) const
-  {
-    if (!ridge.met)
-      return ridge;
-    const Eigen::Vector3d w = across(ridge), along = w.cross(surface_.normal(ridge.x));
-    const double s = pitch(ridge, w);
-    const double reach = (tree_.points()[ridge.move + 1] - tree_.points()[ridge.move]).norm();
-    const auto top = [&](double d) {
-      const Sample moved = off(ridge, along, d, true);
-      return moved.stock == outside ? moved : golden(moved, w, -0.2 * s, 0.2 * s, true, 14);
-    };
-    Sample best = ridge;
-    double at = 0.0;
-    for (double step = reach / 4.0; step > reach / 200.0; step /= 4.0) {
-      const double centre = at;
-      for (int k = -4; k <= 4; ++k) {
-        const Sample candidate = top(centre + k * step);
-        if (candidate.stock > best.stock) {
-          best = candidate;
-          at = centre + k * step;
-        }
-      }
-    }
-    return best;
-  }
-
-private:
-  const AnalyticSurface& surface_;
-  const MoveTree& tree_;
-  double radius_, h_, band_;
-};
 
 /** Largest exact step-over over all places and directions, from a grid over the region. */
 double
@@ -179,20 +35,20 @@ largestStepOver(const AnalyticSurface& surface, double radius, double h)
 }
 
 Place
-placeOf(const AnalyticSurface& surface, const CheckedPath& path, const Sample& s, double value)
+placeOf(const AnalyticSurface& surface, const CheckedPath& path, const StockSample& s, double value)
 {
   return {value, s.x, surface.rimDistance(s.x), path.turn(s.move), s.move};
 }
 
 StockFigures
-figures(const AnalyticSurface& surface, const CheckedPath& path, const std::vector<Sample>& samples)
+figures(const AnalyticSurface& surface, const CheckedPath& path, const std::vector<StockSample>& samples)
 {
   StockFigures f;
   std::vector<double> values;
   std::size_t uncut = 0;
-  const Sample* highest = nullptr;
-  for (const Sample& s : samples) {
-    if (s.stock == outside)
+  const StockSample* highest = nullptr;
+  for (const StockSample& s : samples) {
+    if (s.stock == StockSample::not_counted)
       continue;
     values.push_back(s.stock);
     if (!s.met && uncut++ == 0)
@@ -213,26 +69,26 @@ figures(const AnalyticSurface& surface, const CheckedPath& path, const std::vect
 }
 
 /** The \p count samples of the most stock, most first. */
-std::vector<Sample>
-highest(std::vector<Sample> samples, std::size_t count)
+std::vector<StockSample>
+highest(std::vector<StockSample> samples, std::size_t count)
 {
   count = std::min(count, samples.size());
   std::partial_sort(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(count), samples.end(),
-                    [](const Sample& a, const Sample& b) { return a.stock > b.stock; });
+                    [](const StockSample& a, const StockSample& b) { return a.stock > b.stock; });
   samples.resize(count);
   return samples;
 }
 
 /** Samples half a step-over to both sides of every contact, where the ridges should be. */
-std::vector<Sample>
-besidePath(const AnalyticSurface& surface, const CheckedPath& path, const Stock& stock, int threads)
+std::vector<StockSample>
+besidePath(const AnalyticSurface& surface, const CheckedPath& path, const StockField& stock, int threads)
 {
   const auto n = static_cast<std::ptrdiff_t>(path.size()) - 1;
-  std::vector<Sample> samples(static_cast<std::size_t>(2 * std::max<std::ptrdiff_t>(n, 0)));
+  std::vector<StockSample> samples(static_cast<std::size_t>(2 * std::max<std::ptrdiff_t>(n, 0)));
 #pragma omp parallel for schedule(dynamic, 512) num_threads(threads)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const Sample contact{surface.pulled(path.contacts[at]), 0.0, at, true};
+    const StockSample contact{surface.pulled(path.contacts[at]), 0.0, at, true};
     const Eigen::Vector3d w = stock.across(contact);
     const double half = 0.5 * stock.pitch(contact, w);
     for (int side = 0; side < 2; ++side)
@@ -293,15 +149,15 @@ removedMaterial(const AnalyticSurface& surface, const CheckedPath& path, const R
   for (std::size_t i = 0; i < path.size(); ++i)
     centres[i] = path.contacts[i] + settings.tool_radius * path.normals[i];
   const MoveTree tree(std::move(centres));
-  const Stock stock(surface, tree, settings, result.band);
+  const StockField stock(surface, tree, settings.tool_radius, settings.scallop_height, result.band);
 
   const Sampled points = sampleUniform(surface, settings.samples, settings.seed);
   const auto n = static_cast<std::ptrdiff_t>(points.points.size());
-  std::vector<Sample> plain(points.points.size()), ridge(plain.size()), rim(plain.size());
+  std::vector<StockSample> plain(points.points.size()), ridge(plain.size()), rim(plain.size());
 #pragma omp parallel for schedule(dynamic, 128) num_threads(threads)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const Sample s = stock.at(points.points[at]);
+    const StockSample s = stock.at(points.points[at]);
     if (surface.rimDistance(s.x) < result.band)
       rim[at] = s;
     else {
@@ -313,8 +169,8 @@ removedMaterial(const AnalyticSurface& surface, const CheckedPath& path, const R
   result.ridge = figures(surface, path, ridge);
   result.rim = figures(surface, path, rim);
 
-  std::vector<Sample> tops = highest(besidePath(surface, path, stock, threads), 2000);
-  const std::vector<Sample> from_area = highest(ridge, 200);
+  std::vector<StockSample> tops = highest(besidePath(surface, path, stock, threads), 2000);
+  const std::vector<StockSample> from_area = highest(ridge, 200);
   const auto beside = static_cast<std::ptrdiff_t>(tops.size());
 #pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
   for (std::ptrdiff_t i = 0; i < beside; ++i)
@@ -331,9 +187,9 @@ removedMaterial(const AnalyticSurface& surface, const CheckedPath& path, const R
     result.ridge.uncut = searched.uncut;
 
   result.gouge = deepestAlongPath(surface, path, tree, settings.tool_radius, threads);
-  for (const std::vector<Sample>* set : {&plain, &rim})
-    for (const Sample& s : *set)
-      if (s.stock != outside && -s.stock > result.gouge.value)
+  for (const std::vector<StockSample>* set : {&plain, &rim})
+    for (const StockSample& s : *set)
+      if (s.stock != StockSample::not_counted && -s.stock > result.gouge.value)
         result.gouge = placeOf(surface, path, s, -s.stock);
   return result;
 }

@@ -29,8 +29,16 @@ public:
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
-  const std::filesystem::path& root() const { return root_; }
-  std::string path(const std::string& name) const { return (root_ / name).string(); }
+  const std::filesystem::path&
+  root() const
+  {
+    return root_;
+  }
+  std::string
+  path(const std::string& name) const
+  {
+    return (root_ / name).string();
+  }
   /** Entries, hidden ones too. */
   std::size_t
   count() const

@@ -1,0 +1,29 @@
+/** \file
+ *  Acceptance cases: each prints a table and returns how many limits were broken.
+ */
+#pragma once
+
+#include "job.h"
+
+#include <cstdint>
+
+namespace pcl_spiral::acceptance {
+
+struct Options {
+  std::uint64_t seed = 1;
+  int threads = 0; ///< 0: all
+};
+
+/** Path, removed material, report, against the exact surface. */
+int judge(const Job& job, const Options& options);
+
+/** The same path when the cloud is moved, shuffled, or worked on by another number of threads. */
+int judgeInvariance(const Job& job, const Options& options);
+
+/** A ball of radius 200 in a bowl of radius 130 must be refused, and the place named. */
+int judgeRefusal(const Options& options);
+
+/** The whole free-form run beside PCL's own filters on the same cloud and threads. */
+int judgeTime(const Options& options);
+
+} // namespace pcl_spiral::acceptance

@@ -1,0 +1,58 @@
+/** \file
+ *  The generated surfaces of the acceptance table, and one run of the generator on one. Lengths in mm.
+ */
+#pragma once
+
+#include "support/sampling.h"
+#include "support/surfaces.h"
+
+#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral::acceptance {
+
+using Generator = SpiralToolpathGenerator<pcl::PointXYZ>;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Path = pcl::PointCloud<ToolpathPoint>;
+
+/** One row of the table: a sampled surface, a cutter, and what must hold. 0 limits are not asked. */
+struct Job {
+  std::string name;
+  test::SurfacePtr surface;
+  std::size_t points = 0;
+  double tool_radius = 0.0, scallop_height = 0.0, chord_error = 0.0;
+  double noise = 0.0;
+  double deviation_rms = 0.0, deviation_p99 = 0.0, deviation_max = 0.0;
+  bool scallop = true; ///< scallop, gouge and uncut limits apply
+  double length_ratio =
+      0.0;                 ///< of the path to the integral of dA / exact step-over across circles of latitude
+  double turning = 0.0;    ///< degrees between neighbouring moves
+  bool may_refuse = false; ///< a clear error is as good as a path
+  std::size_t samples = 60000; ///< of the removed material
+};
+
+/** Every row that ends in a path. */
+std::vector<Job> jobs();
+
+/** The row of that name; throws std::out_of_range when there is none. */
+Job job(const std::string& name);
+
+/** The job's points, noise included. */
+test::Sampled sampled(const Job& job, std::uint64_t seed);
+
+/** One run of the generator. */
+struct Run {
+  Path path;
+  SpiralReport report;
+  Status status;
+  double seconds = 0.0;
+};
+
+/** Run with the job's cutter on \p cloud; \p view and \p start are left to the generator when null. */
+Run run(const Job& job, const Cloud::ConstPtr& cloud, int threads, const Eigen::Vector3d* view = nullptr,
+        const Eigen::Vector3d* start = nullptr);
+
+} // namespace pcl_spiral::acceptance
