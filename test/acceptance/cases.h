@@ -23,6 +23,10 @@ int judgeInvariance(const Job& job, const Options& options);
 /** A ball of radius 200 in a bowl of radius 130 must be refused, and the place named. */
 int judgeRefusal(const Options& options);
 
+/** Clouds and settings that cannot be worked on must be refused with a reason; stray points must be dropped. */
+int
+judgeBadInput(const Options& options);
+
 /** The whole free-form run beside PCL's own filters on the same cloud and threads. */
 int judgeTime(const Options& options);
 

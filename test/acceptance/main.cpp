@@ -21,6 +21,7 @@ cases()
     all[row.name + "_invariance"] = [row](const Options& options) { return judgeInvariance(row, options); };
   }
   all["bowl_refusal"] = judgeRefusal;
+  all["bad_input"] = judgeBadInput;
   all["time"] = judgeTime;
   return all;
 }
