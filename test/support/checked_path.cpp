@@ -31,12 +31,10 @@ quantile(std::vector<double>& values, double q)
 double
 exactStepOver(double r, double h, double kappa)
 {
-  if (std::abs(kappa) * r < 1e-9)
-    return 2.0 * std::sqrt(2.0 * r * h - h * h);
-  const double rho = 1.0 / kappa;
-  const double centre = rho + r, ridge = rho + h;
-  const double c = (centre * centre + ridge * ridge - r * r) / (2.0 * centre * ridge);
-  return 2.0 * std::abs(rho) * std::acos(std::clamp(c, -1.0, 1.0));
+  // sin^2(phi / 2) = (R^2 - (R - h)^2) / (4 (rho + R) (rho + h)), the cosine rule without its cancellation.
+  const double chord = std::sqrt((2.0 * r * h - h * h) / ((1.0 + kappa * r) * (1.0 + kappa * h)));
+  const double x = 0.5 * std::abs(kappa) * chord;
+  return x < 1e-8 ? 2.0 * chord : 4.0 * std::asin(std::min(1.0, x)) / std::abs(kappa);
 }
 
 } // namespace pcl_spiral::test

@@ -63,6 +63,12 @@ TEST(StepOver, MatchesThePublishedValues)
   EXPECT_NEAR(exactStepOver(10, 0.05, 1 / 50.0), 1.82257, 5e-6);
   EXPECT_NEAR(exactStepOver(10, 0.1, 1 / 20.0), 2.29820, 5e-6);
   EXPECT_NEAR(exactStepOver(10, 0.05, -1 / 15.0), 3.46748, 5e-6);
+  for (double kappa = 1e-3; kappa > 1e-14; kappa *= 0.3) // nearly flat, from both sides
+    for (const double sign : {-1.0, 1.0}) {
+      const double flat_step = exactStepOver(10, 0.05, 0.0);
+      EXPECT_NEAR(exactStepOver(10, 0.05, sign * kappa) / flat_step, 1.0 - sign * 5.025 * kappa,
+                  60 * kappa * kappa + 1e-9);
+    }
 }
 
 TEST(MoveTree, AgreesWithTryingEveryMove)
