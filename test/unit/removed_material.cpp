@@ -168,6 +168,29 @@ TEST(RemovedMaterial, PeakOnTheSphereIsExactOutsideAndInside)
   }
 }
 
+TEST(RemovedMaterial, ChordsAddTheirSagittaWhereTheFeedIsConcaveAndGougeWhereConvex)
+{
+  for (const bool convex : {true, false}) {
+    const double radius = 50.0, e = 0.01, kappa = convex ? 1.0 / radius : -1.0 / radius;
+    const SurfacePtr surface = convex ? ball(radius, Region({circle({0, 0}, 30.0)})) : bowl(radius, 30.0);
+    const double angle = exactStepOver(R, h, kappa) / radius;
+    std::vector<double> radii;
+    for (double a = 0.25 * angle; a < std::asin(33.0 / radius); a += angle)
+      radii.push_back(radius * std::sin(a));
+    // Every circle's chords of the centre's path leave the offset surface by e along the normal.
+    const CheckedPath path = circularPasses(*surface, radii, [&](double r) {
+      const double sine = r / radius, centre = (convex ? radius + R : radius - R) * sine;
+      return std::max(
+          24, static_cast<int>(std::lround(M_PI / std::acos(std::max(0.0, 1.0 - e / (centre * sine))))));
+    });
+    const RemovalFigures f = removedMaterial(*surface, path, settings());
+    if (convex)
+      EXPECT_NEAR(f.gouge.value, e, 0.02 * e);
+    else
+      EXPECT_NEAR(f.ridge.max.value, h + e, 0.02 * h);
+  }
+}
+
 TEST(RemovedMaterial, AMissingPassIsFound)
 {
   const SurfacePtr surface = plane();
