@@ -1,0 +1,46 @@
+#include "loop_rings.h"
+
+#include <unordered_map>
+
+namespace pcl_spiral {
+
+std::vector<Ring>
+simpleRings(const Ring& run)
+{
+  std::vector<Ring> rings;
+  Ring open;
+  std::unordered_map<std::uint32_t, std::size_t> place; // in open
+  for (const std::uint32_t v : run) {
+    const auto found = place.find(v);
+    if (found != place.end()) {
+      const std::size_t from = found->second;
+      rings.emplace_back(open.begin() + static_cast<std::ptrdiff_t>(from), open.end());
+      for (std::size_t i = from; i < open.size(); ++i)
+        place.erase(open[i]);
+      open.resize(from);
+    }
+    place[v] = open.size();
+    open.push_back(v);
+  }
+  rings.push_back(std::move(open));
+  return rings;
+}
+
+std::vector<Ring>
+boundaryRings(const Triangulation& mesh, const std::vector<std::uint32_t>& parts, std::uint32_t which)
+{
+  std::vector<Ring> rings;
+  for (const auto& loop : mesh.boundaryLoops()) {
+    if (parts[loop.front() / 3] != which)
+      continue;
+    Ring run(loop.size());
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      run[i] = mesh.origin(loop[i]);
+    for (Ring& ring : simpleRings(run))
+      if (ring.size() > 2)
+        rings.push_back(std::move(ring));
+  }
+  return rings;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,24 @@
+/** \file
+ *  The boundary of a triangulation as rings of points. Private to features.
+ */
+#pragma once
+
+#include <pcl_spiral/search/triangulation.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Points of a closed run, in order; the surface lies on the left. */
+using Ring = std::vector<std::uint32_t>;
+
+/** Split a closed run of points at those it visits more than once: rings that touch themselves nowhere. */
+std::vector<Ring>
+simpleRings(const Ring& run);
+
+/** Simple rings round the triangles of part \p which (as given by Triangulation::parts). */
+std::vector<Ring>
+boundaryRings(const Triangulation& mesh, const std::vector<std::uint32_t>& parts, std::uint32_t which);
+
+} // namespace pcl_spiral

@@ -1,0 +1,26 @@
+/** \file
+ *  The true outline behind the jagged run of outermost points. Private to features.
+ */
+#pragma once
+
+#include "loop_rings.h"
+
+#include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/surface/mls_surface.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A closed curve on the surface, evenly spaced between its corners. */
+struct Outline {
+  Polyline curve;
+  std::vector<std::size_t> corners; ///< entries of curve
+};
+
+/** Outline of \p ring. */
+Outline
+fitOutline(const MlsSurface& surface, const Ring& ring);
+
+} // namespace pcl_spiral

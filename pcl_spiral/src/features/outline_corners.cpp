@@ -1,0 +1,136 @@
+#include "outline_corners.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double longest_piece = 40.0; // spacings
+constexpr double scatter = 0.3;        // of the ring about the edge, spacings
+constexpr double break_cost = 16.0;    // in squared scatters: what a further piece must save
+constexpr double least_turn = 15.0 * M_PI / 180.0;
+
+/** A parabola through a run of points, in the frame of its chord. */
+struct Piece {
+  double cost = std::numeric_limits<double>::infinity();
+  double first_heading = 0.0, last_heading = 0.0; ///< of the tangent at its ends
+};
+
+Piece
+fitPiece(const std::vector<Eigen::Vector2d>& line, std::size_t from, std::size_t to, double spacing)
+{
+  Piece piece;
+  const Eigen::Vector2d chord = line[to] - line[from];
+  const double length = chord.norm();
+  if (!(length > 0.0))
+    return piece;
+  const Eigen::Vector2d e = chord / length, f(-e.y(), e.x());
+  const Eigen::Vector2d middle = 0.5 * (line[from] + line[to]);
+  double s1 = 0, s2 = 0, s3 = 0, s4 = 0, y0 = 0, y1 = 0, y2 = 0, yy = 0;
+  for (std::size_t i = from; i <= to; ++i) {
+    const Eigen::Vector2d d = (line[i] - middle) / spacing;
+    const double x = d.dot(e), y = d.dot(f), xx = x * x;
+    s1 += x, s2 += xx, s3 += xx * x, s4 += xx * xx;
+    y0 += y, y1 += x * y, y2 += xx * y, yy += y * y;
+  }
+  const auto n = static_cast<double>(to - from + 1);
+  const double l2 = 0.25 * length * length / (spacing * spacing);
+  // A whiff of weight on the bend, so that three points do not make any parabola.
+  Eigen::Matrix3d a;
+  a << n, s1, s2, s1, s2, s3, s2, s3, s4 + 0.1 * l2 * l2;
+  const Eigen::Vector3d right(y0, y1, y2);
+  const Eigen::Vector3d c = a.ldlt().solve(right);
+  piece.cost = std::max(0.0, yy - c.dot(right)) / (scatter * scatter);
+  const double heading = std::atan2(e.y(), e.x()), half = 0.5 * length / spacing;
+  piece.first_heading = heading + std::atan(c[1] - 2.0 * c[2] * half);
+  piece.last_heading = heading + std::atan(c[1] + 2.0 * c[2] * half);
+  return piece;
+}
+
+/** Places where the cheapest chain of pieces over [begin, end] of the line breaks, both ends among them. */
+std::vector<std::size_t>
+cheapestBreaks(const std::vector<Eigen::Vector2d>& line, const std::vector<double>& at, std::size_t begin,
+               std::size_t end, double spacing)
+{
+  std::vector<double> best(end - begin + 1, std::numeric_limits<double>::infinity());
+  std::vector<std::size_t> before(end - begin + 1, begin);
+  best[0] = 0.0;
+  for (std::size_t to = begin + 1; to <= end; ++to)
+    for (std::size_t from = to; from-- > begin;) {
+      if (at[to] - at[from] > longest_piece * spacing && to - from > 3)
+        break;
+      const double cost = best[from - begin] + fitPiece(line, from, to, spacing).cost + break_cost;
+      if (cost < best[to - begin]) {
+        best[to - begin] = cost;
+        before[to - begin] = from;
+      }
+    }
+  std::vector<std::size_t> breaks{end};
+  while (breaks.back() != begin)
+    breaks.push_back(before[breaks.back() - begin]);
+  std::reverse(breaks.begin(), breaks.end());
+  return breaks;
+}
+
+double
+turn(double from, double to)
+{
+  return std::remainder(to - from, 2.0 * M_PI);
+}
+
+} // namespace
+
+std::vector<Eigen::Vector2d>
+rolledOut(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals, std::size_t rounds)
+{
+  const std::size_t n = points.size();
+  std::vector<Eigen::Vector2d> line{Eigen::Vector2d::Zero()};
+  double heading = 0.0;
+  for (std::size_t i = 0; i < rounds * n; ++i) {
+    const Eigen::Vector3d edge = points[(i + 1) % n] - points[i % n];
+    if (i > 0) {
+      const Eigen::Vector3d& up = normals[i % n];
+      const Eigen::Vector3d last = points[i % n] - points[(i - 1) % n];
+      const Eigen::Vector3d from = last - last.dot(up) * up, to = edge - edge.dot(up) * up;
+      heading += std::atan2(from.cross(to).dot(up), from.dot(to));
+    }
+    line.push_back(line.back() + edge.norm() * Eigen::Vector2d(std::cos(heading), std::sin(heading)));
+  }
+  return line;
+}
+
+std::vector<std::size_t>
+cornerCandidates(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals, double spacing)
+{
+  const std::size_t n = points.size();
+  const std::vector<Eigen::Vector2d> line = rolledOut(points, normals, 3);
+  std::vector<double> at(line.size(), 0.0);
+  for (std::size_t i = 1; i < line.size(); ++i)
+    at[i] = at[i - 1] + (line[i] - line[i - 1]).norm();
+  // A first chain begins at an arbitrary point; a second one at a break of the first, well away from its ends.
+  const std::vector<std::size_t> first = cheapestBreaks(line, at, 0, 2 * n, spacing);
+  const std::size_t begin = *std::lower_bound(first.begin(), first.end(), n / 2);
+  const std::vector<std::size_t> breaks = cheapestBreaks(line, at, begin, begin + n, spacing);
+  std::vector<std::size_t> corners;
+  for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
+    const Piece after = fitPiece(line, breaks[b], breaks[b + 1], spacing);
+    // The piece before the first break is the last one of the round.
+    const std::size_t last = b == 0 ? breaks.size() - 2 : b - 1;
+    const Piece ahead = fitPiece(line, breaks[last], breaks[last + 1], spacing);
+    double from = ahead.last_heading;
+    if (b == 0) // taken back one round, in which the line as a whole has turned
+      from += std::atan2(line[begin + 1].y() - line[begin].y(), line[begin + 1].x() - line[begin].x()) -
+              std::atan2(line[begin + n + 1].y() - line[begin + n].y(), line[begin + n + 1].x() - line[begin + n].x());
+    if (std::abs(turn(from, after.first_heading)) > least_turn)
+      corners.push_back(breaks[b] % n);
+  }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,25 @@
+/** \file
+ *  Where a jagged ring of points turns sharply. Private to features.
+ */
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A ring rolled out into the plane: edge lengths and turns in the tangent plane kept. One more entry than the ring
+ *  has points; the last is the first point seen again after the whole round.
+ */
+std::vector<Eigen::Vector2d>
+rolledOut(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals, std::size_t rounds);
+
+/** Points of the ring at which it may have a corner: where smooth pieces (parabolas, at most some forty spacings long)
+ *  that fit the ring best meet at an angle. Generous: later fits decide. Ascending.
+ */
+std::vector<std::size_t>
+cornerCandidates(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals, double spacing);
+
+} // namespace pcl_spiral
