@@ -1,4 +1,5 @@
-// Scans in every format: the same points out of each, units and columns, and a clear error for each broken file.
+// Scans in every format: the same points out of each, units and columns, and a clear error for each broken
+// file.
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/file_error.h>
 
@@ -33,7 +34,8 @@ expectPoints(const std::string& file, const ReadOptions& options = {}, float sca
   const Scan scan = readCloud(file, options);
   ASSERT_EQ(scan.cloud->size(), points.size()) << file;
   for (std::size_t i = 0; i < points.size(); ++i)
-    EXPECT_LE(((*scan.cloud)[i].getVector3fMap() - scale * points[i]).norm(), 1e-7f * scale * points[i].norm())
+    EXPECT_LE(((*scan.cloud)[i].getVector3fMap() - scale * points[i]).norm(),
+              1e-7f * scale * points[i].norm())
         << file << " point " << i;
 }
 
@@ -68,8 +70,9 @@ protected:
   ScratchFolder folder_;
 };
 
-const std::string pcd_header = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 3\nHEIGHT 1\n"
-                               "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3\nDATA ";
+const std::string pcd_header =
+    "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 3\nHEIGHT 1\n"
+    "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3\nDATA ";
 const std::string ply_vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string rows = "1.5 -2.25 3\n4 5.5 -6\n0.125 1e-3 700.5\n";
 
@@ -93,7 +96,8 @@ TEST_F(CloudReader, FilesOfPcl)
 TEST_F(CloudReader, TextInEveryDress)
 {
   expectPoints(text("a.xyz", rows));
-  expectPoints(text("b.xyz", "\xEF\xBB\xBF# a comment\n\n  1.5\t-2.25 3 7\r\n+4 5.5 -6 8\r\n0.125 1e-3 700.5 9"));
+  expectPoints(
+      text("b.xyz", "\xEF\xBB\xBF# a comment\n\n  1.5\t-2.25 3 7\r\n+4 5.5 -6 8\r\n0.125 1e-3 700.5 9"));
   expectPoints(text("c.csv", "z,x,y\n3,1.5,-2.25\n-6, 4, 5.5\n700.5,0.125,0.001\n"));
   expectPoints(text("d.csv", "\"X\";\"Y\";\"Z\";\"I\"\n1.5;-2.25;3;\n4;5.5;-6;1\n0.125;.001;700.5;1\n"));
   expectPoints(text("e.asc", "//X Y Z R G B\n1.5 -2.25 3 1 2 3\n4 5.5 -6 1 2 3\n0.125 0.001 700.5 1 2 3\n"));
@@ -105,7 +109,8 @@ TEST_F(CloudReader, TextInEveryDress)
 
 TEST_F(CloudReader, Meshes)
 {
-  expectPoints(text("a.obj", "o part\nv 1.5 -2.25 3\nv 4 5.5 -6 1.0\nvn 0 0 1\nv 0.125 0.001 700.5\nf 1 2 3\n"));
+  expectPoints(
+      text("a.obj", "o part\nv 1.5 -2.25 3\nv 4 5.5 -6 1.0\nvn 0 0 1\nv 0.125 0.001 700.5\nf 1 2 3\n"));
   expectPoints(text("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 1.5 -2.25 3\nvertex 4 5.5 -6\n"
                              "vertex 0.125 0.001 700.5\nendloop\nendfacet\nendsolid a\n"));
   std::string binary(84 + 50, '\0');
@@ -113,9 +118,10 @@ TEST_F(CloudReader, Meshes)
   for (std::size_t i = 0; i < 3; ++i)
     std::memcpy(&binary[84 + 12 + 12 * i], points[i].data(), 12);
   expectPoints(text("b.stl", binary));
-  expectPoints(text("a.ply", "ply\nformat ascii 1.0\nelement camera 1\nproperty list uchar int k\n" + ply_vertices +
-                                 "element face 1\nproperty list uchar int vertex_indices\nend_header\n2 8 9\n" + rows +
-                                 "3 0 1 2\n"));
+  expectPoints(
+      text("a.ply", "ply\nformat ascii 1.0\nelement camera 1\nproperty list uchar int k\n" + ply_vertices +
+                        "element face 1\nproperty list uchar int vertex_indices\nend_header\n2 8 9\n" + rows +
+                        "3 0 1 2\n"));
 }
 
 TEST_F(CloudReader, BigEndianAndDoublePly)
@@ -211,13 +217,17 @@ TEST_F(CloudReader, SaysWhatIsWrongInPcd)
   expectProblem("e.pcd", pcd_header + "ascii\n1 2 3\n4 6\n7 8 9\n", "line 12: 2 values");
   expectProblem("f.pcd", pcd_header + "binary\n1234567890", "cut off");
   expectProblem("g.pcd", pcd_header + "binary_compressed\nabc", "cut off");
-  expectProblem("h.pcd", pcd_header + std::string("binary_compressed\n\x04\0\0\0\x24\0\0\0\xff\xff\xff\xff", 30),
+  expectProblem("h.pcd",
+                pcd_header + std::string("binary_compressed\n\x04\0\0\0\x24\0\0\0\xff\xff\xff\xff", 30),
                 "unpacked");
   expectProblem("i.pcd", "FIELDS x y\nSIZE 4 4\nTYPE F F\nCOUNT 1 1\nWIDTH 1\nHEIGHT 1\nDATA ascii\n1 2\n",
                 "has no 'z'; it has: x, y");
-  expectProblem("j.pcd", "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 400000000000\nHEIGHT 1\nDATA binary\n1", "cut off");
-  expectProblem("k.pcd", "FIELDS x y z\nSIZE 3 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 1\nDATA ascii\n1 2 3\n", "SIZE 3");
-  expectProblem("l.pcd", "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 0\nHEIGHT 1\nPOINTS 0\nDATA ascii\n", "no points");
+  expectProblem("j.pcd", "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 400000000000\nHEIGHT 1\nDATA binary\n1",
+                "cut off");
+  expectProblem("k.pcd", "FIELDS x y z\nSIZE 3 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 1\nDATA ascii\n1 2 3\n",
+                "SIZE 3");
+  expectProblem("l.pcd", "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 0\nHEIGHT 1\nPOINTS 0\nDATA ascii\n",
+                "no points");
 }
 
 TEST_F(CloudReader, SaysWhatIsWrongInPly)
@@ -227,13 +237,17 @@ TEST_F(CloudReader, SaysWhatIsWrongInPly)
   expectProblem("b.ply", ascii + "1 2 3\n4 abc 6\n7 8 9\n", "line 9: 'abc'");
   expectProblem("c.ply", ascii + "1 2 3\n4 5 6\n", "vertex 3 of 3");
   expectProblem("d.ply", ascii + "1 2 3\n4 5\n7 8 9\n", "line 9: 2 values");
-  expectProblem("e.ply", "ply\nformat binary_little_endian 1.0\n" + ply_vertices + "end_header\n123456789", "cut off");
-  expectProblem("f.ply", "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
-                         "property float z\nend_header\n",
+  expectProblem("e.ply", "ply\nformat binary_little_endian 1.0\n" + ply_vertices + "end_header\n123456789",
+                "cut off");
+  expectProblem("f.ply",
+                "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+                "property float z\nend_header\n",
                 "no vertices");
-  expectProblem("g.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n", "has no 'y'");
-  expectProblem("h.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 900000000000\nproperty float x\n"
-                         "property float y\nproperty float z\nend_header\n1",
+  expectProblem("g.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",
+                "has no 'y'");
+  expectProblem("h.ply",
+                "ply\nformat binary_little_endian 1.0\nelement vertex 900000000000\nproperty float x\n"
+                "property float y\nproperty float z\nend_header\n1",
                 "cut off");
   expectProblem("i.ply", "ply\nformat ascii 1.0\nelement vertex 1\n", "no end_header");
   expectProblem("j.stl", "solid a\nfacet", "endsolid");

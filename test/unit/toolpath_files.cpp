@@ -101,7 +101,8 @@ TEST(ToolpathFiles, CsvHasTheAgreedShape)
   std::istringstream lines(readText(folder.path("a.csv")));
   std::string line;
   std::getline(lines, line);
-  EXPECT_EQ(line, "turn,arc_length,cc_x,cc_y,cc_z,normal_x,normal_y,normal_z,tip_x,tip_y,tip_z,axis_x,axis_y,axis_z,feed");
+  EXPECT_EQ(line, "turn,arc_length,cc_x,cc_y,cc_z,normal_x,normal_y,normal_z,tip_x,tip_y,tip_z,axis_x,axis_y,"
+                  "axis_z,feed");
   std::getline(lines, line);
   EXPECT_EQ(line, "3.500000,123456789.062500,1.500000,0.000000,-2.250000,0.000000000,0.000000000,1.000000000,"
                   "-0.500000,0.000000,-1.250000,0.500000000,0.000000000,0.750000000,1500.000");

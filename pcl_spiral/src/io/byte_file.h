@@ -29,11 +29,9 @@ private:
 };
 
 /** The whole file. \throw FileError missing, a folder, empty, not readable */
-std::string
-readBytes(const std::string& file);
+std::string readBytes(const std::string& file);
 
 /** Extension in lower case with the dot; empty without one. */
-std::string
-lowerExtension(const std::string& file);
+std::string lowerExtension(const std::string& file);
 
 } // namespace pcl_spiral

@@ -78,7 +78,8 @@ warningsFor(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& cloud
 const std::vector<std::string>&
 cloudExtensions()
 {
-  static const std::vector<std::string> extensions{".pcd", ".ply", ".xyz", ".txt", ".csv", ".asc", ".stl", ".obj"};
+  static const std::vector<std::string> extensions{".pcd", ".ply", ".xyz", ".txt",
+                                                   ".csv", ".asc", ".stl", ".obj"};
   return extensions;
 }
 

@@ -13,9 +13,10 @@ namespace pcl_spiral {
 /** Room that one number can take: the largest double has 309 digits before the point. */
 constexpr int fixed_point_room = 340;
 
-/** Write \p value with \p Decimals decimals at \p out and return the end. Rounds half away from zero; within one unit
- *  in the last place of a double times 10^Decimals this is what printf writes, at a twentieth of its time. Values
- *  beyond 9e15 10^-Decimals, infinities and not-a-number go through std::to_chars. Zero has no sign. */
+/** Write \p value with \p Decimals decimals at \p out and return the end. Rounds half away from zero; within
+ * one unit in the last place of a double times 10^Decimals this is what printf writes, at a twentieth of its
+ * time. Values beyond 9e15 10^-Decimals, infinities and not-a-number go through std::to_chars. Zero has no
+ * sign. */
 template <int Decimals>
 char*
 writeFixed(char* out, double value)

@@ -14,26 +14,23 @@ using PointTable = std::vector<std::vector<double>>;
 
 using Names = std::vector<std::string>;
 
-/** \p bytes is the content of \p file; the name serves the messages. Each reader throws FileError where a wanted column
- *  is missing, a value is no number, or the file ends early.
+/** \p bytes is the content of \p file; the name serves the messages. Each reader throws FileError where a
+ * wanted column is missing, a value is no number, or the file ends early.
  *  @{ */
-PointTable
-readPcdTable(const std::string& file, std::string_view bytes, const Names& wanted);
-PointTable
-readPlyTable(const std::string& file, std::string_view bytes, const Names& wanted);
-/** \p columns names the columns from the left; empty: by the file's header, else the first columns are the wanted. */
-PointTable
-readTextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns = {});
+PointTable readPcdTable(const std::string& file, std::string_view bytes, const Names& wanted);
+PointTable readPlyTable(const std::string& file, std::string_view bytes, const Names& wanted);
+/** \p columns names the columns from the left; empty: by the file's header, else the first columns are the
+ * wanted. */
+PointTable readTextTable(const std::string& file, std::string_view bytes, const Names& wanted,
+                         const Names& columns = {});
 /** Vertices x y z. */
-PointTable
-readObjTable(const std::string& file, std::string_view bytes);
+PointTable readObjTable(const std::string& file, std::string_view bytes);
 /** Corners x y z of the triangles, each point once. */
-PointTable
-readStlTable(const std::string& file, std::string_view bytes);
+PointTable readStlTable(const std::string& file, std::string_view bytes);
 /** @} */
 
-/** Where each wanted name stands in \p names, upper or lower case. \throw FileError with the names there are */
-std::vector<std::size_t>
-columnsOf(const std::string& file, const Names& names, const Names& wanted);
+/** Where each wanted name stands in \p names, upper or lower case. \throw FileError with the names there are
+ */
+std::vector<std::size_t> columnsOf(const std::string& file, const Names& names, const Names& wanted);
 
 } // namespace pcl_spiral

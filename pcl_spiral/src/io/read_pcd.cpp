@@ -9,8 +9,8 @@
 namespace pcl_spiral {
 namespace {
 
-// Own reading, because PCL 1.13's ends the program on an empty file or one without a header, and takes words that are
-// no numbers and missing columns for zeros; only its decompression is used.
+// Own reading, because PCL 1.13's ends the program on an empty file or one without a header, and takes words
+// that are no numbers and missing columns for zeros; only its decompression is used.
 
 struct PcdField {
   FieldType type;
@@ -61,7 +61,8 @@ private:
   count(std::string_view word) const
   {
     const std::optional<double> value = toNumber(word);
-    if (!value || !(*value >= 0.0 && *value < 1e15) || *value != static_cast<double>(static_cast<std::size_t>(*value)))
+    if (!value || !(*value >= 0.0 && *value < 1e15) ||
+        *value != static_cast<double>(static_cast<std::size_t>(*value)))
       fail(quoted(word) + " is not a count");
     return static_cast<std::size_t>(*value);
   }
@@ -126,7 +127,8 @@ private:
       const bool whole = (field.type.kind == 'I' || field.type.kind == 'U') &&
                          (size == 1 || size == 2 || size == 4 || size == 8);
       if (!real && !whole)
-        fail("the header has a field of TYPE " + std::string(1, field.type.kind) + " SIZE " + std::to_string(size));
+        fail("the header has a field of TYPE " + std::string(1, field.type.kind) + " SIZE " +
+             std::to_string(size));
       field.offset = header_.bytes_a_point;
       field.position = header_.words_a_point;
       header_.bytes_a_point += field.count * static_cast<std::size_t>(size);
@@ -145,8 +147,9 @@ private:
 [[noreturn]] void
 failCutOff(const std::string& file, std::size_t there, std::size_t needed)
 {
-  throw FileError(file, "is cut off: byte " + std::to_string(there) + " is its last, and the points of its header need " +
-                            std::to_string(needed) + " bytes; copy or export it again");
+  throw FileError(file, "is cut off: byte " + std::to_string(there) +
+                            " is its last, and the points of its header need " + std::to_string(needed) +
+                            " bytes; copy or export it again");
 }
 
 PointTable
@@ -195,21 +198,25 @@ decompressed(const std::string& file, std::string_view bytes, const PcdHeader& h
                               std::to_string(unpacked) + " bytes, the header to " +
                               std::to_string(header.points * header.bytes_a_point));
   std::string body(unpacked, '\0');
-  const unsigned int got = pcl::lzfDecompress(bytes.data() + header.begin + 8, static_cast<unsigned int>(packed),
-                                              body.data(), static_cast<unsigned int>(unpacked));
+  const unsigned int got =
+      pcl::lzfDecompress(bytes.data() + header.begin + 8, static_cast<unsigned int>(packed), body.data(),
+                         static_cast<unsigned int>(unpacked));
   if (got != unpacked)
-    throw FileError(file, "byte " + std::to_string(header.begin + 8) + ": the packed points cannot be unpacked");
+    throw FileError(file,
+                    "byte " + std::to_string(header.begin + 8) + ": the packed points cannot be unpacked");
   return body;
 }
 
 PointTable
-readBinary(std::string_view body, const PcdHeader& header, const std::vector<std::size_t>& wanted, bool by_field)
+readBinary(std::string_view body, const PcdHeader& header, const std::vector<std::size_t>& wanted,
+           bool by_field)
 {
   PointTable table(wanted.size());
   for (std::size_t c = 0; c < wanted.size(); ++c) {
     const PcdField& field = header.fields[wanted[c]];
     const std::size_t first = by_field ? field.offset * header.points : field.offset;
-    const std::size_t step = by_field ? field.count * static_cast<std::size_t>(field.type.size) : header.bytes_a_point;
+    const std::size_t step =
+        by_field ? field.count * static_cast<std::size_t>(field.type.size) : header.bytes_a_point;
     table[c].resize(header.points);
     for (std::size_t i = 0; i < header.points; ++i)
       table[c][i] = loadField(body.data() + first + i * step, field.type);

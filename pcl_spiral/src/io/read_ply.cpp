@@ -9,8 +9,8 @@
 namespace pcl_spiral {
 namespace {
 
-// Own reading, because PCL 1.13's takes words that are no numbers for NaN without a complaint and reports what is wrong
-// on the console alone.
+// Own reading, because PCL 1.13's takes words that are no numbers for NaN without a complaint and reports
+// what is wrong on the console alone.
 
 struct PlyProperty {
   std::string name;
@@ -29,7 +29,7 @@ struct PlyElement {
 class PlyTable {
 public:
   PlyTable(const std::string& file, std::string_view bytes, const Names& wanted)
-  : file_(file), bytes_(bytes), wanted_(wanted), lines_(bytes)
+      : file_(file), bytes_(bytes), wanted_(wanted), lines_(bytes)
   {
   }
 
@@ -62,8 +62,8 @@ private:
   [[noreturn]] void
   failEnd(const PlyElement& element, std::size_t i) const
   {
-    throw FileError(file_, "is cut off at byte " + std::to_string(bytes_.size()) + ", in " + element.name + " " +
-                               std::to_string(i + 1) + " of " + std::to_string(element.count) +
+    throw FileError(file_, "is cut off at byte " + std::to_string(bytes_.size()) + ", in " + element.name +
+                               " " + std::to_string(i + 1) + " of " + std::to_string(element.count) +
                                "; copy or export it again");
   }
 
@@ -71,10 +71,10 @@ private:
   typeOf(std::string_view word) const
   {
     static const std::map<std::string_view, FieldType> types{
-        {"char", {'I', 1}},   {"int8", {'I', 1}},  {"uchar", {'U', 1}},   {"uint8", {'U', 1}},
-        {"short", {'I', 2}},  {"int16", {'I', 2}}, {"ushort", {'U', 2}},  {"uint16", {'U', 2}},
-        {"int", {'I', 4}},    {"int32", {'I', 4}}, {"uint", {'U', 4}},    {"uint32", {'U', 4}},
-        {"float", {'F', 4}},  {"float32", {'F', 4}}, {"double", {'F', 8}}, {"float64", {'F', 8}}};
+        {"char", {'I', 1}},  {"int8", {'I', 1}},    {"uchar", {'U', 1}},  {"uint8", {'U', 1}},
+        {"short", {'I', 2}}, {"int16", {'I', 2}},   {"ushort", {'U', 2}}, {"uint16", {'U', 2}},
+        {"int", {'I', 4}},   {"int32", {'I', 4}},   {"uint", {'U', 4}},   {"uint32", {'U', 4}},
+        {"float", {'F', 4}}, {"float32", {'F', 4}}, {"double", {'F', 8}}, {"float64", {'F', 8}}};
     const auto found = types.find(word);
     if (found == types.end())
       failLine(quoted(word) + " is no type of a property");

@@ -21,20 +21,23 @@ void
 checkComplete(const std::string& file, std::string_view bytes)
 {
   const std::string_view start = trimmed(bytes.substr(0, 256));
-  const bool text = start.substr(0, 5) == "solid" && bytes.substr(0, 1024).find('\0') == std::string_view::npos;
+  const bool text =
+      start.substr(0, 5) == "solid" && bytes.substr(0, 1024).find('\0') == std::string_view::npos;
   if (text) {
     if (bytes.find("endsolid") == std::string_view::npos)
       throw FileError(file, "is cut off: 'endsolid' is missing; copy or export it again");
     return;
   }
   if (bytes.size() < header_bytes)
-    throw FileError(file, "is neither an ascii nor a binary STL file (" + std::to_string(bytes.size()) + " bytes)");
+    throw FileError(file,
+                    "is neither an ascii nor a binary STL file (" + std::to_string(bytes.size()) + " bytes)");
   const auto triangles = static_cast<std::size_t>(loadAs<std::uint32_t>(bytes.data() + 80));
   if (triangles == 0)
     throw FileError(file, "byte 80: the header says that there are no triangles");
   if (bytes.size() < header_bytes + triangles * triangle_bytes)
-    throw FileError(file, "is cut off at byte " + std::to_string(bytes.size()) + ": its " + std::to_string(triangles) +
-                              " triangles need " + std::to_string(header_bytes + triangles * triangle_bytes) +
+    throw FileError(file, "is cut off at byte " + std::to_string(bytes.size()) + ": its " +
+                              std::to_string(triangles) + " triangles need " +
+                              std::to_string(header_bytes + triangles * triangle_bytes) +
                               "; copy or export it again");
 }
 

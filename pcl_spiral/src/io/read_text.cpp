@@ -38,7 +38,9 @@ find(const Names& names, const std::string& name)
 char
 separatorOf(std::string_view line)
 {
-  return line.find(';') != std::string_view::npos ? ';' : line.find(',') != std::string_view::npos ? ',' : ' ';
+  return line.find(';') != std::string_view::npos   ? ';'
+         : line.find(',') != std::string_view::npos ? ','
+                                                    : ' ';
 }
 
 Names
@@ -65,7 +67,7 @@ isHeading(std::string_view word)
 class TextTable {
 public:
   TextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns)
-  : file_(file), bytes_(bytes), wanted_(wanted), names_(columns), named_by_user_(!columns.empty())
+      : file_(file), bytes_(bytes), wanted_(wanted), names_(columns), named_by_user_(!columns.empty())
   {
   }
 
@@ -136,8 +138,8 @@ private:
     if (header && !named_by_user_)
       names_ = unquoted(words_);
     if (words_.size() < wanted_.size())
-      throw FileError(file_, atLine(number, std::to_string(words_.size()) + " column(s), where " + joined(wanted_) +
-                                                " are needed; see --columns"));
+      throw FileError(file_, atLine(number, std::to_string(words_.size()) + " column(s), where " +
+                                                joined(wanted_) + " are needed; see --columns"));
     if (names_.empty())
       names_ = wanted_;
     if (header && !named_by_user_ && find(names_, wanted_[0]) == names_.size())
@@ -156,15 +158,17 @@ private:
   takeNumbers(std::size_t number)
   {
     if (words_.size() != width_)
-      throw FileError(file_, atLine(number, std::to_string(words_.size()) + " columns, where the lines before have " +
+      throw FileError(file_, atLine(number, std::to_string(words_.size()) +
+                                                " columns, where the lines before have " +
                                                 std::to_string(width_) + "; is the file cut off?"));
     for (std::size_t c = 0; c < positions_.size(); ++c) {
       const std::string_view word = words_[positions_[c]];
       const std::optional<double> value = toNumber(word);
       if (!value) {
         const bool comma = word.find_first_of(", \t") != std::string_view::npos;
-        throw FileError(file_, atLine(number, quoted(word) + " is not a number" +
-                                                  (comma ? "; write decimals with a point, not a comma" : "")));
+        throw FileError(file_,
+                        atLine(number, quoted(word) + " is not a number" +
+                                           (comma ? "; write decimals with a point, not a comma" : "")));
       }
       table_[c].push_back(*value);
     }

@@ -44,7 +44,8 @@ settingsJson(const SpiralSettings& s)
           {"lines", choiceName(s.lines)},
           {"gaps", choiceName(s.gaps)},
           {"thin", s.thinning},
-          {"outliers", s.outlier_neighbours > 0 ? Json::array({s.outlier_neighbours, s.outlier_deviations}) : Json()},
+          {"outliers",
+           s.outlier_neighbours > 0 ? Json::array({s.outlier_neighbours, s.outlier_deviations}) : Json()},
           {"threads", s.threads}};
 }
 

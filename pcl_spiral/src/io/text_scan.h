@@ -19,9 +19,17 @@ public:
   /** The next line without its end and without blanks around it; false at the end of the text. */
   bool next(std::string_view& line);
   /** Number of the line that next gave last, from 1. */
-  std::size_t number() const { return number_; }
+  std::size_t
+  number() const
+  {
+    return number_;
+  }
   /** Byte at which the next line begins. */
-  std::size_t position() const { return position_; }
+  std::size_t
+  position() const
+  {
+    return position_;
+  }
 
 private:
   std::string_view text_;
@@ -30,23 +38,19 @@ private:
 };
 
 /** Without blanks at either end. */
-std::string_view
-trimmed(std::string_view text);
+std::string_view trimmed(std::string_view text);
 
-/** Words parted by blanks (separator ' ') or by a character; blanks around a word are dropped, empty words kept. */
-void
-splitWords(std::string_view line, char separator, std::vector<std::string_view>& words);
+/** Words parted by blanks (separator ' ') or by a character; blanks around a word are dropped, empty words
+ * kept. */
+void splitWords(std::string_view line, char separator, std::vector<std::string_view>& words);
 
 /** The whole word as a number; nan and inf are numbers too. */
-std::optional<double>
-toNumber(std::string_view word);
+std::optional<double> toNumber(std::string_view word);
 
 /** "line 7: what" */
-std::string
-atLine(std::size_t number, const std::string& what);
+std::string atLine(std::size_t number, const std::string& what);
 
 /** A word for a message: in quotes, cut at 40 characters, without control characters. */
-std::string
-quoted(std::string_view word);
+std::string quoted(std::string_view word);
 
 } // namespace pcl_spiral

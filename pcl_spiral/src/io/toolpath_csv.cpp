@@ -7,8 +7,9 @@
 
 namespace pcl_spiral {
 
-const char* const toolpath_csv_header = "turn,arc_length,cc_x,cc_y,cc_z,normal_x,normal_y,normal_z,tip_x,tip_y,tip_z,"
-                                        "axis_x,axis_y,axis_z,feed";
+const char* const toolpath_csv_header =
+    "turn,arc_length,cc_x,cc_y,cc_z,normal_x,normal_y,normal_z,tip_x,tip_y,tip_z,"
+    "axis_x,axis_y,axis_z,feed";
 
 namespace {
 
@@ -46,7 +47,8 @@ writeRow(char* out, const ToolpathPoint& point, const ToolpathMotion& motion)
 } // namespace
 
 void
-writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion)
+writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
+                 const ToolpathMotion& motion)
 {
   ByteFile out(file);
   out.write(std::string(toolpath_csv_header) + "\n");

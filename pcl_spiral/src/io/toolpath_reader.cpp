@@ -82,8 +82,9 @@ readToolpath(const std::string& file)
     return first;
   };
   if (extension == ".csv")
-    return fromColumns(readTextTable(
-        file, readBytes(file), names({"cc_x", "cc_y", "cc_z", "normal_x", "normal_y", "normal_z"}, {"feed"})));
+    return fromColumns(
+        readTextTable(file, readBytes(file),
+                      names({"cc_x", "cc_y", "cc_z", "normal_x", "normal_y", "normal_z"}, {"feed"})));
   if (extension == ".pcd")
     return fromColumns(
         readPcdTable(file, readBytes(file), names({"x", "y", "z", "normal_x", "normal_y", "normal_z"})));
@@ -91,7 +92,8 @@ readToolpath(const std::string& file)
     return fromColumns(readPlyTable(file, readBytes(file), names({"x", "y", "z", "nx", "ny", "nz"})));
   if (extension == ".vtp")
     return fromColumns(readVtpTable(file));
-  throw FileError(file, "extension '" + extension + "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");
+  throw FileError(file,
+                  "extension '" + extension + "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");
 }
 
 } // namespace pcl_spiral

@@ -47,19 +47,23 @@ polyData(const pcl::PointCloud<ToolpathPoint>& path, double feed)
   data->SetPoints(points);
   data->SetLines(lines);
   vtkPointData* const arrays = data->GetPointData();
-  arrays->SetNormals(pointArray<vtkFloatArray>("Normals", 3, path, [](const P& p, int c) { return p.data_n[c]; }));
-  arrays->AddArray(pointArray<vtkFloatArray>("ToolAxis", 3, path, [](const P& p, int c) { return p.data_axis[c]; }));
+  arrays->SetNormals(
+      pointArray<vtkFloatArray>("Normals", 3, path, [](const P& p, int c) { return p.data_n[c]; }));
+  arrays->AddArray(
+      pointArray<vtkFloatArray>("ToolAxis", 3, path, [](const P& p, int c) { return p.data_axis[c]; }));
   arrays->AddArray(
       pointArray<vtkFloatArray>("Feed", 1, path, [feed](const P&, int) { return static_cast<float>(feed); }));
   arrays->AddArray(pointArray<vtkFloatArray>("Turn", 1, path, [](const P& p, int) { return p.turn; }));
-  arrays->AddArray(pointArray<vtkDoubleArray>("ArcLength", 1, path, [](const P& p, int) { return p.arc_length; }));
+  arrays->AddArray(
+      pointArray<vtkDoubleArray>("ArcLength", 1, path, [](const P& p, int) { return p.arc_length; }));
   return data;
 }
 
 } // namespace
 
 void
-writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion)
+writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
+                 const ToolpathMotion& motion)
 {
   const QuietVtk quiet;
   vtkNew<vtkXMLPolyDataWriter> writer;

@@ -13,7 +13,8 @@ toolpathExtensions()
 }
 
 void
-writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion)
+writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
+              const ToolpathMotion& motion)
 {
   const std::string extension = lowerExtension(file);
   if (extension == ".csv")
@@ -25,7 +26,8 @@ writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& pat
   else if (extension == ".vtp")
     writeToolpathVTP(file, path, motion);
   else
-    throw FileError(file, "extension '" + extension + "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");
+    throw FileError(file, "extension '" + extension +
+                              "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");
 }
 
 } // namespace pcl_spiral

@@ -18,9 +18,10 @@ namespace pcl_spiral {
 /** How to take the numbers in a scan. */
 struct ReadOptions {
   LengthUnit unit = LengthUnit::Millimetre;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< subtracted in double precision, in the unit of the file
-  /** Text files only: a name for each column from the left; those named x, y and z are taken. Empty: by the file's
-   *  header, else the first three columns. */
+  Eigen::Vector3d origin =
+      Eigen::Vector3d::Zero(); ///< subtracted in double precision, in the unit of the file
+  /** Text files only: a name for each column from the left; those named x, y and z are taken. Empty: by the
+   * file's header, else the first three columns. */
   std::vector<std::string> columns;
 };
 
@@ -31,17 +32,15 @@ struct Scan {
 };
 
 /** Extensions that readCloud knows, with the dot. */
-const std::vector<std::string>&
-cloudExtensions();
+const std::vector<std::string>& cloudExtensions();
 
 /** Points of a .pcd, .ply, .stl, .obj (vertices), or of a text file .xyz .txt .csv .asc.
  *
- *  Text: one point a line; columns parted by commas, semicolons, or blanks; comment lines start with # or //. Scaling
- *  and shift are done in double precision, then rounded to float; a warning says where that costs more than 0.001 mm.
- *  Nothing else is changed: not-a-number points and duplicates stay.
- *  \throw FileError naming the line or byte and the reason: missing, a folder, empty, cut off, not a number, no x y z,
- *  extension not known */
-Scan
-readCloud(const std::string& file, const ReadOptions& options = {});
+ *  Text: one point a line; columns parted by commas, semicolons, or blanks; comment lines start with # or //.
+ * Scaling and shift are done in double precision, then rounded to float; a warning says where that costs more
+ * than 0.001 mm. Nothing else is changed: not-a-number points and duplicates stay. \throw FileError naming
+ * the line or byte and the reason: missing, a folder, empty, cut off, not a number, no x y z, extension not
+ * known */
+Scan readCloud(const std::string& file, const ReadOptions& options = {});
 
 } // namespace pcl_spiral

@@ -28,11 +28,23 @@ public:
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
 
-  std::size_t size() const { return targets_.size(); }
+  std::size_t
+  size() const
+  {
+    return targets_.size();
+  }
   /** The path as it was given. */
-  const std::string& path(std::size_t i) const { return paths_[i]; }
+  const std::string&
+  path(std::size_t i) const
+  {
+    return paths_[i];
+  }
   /** Where to write the file \p i; ends in the same extension. */
-  const std::string& temporary(std::size_t i) const { return temporaries_[i]; }
+  const std::string&
+  temporary(std::size_t i) const
+  {
+    return temporaries_[i];
+  }
 
   /** Rename every temporary to its target. \throw FileError after earlier files have been put back */
   void commit();

@@ -15,16 +15,15 @@ namespace pcl_spiral {
 /** Where a run's points came from and where its path went. */
 struct RunFiles {
   std::string scan;
-  LengthUnit unit = LengthUnit::Millimetre;        ///< of the numbers in the scan
+  LengthUnit unit = LengthUnit::Millimetre;         ///< of the numbers in the scan
   Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< subtracted from the scan, mm
   std::vector<std::string> outputs;
   std::vector<std::string> warnings; ///< from reading
 };
 
-/** Input, settings, loops, counts, times per stage and warnings of a run. Lengths mm, angles degrees, seconds.
- *  \throw FileError */
-void
-writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings,
-                const SpiralReport& report);
+/** Input, settings, loops, counts, times per stage and warnings of a run. Lengths mm, angles degrees,
+ * seconds. \throw FileError */
+void writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings,
+                     const SpiralReport& report);
 
 } // namespace pcl_spiral

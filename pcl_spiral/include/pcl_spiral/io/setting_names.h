@@ -25,7 +25,9 @@ struct ChoiceNames<LengthUnit> {
 template <>
 struct ChoiceNames<BoundaryMode> {
   static constexpr std::array<std::pair<BoundaryMode, const char*>, 3> words{
-      {{BoundaryMode::Automatic, "auto"}, {BoundaryMode::OneBoundary, "one"}, {BoundaryMode::TwoBoundaries, "two"}}};
+      {{BoundaryMode::Automatic, "auto"},
+       {BoundaryMode::OneBoundary, "one"},
+       {BoundaryMode::TwoBoundaries, "two"}}};
 };
 template <>
 struct ChoiceNames<SpiralDirection> {
@@ -50,7 +52,9 @@ struct ChoiceNames<GapHandling> {
 template <>
 struct ChoiceNames<LineMethod> {
   static constexpr std::array<std::pair<LineMethod, const char*>, 3> words{
-      {{LineMethod::Automatic, "auto"}, {LineMethod::Geodesic, "geodesic"}, {LineMethod::Harmonic, "harmonic"}}};
+      {{LineMethod::Automatic, "auto"},
+       {LineMethod::Geodesic, "geodesic"},
+       {LineMethod::Harmonic, "harmonic"}}};
 };
 
 /** The word for \p choice. */

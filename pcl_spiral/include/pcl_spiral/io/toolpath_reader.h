@@ -20,7 +20,6 @@ struct ToolpathFile {
 
 /** A toolpath from .csv, .pcd, .ply or .vtp as the writers make it. A CSV may hold comment lines (#).
  *  \throw FileError naming the line, byte or array that is missing or wrong */
-ToolpathFile
-readToolpath(const std::string& file);
+ToolpathFile readToolpath(const std::string& file);
 
 } // namespace pcl_spiral

@@ -32,30 +32,28 @@ toolTip(const ToolpathPoint& point, double tool_radius)
 /** First line of a toolpath CSV. */
 extern const char* const toolpath_csv_header;
 
-/** Comma separated values under toolpath_csv_header: mm, mm/min, unit vectors; positions, lengths and turns with 6
- *  decimals, vectors with 9, the feed with 3. The same bytes for any number of threads. \throw FileError */
-void
-writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion);
+/** Comma separated values under toolpath_csv_header: mm, mm/min, unit vectors; positions, lengths and turns
+ * with 6 decimals, vectors with 9, the feed with 3. The same bytes for any number of threads. \throw
+ * FileError */
+void writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
+                      const ToolpathMotion& motion);
 
 /** Binary PCD of ToolpathPoint. \throw FileError */
-void
-writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
+void writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
 
-/** Binary little-endian PLY: float x y z nx ny nz axis_x axis_y axis_z, double arc_length, float turn. The normal has
- *  the names that mesh viewers know; PCL reads them back as normal_x.. \throw FileError */
-void
-writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
+/** Binary little-endian PLY: float x y z nx ny nz axis_x axis_y axis_z, double arc_length, float turn. The
+ * normal has the names that mesh viewers know; PCL reads them back as normal_x.. \throw FileError */
+void writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
 
 /** One polyline with point data Normals, ToolAxis, Feed, Turn, ArcLength. \throw FileError */
-void
-writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion);
+void writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
+                      const ToolpathMotion& motion);
 
 /** Extensions that writeToolpath knows, with the dot. */
-const std::vector<std::string>&
-toolpathExtensions();
+const std::vector<std::string>& toolpathExtensions();
 
 /** By the extension of \p file. \throw FileError extension not known, or the file cannot be written */
-void
-writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion);
+void writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
+                   const ToolpathMotion& motion);
 
 } // namespace pcl_spiral

@@ -1,0 +1,52 @@
+/** \file
+ *  Pictures of a spiral toolpath, made without a window.
+ */
+#pragma once
+
+#include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/toolpath/spiral_report.h>
+#include <pcl_spiral/toolpath/spiral_settings.h>
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <memory>
+#include <string>
+
+namespace pcl_spiral {
+
+/** What the pictures show; lengths in mm. */
+struct PictureScene {
+  std::string title; ///< such as the scan's name
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud;
+  pcl::PointCloud<ToolpathPoint>::ConstPtr path;
+  SpiralSettings settings;
+  SpiralReport report;
+};
+
+/** Why no picture can be made here; empty where one can. VTK draws through an X display. */
+std::string displayProblem();
+
+struct DisplaySurface;
+
+/** The pictures of one scene, each a PNG of 1600 x 1200. */
+class SpiralPictures {
+public:
+  /** Thins and triangulates the cloud for drawing. */
+  explicit SpiralPictures(PictureScene scene);
+  ~SpiralPictures();
+
+  /** Boundary loops and radial lines over the cloud, coloured by height.
+   *  \throw std::runtime_error without a display, FileError where the file cannot be written */
+  void writeLines(const std::string& file) const;
+
+  /** The spiral on the shaded surface, and its inner end enlarged, so that every turn can be told from the
+   * next. Errors as for writeLines. */
+  void writeSpiral(const std::string& file) const;
+
+private:
+  PictureScene scene_;
+  std::unique_ptr<DisplaySurface> surface_;
+};
+
+} // namespace pcl_spiral

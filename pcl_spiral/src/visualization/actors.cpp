@@ -1,0 +1,88 @@
+#include "canvas.h"
+
+#include <vtkCellArray.h>
+#include <vtkColorTransferFunction.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkSphereSource.h>
+
+namespace pcl_spiral {
+
+vtkSmartPointer<vtkActor>
+surfaceActor(const DisplaySurface& surface, const Color& color)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface.mesh);
+  mapper->ScalarVisibilityOff();
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  actor->GetProperty()->SetInterpolationToPhong();
+  actor->GetProperty()->SetAmbient(0.15);
+  actor->GetProperty()->SetDiffuse(0.85);
+  actor->GetProperty()->SetSpecular(0.1);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor>
+lineActor(const std::vector<Polyline>& lines, bool closed, const Color& color, float width)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (const Polyline& line : lines) {
+    cells->InsertNextCell(static_cast<int>(line.size() + (closed && !line.empty())));
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (const Eigen::Vector3d& p : line)
+      cells->InsertCellPoint(points->InsertNextPoint(p.data()));
+    if (closed && !line.empty())
+      cells->InsertCellPoint(first);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(cells);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  actor->GetProperty()->SetLineWidth(width);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+vtkSmartPointer<vtkActor>
+ballActor(const Eigen::Vector3d& centre, double radius, const Color& color)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(centre.x(), centre.y(), centre.z());
+  ball->SetRadius(radius);
+  ball->SetThetaResolution(24);
+  ball->SetPhiResolution(24);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(ball->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  return actor;
+}
+
+vtkSmartPointer<vtkScalarsToColors>
+colorScale(double low, double high)
+{
+  // steps of viridis (van der Walt and Smith 2015) without its bright end, which a light surface would
+  // swallow
+  constexpr std::array<Color, 5> steps{{{0.267, 0.005, 0.329},
+                                        {0.230, 0.322, 0.546},
+                                        {0.128, 0.567, 0.551},
+                                        {0.369, 0.789, 0.383},
+                                        {0.640, 0.790, 0.100}}};
+  auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    colors->AddRGBPoint(low + (high - low) * static_cast<double>(i) / 4.0, steps[i][0], steps[i][1],
+                        steps[i][2]);
+  return colors;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,21 @@
+/** \file
+ *  The scanned surface as it is drawn.
+ */
+#pragma once
+
+#include <pcl_spiral/visualization/pictures.h>
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+namespace pcl_spiral {
+
+/** Triangles with normals over the scan, thinned where it has more points than a picture can show. */
+struct DisplaySurface {
+  vtkSmartPointer<vtkPolyData> mesh; ///< point data: normals, and Height along the outer direction, mm
+  Eigen::Vector3d low, high;         ///< bounding box of the path and the loops
+  Eigen::Vector3d outward; ///< mean normal of the path, unit; zero where it cancels out (a ring wall)
+  double spacing = 0.0;    ///< of the drawn points, mm
+};
+
+} // namespace pcl_spiral
