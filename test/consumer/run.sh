@@ -22,7 +22,7 @@ make_program() { # NAME PREFIX BUILD: configures and builds an outside program, 
 
 make_by_pkg_config() { # NAME PREFIX: the same source as NAME, by pkg-config and the bare compiler
   local flags # pkg-config escapes blanks as a shell does, hence eval
-  flags=$(PKG_CONFIG_PATH="$2/lib/pkgconfig" pkg-config --cflags --libs pcl_spiral)
+  flags=$(PKG_CONFIG_PATH="$2/lib/pkgconfig" pkg-config --cflags --libs pcl_spiral_io)
   eval "${CXX:-c++} ${CXXFLAGS:-} -std=c++17 -o \"\$2/bin/by_pkg_config\" \"\$here/\$1/main.cpp\" $flags" \
     "'-Wl,-rpath,\$ORIGIN/../lib'"
 }
@@ -39,7 +39,7 @@ make_program cxx_only "$first" "$scratch/cxx_only"
 make_program c_and_cxx "$first" "$scratch/c_and_cxx"
 make_by_pkg_config cxx_only "$first"
 run_all "$first"
-if readelf -d "$first/bin/cxx_only" | grep -E 'NEEDED.*(vtk|Qt)'; then
+if readelf -d "$first/bin/c_and_cxx" | grep -E 'NEEDED.*(vtk|Qt)'; then
   fail "a program that wants the filters alone was linked to the libraries above"
 fi
 
@@ -50,4 +50,4 @@ said=$(grep -rlF -e "$first" "$second" || true)
 said=$(grep -rlFI -e "$build" "$second" || true)
 [ -z "$said" ] || fail "these installed files know the build folder: $said"
 make_program cxx_only "$second" "$scratch/cxx_only_again"
-"$second/bin/cxx_only" || fail "cxx_only, made against the moved installation, fails"
+"$second/bin/cxx_only" "$scratch" || fail "cxx_only, made against the moved installation, fails"

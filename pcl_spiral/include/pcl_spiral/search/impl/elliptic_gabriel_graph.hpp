@@ -4,6 +4,7 @@
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
+#include <pcl/impl/pcl_base.hpp> // for point types that PCL has not compiled
 
 #include <cmath>
 #include <string>
