@@ -1,0 +1,17 @@
+/** \file
+ *  The small disc about the centre, in which a harmonic function has the known shape of its singularity.
+ */
+#pragma once
+
+#include "harmonic_domain.h"
+
+namespace pcl_spiral {
+
+/** The triangle under \p centre, or Triangulation::none when it is off the surface or in a gap. */
+std::uint32_t triangleAt(const SurfaceGraph& graph, const Eigen::Vector3d& centre);
+
+/** Points within two spacings of the domain's centre, with their directions. The domain must have been cut from
+ *  \p triangle, the one under the centre. */
+Status makeCentreDisc(const SurfaceGraph& graph, std::uint32_t triangle, HarmonicDomain& domain);
+
+} // namespace pcl_spiral
