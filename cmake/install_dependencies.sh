@@ -3,8 +3,8 @@
 # Usage: install_dependencies.sh [build] [test] [display]     (build alone when nothing is named)
 set -euo pipefail
 
-build=(g++ cmake ninja-build ccache libpcl-dev libeigen3-dev libboost-dev libboost-program-options-dev
-  libnanoflann-dev nlohmann-json3-dev libyaml-cpp-dev)
+build=(g++ cmake ninja-build ccache libpcl-dev libvtk9-dev libx11-dev libeigen3-dev libboost-dev
+  libboost-program-options-dev nlohmann-json3-dev libyaml-cpp-dev)
 test=(libgtest-dev pkg-config)
 display=(xvfb xauth libgl1-mesa-dri) # pictures where there is no screen
 

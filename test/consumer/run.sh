@@ -10,6 +10,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 first="$scratch/first prefix"
 second="$scratch/second prefix"
+export CCACHE_BASEDIR=$scratch CCACHE_NOHASHDIR=1 # the same cache entries whatever the scratch folder is called
 
 fail() { echo "consumer: $*" >&2; exit 1; }
 
