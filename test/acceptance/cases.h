@@ -27,6 +27,10 @@ int judgeRefusal(const Options& options);
 int
 judgeBadInput(const Options& options);
 
+/** Boundary loops of outlines known exactly: how many, and how far from the truth. */
+int
+judgeLoops(const Options& options);
+
 /** The whole free-form run beside PCL's own filters on the same cloud and threads. */
 int judgeTime(const Options& options);
 
