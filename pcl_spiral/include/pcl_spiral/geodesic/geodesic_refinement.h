@@ -34,6 +34,7 @@ struct RefinementOptions {
   int max_iterations = 30;                  ///< a level
   double tolerance = 0.001;                 ///< mm: largest move at which a line counts as converged
   RefinementMethod method = RefinementMethod::TridiagonalNewton;
+  bool probe_normals = true; ///< correct the normals by feet beside the line, at the end: half as much work again
 };
 
 /** Make geodesics of lines that start from a trace or graph path: lines[i].points, at least two each.
