@@ -110,7 +110,7 @@ TEST_F(OnSpheroid, PublishedDistances)
   }
   const Worst worst = worstOnSpheroid(lines);
   EXPECT_LT(worst.length, 2e-4);
-  EXPECT_LT(worst.sideways, 0.025);
+  EXPECT_LT(worst.sideways, 0.005);
 }
 
 TEST_F(OnSpheroid, PublishedMethodComesToTheSame)
@@ -144,7 +144,7 @@ TEST_F(OnSpheroid, AnyRoughStartComesToTheSame)
   refineGeodesics(surface, {}, lines);
   const Worst worst = worstOnSpheroid(lines);
   EXPECT_LT(worst.length, 2e-4);
-  EXPECT_LT(worst.sideways, 0.025);
+  EXPECT_LT(worst.sideways, 0.005);
 }
 
 TEST_F(OnSpheroid, SameBytesForAnyThreads)
@@ -228,8 +228,10 @@ TEST(GeodesicRefinement, LinesThatCannotBeLinesComeBackUnconverged)
   lines[2].points = {Vector3d(1, 1, 0), Vector3d(std::nan(""), 1, 0)};
   lines[3].points = {Vector3d(1, 1, 0), Vector3d(30, 20, 0)};
   refineGeodesics(MlsSurface(graph), {}, lines);
-  for (int k = 0; k < 3; ++k)
-    EXPECT_FALSE(lines[k].converged);
+  EXPECT_FALSE(lines[0].converged);
+  EXPECT_TRUE(lines[1].converged); // from a point to itself
+  EXPECT_EQ(lines[1].length, 0.0);
+  EXPECT_FALSE(lines[2].converged);
   EXPECT_TRUE(lines[3].converged);
   EXPECT_NEAR(lines[3].length, std::hypot(29, 19), 1e-6);
 }

@@ -37,14 +37,20 @@ runLevel(const MlsSurface& surface, std::vector<LineRefiner>& refiners)
 }
 
 bool
-usable(const GeodesicLine& line)
+isFinite(const Polyline& line)
 {
-  if (line.points.size() < 2)
-    return false;
-  for (const Vector3d& p : line.points)
-    if (!p.allFinite())
-      return false;
-  return length(line.points) > 0.0;
+  return std::all_of(line.begin(), line.end(), [](const Vector3d& p) { return p.allFinite(); });
+}
+
+/** A line from a point to itself is a geodesic already. */
+void
+finishPoint(const MlsSurface& surface, GeodesicLine& line)
+{
+  line.points.resize(2);
+  line.feet.assign(2, surface.project(line.points[0]));
+  line.feet[0].position = line.feet[1].position = line.points[0];
+  line.largest_move = 0.0;
+  line.converged = true;
 }
 
 } // namespace
@@ -60,8 +66,12 @@ refineGeodesics(const MlsSurface& surface, const RefinementOptions& options, std
     start.swap(line.points);
     line = GeodesicLine();
     line.points.swap(start);
-    if (!usable(line))
+    if (line.points.size() < 2 || !isFinite(line.points))
       continue;
+    if (!(length(line.points) > 0.0)) {
+      finishPoint(surface, line);
+      continue;
+    }
     ends.push_back(line.points.front());
     ends.push_back(line.points.back());
     refiners.emplace_back(line, options, surface.graph().spacing());

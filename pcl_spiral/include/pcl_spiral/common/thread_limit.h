@@ -1,0 +1,25 @@
+/** \file
+ *  A number of threads for the length of a scope.
+ */
+#pragma once
+
+#include <omp.h>
+
+namespace pcl_spiral {
+
+/** Parallel loops started in this thread use \p threads threads while the object lives; 0 means all. */
+class ThreadLimit {
+public:
+  explicit ThreadLimit(int threads) : before_(omp_get_max_threads())
+  {
+    omp_set_num_threads(threads > 0 ? threads : omp_get_num_procs());
+  }
+  ~ThreadLimit() { omp_set_num_threads(before_); }
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+private:
+  int before_;
+};
+
+} // namespace pcl_spiral

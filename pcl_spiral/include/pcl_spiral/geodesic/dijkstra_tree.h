@@ -1,0 +1,40 @@
+/** \file
+ *  Shortest paths over the edges of a graph.
+ */
+#pragma once
+
+#include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/search/surface_graph.h>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Shortest paths over the edges of a graph's triangles from one source to every point (Dijkstra 1959).
+ *
+ *  One search serves all targets. The paths are too long by a share that does not vanish with density (some percent):
+ *  a start for refinement, not an answer. The graph must outlive the tree. Deterministic.
+ */
+class DijkstraTree {
+public:
+  static constexpr double unreached = std::numeric_limits<double>::infinity();
+
+  /** Search from a position near the cloud. False, and nothing reached, when it is farther than three spacings off. */
+  bool compute(const SurfaceGraph& graph, const Eigen::Vector3d& source);
+
+  std::size_t size() const { return distances_.size(); }
+  /** Length of the path to point \p i, mm; unreached on another part. */
+  double distance(std::size_t i) const { return distances_[i]; }
+  /** The path from the source to \p to, both included; empty when \p to is off the cloud or not reached. */
+  Polyline path(const Eigen::Vector3d& to) const;
+
+private:
+  const SurfaceGraph* graph_ = nullptr;
+  Eigen::Vector3d source_ = Eigen::Vector3d::Zero();
+  std::vector<double> distances_;
+  std::vector<std::uint32_t> before_; ///< the point before each on its path; none after the source
+};
+
+} // namespace pcl_spiral

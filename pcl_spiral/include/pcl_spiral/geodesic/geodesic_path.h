@@ -1,0 +1,122 @@
+/** \file
+ *  Shortest paths on a scanned surface, from a cloud.
+ */
+#pragma once
+
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/geodesic/shortest_paths.h>
+
+#include <pcl/pcl_base.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Shortest paths on the surface behind a cloud, from one source to many targets.
+ *
+ *  Source and targets are positions on the surface, or points of the cloud. Each path is at equal spacing, on the
+ *  fitted surface, its ends exactly where they were given; lengths are those of a smooth curve. Millimetres.
+ *  Source: Wu et al. 2025, equations 1-7, with the boundary conditions and the iteration of refineGeodesics.
+ *  Points that are not finite, and all but one of coincident points, are left out.
+ */
+template <typename PointT, typename PointNT = pcl::Normal>
+class GeodesicPath : public pcl::PCLBase<PointT> {
+public:
+  using Ptr = pcl::shared_ptr<GeodesicPath>;
+  using ConstPtr = pcl::shared_ptr<const GeodesicPath>;
+  using PointCloud = pcl::PointCloud<PointT>;
+  using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
+
+  /** Oriented normals of the input, one a point: they tell the outer side. Without them the mean normal faces +z.
+   *  The paths do not depend on it, only the normals along them. */
+  void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
+  NormalsConstPtr getInputNormals() const { return normals_; }
+
+  /** Where all paths start. Must be set: a position, or an index into the input cloud. */
+  void setSourcePoint(const Eigen::Vector3d& source) { source_ = {source, false, 0}; }
+  void setSourceIndex(pcl::index_t index) { source_ = {Eigen::Vector3d::Zero(), true, index}; }
+
+  /** Where the paths end, one path a target. Must be set: positions, or indices into the input cloud. */
+  void setTargetPoints(const Polyline& targets);
+  void setTargetIndices(const pcl::Indices& targets);
+
+  /** What the refinement starts from; the field by default. */
+  void setStart(GeodesicStart start) { start_ = start; }
+  GeodesicStart getStart() const { return start_; }
+
+  /** How paths are refined; the tridiagonal Newton iteration by default. */
+  void setMethod(RefinementMethod method) { options_.method = method; }
+  RefinementMethod getMethod() const { return options_.method; }
+
+  /** Segments of a path, coarse to fine; 16, 32, 64, 128 by default. A path has one point more than the last. */
+  void setLevels(const std::vector<int>& levels) { options_.levels = levels; }
+  const std::vector<int>& getLevels() const { return options_.levels; }
+
+  /** Sideways move at which a path has settled, mm; 0.001 by default. */
+  void setTolerance(double tolerance) { options_.tolerance = tolerance; }
+  double getTolerance() const { return options_.tolerance; }
+
+  /** Most iterations a level; 30 by default. */
+  void setMaximumIterations(int iterations) { options_.max_iterations = iterations; }
+  int getMaximumIterations() const { return options_.max_iterations; }
+
+  /** Neighbours in one surface fit; 0, the default: as many as the noise asks for. */
+  void setFitNeighbours(int neighbours) { fit_neighbours_ = neighbours; }
+  int getFitNeighbours() const { return fit_neighbours_; }
+
+  /** Threads to use; 0, the default, means all. The output does not depend on it. */
+  void setNumberOfThreads(int threads) { thread_count_ = threads; }
+  int getNumberOfThreads() const { return thread_count_; }
+
+  /** Find the paths, in the order of the targets. On failure (see getStatus) those not found are empty, or all. */
+  void compute(std::vector<PointCloud>& paths);
+  void compute(std::vector<Polyline>& paths);
+
+  /** Length of each path of the last compute, mm; not a number where none was found. */
+  const std::vector<double>& getLengths() const { return lengths_; }
+  /** The paths with normals and curvatures, as they were refined: those that left the surface too, up to there. */
+  const std::vector<GeodesicLine>& getLines() const { return lines_; }
+  const Status& getStatus() const { return status_; }
+
+private:
+  /** A position, or the point of the cloud at an index. */
+  struct Place {
+    Eigen::Vector3d position = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    bool by_index = false;
+    pcl::index_t index = 0;
+  };
+  Status check() const;
+  Status checkPlace(const Place& place, const std::string& name) const;
+  Eigen::Vector3d positionOf(const Place& place) const;
+  std::vector<std::uint32_t> usablePoints() const;
+  Status buildGraph(SurfaceGraph& graph) const;
+  Status run();
+
+  using pcl::PCLBase<PointT>::input_;
+  using pcl::PCLBase<PointT>::indices_;
+
+  NormalsConstPtr normals_;
+  Place source_;
+  std::vector<Place> targets_;
+  GeodesicStart start_ = GeodesicStart::Field;
+  RefinementOptions options_;
+  int fit_neighbours_ = 0;
+  int thread_count_ = 0;
+  std::vector<GeodesicLine> lines_;
+  std::vector<double> lengths_;
+  Status status_;
+};
+
+} // namespace pcl_spiral
+
+#include <pcl_spiral/geodesic/impl/geodesic_path.hpp>
+
+namespace pcl_spiral {
+extern template class GeodesicPath<pcl::PointXYZ>;
+extern template class GeodesicPath<pcl::PointXYZRGB>;
+extern template class GeodesicPath<pcl::PointNormal>;
+} // namespace pcl_spiral

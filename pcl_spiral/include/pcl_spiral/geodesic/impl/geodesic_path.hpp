@@ -1,0 +1,190 @@
+#pragma once
+
+#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/geodesic/geodesic_path.h>
+
+#include <pcl/common/point_tests.h>
+#include <pcl/console/print.h>
+#include <pcl/type_traits.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace pcl_spiral {
+
+template <typename PointT, typename PointNT>
+void
+GeodesicPath<PointT, PointNT>::setTargetPoints(const Polyline& targets)
+{
+  targets_.clear();
+  for (const Eigen::Vector3d& target : targets)
+    targets_.push_back({target, false, 0});
+}
+
+template <typename PointT, typename PointNT>
+void
+GeodesicPath<PointT, PointNT>::setTargetIndices(const pcl::Indices& targets)
+{
+  targets_.clear();
+  for (const pcl::index_t target : targets)
+    targets_.push_back({Eigen::Vector3d::Zero(), true, target});
+}
+
+template <typename PointT, typename PointNT>
+Status
+GeodesicPath<PointT, PointNT>::checkPlace(const Place& place, const std::string& name) const
+{
+  if (!place.by_index && !place.position.allFinite())
+    return {StatusCode::InvalidArgument, "the " + name + " is not set, or not finite; give a position on the surface"};
+  if (place.by_index && static_cast<std::size_t>(place.index) >= input_->size())
+    return {StatusCode::InvalidArgument, "the index of the " + name + ", " + std::to_string(place.index) +
+                                             ", is outside the cloud of " + std::to_string(input_->size()) + " points"};
+  if (place.by_index && !pcl::isXYZFinite((*input_)[place.index]))
+    return {StatusCode::InvalidArgument,
+            "the " + name + ", point " + std::to_string(place.index) + " of the cloud, is not finite; choose another"};
+  return Status::success();
+}
+
+template <typename PointT, typename PointNT>
+Status
+GeodesicPath<PointT, PointNT>::check() const
+{
+  if (!input_ || input_->empty())
+    return {StatusCode::InvalidInput, "the input cloud is missing or empty; call setInputCloud with points"};
+  if (indices_)
+    for (const pcl::index_t index : *indices_)
+      if (static_cast<std::size_t>(index) >= input_->size())
+        return {StatusCode::InvalidInput, "index " + std::to_string(index) + " is outside the cloud of " +
+                                              std::to_string(input_->size()) + " points"};
+  if (normals_ && normals_->size() != input_->size())
+    return {StatusCode::InvalidInput, "there are " + std::to_string(normals_->size()) + " normals for " +
+                                          std::to_string(input_->size()) + " points; give one a point"};
+  if (fit_neighbours_ != 0 && fit_neighbours_ < 6)
+    return {StatusCode::InvalidArgument, "a fit has " + std::to_string(fit_neighbours_) +
+                                             " neighbours; set 6 or more, better 32, or 0 to have them chosen"};
+  if (targets_.empty())
+    return {StatusCode::InvalidArgument, "there are no targets; call setTargetPoints or setTargetIndices"};
+  Status status = checkPlace(source_, "source");
+  for (std::size_t i = 0; status.ok() && i < targets_.size(); ++i)
+    status = checkPlace(targets_[i], "target " + std::to_string(i));
+  return status.ok() ? checkRefinement(options_) : status;
+}
+
+template <typename PointT, typename PointNT>
+Eigen::Vector3d
+GeodesicPath<PointT, PointNT>::positionOf(const Place& place) const
+{
+  return !place.by_index ? place.position
+                         : Eigen::Vector3d((*input_)[place.index].getVector3fMap().template cast<double>());
+}
+
+/** Finite points of the cloud or its indices, one at each position, in the order of the cloud. */
+template <typename PointT, typename PointNT>
+std::vector<std::uint32_t>
+GeodesicPath<PointT, PointNT>::usablePoints() const
+{
+  using Keyed = std::pair<std::array<float, 3>, std::uint32_t>;
+  std::vector<Keyed> found;
+  const auto add = [&](std::size_t i) {
+    const PointT& p = (*input_)[i];
+    if (pcl::isXYZFinite(p))
+      found.push_back({{p.x, p.y, p.z}, static_cast<std::uint32_t>(i)});
+  };
+  if (indices_)
+    std::for_each(indices_->begin(), indices_->end(), [&](pcl::index_t i) { add(static_cast<std::size_t>(i)); });
+  else
+    for (std::size_t i = 0; i < input_->size(); ++i)
+      add(i);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end(),
+                          [](const Keyed& a, const Keyed& b) { return a.first == b.first; }),
+              found.end());
+  std::vector<std::uint32_t> usable;
+  for (const Keyed& point : found)
+    usable.push_back(point.second);
+  std::sort(usable.begin(), usable.end());
+  return usable;
+}
+
+template <typename PointT, typename PointNT>
+Status
+GeodesicPath<PointT, PointNT>::buildGraph(SurfaceGraph& graph) const
+{
+  const std::vector<std::uint32_t> usable = usablePoints();
+  std::vector<Eigen::Vector3f> points;
+  for (const std::uint32_t i : usable)
+    points.push_back((*input_)[i].getVector3fMap());
+  SurfaceGraphOptions options;
+  Status status = graph.build(points, options);
+  if (!status.ok() || !normals_)
+    return status;
+  double agreement = 0.0;
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    const auto given = (*normals_)[usable[graph.blocks().originalIndex(i)]].getNormalVector3fMap();
+    if (given.allFinite())
+      agreement += graph.normals()[i].dot(given) > 0.0f ? 1.0 : -1.0;
+  }
+  options.flip_normals = true;
+  return agreement < 0.0 ? graph.build(points, options) : status;
+}
+
+template <typename PointT, typename PointNT>
+Status
+GeodesicPath<PointT, PointNT>::run()
+{
+  Status status = check();
+  if (!status.ok())
+    return status;
+  const ThreadLimit limit(thread_count_);
+  SurfaceGraph graph;
+  status = buildGraph(graph);
+  if (!status.ok())
+    return status;
+  Polyline targets;
+  for (const Place& target : targets_)
+    targets.push_back(positionOf(target));
+  const MlsSurface surface(graph, fit_neighbours_);
+  status = shortestPaths(surface, positionOf(source_), targets, start_, options_, lines_);
+  for (const GeodesicLine& line : lines_)
+    lengths_.push_back(line.points.empty() || line.left_surface ? std::numeric_limits<double>::quiet_NaN()
+                                                                : line.length);
+  return status;
+}
+
+template <typename PointT, typename PointNT>
+void
+GeodesicPath<PointT, PointNT>::compute(std::vector<Polyline>& paths)
+{
+  lines_.clear();
+  lengths_.clear();
+  status_ = run();
+  if (!status_.ok())
+    PCL_ERROR("[pcl_spiral::GeodesicPath::compute] %s.\n", status_.message().c_str());
+  paths.assign(targets_.size(), Polyline());
+  for (std::size_t i = 0; i < lines_.size(); ++i)
+    if (!lines_[i].left_surface)
+      paths[i] = lines_[i].points;
+}
+
+template <typename PointT, typename PointNT>
+void
+GeodesicPath<PointT, PointNT>::compute(std::vector<PointCloud>& paths)
+{
+  std::vector<Polyline> lines;
+  compute(lines);
+  paths.assign(lines.size(), PointCloud());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (input_)
+      paths[i].header = input_->header;
+    for (std::size_t k = 0; k < lines[i].size(); ++k) {
+      PointT point;
+      point.getVector3fMap() = lines[i][k].template cast<float>();
+      if constexpr (pcl::traits::has_normal<PointT>::value)
+        point.getNormalVector3fMap() = lines_[i].feet[k].normal.template cast<float>();
+      paths[i].push_back(point);
+    }
+  }
+}
+
+} // namespace pcl_spiral
