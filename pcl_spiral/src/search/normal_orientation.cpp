@@ -93,25 +93,28 @@ chooseOuterSide(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& n
   for (std::size_t i = 0; i < blocks.size(); ++i)
     centroid += blocks.position(i);
   centroid /= static_cast<double>(blocks.size());
-  double towards_view = 0.0, towards_z = 0.0, convex = 0.0, area = 0.0;
+  const bool given = options.given_normals.size() == blocks.size();
+  double as_given = 0.0, towards_view = 0.0, towards_z = 0.0, convex = 0.0, area = 0.0;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const double weight = static_cast<double>(radii[i]) * radii[i];
     const Eigen::Vector3d n = (flipped[i] ? -1.0 : 1.0) * normals[i].cast<double>();
     if (options.view_point)
       towards_view += weight * n.dot((*options.view_point - blocks.position(i)).normalized());
+    if (given)
+      as_given += weight * n.dot(options.given_normals[blocks.originalIndex(i)].cast<double>());
     towards_z += weight * n.z();
     convex += weight * n.dot((blocks.position(i) - centroid).normalized());
     area += weight;
   }
   constexpr double clear = 0.1; // of the area-weighted mean cosine
   const bool z_tells = std::abs(towards_z) >= clear * area;
-  double side = options.view_point ? towards_view : z_tells ? towards_z : convex;
+  double side = as_given != 0.0 ? as_given : options.view_point ? towards_view : z_tells ? towards_z : convex;
   if (options.flip_normals)
     side = -side;
   if (side < 0.0)
     for (std::uint8_t& f : flipped)
       f ^= 1;
-  return options.view_point || z_tells;
+  return as_given != 0.0 || options.view_point || z_tells;
 }
 
 } // namespace pcl_spiral

@@ -17,6 +17,7 @@ struct SurfaceGraphOptions {
   double max_circumradius = 3.0; ///< of a triangle, in local spacings: larger empty circles are outside or holes
   std::optional<Eigen::Vector3d> view_point; ///< normals face it; absent: towards +z as a whole
   bool flip_normals = false;
+  std::vector<Eigen::Vector3f> given_normals; ///< one a point (zero: none), or empty: the side they face is the outer
 };
 
 /** A cloud in spatial order with oriented PCA normals, local spacing and a triangulation of local Delaunay stars.

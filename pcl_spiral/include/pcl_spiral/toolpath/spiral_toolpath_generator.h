@@ -107,6 +107,9 @@ public:
   const SpiralReport& getReport() const { return report_; }
 
 private:
+  /** Finite, different points of the input and their normals, in an order that does not depend on the input's. */
+  Status collect(std::vector<Eigen::Vector3f>& points, std::vector<Eigen::Vector3f>& normals);
+
   NormalsConstPtr normals_;
   SpiralSettings settings_;
   ProgressCallback progress_;
@@ -117,3 +120,9 @@ private:
 } // namespace pcl_spiral
 
 #include <pcl_spiral/toolpath/impl/spiral_toolpath_generator.hpp>
+
+namespace pcl_spiral {
+extern template class SpiralToolpathGenerator<pcl::PointXYZ>;
+extern template class SpiralToolpathGenerator<pcl::PointXYZRGB>;
+extern template class SpiralToolpathGenerator<pcl::PointNormal>;
+} // namespace pcl_spiral

@@ -1,0 +1,91 @@
+/** \file
+ *  SpiralToolpathGenerator: the PCL side. The work is SpiralPlanner's.
+ */
+#pragma once
+
+#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/toolpath/spiral_planner.h>
+#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+
+#include <pcl/common/point_tests.h>
+#include <pcl/console/print.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pcl_spiral {
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::collect(std::vector<Eigen::Vector3f>& points,
+                                                               std::vector<Eigen::Vector3f>& normals)
+{
+  if (!this->input_)
+    return {StatusCode::InvalidInput, "no input cloud: call setInputCloud"};
+  const auto& cloud = *this->input_;
+  if (cloud.empty())
+    return {StatusCode::InvalidInput, "the input cloud is empty"};
+  if (normals_ && normals_->size() != cloud.size())
+    return {StatusCode::InvalidArgument, "the cloud has " + std::to_string(cloud.size()) + " points but " +
+                                             std::to_string(normals_->size()) + " normals were given; one a point"};
+  if (!this->initCompute())
+    return {StatusCode::InvalidInput, "the indices do not fit the input cloud"};
+  report_.input_points = this->indices_->size();
+  std::vector<std::size_t> order;
+  for (const auto index : *this->indices_)
+    if (pcl::isXYZFinite(cloud[index]))
+      order.push_back(index);
+  report_.nonfinite_points = report_.input_points - order.size();
+  const auto key = [&](std::size_t i) { return std::array<float, 3>{cloud[i].x, cloud[i].y, cloud[i].z}; };
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
+  const auto end = std::unique(order.begin(), order.end(), [&](auto a, auto b) { return key(a) == key(b); });
+  report_.duplicate_points = order.end() - end;
+  order.erase(end, order.end());
+  for (const std::size_t i : order) {
+    points.emplace_back(cloud[i].x, cloud[i].y, cloud[i].z);
+    if (normals_) {
+      const Eigen::Vector3f n((*normals_)[i].normal_x, (*normals_)[i].normal_y, (*normals_)[i].normal_z);
+      normals.push_back(n.allFinite() ? n : Eigen::Vector3f::Zero().eval());
+    }
+  }
+  report_.used_points = points.size();
+  this->deinitCompute();
+  if (points.empty())
+    return {StatusCode::InvalidInput, "none of the " + std::to_string(report_.input_points) +
+                                          " points is finite: check the scan or the file's columns"};
+  return Status::success();
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+void
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::compute(pcl::PointCloud<PointOutT>& path)
+{
+  path.clear();
+  report_ = SpiralReport();
+  status_ = checkSettings(settings_);
+  const ThreadLimit limit(settings_.threads);
+  std::vector<Eigen::Vector3f> points, normals;
+  if (status_.ok())
+    status_ = collect(points, normals);
+  SpiralPath spiral;
+  if (status_.ok())
+    status_ = SpiralPlanner(settings_, progress_, report_).plan(points, normals, spiral);
+  if (!status_.ok()) {
+    if (status_.code() != StatusCode::Cancelled)
+      PCL_ERROR("[pcl_spiral::SpiralToolpathGenerator::compute] %s\n", status_.message().c_str());
+    return;
+  }
+  path.resize(spiral.contacts.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    PointOutT& p = path[i];
+    p.getVector3fMap() = spiral.contacts[i].template cast<float>();
+    p.getNormalVector3fMap() = spiral.normals[i].template cast<float>();
+    p.getAxisVector3fMap() = spiral.axes[i].template cast<float>();
+    p.arc_length = spiral.arc_lengths[i];
+    p.turn = static_cast<float>(spiral.turns[i]);
+  }
+  path.header = this->input_->header;
+  path.is_dense = true;
+}
+
+} // namespace pcl_spiral

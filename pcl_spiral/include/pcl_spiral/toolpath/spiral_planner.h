@@ -1,0 +1,63 @@
+/** \file
+ *  The chain of stages from clean points to a spiral, free of PCL.
+ */
+#pragma once
+
+#include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/toolpath/radial_line_builder.h>
+#include <pcl_spiral/toolpath/spiral_curve.h>
+#include <pcl_spiral/toolpath/spiral_report.h>
+#include <pcl_spiral/toolpath/spiral_settings.h>
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A toolpath in double precision: parallel arrays. */
+struct SpiralPath {
+  Polyline contacts;
+  std::vector<Eigen::Vector3d> normals; ///< unit, out of the material
+  std::vector<Eigen::Vector3d> axes;    ///< unit, tip to shank
+  std::vector<double> arc_lengths;
+  std::vector<double> turns;
+};
+
+/** Ok, or the setting that cannot be, with its value and remedy. */
+Status
+checkSettings(const SpiralSettings& settings);
+
+/** Plans one spiral over one set of points. */
+class SpiralPlanner {
+public:
+  SpiralPlanner(const SpiralSettings& settings, ProgressCallback progress, SpiralReport& report);
+
+  /** \p points: finite and all different; \p normals: out of the material, one a point, or empty. */
+  Status plan(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& normals,
+              SpiralPath& path);
+
+private:
+  Status makeGraph(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals);
+  Status findLoops();
+  Status chooseBoundaries(bool& two);
+  Status bridgeGaps(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals);
+  Status makeLines(bool two, RadialLineSet& set);
+  Status makeCurve(const RadialLineSet& set, bool two, std::vector<SpiralPoint>& curve);
+  Status putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& path);
+  Status setAxes(SpiralPath& path);
+  Status checkPath(const SpiralPath& path);
+  bool report(double share, const std::string& stage);
+  void endStage(const std::string& name);
+
+  const SpiralSettings& settings_;
+  ProgressCallback progress_;
+  SpiralReport& report_;
+  std::chrono::steady_clock::time_point stage_start_;
+  SurfaceGraph graph_;
+  std::unique_ptr<MlsSurface> surface_;
+  std::vector<Eigen::Vector3f> bridges_; ///< points that were put into gaps
+};
+
+} // namespace pcl_spiral

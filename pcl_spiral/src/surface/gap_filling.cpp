@@ -1,0 +1,130 @@
+#include <pcl_spiral/surface/gap_filling.h>
+
+#include <pcl_spiral/core/frame.h>
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr int terms = 10; // of a bivariate cubic
+
+Eigen::Matrix<double, 1, terms>
+cubicTerms(double u, double v)
+{
+  Eigen::Matrix<double, 1, terms> row;
+  row << 1, u, v, u * u, u * v, v * v, u * u * u, u * u * v, u * v * v, v * v * v;
+  return row;
+}
+
+/** A gap's own frame: origin at its centre, third axis along the mean normal of its rim. */
+struct GapFrame {
+  Eigen::Vector3d origin, e1, e2, up;
+  double radius;
+
+  Eigen::Vector3d
+  local(const Eigen::Vector3d& p) const
+  {
+    const Eigen::Vector3d d = p - origin;
+    return {d.dot(e1), d.dot(e2), d.dot(up)};
+  }
+};
+
+GapFrame
+frameOf(const SurfaceGraph& graph, const Polyline& loop)
+{
+  GapFrame frame;
+  frame.origin.setZero();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : loop) {
+    frame.origin += p / static_cast<double>(loop.size());
+    normal += graph.normal(graph.blocks().nearest(p));
+  }
+  frame.up = normal.normalized();
+  tangentFrame(frame.up, frame.e1, frame.e2);
+  frame.radius = 0.0;
+  for (const Eigen::Vector3d& p : loop)
+    frame.radius = std::max(frame.radius, (p - frame.origin).norm());
+  return frame;
+}
+
+/** The cloud about the gap, in its frame. */
+std::vector<Eigen::Vector3d>
+pointsAbout(const SurfaceGraph& graph, const GapFrame& frame)
+{
+  const double reach = 2.0 * frame.radius + 4.0 * graph.spacing();
+  Box box;
+  const Eigen::Vector3f centre = frame.origin.cast<float>();
+  box.extend(centre.data());
+  std::vector<Eigen::Vector3d> about;
+  graph.blocks().forBlocksNear(box, static_cast<float>(reach * reach), [&](std::size_t block) {
+    for (std::size_t i = graph.blocks().blockBegin(block); i < graph.blocks().blockEnd(block); ++i)
+      if ((graph.position(i) - frame.origin).norm() <= reach && graph.normal(i).dot(frame.up) > 0.0)
+        about.push_back(frame.local(graph.position(i)));
+  });
+  return about;
+}
+
+bool
+insidePolygon(const std::vector<Eigen::Vector3d>& polygon, double u, double v)
+{
+  bool inside = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Eigen::Vector3d &a = polygon[i], &b = polygon[j];
+    if ((a.y() > v) != (b.y() > v) && u < a.x() + (b.x() - a.x()) * (v - a.y()) / (b.y() - a.y()))
+      inside = !inside;
+  }
+  return inside;
+}
+
+} // namespace
+
+GapFill
+fillGap(const SurfaceGraph& graph, const Polyline& loop)
+{
+  GapFill fill;
+  if (loop.size() < 3)
+    return fill;
+  const GapFrame frame = frameOf(graph, loop);
+  fill.centre = frame.origin;
+  fill.width = 2.0 * frame.radius;
+  const std::vector<Eigen::Vector3d> about = pointsAbout(graph, frame);
+  if (about.size() < 3 * terms)
+    return fill;
+  Eigen::MatrixXd matrix(about.size(), terms);
+  Eigen::VectorXd height(about.size());
+  for (std::size_t i = 0; i < about.size(); ++i) {
+    matrix.row(i) = cubicTerms(about[i].x() / frame.radius, about[i].y() / frame.radius);
+    height[i] = about[i].z();
+  }
+  const Eigen::VectorXd coefficients = matrix.colPivHouseholderQr().solve(height);
+  fill.residual = std::sqrt((matrix * coefficients - height).squaredNorm() / static_cast<double>(about.size()));
+
+  std::vector<Eigen::Vector3d> polygon;
+  for (const Eigen::Vector3d& p : loop)
+    polygon.push_back(frame.local(p));
+  // An equilateral lattice of the cloud's density, clear of the gap's own points.
+  const double pitch = graph.spacing() * std::sqrt(2.0 / std::sqrt(3.0)), row = pitch * std::sqrt(3.0) / 2.0;
+  const int rows = static_cast<int>(std::ceil(frame.radius / row));
+  const int columns = static_cast<int>(std::ceil(frame.radius / pitch)) + 1;
+  for (int j = -rows; j <= rows; ++j)
+    for (int i = -columns; i <= columns; ++i) {
+      const double u = (i + 0.5 * (j & 1)) * pitch, v = j * row;
+      if (!insidePolygon(polygon, u, v))
+        continue;
+      const bool clear = std::all_of(polygon.begin(), polygon.end(), [&](const Eigen::Vector3d& p) {
+        return std::hypot(p.x() - u, p.y() - v) > 0.5 * pitch;
+      });
+      if (!clear)
+        continue;
+      const double w = (cubicTerms(u / frame.radius, v / frame.radius) * coefficients)(0);
+      fill.points.push_back((frame.origin + u * frame.e1 + v * frame.e2 + w * frame.up).cast<float>());
+    }
+  return fill;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,341 @@
+#include <pcl_spiral/toolpath/radial_line_builder.h>
+
+#include <pcl_spiral/toolpath/surface_centre.h>
+
+#include "line_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr int coarse_lines = 32;
+constexpr int most_rounds = 7;            // of halving the gaps between lines
+constexpr double closest_in_spacings = 0.75; // lines at the rim
+constexpr double largest_jump = 1.0;      // spacings between a line and what its neighbours foretell
+
+/** A closed curve with its arc lengths, starting where line 0 ends. */
+class RimCurve {
+public:
+  RimCurve(const BoundaryLoop& loop, const Eigen::Vector3d& start)
+  {
+    startAt(loop, start);
+    s_ = arcLengths(points_, true);
+  }
+
+  double length() const { return s_.back(); }
+  const Polyline& points() const { return points_; }
+  const std::vector<std::size_t>& corners() const { return corners_; }
+  double arcLengthOf(std::size_t vertex) const { return s_[vertex]; }
+
+  Eigen::Vector3d
+  at(double s) const
+  {
+    const auto above = std::upper_bound(s_.begin() + 1, s_.end() - 1, s);
+    const auto k = static_cast<std::size_t>(above - s_.begin()) - 1;
+    const double f = (s - s_[k]) / (s_[k + 1] - s_[k]);
+    return (1.0 - f) * points_[k] + f * points_[(k + 1) % points_.size()];
+  }
+
+private:
+  /** Turn the loop so that it starts at its place nearest to \p start: a vertex close by, or a new one. */
+  void
+  startAt(const BoundaryLoop& loop, const Eigen::Vector3d& start)
+  {
+    const Polyline& c = loop.curve;
+    std::size_t segment = 0;
+    double best = 1e300, best_f = 0.0;
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      const Eigen::Vector3d d = c[(k + 1) % c.size()] - c[k];
+      const double f = std::clamp((start - c[k]).dot(d) / d.squaredNorm(), 0.0, 1.0);
+      const double distance = (c[k] + f * d - start).norm();
+      if (distance < best) {
+        best = distance;
+        segment = k;
+        best_f = f;
+      }
+    }
+    constexpr double close = 0.2; // of a segment: the vertex itself is taken
+    if (best_f > 1.0 - close) {
+      segment = (segment + 1) % c.size();
+      best_f = 0.0;
+    }
+    const bool new_vertex = best_f >= close;
+    if (new_vertex)
+      points_.push_back((1.0 - best_f) * c[segment] + best_f * c[(segment + 1) % c.size()]);
+    const std::size_t first = new_vertex ? segment + 1 : segment;
+    std::vector<std::uint8_t> corner(c.size(), 0);
+    for (const std::size_t k : loop.corners)
+      corner[k] = 1;
+    for (std::size_t step = 0; step < c.size(); ++step) {
+      const std::size_t k = (first + step) % c.size();
+      if (corner[k])
+        corners_.push_back(points_.size());
+      points_.push_back(c[k]);
+    }
+  }
+
+  Polyline points_;
+  std::vector<std::size_t> corners_;
+  std::vector<double> s_;
+};
+
+/** Where line 0 ends: nearest to the user's point; else the corner, else the rim point, farthest from \p centre. */
+Eigen::Vector3d
+startOnRim(const RadialLineRequest& request, const Eigen::Vector3d& centre)
+{
+  if (request.start_point)
+    return *request.start_point;
+  const BoundaryLoop& rim = request.rim;
+  Polyline choices;
+  for (const std::size_t k : rim.corners)
+    choices.push_back(rim.curve[k]);
+  if (choices.empty())
+    choices = rim.curve;
+  return *std::max_element(choices.begin(), choices.end(), [&](const auto& a, const auto& b) {
+    return (a - centre).squaredNorm() < (b - centre).squaredNorm();
+  });
+}
+
+/** A planned line: its place on the rim. */
+struct Place {
+  double s; ///< arc length on the rim
+  bool corner;
+  int level;
+};
+
+/** Corners, and between them places at equal distances, about coarse_lines in all. */
+std::vector<Place>
+coarsePlaces(const RimCurve& rim)
+{
+  std::vector<double> stops{0.0};
+  std::vector<bool> is_corner{!rim.corners().empty() && rim.corners()[0] == 0};
+  for (const std::size_t k : rim.corners())
+    if (k != 0) {
+      stops.push_back(rim.arcLengthOf(k));
+      is_corner.push_back(true);
+    }
+  stops.push_back(rim.length());
+  std::vector<Place> places;
+  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+    const double span = stops[i + 1] - stops[i];
+    const int pieces = std::max(1, static_cast<int>(std::lround(coarse_lines * span / rim.length())));
+    for (int p = 0; p < pieces; ++p)
+      places.push_back({stops[i] + span * p / pieces, p == 0 && is_corner[i], 0});
+  }
+  return places;
+}
+
+/** Lagrange's cubic (or lower, between corners) through neighbouring lines at a share of their length. */
+Eigen::Vector3d
+foretold(const std::vector<RadialLine>& lines, const std::vector<std::size_t>& from, const std::vector<double>& s,
+         double at, std::size_t station)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t a = 0; a < from.size(); ++a) {
+    double weight = 1.0;
+    for (std::size_t b = 0; b < from.size(); ++b)
+      if (a != b)
+        weight *= (at - s[b]) / (s[a] - s[b]);
+    sum += weight * lines[from[a]].feet[station].position;
+  }
+  return sum;
+}
+
+/** Largest distance between a new line at rim place \p s and what the lines about gap i foretell. */
+double
+surprise(const std::vector<RadialLine>& lines, const std::vector<Place>& places, double rim_length, std::size_t i,
+         double s, const RadialLine& line)
+{
+  const std::size_t n = lines.size();
+  std::vector<std::size_t> from{i, (i + 1) % n};
+  std::vector<double> at{places[i].s, i + 1 < n ? places[i + 1].s : rim_length};
+  if (!places[i].corner && n > 3) {
+    from.insert(from.begin(), (i + n - 1) % n);
+    at.insert(at.begin(), i > 0 ? places[i - 1].s : places[n - 1].s - rim_length);
+  }
+  if (!places[(i + 1) % n].corner && n > 3) {
+    from.push_back((i + 2) % n);
+    at.push_back(places[(i + 2) % n].s + (i + 2 >= n ? rim_length : 0.0));
+  }
+  double largest = 0.0;
+  const std::size_t last = line.feet.size() - 1;
+  for (const std::size_t station : {last / 4, last / 2, 3 * last / 4, last})
+    largest = std::max(largest,
+                       (foretold(lines, from, at, s, station) - line.feet[station].position).norm());
+  return largest;
+}
+
+/** Where neighbouring lines change sides, if anywhere. */
+std::optional<Eigen::Vector3d>
+crossing(const std::vector<RadialLine>& lines, double slack)
+{
+  const std::size_t n = lines.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto &a = lines[i].feet, &b = lines[(i + 1) % n].feet;
+    for (std::size_t k = 1; k + 1 < a.size(); ++k) {
+      const Eigen::Vector3d left = a[k].normal.cross((a[k + 1].position - a[k - 1].position).normalized());
+      if ((b[k].position - a[k].position).dot(left) < -slack)
+        return a[k].position;
+    }
+  }
+  return std::nullopt;
+}
+
+/** Coarse lines, then halved gaps, by one method. */
+Status
+linesByMethod(const RadialLineRequest& request, const Eigen::Vector3d& centre, bool harmonic, RadialLineSet& set)
+{
+  const double spacing = request.surface.graph().spacing();
+  const RimCurve rim(request.rim, startOnRim(request, centre));
+  LineSource source(request, centre, harmonic);
+  if (const Status status = source.prepare(); !status.ok())
+    return status;
+  std::vector<Place> places = coarsePlaces(rim);
+  const auto make = [&](const std::vector<Place>& wanted, std::vector<RadialLine>& lines) {
+    Polyline ends;
+    for (const Place& place : wanted)
+      ends.push_back(rim.at(place.s));
+    const Status status = source.make(ends, lines);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      lines[i].rim_share = wanted[i].s / rim.length();
+      lines[i].corner = wanted[i].corner;
+      lines[i].level = wanted[i].level;
+    }
+    return status;
+  };
+  std::vector<RadialLine> lines;
+  if (const Status status = make(places, lines); !status.ok())
+    return status;
+
+  std::vector<std::uint8_t> settled(places.size(), 0); // the gap after each line
+  double worst = 0.0, jump = 0.0;
+  Eigen::Vector3d jump_place = centre;
+  for (int round = 1; round <= most_rounds; ++round) {
+    if (request.progress && !request.progress(static_cast<double>(round) / (most_rounds + 1)))
+      return {StatusCode::Cancelled, "cancelled"};
+    std::vector<Place> wanted;
+    std::vector<std::size_t> gap;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double next = i + 1 < places.size() ? places[i + 1].s : rim.length();
+      if (settled[i] || next - places[i].s < 2.0 * closest_in_spacings * spacing)
+        continue;
+      wanted.push_back({0.5 * (places[i].s + next), false, round});
+      gap.push_back(i);
+    }
+    if (wanted.empty())
+      break;
+    std::vector<RadialLine> added;
+    if (const Status status = make(wanted, added); !status.ok())
+      return status;
+    worst = jump = 0.0;
+    std::vector<std::uint8_t> gap_settled(places.size(), 0);
+    for (std::size_t a = 0; a < wanted.size(); ++a) {
+      const double error = surprise(lines, places, rim.length(), gap[a], wanted[a].s, added[a]);
+      gap_settled[gap[a]] = error <= 4.0 * request.tolerance; // halving a gap divides a cubic's error by sixteen
+      worst = std::max(worst, error / 16.0);
+      if (error > jump) {
+        jump = error;
+        jump_place = added[a].feet[added[a].feet.size() / 2].position;
+      }
+    }
+    std::vector<Place> all_places;
+    std::vector<RadialLine> all_lines;
+    std::vector<std::uint8_t> all_settled;
+    for (std::size_t i = 0, a = 0; i < places.size(); ++i) {
+      const bool halved = a < gap.size() && gap[a] == i;
+      const std::uint8_t done = halved ? gap_settled[i] : 1;
+      all_places.push_back(places[i]);
+      all_lines.push_back(std::move(lines[i]));
+      all_settled.push_back(done);
+      if (halved) {
+        all_places.push_back(wanted[a]);
+        all_lines.push_back(std::move(added[a]));
+        all_settled.push_back(done);
+        ++a;
+      }
+    }
+    places.swap(all_places);
+    lines.swap(all_lines);
+    settled.swap(all_settled);
+  }
+  if (jump > largest_jump * spacing) {
+    std::ostringstream message;
+    message << "neighbouring radial lines jump by " << jump << " mm about (" << jump_place.transpose() << ")";
+    return {StatusCode::Failed, message.str()};
+  }
+  if (const auto place = crossing(lines, 0.05 * spacing)) {
+    std::ostringstream message;
+    message << "radial lines cross at (" << place->transpose() << ")";
+    return {StatusCode::Failed, message.str()};
+  }
+  set.lines = std::move(lines);
+  set.centre = centre;
+  set.harmonic = harmonic;
+  set.rim = rim.points();
+  set.rim_corners = rim.corners();
+  set.largest_interpolation_error = worst;
+  if (request.inner) {
+    BoundaryLoop inner = *request.inner;
+    const Eigen::Vector3d first = set.lines[0].feet.front().position;
+    // The inner loop has the surface on its left too, so it runs against the rim: turn it round.
+    std::reverse(inner.curve.begin(), inner.curve.end());
+    for (std::size_t& k : inner.corners)
+      k = inner.curve.size() - 1 - k;
+    const RimCurve curve(inner, first);
+    set.inner = curve.points();
+    set.inner_corners = curve.corners();
+    set.inner.front() = first;
+  }
+  return Status::success();
+}
+
+Eigen::Vector3d
+meanOf(const Polyline& line)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : line)
+    sum += p;
+  return sum / static_cast<double>(line.size());
+}
+
+} // namespace
+
+Status
+buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
+{
+  std::optional<Eigen::Vector3d> centre;
+  if (request.inner)
+    centre = meanOf(request.inner->curve);
+  else if (request.centre) {
+    const SurfaceFoot foot = request.surface.project(*request.centre);
+    if (!foot.valid) {
+      std::ostringstream message;
+      message << "the centre (" << request.centre->transpose()
+              << ") does not lie on the surface: give a point within three spacings ("
+              << 3.0 * request.surface.graph().spacing() << " mm) of the cloud, inside its rim, or none";
+      return {StatusCode::InvalidArgument, message.str()};
+    }
+    centre = foot.position;
+  }
+  else
+    centre = chebyshevCentre(request.surface, request.rim.curve);
+
+  if (request.method != LineMethod::Harmonic && centre) {
+    const Status status = linesByMethod(request, *centre, false, set);
+    if (status.ok() || status.code() == StatusCode::Cancelled)
+      return status;
+    set.why_harmonic = status.message();
+    if (request.method == LineMethod::Geodesic)
+      return {status.code(), status.message() + "; harmonic lines cope with such outlines"};
+  }
+  if (!request.inner && !request.centre)
+    centre = deepestPoint(request.surface, request.rim.curve);
+  if (!centre)
+    return {StatusCode::Failed, "no centre was found on the surface: give one"};
+  return linesByMethod(request, *centre, true, set);
+}
+
+} // namespace pcl_spiral

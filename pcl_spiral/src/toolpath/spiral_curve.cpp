@@ -1,0 +1,244 @@
+#include <pcl_spiral/toolpath/spiral_curve.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double closest_in_spacings = 1.5; // neighbouring lines on a turn
+constexpr double widest_angle = 0.35;       // rad between neighbouring lines near the centre
+constexpr double step_reserve = 0.98;       // projection stretches steps a little
+
+struct HermiteSegment {
+  Eigen::Vector3d a, b, ta, tb; ///< ends, and derivatives over chord length
+  double chord;
+
+  Eigen::Vector3d
+  at(double t) const
+  {
+    const double t2 = t * t, t3 = t2 * t;
+    return (2 * t3 - 3 * t2 + 1) * a + (3 * t2 - 2 * t3) * b + chord * ((t3 - 2 * t2 + t) * ta + (t3 - t2) * tb);
+  }
+};
+
+double
+angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+} // namespace
+
+SpiralCurve::SpiralCurve(const std::vector<RadialLine>& lines, const TurnFunction& turns,
+                         const SpiralSettings& settings, double spacing)
+: lines_(lines), turns_(turns), settings_(settings), spacing_(spacing),
+  max_step_(settings.max_step > 0.0 ? settings.max_step : settings.tool_radius)
+{
+  findActiveShares();
+}
+
+void
+SpiralCurve::setRim(Polyline rim, std::vector<std::size_t> corners)
+{
+  rim_ = {std::move(rim), std::move(corners)};
+}
+
+void
+SpiralCurve::setInner(Polyline inner, std::vector<std::size_t> corners)
+{
+  inner_ = {std::move(inner), std::move(corners)};
+}
+
+void
+SpiralCurve::findActiveShares()
+{
+  const std::size_t n = lines_.size();
+  active_from_.assign(n, 0.0);
+  int finest = 0;
+  for (const RadialLine& line : lines_)
+    finest = std::max(finest, line.level);
+  const double closest = closest_in_spacings * spacing_;
+  for (int level = 1; level <= finest; ++level)
+    for (std::size_t i = 0; i < n; ++i) {
+      if (lines_[i].level != level || lines_[i].corner)
+        continue;
+      // Its neighbours among the coarser lines, between which it stands.
+      std::size_t left = (i + n - 1) % n, right = (i + 1) % n;
+      while (lines_[left].level >= level)
+        left = (left + n - 1) % n;
+      while (lines_[right].level >= level)
+        right = (right + 1) % n;
+      const std::size_t last = lines_[i].feet.size() - 1;
+      std::size_t k = last;
+      for (; k > 0; --k) {
+        const auto at = [&](std::size_t line) {
+          return lines_[line].feet[k * (lines_[line].feet.size() - 1) / last].position;
+        };
+        const double apart = (at(left) - at(i)).norm() + (at(right) - at(i)).norm();
+        const double s = lines_[i].length() * static_cast<double>(k) / static_cast<double>(last);
+        if (apart < 2.0 * closest && apart < widest_angle * s)
+          break;
+      }
+      const double own = static_cast<double>(k) / static_cast<double>(last);
+      active_from_[i] = std::max({own, active_from_[left], active_from_[right]});
+    }
+}
+
+std::vector<SpiralCurve::Knot>
+SpiralCurve::turnKnots(std::size_t turn) const
+{
+  std::vector<Knot> knots;
+  const std::size_t n = lines_.size();
+  const bool clockwise = settings_.sense == SpiralSense::Clockwise;
+  for (std::size_t step = 0; step < n; ++step) {
+    const std::size_t i = clockwise ? (n - step) % n : step;
+    const double delta = step == 0 ? 0.0 : clockwise ? 1.0 - lines_[i].rim_share : lines_[i].rim_share;
+    const double tau = static_cast<double>(turn) + delta;
+    const double s = turns_.arcLengthAt(i, tau);
+    if (s < active_from_[i] * lines_[i].length())
+      continue;
+    knots.push_back({lines_[i].curve.positionAt(s), tau, turns_.feedStepAt(i, s), lines_[i].corner});
+  }
+  return knots;
+}
+
+std::vector<SpiralCurve::Knot>
+SpiralCurve::loopKnots(const ClosedLoop& loop, double first_turn, bool at_rim) const
+{
+  std::vector<Knot> knots;
+  const std::size_t m = loop.points.size(), n = lines_.size();
+  const std::vector<double> s = arcLengths(loop.points, true);
+  std::vector<std::uint8_t> corner(m, 0);
+  for (const std::size_t c : loop.corners)
+    corner[c] = 1;
+  const bool clockwise = settings_.sense == SpiralSense::Clockwise;
+  std::size_t line = 0;
+  for (std::size_t step = 0; step <= m; ++step) {
+    const std::size_t k = clockwise ? (m - step) % m : step % m;
+    const double share = (clockwise && step > 0 ? s[k] : step == m ? s[m] : s[k]) / s[m];
+    while (!clockwise && line + 1 < n && lines_[line + 1].rim_share <= share)
+      ++line;
+    if (clockwise)
+      line = std::upper_bound(lines_.begin(), lines_.end(), share,
+                              [](double v, const RadialLine& l) { return v < l.rim_share; }) -
+             lines_.begin() - 1;
+    const double along = at_rim ? lines_[line].length() : 0.0;
+    const double turned = step == m ? 1.0 : clockwise && step > 0 ? 1.0 - share : share;
+    knots.push_back({loop.points[k], first_turn + turned, turns_.feedStepAt(line, along),
+                     corner[k] != 0 || step == 0 || step == m});
+  }
+  return knots;
+}
+
+std::vector<SpiralCurve::Knot>
+SpiralCurve::knots() const
+{
+  const auto count = static_cast<std::int64_t>(turns_.turns());
+  std::vector<std::vector<Knot>> parts(count + 2);
+  const double before = inner_.points.empty() ? 0.0 : 1.0;
+  if (!inner_.points.empty())
+    parts.front() = loopKnots(inner_, 0.0, false);
+#pragma omp parallel for schedule(dynamic, 4)
+  for (std::int64_t j = 0; j < count; ++j) {
+    parts[j + 1] = turnKnots(j);
+    for (Knot& knot : parts[j + 1])
+      knot.turn += before;
+  }
+  parts.back() = loopKnots(rim_, static_cast<double>(count) + before, true);
+  std::vector<Knot> all;
+  for (auto& part : parts) {
+    for (const Knot& knot : part) {
+      // The end of one part is the start of the next; near the centre lines coincide.
+      if (!all.empty() && (knot.position - all.back().position).norm() < 1e-6 * spacing_) {
+        all.back().corner = all.back().corner || knot.corner;
+        continue;
+      }
+      all.push_back(knot);
+    }
+    std::vector<Knot>().swap(part);
+  }
+  return all;
+}
+
+std::vector<Eigen::Vector3d>
+SpiralCurve::tangents(const std::vector<Knot>& knots, bool after_corner) const
+{
+  const auto n = static_cast<std::int64_t>(knots.size());
+  std::vector<Eigen::Vector3d> result(n);
+  // Parabolas over chord length: through both neighbours, or through the two on the side asked for at a corner.
+  const auto oneSided = [&](std::int64_t p, std::int64_t direction) -> Eigen::Vector3d {
+    const std::int64_t q = p + direction, r = p + 2 * direction;
+    const Eigen::Vector3d first = knots[q].position - knots[p].position;
+    const double h1 = first.norm();
+    Eigen::Vector3d slope = first / h1;
+    if (r >= 0 && r < n && !knots[q].corner) {
+      const Eigen::Vector3d second = knots[r].position - knots[q].position;
+      const double h2 = second.norm();
+      slope += (slope - second / h2) * (h1 / (h1 + h2));
+    }
+    return static_cast<double>(direction) * slope;
+  };
+#pragma omp parallel for schedule(static)
+  for (std::int64_t k = 0; k < n; ++k) {
+    const bool first = k == 0, last = k + 1 == n;
+    if (first || last || knots[k].corner) {
+      const bool ahead = first || (!last && after_corner);
+      result[k] = oneSided(k, ahead ? 1 : -1);
+      continue;
+    }
+    const Eigen::Vector3d back = knots[k].position - knots[k - 1].position;
+    const Eigen::Vector3d ahead = knots[k + 1].position - knots[k].position;
+    const double h0 = back.norm(), h1 = ahead.norm();
+    result[k] = (back * (h1 / h0) + ahead * (h0 / h1)) / (h0 + h1);
+  }
+  return result;
+}
+
+std::vector<SpiralPoint>
+SpiralCurve::sample() const
+{
+  const std::vector<Knot> knots = this->knots();
+  const std::vector<Eigen::Vector3d> leaving = tangents(knots, true), arriving = tangents(knots, false);
+  const std::size_t segments = knots.size() - 1;
+  // Steps each segment needs, then equal shares of them between corners.
+  std::vector<double> steps(segments);
+  for (std::size_t k = 0; k < segments; ++k) {
+    const double chord = (knots[k + 1].position - knots[k].position).norm();
+    const double turned = angleBetween(leaving[k], arriving[k + 1]);
+    const double length = chord * (1.0 + turned * turned / 24.0);
+    const double bend = turned > 0.0 ? 2.0 * std::sqrt(2.0 * settings_.chord_error * length / turned) : max_step_;
+    const double step = std::min({knots[k].step, knots[k + 1].step, bend, max_step_});
+    steps[k] = length / (step_reserve * step);
+  }
+  std::vector<SpiralPoint> points;
+  for (std::size_t begin = 0; begin < segments;) {
+    std::size_t end = begin + 1;
+    double needed = steps[begin];
+    while (end < segments && !knots[end].corner)
+      needed += steps[end++];
+    const double whole = std::ceil(needed), each = needed / whole;
+    double before = 0.0, next = 0.0;
+    for (std::size_t k = begin; k < end; ++k) {
+      const HermiteSegment segment{knots[k].position, knots[k + 1].position, leaving[k], arriving[k + 1],
+                                   (knots[k + 1].position - knots[k].position).norm()};
+      for (; next < before + steps[k] && next < needed - 0.5 * each; next += each) {
+        const double t = (next - before) / steps[k];
+        points.push_back({segment.at(t), knots[k].turn + t * (knots[k + 1].turn - knots[k].turn)});
+      }
+      before += steps[k];
+    }
+    begin = end;
+  }
+  points.push_back({knots.back().position, knots.back().turn});
+  if (settings_.direction == SpiralDirection::Inward) {
+    const double all_turns = points.back().turn;
+    std::reverse(points.begin(), points.end());
+    for (SpiralPoint& p : points)
+      p.turn = all_turns - p.turn;
+  }
+  return points;
+}
+
+} // namespace pcl_spiral

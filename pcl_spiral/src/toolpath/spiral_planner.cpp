@@ -1,0 +1,315 @@
+#include <pcl_spiral/toolpath/spiral_planner.h>
+
+#include <pcl_spiral/core/tool_axis.h>
+#include <pcl_spiral/features/surface_boundary.h>
+#include <pcl_spiral/surface/gap_filling.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double two_sheets_scatter = 0.35; // of the spacing: more is no surface
+constexpr std::size_t chunk = 1u << 16;     // path points between progress reports
+
+double
+radians(double degrees)
+{
+  return degrees * M_PI / 180.0;
+}
+
+template <typename... Parts>
+std::string
+text(const Parts&... parts)
+{
+  std::ostringstream stream;
+  (stream << ... << parts);
+  return stream.str();
+}
+
+std::string
+at(const Eigen::Vector3d& p)
+{
+  return text("(", p.x(), ", ", p.y(), ", ", p.z(), ")");
+}
+
+} // namespace
+
+SpiralPlanner::SpiralPlanner(const SpiralSettings& settings, ProgressCallback progress, SpiralReport& report)
+: settings_(settings), progress_(std::move(progress)), report_(report),
+  stage_start_(std::chrono::steady_clock::now())
+{
+}
+
+bool
+SpiralPlanner::report(double share, const std::string& stage)
+{
+  return !progress_ || progress_(share, stage);
+}
+
+void
+SpiralPlanner::endStage(const std::string& name)
+{
+  const auto now = std::chrono::steady_clock::now();
+  report_.stages.push_back({name, std::chrono::duration<double>(now - stage_start_).count()});
+  stage_start_ = now;
+}
+
+Status
+SpiralPlanner::makeGraph(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals)
+{
+  SurfaceGraphOptions options;
+  options.view_point = settings_.view_point;
+  options.flip_normals = settings_.flip_normals;
+  points.insert(points.end(), bridges_.begin(), bridges_.end());
+  options.given_normals = normals;
+  options.given_normals.resize(normals.empty() ? 0 : points.size(), Eigen::Vector3f::Zero());
+  if (const Status status = graph_.build(points, options); !status.ok())
+    return status;
+  surface_ = std::make_unique<MlsSurface>(graph_);
+  report_.spacing = graph_.spacing();
+  report_.noise = surface_->noise();
+  report_.projection_neighbours = surface_->neighbours();
+  if (surface_->noise() > two_sheets_scatter * graph_.spacing())
+    return {StatusCode::InvalidInput,
+            text("the points scatter by ", surface_->noise(), " mm about a local surface, against a spacing of ",
+                 graph_.spacing(), " mm: this is no single sheet (a double wall, or noise above the point spacing); ",
+                 "separate the sheets, or thin the cloud to a spacing well above the noise")};
+  return Status::success();
+}
+
+Status
+SpiralPlanner::findLoops()
+{
+  BoundaryCounts counts;
+  if (const Status status = findBoundaryLoops(graph_, BoundaryOptions(), report_.loops, &counts); !status.ok())
+    return status;
+  if (counts.left_out_parts > 0)
+    report_.warnings.push_back(text(counts.left_out_parts, " specks apart from the surface were left out"));
+  return Status::success();
+}
+
+Status
+SpiralPlanner::chooseBoundaries(bool& two)
+{
+  std::vector<const BoundaryLoop*> holes;
+  for (const BoundaryLoop& loop : report_.loops)
+    if (loop.type == LoopType::Inner)
+      holes.push_back(&loop);
+  if (settings_.boundary_mode == BoundaryMode::TwoBoundaries && holes.empty())
+    return {StatusCode::InvalidInput, "two boundaries were asked for, but the surface has one; ask for one, or automatic"};
+  two = settings_.boundary_mode == BoundaryMode::TwoBoundaries ||
+        (settings_.boundary_mode == BoundaryMode::Automatic && holes.size() == 1);
+  if (settings_.boundary_mode == BoundaryMode::Automatic && holes.size() > 1) {
+    std::string places;
+    for (const BoundaryLoop* hole : holes)
+      places += text(" ", at(hole->curve.front()), " length ", hole->length, " mm;");
+    return {StatusCode::InvalidInput,
+            text("the surface has ", holes.size(), " holes:", places,
+                 " a spiral runs between two boundaries at most: ask for one boundary to bridge them all, or for two ",
+                 "to keep the longest and bridge the rest")};
+  }
+  report_.boundaries = two ? 2 : 1;
+  return Status::success();
+}
+
+Status
+SpiralPlanner::bridgeGaps(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals)
+{
+  bool two = false;
+  if (const Status status = chooseBoundaries(two); !status.ok())
+    return status;
+  const std::vector<BoundaryLoop> loops = report_.loops;
+  bool kept_hole = !two;
+  for (const BoundaryLoop& loop : loops) {
+    if (loop.type == LoopType::Outer)
+      continue;
+    if (loop.type == LoopType::Inner && !kept_hole) {
+      kept_hole = true;
+      continue;
+    }
+    if (settings_.gaps == GapHandling::Refuse)
+      return {StatusCode::InvalidInput, text("the scan has a gap at ", at(loop.points.front()), ", ", loop.length,
+                                             " mm round: rescan it, or allow gaps to be bridged")};
+    const GapFill fill = fillGap(graph_, loop.points);
+    bridges_.insert(bridges_.end(), fill.points.begin(), fill.points.end());
+    report_.warnings.push_back(text("a gap in the scan at ", at(fill.centre), ", ", fill.width,
+                                    " mm wide, was bridged by a smooth patch; the points about it lie ",
+                                    fill.residual, " mm (rms) from it"));
+  }
+  if (bridges_.empty())
+    return Status::success();
+  if (const Status status = makeGraph(std::move(points), normals); !status.ok())
+    return status;
+  if (const Status status = findLoops(); !status.ok())
+    return status;
+  // The gaps that were bridged stay in the report.
+  for (const BoundaryLoop& loop : loops)
+    if (loop.type == LoopType::ScanGap)
+      report_.loops.push_back(loop);
+  return Status::success();
+}
+
+Status
+SpiralPlanner::makeLines(bool two, RadialLineSet& set)
+{
+  const BoundaryLoop* rim = &report_.loops.front();
+  const BoundaryLoop* inner = nullptr;
+  for (const BoundaryLoop& loop : report_.loops)
+    if (loop.type == LoopType::Inner && (!inner || loop.length > inner->length))
+      inner = &loop;
+  if (two && !inner)
+    return {StatusCode::Failed, "the second boundary was lost when gaps were bridged; refuse gaps to see them"};
+  RadialLineRequest request{*surface_, *rim, two ? inner : nullptr, settings_.centre, settings_.start_point,
+                            settings_.lines, 0.05, 0.2 * settings_.chord_error,
+                            [this](double share) { return report(0.4 + 0.2 * share, "radial lines"); }};
+  request.tolerance = 0.02 * std::sqrt(8.0 * settings_.scallop_height * settings_.tool_radius);
+  if (const Status status = buildRadialLines(request, set); !status.ok())
+    return status;
+  report_.centre = set.centre;
+  report_.harmonic_lines = set.harmonic;
+  if (set.harmonic && settings_.lines == LineMethod::Automatic)
+    report_.warnings.push_back("harmonic radial lines were used: " + set.why_harmonic);
+  for (const RadialLine& line : set.lines) {
+    Polyline points;
+    for (std::size_t k = 0; k < line.feet.size(); k += 4)
+      points.push_back(line.feet[k].position);
+    report_.radial_lines.push_back(std::move(points));
+  }
+  return Status::success();
+}
+
+Status
+SpiralPlanner::makeCurve(const RadialLineSet& set, bool two, std::vector<SpiralPoint>& curve)
+{
+  TurnFunction turns(set.lines, settings_, graph_.spacing());
+  if (const Status status = turns.compute(); !status.ok())
+    return status;
+  SpiralCurve spiral(set.lines, turns, settings_, graph_.spacing());
+  spiral.setRim(set.rim, set.rim_corners);
+  if (two)
+    spiral.setInner(set.inner, set.inner_corners);
+  curve = spiral.sample();
+  report_.turns = turns.turns();
+  report_.smallest_step_over = turns.smallestStepOver();
+  report_.largest_step_over = turns.largestStepOver();
+  report_.largest_allowed_step = spiral.largestAllowedStep();
+  return Status::success();
+}
+
+Status
+SpiralPlanner::putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& path)
+{
+  const double hollowest = -1.0 / settings_.tool_radius;
+  path.contacts.resize(curve.size());
+  path.normals.resize(curve.size());
+  path.turns.resize(curve.size());
+  std::vector<Eigen::Vector3d> queries;
+  std::vector<SurfaceFoot> feet;
+  for (std::size_t begin = 0; begin < curve.size(); begin += chunk) {
+    const std::size_t end = std::min(curve.size(), begin + chunk);
+    queries.resize(end - begin);
+    for (std::size_t i = begin; i < end; ++i)
+      queries[i - begin] = curve[i].position;
+    surface_->project(queries, feet);
+    for (std::size_t i = begin; i < end; ++i) {
+      const SurfaceFoot& foot = feet[i - begin];
+      if (!foot.valid)
+        return {StatusCode::Failed, text("the path leaves the scanned surface at ", at(curve[i].position), " in turn ",
+                                         curve[i].turn, ": the scan has a gap or a ragged rim there")};
+      if (foot.curvature2 <= hollowest)
+        return {StatusCode::Failed,
+                text("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ", at(foot.position),
+                     ", tighter than the tool radius ", settings_.tool_radius,
+                     " mm: the cutter would gouge; use a smaller tool")};
+      path.contacts[i] = foot.position;
+      path.normals[i] = foot.normal;
+      path.turns[i] = curve[i].turn;
+    }
+    if (!report(0.65 + 0.25 * static_cast<double>(end) / static_cast<double>(curve.size()), "projection"))
+      return {StatusCode::Cancelled, "cancelled"};
+  }
+  path.arc_lengths = arcLengths(path.contacts);
+  return Status::success();
+}
+
+Status
+SpiralPlanner::setAxes(SpiralPath& path)
+{
+  ToolAxisOptions options;
+  options.side_tilt = radians(settings_.tilt_angle);
+  options.lead = radians(settings_.lead_angle);
+  options.max_rate = radians(settings_.max_axis_rate);
+  ToolAxes axes = toolAxes(path.contacts, path.normals, options);
+  path.axes = std::move(axes.axes);
+  report_.largest_axis_change = axes.largest_change * 180.0 / M_PI;
+  return Status::success();
+}
+
+Status
+SpiralPlanner::checkPath(const SpiralPath& path)
+{
+  constexpr double slack = 1.05; // steps stretch a little when put on the surface
+  for (std::size_t i = 1; i < path.contacts.size(); ++i) {
+    const double gap = (path.contacts[i] - path.contacts[i - 1]).norm();
+    report_.largest_gap = std::max(report_.largest_gap, gap);
+    if (!(gap <= slack * report_.largest_allowed_step))
+      return {StatusCode::Failed,
+              text("the path jumps by ", gap, " mm at ", at(path.contacts[i]), " in turn ", path.turns[i],
+                   ", above the longest step ", report_.largest_allowed_step,
+                   " mm: the surface is too rough or too sparse there; scan more densely or raise the longest step")};
+  }
+  report_.path_points = path.contacts.size();
+  report_.path_length = path.arc_lengths.back();
+  return Status::success();
+}
+
+Status
+SpiralPlanner::plan(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& normals,
+                    SpiralPath& path)
+{
+  const Status cancelled(StatusCode::Cancelled, "cancelled");
+  if (!report(0.05, "surface"))
+    return cancelled;
+  if (const Status status = makeGraph(points, normals); !status.ok())
+    return status;
+  endStage("surface");
+  if (!report(0.25, "boundaries"))
+    return cancelled;
+  if (const Status status = findLoops(); !status.ok())
+    return status;
+  if (const Status status = bridgeGaps(points, normals); !status.ok())
+    return status;
+  if (!graph_.orientationIsClear() && normals.empty())
+    report_.warnings.push_back("the outer side could not be told from +z; the convex side was taken: give a view point "
+                               "or flip the normals if the cutter comes from the other side");
+  endStage("boundaries");
+  if (!report(0.4, "radial lines"))
+    return cancelled;
+  const bool two = report_.boundaries == 2;
+  RadialLineSet set;
+  if (const Status status = makeLines(two, set); !status.ok())
+    return status;
+  endStage("radial lines");
+  if (!report(0.6, "spiral"))
+    return cancelled;
+  std::vector<SpiralPoint> curve;
+  if (const Status status = makeCurve(set, two, curve); !status.ok())
+    return status;
+  endStage("spiral");
+  if (const Status status = putOnSurface(curve, path); !status.ok())
+    return status;
+  endStage("projection");
+  if (!report(0.9, "tool axis"))
+    return cancelled;
+  if (const Status status = setAxes(path); !status.ok())
+    return status;
+  if (const Status status = checkPath(path); !status.ok())
+    return status;
+  endStage("tool axis");
+  return report(1.0, "done") ? Status::success() : cancelled;
+}
+
+} // namespace pcl_spiral

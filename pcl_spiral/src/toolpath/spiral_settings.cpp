@@ -1,0 +1,55 @@
+#include <pcl_spiral/toolpath/spiral_planner.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace pcl_spiral {
+namespace {
+
+template <typename Value>
+Status
+refused(const char* name, Value value, const char* remedy)
+{
+  std::ostringstream message;
+  message << name << " is " << value << ": " << remedy;
+  return {StatusCode::InvalidArgument, message.str()};
+}
+
+} // namespace
+
+Status
+checkSettings(const SpiralSettings& s)
+{
+  if (!(s.tool_radius > 0.0) || !std::isfinite(s.tool_radius))
+    return refused("the tool radius", s.tool_radius, "set the ball cutter's radius, above 0 mm");
+  if (!(s.scallop_height > 0.0) || !std::isfinite(s.scallop_height))
+    return refused("the scallop height", s.scallop_height, "set the ridge allowed between turns, above 0 mm");
+  if (s.scallop_height >= s.tool_radius)
+    return refused("the scallop height", s.scallop_height,
+                   "it must be smaller than the tool radius; usual is a hundredth of it or less");
+  if (!(s.chord_error > 0.0) || s.chord_error >= s.tool_radius)
+    return refused("the chord error", s.chord_error, "it must be above 0 mm and below the tool radius");
+  if (!(s.max_step >= 0.0) || !std::isfinite(s.max_step))
+    return refused("the longest step", s.max_step, "give a length above 0 mm, or 0 for the tool radius");
+  if (!(std::abs(s.tilt_angle) < 90.0))
+    return refused("the tilt angle", s.tilt_angle, "it must lie between -90 and 90 degrees");
+  if (!(std::abs(s.lead_angle) < 90.0))
+    return refused("the lead angle", s.lead_angle, "it must lie between -90 and 90 degrees");
+  if (!(s.max_axis_rate > 0.0))
+    return refused("the largest axis rate", s.max_axis_rate, "it must be above 0 degrees per mm");
+  if (!(s.feed > 0.0) || !std::isfinite(s.feed))
+    return refused("the feed", s.feed, "it must be above 0 mm/min");
+  if (!(s.thinning >= 0.0) || !std::isfinite(s.thinning))
+    return refused("the thinning edge", s.thinning, "give a length above 0 mm, or 0 for none");
+  if (s.outlier_neighbours < 0 || !(s.outlier_deviations > 0.0))
+    return refused("the outlier filter's neighbours", s.outlier_neighbours,
+                   "give a count of 0 (none) or more, and a threshold above 0 standard deviations");
+  if (s.threads < 0)
+    return refused("the number of threads", s.threads, "give 0 for all, or a count");
+  for (const auto* point : {&s.centre, &s.start_point, &s.view_point})
+    if (*point && !(*point)->allFinite())
+      return refused("a given point", (*point)->transpose(), "its coordinates must be finite");
+  return Status::success();
+}
+
+} // namespace pcl_spiral

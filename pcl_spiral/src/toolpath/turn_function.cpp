@@ -1,0 +1,294 @@
+#include <pcl_spiral/toolpath/turn_function.h>
+
+#include <pcl_spiral/core/step_over.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr int contour_rounds = 3;
+constexpr double smoothing_share = 1.0 / 64.0; // of the rim: standard deviation of what smooths cos psi across lines
+constexpr double largest_addition = 1.02;      // to the turns, for what smoothing took from cos psi
+constexpr double steepest_cosine = 0.05; // of psi: a line nearly along its contour tells nothing
+constexpr double reserve = 0.997; // of the step-over, for what interpolation between lines adds
+
+/** Derivative at u[at] of Lagrange's polynomial through points p at u. */
+Eigen::Vector3d
+lagrangeSlope(const std::vector<double>& u, const Polyline& p, std::size_t at)
+{
+  Eigen::Vector3d slope = Eigen::Vector3d::Zero();
+  for (std::size_t j = 0; j < u.size(); ++j) {
+    if (j == at)
+      continue;
+    double own = 1.0, weight = 1.0 / (u[j] - u[at]);
+    for (std::size_t k = 0; k < u.size(); ++k)
+      if (k != at && k != j)
+        weight *= (u[at] - u[k]) / (u[j] - u[k]);
+    own = 1.0 / (u[at] - u[j]);
+    slope += weight * p[j] + own * p[at];
+  }
+  return slope;
+}
+
+} // namespace
+
+TurnFunction::TurnFunction(const std::vector<RadialLine>& lines, const SpiralSettings& settings, double spacing)
+: lines_(lines), settings_(settings), spacing_(spacing),
+  max_step_(settings.max_step > 0.0 ? settings.max_step : settings.tool_radius)
+{
+  for (const RadialLine& line : lines)
+    stations_.emplace_back(line.feet.size());
+}
+
+double
+TurnFunction::shareAt(std::size_t i, double s) const
+{
+  const auto& stations = stations_[i];
+  const double ds = lines_[i].stationSpacing();
+  const double at = std::clamp(s / ds, 0.0, static_cast<double>(stations.size() - 1));
+  const std::size_t k = std::min(stations.size() - 2, static_cast<std::size_t>(at));
+  const double f = at - static_cast<double>(k);
+  const double r0 = stations[k].rate, r1 = stations[k + 1].rate;
+  return (stations[k].turns + ds * f * (r0 + 0.5 * f * (r1 - r0))) / stations.back().turns;
+}
+
+double
+TurnFunction::arcLengthAt(std::size_t i, double tau) const
+{
+  const auto& stations = stations_[i];
+  const double ds = lines_[i].stationSpacing();
+  const double wanted = std::clamp(tau / static_cast<double>(turns_), 0.0, 1.0) * stations.back().turns;
+  const auto above = std::upper_bound(stations.begin() + 1, stations.end() - 1, wanted,
+                                      [](double t, const Station& station) { return t < station.turns; });
+  const auto k = static_cast<std::size_t>(above - stations.begin()) - 1;
+  // The rate is linear between stations: T grows as a quadratic, solved for its root in [0, 1].
+  const double r0 = stations[k].rate, change = stations[k + 1].rate - r0;
+  const double y = (wanted - stations[k].turns) / ds;
+  const double root = std::sqrt(std::max(0.0, r0 * r0 + 2.0 * change * y));
+  const double f = 2.0 * y / (r0 + root);
+  return ds * (static_cast<double>(k) + std::clamp(f, 0.0, 1.0));
+}
+
+double
+TurnFunction::feedStepAt(std::size_t i, double s) const
+{
+  const auto& stations = stations_[i];
+  const double at = std::clamp(s / lines_[i].stationSpacing(), 0.0, static_cast<double>(stations.size() - 1));
+  const std::size_t k = std::min(stations.size() - 2, static_cast<std::size_t>(at));
+  return std::min(stations[k].feed_step, stations[k + 1].feed_step);
+}
+
+Eigen::Vector3d
+TurnFunction::positionOn(std::size_t line, double share) const
+{
+  const double s = arcLengthAt(line, share * static_cast<double>(turns_));
+  const auto& feet = lines_[line].feet;
+  const double at = s / lines_[line].stationSpacing();
+  const std::size_t k = std::min(feet.size() - 2, static_cast<std::size_t>(at));
+  const double f = at - static_cast<double>(k);
+  return (1.0 - f) * feet[k].position + f * feet[k + 1].position;
+}
+
+std::optional<Eigen::Vector3d>
+TurnFunction::contourDirection(std::size_t line, std::size_t station, int side) const
+{
+  const std::size_t n = lines_.size();
+  const double share = shareAt(line, lines_[line].stationSpacing() * static_cast<double>(station));
+  const Eigen::Vector3d p = positionOn(line, share);
+  // A line some steps away, as a place along the rim too; no farther than the next corner.
+  const auto reach = [&](int direction, std::size_t steps, double& u) {
+    std::size_t i = line;
+    u = lines_[line].rim_share;
+    for (std::size_t step = 0; step < steps && (step == 0 || !lines_[i].corner); ++step) {
+      const std::size_t next = direction > 0 ? (i + 1) % n : (i + n - 1) % n;
+      const double gap = lines_[next].rim_share - lines_[i].rim_share;
+      u += direction > 0 ? (gap > 0.0 ? gap : gap + 1.0) : (gap < 0.0 ? gap : gap - 1.0);
+      i = next;
+    }
+    return i;
+  };
+  for (std::size_t stride = 1;; stride *= 2) {
+    std::vector<double> u{lines_[line].rim_share};
+    Polyline points{p};
+    double closest = std::numeric_limits<double>::max();
+    for (const int direction : {-1, 1}) {
+      if (side == -direction)
+        continue;
+      double last = u[0];
+      for (std::size_t m = 1; m <= 2; ++m) {
+        double place = 0.0;
+        const std::size_t i = reach(direction, m * stride, place);
+        if (place == last)
+          break;
+        last = place;
+        u.push_back(place);
+        points.push_back(positionOn(i, share));
+        closest = std::min(closest, (points.back() - p).norm());
+      }
+    }
+    if (u.size() < 2)
+      return std::nullopt;
+    const bool widest = stride >= n / 16;
+    if (closest >= spacing_ || widest)
+      return closest > 0.0 ? std::optional<Eigen::Vector3d>(lagrangeSlope(u, points, 0)) : std::nullopt;
+  }
+}
+
+std::optional<TurnFunction::Station>
+TurnFunction::stationAt(std::size_t line, std::size_t station, bool with_contours) const
+{
+  const auto& feet = lines_[line].feet;
+  const SurfaceFoot& foot = feet[station];
+  const Eigen::Vector3d chord =
+      feet[std::min(station + 1, feet.size() - 1)].position - feet[station > 0 ? station - 1 : 0].position;
+  const Eigen::Vector3d tangent = (chord - chord.dot(foot.normal) * foot.normal).normalized();
+  std::vector<Eigen::Vector3d> across;
+  if (with_contours)
+    for (const int side : lines_[line].corner ? std::vector<int>{-1, 1} : std::vector<int>{0})
+      if (const auto contour = contourDirection(line, station, side))
+        across.push_back(foot.normal.cross(*contour).normalized());
+  if (across.empty())
+    across.push_back(tangent);
+
+  Station result;
+  result.density = 0.0;
+  result.feed_step = max_step_;
+  const double radius = settings_.tool_radius;
+  for (const Eigen::Vector3d& direction : across) { // both sides of a corner: the closer pitch counts
+    const auto step = stepOver(radius, foot.normalCurvature(direction), settings_.scallop_height);
+    if (!step)
+      return std::nullopt;
+    const double cos_psi = std::max(steepest_cosine, std::abs(tangent.dot(direction)));
+    if (cos_psi / *step > result.cosine * result.density) {
+      result.cosine = cos_psi;
+      result.density = 1.0 / (reserve * *step);
+    }
+    const double along_feed = foot.normalCurvature(direction.cross(foot.normal));
+    result.feed_step = std::min(
+        result.feed_step, stepFromChordErrorAtCentre(radius, along_feed, settings_.chord_error, max_step_));
+  }
+  return result;
+}
+
+void
+TurnFunction::smoothCosines()
+{
+  const auto n = static_cast<std::int64_t>(lines_.size());
+  const auto before = stations_;
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::int64_t i = 0; i < n; ++i) {
+    std::vector<double> sum(before[i].size(), 0.0);
+    double whole = 0.0;
+    const auto add = [&](std::size_t j, double apart, double share) {
+      const double w = share * std::exp(-0.5 * apart * apart / (smoothing_share * smoothing_share));
+      for (std::size_t k = 0; k < sum.size(); ++k)
+        sum[k] += w * before[j][k].cosine;
+      whole += w;
+    };
+    const auto gapAfter = [&](std::size_t j) {
+      const double gap = lines_[(j + 1) % n].rim_share - lines_[j].rim_share;
+      return gap > 0.0 ? gap : gap + 1.0;
+    };
+    const auto shareOf = [&](std::size_t j) { return 0.5 * (gapAfter(j) + gapAfter((j + n - 1) % n)); };
+    add(i, 0.0, shareOf(i));
+    for (const bool forward : {true, false}) {
+      if (lines_[i].corner)
+        break; // a corner's own line keeps its cosine, and passes it on to neither side
+      double apart = 0.0;
+      for (std::size_t j = i;;) {
+        const std::size_t next = forward ? (j + 1) % n : (j + n - 1) % n;
+        apart += gapAfter(forward ? j : next);
+        if (apart > 3.0 * smoothing_share || lines_[next].corner)
+          break;
+        add(next, apart, shareOf(next));
+        j = next;
+      }
+    }
+    for (std::size_t k = 0; k < sum.size(); ++k)
+      stations_[i][k].cosine = sum[k] / whole;
+  }
+}
+
+double
+TurnFunction::turnsNeeded(const std::vector<std::vector<Station>>& measured) const
+{
+  double most = 0.0, needed = 0.0;
+  for (std::size_t i = 0; i < stations_.size(); ++i) {
+    const double whole = stations_[i].back().turns;
+    most = std::max(most, whole);
+    for (std::size_t k = 1; k < stations_[i].size(); ++k)
+      needed = std::max(needed, whole * measured[i][k].cosine * measured[i][k].density / stations_[i][k].rate);
+  }
+  return std::clamp(needed, most, largest_addition * most);
+}
+
+void
+TurnFunction::integrate(std::size_t line)
+{
+  auto& stations = stations_[line];
+  const double ds = lines_[line].stationSpacing();
+  for (Station& station : stations)
+    station.rate = station.cosine * station.density;
+  const auto& other = lines_[(line + 1) % lines_.size()];
+  if (lines_[line].feet[0].position == other.feet[0].position)
+    stations[0].rate = stations[1].rate; // lines meet at the centre: no contour there
+  stations[0].turns = 0.0;
+  for (std::size_t k = 1; k < stations.size(); ++k)
+    stations[k].turns = stations[k - 1].turns + 0.5 * ds * (stations[k - 1].rate + stations[k].rate);
+}
+
+Status
+TurnFunction::compute()
+{
+  const auto n = static_cast<std::int64_t>(lines_.size());
+  const double steepest = -1.0 / settings_.tool_radius;
+  for (const RadialLine& line : lines_)
+    for (const SurfaceFoot& foot : line.feet)
+      if (foot.valid && foot.curvature2 <= steepest) {
+        std::ostringstream message;
+        message << "the surface is hollow with radius " << -1.0 / foot.curvature2 << " mm at ("
+                << foot.position.transpose() << "), tighter than the tool radius " << settings_.tool_radius
+                << " mm: the cutter would gouge; use a smaller tool";
+        return {StatusCode::Failed, message.str()};
+      }
+  const int rounds = settings_.pitch == Pitch::AlongLine ? 0 : contour_rounds;
+  turns_ = 1;
+  for (int round = 0; round <= rounds + 1; ++round) {
+    auto measured = stations_;
+    bool fits = true;
+#pragma omp parallel for schedule(dynamic, 8) reduction(&& : fits)
+    for (std::int64_t i = 0; i < n; ++i)
+      for (std::size_t k = 0; k < measured[i].size(); ++k) {
+        const auto station = stationAt(i, k, round > 0 && rounds > 0);
+        fits = fits && station.has_value();
+        if (station)
+          measured[i][k] = *station;
+      }
+    if (!fits)
+      return {StatusCode::Failed, "no step-over exists for this tool on the surface: use a smaller tool"};
+    if (round == rounds + 1) {
+      turns_ = static_cast<std::size_t>(std::ceil(turnsNeeded(measured)));
+      break;
+    }
+    stations_.swap(measured);
+    if (round > 0)
+      smoothCosines();
+    for (std::int64_t i = 0; i < n; ++i)
+      integrate(i);
+  }
+  smallest_step_over_ = std::numeric_limits<double>::max();
+  for (std::int64_t i = 0; i < n; ++i)
+    for (const SurfaceFoot& foot : lines_[i].feet)
+      for (const double curvature : {foot.curvature1, foot.curvature2})
+        if (const auto step = stepOver(settings_.tool_radius, curvature, settings_.scallop_height)) {
+          smallest_step_over_ = std::min(smallest_step_over_, *step);
+          largest_step_over_ = std::max(largest_step_over_, *step);
+        }
+  return Status::success();
+}
+
+} // namespace pcl_spiral
