@@ -1,6 +1,7 @@
 // The filters on a point type that PCL does not know, with nothing but their own headers.
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
+#include <pcl_spiral/surface/surface_preparation.h>
 
 #include <gtest/gtest.h>
 
@@ -71,4 +72,20 @@ TEST(OwnPointType, EllipticGabrielGraph)
   for (std::uint32_t i = 0; i < graph.size(); ++i)
     for (const std::uint32_t j : expected[i])
       EXPECT_TRUE(graph.contains(i, j));
+}
+
+TEST(OwnPointType, SurfacePreparationKeepsItsFields)
+{
+  const Clouds clouds;
+  for (std::size_t i = 0; i < clouds.own->size(); ++i)
+    (*clouds.own)[i].reflectance = static_cast<float>(i);
+  pcl_spiral::SurfacePreparation<OwnPoint> preparation;
+  preparation.setInputCloud(clouds.own);
+  pcl::PointCloud<OwnPoint> out;
+  pcl::PointCloud<pcl::Normal> normals;
+  preparation.compute(out, normals);
+  ASSERT_TRUE(preparation.getStatus().ok()) << preparation.getStatus().message();
+  ASSERT_EQ(out.size(), 900u);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    EXPECT_EQ(out[i].reflectance, static_cast<float>(preparation.getSourceIndices()[i]));
 }

@@ -1,0 +1,10 @@
+#include <pcl_spiral/surface/surface_preparation.h>
+
+namespace pcl_spiral {
+
+template class SurfacePreparation<pcl::PointXYZ>;
+template class SurfacePreparation<pcl::PointXYZRGB>;
+template class SurfacePreparation<pcl::PointXYZI>;
+template class SurfacePreparation<pcl::PointNormal>;
+
+} // namespace pcl_spiral
