@@ -18,8 +18,7 @@ marked(std::size_t size, const std::vector<std::uint32_t>& which)
 {
   std::vector<std::uint8_t> mark(size, 0);
   for (const std::uint32_t i : which)
-    if (i < size)
-      mark[i] = 1;
+    mark[i] = 1;
   return mark;
 }
 
@@ -120,6 +119,11 @@ classify(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_poin
          const std::vector<std::uint32_t>& rim_points, HarmonicDomain& domain, std::vector<std::uint32_t>& inner)
 {
   const Triangulation& mesh = graph.triangulation();
+  for (const auto* points : {&inner_points, &rim_points})
+    for (const std::uint32_t i : *points)
+      if (i >= graph.size())
+        return {StatusCode::InvalidArgument, "point " + std::to_string(i) + " of a boundary is outside the cloud of " +
+                                                 std::to_string(graph.size()) + " points"};
   const Loops loops = simpleLoops(mesh);
   const auto on_rim = marked(graph.size(), rim_points), on_inner = marked(graph.size(), inner_points);
   const std::size_t rim = loopOf(mesh, loops, rim_points, on_rim);

@@ -12,7 +12,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t fewest_points = 18;
-constexpr double bending = 1e-3; // holds the second order where the points do not determine it
+constexpr double bending = 1e-2; // holds the second order where the points do not determine it
 
 struct Value {
   std::uint32_t point;
@@ -63,7 +63,7 @@ fitLevel(const SurfaceGraph& graph, std::uint32_t start, const Eigen::Vector3d& 
     const double x = d.dot(e1), y = d.dot(e2), near = std::max(0.0, 1.0 - d.squaredNorm());
     const double w = near * near * near;
     Vector6 row;
-    row << 1.0, x, y, x * x, x * y, y * y;
+    row << 1.0, x, y, x * x + y * y, x * x - y * y, 2.0 * x * y; // the same fit in any frame
     normal += w * row * row.transpose();
     right += w * value.level * row;
   }
