@@ -335,7 +335,12 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
     centre = deepestPoint(request.surface, request.rim.curve);
   if (!centre)
     return {StatusCode::Failed, "no centre was found on the surface: give one"};
-  return linesByMethod(request, *centre, true, set);
+  const Status status = linesByMethod(request, *centre, true, set);
+  if (status.ok() || set.why_harmonic.empty() || status.code() == StatusCode::Cancelled)
+    return status;
+  return {status.code(), "no radial lines were found: as geodesics, " + set.why_harmonic +
+                             "; as harmonic lines, " + status.message() +
+                             "; give a centre from which the rim is easier to reach, or machine the part in pieces"};
 }
 
 } // namespace pcl_spiral

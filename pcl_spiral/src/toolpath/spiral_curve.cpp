@@ -71,17 +71,17 @@ SpiralCurve::findActiveShares()
       while (lines_[right].level >= level)
         right = (right + 1) % n;
       const std::size_t last = lines_[i].feet.size() - 1;
-      std::size_t k = last;
-      for (; k > 0; --k) {
+      std::size_t k = 1;
+      for (; k < last; ++k) { // the first station, from the centre, at which it is needed
         const auto at = [&](std::size_t line) {
           return lines_[line].feet[k * (lines_[line].feet.size() - 1) / last].position;
         };
         const double apart = (at(left) - at(i)).norm() + (at(right) - at(i)).norm();
         const double s = lines_[i].length() * static_cast<double>(k) / static_cast<double>(last);
-        if (apart < 2.0 * closest && apart < widest_angle * s)
+        if (apart >= 2.0 * closest || apart >= widest_angle * s)
           break;
       }
-      const double own = static_cast<double>(k) / static_cast<double>(last);
+      const double own = static_cast<double>(k - 1) / static_cast<double>(last);
       active_from_[i] = std::max({own, active_from_[left], active_from_[right]});
     }
 }

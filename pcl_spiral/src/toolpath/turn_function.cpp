@@ -10,9 +10,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int contour_rounds = 3;
-constexpr double smoothing_share = 1.0 / 64.0; // of the rim: standard deviation of what smooths cos psi across lines
-constexpr double largest_addition = 1.02;      // to the turns, for what smoothing took from cos psi
+constexpr int contour_rounds = 1;
+constexpr double smoothing_share = 1.0 / 64.0; // of the rim: standard deviation of what smooths rates across lines
 constexpr double steepest_cosine = 0.05; // of psi: a line nearly along its contour tells nothing
 constexpr double reserve = 0.997; // of the step-over, for what interpolation between lines adds
 
@@ -48,29 +47,35 @@ double
 TurnFunction::shareAt(std::size_t i, double s) const
 {
   const auto& stations = stations_[i];
-  const double ds = lines_[i].stationSpacing();
-  const double at = std::clamp(s / ds, 0.0, static_cast<double>(stations.size() - 1));
+  const double ds = 1.0 / static_cast<double>(stations.size() - 1);
+  const double at = std::clamp(s / lines_[i].stationSpacing(), 0.0, static_cast<double>(stations.size() - 1));
   const std::size_t k = std::min(stations.size() - 2, static_cast<std::size_t>(at));
   const double f = at - static_cast<double>(k);
   const double r0 = stations[k].rate, r1 = stations[k + 1].rate;
-  return (stations[k].turns + ds * f * (r0 + 0.5 * f * (r1 - r0))) / stations.back().turns;
+  return stations[k].share + ds * f * (r0 + 0.5 * f * (r1 - r0));
+}
+
+double
+TurnFunction::arcLengthAtShare(std::size_t i, double share) const
+{
+  const auto& stations = stations_[i];
+  const double ds = 1.0 / static_cast<double>(stations.size() - 1);
+  const double wanted = std::clamp(share, 0.0, 1.0);
+  const auto above = std::upper_bound(stations.begin() + 1, stations.end() - 1, wanted,
+                                      [](double t, const Station& station) { return t < station.share; });
+  const auto k = static_cast<std::size_t>(above - stations.begin()) - 1;
+  // The rate is linear between stations: the share grows as a quadratic, solved for its root in [0, 1].
+  const double r0 = stations[k].rate, change = stations[k + 1].rate - r0;
+  const double y = (wanted - stations[k].share) / ds;
+  const double root = std::sqrt(std::max(0.0, r0 * r0 + 2.0 * change * y));
+  const double f = 2.0 * y / (r0 + root);
+  return lines_[i].stationSpacing() * (static_cast<double>(k) + std::clamp(f, 0.0, 1.0));
 }
 
 double
 TurnFunction::arcLengthAt(std::size_t i, double tau) const
 {
-  const auto& stations = stations_[i];
-  const double ds = lines_[i].stationSpacing();
-  const double wanted = std::clamp(tau / static_cast<double>(turns_), 0.0, 1.0) * stations.back().turns;
-  const auto above = std::upper_bound(stations.begin() + 1, stations.end() - 1, wanted,
-                                      [](double t, const Station& station) { return t < station.turns; });
-  const auto k = static_cast<std::size_t>(above - stations.begin()) - 1;
-  // The rate is linear between stations: T grows as a quadratic, solved for its root in [0, 1].
-  const double r0 = stations[k].rate, change = stations[k + 1].rate - r0;
-  const double y = (wanted - stations[k].turns) / ds;
-  const double root = std::sqrt(std::max(0.0, r0 * r0 + 2.0 * change * y));
-  const double f = 2.0 * y / (r0 + root);
-  return ds * (static_cast<double>(k) + std::clamp(f, 0.0, 1.0));
+  return arcLengthAtShare(i, tau / static_cast<double>(turns_));
 }
 
 double
@@ -85,7 +90,7 @@ TurnFunction::feedStepAt(std::size_t i, double s) const
 Eigen::Vector3d
 TurnFunction::positionOn(std::size_t line, double share) const
 {
-  const double s = arcLengthAt(line, share * static_cast<double>(turns_));
+  const double s = arcLengthAtShare(line, share);
   const auto& feet = lines_[line].feet;
   const double at = s / lines_[line].stationSpacing();
   const std::size_t k = std::min(feet.size() - 2, static_cast<std::size_t>(at));
@@ -155,7 +160,6 @@ TurnFunction::stationAt(std::size_t line, std::size_t station, bool with_contour
     across.push_back(tangent);
 
   Station result;
-  result.density = 0.0;
   result.feed_step = max_step_;
   const double radius = settings_.tool_radius;
   for (const Eigen::Vector3d& direction : across) { // both sides of a corner: the closer pitch counts
@@ -163,10 +167,7 @@ TurnFunction::stationAt(std::size_t line, std::size_t station, bool with_contour
     if (!step)
       return std::nullopt;
     const double cos_psi = std::max(steepest_cosine, std::abs(tangent.dot(direction)));
-    if (cos_psi / *step > result.cosine * result.density) {
-      result.cosine = cos_psi;
-      result.density = 1.0 / (reserve * *step);
-    }
+    result.rate = std::max(result.rate, cos_psi / (reserve * *step));
     const double along_feed = foot.normalCurvature(direction.cross(foot.normal));
     result.feed_step = std::min(
         result.feed_step, stepFromChordErrorAtCentre(radius, along_feed, settings_.chord_error, max_step_));
@@ -175,70 +176,68 @@ TurnFunction::stationAt(std::size_t line, std::size_t station, bool with_contour
 }
 
 void
-TurnFunction::smoothCosines()
+TurnFunction::smoothRates()
 {
   const auto n = static_cast<std::int64_t>(lines_.size());
   const auto before = stations_;
+  const auto gapAfter = [&](std::size_t j) {
+    const double gap = lines_[(j + 1) % n].rim_share - lines_[j].rim_share;
+    return gap > 0.0 ? gap : gap + 1.0;
+  };
 #pragma omp parallel for schedule(dynamic, 8)
   for (std::int64_t i = 0; i < n; ++i) {
     std::vector<double> sum(before[i].size(), 0.0);
     double whole = 0.0;
-    const auto add = [&](std::size_t j, double apart, double share) {
+    const auto add = [&](std::size_t j, double apart) {
+      const double share = 0.5 * (gapAfter(j) + gapAfter((j + n - 1) % n));
       const double w = share * std::exp(-0.5 * apart * apart / (smoothing_share * smoothing_share));
       for (std::size_t k = 0; k < sum.size(); ++k)
-        sum[k] += w * before[j][k].cosine;
+        sum[k] += w * before[j][k].rate;
       whole += w;
     };
-    const auto gapAfter = [&](std::size_t j) {
-      const double gap = lines_[(j + 1) % n].rim_share - lines_[j].rim_share;
-      return gap > 0.0 ? gap : gap + 1.0;
-    };
-    const auto shareOf = [&](std::size_t j) { return 0.5 * (gapAfter(j) + gapAfter((j + n - 1) % n)); };
-    add(i, 0.0, shareOf(i));
+    add(i, 0.0);
     for (const bool forward : {true, false}) {
-      if (lines_[i].corner)
-        break; // a corner's own line keeps its cosine, and passes it on to neither side
       double apart = 0.0;
       for (std::size_t j = i;;) {
         const std::size_t next = forward ? (j + 1) % n : (j + n - 1) % n;
         apart += gapAfter(forward ? j : next);
-        if (apart > 3.0 * smoothing_share || lines_[next].corner)
+        if (apart > 3.0 * smoothing_share)
           break;
-        add(next, apart, shareOf(next));
+        add(next, apart);
         j = next;
       }
     }
     for (std::size_t k = 0; k < sum.size(); ++k)
-      stations_[i][k].cosine = sum[k] / whole;
+      stations_[i][k].rate = sum[k] / whole;
   }
-}
-
-double
-TurnFunction::turnsNeeded(const std::vector<std::vector<Station>>& measured) const
-{
-  double most = 0.0, needed = 0.0;
-  for (std::size_t i = 0; i < stations_.size(); ++i) {
-    const double whole = stations_[i].back().turns;
-    most = std::max(most, whole);
-    for (std::size_t k = 1; k < stations_[i].size(); ++k)
-      needed = std::max(needed, whole * measured[i][k].cosine * measured[i][k].density / stations_[i][k].rate);
-  }
-  return std::clamp(needed, most, largest_addition * most);
 }
 
 void
 TurnFunction::integrate(std::size_t line)
 {
   auto& stations = stations_[line];
-  const double ds = lines_[line].stationSpacing();
-  for (Station& station : stations)
-    station.rate = station.cosine * station.density;
   const auto& other = lines_[(line + 1) % lines_.size()];
   if (lines_[line].feet[0].position == other.feet[0].position)
     stations[0].rate = stations[1].rate; // lines meet at the centre: no contour there
-  stations[0].turns = 0.0;
+  const double ds = 1.0 / static_cast<double>(stations.size() - 1);
+  stations[0].share = 0.0;
   for (std::size_t k = 1; k < stations.size(); ++k)
-    stations[k].turns = stations[k - 1].turns + 0.5 * ds * (stations[k - 1].rate + stations[k].rate);
+    stations[k].share = stations[k - 1].share + 0.5 * ds * (stations[k - 1].rate + stations[k].rate);
+  const double whole = stations.back().share;
+  for (Station& station : stations) {
+    station.rate /= whole;
+    station.share /= whole;
+  }
+}
+
+double
+TurnFunction::turnsNeeded(const std::vector<std::vector<Station>>& measured) const
+{
+  double needed = 0.0;
+  for (std::size_t i = 0; i < stations_.size(); ++i)
+    for (std::size_t k = 1; k < stations_[i].size(); ++k)
+      needed = std::max(needed, lines_[i].length() * measured[i][k].rate / stations_[i][k].rate);
+  return needed;
 }
 
 Status
@@ -256,7 +255,6 @@ TurnFunction::compute()
         return {StatusCode::Failed, message.str()};
       }
   const int rounds = settings_.pitch == Pitch::AlongLine ? 0 : contour_rounds;
-  turns_ = 1;
   for (int round = 0; round <= rounds + 1; ++round) {
     auto measured = stations_;
     bool fits = true;
@@ -275,10 +273,13 @@ TurnFunction::compute()
       break;
     }
     stations_.swap(measured);
-    if (round > 0)
-      smoothCosines();
     for (std::int64_t i = 0; i < n; ++i)
       integrate(i);
+    if (rounds > 0) {
+      smoothRates();
+      for (std::int64_t i = 0; i < n; ++i)
+        integrate(i);
+    }
   }
   smallest_step_over_ = std::numeric_limits<double>::max();
   for (std::int64_t i = 0; i < n; ++i)

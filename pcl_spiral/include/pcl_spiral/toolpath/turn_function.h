@@ -15,10 +15,10 @@ namespace pcl_spiral {
 /** T_i(s) = integral over arc length of cos psi / l, for every radial line i.
  *
  *  l is the exact step-over for the normal curvature across the feed, psi the angle between the line and the normal of
- *  the contour (the turn's direction), so that the distance of turns across the feed never exceeds l. Contours join
- *  places of equal share T_i(s) / T_i(L_i), so psi depends on T: found by a few rounds from cos psi = 1, cos psi smoothed
- *  across lines each time, because the rounds amplify what is finer than that. A last round measures psi again and adds
- *  the turns that are still needed somewhere.
+ *  the contour (the turn's direction): what counts is the distance of turns across the feed. All lines share N turns, so
+ *  what shapes the spiral is each line's share T_i(s) / T_i(L_i). It comes from contours of equal integral of 1 / l,
+ *  smoothed across lines, for it may be any smooth function; then psi is measured on the contours of these shares
+ *  themselves, and N is the least that keeps every distance within l.
  *  Source: Wu et al. 2025, equations (16)-(19), corrected: pitch across the feed, turns shared by all lines.
  */
 class TurnFunction {
@@ -43,17 +43,16 @@ public:
 
 private:
   struct Station {
-    double density = 0.0;   ///< 1 / l, for the normal curvature across the feed
-    double cosine = 1.0;    ///< of psi
-    double rate = 0.0;      ///< dT/ds
-    double turns = 0.0;     ///< T
+    double rate = 0.0;      ///< cos psi / l; once integrated, the share's growth over the share of length
+    double share = 0.0;     ///< T_i(s) / T_i(L_i)
     double feed_step = 0.0; ///< mm
   };
 
+  double arcLengthAtShare(std::size_t line, double share) const;
   Eigen::Vector3d positionOn(std::size_t line, double share) const;
   std::optional<Eigen::Vector3d> contourDirection(std::size_t line, std::size_t station, int side) const;
   std::optional<Station> stationAt(std::size_t line, std::size_t station, bool with_contours) const;
-  void smoothCosines();
+  void smoothRates();
   void integrate(std::size_t line);
   double turnsNeeded(const std::vector<std::vector<Station>>& measured) const;
 
