@@ -11,6 +11,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double longest_piece = 40.0; // spacings
+constexpr double shortest_piece = 8.0; // that shows a direction, spacings
 constexpr double scatter = 0.3;        // of the ring about the edge, spacings
 constexpr double break_cost = 16.0;    // in squared scatters: what a further piece must save
 constexpr double least_turn = 15.0 * M_PI / 180.0;
@@ -78,6 +79,12 @@ cheapestBreaks(const std::vector<Eigen::Vector2d>& line, const std::vector<doubl
 }
 
 double
+headingOf(const std::vector<Eigen::Vector2d>& line, std::size_t i)
+{
+  return std::atan2(line[i + 1].y() - line[i].y(), line[i + 1].x() - line[i].x());
+}
+
+double
 turn(double from, double to)
 {
   return std::remainder(to - from, 2.0 * M_PI);
@@ -104,7 +111,7 @@ rolledOut(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::V
   return line;
 }
 
-std::vector<std::size_t>
+std::vector<CornerCandidate>
 cornerCandidates(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals, double spacing)
 {
   const std::size_t n = points.size();
@@ -116,20 +123,25 @@ cornerCandidates(const std::vector<Eigen::Vector3d>& points, const std::vector<E
   const std::vector<std::size_t> first = cheapestBreaks(line, at, 0, 2 * n, spacing);
   const std::size_t begin = *std::lower_bound(first.begin(), first.end(), n / 2);
   const std::vector<std::size_t> breaks = cheapestBreaks(line, at, begin, begin + n, spacing);
-  std::vector<std::size_t> corners;
-  for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
-    const Piece after = fitPiece(line, breaks[b], breaks[b + 1], spacing);
-    // The piece before the first break is the last one of the round.
-    const std::size_t last = b == 0 ? breaks.size() - 2 : b - 1;
-    const Piece ahead = fitPiece(line, breaks[last], breaks[last + 1], spacing);
-    double from = ahead.last_heading;
-    if (b == 0) // taken back one round, in which the line as a whole has turned
-      from += std::atan2(line[begin + 1].y() - line[begin].y(), line[begin + 1].x() - line[begin].x()) -
-              std::atan2(line[begin + n + 1].y() - line[begin + n].y(), line[begin + n + 1].x() - line[begin + n].x());
-    if (std::abs(turn(from, after.first_heading)) > least_turn)
-      corners.push_back(breaks[b] % n);
+  // Pieces too short to have a direction are passed over: what counts is how their neighbours meet.
+  struct Run {
+    std::size_t from, to;
+    Piece piece;
+  };
+  std::vector<Run> runs;
+  for (std::size_t b = 0; b + 1 < breaks.size(); ++b)
+    if (at[breaks[b + 1]] - at[breaks[b]] >= shortest_piece * spacing)
+      runs.push_back({breaks[b], breaks[b + 1], fitPiece(line, breaks[b], breaks[b + 1], spacing)});
+  const double round = headingOf(line, begin) - headingOf(line, begin + n); // by which a round turns the line, and back
+  std::vector<CornerCandidate> corners;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const Run &before = runs[r == 0 ? runs.size() - 1 : r - 1], &after = runs[r];
+    const double angle = turn(before.piece.last_heading + (r == 0 ? round : 0.0), after.piece.first_heading);
+    const std::size_t between = (after.from + n - before.to % n) % n; // points of the short pieces passed over
+    if (std::abs(angle) > least_turn)
+      corners.push_back({(before.to + between / 2) % n, angle});
   }
-  std::sort(corners.begin(), corners.end());
+  std::sort(corners.begin(), corners.end(), [](const auto& a, const auto& b) { return a.point < b.point; });
   return corners;
 }
 

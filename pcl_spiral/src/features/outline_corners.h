@@ -16,10 +16,16 @@ namespace pcl_spiral {
 std::vector<Eigen::Vector2d>
 rolledOut(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals, std::size_t rounds);
 
-/** Points of the ring at which it may have a corner: where smooth pieces (parabolas, at most some forty spacings long)
- *  that fit the ring best meet at an angle. Generous: later fits decide. Ascending.
+/** A point of a ring at which it may have a corner. */
+struct CornerCandidate {
+  std::size_t point;
+  double turn; ///< radians, positive to the left: the outline is convex there
+};
+
+/** Where smooth pieces (parabolas, at most some forty spacings long) that fit the ring best meet at an angle. Generous:
+ *  later fits decide. In the ring's order.
  */
-std::vector<std::size_t>
+std::vector<CornerCandidate>
 cornerCandidates(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals, double spacing);
 
 } // namespace pcl_spiral

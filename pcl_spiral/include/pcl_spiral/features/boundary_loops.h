@@ -1,0 +1,77 @@
+/** \file
+ *  The closed boundaries of a cloud.
+ */
+#pragma once
+
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/features/boundary_loop.h>
+#include <pcl_spiral/features/surface_boundary.h>
+
+#include <pcl/pcl_base.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+namespace pcl_spiral {
+
+/** Ordered, closed boundary loops of a scanned surface: its outer rim, real holes, gaps in the data.
+ *
+ *  Instead of walking from boundary point to boundary point (Wu et al. 2025, section 1), which fails at corners and
+ *  gaps, the free half-edges of local Delaunay stars are linked; see findBoundaryLoops. Lengths in the cloud's unit, mm.
+ *  Points that are not finite and repeated points are dropped; with setIndices only those points take part.
+ */
+template <typename PointT, typename PointNT = pcl::Normal>
+class BoundaryLoops : public pcl::PCLBase<PointT> {
+public:
+  using Ptr = pcl::shared_ptr<BoundaryLoops>;
+  using ConstPtr = pcl::shared_ptr<const BoundaryLoops>;
+  using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
+
+  /** Normals out of the material, one a point of the input: they say from which side loops run counter-clockwise.
+   *  Without them the side facing +z is taken. */
+  void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
+  NormalsConstPtr getInputNormals() const { return normals_; }
+
+  /** Shortest loop that is a real hole rather than a gap in the data, mm; 0, the default, decides by the length of the
+   *  outer loop and the spacing, see BoundaryOptions. */
+  void setMinHoleLength(double length) { options_.min_hole_length = length; }
+  double getMinHoleLength() const { return options_.min_hole_length; }
+
+  /** Size across, in spacings, up to which a hole is a gap in the data when no shortest hole is set; 15 by default. */
+  void setLargestGap(double spacings) { options_.largest_gap = spacings; }
+  double getLargestGap() const { return options_.largest_gap; }
+
+  /** Largest circle free of points that still counts as surface: its radius in spacings; 3 by default. */
+  void setAlpha(double spacings) { alpha_ = spacings; }
+  double getAlpha() const { return alpha_; }
+
+  /** Find the loops, the outer one first; indices are those of the input cloud. \p loops is empty on failure. */
+  void compute(std::vector<BoundaryLoop>& loops);
+
+  const Status& getStatus() const { return status_; }
+  /** What the last compute left out. */
+  const BoundaryCounts& getCounts() const { return counts_; }
+
+private:
+  Status check() const;
+  std::vector<std::uint32_t> usablePoints() const;
+  Status buildGraph(const std::vector<std::uint32_t>& usable, SurfaceGraph& graph) const;
+
+  using pcl::PCLBase<PointT>::input_;
+  using pcl::PCLBase<PointT>::indices_;
+
+  NormalsConstPtr normals_;
+  BoundaryOptions options_;
+  double alpha_ = 3.0;
+  Status status_;
+  BoundaryCounts counts_;
+};
+
+} // namespace pcl_spiral
+
+#include <pcl_spiral/features/impl/boundary_loops.hpp>
+
+namespace pcl_spiral {
+extern template class BoundaryLoops<pcl::PointXYZ>;
+extern template class BoundaryLoops<pcl::PointXYZRGB>;
+extern template class BoundaryLoops<pcl::PointNormal>;
+} // namespace pcl_spiral

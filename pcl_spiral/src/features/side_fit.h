@@ -1,0 +1,51 @@
+/** \file
+ *  A side of an outline drawn along the edge of its points. Private to features.
+ */
+#pragma once
+
+#include "edge_fit.h"
+
+#include <pcl_spiral/surface/mls_surface.h>
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Distance between the nodes of a side, in spacings. */
+constexpr double node_step = 0.5;
+
+/** A side at the edge of its points. */
+struct FittedSide {
+  OutlineSide side;
+  double outside = 0.0, roughness = 0.0; ///< as in EdgeFit
+  double wavelength = 0.0;
+};
+
+/** Where a point falls on a side. */
+struct SideFoot {
+  double place = 0.0;                       ///< in nodes; beyond the ends of an open side as far as the point is
+  double offset = 0.0;                      ///< outward, mm
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+};
+
+/** Foot of \p point on \p side, searched among the nodes within \p reach of node \p expected. */
+SideFoot
+footOn(const OutlineSide& side, const Eigen::Vector3d& point, std::ptrdiff_t expected, std::ptrdiff_t reach);
+
+/** Replace the nodes by even ones, the ends kept; then set the outward directions. */
+void
+makeEven(OutlineSide& side, double spacing);
+
+/** An even line through a jagged one, without waves shorter than a few spacings. */
+OutlineSide
+smoothSide(const Polyline& line, bool closed, double spacing);
+
+/** Move the nodes onto the surface where it is known there, and take its normals. */
+void
+layOnSurface(const MlsSurface& surface, OutlineSide& side);
+
+/** Draw \p start along the edge of \p points, which come in order along it. */
+FittedSide
+fitSide(const MlsSurface& surface, double spacing, OutlineSide start, const std::vector<Eigen::Vector3d>& points);
+
+} // namespace pcl_spiral

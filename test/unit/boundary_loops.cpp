@@ -1,0 +1,290 @@
+// Boundary loops against outlines known exactly: loop count, distance both ways, corners, invariance, refusals.
+#include <pcl_spiral/features/boundary_loops.h>
+
+#include "support/sampling.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace pcl_spiral;
+using namespace pcl_spiral::test;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Eigen::Vector3d;
+
+struct Loops {
+  std::vector<BoundaryLoop> loops;
+  Status status;
+};
+
+Loops
+loopsOf(const Cloud::Ptr& cloud)
+{
+  BoundaryLoops<pcl::PointXYZ> boundary;
+  boundary.setInputCloud(cloud);
+  Loops result;
+  boundary.compute(result.loops);
+  result.status = boundary.getStatus();
+  return result;
+}
+
+double
+distanceTo(const Vector3d& p, const Polyline& loop)
+{
+  double nearest = 1e30;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vector3d a = loop[i], d = loop[(i + 1) % loop.size()] - a;
+    const double t = d.squaredNorm() > 0.0 ? std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, (p - a - t * d).norm());
+  }
+  return nearest;
+}
+
+double
+farthest(const Polyline& from, const Polyline& to)
+{
+  double largest = 0.0;
+  for (const Vector3d& p : from)
+    largest = std::max(largest, distanceTo(p, to));
+  return largest;
+}
+
+/** Largest distance between the curves and the true outlines, either way. */
+double
+hausdorff(const std::vector<BoundaryLoop>& loops, const AnalyticSurface& surface, double step)
+{
+  double worst = 0.0;
+  std::vector<int> hits(surface.outlines().size(), 0);
+  for (const BoundaryLoop& loop : loops) {
+    std::size_t nearest = 0;
+    for (std::size_t o = 1; o < surface.outlines().size(); ++o)
+      if (distanceTo(loop.curve[0], surface.outlines()[o]) < distanceTo(loop.curve[0], surface.outlines()[nearest]))
+        nearest = o;
+    ++hits[nearest];
+    const Polyline& outline = surface.outlines()[nearest];
+    const auto count = static_cast<std::size_t>(length(outline, true) / step);
+    worst = std::max({worst, farthest(loop.curve, outline), farthest(resampled(outline, count, true), loop.curve)});
+  }
+  for (const int h : hits)
+    EXPECT_EQ(h, 1);
+  return worst;
+}
+
+double
+spacingOf(const AnalyticSurface& surface, std::size_t points)
+{
+  return std::sqrt(surface.area() / static_cast<double>(points));
+}
+
+void
+jitter(Sampled& sampled, double sigma, std::uint64_t seed)
+{
+  Random random(seed);
+  for (std::size_t i = 0; i < sampled.points.size(); ++i) {
+    const Vector3d e = sampled.normals[i].unitOrthogonal();
+    sampled.points[i] += sigma * (random.normal() * e + random.normal() * sampled.normals[i].cross(e));
+  }
+}
+
+struct Shape {
+  const char* name;
+  PlaneLoop outline;
+  std::vector<PlaneLoop> holes;
+  std::size_t points;
+  std::size_t corners; ///< 0: not asked for
+  double tolerance;    ///< of the distance to the true outline, spacings
+};
+
+std::vector<Shape>
+shapes()
+{
+  return {{"square", rectangle(100, 100), {}, 4000, 4, 1.5},
+          {"L", ell(200, 90), {}, 12000, 0, 3.0},
+          {"star", star(5, 100, 45), {}, 12000, 0, 1.5},
+          {"slot", slot(100, 8), {}, 800, 0, 1.5},
+          {"two holes", rectangle(100, 80), {circle({-20, 0}, 12), circle({25, 5}, 9)}, 8000, 4, 1.5}};
+}
+
+SurfacePtr
+surfaceOf(const Shape& shape)
+{
+  std::vector<PlaneLoop> loops{shape.outline};
+  loops.insert(loops.end(), shape.holes.begin(), shape.holes.end());
+  return flat(Region(loops));
+}
+
+TEST(BoundaryLoops, KnownOutlines)
+{
+  for (const Shape& shape : shapes())
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      SCOPED_TRACE(std::string(shape.name) + " seed " + std::to_string(seed));
+      const SurfacePtr surface = surfaceOf(shape);
+      const double spacing = spacingOf(*surface, shape.points);
+      const Loops found = loopsOf(toCloud(sampleUniform(*surface, shape.points, seed).points));
+      ASSERT_TRUE(found.status.ok()) << found.status.message();
+      ASSERT_EQ(found.loops.size(), 1 + shape.holes.size());
+      EXPECT_EQ(found.loops[0].type, LoopType::Outer);
+      EXPECT_LE(hausdorff(found.loops, *surface, 0.5 * spacing), shape.tolerance * spacing);
+      if (shape.corners == 0)
+        continue;
+      EXPECT_EQ(found.loops[0].corners.size(), shape.corners);
+      for (const Eigen::Vector2d& corner : shape.outline) {
+        double nearest = 1e30;
+        for (const std::size_t c : found.loops[0].corners)
+          nearest = std::min(nearest, (found.loops[0].curve[c].head<2>() - corner).norm());
+        EXPECT_LE(nearest, 1.5 * spacing);
+      }
+    }
+}
+
+TEST(BoundaryLoops, SmoothRimWithinAFractionOfTheSpacing)
+{
+  const SurfacePtr surface = spheroidCap(165, 86);
+  const std::size_t points = 40000;
+  const double spacing = spacingOf(*surface, points);
+  for (const std::uint64_t seed : {11, 12, 13}) {
+    const Loops found = loopsOf(toCloud(sampleUniform(*surface, points, seed).points));
+    ASSERT_EQ(found.loops.size(), 1u);
+    EXPECT_TRUE(found.loops[0].corners.empty());
+    double mean = 0.0, most_inside = 0.0, most_outside = 0.0;
+    for (const Vector3d& p : found.loops[0].curve) {
+      const double inside = (surface->contains(p) ? 1.0 : -1.0) * surface->rimDistance(p) / spacing;
+      mean += inside / static_cast<double>(found.loops[0].curve.size());
+      most_inside = std::max(most_inside, inside);
+      most_outside = std::max(most_outside, -inside);
+    }
+    EXPECT_LE(std::abs(mean), 0.25);
+    EXPECT_LE(most_inside, 0.6);
+    EXPECT_LE(most_outside, 0.3);
+  }
+}
+
+TEST(BoundaryLoops, ScanLinesTenTimesDenserAlong)
+{
+  const SurfacePtr surface = flat(Region({rectangle(100, 100)}));
+  const Loops found = loopsOf(toCloud(sampleScanLines(*surface, 0.3, 3.0, 4).points));
+  ASSERT_TRUE(found.status.ok()) << found.status.message();
+  ASSERT_EQ(found.loops.size(), 1u);
+  EXPECT_LE(hausdorff(found.loops, *surface, 0.5), 1.75 * 3.0); // rows 3 apart; the first may lie a whole one inside
+}
+
+TEST(BoundaryLoops, NoiseAndJitter)
+{
+  const Shape square = shapes()[0];
+  const SurfacePtr surface = surfaceOf(square);
+  const double spacing = spacingOf(*surface, square.points);
+  for (const std::uint64_t seed : {5, 6, 7}) {
+    Sampled noisy = sampleUniform(*surface, square.points, seed), shaken = noisy;
+    addNoise(noisy, 0.3 * spacing, seed);
+    jitter(shaken, 0.3 * spacing, seed);
+    for (const Sampled* sampled : {&noisy, &shaken}) {
+      const Loops found = loopsOf(toCloud(sampled->points));
+      ASSERT_TRUE(found.status.ok()) << found.status.message();
+      ASSERT_EQ(found.loops.size(), 1u);
+      EXPECT_LE(hausdorff(found.loops, *surface, 0.5 * spacing), 1.5 * spacing);
+    }
+  }
+}
+
+TEST(BoundaryLoops, LatticeEdgeIsItsOutermostRow)
+{
+  Cloud::Ptr cloud(new Cloud);
+  for (int i = 0; i <= 60; ++i)
+    for (int j = 0; j <= 40; ++j)
+      cloud->emplace_back(static_cast<float>(i), static_cast<float>(j), 0.0f);
+  const Loops found = loopsOf(cloud);
+  ASSERT_EQ(found.loops.size(), 1u);
+  EXPECT_EQ(found.loops[0].corners.size(), 4u);
+  EXPECT_LE(farthest(found.loops[0].curve, {{0, 0, 0}, {60, 0, 0}, {60, 40, 0}, {0, 40, 0}}), 0.5);
+}
+
+TEST(BoundaryLoops, SameForAnyOrderAndMoved)
+{
+  const SurfacePtr surface = ellPatch();
+  const Sampled sampled = sampleUniform(*surface, 10000, 8);
+  const Loops first = loopsOf(toCloud(sampled.points));
+  ASSERT_EQ(first.loops.size(), 1u);
+  const std::vector<std::size_t> order = shuffled(sampled.points.size(), 9);
+  std::vector<Vector3d> mixed;
+  for (const std::size_t i : order)
+    mixed.push_back(sampled.points[i]);
+  const Loops second = loopsOf(toCloud(mixed));
+  ASSERT_EQ(second.loops.size(), 1u);
+  ASSERT_EQ(first.loops[0].curve.size(), second.loops[0].curve.size());
+  for (std::size_t i = 0; i < first.loops[0].curve.size(); ++i)
+    ASSERT_EQ(first.loops[0].curve[i], second.loops[0].curve[i]);
+  EXPECT_EQ(first.loops[0].indices[3], order[second.loops[0].indices[3]]);
+
+  const double angle = 0.7; // about an axis that leaves the outer side up
+  const Eigen::AngleAxisd turn(angle, Vector3d(0.2, -0.3, 1.0).normalized());
+  const Vector3d shift(12, -30, 45);
+  std::vector<Vector3d> moved;
+  for (const Vector3d& p : sampled.points)
+    moved.push_back(turn * p + shift);
+  const Loops third = loopsOf(toCloud(moved));
+  ASSERT_EQ(third.loops.size(), 1u);
+  Polyline back;
+  for (const Vector3d& p : third.loops[0].curve)
+    back.push_back(turn.inverse() * (p - shift));
+  EXPECT_LE(farthest(back, first.loops[0].curve), 5e-3);
+}
+
+TEST(BoundaryLoops, DropsWhatIsNoPoint)
+{
+  const SurfacePtr surface = flat(Region({rectangle(100, 100)}));
+  Cloud::Ptr cloud = toCloud(sampleUniform(*surface, 3000, 10).points);
+  const Loops clean = loopsOf(cloud);
+  const std::size_t points = cloud->size();
+  for (std::size_t i = 0; i < points; i += 10)
+    cloud->push_back((*cloud)[i]);
+  cloud->emplace_back(std::nanf(""), 0.0f, 0.0f);
+  const Loops found = loopsOf(cloud);
+  ASSERT_EQ(found.loops.size(), 1u);
+  EXPECT_EQ(found.loops[0].curve, clean.loops[0].curve);
+}
+
+TEST(BoundaryLoops, NormalsSayWhichSideIsOut)
+{
+  const SurfacePtr surface = flat(Region({rectangle(100, 100)}));
+  const Sampled sampled = sampleUniform(*surface, 3000, 10);
+  pcl::PointCloud<pcl::Normal>::Ptr down(new pcl::PointCloud<pcl::Normal>(3000, 1, pcl::Normal(0, 0, -1)));
+  BoundaryLoops<pcl::PointXYZ> boundary;
+  boundary.setInputCloud(toCloud(sampled.points));
+  const auto signedArea = [&] {
+    std::vector<BoundaryLoop> loops;
+    boundary.compute(loops);
+    double area = 0.0;
+    for (std::size_t i = 0; i < loops[0].curve.size(); ++i)
+      area += 0.5 * loops[0].curve[i].cross(loops[0].curve[(i + 1) % loops[0].curve.size()]).z();
+    return area;
+  };
+  EXPECT_NEAR(signedArea(), 10000.0, 150.0);
+  boundary.setInputNormals(down);
+  EXPECT_NEAR(signedArea(), -10000.0, 150.0);
+}
+
+TEST(BoundaryLoops, RefusesWithAReason)
+{
+  Random random(11);
+  std::vector<Vector3d> sphere, sheets;
+  for (int i = 0; i < 8000; ++i)
+    sphere.push_back(50.0 * Vector3d(random.normal(), random.normal(), random.normal()).normalized());
+  for (int i = 0; i < 8000; ++i)
+    sheets.emplace_back(random.uniform(0, 100), random.uniform(0, 100), i % 2 ? 0.0 : 40.0);
+  const Loops closed = loopsOf(toCloud(sphere)), parts = loopsOf(toCloud(sheets));
+  EXPECT_FALSE(closed.status.ok());
+  EXPECT_NE(closed.status.message().find("closed"), std::string::npos);
+  EXPECT_TRUE(closed.loops.empty());
+  EXPECT_FALSE(parts.status.ok());
+  EXPECT_NE(parts.status.message().find("2 separate parts"), std::string::npos) << parts.status.message();
+  EXPECT_FALSE(loopsOf(Cloud::Ptr(new Cloud)).status.ok());
+  std::vector<Vector3d> line;
+  for (int i = 0; i < 500; ++i)
+    line.emplace_back(0.1 * i, 0.0, 0.0);
+  EXPECT_FALSE(loopsOf(toCloud(line)).status.ok());
+}
+
+} // namespace
