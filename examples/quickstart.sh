@@ -20,10 +20,10 @@ case "${1:-}" in
 esac
 options=("$@")
 
-default() { # OPTION VALUE: adds it unless the user gave it
+default() { # OPTION VALUE: adds it unless the user gave it, or a job file that may hold it
   local given
   for given in ${options[@]+"${options[@]}"}; do
-    case "$given" in "$1" | "$1="*) return ;; esac
+    case "$given" in "$1" | "$1="* | --config | --config=*) return ;; esac
   done
   options+=("$1" "$2")
 }
