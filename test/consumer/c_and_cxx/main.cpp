@@ -1,4 +1,5 @@
 // Uses the classes with a point type of its own, from a project with C in it.
+#include <pcl_spiral/features/centroid_boundary_estimation.h>
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
 
 #include <pcl/point_cloud.h>
@@ -13,40 +14,78 @@ struct EIGEN_ALIGN16 ScannerPoint {
   float confidence;
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
-POINT_CLOUD_REGISTER_POINT_STRUCT(ScannerPoint, (float, x, x)(float, y, y)(float, z, z)(float, confidence, confidence))
+POINT_CLOUD_REGISTER_POINT_STRUCT(ScannerPoint,
+                                  (float, x, x)(float, y, y)(float, z, z)(float, confidence, confidence))
 
-extern "C" double
-metres_to_millimetres(double metres);
+extern "C" double metres_to_millimetres(double metres);
 
-/** A dome of 0.08 m radius, its points on a sunflower. */
+/** A dome of 0.08 m radius about the origin, its points on a sunflower. */
 pcl::PointCloud<ScannerPoint>::Ptr
-scanOfDome(int count)
+scanOfDome(int count, double rim)
 {
   const double radius = metres_to_millimetres(0.08);
   pcl::PointCloud<ScannerPoint>::Ptr cloud(new pcl::PointCloud<ScannerPoint>);
   for (int i = 0; i < count; ++i) {
-    const double r = 0.6 * radius * std::sqrt((i + 0.5) / count), angle = 2.399963229728653 * i;
+    const double r = rim * std::sqrt((i + 0.5) / count), angle = 2.399963229728653 * i;
     ScannerPoint point;
     point.getVector3fMap() =
-        Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), std::sqrt(radius * radius - r * r)).cast<float>();
+        Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), std::sqrt(radius * radius - r * r))
+            .cast<float>();
     point.confidence = 1.0f;
     cloud->push_back(point);
   }
   return cloud;
 }
 
+/** Every edge both ways, and as many as on a surface. */
+bool
+graphIsRight(const pcl::PointCloud<ScannerPoint>::Ptr& cloud)
+{
+  pcl_spiral::EllipticGabrielGraph<ScannerPoint> egg;
+  egg.setInputCloud(cloud);
+  pcl_spiral::NeighbourLists graph;
+  egg.compute(graph);
+  if (!egg.getStatus().ok())
+    return false;
+  bool symmetric = true;
+  for (std::uint32_t i = 0; i < graph.size(); ++i)
+    for (const std::uint32_t j : graph[i])
+      symmetric = symmetric && graph.contains(j, i);
+  const double degree = 2.0 * graph.edgeCount() / graph.size();
+  std::cout << "c_and_cxx: mean degree " << degree << " on points of our own\n";
+  return symmetric && degree > 4 && degree < 8;
+}
+
+/** Boundary points at the rim alone, all around. */
+bool
+boundaryIsRight(const pcl::PointCloud<ScannerPoint>::Ptr& cloud, double rim)
+{
+  pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
+  for (const ScannerPoint& point : *cloud) {
+    const Eigen::Vector3f n = point.getVector3fMap().normalized();
+    normals->emplace_back(n.x(), n.y(), n.z());
+  }
+  pcl_spiral::CentroidBoundaryEstimation<ScannerPoint, pcl::Normal> estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setInputNormals(normals);
+  estimation.setKSearch(32);
+  pcl::PointCloud<pcl::Boundary> boundary;
+  estimation.compute(boundary);
+  const double spacing = rim * std::sqrt(M_PI / cloud->size());
+  std::size_t found = 0, inside = 0;
+  for (std::size_t i = 0; i < boundary.size(); ++i)
+    if (boundary[i].boundary_point) {
+      found += 1;
+      inside += std::hypot((*cloud)[i].x, (*cloud)[i].y) < rim - 3 * spacing;
+    }
+  std::cout << "c_and_cxx: " << found << " boundary points, " << inside << " of them inside\n";
+  return found > 2 * M_PI * rim / spacing / 2 && inside == 0;
+}
+
 int
 main()
 {
-  pcl_spiral::EllipticGabrielGraph<ScannerPoint> egg;
-  egg.setInputCloud(scanOfDome(5000));
-  pcl_spiral::NeighbourLists graph;
-  egg.compute(graph);
-  if (!egg.getStatus().ok()) {
-    std::cerr << egg.getStatus().message() << '\n';
-    return 1;
-  }
-  const double degree = 2.0 * graph.edgeCount() / graph.size();
-  std::cout << "c_and_cxx: mean degree " << degree << " on points of our own\n";
-  return degree > 4 && degree < 8 ? 0 : 1;
+  const double rim = 48;
+  const auto cloud = scanOfDome(5000, rim);
+  return graphIsRight(cloud) && boundaryIsRight(cloud, rim) ? 0 : 1;
 }
