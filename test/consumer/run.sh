@@ -28,11 +28,18 @@ make_by_pkg_config() { # NAME PREFIX: the same source as NAME, by pkg-config and
     "'-Wl,-rpath,\$ORIGIN/../lib'"
 }
 
+run_toolpath() { # PROGRAM: the README's program makes a path of the simulated scan
+  rm -f "$scratch/path.csv"
+  "$1" "$scratch/dome.pcd" "$scratch/path.csv" 2>"$scratch/log" || { cat "$scratch/log"; fail "'$1' fails"; }
+  [ "$(wc -l <"$scratch/path.csv")" -gt 1000 ] || fail "'$1' wrote no path"
+}
+
 run_all() { # PREFIX
-  for program in cxx_only c_and_cxx by_pkg_config; do
-    "$1/bin/$program" "$scratch" || fail "$program fails in '$1'"
-  done
-  "$1/bin/example_step_over" 10 0.05 >/dev/null || fail "the installed example fails in '$1'"
+  "$1/bin/pcl_spiral_simulate_scan" -o "$scratch/dome.pcd" --line-spacing 4 --point-spacing 3 ||
+    fail "the installed program fails in '$1'"
+  run_toolpath "$1/bin/cxx_only"
+  run_toolpath "$1/bin/by_pkg_config"
+  "$1/bin/c_and_cxx" || fail "c_and_cxx fails in '$1'"
 }
 
 cmake --install "$build" --prefix "$first" >/dev/null
@@ -51,4 +58,4 @@ said=$(grep -rlF -e "$first" "$second" || true)
 said=$(grep -rlFI -e "$build" "$second" || true)
 [ -z "$said" ] || fail "these installed files know the build folder: $said"
 make_program cxx_only "$second" "$scratch/cxx_only_again"
-"$second/bin/cxx_only" "$scratch" || fail "cxx_only, made against the moved installation, fails"
+run_toolpath "$second/bin/cxx_only"

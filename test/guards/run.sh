@@ -1,10 +1,14 @@
 #!/usr/bin/env bash
-# The guards pass the project's own tree and find every fault planted in a copy of it.
+# The guards pass the project's own tree and find every fault planted in a copy of it; README's program is the one
+# that the consumer test builds and runs.
 # Usage: run.sh SOURCE_DIR
 set -euo pipefail
 source_dir=$1
 guards=$source_dir/cmake/guards.sh
 bash "$guards" "$source_dir"
+
+diff <(sed -n '/^```cpp$/,/^```$/ { /^```/d; p }' "$source_dir/README.md") "$source_dir/test/consumer/cxx_only/main.cpp" ||
+  { echo "README's program differs from test/consumer/cxx_only/main.cpp" >&2; exit 1; }
 
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
