@@ -105,29 +105,57 @@ SpiralCurve::turnKnots(std::size_t turn) const
 }
 
 std::vector<SpiralCurve::Knot>
-SpiralCurve::loopKnots(const ClosedLoop& loop, double first_turn, bool at_rim) const
+SpiralCurve::loopKnots(const ClosedLoop& loop, double turn, bool at_rim) const
 {
-  std::vector<Knot> knots;
-  const std::size_t m = loop.points.size(), n = lines_.size();
+  const std::size_t m = loop.points.size();
   const std::vector<double> s = arcLengths(loop.points, true);
   std::vector<std::uint8_t> corner(m, 0);
   for (const std::size_t c : loop.corners)
     corner[c] = 1;
   const bool clockwise = settings_.sense == SpiralSense::Clockwise;
-  std::size_t line = 0;
+  std::vector<Knot> knots;
   for (std::size_t step = 0; step <= m; ++step) {
     const std::size_t k = clockwise ? (m - step) % m : step % m;
-    const double share = (clockwise && step > 0 ? s[k] : step == m ? s[m] : s[k]) / s[m];
-    while (!clockwise && line + 1 < n && lines_[line + 1].rim_share <= share)
-      ++line;
-    if (clockwise)
-      line = std::upper_bound(lines_.begin(), lines_.end(), share,
-                              [](double v, const RadialLine& l) { return v < l.rim_share; }) -
-             lines_.begin() - 1;
-    const double along = at_rim ? lines_[line].length() : 0.0;
-    const double turned = step == m ? 1.0 : clockwise && step > 0 ? 1.0 - share : share;
-    knots.push_back({loop.points[k], first_turn + turned, turns_.feedStepAt(line, along),
+    const double gone = step == m ? 1.0 : clockwise && step > 0 ? 1.0 - s[k] / s[m] : s[k] / s[m];
+    const double share = clockwise ? 1.0 - gone : gone; // place on the loop, as lines count it
+    const auto after = std::upper_bound(lines_.begin(), lines_.end(), share,
+                                        [](double v, const RadialLine& line) { return v < line.rim_share; });
+    const std::size_t line = static_cast<std::size_t>(after - lines_.begin()) - 1;
+    knots.push_back({loop.points[k], turn + gone, turns_.feedStepAt(line, at_rim ? lines_[line].length() : 0.0),
                      corner[k] != 0 || step == 0 || step == m});
+  }
+  return knots;
+}
+
+std::vector<SpiralCurve::Knot>
+SpiralCurve::turnBesideLoop(const ClosedLoop& loop, std::size_t turn, bool at_rim) const
+{
+  // Where each line, and line 0 again at the turn's end, stands off the loop.
+  struct Offset {
+    double gone; ///< share of the turn
+    Eigen::Vector3d by;
+  };
+  const std::size_t n = lines_.size();
+  const bool clockwise = settings_.sense == SpiralSense::Clockwise;
+  std::vector<Offset> offsets;
+  for (std::size_t step = 0; step <= n; ++step) {
+    const std::size_t i = clockwise ? (n - step) % n : step % n;
+    const double gone = step == 0   ? 0.0
+                        : step == n ? 1.0
+                        : clockwise ? 1.0 - lines_[i].rim_share
+                                    : lines_[i].rim_share;
+    const double along = turns_.arcLengthAt(i, static_cast<double>(turn) + gone);
+    offsets.push_back({gone, lines_[i].curve.positionAt(along) -
+                                 lines_[i].curve.positionAt(at_rim ? lines_[i].length() : 0.0)});
+  }
+  std::vector<Knot> knots = loopKnots(loop, static_cast<double>(turn), at_rim);
+  std::size_t j = 0;
+  for (Knot& knot : knots) {
+    const double gone = knot.turn - static_cast<double>(turn);
+    while (j + 2 < offsets.size() && offsets[j + 1].gone <= gone)
+      ++j;
+    const double f = std::clamp((gone - offsets[j].gone) / (offsets[j + 1].gone - offsets[j].gone), 0.0, 1.0);
+    knot.position += (1.0 - f) * offsets[j].by + f * offsets[j + 1].by;
   }
   return knots;
 }
@@ -136,17 +164,19 @@ std::vector<SpiralCurve::Knot>
 SpiralCurve::knots() const
 {
   const auto count = static_cast<std::int64_t>(turns_.turns());
+  const bool two = !inner_.points.empty();
   std::vector<std::vector<Knot>> parts(count + 2);
-  const double before = inner_.points.empty() ? 0.0 : 1.0;
-  if (!inner_.points.empty())
-    parts.front() = loopKnots(inner_, 0.0, false);
+  if (two)
+    parts.front() = loopKnots(inner_, -1.0, false);
 #pragma omp parallel for schedule(dynamic, 4)
-  for (std::int64_t j = 0; j < count; ++j) {
+  for (std::int64_t j = 0; j < count; ++j)
     parts[j + 1] = turnKnots(j);
-    for (Knot& knot : parts[j + 1])
-      knot.turn += before;
-  }
-  parts.back() = loopKnots(rim_, static_cast<double>(count) + before, true);
+  // The turns next to a loop follow it, so that they cannot cross it however close they come.
+  if (two)
+    parts[1] = turnBesideLoop(inner_, 0, false);
+  if (count > 1)
+    parts[count] = turnBesideLoop(rim_, count - 1, true);
+  parts.back() = loopKnots(rim_, static_cast<double>(count), true);
   std::vector<Knot> all;
   for (auto& part : parts) {
     for (const Knot& knot : part) {
@@ -156,6 +186,7 @@ SpiralCurve::knots() const
         continue;
       }
       all.push_back(knot);
+      all.back().turn += two ? 1.0 : 0.0;
     }
     std::vector<Knot>().swap(part);
   }

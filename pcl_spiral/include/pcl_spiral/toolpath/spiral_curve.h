@@ -52,7 +52,8 @@ private:
   void findActiveShares();
   std::vector<Knot> knots() const;
   std::vector<Knot> turnKnots(std::size_t turn) const;
-  std::vector<Knot> loopKnots(const ClosedLoop& loop, double first_turn, bool at_rim) const;
+  std::vector<Knot> loopKnots(const ClosedLoop& loop, double turn, bool at_rim) const;
+  std::vector<Knot> turnBesideLoop(const ClosedLoop& loop, std::size_t turn, bool at_rim) const;
   std::vector<Eigen::Vector3d> tangents(const std::vector<Knot>& knots, bool after_corner) const;
 
   const std::vector<RadialLine>& lines_;
