@@ -234,7 +234,7 @@ linesByMethod(const RadialLineRequest& request, const Eigen::Vector3d& centre, b
     std::vector<std::uint8_t> gap_settled(places.size(), 0);
     for (std::size_t a = 0; a < wanted.size(); ++a) {
       const double error = surprise(lines, places, rim.length(), gap[a], wanted[a].s, added[a]);
-      gap_settled[gap[a]] = error <= 4.0 * request.tolerance; // halving a gap divides a cubic's error by sixteen
+      gap_settled[gap[a]] = error <= request.tolerance;
       worst = std::max(worst, error / 16.0);
       if (error > jump) {
         jump = error;
