@@ -332,7 +332,7 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
       return {status.code(), status.message() + "; harmonic lines cope with such outlines"};
   }
   if (!request.inner && !request.centre)
-    centre = deepestPoint(request.surface, request.rim.curve);
+    centre = deepestPoint(request.surface, request.rim.points);
   if (!centre)
     return {StatusCode::Failed, "no centre was found on the surface: give one"};
   const Status status = linesByMethod(request, *centre, true, set);
