@@ -133,6 +133,30 @@ TEST(MlsSurface, PublishedMethodHasItsKnownBias)
   EXPECT_NEAR(mean, -2.0 / radius * h * h / 4.0, 0.1 * 2.0 / radius * h * h / 4.0);
 }
 
+TEST(MlsSurface, ScanLinesFarApart)
+{
+  const double radius = 200.0;
+  std::vector<Eigen::Vector3f> points;
+  for (double y = -80.0; y <= 80.0; y += 4.0)
+    for (double x = -80.0; x <= 80.0; x += 0.4)
+      points.push_back(Vector3d(x, y, std::sqrt(radius * radius - x * x - y * y)).cast<float>());
+  const auto graph = graphOf(points);
+  const pcl_spiral::MlsSurface surface(graph);
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> u(-70.0, 70.0);
+  std::vector<Vector3d> queries(3000);
+  for (auto& q : queries) {
+    const double x = u(random), y = u(random);
+    q = Vector3d(x, y, std::sqrt(radius * radius - x * x - y * y));
+  }
+  std::vector<pcl_spiral::SurfaceFoot> feet;
+  surface.project(queries, feet);
+  for (const auto& foot : feet) {
+    ASSERT_TRUE(foot.valid);
+    EXPECT_NEAR(foot.position.norm(), radius, 1e-3);
+  }
+}
+
 TEST(MlsSurface, SameBytesForAnyThreads)
 {
   const auto graph = graphOf(cap(20000, 100.0, 0.01, 6));

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double arrival = 2.5;      // in spacings: from here straight to the source
 constexpr double kernel_reach = 2.0; // in local spacings, of the gradient's smoothing
-constexpr double too_far_off = 1.5;  // in local spacings, from the nearest point: off the surface
+constexpr double too_far_off = 0.75; // of that reach, from the nearest point: off the surface
 constexpr int patience = 4;          // steps without getting lower
 
 Eigen::Vector3d
@@ -19,6 +19,17 @@ nearestOnSegment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen
   const Eigen::Vector3d along = b - a;
   const double squared = along.squaredNorm();
   return squared > 0.0 ? Eigen::Vector3d(a + std::min(1.0, std::max(0.0, (x - a).dot(along) / squared)) * along) : a;
+}
+
+/** How far about point \p v positions belong to it: the farthest neighbour where scan lines lie far apart. */
+double
+reachAbout(const SurfaceGraph& graph, std::uint32_t v)
+{
+  const Eigen::Vector3d x = graph.position(v);
+  double squared = std::pow(kernel_reach * graph.spacing(v), 2);
+  forNeighbours(graph.triangulation(), v,
+                [&](std::uint32_t j) { squared = std::max(squared, (graph.position(j) - x).squaredNorm()); });
+  return std::sqrt(squared);
 }
 
 } // namespace
@@ -64,7 +75,7 @@ DistanceField::smoothGradient(Place& place) const
       }
     });
   }
-  const double reach = kernel_reach * graph_->spacing(place.point);
+  const double reach = reachAbout(*graph_, place.point);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   const auto add = [&](std::uint32_t j) {
     const double inside = 1.0 - (graph_->position(j) - place.x).squaredNorm() / (reach * reach);
@@ -94,7 +105,7 @@ DistanceField::step(Place& place) const
   smoothGradient(place);
   const Eigen::Vector3d normal = graph_->normal(place.point);
   place.x -= normal * normal.dot(place.x - graph_->position(place.point));
-  return (place.x - graph_->position(place.point)).norm() < too_far_off * graph_->spacing(place.point);
+  return (place.x - graph_->position(place.point)).norm() < too_far_off * reachAbout(*graph_, place.point);
 }
 
 std::uint32_t

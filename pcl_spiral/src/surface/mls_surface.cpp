@@ -134,6 +134,7 @@ MlsSurface::chooseNeighbours()
   }
   std::vector<std::uint32_t> which(sample.size());
   std::iota(which.begin(), which.end(), 0u);
+  std::size_t determined = 0; // fits at the sample, last time
   const auto scatter = [&](int k) {
     std::vector<SurfaceFoot> feet(sample.size());
     for (std::size_t i = 0; i < sample.size(); ++i)
@@ -146,6 +147,7 @@ MlsSurface::chooseNeighbours()
         squares += foot.residual * foot.residual;
         ++count;
       }
+    determined = count;
     return count ? squares / static_cast<double>(count) : 0.0;
   };
   const auto limit = static_cast<int>(graph_.size());
@@ -156,6 +158,11 @@ MlsSurface::chooseNeighbours()
   }
   neighbours_ = std::min(std::max(fewest_neighbours, graph_.neighbours()), limit);
   double variance = scatter(neighbours_);
+  // Scan lines far apart: a fit to one line and a half does not know the slope across.
+  while (1000 * determined < 999 * sample.size() && 2 * neighbours_ <= std::min(most_neighbours, limit)) {
+    neighbours_ *= 2;
+    variance = scatter(neighbours_);
+  }
   noise_ = std::sqrt(variance);
   // Rounding to single precision is no noise worth averaging.
   double magnitude = 0.0;

@@ -44,7 +44,8 @@ enum class ProjectionMethod {
 /** Projects points onto the surface of a graph. Cheap to make; the graph must outlive it. */
 class MlsSurface {
 public:
-  /** \p neighbours in one fit; 0: as many as the noise asks for and the curvature allows (32 to 256). */
+  /** \p neighbours in one fit; 0: as many as the noise asks for and the curvature allows (32 to 256),
+   *  and as a fit needs that spans several scan lines. */
   explicit MlsSurface(const SurfaceGraph& graph, int neighbours = 0,
                       ProjectionMethod method = ProjectionMethod::Quadratic);
 
