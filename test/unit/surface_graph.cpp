@@ -165,6 +165,23 @@ TEST(SurfaceGraph, SameForAnyOrderAndThreads)
     ASSERT_EQ(first.normals()[i], second.normals()[i]);
 }
 
+/** A closed fan about point 0 and one triangle more on a spoke: three triangles meet there. */
+TEST(Triangulation, LoopsEndWhereThreeTrianglesShareAnEdge)
+{
+  const pcl_spiral::Triangulation mesh(5, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 4}});
+  std::size_t boundary = 0, in_loops = 0;
+  for (std::uint32_t h = 0; h < mesh.halfEdgeCount(); ++h) {
+    const std::uint32_t other = mesh.opposite(h);
+    boundary += other == pcl_spiral::Triangulation::none;
+    if (other != pcl_spiral::Triangulation::none) {
+      EXPECT_EQ(mesh.opposite(other), h);
+    }
+  }
+  for (const auto& loop : mesh.boundaryLoops())
+    in_loops += loop.size();
+  EXPECT_EQ(in_loops, boundary);
+}
+
 TEST(SurfaceGraph, RefusesTooFewAndCoincident)
 {
   SurfaceGraph graph;

@@ -18,7 +18,7 @@ Triangulation::Triangulation(std::size_t point_count, std::vector<Triangle> tria
   for (std::uint32_t h = 0; h < halfEdgeCount(); ++h)
     outgoing_[place[origin(h)]++] = h;
 
-  opposite_.assign(halfEdgeCount(), none);
+  std::vector<std::uint32_t> facing(halfEdgeCount(), none);
   const auto count = static_cast<std::int64_t>(halfEdgeCount());
 #pragma omp parallel for schedule(static)
   for (std::int64_t i = 0; i < count; ++i) {
@@ -26,8 +26,15 @@ Triangulation::Triangulation(std::size_t point_count, std::vector<Triangle> tria
     const std::uint32_t from = origin(h), to = target(h);
     for (std::uint32_t k = outgoing_begin_[to]; k < outgoing_begin_[to + 1]; ++k)
       if (target(outgoing_[k]) == from)
-        opposite_[h] = outgoing_[k];
+        facing[h] = outgoing_[k];
   }
+  // Where more than two triangles meet in an edge only a pair that faces each other is joined: then every turn about a
+  // point ends.
+  opposite_.assign(halfEdgeCount(), none);
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i)
+    if (facing[i] != none && facing[facing[i]] == static_cast<std::uint32_t>(i))
+      opposite_[i] = facing[i];
 }
 
 std::vector<std::vector<std::uint32_t>>
