@@ -3,6 +3,7 @@
 #include <pcl_spiral/core/bspline_fit.h>
 #include <pcl_spiral/geodesic/geodesic_refinement.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace pcl_spiral {
@@ -76,7 +77,11 @@ LineSource::refine(std::vector<Polyline>& traces, std::vector<RadialLine>& lines
   std::vector<GeodesicLine> geodesics(traces.size());
   for (std::size_t i = 0; i < traces.size(); ++i)
     geodesics[i].points = std::move(traces[i]);
-  refineGeodesics(request_.surface, RefinementOptions(), geodesics);
+  RefinementOptions options;
+  options.levels = {32, static_cast<int>(stations) - 1};
+  options.max_iterations = 6;
+  options.tolerance = std::max(options.tolerance, 0.05 * request_.tolerance);
+  refineGeodesics(request_.surface, options, geodesics);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (geodesics[i].left_surface)
       return failedAt(geodesics[i].left_at, "the shortest line leaves the surface");

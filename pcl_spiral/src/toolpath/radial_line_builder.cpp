@@ -261,7 +261,7 @@ linesByMethod(const RadialLineRequest& request, const Eigen::Vector3d& centre, b
     lines.swap(all_lines);
     settled.swap(all_settled);
   }
-  if (jump > largest_jump * spacing) {
+  if (!harmonic && jump > largest_jump * spacing) { // behind a hill the shortest way jumps from one side to the other
     std::ostringstream message;
     message << "neighbouring radial lines jump by " << jump << " mm about (" << jump_place.transpose() << ")";
     return {StatusCode::Failed, message.str()};
