@@ -31,6 +31,10 @@ judgeBadInput(const Options& options);
 int
 judgeLoops(const Options& options);
 
+/** Geodesics on the spheroid against the published distances and the exact curves. */
+int
+judgeGeodesics(const Options& options);
+
 /** The whole free-form run beside PCL's own filters on the same cloud and threads. */
 int judgeTime(const Options& options);
 

@@ -22,6 +22,7 @@ cases()
   }
   all["bowl_refusal"] = judgeRefusal;
   all["bad_input"] = judgeBadInput;
+  all["geodesics"] = judgeGeodesics;
   all["loops"] = judgeLoops;
   all["time"] = judgeTime;
   return all;
