@@ -233,6 +233,14 @@ TEST(ToolpathFiles, AFullDiskIsAnError)
   // not the VTP: VTK's writer removes the file it could not write
 }
 
+TEST(ToolpathFiles, APathWithoutPointsIsRefused)
+{
+  const ScratchFolder folder;
+  for (const std::string& extension : toolpathExtensions())
+    EXPECT_THROW(writeToolpath(folder.path("a" + extension), {}, motion), FileError);
+  EXPECT_EQ(folder.count(), 0U);
+}
+
 TEST(ToolpathFiles, ReaderSaysWhatIsMissing)
 {
   const ScratchFolder folder;

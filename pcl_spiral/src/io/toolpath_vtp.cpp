@@ -65,6 +65,8 @@ void
 writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
                  const ToolpathMotion& motion)
 {
+  if (path.empty()) // VTK cannot hold a line without points
+    throw FileError(file, "not written: the path has no points");
   const QuietVtk quiet;
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(file.c_str());

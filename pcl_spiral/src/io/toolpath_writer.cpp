@@ -16,6 +16,8 @@ void
 writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
               const ToolpathMotion& motion)
 {
+  if (path.empty())
+    throw FileError(file, "not written: the path has no points");
   const std::string extension = lowerExtension(file);
   if (extension == ".csv")
     writeToolpathCSV(file, path, motion);

@@ -107,6 +107,16 @@ Canvas::onScreen(const Eigen::Vector3d& place) const
 }
 
 void
+Canvas::addOver(vtkActor* actor)
+{
+  // The view is parallel, so this moves nothing on the screen.
+  const double lift = std::max(0.7 * surface_.spacing, 0.004 * (surface_.high - surface_.low).norm());
+  const Eigen::Vector3d shift = lift * right_.cross(top_);
+  actor->SetPosition(shift.x(), shift.y(), shift.z());
+  view_->AddActor(actor);
+}
+
+void
 Canvas::addTitle(const std::string& first, const std::string& second)
 {
   addText(view_, first, 30, height - 50, 30, true);

@@ -50,6 +50,8 @@ public:
   double millimetresPerPixel() const;
 
   void addTitle(const std::string& first, const std::string& second);
+  /** Draw what lies on the surface: nearer to the viewer by what the drawn surface may stand out. */
+  void addOver(vtkActor* actor);
   /** Edges of the bounding box with numbers in mm. */
   void addAxes();
   void addLegend(const std::vector<LegendEntry>& entries);

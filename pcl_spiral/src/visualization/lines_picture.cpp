@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_lines = 150; ///< more would run together
 constexpr Color outer_color{0.80, 0.11, 0.13}, inner_color{0.93, 0.48, 0.05}, gap_color{0.75, 0.15, 0.70};
-constexpr Color line_color{0.05, 0.05, 0.08}, centre_color{0.85, 0.05, 0.05};
+constexpr Color line_color{0.05, 0.05, 0.08}, centre_color{0.10, 0.30, 0.90};
 
 /** The cloud's points coloured by height, in a size that leaves gaps between them. */
 vtkSmartPointer<vtkActor>
@@ -56,7 +56,7 @@ addLoops(Canvas& canvas, const SpiralReport& report, std::vector<LegendEntry>& l
     const std::vector<Polyline> loops = curves(report, type);
     if (loops.empty())
       return;
-    canvas.view()->AddActor(lineActor(loops, true, color, 4.0f));
+    canvas.addOver(lineActor(loops, true, color, 4.0f));
     double longest = 0.0;
     for (const Polyline& loop : loops)
       longest = std::max(longest, length(loop, true));
@@ -77,7 +77,7 @@ addLines(Canvas& canvas, const SpiralReport& report, std::vector<LegendEntry>& l
   std::vector<Polyline> shown;
   for (std::size_t i = 0; i < report.radial_lines.size(); i += every)
     shown.push_back(report.radial_lines[i]);
-  canvas.view()->AddActor(lineActor(shown, false, line_color, 1.3f));
+  canvas.addOver(lineActor(shown, false, line_color, 1.3f));
   legend.push_back({std::to_string(report.radial_lines.size()) + " radial lines" +
                         (every > 1 ? ", one in " + std::to_string(every) + " drawn" : ""),
                     line_color});
@@ -100,7 +100,7 @@ SpiralPictures::writeLines(const std::string& file) const
   addLoops(canvas, scene.report, legend);
   addLines(canvas, scene.report, legend);
   if (scene.report.boundaries == 1) {
-    canvas.view()->AddActor(ballActor(scene.report.centre, 6.0 * canvas.millimetresPerPixel(), centre_color));
+    canvas.addOver(ballActor(scene.report.centre, 6.0 * canvas.millimetresPerPixel(), centre_color));
     legend.push_back({"centre", centre_color});
   }
   canvas.addAxes();

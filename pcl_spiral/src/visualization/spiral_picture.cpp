@@ -123,10 +123,10 @@ SpiralPictures::writeSpiral(const std::string& file) const
       std::max(1, static_cast<int>(std::ceil(least_pitch * pixel / std::max(meanPitch(report), 1e-9))));
   const auto colors = colorScale(0.0, static_cast<double>(report.turns));
   canvas.view()->AddActor(surfaceActor(surface, surface_color));
-  canvas.view()->AddActor(pathActor(*scene.path, every, pixel + 0.3 * surface.spacing, colors, 1.6f));
+  canvas.addOver(pathActor(*scene.path, every, 0.0, colors, 1.6f));
   const auto place = [](const ToolpathPoint& point) { return point.getVector3fMap().cast<double>().eval(); };
-  canvas.view()->AddActor(ballActor(place(scene.path->front()), 6.0 * pixel, start_color));
-  canvas.view()->AddActor(ballActor(place(scene.path->back()), 6.0 * pixel, end_color));
+  canvas.addOver(ballActor(place(scene.path->front()), 6.0 * pixel, start_color));
+  canvas.addOver(ballActor(place(scene.path->back()), 6.0 * pixel, end_color));
   canvas.addAxes();
   canvas.addLegend({{every > 1 ? "spiral, one turn in " + std::to_string(every) + " drawn" : "spiral",
                      {0.128, 0.567, 0.551}},

@@ -1,0 +1,143 @@
+// From a scan to toolpath files: the main program.
+#include "toolpath/command_line.h"
+#include "toolpath/console.h"
+#include "toolpath/job_check.h"
+
+#include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/output_files.h>
+#include <pcl_spiral/io/report_writer.h>
+#include <pcl_spiral/io/toolpath_writer.h>
+#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/visualization/pictures.h>
+
+#include <pcl/console/print.h>
+
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+
+using namespace pcl_spiral;
+
+namespace {
+
+constexpr int failed_on_data = 1;
+constexpr int bad_usage = 2;
+
+class Cancelled : public std::runtime_error {
+public:
+  Cancelled() : std::runtime_error("cancelled; no output has been written") {}
+};
+
+/** All that a run came to. */
+struct Result {
+  Scan scan;
+  pcl::PointCloud<ToolpathPoint>::Ptr path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
+  SpiralReport report;
+};
+
+void
+warn(const Job& job, const std::vector<std::string>& warnings)
+{
+  if (!job.quiet)
+    for (const std::string& warning : warnings)
+      std::cerr << "pcl_spiral_toolpath: warning: " << warning << '\n';
+}
+
+Result
+compute(const Job& job)
+{
+  ProgressBar bar(job.quiet);
+  bar.update(0.0, "reading " + job.scan);
+  Result result;
+  result.scan = readCloud(job.scan, job.read);
+  if (cancelled())
+    throw Cancelled();
+  SpiralToolpathGenerator<pcl::PointXYZ> generator;
+  generator.setInputCloud(result.scan.cloud);
+  generator.setSettings(job.settings);
+  generator.setProgressCallback(
+      [&bar](double share, const std::string& stage) { return bar.update(share, stage); });
+  generator.compute(*result.path);
+  bar.clear();
+  const Status& status = generator.getStatus();
+  if (status.code() == StatusCode::Cancelled || cancelled())
+    throw Cancelled();
+  if (status.code() == StatusCode::InvalidArgument)
+    throw UsageError(status.message());
+  if (!status.ok())
+    throw FileError(job.scan, status.message());
+  result.report = generator.getReport();
+  return result;
+}
+
+void
+write(const Job& job, const Result& result, OutputFiles& files)
+{
+  const ToolpathMotion motion{job.settings.tool_radius, job.settings.feed};
+  const std::string title = std::filesystem::path(job.scan).filename().string();
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string extension = extensionOf(files.path(i));
+    if (extension == ".json")
+      writeReportJSON(files.temporary(i),
+                      {job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings},
+                      job.settings, result.report);
+    else if (extension == ".png") {
+      const SpiralPictures pictures({title, result.scan.cloud, result.path, job.settings, result.report});
+      pictures.writeSpiral(files.temporary(i));
+      pictures.writeLines(files.temporary(++i));
+    }
+    else
+      writeToolpath(files.temporary(i), *result.path, motion);
+    if (cancelled())
+      throw Cancelled();
+  }
+  files.commit();
+}
+
+void
+run(const Job& job)
+{
+  const auto start = std::chrono::steady_clock::now();
+  checkJob(job);
+  OutputFiles files(filesOf(job));
+  for (const std::string& output : job.outputs)
+    if (extensionOf(output) == ".png" && !displayProblem().empty())
+      throw FileError(output, displayProblem());
+  if (!job.verbose)
+    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
+  const Result result = compute(job);
+  warn(job, result.scan.warnings);
+  warn(job, result.report.warnings);
+  write(job, result, files);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  if (!job.quiet)
+    printSummary(job, result.report, seconds.count());
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  catchSignals();
+  try {
+    const Job job = parseCommandLine(argc, argv);
+    if (job.help)
+      printHelp(std::cout);
+    else if (job.version)
+      std::cout << "pcl_spiral_toolpath " PCL_SPIRAL_VERSION "\n";
+    else
+      run(job);
+    return 0;
+  }
+  catch (const UsageError& error) {
+    std::cerr << "pcl_spiral_toolpath: " << error.what()
+              << "\npcl_spiral_toolpath --help lists the options\n";
+    return bad_usage;
+  }
+  catch (const std::exception& error) {
+    std::cerr << "pcl_spiral_toolpath: " << error.what() << '\n';
+    return failed_on_data;
+  }
+}

@@ -1,0 +1,29 @@
+/** \file
+ *  What one run of pcl_spiral_toolpath is asked to do.
+ */
+#pragma once
+
+#include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/toolpath/spiral_settings.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/** A run as the user described it. */
+struct Job {
+  std::string scan;
+  std::vector<std::string> outputs;
+  pcl_spiral::ReadOptions read;
+  pcl_spiral::SpiralSettings settings;
+  bool verbose = false;
+  bool quiet = false;
+  bool help = false;
+  bool version = false;
+};
+
+/** A call that cannot be meant; the message names the option, the value and the remedy. */
+class UsageError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};

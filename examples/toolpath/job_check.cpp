@@ -1,0 +1,117 @@
+#include "job_check.h"
+
+#include <pcl_spiral/io/toolpath_writer.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string
+text(double value)
+{
+  std::ostringstream stream;
+  stream << value;
+  return stream.str();
+}
+
+void
+require(bool holds, const std::string& option, double value, const std::string& rule)
+{
+  if (!holds)
+    throw UsageError("--" + option + " " + text(value) + ": " + rule);
+}
+
+void
+checkCutter(const pcl_spiral::SpiralSettings& s)
+{
+  require(s.tool_radius != 0.0, "tool-radius", 0.0,
+          "the radius of the ball cutter is needed, such as --tool-radius 10");
+  require(s.tool_radius > 0.0, "tool-radius", s.tool_radius, "must be above 0 mm");
+  require(s.scallop_height > 0.0, "scallop", s.scallop_height,
+          "a height above 0 mm is needed, such as --scallop 0.05");
+  require(s.scallop_height < s.tool_radius, "scallop", s.scallop_height,
+          "must be below the tool radius, which is " + text(s.tool_radius) +
+              " mm; usual is a hundredth of it");
+  require(s.chord_error > 0.0, "chord-error", s.chord_error, "must be above 0 mm, such as 0.005");
+  require(s.chord_error < s.tool_radius, "chord-error", s.chord_error,
+          "must be below the tool radius, which is " + text(s.tool_radius) + " mm");
+  require(s.max_step >= 0.0, "max-step", s.max_step, "must be above 0 mm, or 0 for the tool radius");
+  require(std::abs(s.tilt_angle) < 90.0, "tilt", s.tilt_angle, "must lie between -90 and 90 degrees");
+  require(std::abs(s.lead_angle) < 90.0, "lead", s.lead_angle, "must lie between -90 and 90 degrees");
+  require(s.max_axis_rate > 0.0, "max-axis-rate", s.max_axis_rate, "must be above 0 degrees a mm");
+  require(s.feed > 0.0, "feed", s.feed, "must be above 0 mm/min");
+  require(s.thinning >= 0.0, "thin", s.thinning, "must be above 0 mm, or 0 for none");
+  require(s.threads >= 0, "threads", s.threads, "must be above 0, or 0 for all");
+}
+
+bool
+isWritten(const std::string& extension)
+{
+  const auto& known = pcl_spiral::toolpathExtensions();
+  return extension == ".json" || extension == ".png" ||
+         std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+void
+checkOutputs(const Job& job)
+{
+  if (job.outputs.empty())
+    throw UsageError("no output is named; give at least one, such as -o part.csv");
+  for (const std::string& file : job.outputs)
+    if (!isWritten(extensionOf(file)))
+      throw UsageError("-o " + file + ": extension '" + extensionOf(file) +
+                       "' is not known; use .csv .pcd .ply .vtp .json or .png");
+  std::error_code error;
+  const std::vector<std::string> files = filesOf(job);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (fs::equivalent(files[i], job.scan, error))
+      throw UsageError("-o " + files[i] + ": this is the scan itself; give the output another name");
+    if (std::find(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(i), files[i]) !=
+        files.begin() + static_cast<std::ptrdiff_t>(i))
+      throw UsageError("-o " + files[i] + ": is given twice");
+  }
+}
+
+} // namespace
+
+std::string
+extensionOf(const std::string& file)
+{
+  std::string extension = fs::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+std::string
+linesPicture(const std::string& picture)
+{
+  const fs::path path(picture);
+  return (path.parent_path() / (path.stem().string() + "_lines" + path.extension().string())).string();
+}
+
+std::vector<std::string>
+filesOf(const Job& job)
+{
+  std::vector<std::string> files;
+  for (const std::string& output : job.outputs) {
+    files.push_back(output);
+    if (extensionOf(output) == ".png")
+      files.push_back(linesPicture(output));
+  }
+  return files;
+}
+
+void
+checkJob(const Job& job)
+{
+  if (job.scan.empty())
+    throw UsageError("no scan is named; give one, such as part.pcd");
+  checkCutter(job.settings);
+  checkOutputs(job);
+}

@@ -1,0 +1,68 @@
+#include "job_file.h"
+#include "option_table.h"
+
+#include <pcl_spiral/io/file_error.h>
+
+#include <yaml-cpp/yaml.h>
+
+#include <filesystem>
+
+using pcl_spiral::FileError;
+
+namespace {
+
+std::string
+line(const YAML::Node& node)
+{
+  return "line " + std::to_string(node.Mark().line + 1) + ": ";
+}
+
+std::string
+scalar(const std::string& file, const YAML::Node& node)
+{
+  if (!node.IsScalar())
+    throw FileError(file, line(node) + "a value or a list of values is needed");
+  return node.as<std::string>();
+}
+
+YAML::Node
+load(const std::string& file)
+{
+  if (!std::filesystem::is_regular_file(file))
+    throw FileError(file, "there is no such job file");
+  try {
+    return YAML::LoadFile(file);
+  }
+  catch (const YAML::Exception& error) {
+    throw FileError(file, error.what());
+  }
+}
+
+} // namespace
+
+NamedValues
+readJobFile(const std::string& file)
+{
+  const YAML::Node root = load(file);
+  if (!root.IsMap())
+    throw FileError(file, "a job file holds lines such as 'tool-radius: 10'");
+  NamedValues values;
+  for (const auto& entry : root) {
+    const std::string name = scalar(file, entry.first);
+    if (!findOption(name) || name == "config" || name == "help" || name == "version")
+      throw UsageError(file + ": " + line(entry.first) + "'" + name + "' is no setting" + suggestion(name));
+    if (!entry.second.IsSequence()) {
+      values.emplace_back(name, scalar(file, entry.second));
+      continue;
+    }
+    std::string list;
+    for (const YAML::Node& item : entry.second) {
+      if (name == "output")
+        values.emplace_back(name, scalar(file, item));
+      list += (list.empty() ? "" : ",") + scalar(file, item);
+    }
+    if (name != "output")
+      values.emplace_back(name, list);
+  }
+  return values;
+}

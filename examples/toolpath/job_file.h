@@ -1,0 +1,16 @@
+/** \file
+ *  Job files: options by name, in YAML.
+ */
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+/** Options by name with their values, as on the command line. */
+using NamedValues = std::vector<std::pair<std::string, std::string>>;
+
+/** The options in a YAML map of names and values. Lists become comma-separated words; a list under output
+ * stands for several outputs. \throw UsageError for a name that is no option, pcl_spiral::FileError for a
+ * file that is no map */
+NamedValues readJobFile(const std::string& file);

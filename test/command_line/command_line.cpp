@@ -1,0 +1,299 @@
+// The main program from outside: exit codes, words on stderr, and the files it leaves or does not leave.
+#include <pcl_spiral/io/toolpath_reader.h>
+
+#include "run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <random>
+#include <sstream>
+
+namespace {
+
+using Arguments = std::vector<std::string>;
+using Point = std::array<double, 3>;
+
+const std::string program = PCL_SPIRAL_TOOLPATH_PROGRAM;
+
+std::string
+xyz(const std::vector<Point>& points)
+{
+  std::ostringstream text;
+  text.precision(9);
+  for (const Point& p : points)
+    text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  return text.str();
+}
+
+/** A cap of a sphere of radius 100 mm, 40 mm across its rim's radius; uniform over its disc. */
+std::vector<Point>
+cap(int count, double centre_z = -100.0)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i) {
+    const double r = 40.0 * std::sqrt(unit(random)), angle = 2.0 * M_PI * unit(random);
+    points.push_back({r * std::cos(angle), r * std::sin(angle), centre_z + std::sqrt(1e4 - r * r)});
+  }
+  return points;
+}
+
+std::vector<Point>
+sphere(int count)
+{
+  std::mt19937 random(6);
+  std::normal_distribution<double> normal;
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i) {
+    const Point p{normal(random), normal(random), normal(random)};
+    const double scale = 50.0 / std::hypot(p[0], p[1], p[2]);
+    points.push_back({scale * p[0], scale * p[1], scale * p[2]});
+  }
+  return points;
+}
+
+class CommandLine : public ::testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    writeText(folder_.path("cap.xyz"), xyz(cap(6000)));
+  }
+
+  RunResult
+  run(const Arguments& arguments)
+  {
+    return endOf(startProgram(program, arguments, folder_), folder_);
+  }
+
+  /** Runs with a 3 mm ball and 0.02 mm scallop. */
+  RunResult
+  make(const std::string& scan, Arguments arguments)
+  {
+    arguments.insert(arguments.begin(), {scan, "--tool-radius", "3", "--scallop", "0.02"});
+    return run(arguments);
+  }
+
+  /** The call must end with \p code, say \p words on stderr and nothing on stdout, and leave the folder as it
+   * was. */
+  void
+  expectRefused(const Arguments& arguments, int code, const std::vector<std::string>& words)
+  {
+    const std::size_t before = folder_.count();
+    const RunResult result = run(arguments);
+    std::string call;
+    for (const std::string& argument : arguments)
+      call += argument + " ";
+    EXPECT_EQ(result.code, code) << call << "\n" << result.err;
+    for (const std::string& word : words)
+      EXPECT_NE(result.err.find(word), std::string::npos)
+          << call << "\nwithout '" << word << "': " << result.err;
+    EXPECT_EQ(result.out, "") << call;
+    EXPECT_EQ(folder_.count(), before) << call << "\nleft a file behind";
+  }
+
+  ScratchFolder folder_;
+};
+
+} // namespace
+
+TEST_F(CommandLine, HelpShowsEveryOptionWithAnExample)
+{
+  const RunResult result = run({"--help"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "");
+  for (const char* option :
+       {"tool-radius",   "scallop", "chord-error", "max-step", "tilt",       "lead",
+        "max-axis-rate", "feed",    "center",      "start",    "view-point", "boundaries",
+        "direction",     "sense",   "pitch",       "lines",    "gaps",       "thin",
+        "outliers",      "units",   "columns",     "threads",  "config",     "origin"}) {
+    std::istringstream words(result.out);
+    const std::string name = std::string("--") + option;
+    EXPECT_GE(std::count(std::istream_iterator<std::string>(words), {}, name), 2)
+        << "no example of " << option;
+  }
+  EXPECT_EQ(run({"--version"}).out.rfind("pcl_spiral_toolpath 0.", 0), 0U);
+}
+
+TEST_F(CommandLine, RefusesBadCalls)
+{
+  const std::string scan = "cap.xyz";
+  expectRefused({}, 2, {"no scan"});
+  expectRefused({scan, "--scallop", "0.02", "-o", "a.csv"}, 2, {"--tool-radius"});
+  expectRefused({scan, "--tool-radius", "3", "-o", "a.csv"}, 2, {"--scallop"});
+  expectRefused({scan, "--tool-radius", "3", "--scallop", "0.02"}, 2, {"-o"});
+  for (const char* scallop : {"0", "-1", "3", "4", "nan", "abc", "0.02mm"})
+    expectRefused({scan, "--tool-radius", "3", "--scallop", scallop, "-o", "a.csv"}, 2,
+                  {"--scallop", scallop});
+  const auto with = [&scan](const Arguments& more) {
+    Arguments arguments{scan, "--tool-radius", "3", "--scallop", "0.02", "-o", "a.csv"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
+  expectRefused(with({"--chord-error", "0"}), 2, {"--chord-error"});
+  expectRefused(with({"--tilt", "95"}), 2, {"--tilt", "95"});
+  expectRefused(with({"--feed", "0"}), 2, {"--feed"});
+  expectRefused(with({"--center", "1,2"}), 2, {"--center", "1,2", "three"});
+  expectRefused(with({"--outliers", "16"}), 2, {"--outliers"});
+  expectRefused(with({"--pitch", "radial"}), 2, {"--pitch radial", "across|along"});
+  expectRefused(with({"--units", "cm"}), 2, {"mm|m|inch"});
+  expectRefused(with({"--tool-radius", "5"}), 2, {"--tool-radius", "twice"});
+  expectRefused(with({"--scalop", "5"}), 2, {"scalop", "did you mean 'scallop'"});
+  expectRefused(with({"--chord", "5"}), 2, {"did you mean 'chord-error'"});
+  expectRefused(with({"-o", "a.dwg"}), 2, {"a.dwg", ".csv"});
+  expectRefused(with({"-o", "a.csv"}), 2, {"a.csv", "twice"});
+  expectRefused(with({"other.xyz"}), 2, {"other.xyz"});
+  expectRefused({"cap.ply", "--tool-radius", "3", "--scallop", "1", "-o"}, 2, {"output"});
+}
+
+TEST_F(CommandLine, RefusesBadFilesBeforeAnyWork)
+{
+  const auto refused = [this](const std::string& scan, const std::string& output,
+                              const std::vector<std::string>& words) {
+    expectRefused({scan, "--tool-radius", "3", "--scallop", "0.02", "-o", output}, 1, words);
+  };
+  refused("missing.pcd", "a.csv", {"missing.pcd", "no such file"});
+  refused("cap.xyz", "nowhere/a.csv", {"nowhere/a.csv", "does not exist", "create it"});
+  refused("cap.xyz", "/proc/a.csv", {"/proc/a.csv", "cannot be written"});
+  writeText(folder_.path("empty.ply"), "");
+  refused("empty.ply", "a.csv", {"empty.ply", "empty"});
+  writeText(folder_.path("letters.xyz"), "1 2 3\n4 five 6\n");
+  refused("letters.xyz", "a.csv", {"letters.xyz", "line 2", "five"});
+  expectRefused({"cap.xyz", "--tool-radius", "3", "--scallop", "0.02", "-o", "cap.xyz"}, 2, {"cap.xyz"});
+  const std::string display = ::getenv("DISPLAY") ? ::getenv("DISPLAY") : "";
+  ::unsetenv("DISPLAY");
+  refused("cap.xyz", "a.png", {"a.png", "display", "xvfb-run -a"});
+  ::setenv("DISPLAY", ":4711", 1);
+  refused("cap.xyz", "a.png", {"a.png", ":4711", "xvfb-run -a"});
+  display.empty() ? ::unsetenv("DISPLAY") : ::setenv("DISPLAY", display.c_str(), 1);
+}
+
+TEST_F(CommandLine, RefusesCloudsWithoutASurfaceToCut)
+{
+  const auto refused = [this](const std::string& name, const std::vector<Point>& points) {
+    writeText(folder_.path(name), xyz(points));
+    expectRefused({name, "--tool-radius", "3", "--scallop", "0.02", "-o", "a.csv", "-o", "a.vtp"}, 1, {name});
+  };
+  const double nan = std::nan("");
+  refused("one.xyz", {{1.0, 2.0, 3.0}});
+  refused("nans.xyz", std::vector<Point>(500, {nan, nan, nan}));
+  refused("same.xyz", std::vector<Point>(500, {1.0, 2.0, 3.0}));
+  std::vector<Point> line;
+  for (int i = 0; i < 2000; ++i)
+    line.push_back({0.05 * i, 0.02 * i, 0.01 * i});
+  refused("line.xyz", line);
+  refused("sphere.xyz", sphere(8000));
+  std::vector<Point> sheets = cap(5000);
+  for (const Point& p : cap(5000, -92.0))
+    sheets.push_back(p);
+  refused("sheets.xyz", sheets);
+}
+
+TEST_F(CommandLine, WritesEveryOutputAndSaysSo)
+{
+  const RunResult result =
+      make("cap.xyz", {"-o", "a.csv", "-o", "a.pcd", "-o", "a.ply", "-o", "a.vtp", "-o", "a.json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(folder_.count(), 6U) << "the scan and five outputs";
+  for (const char* word :
+       {"6000 points", "spacing", "centre", "turns", "path length", "machining time", "a.csv", "a.json"})
+    EXPECT_NE(result.out.find(word), std::string::npos) << word << " in\n" << result.out;
+  const auto csv = pcl_spiral::readToolpath(folder_.path("a.csv"));
+  const auto pcd = pcl_spiral::readToolpath(folder_.path("a.pcd"));
+  ASSERT_GT(csv.path.size(), 500U);
+  EXPECT_EQ(csv.path.size(), pcd.path.size());
+  for (const auto& point : pcd.path) {
+    ASSERT_NEAR(std::hypot(point.x, point.y, point.z + 100.0), 100.0, 0.01) << "on the sphere";
+    ASSERT_GT(point.normal_z, 0.0f);
+  }
+  EXPECT_NEAR(pcd.path.front().x, 0.0, 3.0) << "from the centre";
+  EXPECT_NEAR(std::hypot(pcd.path.back().x, pcd.path.back().y), 40.0, 1.5) << "to the rim";
+  const std::string report = readText(folder_.path("a.json"));
+  for (const char* word :
+       {"\"tool_radius\": 3.0", "\"input_points\": 6000", "\"outer\"", "\"warnings\"", "\"stages\""})
+    EXPECT_NE(report.find(word), std::string::npos) << word;
+}
+
+TEST_F(CommandLine, DropsBadPointsAndSaysHowMany)
+{
+  std::vector<Point> points = cap(6000);
+  const std::vector<Point> doubled(points.begin(), points.begin() + 1000);
+  points.insert(points.end(), doubled.begin(), doubled.end());
+  points.insert(points.end(), 77, {std::nan(""), 0.0, 0.0});
+  writeText(folder_.path("mixed.xyz"), xyz(points));
+  const RunResult result = make("mixed.xyz", {"-o", "a.csv"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.out.find("77 not finite"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("1000 duplicates"), std::string::npos) << result.out;
+  ASSERT_EQ(make("cap.xyz", {"-o", "b.csv", "--quiet"}).code, 0);
+  EXPECT_TRUE(readText(folder_.path("a.csv")) == readText(folder_.path("b.csv"))) << "they change nothing";
+}
+
+TEST_F(CommandLine, UnitsAndThreadsDoNotChangeThePath)
+{
+  std::vector<Point> metres = cap(6000);
+  for (Point& p : metres)
+    for (double& c : p)
+      c /= 1000.0;
+  std::ostringstream text;
+  text.precision(12);
+  for (const Point& p : metres)
+    text << p[0] << ',' << p[1] << ',' << p[2] << '\n';
+  writeText(folder_.path("metres.csv"), text.str());
+  ASSERT_EQ(make("cap.xyz", {"-o", "mm.csv", "--threads", "1"}).code, 0);
+  const RunResult metre_run =
+      make("metres.csv", {"-o", "m.csv", "--units", "m", "--threads", "2", "--quiet"});
+  ASSERT_EQ(metre_run.code, 0) << metre_run.err;
+  EXPECT_EQ(metre_run.out + metre_run.err, "");
+  const auto a = pcl_spiral::readToolpath(folder_.path("mm.csv")).path;
+  const auto b = pcl_spiral::readToolpath(folder_.path("m.csv")).path;
+  EXPECT_NEAR(a.back().arc_length, b.back().arc_length, 1e-3 * a.back().arc_length);
+}
+
+TEST_F(CommandLine, JobFileHoldsTheSameNamesAndTheCommandLineWins)
+{
+  writeText(folder_.path("job.yaml"),
+            "scan: cap.xyz\noutput: [a.csv, a.json]\ntool-radius: 6\nscallop: 0.02\n"
+            "center: [0, 0, 0]\nfeed: 2500\nflip-normals: false\n");
+  const RunResult result = run({"--config", "job.yaml", "--tool-radius", "3"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const std::string report = readText(folder_.path("a.json"));
+  EXPECT_NE(report.find("\"tool_radius\": 3.0"), std::string::npos) << report;
+  EXPECT_EQ(pcl_spiral::readToolpath(folder_.path("a.csv")).feed.at(0), 2500.0);
+
+  writeText(folder_.path("wrong.yaml"), "tool-radius: 3\nscalop: 0.02\n");
+  expectRefused({"cap.xyz", "--config", "wrong.yaml", "-o", "b.csv"}, 2,
+                {"wrong.yaml", "line 2", "scalop", "did you mean 'scallop'"});
+  writeText(folder_.path("broken.yaml"), "tool-radius: [3\n");
+  expectRefused({"cap.xyz", "--config", "broken.yaml", "-o", "b.csv"}, 1, {"broken.yaml"});
+  expectRefused({"cap.xyz", "--config", "none.yaml", "-o", "b.csv"}, 1, {"none.yaml"});
+}
+
+TEST_F(CommandLine, AFailureKeepsEarlierOutputs)
+{
+  writeText(folder_.path("a.csv"), "earlier");
+  writeText(folder_.path("one.xyz"), "1 2 3\n");
+  expectRefused({"one.xyz", "--tool-radius", "3", "--scallop", "0.02", "-o", "a.csv"}, 1, {"one.xyz"});
+  EXPECT_EQ(readText(folder_.path("a.csv")), "earlier");
+}
+
+TEST_F(CommandLine, ControlCLeavesNothingBehind)
+{
+  writeText(folder_.path("large.xyz"), xyz(cap(300000)));
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const pid_t process = startProgram(
+        program, {"large.xyz", "--tool-radius", "1", "--scallop", "0.0005", "-o", "a.csv"}, folder_);
+    ASSERT_TRUE(waitUntilCaught(process, signal));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200)); // into the work
+    ASSERT_EQ(::kill(process, signal), 0);
+    const RunResult result = endOf(process, folder_);
+    EXPECT_EQ(result.code, 1);
+    EXPECT_NE(result.err.find("cancelled"), std::string::npos) << result.err;
+    EXPECT_EQ(folder_.count(), 2U) << "the two scans";
+  }
+}

@@ -1,0 +1,69 @@
+/** \file
+ *  Runs a program and keeps what it said.
+ */
+#pragma once
+
+#include "support/scratch_folder.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+/** How a run ended. */
+struct RunResult {
+  int code = -1; ///< exit code; -1 where a signal ended it
+  std::string out, err;
+};
+
+/** Start \p program in \p folder, with its output in hidden files there. Returns its process. */
+inline pid_t
+startProgram(const std::string& program, const std::vector<std::string>& arguments,
+             const ScratchFolder& folder)
+{
+  const pid_t process = ::fork();
+  if (process != 0)
+    return process;
+  if (::chdir(folder.root().c_str()) != 0 || !std::freopen(folder.path(".stdout").c_str(), "w", stdout) ||
+      !std::freopen(folder.path(".stderr").c_str(), "w", stderr))
+    ::_exit(126);
+  std::vector<char*> words{const_cast<char*>(program.c_str())};
+  for (const std::string& argument : arguments)
+    words.push_back(const_cast<char*>(argument.c_str()));
+  words.push_back(nullptr);
+  ::execv(program.c_str(), words.data());
+  ::_exit(127);
+}
+
+/** Wait until the process catches \p signal (SigCgt in /proc), but no longer than ten seconds. */
+inline bool
+waitUntilCaught(pid_t process, int signal)
+{
+  for (int i = 0; i < 1000; ++i) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/status");
+    for (std::string word; status >> word;)
+      if (word == "SigCgt:" && status >> word && (std::stoull(word, nullptr, 16) >> (signal - 1) & 1U))
+        return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+/** Wait for a process that startProgram began; takes its output files away. */
+inline RunResult
+endOf(pid_t process, const ScratchFolder& folder)
+{
+  int status = 0;
+  ::waitpid(process, &status, 0);
+  RunResult result;
+  result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  result.out = readText(folder.path(".stdout"));
+  result.err = readText(folder.path(".stderr"));
+  std::filesystem::remove(folder.path(".stdout"));
+  std::filesystem::remove(folder.path(".stderr"));
+  return result;
+}
