@@ -3,7 +3,6 @@
 #include <pcl_spiral/core/bspline_fit.h>
 #include <pcl_spiral/geodesic/geodesic_refinement.h>
 
-#include <algorithm>
 #include <sstream>
 
 namespace pcl_spiral {
@@ -79,8 +78,8 @@ LineSource::refine(std::vector<Polyline>& traces, std::vector<RadialLine>& lines
     geodesics[i].points = std::move(traces[i]);
   RefinementOptions options;
   options.levels = {32, static_cast<int>(stations) - 1};
-  options.max_iterations = 6;
-  options.tolerance = std::max(options.tolerance, 0.05 * request_.tolerance);
+  options.max_iterations = 8;
+  options.tolerance = 0.005 * request_.tolerance;
   refineGeodesics(request_.surface, options, geodesics);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (geodesics[i].left_surface)

@@ -5,13 +5,14 @@
 #include <pcl_spiral/geodesic/distance_field.h>
 
 #include <cmath>
+#include <limits>
 
 namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t rim_samples = 96;
-constexpr int most_rounds = 8;
-constexpr double settled = 0.02; // spacings
+constexpr int most_rounds = 12;
+constexpr double settled = 5e-4; // spacings
 
 /** Centre of the rim's smallest enclosing circle in the plane across its mean normal, put on the surface. */
 SurfaceFoot
@@ -79,14 +80,18 @@ chebyshevCentre(const MlsSurface& surface, const Polyline& rim)
   SurfaceFoot foot = firstGuess(surface, sample);
   if (!foot.valid)
     return std::nullopt;
+  double share = 1.0, last_step = std::numeric_limits<double>::max(); // of the way, less where rounds go to and fro
   for (int round = 0; round < most_rounds; ++round) {
     DistanceField field;
     if (!field.compute(surface.graph(), foot.position))
       return std::nullopt;
     const Circle circle = smallestEnclosingCircle(logMap(field, foot, sample, spacing));
+    if (circle.centre.norm() > 0.5 * last_step)
+      share *= 0.5;
+    last_step = circle.centre.norm();
     Eigen::Vector3d e1, e2;
     tangentFrame(foot.normal, e1, e2);
-    Eigen::Vector3d step = circle.centre.x() * e1 + circle.centre.y() * e2;
+    Eigen::Vector3d step = share * (circle.centre.x() * e1 + circle.centre.y() * e2);
     SurfaceFoot next;
     for (int halving = 0; halving < 6 && !next.valid; ++halving, step *= 0.5) {
       // Follow the surface in short tangent steps.
