@@ -13,6 +13,7 @@ namespace {
 
 constexpr int fewest_neighbours = 32, most_neighbours = 256;
 constexpr double farthest_in_spacings = 3.0; // of a query from the nearest point
+constexpr double refit_distance = 0.1;       // in spacings: a foot that far from the query gets a fit of its own
 constexpr double largest_overhang = 1.25;    // in spacings
 
 /** Mean of the oriented normals of the nearest few neighbours. */
@@ -106,7 +107,7 @@ MlsSurface::project(const std::vector<Eigen::Vector3d>& queries, std::vector<Sur
     std::vector<std::uint32_t> again;
     for (std::size_t i = 0; i < which.size(); ++i) {
       const SurfaceFoot& foot = feet[which[i]];
-      if (foot.valid && (foot.position - before[i]).norm() > 0.02 * graph_.spacing())
+      if (foot.valid && (foot.position - before[i]).norm() > refit_distance * graph_.spacing())
         again.push_back(which[i]);
     }
     which.swap(again);

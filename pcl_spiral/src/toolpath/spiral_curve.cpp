@@ -23,6 +23,16 @@ struct HermiteSegment {
   }
 };
 
+/** The next count on a ladder whose rungs are two percent apart, so that rounding in the input hardly ever changes it. */
+double
+wholeSteps(double needed)
+{
+  double rung = 1.0;
+  while (rung < needed)
+    rung = std::max(rung + 1.0, std::ceil(1.02 * rung));
+  return rung;
+}
+
 double
 angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
@@ -99,7 +109,7 @@ SpiralCurve::turnKnots(std::size_t turn) const
     const double s = turns_.arcLengthAt(i, tau);
     if (s < active_from_[i] * lines_[i].length())
       continue;
-    knots.push_back({lines_[i].curve.positionAt(s), tau, turns_.feedStepAt(i, s), lines_[i].corner});
+    knots.push_back({lines_[i].curve.positionAt(s), tau, turns_.feedStepAt(i, s), lines_[i].corner, step == 0});
   }
   return knots;
 }
@@ -122,7 +132,7 @@ SpiralCurve::loopKnots(const ClosedLoop& loop, double turn, bool at_rim) const
                                         [](double v, const RadialLine& line) { return v < line.rim_share; });
     const std::size_t line = static_cast<std::size_t>(after - lines_.begin()) - 1;
     knots.push_back({loop.points[k], turn + gone, turns_.feedStepAt(line, at_rim ? lines_[line].length() : 0.0),
-                     corner[k] != 0 || step == 0 || step == m});
+                     corner[k] != 0 || step == 0 || step == m, false});
   }
   return knots;
 }
@@ -183,6 +193,7 @@ SpiralCurve::knots() const
       // The end of one part is the start of the next; near the centre lines coincide.
       if (!all.empty() && (knot.position - all.back().position).norm() < 1e-6 * spacing_) {
         all.back().corner = all.back().corner || knot.corner;
+        all.back().anchor = all.back().anchor || knot.anchor;
         continue;
       }
       all.push_back(knot);
@@ -247,9 +258,9 @@ SpiralCurve::sample() const
   for (std::size_t begin = 0; begin < segments;) {
     std::size_t end = begin + 1;
     double needed = steps[begin];
-    while (end < segments && !knots[end].corner)
+    while (end < segments && !knots[end].corner && !knots[end].anchor)
       needed += steps[end++];
-    const double whole = std::ceil(needed), each = needed / whole;
+    const double each = needed / wholeSteps(needed);
     double before = 0.0, next = 0.0;
     for (std::size_t k = begin; k < end; ++k) {
       const HermiteSegment segment{knots[k].position, knots[k + 1].position, leaving[k], arriving[k + 1],

@@ -43,6 +43,7 @@ private:
     double turn;
     double step;  ///< longest linear move here, from the surface's curvature
     bool corner;  ///< the tangent may jump
+    bool anchor;  ///< a path point stands here, so that each turn is sampled by itself
   };
   struct ClosedLoop {
     Polyline points;
