@@ -31,8 +31,8 @@ struct Scan {
   double noise = 0.02;      ///< standard deviation along the beam
   double outliers = 0.0005; ///< share of false points
   double shadow = 12;       ///< diameter of an object between scanner and dome; 0: none
-  double standoff = 400;    ///< of the scanner above the top of the dome
-  double baseline = 200;    ///< between laser and camera, along x
+  double standoff = 1500;   ///< of the scanner above the top of the dome
+  double baseline = 600;    ///< between laser and camera, along x
   unsigned seed = 1;
 };
 
@@ -57,6 +57,14 @@ bool
 hidden(const Eigen::Vector3d& point, const Eigen::Vector3d& eye, const Eigen::Vector3d& object, double radius)
 {
   return Eigen::ParametrizedLine<double, 3>::Through(point, eye).distance(object) < radius;
+}
+
+/** A false echo lies 5 to 20 mm before or behind the surface; \p share is uniform in 0 to 1. */
+double
+strayDistance(double share)
+{
+  const double side = 2 * share - 1;
+  return std::copysign(5 + 15 * std::abs(side), side);
 }
 
 /** The points in the order in which the scanner sees them, a line at a time. */
@@ -85,7 +93,7 @@ simulate(const Scan& scan)
       const Eigen::Vector3d beam(0, std::sin(angle), -std::cos(angle));
       const auto t = range(scan, laser, beam);
       const double error =
-          uniform(random) < scan.outliers ? 40 * (uniform(random) - 0.5) : scan.noise * noise(random);
+          uniform(random) < scan.outliers ? strayDistance(uniform(random)) : scan.noise * noise(random);
       if (!t)
         continue;
       const Eigen::Vector3d p = laser + *t * beam;
@@ -132,7 +140,8 @@ try {
   add("point-spacing", po::value(&s.point_spacing)->default_value(s.point_spacing),
       "between points of a line");
   add("noise", po::value(&s.noise)->default_value(s.noise, "0.02"), "standard deviation along the beam");
-  add("outliers", po::value(&s.outliers)->default_value(s.outliers, "0.0005"), "share of false points");
+  add("outliers", po::value(&s.outliers)->default_value(s.outliers, "0.0005"),
+      "share of false echoes, 5 to 20 mm off");
   add("shadow", po::value(&s.shadow)->default_value(s.shadow), "diameter of an object in the way; 0: none");
   add("standoff", po::value(&s.standoff)->default_value(s.standoff), "of the scanner above the dome");
   add("seed", po::value(&s.seed)->default_value(s.seed), "of the random numbers");
