@@ -79,6 +79,7 @@ LineSource::refine(std::vector<Polyline>& traces, std::vector<RadialLine>& lines
   RefinementOptions options;
   options.levels = {32, static_cast<int>(stations) - 1};
   options.max_iterations = 8;
+  options.probe_normals = false; // a hundredth of a millimetre sideways is nothing to a radial line
   options.tolerance = 0.005 * request_.tolerance;
   refineGeodesics(request_.surface, options, geodesics);
   for (std::size_t i = 0; i < lines.size(); ++i) {
