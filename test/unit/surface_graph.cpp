@@ -189,4 +189,24 @@ TEST(SurfaceGraph, RefusesTooFewAndCoincident)
   EXPECT_FALSE(graph.build(Points(500, Eigen::Vector3f(1, 2, 3)), {}).ok());
 }
 
+TEST(SurfaceGraph, FindsStrayPointsAndNoOthers)
+{
+  auto points = randomSphere(20000, 100.0, true, 12);
+  EXPECT_TRUE(graphOf(points).strayPoints().empty());
+  std::vector<std::uint32_t> strays;
+  for (std::uint32_t i = 500; i < points.size(); i += 2500) { // one to four spacings off, either side
+    points[i] *= 1.0f + (i % 5000 < 2500 ? 0.018f : -0.05f);
+    strays.push_back(i);
+  }
+  EXPECT_EQ(graphOf(points).strayPoints(), strays);
+}
+
+TEST(SurfaceGraph, PointsOnACreaseAreNoStrays)
+{
+  auto points = randomSquare(20000, 100.0, 13);
+  for (auto& p : points)
+    p.z() = std::abs(p.x() - 50.0f); // a right angle along the middle
+  EXPECT_TRUE(graphOf(points).strayPoints().empty());
+}
+
 } // namespace

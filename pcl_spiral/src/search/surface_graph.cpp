@@ -22,6 +22,7 @@ constexpr int pinhole_edges = 6;
 struct LocalShape {
   Eigen::Vector3d normal; ///< least principal axis of the neighbours (Hoppe et al. 1992), sign arbitrary
   double radius;          ///< distance to the k-th neighbour
+  double height;          ///< distance of the point from its neighbours' plane
 };
 
 LocalShape
@@ -38,7 +39,8 @@ localShape(const Neighbourhood& near)
   const Eigen::Matrix3d covariance = moment / near.size - mean * mean.transpose();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance);
-  return {solver.eigenvectors().col(0), std::sqrt(static_cast<double>(near.squared_distance[near.size - 1]))};
+  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  return {normal, std::sqrt(static_cast<double>(near.squared_distance[near.size - 1])), std::abs(mean.dot(normal))};
 }
 
 /** Spacing of k evenly spread points in a disc of this radius. */
@@ -141,11 +143,12 @@ enoughNeighbours(const PointBlocks& blocks, const SurfaceGraphOptions& options)
   return k;
 }
 
-/** One pass over all neighbourhoods: normals (sign arbitrary), radii, stars. */
+/** One pass over all neighbourhoods: normals (sign arbitrary), radii, heights over the local plane, stars. */
 StarSet
 visitAll(const PointBlocks& blocks, int k, double max_circumradius, std::vector<Eigen::Vector3f>& normals,
-         std::vector<float>& radii)
+         std::vector<float>& radii, std::vector<float>& heights)
 {
+  heights.resize(blocks.size());
   const auto block_count = static_cast<std::int64_t>(blocks.blockCount());
   normals.resize(blocks.size());
   radii.resize(blocks.size());
@@ -164,6 +167,7 @@ visitAll(const PointBlocks& blocks, int k, double max_circumradius, std::vector<
         worker.visit(i, shape);
         normals[i] = shape.normal.cast<float>();
         radii[i] = static_cast<float>(shape.radius);
+        heights[i] = static_cast<float>(shape.height);
         worker.append(spokes[b]);
         stars.begin[i + 1] = static_cast<std::uint32_t>(worker.spokeCount());
       }
@@ -185,6 +189,28 @@ median(std::vector<float> values)
   return values[values.size() / 2];
 }
 
+/** Points that stand alone off the surface: high over their neighbours' plane, which none of these is nearly as much.
+ *  Along a crease points are high too, but in company. */
+std::vector<std::uint32_t>
+findStrays(const PointBlocks& blocks, const StarSet& stars, const std::vector<float>& heights,
+           const std::vector<float>& radii, int k)
+{
+  constexpr double over_median = 8.0, over_spacing = 0.25, company = 0.5;
+  const double usual = median(heights);
+  std::vector<std::uint32_t> strays;
+  for (std::uint32_t i = 0; i < blocks.size(); ++i) {
+    if (heights[i] < over_median * usual || heights[i] < over_spacing * evenSpacing(radii[i], k))
+      continue;
+    bool alone = true;
+    for (std::uint32_t s = stars.begin[i]; s < stars.begin[i + 1]; ++s)
+      alone = alone && heights[StarSet::neighbour(stars.spokes[s])] < company * heights[i];
+    if (alone)
+      strays.push_back(blocks.originalIndex(i));
+  }
+  std::sort(strays.begin(), strays.end());
+  return strays;
+}
+
 } // namespace
 
 double
@@ -202,7 +228,9 @@ SurfaceGraph::build(const std::vector<Eigen::Vector3f>& points, const SurfaceGra
                                           std::to_string(fewest_points) + ": scan more densely or thin less"};
   blocks_ = PointBlocks(points);
   neighbours_ = enoughNeighbours(blocks_, options);
-  StarSet stars = visitAll(blocks_, neighbours_, options.max_circumradius, normals_, radii_);
+  std::vector<float> heights;
+  StarSet stars = visitAll(blocks_, neighbours_, options.max_circumradius, normals_, radii_, heights);
+  stray_points_ = findStrays(blocks_, stars, heights, radii_, neighbours_);
   spacing_ = evenSpacing(median(radii_), neighbours_);
   if (!(spacing_ > 0.0))
     return {StatusCode::InvalidInput, "most points of the cloud coincide: remove duplicates or check the units"};

@@ -12,7 +12,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int fewest_neighbours = 32, most_neighbours = 256;
-constexpr double farthest_in_spacings = 3.0; // of a query from the nearest point
+constexpr double farthest_in_spacings = 4.0; // of a query from the nearest point; triangles span up to three
 constexpr double refit_distance = 0.1;       // in spacings: a foot that far from the query gets a fit of its own
 constexpr double largest_overhang = 1.25;    // in spacings
 

@@ -60,14 +60,34 @@ SpiralPlanner::endStage(const std::string& name)
 Status
 SpiralPlanner::makeGraph(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals)
 {
+  constexpr int rounds = 3; // an outlier may hide another
   SurfaceGraphOptions options;
   options.view_point = settings_.view_point;
   options.flip_normals = settings_.flip_normals;
   points.insert(points.end(), bridges_.begin(), bridges_.end());
   options.given_normals = normals;
   options.given_normals.resize(normals.empty() ? 0 : points.size(), Eigen::Vector3f::Zero());
-  if (const Status status = graph_.build(points, options); !status.ok())
-    return status;
+  std::size_t strays = 0;
+  for (int round = 0;; ++round) {
+    if (const Status status = graph_.build(points, options); !status.ok())
+      return status;
+    if (graph_.strayPoints().empty() || round == rounds)
+      break;
+    strays += graph_.strayPoints().size();
+    for (auto stray = graph_.strayPoints().rbegin(); stray != graph_.strayPoints().rend(); ++stray) {
+      points[*stray] = points.back();
+      points.pop_back();
+      if (!options.given_normals.empty()) {
+        options.given_normals[*stray] = options.given_normals.back();
+        options.given_normals.pop_back();
+      }
+    }
+  }
+  if (strays > 0 && bridges_.empty()) {
+    report_.outlier_points += strays;
+    report_.used_points -= strays;
+    report_.warnings.push_back(text(strays, " points that stand alone off the surface were left out"));
+  }
   surface_ = std::make_unique<MlsSurface>(graph_);
   report_.spacing = graph_.spacing();
   report_.noise = surface_->noise();
@@ -86,7 +106,7 @@ SpiralPlanner::findLoops()
   BoundaryCounts counts;
   if (const Status status = findBoundaryLoops(graph_, BoundaryOptions(), report_.loops, &counts); !status.ok())
     return status;
-  if (counts.left_out_parts > 0)
+  if (counts.left_out_parts > 0 && bridges_.empty())
     report_.warnings.push_back(text(counts.left_out_parts, " specks apart from the surface were left out"));
   return Status::success();
 }

@@ -44,6 +44,8 @@ public:
   double spacing() const { return spacing_; }
   /** The same about point \p i. */
   double spacing(std::size_t i) const;
+  /** Points, as indices of what build was given, that stand alone off the surface: outliers to leave out. Ascending. */
+  const std::vector<std::uint32_t>& strayPoints() const { return stray_points_; }
   const Triangulation& triangulation() const { return triangulation_; }
   /** Mean of the normals by area: the side the part shows as a whole; zero on a closed surface. */
   Eigen::Vector3d meanNormal() const { return mean_normal_; }
@@ -54,6 +56,7 @@ private:
   PointBlocks blocks_;
   std::vector<Eigen::Vector3f> normals_;
   std::vector<float> radii_;
+  std::vector<std::uint32_t> stray_points_;
   Triangulation triangulation_;
   Eigen::Vector3d mean_normal_ = Eigen::Vector3d::Zero();
   double spacing_ = 0.0;

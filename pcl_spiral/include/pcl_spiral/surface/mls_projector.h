@@ -56,7 +56,7 @@ public:
   void compute(PointCloudOut& output);
 
   const Status& getStatus() const { return status_; }
-  /** Of each query: 1 when it has a foot, 0 when it is not finite, farther than three spacings from the cloud, or beyond
+  /** Of each query: 1 when it has a foot, 0 when it is not finite, farther than four spacings from the cloud, or beyond
    *  the cloud's rim. */
   const std::vector<std::uint8_t>& getValid() const { return valid_; }
   /** Curvatures of each query, 1/mm, the larger in \p k1; NaN where it has no foot. */

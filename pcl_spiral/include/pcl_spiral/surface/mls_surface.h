@@ -49,7 +49,7 @@ public:
   explicit MlsSurface(const SurfaceGraph& graph, int neighbours = 0,
                       ProjectionMethod method = ProjectionMethod::Quadratic);
 
-  /** Feet of all queries, in their order, in parallel. Non-finite queries and those farther than three spacings from
+  /** Feet of all queries, in their order, in parallel. Non-finite queries and those farther than four spacings from
    *  the cloud come back invalid. */
   void project(const std::vector<Eigen::Vector3d>& queries, std::vector<SurfaceFoot>& feet) const;
   SurfaceFoot project(const Eigen::Vector3d& query) const;
