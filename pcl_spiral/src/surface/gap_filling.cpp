@@ -39,9 +39,11 @@ frameOf(const SurfaceGraph& graph, const Polyline& loop)
 {
   GapFrame frame;
   frame.origin.setZero();
+  const double around = length(loop, true);
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : loop) {
-    frame.origin += p / static_cast<double>(loop.size());
+  for (std::size_t k = 0; k < loop.size(); ++k) { // by length: the loop's points are not evenly spread
+    const Eigen::Vector3d &p = loop[k], &next = loop[(k + 1) % loop.size()];
+    frame.origin += 0.5 * (p + next) * ((next - p).norm() / around);
     normal += graph.normal(graph.blocks().nearest(p));
   }
   frame.up = normal.normalized();
@@ -91,7 +93,9 @@ fillGap(const SurfaceGraph& graph, const Polyline& loop)
     return fill;
   const GapFrame frame = frameOf(graph, loop);
   fill.centre = frame.origin;
-  fill.width = 2.0 * frame.radius;
+  for (const Eigen::Vector3d& p : loop)
+    for (const Eigen::Vector3d& q : loop)
+      fill.width = std::max(fill.width, (p - q).norm());
   const std::vector<Eigen::Vector3d> about = pointsAbout(graph, frame);
   if (about.size() < 3 * terms)
     return fill;

@@ -3,6 +3,7 @@
 #include <pcl_spiral/core/tool_axis.h>
 #include <pcl_spiral/features/surface_boundary.h>
 #include <pcl_spiral/surface/gap_filling.h>
+#include <pcl_spiral/toolpath/boundary_choice.h>
 
 #include <algorithm>
 #include <cmath>
@@ -112,35 +113,13 @@ SpiralPlanner::findLoops()
 }
 
 Status
-SpiralPlanner::chooseBoundaries(bool& two)
-{
-  std::vector<const BoundaryLoop*> holes;
-  for (const BoundaryLoop& loop : report_.loops)
-    if (loop.type == LoopType::Inner)
-      holes.push_back(&loop);
-  if (settings_.boundary_mode == BoundaryMode::TwoBoundaries && holes.empty())
-    return {StatusCode::InvalidInput, "two boundaries were asked for, but the surface has one; ask for one, or automatic"};
-  two = settings_.boundary_mode == BoundaryMode::TwoBoundaries ||
-        (settings_.boundary_mode == BoundaryMode::Automatic && holes.size() == 1);
-  if (settings_.boundary_mode == BoundaryMode::Automatic && holes.size() > 1) {
-    std::string places;
-    for (const BoundaryLoop* hole : holes)
-      places += text(" ", at(hole->curve.front()), " length ", hole->length, " mm;");
-    return {StatusCode::InvalidInput,
-            text("the surface has ", holes.size(), " holes:", places,
-                 " a spiral runs between two boundaries at most: ask for one boundary to bridge them all, or for two ",
-                 "to keep the longest and bridge the rest")};
-  }
-  report_.boundaries = two ? 2 : 1;
-  return Status::success();
-}
-
-Status
 SpiralPlanner::bridgeGaps(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals)
 {
-  bool two = false;
-  if (const Status status = chooseBoundaries(two); !status.ok())
+  BoundaryChoice choice;
+  if (const Status status = chooseBoundaries(report_.loops, settings_.boundary_mode, choice); !status.ok())
     return status;
+  const bool two = choice.inner;
+  report_.boundaries = two ? 2 : 1;
   const std::vector<BoundaryLoop> loops = report_.loops;
   bool kept_hole = !two;
   for (const BoundaryLoop& loop : loops) {

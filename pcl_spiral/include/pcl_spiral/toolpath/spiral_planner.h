@@ -41,7 +41,6 @@ public:
 private:
   Status makeGraph(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals);
   Status findLoops();
-  Status chooseBoundaries(bool& two);
   Status bridgeGaps(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals);
   Status makeLines(bool two, RadialLineSet& set);
   Status makeCurve(const RadialLineSet& set, bool two, std::vector<SpiralPoint>& curve);

@@ -30,6 +30,10 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::collect(std::vector<Eigen
                                              std::to_string(normals_->size()) + " normals were given; one a point"};
   if (!this->initCompute())
     return {StatusCode::InvalidInput, "the indices do not fit the input cloud: set them after the cloud"};
+  for (const auto index : *this->indices_)
+    if (static_cast<std::size_t>(index) >= cloud.size())
+      return {StatusCode::InvalidInput, "index " + std::to_string(index) + " is outside the cloud of " +
+                                            std::to_string(cloud.size()) + " points"};
   report_.input_points = this->indices_->size();
   std::vector<Eigen::Vector3f> finite;
   std::vector<std::size_t> source; // of the points kept, in the cloud

@@ -1,0 +1,46 @@
+// From a scan to a spiral toolpath: example_spiral_toolpath SCAN.pcd PATH.csv TOOL_RADIUS SCALLOP_HEIGHT CHORD_ERROR
+// Lengths in mm. The path's format follows its extension: .csv, .pcd, .ply, .vtp.
+#include <pcl_spiral/io/toolpath_writer.h>
+#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+
+#include <pcl/io/pcd_io.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+
+int
+main(int argc, char** argv)
+{
+  if (argc != 6) {
+    std::fprintf(stderr, "usage: %s SCAN.pcd PATH.csv TOOL_RADIUS SCALLOP_HEIGHT CHORD_ERROR\n", argv[0]);
+    return 2;
+  }
+  const double tool_radius = std::atof(argv[3]);
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  if (pcl::io::loadPCDFile(argv[1], *cloud) < 0)
+    return 1; // it has said why
+
+  pcl_spiral::SpiralToolpathGenerator<pcl::PointXYZ> spiral;
+  spiral.setInputCloud(cloud);
+  spiral.setToolRadius(tool_radius);
+  spiral.setScallopHeight(std::atof(argv[4]));
+  spiral.setChordError(std::atof(argv[5]));
+  pcl::PointCloud<pcl_spiral::ToolpathPoint> path;
+  spiral.compute(path);
+  if (!spiral.getStatus().ok())
+    return 1; // it has said why
+
+  const pcl_spiral::SpiralReport& report = spiral.getReport();
+  for (const std::string& warning : report.warnings)
+    std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  std::printf("%zu turns, %zu points, %.1f mm\n", report.turns, path.size(), report.path_length);
+  try {
+    pcl_spiral::writeToolpath(argv[2], path, {tool_radius, spiral.getSettings().feed});
+  }
+  catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

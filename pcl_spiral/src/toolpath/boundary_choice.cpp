@@ -1,0 +1,39 @@
+#include <pcl_spiral/toolpath/boundary_choice.h>
+
+#include <sstream>
+
+namespace pcl_spiral {
+
+Status
+chooseBoundaries(const std::vector<BoundaryLoop>& loops, BoundaryMode mode, BoundaryChoice& choice)
+{
+  choice = BoundaryChoice();
+  std::vector<const BoundaryLoop*> holes;
+  for (const BoundaryLoop& loop : loops) {
+    if (loop.type == LoopType::Outer && !choice.rim)
+      choice.rim = &loop;
+    if (loop.type == LoopType::Inner)
+      holes.push_back(&loop);
+  }
+  if (!choice.rim)
+    return {StatusCode::InvalidInput, "none of the loops is an outer one: a spiral ends on the outer rim, so give it"};
+  if (mode == BoundaryMode::TwoBoundaries && holes.empty())
+    return {StatusCode::InvalidInput, "two boundaries were asked for, but the surface has one; ask for one, or automatic"};
+  if (mode == BoundaryMode::Automatic && holes.size() > 1) {
+    std::ostringstream message;
+    message << "the surface has " << holes.size() << " holes:";
+    for (const BoundaryLoop* hole : holes)
+      message << " (" << hole->curve.front().x() << ", " << hole->curve.front().y() << ", " << hole->curve.front().z()
+              << ") length " << hole->length << " mm;";
+    message << " a spiral runs between two boundaries at most: ask for one boundary to bridge them all, or for two to "
+               "keep the longest and bridge the rest";
+    return {StatusCode::InvalidInput, message.str()};
+  }
+  if (mode != BoundaryMode::OneBoundary)
+    for (const BoundaryLoop* hole : holes)
+      if (!choice.inner || hole->length > choice.inner->length)
+        choice.inner = hole;
+  return Status::success();
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,75 @@
+#include <pcl_spiral/toolpath/loop_check.h>
+
+#include <Eigen/Geometry>
+
+#include <sstream>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double farthest = 4.0; // spacings from a loop to the cloud
+constexpr double aside = 1.5;    // spacings to either side at which the surface is looked for
+
+template <typename... Parts>
+Status
+refused(std::size_t loop, const Parts&... parts)
+{
+  std::ostringstream message;
+  message << "loop " << loop;
+  (message << ... << parts);
+  return {StatusCode::InvalidInput, message.str()};
+}
+
+double
+distanceToCloud(const SurfaceGraph& graph, const Eigen::Vector3d& p)
+{
+  return (graph.position(graph.blocks().nearest(p)) - p).norm();
+}
+
+/** Whether most of the loop's segments have more of the cloud on their left than on their right. */
+bool
+surfaceOnLeft(const SurfaceGraph& graph, const Polyline& curve)
+{
+  double left_length = 0.0, right_length = 0.0;
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    const Eigen::Vector3d along = curve[(k + 1) % curve.size()] - curve[k];
+    const Eigen::Vector3d middle = curve[k] + 0.5 * along;
+    const std::uint32_t near = graph.blocks().nearest(middle);
+    const Eigen::Vector3d left = graph.normal(near).cross(along);
+    if (left.norm() <= 0.0)
+      continue;
+    const Eigen::Vector3d step = aside * graph.spacing(near) * left.normalized();
+    const bool is_left = distanceToCloud(graph, middle + step) < distanceToCloud(graph, middle - step);
+    (is_left ? left_length : right_length) += along.norm();
+  }
+  return left_length > right_length;
+}
+
+} // namespace
+
+Status
+checkLoops(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& loops)
+{
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const BoundaryLoop& loop = loops[i];
+    if (loop.curve.size() < 3 || loop.points.empty())
+      return refused(i, " has ", loop.curve.size(), " curve points and ", loop.points.size(),
+                     " of the cloud's: both are needed, as BoundaryLoops gives them");
+    for (const Polyline* line : {&loop.curve, &loop.points})
+      for (const Eigen::Vector3d& p : *line) {
+        const double distance = p.allFinite() ? distanceToCloud(graph, p) : 0.0;
+        if (!p.allFinite() || distance > farthest * graph.spacing())
+          return refused(i, " has a point (", p.transpose(), ") that is not finite or ", distance,
+                         " mm from the cloud: give loops of this very cloud, or none to have them found");
+      }
+    for (const std::size_t corner : loop.corners)
+      if (corner >= loop.curve.size())
+        return refused(i, " names corner ", corner, " of a curve of ", loop.curve.size(), " points");
+    if (!surfaceOnLeft(graph, loop.curve))
+      return refused(i, " at (", loop.curve.front().transpose(),
+                     ") has the surface on its right: find loops and lines with the same normals, or turn the loop round");
+  }
+  return Status::success();
+}
+
+} // namespace pcl_spiral
