@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace pcl_spiral {
 namespace {
@@ -52,13 +53,49 @@ SpiralCurve::SpiralCurve(const std::vector<RadialLine>& lines, const TurnFunctio
 void
 SpiralCurve::setRim(Polyline rim, std::vector<std::size_t> corners)
 {
-  rim_ = {std::move(rim), std::move(corners)};
+  rim_ = {std::move(rim), std::move(corners), {}, true};
+  meetLines(rim_);
 }
 
 void
 SpiralCurve::setInner(Polyline inner, std::vector<std::size_t> corners)
 {
-  inner_ = {std::move(inner), std::move(corners)};
+  inner_ = {std::move(inner), std::move(corners), {}, false};
+  meetLines(inner_);
+}
+
+void
+SpiralCurve::meetLines(ClosedLoop& loop) const
+{
+  if (loop.at_rim) {
+    for (const RadialLine& line : lines_)
+      loop.line_shares.push_back(line.rim_share);
+    loop.line_shares.push_back(1.0);
+    return;
+  }
+  // Lines start on the inner loop in order: go round it once, to the place nearest to each line's start in turn.
+  const std::size_t m = loop.points.size();
+  const std::vector<double> s = arcLengths(loop.points, true);
+  loop.line_shares.assign(1, 0.0);
+  std::size_t from = 0;
+  for (std::size_t i = 1; i < lines_.size(); ++i) {
+    const Eigen::Vector3d start = lines_[i].feet.front().position;
+    double best = std::numeric_limits<double>::max(), share = loop.line_shares.back();
+    std::size_t found = from;
+    for (std::size_t k = from; k < m && k < from + m / 2; ++k) {
+      const Eigen::Vector3d d = loop.points[(k + 1) % m] - loop.points[k];
+      const double f = std::clamp((start - loop.points[k]).dot(d) / d.squaredNorm(), 0.0, 1.0);
+      const double distance = (loop.points[k] + f * d - start).norm();
+      if (distance < best) {
+        best = distance;
+        found = k;
+        share = (s[k] + f * (s[k + 1] - s[k])) / s[m];
+      }
+    }
+    from = found;
+    loop.line_shares.push_back(std::max(share, loop.line_shares.back()));
+  }
+  loop.line_shares.push_back(1.0);
 }
 
 void
@@ -115,9 +152,9 @@ SpiralCurve::turnKnots(std::size_t turn) const
 }
 
 std::vector<SpiralCurve::Knot>
-SpiralCurve::loopKnots(const ClosedLoop& loop, double turn, bool at_rim) const
+SpiralCurve::loopKnots(const ClosedLoop& loop, double turn) const
 {
-  const std::size_t m = loop.points.size();
+  const std::size_t m = loop.points.size(), n = lines_.size();
   const std::vector<double> s = arcLengths(loop.points, true);
   std::vector<std::uint8_t> corner(m, 0);
   for (const std::size_t c : loop.corners)
@@ -125,20 +162,24 @@ SpiralCurve::loopKnots(const ClosedLoop& loop, double turn, bool at_rim) const
   const bool clockwise = settings_.sense == SpiralSense::Clockwise;
   std::vector<Knot> knots;
   for (std::size_t step = 0; step <= m; ++step) {
-    const std::size_t k = clockwise ? (m - step) % m : step % m;
-    const double gone = step == m ? 1.0 : clockwise && step > 0 ? 1.0 - s[k] / s[m] : s[k] / s[m];
-    const double share = clockwise ? 1.0 - gone : gone; // place on the loop, as lines count it
-    const auto after = std::upper_bound(lines_.begin(), lines_.end(), share,
-                                        [](double v, const RadialLine& line) { return v < line.rim_share; });
-    const std::size_t line = static_cast<std::size_t>(after - lines_.begin()) - 1;
-    knots.push_back({loop.points[k], turn + gone, turns_.feedStepAt(line, at_rim ? lines_[line].length() : 0.0),
-                     corner[k] != 0 || step == 0 || step == m, false});
+    const std::size_t k = clockwise ? m - step : step; // m is the first point again, a whole lap on
+    const double share = s[k] / s[m];
+    const auto after = std::upper_bound(loop.line_shares.begin() + 1, loop.line_shares.end() - 1, share);
+    const auto line = static_cast<std::size_t>(after - loop.line_shares.begin()) - 1;
+    // Turns are counted by the lines' shares of the rim, on the inner loop too.
+    const double next = line + 1 < n ? lines_[line + 1].rim_share : 1.0;
+    const double width = loop.line_shares[line + 1] - loop.line_shares[line];
+    const double f = width > 0.0 ? (share - loop.line_shares[line]) / width : 0.0;
+    const double delta = lines_[line].rim_share + f * (next - lines_[line].rim_share);
+    knots.push_back({loop.points[k % m], turn + (clockwise ? 1.0 - delta : delta),
+                     turns_.feedStepAt(line, loop.at_rim ? lines_[line].length() : 0.0),
+                     corner[k % m] != 0 || step == 0 || step == m, false});
   }
   return knots;
 }
 
 std::vector<SpiralCurve::Knot>
-SpiralCurve::turnBesideLoop(const ClosedLoop& loop, std::size_t turn, bool at_rim) const
+SpiralCurve::turnBesideLoop(const ClosedLoop& loop, std::size_t turn) const
 {
   // Where each line, and line 0 again at the turn's end, stands off the loop.
   struct Offset {
@@ -149,16 +190,14 @@ SpiralCurve::turnBesideLoop(const ClosedLoop& loop, std::size_t turn, bool at_ri
   const bool clockwise = settings_.sense == SpiralSense::Clockwise;
   std::vector<Offset> offsets;
   for (std::size_t step = 0; step <= n; ++step) {
-    const std::size_t i = clockwise ? (n - step) % n : step % n;
-    const double gone = step == 0   ? 0.0
-                        : step == n ? 1.0
-                        : clockwise ? 1.0 - lines_[i].rim_share
-                                    : lines_[i].rim_share;
+    const std::size_t i = (clockwise ? n - step : step) % n;
+    const double share = lines_[i].rim_share;
+    const double gone = step == 0 ? 0.0 : step == n ? 1.0 : clockwise ? 1.0 - share : share;
     const double along = turns_.arcLengthAt(i, static_cast<double>(turn) + gone);
     offsets.push_back({gone, lines_[i].curve.positionAt(along) -
-                                 lines_[i].curve.positionAt(at_rim ? lines_[i].length() : 0.0)});
+                                 lines_[i].curve.positionAt(loop.at_rim ? lines_[i].length() : 0.0)});
   }
-  std::vector<Knot> knots = loopKnots(loop, static_cast<double>(turn), at_rim);
+  std::vector<Knot> knots = loopKnots(loop, static_cast<double>(turn));
   std::size_t j = 0;
   for (Knot& knot : knots) {
     const double gone = knot.turn - static_cast<double>(turn);
@@ -177,16 +216,16 @@ SpiralCurve::knots() const
   const bool two = !inner_.points.empty();
   std::vector<std::vector<Knot>> parts(count + 2);
   if (two)
-    parts.front() = loopKnots(inner_, -1.0, false);
+    parts.front() = loopKnots(inner_, -1.0);
 #pragma omp parallel for schedule(dynamic, 4)
   for (std::int64_t j = 0; j < count; ++j)
     parts[j + 1] = turnKnots(j);
   // The turns next to a loop follow it, so that they cannot cross it however close they come.
   if (two)
-    parts[1] = turnBesideLoop(inner_, 0, false);
+    parts[1] = turnBesideLoop(inner_, 0);
   if (count > 1)
-    parts[count] = turnBesideLoop(rim_, count - 1, true);
-  parts.back() = loopKnots(rim_, static_cast<double>(count), true);
+    parts[count] = turnBesideLoop(rim_, count - 1);
+  parts.back() = loopKnots(rim_, static_cast<double>(count));
   std::vector<Knot> all;
   for (auto& part : parts) {
     for (const Knot& knot : part) {

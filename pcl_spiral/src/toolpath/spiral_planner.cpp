@@ -262,6 +262,30 @@ SpiralPlanner::checkPath(const SpiralPath& path)
   }
   report_.path_points = path.contacts.size();
   report_.path_length = path.arc_lengths.back();
+  return checkOrder(path);
+}
+
+Status
+SpiralPlanner::checkOrder(const SpiralPath& path) const
+{
+  // One turn on, the path must have moved to the outer side of its travel (the inner, if it runs inward): right of it
+  // where it winds counter-clockwise.
+  const double side = settings_.sense == SpiralSense::CounterClockwise ? 1.0 : -1.0;
+  const double slack = 0.05 * report_.smallest_step_over + 2.0 * settings_.chord_error; // of chords on either side
+  std::size_t next = 0;
+  for (std::size_t i = 1; i + 1 < path.contacts.size(); ++i) {
+    while (next < path.contacts.size() && path.turns[next] < path.turns[i] + 1.0)
+      ++next;
+    if (next == path.contacts.size())
+      break;
+    const Eigen::Vector3d feed = path.contacts[i + 1] - path.contacts[i - 1];
+    const Eigen::Vector3d right = feed.cross(path.normals[i]).normalized();
+    const double moved = side * right.dot(path.contacts[next] - path.contacts[i]);
+    if (moved < -slack)
+      return {StatusCode::Failed,
+              text("turns cross by ", -moved, " mm at ", at(path.contacts[i]), " in turn ", path.turns[i],
+                   ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
+  }
   return Status::success();
 }
 

@@ -48,13 +48,16 @@ private:
   struct ClosedLoop {
     Polyline points;
     std::vector<std::size_t> corners;
+    std::vector<double> line_shares; ///< share of the loop's length at which each line meets it; 1 at the end
+    bool at_rim = true;
   };
 
   void findActiveShares();
   std::vector<Knot> knots() const;
   std::vector<Knot> turnKnots(std::size_t turn) const;
-  std::vector<Knot> loopKnots(const ClosedLoop& loop, double turn, bool at_rim) const;
-  std::vector<Knot> turnBesideLoop(const ClosedLoop& loop, std::size_t turn, bool at_rim) const;
+  void meetLines(ClosedLoop& loop) const;
+  std::vector<Knot> loopKnots(const ClosedLoop& loop, double turn) const;
+  std::vector<Knot> turnBesideLoop(const ClosedLoop& loop, std::size_t turn) const;
   std::vector<Eigen::Vector3d> tangents(const std::vector<Knot>& knots, bool after_corner) const;
 
   const std::vector<RadialLine>& lines_;
