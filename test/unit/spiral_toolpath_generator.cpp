@@ -167,6 +167,41 @@ TEST(SpiralToolpathGenerator, NormalsTellTheSideAndFlipTurnsIt)
   EXPECT_TRUE(path.empty());
 }
 
+TEST(SpiralToolpathGenerator, WarnsWhereTheSurfaceTurnsTheAxisTooFast)
+{
+  // On a ball of radius r the normal turns 180 / (pi r) degrees per mm.
+  const double by_surface = 180.0 / M_PI / radius;
+  for (const double share : {0.5, 20.0}) {
+    SpiralSettings settings;
+    settings.tool_radius = 6.0;
+    settings.scallop_height = 0.1;
+    settings.max_axis_rate = share * by_surface;
+    Generator spiral;
+    spiral.setInputCloud(test::toCloud(ballPoints().points));
+    spiral.setSettings(settings);
+    Path path;
+    spiral.compute(path);
+    ASSERT_TRUE(spiral.getStatus().ok()) << spiral.getStatus().message();
+    bool warned = false;
+    for (const std::string& warning : spiral.getReport().warnings)
+      warned = warned || warning.find("axis rate") != std::string::npos;
+    EXPECT_EQ(warned, share < 1.0);
+  }
+}
+
+TEST(SpiralToolpathGenerator, RefusesACentreOfARing)
+{
+  const auto region = test::Region({test::circle({0, 0}, reach), test::circle({0, 0}, 10.0)});
+  Generator spiral;
+  setUp(spiral, test::toCloud(test::sampleUniform(*test::ball(radius, region), 4000, 31).points));
+  spiral.setCenter({0, 0, 80});
+  Path path;
+  spiral.compute(path);
+  EXPECT_EQ(spiral.getStatus().code(), StatusCode::InvalidInput);
+  EXPECT_NE(spiral.getStatus().message().find("two boundaries"), std::string::npos);
+  EXPECT_TRUE(path.empty());
+}
+
 TEST(SpiralToolpathGenerator, ProgressGrowsAndCancels)
 {
   Generator spiral;
@@ -232,6 +267,7 @@ TEST(SpiralToolpathGenerator, RefusesWithAnEmptyPath)
   with([](Generator& g) { g.setToolRadius(std::nan("")); }, argument, "tool radius");
   with([](Generator& g) { g.setNumberOfThreads(-1); }, argument, "threads");
   with([](Generator& g) { g.setCenter({0, 0, 120}); }, argument, "centre");
+  with([](Generator& g) { g.setToolRadius(100.0); }, StatusCode::InvalidInput, "is the scan in metres");
   with([](Generator& g) { g.setInputNormals(test::toNormals({Vector3d(0, 0, 1)})); }, argument, "normals");
   with([](Generator& g) { g.setBoundaryMode(BoundaryMode::TwoBoundaries); }, StatusCode::InvalidInput, "two boundaries");
   with([](Generator& g) { g.setIndices(pcl::make_shared<pcl::Indices>(pcl::Indices{3, 4000})); },

@@ -5,6 +5,8 @@
 #include <pcl_spiral/surface/gap_filling.h>
 #include <pcl_spiral/toolpath/boundary_choice.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -34,6 +36,16 @@ std::string
 at(const Eigen::Vector3d& p)
 {
   return text("(", p.x(), ", ", p.y(), ", ", p.z(), ")");
+}
+
+/** Of the box about the points. */
+double
+diagonal(const std::vector<Eigen::Vector3f>& points)
+{
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& p : points)
+    box.extend(p.cast<double>());
+  return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
 } // namespace
@@ -244,6 +256,11 @@ SpiralPlanner::setAxes(SpiralPath& path)
   ToolAxes axes = toolAxes(path.contacts, path.normals, options);
   path.axes = std::move(axes.axes);
   report_.largest_axis_change = axes.largest_change * 180.0 / M_PI;
+  if (axes.exceeded_moves > 0)
+    report_.warnings.push_back(text("on ", axes.exceeded_moves, " of ", path.contacts.size() - 1,
+                                    " moves the surface alone turns the tool axis faster than the largest axis rate of ",
+                                    settings_.max_axis_rate, " degrees per mm: the axis follows the surface there; ",
+                                    "slow the feed, or smooth the scan"));
   return Status::success();
 }
 
@@ -298,6 +315,9 @@ SpiralPlanner::plan(const std::vector<Eigen::Vector3f>& points, const std::vecto
     return cancelled;
   if (const Status status = makeGraph(points, normals); !status.ok())
     return status;
+  if (const double across = diagonal(points); across < settings_.tool_radius)
+    return {StatusCode::InvalidInput, text("the whole scan is ", across, " across, less than the tool radius ",
+                                           settings_.tool_radius, ": is the scan in metres or inches? Scale it to mm")};
   endStage("surface");
   if (!report(0.25, "boundaries"))
     return cancelled;
@@ -312,6 +332,9 @@ SpiralPlanner::plan(const std::vector<Eigen::Vector3f>& points, const std::vecto
   if (!report(0.4, "radial lines"))
     return cancelled;
   const bool two = report_.boundaries == 2;
+  if (two && settings_.centre)
+    return {StatusCode::InvalidInput, text("a centre was given, ", at(*settings_.centre), ", but the surface has two ",
+                                           "boundaries: leave the centre out, or ask for one boundary")};
   RadialLineSet set;
   if (const Status status = makeLines(two, set); !status.ok())
     return status;

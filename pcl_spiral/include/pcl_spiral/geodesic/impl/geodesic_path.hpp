@@ -5,6 +5,7 @@
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
+#include <pcl/impl/pcl_base.hpp>
 #include <pcl/type_traits.h>
 
 #include <algorithm>
