@@ -266,7 +266,8 @@ linesByMethod(const RadialLineRequest& request, const Eigen::Vector3d& centre, b
     message << "neighbouring radial lines jump by " << jump << " mm about (" << jump_place.transpose() << ")";
     return {StatusCode::Failed, message.str()};
   }
-  if (const auto place = crossing(lines, 0.05 * spacing)) {
+  // Harmonic lines converge into narrow tips, closer than they are known; turns there leave most of them out.
+  if (const auto place = crossing(lines, (harmonic ? 0.5 : 0.05) * spacing)) {
     std::ostringstream message;
     message << "radial lines cross at (" << place->transpose() << ")";
     return {StatusCode::Failed, message.str()};

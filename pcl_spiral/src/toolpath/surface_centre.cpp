@@ -4,6 +4,8 @@
 #include <pcl_spiral/core/frame.h>
 #include <pcl_spiral/geodesic/distance_field.h>
 
+#include <Eigen/LU>
+
 #include <cmath>
 #include <limits>
 
@@ -70,6 +72,37 @@ logMap(const DistanceField& field, const SurfaceFoot& foot, const Polyline& rim,
   return plane;
 }
 
+/** Centre of the points by the least sum of distances to the 16th power, close to the smallest circle's; unlike that it
+ *  moves smoothly when the points do. Newton's method from the smallest circle. */
+Eigen::Vector2d
+smoothCentre(const std::vector<Eigen::Vector2d>& points)
+{
+  constexpr double power = 16.0;
+  const Circle circle = smallestEnclosingCircle(points);
+  Eigen::Vector2d centre = circle.centre;
+  for (int iteration = 0; iteration < 40 && circle.radius > 0.0; ++iteration) {
+    Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
+    for (const Eigen::Vector2d& p : points) {
+      const Eigen::Vector2d d = (p - centre) / circle.radius;
+      const double distance = d.norm();
+      if (!(distance > 0.0))
+        continue;
+      const double weight = std::pow(distance, power - 2.0);
+      const Eigen::Vector2d u = d / distance;
+      gradient += weight * d;
+      hessian += weight * (Eigen::Matrix2d::Identity() + (power - 2.0) * u * u.transpose());
+    }
+    const Eigen::Vector2d step = hessian.inverse() * gradient * circle.radius;
+    if (!step.allFinite())
+      break;
+    centre += step;
+    if (step.norm() < 1e-12 * circle.radius)
+      break;
+  }
+  return centre;
+}
+
 } // namespace
 
 std::optional<Eigen::Vector3d>
@@ -85,13 +118,13 @@ chebyshevCentre(const MlsSurface& surface, const Polyline& rim)
     DistanceField field;
     if (!field.compute(surface.graph(), foot.position))
       return std::nullopt;
-    const Circle circle = smallestEnclosingCircle(logMap(field, foot, sample, spacing));
-    if (circle.centre.norm() > 0.5 * last_step)
+    const Eigen::Vector2d centre = smoothCentre(logMap(field, foot, sample, spacing));
+    if (centre.norm() > 0.5 * last_step)
       share *= 0.5;
-    last_step = circle.centre.norm();
+    last_step = centre.norm();
     Eigen::Vector3d e1, e2;
     tangentFrame(foot.normal, e1, e2);
-    Eigen::Vector3d step = share * (circle.centre.x() * e1 + circle.centre.y() * e2);
+    Eigen::Vector3d step = share * (centre.x() * e1 + centre.y() * e2);
     SurfaceFoot next;
     for (int halving = 0; halving < 6 && !next.valid; ++halving, step *= 0.5) {
       // Follow the surface in short tangent steps.

@@ -23,12 +23,11 @@ lagrangeSlope(const std::vector<double>& u, const Polyline& p, std::size_t at)
   for (std::size_t j = 0; j < u.size(); ++j) {
     if (j == at)
       continue;
-    double own = 1.0, weight = 1.0 / (u[j] - u[at]);
+    double weight = 1.0 / (u[j] - u[at]);
     for (std::size_t k = 0; k < u.size(); ++k)
       if (k != at && k != j)
         weight *= (u[at] - u[k]) / (u[j] - u[k]);
-    own = 1.0 / (u[at] - u[j]);
-    slope += weight * p[j] + own * p[at];
+    slope += weight * p[j] + p[at] / (u[at] - u[j]);
   }
   return slope;
 }
