@@ -102,7 +102,7 @@ std::vector<Shape>
 shapes()
 {
   return {{"square", rectangle(100, 100), {}, 4000, 4, 1.5},
-          {"L", ell(200, 90), {}, 12000, 0, 3.0},
+          {"L", ell(200, 90), {}, 12000, 0, 3.0}, // 1.5 is the goal, not met: its re-entrant corner is cut
           {"star", star(5, 100, 45), {}, 12000, 0, 1.5},
           {"slot", slot(100, 8), {}, 800, 0, 1.5},
           {"two holes", rectangle(100, 80), {circle({-20, 0}, 12), circle({25, 5}, 9)}, 8000, 4, 1.5}};
@@ -168,7 +168,7 @@ TEST(BoundaryLoops, ScanLinesTenTimesDenserAlong)
   const Loops found = loopsOf(toCloud(sampleScanLines(*surface, 0.3, 3.0, 4).points));
   ASSERT_TRUE(found.status.ok()) << found.status.message();
   ASSERT_EQ(found.loops.size(), 1u);
-  EXPECT_LE(hausdorff(found.loops, *surface, 0.5), 1.75 * 3.0); // rows 3 apart; the first may lie a whole one inside
+  EXPECT_LE(hausdorff(found.loops, *surface, 0.5), 1.75 * 3.0); // rows 3 apart; the goal is 1.5, not met
 }
 
 TEST(BoundaryLoops, NoiseAndJitter)
