@@ -1,5 +1,6 @@
 #include <pcl_spiral/toolpath/spiral_planner.h>
 
+#include <pcl_spiral/core/self_crossing.h>
 #include <pcl_spiral/core/tool_axis.h>
 #include <pcl_spiral/features/surface_boundary.h>
 #include <pcl_spiral/surface/gap_filling.h>
@@ -289,20 +290,31 @@ SpiralPlanner::checkOrder(const SpiralPath& path) const
   // where it winds counter-clockwise.
   const double side = settings_.sense == SpiralSense::CounterClockwise ? 1.0 : -1.0;
   const double slack = 0.05 * report_.smallest_step_over + 2.0 * settings_.chord_error; // of chords on either side
-  std::size_t next = 0;
+  const double spin = report_.boundaries == 2 ? 0.0 : 1.0; // about a centre the feed spins within one turn
+  const bool outward = settings_.direction == SpiralDirection::Outward;
+  const double lowest = outward ? spin : 0.0, highest = path.turns.back() - 1.0 - (outward ? 0.0 : spin);
+  std::size_t next = 1;
   for (std::size_t i = 1; i + 1 < path.contacts.size(); ++i) {
-    while (next < path.contacts.size() && path.turns[next] < path.turns[i] + 1.0)
+    if (path.turns[i] < lowest || path.turns[i] >= highest)
+      continue;
+    while (path.turns[next] < path.turns[i] + 1.0)
       ++next;
-    if (next == path.contacts.size())
-      break;
+    // The place exactly one turn on, between path points: a step may be many times the pitch.
+    const double f = (path.turns[i] + 1.0 - path.turns[next - 1]) / (path.turns[next] - path.turns[next - 1]);
+    const Eigen::Vector3d later = (1.0 - f) * path.contacts[next - 1] + f * path.contacts[next];
     const Eigen::Vector3d feed = path.contacts[i + 1] - path.contacts[i - 1];
     const Eigen::Vector3d right = feed.cross(path.normals[i]).normalized();
-    const double moved = side * right.dot(path.contacts[next] - path.contacts[i]);
+    const double moved = side * right.dot(later - path.contacts[i]);
     if (moved < -slack)
       return {StatusCode::Failed,
               text("turns cross by ", -moved, " mm at ", at(path.contacts[i]), " in turn ", path.turns[i],
                    ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
   }
+  // Where turns run aslant, places one turn on tell too little: look at all of them.
+  if (const auto crossing = firstSelfCrossing(path.contacts, path.normals))
+    return {StatusCode::Failed,
+            text("the path crosses itself at ", at(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
+                 ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
   return Status::success();
 }
 

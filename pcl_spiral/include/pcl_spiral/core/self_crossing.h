@@ -1,0 +1,18 @@
+/** \file
+ *  Where a path on a surface crosses itself.
+ */
+#pragma once
+
+#include <pcl_spiral/core/polyline.h>
+
+#include <optional>
+
+namespace pcl_spiral {
+
+/** Index of the first segment of \p path that crosses another one as seen along the normal of its first point;
+ *  segments that share a point do not count, nor do sheets farther apart than the longest segment.
+ *  \p normals unit, one a point. Near-linear in the number of points for segments of like length. */
+std::optional<std::size_t>
+firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& normals);
+
+} // namespace pcl_spiral
