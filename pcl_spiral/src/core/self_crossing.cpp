@@ -19,25 +19,31 @@ struct Entry {
   bool operator<(const Entry& other) const { return cell < other.cell; }
 };
 
-/** Twice the signed area of the triangle a b c, seen along \p n. */
+/** Distance of \p c from the line a b, seen along \p n; positive on its left. */
 double
-turnOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& n)
+sideOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& n)
 {
-  return (b - a).cross(c - a).dot(n);
+  const double chord = (b - a).norm();
+  return chord > 0.0 ? (b - a).cross(c - a).dot(n) / chord : 0.0;
 }
 
 bool
-cross(const Polyline& p, std::size_t i, std::size_t j, const Eigen::Vector3d& n)
+apart(double one, double other, double slack)
 {
-  const double a = turnOf(p[i], p[i + 1], p[j], n), b = turnOf(p[i], p[i + 1], p[j + 1], n);
-  const double c = turnOf(p[j], p[j + 1], p[i], n), d = turnOf(p[j], p[j + 1], p[i + 1], n);
-  return a * b < 0.0 && c * d < 0.0;
+  return one * other < 0.0 && std::min(std::abs(one), std::abs(other)) > slack;
+}
+
+bool
+cross(const Polyline& p, std::size_t i, std::size_t j, const Eigen::Vector3d& n, double slack)
+{
+  return apart(sideOf(p[i], p[i + 1], p[j], n), sideOf(p[i], p[i + 1], p[j + 1], n), slack) &&
+         apart(sideOf(p[j], p[j + 1], p[i], n), sideOf(p[j], p[j + 1], p[i + 1], n), slack);
 }
 
 } // namespace
 
 std::optional<std::size_t>
-firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& normals)
+firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& normals, double slack)
 {
   if (path.size() < 4)
     return std::nullopt;
@@ -69,7 +75,7 @@ firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& norm
         const auto begin = std::lower_bound(entries.begin(), entries.end(), low);
         const auto end = std::upper_bound(begin, entries.end(), high);
         for (auto e = begin; e != end; ++e)
-          if (e->segment > i + 1 && cross(path, i, e->segment, normals[i]))
+          if (e->segment > i + 1 && cross(path, i, e->segment, normals[i], slack))
             first = std::min(first, i);
       }
   }

@@ -311,7 +311,7 @@ SpiralPlanner::checkOrder(const SpiralPath& path) const
                    ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
   }
   // Where turns run aslant, places one turn on tell too little: look at all of them.
-  if (const auto crossing = firstSelfCrossing(path.contacts, path.normals))
+  if (const auto crossing = firstSelfCrossing(path.contacts, path.normals, settings_.chord_error))
     return {StatusCode::Failed,
             text("the path crosses itself at ", at(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
                  ": the radial lines there are not in order; give another centre, or machine the part in pieces")};

@@ -10,9 +10,10 @@
 namespace pcl_spiral {
 
 /** Index of the first segment of \p path that crosses another one as seen along the normal of its first point;
- *  segments that share a point do not count, nor do sheets farther apart than the longest segment.
+ *  segments that share a point do not count, nor crossings whose ends all stay
+ *  within \p slack of the other segment, nor sheets farther apart than the longest segment.
  *  \p normals unit, one a point. Near-linear in the number of points for segments of like length. */
 std::optional<std::size_t>
-firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& normals);
+firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& normals, double slack = 0.0);
 
 } // namespace pcl_spiral
