@@ -36,11 +36,18 @@ main(int argc, char** argv)
     const char* type = loop.type == pcl_spiral::LoopType::Outer   ? "outer"
                        : loop.type == pcl_spiral::LoopType::Inner ? "inner"
                                                                   : "scan gap";
-    std::printf("%-8s  length %8.2f mm, %zu points, curve of %zu, corners:", type, loop.length, loop.points.size(),
-                loop.curve.size());
-    for (const std::size_t corner : loop.corners)
-      std::printf(" (%.2f, %.2f, %.2f)", loop.curve[corner].x(), loop.curve[corner].y(), loop.curve[corner].z());
-    std::printf("\n");
+    std::printf("%-8s  length %8.2f mm, %zu points, curve of %zu, %zu corners\n", type, loop.length, loop.points.size(),
+                loop.curve.size(), loop.corners.size());
   }
-  return 0;
+
+  // Boundary points from elsewhere, as CentroidBoundaryEstimation gives them; here those of the outer loop, to be walked.
+  pcl::PointCloud<pcl::Boundary>::Ptr marked(new pcl::PointCloud<pcl::Boundary>(cloud->size(), 1));
+  for (const std::uint32_t index : loops.front().indices)
+    (*marked)[index].boundary_point = 1;
+  boundary.setBoundaryPoints(marked);
+  boundary.setLoopMethod(pcl_spiral::LoopMethod::Walk);
+  boundary.compute(loops);
+  if (boundary.getStatus().ok())
+    std::printf("walked    length %8.2f mm, %zu points\n", loops.front().length, loops.front().points.size());
+  return boundary.getStatus().ok() ? 0 : 1;
 }

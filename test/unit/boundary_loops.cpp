@@ -1,5 +1,7 @@
-// Boundary loops against outlines known exactly: loop count, distance both ways, corners, invariance, refusals.
+// Boundary loops against outlines known exactly: loop count, distance both ways, corners, invariance, given boundary
+// points, the published walk, refusals.
 #include <pcl_spiral/features/boundary_loops.h>
+#include <pcl_spiral/features/centroid_boundary_estimation.h>
 
 #include "support/sampling.h"
 
@@ -7,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace {
 
@@ -264,6 +267,175 @@ TEST(BoundaryLoops, NormalsSayWhichSideIsOut)
   EXPECT_NEAR(signedArea(), 10000.0, 150.0);
   boundary.setInputNormals(down);
   EXPECT_NEAR(signedArea(), -10000.0, 150.0);
+}
+
+using Flags = pcl::PointCloud<pcl::Boundary>;
+
+/** Flags of \p Estimation, a pcl::BoundaryEstimation, with \p k neighbours. */
+template <typename Estimation>
+Flags::Ptr
+flagsOf(const Cloud::Ptr& cloud, const std::vector<Vector3d>& normals, int k)
+{
+  Estimation estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setInputNormals(toNormals(normals));
+  estimation.setKSearch(k);
+  Flags::Ptr flags(new Flags);
+  estimation.compute(*flags);
+  return flags;
+}
+
+Flags::Ptr
+flagsWhere(const Cloud& cloud, const std::function<bool(const pcl::PointXYZ&)>& is_boundary)
+{
+  Flags::Ptr flags(new Flags);
+  for (const pcl::PointXYZ& p : cloud) {
+    flags->emplace_back();
+    flags->back().boundary_point = is_boundary(p) ? 1 : 0;
+  }
+  return flags;
+}
+
+TEST(BoundaryLoops, BoundaryPointsFromEstimations)
+{
+  const SurfacePtr surface = surfaceOf(shapes()[4]); // two holes
+  const Sampled sampled = sampleUniform(*surface, 8000, 2);
+  const Cloud::Ptr cloud = toCloud(sampled.points);
+  const Loops own = loopsOf(cloud);
+  ASSERT_EQ(own.loops.size(), 3u);
+  const Flags::Ptr by_gap = flagsOf<pcl::BoundaryEstimation<pcl::PointXYZ, pcl::Normal, pcl::Boundary>>(cloud, sampled.normals, 30);
+  const Flags::Ptr combined = flagsOf<CentroidBoundaryEstimation<pcl::PointXYZ, pcl::Normal>>(cloud, sampled.normals, 32);
+  BoundaryLoops<pcl::PointXYZ> boundary;
+  boundary.setInputCloud(cloud);
+  std::vector<BoundaryLoop> loops;
+  for (const Flags::Ptr& flags : {by_gap, combined}) {
+    boundary.setBoundaryPoints(flags);
+    boundary.compute(loops);
+    ASSERT_TRUE(boundary.getStatus().ok()) << boundary.getStatus().message();
+    ASSERT_EQ(loops.size(), own.loops.size());
+    for (std::size_t i = 0; i < loops.size(); ++i)
+      EXPECT_EQ(loops[i].curve, own.loops[i].curve);
+    EXPECT_EQ(boundary.getCounts().unmarked_loops, 0u);
+  }
+  // A user who takes back the marks about the smaller hole, at (25, 5), has it closed.
+  Flags::Ptr fewer(new Flags(*combined));
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    if (std::hypot((*cloud)[i].x - 25.0f, (*cloud)[i].y - 5.0f) < 14.0f)
+      (*fewer)[i].boundary_point = 0;
+  boundary.setBoundaryPoints(fewer);
+  boundary.compute(loops);
+  ASSERT_EQ(loops.size(), 2u);
+  EXPECT_EQ(loops[1].curve, own.loops[1].curve);
+  EXPECT_EQ(boundary.getCounts().unmarked_loops, 1u);
+  // Without the rim's marks there is no outer loop.
+  boundary.setBoundaryPoints(flagsWhere(*cloud, [](const auto& p) { return std::hypot(p.x + 20.0f, p.y) < 14.0f; }));
+  boundary.compute(loops);
+  EXPECT_TRUE(loops.empty());
+  EXPECT_NE(boundary.getStatus().message().find("outer boundary"), std::string::npos);
+}
+
+TEST(BoundaryLoops, RefusesFlagsThatDoNotFit)
+{
+  const SurfacePtr surface = flat(Region({rectangle(100, 100)}));
+  const Cloud::Ptr cloud = toCloud(sampleUniform(*surface, 3000, 10).points);
+  BoundaryLoops<pcl::PointXYZ> boundary;
+  boundary.setInputCloud(cloud);
+  std::vector<BoundaryLoop> loops(1);
+  boundary.setBoundaryPoints(pcl::make_shared<Flags>(2999, 1));
+  boundary.compute(loops);
+  EXPECT_TRUE(loops.empty());
+  EXPECT_EQ(boundary.getStatus().code(), StatusCode::InvalidInput);
+  for (const char* word : {"2999", "3000", "setBoundaryPoints with one a point"})
+    EXPECT_NE(boundary.getStatus().message().find(word), std::string::npos) << boundary.getStatus().message();
+  boundary.setBoundaryPoints(flagsWhere(*cloud, [](const auto&) { return false; }));
+  boundary.compute(loops);
+  EXPECT_NE(boundary.getStatus().message().find("no point is marked"), std::string::npos);
+  boundary.setBoundaryPoints(nullptr);
+  boundary.compute(loops);
+  EXPECT_EQ(loops.size(), 1u);
+  boundary.setMaxTurn(0.0);
+  boundary.compute(loops);
+  EXPECT_EQ(boundary.getStatus().code(), StatusCode::InvalidArgument);
+}
+
+/** Whether \p loop visits \p expected, a closed run, in order: from any point on, the same way round. */
+bool
+isRotationOf(const std::vector<std::uint32_t>& loop, const std::vector<std::uint32_t>& expected)
+{
+  const auto first = std::find(expected.begin(), expected.end(), loop.front());
+  std::vector<std::uint32_t> turned(first, expected.end());
+  turned.insert(turned.end(), expected.begin(), first);
+  return loop == turned;
+}
+
+TEST(BoundaryLoops, WalkVisitsRingsInOrder)
+{
+  // A washer: rings of points on two circles about a sunflower, in a shuffled cloud; the order round is known.
+  Random random(21);
+  constexpr int outer = 300, inner = 90;
+  std::vector<Vector3d> points;
+  for (const auto& [radius, count] : {std::pair(50.0, outer), std::pair(15.0, inner)})
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2.0 * M_PI * (i + 0.2 * random.uniform(-1, 1)) / count;
+      points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+    }
+  for (int i = 0; i < 8000; ++i) {
+    const double r = 49.2 * std::sqrt((i + 0.5) / 8000.0), angle = 2.399963229728653 * i;
+    if (r > 15.8)
+      points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.0);
+  }
+  const std::vector<std::size_t> order = shuffled(points.size(), 22);
+  Cloud::Ptr cloud(new Cloud(static_cast<unsigned>(points.size()), 1));
+  std::vector<std::uint32_t> place(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    (*cloud)[i].getVector3fMap() = points[order[i]].cast<float>();
+    place[order[i]] = static_cast<std::uint32_t>(i);
+  }
+  const std::vector<std::uint32_t> rim(place.begin(), place.begin() + outer);
+  const std::vector<std::uint32_t> hole(place.rend() - outer - inner, place.rend() - outer); // clockwise: surface left
+  Flags::Ptr flags(new Flags(static_cast<unsigned>(cloud->size()), 1));
+  for (Flags::iterator flag = flags->begin(); flag != flags->end(); ++flag)
+    flag->boundary_point = order[static_cast<std::size_t>(flag - flags->begin())] < outer + inner;
+
+  BoundaryLoops<pcl::PointXYZ> boundary;
+  boundary.setInputCloud(cloud);
+  boundary.setLoopMethod(LoopMethod::Walk);
+  for (const bool given : {true, false}) {
+    boundary.setBoundaryPoints(given ? flags : nullptr);
+    std::vector<BoundaryLoop> loops;
+    boundary.compute(loops);
+    ASSERT_TRUE(boundary.getStatus().ok()) << boundary.getStatus().message();
+    ASSERT_EQ(loops.size(), 2u);
+    EXPECT_TRUE(isRotationOf(loops[0].indices, rim));
+    EXPECT_TRUE(isRotationOf(loops[1].indices, hole));
+    EXPECT_NEAR(loops[0].length, 100.0 * M_PI, 2.0); // the outline may lie a third of a spacing off
+  }
+}
+
+TEST(BoundaryLoops, WalkStopsAtCornersBeyondItsTurn)
+{
+  Cloud::Ptr cloud(new Cloud);
+  for (int i = 0; i <= 60; ++i)
+    for (int j = 0; j <= 40; ++j)
+      cloud->emplace_back(static_cast<float>(i), static_cast<float>(j), 0.0f);
+  BoundaryLoops<pcl::PointXYZ> boundary;
+  boundary.setInputCloud(cloud);
+  boundary.setBoundaryPoints(
+      flagsWhere(*cloud, [](const auto& p) { return p.x == 0.0f || p.x == 60.0f || p.y == 0.0f || p.y == 40.0f; }));
+  boundary.setLoopMethod(LoopMethod::Walk);
+  boundary.setMaxTurn(95.0);
+  std::vector<BoundaryLoop> loops;
+  boundary.compute(loops);
+  ASSERT_TRUE(boundary.getStatus().ok()) << boundary.getStatus().message();
+  ASSERT_EQ(loops.size(), 1u);
+  ASSERT_EQ(loops[0].points.size(), 200u);
+  for (std::size_t i = 0; i < 200; ++i)
+    EXPECT_EQ((loops[0].points[i] - loops[0].points[(i + 1) % 200]).norm(), 1.0);
+  boundary.setMaxTurn(20.0);
+  boundary.compute(loops);
+  EXPECT_TRUE(loops.empty());
+  for (const char* word : {"the walk along the boundary ends at", "20 degrees", "link half-edges"})
+    EXPECT_NE(boundary.getStatus().message().find(word), std::string::npos) << boundary.getStatus().message();
 }
 
 TEST(BoundaryLoops, RefusesWithAReason)

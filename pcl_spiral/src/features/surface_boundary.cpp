@@ -2,6 +2,7 @@
 
 #include <pcl_spiral/surface/mls_surface.h>
 
+#include "boundary_walk.h"
 #include "loop_rings.h"
 #include "outline.h"
 
@@ -29,7 +30,7 @@ place(const Eigen::Vector3d& p)
 }
 
 Status
-checkOptions(const BoundaryOptions& options)
+checkOptions(const SurfaceGraph& graph, const BoundaryOptions& options)
 {
   if (!(options.min_hole_length >= 0.0) || !std::isfinite(options.min_hole_length))
     return {StatusCode::InvalidArgument, formatted("the shortest length of a hole is %g; set it above 0, or 0 for "
@@ -43,6 +44,18 @@ checkOptions(const BoundaryOptions& options)
     return {StatusCode::InvalidArgument,
             formatted("the share of a part that may be left out is %g; set it between 0 and 1",
                       options.largest_left_out)};
+  if (!(options.max_turn > 0.0 && options.max_turn <= 180.0))
+    return {StatusCode::InvalidArgument,
+            formatted("the largest turn of the walk is %g degrees; set it above 0 and not above 180", options.max_turn)};
+  if (options.marked.empty())
+    return Status::success();
+  if (options.marked.size() != graph.size())
+    return {StatusCode::InvalidInput,
+            formatted("there are %.0f boundary flags for %.0f points; give one a point, or none to have them found",
+                      static_cast<double>(options.marked.size()), static_cast<double>(graph.size()))};
+  if (std::count(options.marked.begin(), options.marked.end(), 0) == static_cast<std::ptrdiff_t>(graph.size()))
+    return {StatusCode::InvalidInput, "no point is marked as boundary; lower the threshold that marked them, or give no "
+                                      "flags to have them found"};
   return Status::success();
 }
 
@@ -127,6 +140,74 @@ isClosed(const SurfaceGraph& graph, const BoundaryOptions& options, const Bounda
          longest.length * longest.length < 0.1 * 4.0 * M_PI * area;
 }
 
+bool
+isMarked(const SurfaceGraph& graph, const BoundaryOptions& options, std::uint32_t v)
+{
+  return options.marked[graph.blocks().originalIndex(v)] != 0;
+}
+
+/** Points of the surface to walk on, ascending: the marked ones, or those of the rings. */
+std::vector<std::uint32_t>
+pointsToWalk(const SurfaceGraph& graph, const BoundaryOptions& options, const std::vector<std::uint32_t>& parts,
+             const std::vector<Ring>& rings)
+{
+  std::vector<std::uint8_t> wanted(graph.size(), 0);
+  if (options.marked.empty()) {
+    for (const Ring& ring : rings)
+      for (const std::uint32_t v : ring)
+        wanted[v] = 1;
+  }
+  else
+    for (std::size_t t = 0; t < parts.size(); ++t)
+      if (parts[t] == 0)
+        for (const std::uint32_t v : graph.triangulation().triangle(t))
+          wanted[v] = isMarked(graph, options, v);
+  std::vector<std::uint32_t> points;
+  for (std::uint32_t v = 0; v < wanted.size(); ++v)
+    if (wanted[v])
+      points.push_back(v);
+  return points;
+}
+
+BoundaryLoop
+loopOf(const SurfaceGraph& graph, const MlsSurface& surface, const Ring& ring)
+{
+  BoundaryLoop loop;
+  for (const std::uint32_t v : ring) {
+    loop.indices.push_back(graph.blocks().originalIndex(v));
+    loop.points.push_back(graph.position(v));
+  }
+  Outline outline = fitOutline(surface, ring);
+  loop.curve = std::move(outline.curve);
+  loop.corners = std::move(outline.corners);
+  loop.length = length(loop.curve, true);
+  return loop;
+}
+
+/** Drop the loops of which less than half the points are marked; the outer one must not be among them. */
+Status
+keepMarked(const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, std::size_t& dropped)
+{
+  if (options.marked.empty())
+    return Status::success();
+  const auto share = [&](const BoundaryLoop& loop) {
+    const auto count = std::count_if(loop.indices.begin(), loop.indices.end(),
+                                     [&](std::uint32_t i) { return options.marked[i] != 0; });
+    return static_cast<double>(count) / static_cast<double>(loop.indices.size());
+  };
+  constexpr double least = 0.5;
+  if (share(loops.front()) < least)
+    return {StatusCode::InvalidInput,
+            formatted("of the %.0f points of the outer boundary only %.0f %% are marked as boundary; mark them, or give "
+                      "no flags to have the boundaries found",
+                      static_cast<double>(loops.front().indices.size()), 100.0 * share(loops.front()))};
+  const auto kept = std::remove_if(loops.begin() + 1, loops.end(),
+                                   [&](const BoundaryLoop& loop) { return share(loop) < least; });
+  dropped = static_cast<std::size_t>(loops.end() - kept);
+  loops.erase(kept, loops.end());
+  return Status::success();
+}
+
 } // namespace
 
 Status
@@ -135,39 +216,38 @@ findBoundaryLoops(const SurfaceGraph& graph, const BoundaryOptions& options, std
 {
   loops.clear();
   BoundaryCounts found;
-  if (const Status status = checkOptions(options); !status.ok())
+  if (const Status status = checkOptions(graph, options); !status.ok())
     return status;
   std::vector<std::uint32_t> parts;
   if (const Status status = checkParts(graph, options, parts, found); !status.ok())
     return status;
-
-  const MlsSurface surface(graph);
-  for (const Ring& ring : boundaryRings(graph.triangulation(), parts, 0)) {
-    if (ringLength(graph, ring) < options.shortest_loop * graph.spacing()) {
-      ++found.left_out_loops;
-      continue;
-    }
-    BoundaryLoop loop;
-    for (const std::uint32_t v : ring) {
-      loop.indices.push_back(graph.blocks().originalIndex(v));
-      loop.points.push_back(graph.position(v));
-    }
-    Outline outline = fitOutline(surface, ring);
-    loop.curve = std::move(outline.curve);
-    loop.corners = std::move(outline.corners);
-    loop.length = length(loop.curve, true);
-    loops.push_back(std::move(loop));
+  std::vector<Ring> rings = boundaryRings(graph.triangulation(), parts, 0);
+  if (options.method == LoopMethod::Walk) {
+    const std::vector<std::uint32_t> points = pointsToWalk(graph, options, parts, rings);
+    WalkOptions walk;
+    walk.max_turn = options.max_turn * M_PI / 180.0;
+    walk.shortest = options.shortest_loop;
+    if (const Status status = walkRings(graph, points, walk, rings, found.left_out_loops); !status.ok())
+      return status;
   }
+  const MlsSurface surface(graph);
+  for (const Ring& ring : rings)
+    if (ringLength(graph, ring) < options.shortest_loop * graph.spacing())
+      ++found.left_out_loops;
+    else
+      loops.push_back(loopOf(graph, surface, ring));
+  Status status = {StatusCode::InvalidInput, "the surface is closed: it has no boundary for a spiral to end at; cut the "
+                                             "cloud down to the side to be machined"};
+  if (!loops.empty()) {
+    classify(graph, options, loops);
+    if (!isClosed(graph, options, loops.front()))
+      status = keepMarked(options, loops, found.unmarked_loops);
+  }
+  if (!status.ok())
+    loops.clear();
   if (counts)
     *counts = found;
-  if (!loops.empty())
-    classify(graph, options, loops);
-  if (loops.empty() || isClosed(graph, options, loops.front())) {
-    loops.clear();
-    return {StatusCode::InvalidInput, "the surface is closed: it has no boundary for a spiral to end at; cut the "
-                                      "cloud down to the side to be machined"};
-  }
-  return Status::success();
+  return status;
 }
 
 } // namespace pcl_spiral

@@ -16,7 +16,9 @@ namespace pcl_spiral {
 /** Ordered, closed boundary loops of a scanned surface: its outer rim, real holes, gaps in the data.
  *
  *  Instead of walking from boundary point to boundary point (Wu et al. 2025, section 1), which fails at corners and
- *  gaps, the free half-edges of local Delaunay stars are linked; see findBoundaryLoops. Lengths in the cloud's unit, mm.
+ *  gaps, the free half-edges of local Delaunay stars are linked; see findBoundaryLoops. The walk is there to be chosen.
+ *  Which points are of the boundary is found from the stars too, or given by setBoundaryPoints, as
+ *  CentroidBoundaryEstimation and pcl::BoundaryEstimation tell it. Lengths in the cloud's unit, mm.
  *  Points that are not finite and repeated points are dropped; with setIndices only those points take part.
  */
 template <typename PointT, typename PointNT = pcl::Normal>
@@ -25,11 +27,27 @@ public:
   using Ptr = pcl::shared_ptr<BoundaryLoops>;
   using ConstPtr = pcl::shared_ptr<const BoundaryLoops>;
   using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
+  using BoundaryPointsConstPtr = pcl::PointCloud<pcl::Boundary>::ConstPtr;
 
   /** Normals out of the material, one a point of the input: they say from which side loops run counter-clockwise.
    *  Without them the side facing +z is taken. */
   void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
   NormalsConstPtr getInputNormals() const { return normals_; }
+
+  /** Which points are of the boundary, a flag a point of the input: those of CentroidBoundaryEstimation, of
+   *  pcl::BoundaryEstimation, or the user's own. Linking half-edges, loops of which less than half the points are marked
+   *  are left out, and the outer loop must not be; the walk goes from marked point to marked point. Without them, the
+   *  points at which a star is open. */
+  void setBoundaryPoints(const BoundaryPointsConstPtr& points) { boundary_points_ = points; }
+  BoundaryPointsConstPtr getBoundaryPoints() const { return boundary_points_; }
+
+  /** How points are put in order; LoopMethod::HalfEdges by default. */
+  void setLoopMethod(LoopMethod method) { options_.method = method; }
+  LoopMethod getLoopMethod() const { return options_.method; }
+
+  /** Largest turn the walk takes from one step to the next, degrees, above 0 to 180; 90 by default. */
+  void setMaxTurn(double degrees) { options_.max_turn = degrees; }
+  double getMaxTurn() const { return options_.max_turn; }
 
   /** Shortest loop that is a real hole rather than a gap in the data, mm; 0, the default, decides by the length of the
    *  outer loop and the spacing, see BoundaryOptions. */
@@ -60,6 +78,7 @@ private:
   using pcl::PCLBase<PointT>::indices_;
 
   NormalsConstPtr normals_;
+  BoundaryPointsConstPtr boundary_points_;
   BoundaryOptions options_;
   double alpha_ = 3.0;
   Status status_;

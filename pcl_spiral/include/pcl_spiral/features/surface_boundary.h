@@ -8,12 +8,24 @@
 #include <pcl_spiral/search/surface_graph.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl_spiral {
 
+/** How boundary points are put in order. */
+enum class LoopMethod {
+  HalfEdges, ///< free half-edges of the triangulation are linked: loops close at corners, gaps and thick bands too
+  Walk       ///< from point to nearest point, with a limit on turns, as published (Wu et al. 2025, section 1); fails there
+};
+
 /** What counts as a boundary. */
 struct BoundaryOptions {
+  LoopMethod method = LoopMethod::HalfEdges;
+  /** A flag a point, of those the graph was built from, in their order: not 0 for a boundary point. Empty: those on the
+   *  free half-edges. Linking half-edges, a loop stands when at least half of its points are marked. */
+  std::vector<std::uint8_t> marked;
+  double max_turn = 90.0;          ///< theta_th of the walk, degrees
   /** Shortest loop that is a real hole rather than a gap in the data, mm. 0: an eighth of the outer loop's length, and
    *  more than largest_gap spacings across. */
   double min_hole_length = 0.0;
@@ -27,12 +39,14 @@ struct BoundaryCounts {
   std::size_t left_out_parts = 0;     ///< specks apart from the surface
   std::size_t left_out_triangles = 0; ///< in them
   std::size_t left_out_loops = 0;     ///< shorter than shortest_loop
+  std::size_t unmarked_loops = 0;     ///< less than half of their points among those marked
 };
 
 /** Boundaries of the largest edge-connected part of the surface: the outer one first, then by falling length.
  *
  *  Loops that touch themselves at a point are split there. Fails when a second part is too large to be a speck, when
- *  there is no boundary at all, and on options out of range.
+ *  there is no boundary at all, when the outer one is not among the points marked, when a walk ends before it comes back,
+ *  and on options out of range.
  */
 Status
 findBoundaryLoops(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,

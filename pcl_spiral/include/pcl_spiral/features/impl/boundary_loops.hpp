@@ -25,6 +25,10 @@ BoundaryLoops<PointT, PointNT>::check() const
     return {StatusCode::InvalidInput, "there are " + std::to_string(normals_->size()) + " normals for " +
                                           std::to_string(input_->size()) +
                                           " points; call setInputNormals with one a point"};
+  if (boundary_points_ && boundary_points_->size() != input_->size())
+    return {StatusCode::InvalidInput, "there are " + std::to_string(boundary_points_->size()) + " boundary flags for " +
+                                          std::to_string(input_->size()) +
+                                          " points; call setBoundaryPoints with one a point, of the whole input"};
   if (indices_)
     for (const auto index : *indices_)
       if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
@@ -96,8 +100,13 @@ BoundaryLoops<PointT, PointNT>::compute(std::vector<BoundaryLoop>& loops)
     usable = usablePoints();
     status_ = buildGraph(usable, graph);
   }
-  if (status_.ok())
-    status_ = findBoundaryLoops(graph, options_, loops, &counts_);
+  if (status_.ok()) {
+    BoundaryOptions options = options_;
+    if (boundary_points_)
+      for (const std::uint32_t i : usable)
+        options.marked.push_back((*boundary_points_)[i].boundary_point);
+    status_ = findBoundaryLoops(graph, options, loops, &counts_);
+  }
   if (!status_.ok())
     PCL_ERROR("[pcl_spiral::BoundaryLoops::compute] %s.\n", status_.message().c_str());
   for (BoundaryLoop& loop : loops)
