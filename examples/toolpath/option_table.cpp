@@ -173,7 +173,7 @@ spiral()
        setting("boundaries", "one for a dome, two for a ring; auto by default: --boundaries two",
                &SpiralSettings::boundary_mode),
        setting("direction", "outward by default: --direction inward", &SpiralSettings::direction),
-       setting("sense", "seen from outside; ccw by default: --sense cw", &SpiralSettings::sense),
+       setting("sense", "which way the cutter travels round, seen from outside; ccw by default: --sense cw", &SpiralSettings::sense),
        setting("pitch", "distance of turns across the feed, or along the lines as published: --pitch along",
                &SpiralSettings::pitch),
        setting("lines", "how radial lines are found; auto by default: --lines harmonic",

@@ -124,7 +124,7 @@ TEST(SpiralCurve, LastLineOfATurnMeetsTheFirstOfTheNext)
   EXPECT_EQ(static_cast<double>(met), c.turns);
 }
 
-TEST(SpiralCurve, ClockwiseIsTheMirrorAndInwardTheReverse)
+TEST(SpiralCurve, ClockwiseIsTheMirrorAndInwardTheOtherSensesReverse)
 {
   Case c = disc();
   const auto plain = c.sample();
@@ -135,6 +135,8 @@ TEST(SpiralCurve, ClockwiseIsTheMirrorAndInwardTheReverse)
     EXPECT_NEAR((clockwise[i].position.cwiseProduct(Vector3d(1, -1, 1)) - plain[i].position).norm(), 0.0, 1e-6);
     EXPECT_NEAR(clockwise[i].turn, plain[i].turn, 1e-9);
   }
+  // Run from its end, the clockwise spiral winds counter-clockwise.
+  c.settings.sense = SpiralSense::CounterClockwise;
   c.settings.direction = SpiralDirection::Inward;
   const auto inward = c.sample();
   ASSERT_EQ(inward.size(), clockwise.size());
@@ -164,18 +166,22 @@ TEST(SpiralCurve, SquareKeepsItsCorners)
     EXPECT_LT(p.position.cwiseAbs().maxCoeff(), radius + 1e-9);
 }
 
-TEST(SpiralCurve, AnnulusStartsRoundTheInnerLoop)
+TEST(SpiralCurve, AnnulusBeginsAndEndsRoundItsLoopsInTheSenseAskedFor)
 {
   const Polyline outer = test::ring(radius, 128), inner = test::ring(20.0, 128);
   Case c(test::straightLines([&](std::size_t i) { return inner[i]; }, outer), test::ring(radius, 1024), {},
          test::ring(20.0, 1024));
-  for (const SpiralSense sense : {SpiralSense::CounterClockwise, SpiralSense::Clockwise}) {
+  const auto [ccw, cw] = std::pair(SpiralSense::CounterClockwise, SpiralSense::Clockwise);
+  const auto [out, in] = std::pair(SpiralDirection::Outward, SpiralDirection::Inward);
+  for (const auto& [sense, direction] : {std::pair(ccw, out), std::pair(cw, out), std::pair(ccw, in), std::pair(cw, in)}) {
     c.settings.sense = sense;
+    c.settings.direction = direction;
     const auto points = c.sample();
     EXPECT_EQ(points.back().turn, c.turns + 2.0);
     double turned = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const double r = points[i].position.norm(), turn = points[i].turn;
+      const double r = points[i].position.norm();
+      const double turn = direction == in ? c.turns + 2.0 - points[i].turn : points[i].turn;
       const double expected = 20.0 + 40.0 * std::clamp((turn - 1.0) / c.turns, 0.0, 1.0);
       EXPECT_NEAR(r, expected, 1e-2) << "turn " << turn;
       if (i > 0)

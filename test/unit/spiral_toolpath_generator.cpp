@@ -85,6 +85,47 @@ TEST(SpiralToolpathGenerator, FromTheCentreToTheRim)
   EXPECT_EQ(path.back().turn, static_cast<float>(report.turns + 1));
 }
 
+/** Angle swept about the z axis from point to point, radians; counter-clockwise is positive. */
+double
+winding(const Path& path)
+{
+  double sum = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Eigen::Vector2d a = path[i - 1].getVector3fMap().cast<double>().head<2>();
+    const Eigen::Vector2d b = path[i].getVector3fMap().cast<double>().head<2>();
+    sum += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  }
+  return sum;
+}
+
+TEST(SpiralToolpathGenerator, SenseIsTheTravelsOutwardAndInward)
+{
+  for (const double hole : {0.0, 10.0}) { // a dome and a ring
+    std::vector<test::PlaneLoop> loops{test::circle({0, 0}, reach)};
+    if (hole > 0.0)
+      loops.push_back(test::circle({0, 0}, hole));
+    const auto cloud = test::toCloud(test::sampleUniform(*test::ball(radius, test::Region(loops)), 4000, 31).points);
+    for (const SpiralSense sense : {SpiralSense::CounterClockwise, SpiralSense::Clockwise})
+      for (const SpiralDirection direction : {SpiralDirection::Outward, SpiralDirection::Inward}) {
+        Generator spiral;
+        setUp(spiral, cloud);
+        spiral.setSense(sense);
+        spiral.setDirection(direction);
+        if (hole == 0.0)
+          spiral.setCenter({0.0, 0.0, radius});
+        Path path;
+        spiral.compute(path);
+        ASSERT_TRUE(spiral.getStatus().ok()) << spiral.getStatus().message();
+        const double turns = path.back().turn; // round the loops too
+        EXPECT_NEAR(winding(path) / (2.0 * M_PI), sense == SpiralSense::CounterClockwise ? turns : -turns, 0.5);
+        const auto fromAxis = [](const ToolpathPoint& p) { return std::hypot(p.x, p.y); };
+        const bool outward = direction == SpiralDirection::Outward;
+        EXPECT_NEAR(fromAxis(outward ? path.back() : path.front()), reach, 1.0);
+        EXPECT_NEAR(fromAxis(outward ? path.front() : path.back()), hole, 1.0);
+      }
+  }
+}
+
 TEST(SpiralToolpathGenerator, TiltIsTheUsersOwn)
 {
   for (const double tilt : {0.0, -30.0}) {

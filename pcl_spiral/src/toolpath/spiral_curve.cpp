@@ -40,6 +40,14 @@ angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+/** How the curve winds from the inside out. An inward spiral is drawn so too and then run from its end, which turns its
+ *  winding round. */
+bool
+drawnClockwise(const SpiralSettings& settings)
+{
+  return (settings.sense == SpiralSense::Clockwise) != (settings.direction == SpiralDirection::Inward);
+}
+
 } // namespace
 
 SpiralCurve::SpiralCurve(const std::vector<RadialLine>& lines, const TurnFunction& turns,
@@ -138,7 +146,7 @@ SpiralCurve::turnKnots(std::size_t turn) const
 {
   std::vector<Knot> knots;
   const std::size_t n = lines_.size();
-  const bool clockwise = settings_.sense == SpiralSense::Clockwise;
+  const bool clockwise = drawnClockwise(settings_);
   for (std::size_t step = 0; step < n; ++step) {
     const std::size_t i = clockwise ? (n - step) % n : step;
     const double delta = step == 0 ? 0.0 : clockwise ? 1.0 - lines_[i].rim_share : lines_[i].rim_share;
@@ -159,7 +167,7 @@ SpiralCurve::loopKnots(const ClosedLoop& loop, double turn) const
   std::vector<std::uint8_t> corner(m, 0);
   for (const std::size_t c : loop.corners)
     corner[c] = 1;
-  const bool clockwise = settings_.sense == SpiralSense::Clockwise;
+  const bool clockwise = drawnClockwise(settings_);
   std::vector<Knot> knots;
   for (std::size_t step = 0; step <= m; ++step) {
     const std::size_t k = clockwise ? m - step : step; // m is the first point again, a whole lap on
@@ -187,7 +195,7 @@ SpiralCurve::turnBesideLoop(const ClosedLoop& loop, std::size_t turn) const
     Eigen::Vector3d by;
   };
   const std::size_t n = lines_.size();
-  const bool clockwise = settings_.sense == SpiralSense::Clockwise;
+  const bool clockwise = drawnClockwise(settings_);
   std::vector<Offset> offsets;
   for (std::size_t step = 0; step <= n; ++step) {
     const std::size_t i = (clockwise ? n - step : step) % n;

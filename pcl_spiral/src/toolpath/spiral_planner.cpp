@@ -286,12 +286,12 @@ SpiralPlanner::checkPath(const SpiralPath& path)
 Status
 SpiralPlanner::checkOrder(const SpiralPath& path) const
 {
-  // One turn on, the path must have moved to the outer side of its travel (the inner, if it runs inward): right of it
-  // where it winds counter-clockwise.
-  const double side = settings_.sense == SpiralSense::CounterClockwise ? 1.0 : -1.0;
+  // One turn on, the path must have moved to the outer side of its travel: right of it where it winds counter-clockwise;
+  // to the other side, where it runs inward.
+  const bool outward = settings_.direction == SpiralDirection::Outward;
+  const double side = (settings_.sense == SpiralSense::CounterClockwise) == outward ? 1.0 : -1.0;
   const double slack = 0.05 * report_.smallest_step_over + 2.0 * settings_.chord_error; // of chords on either side
   const double spin = report_.boundaries == 2 ? 0.0 : 1.0; // about a centre the feed spins within one turn
-  const bool outward = settings_.direction == SpiralDirection::Outward;
   const double lowest = outward ? spin : 0.0, highest = path.turns.back() - 1.0 - (outward ? 0.0 : spin);
   std::size_t next = 1;
   for (std::size_t i = 1; i + 1 < path.contacts.size(); ++i) {

@@ -15,7 +15,9 @@ namespace pcl_spiral {
 enum class BoundaryMode { Automatic, OneBoundary, TwoBoundaries };
 /** Which way the spiral travels. */
 enum class SpiralDirection { Outward, Inward };
-/** Which way the spiral winds, seen from outside the material. */
+/** Which way the cutter travels round, seen from outside the material, outward and inward alike. With a spindle that turns
+ *  clockwise (M3) the cut is a climbing one where uncut material lies on the right of travel: outward counter-clockwise,
+ *  inward clockwise. */
 enum class SpiralSense { CounterClockwise, Clockwise };
 /** Along what the distance of neighbouring turns is measured. */
 enum class Pitch {
