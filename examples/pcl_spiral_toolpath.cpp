@@ -64,7 +64,7 @@ compute(const Job& job)
   if (status.code() == StatusCode::Cancelled || cancelled())
     throw Cancelled();
   if (status.code() == StatusCode::InvalidArgument)
-    throw UsageError(status.message());
+    throw UsageError(job.scan + ": " + status.message());
   if (!status.ok())
     throw FileError(job.scan, status.message());
   result.report = generator.getReport();

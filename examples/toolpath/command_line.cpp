@@ -77,6 +77,7 @@ setValues(Job& job, const NamedValues& values)
     if (name != "output" && name != "scan" && !seen.insert(name).second)
       throw UsageError("--" + name + " is given twice");
     findOption(name)->set(job, value);
+    job.given.insert(name);
   }
 }
 
@@ -116,6 +117,6 @@ printHelp(std::ostream& out)
          "part.png\n\n"
          "Lengths are millimetres and angles degrees. Ends with 0 when done, 1 when the data or a file "
          "fails,\n"
-         "2 when the call is wrong; then no output is written or changed.\n"
+         "2 when the call is wrong or an option does not fit the scan; then no output is written or changed.\n"
       << allOptions();
 }

@@ -73,6 +73,10 @@ printPath(const Job& job, const pcl_spiral::SpiralReport& report)
               report.harmonic_lines ? "harmonic" : "geodesic");
   std::printf("spiral          %zu turn%s, %zu points, step-over %.4g to %.4g mm\n", report.turns,
               plural(report.turns), report.path_points, report.smallest_step_over, report.largest_step_over);
+  if (report.limited_points > 0)
+    std::printf("tool axis       tilt eased at %zu point%s by up to %.3g degrees, to turn no faster than %g degrees a mm\n",
+                report.limited_points, plural(report.limited_points), report.largest_tilt_reduction,
+                job.settings.max_axis_rate);
   std::printf("path length     %.3f m\n", report.path_length / 1000.0);
   std::printf("machining time  %s at %g mm/min\n",
               duration(60.0 * report.path_length / job.settings.feed).c_str(), job.settings.feed);

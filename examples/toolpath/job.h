@@ -6,12 +6,14 @@
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/toolpath/spiral_settings.h>
 
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 /** A run as the user described it. */
 struct Job {
+  std::set<std::string> given; ///< names of the options that were set, here or in a job file
   std::string scan;
   std::vector<std::string> outputs;
   pcl_spiral::ReadOptions read;

@@ -27,13 +27,20 @@ require(bool holds, const std::string& option, double value, const std::string& 
 }
 
 void
-checkCutter(const pcl_spiral::SpiralSettings& s)
+requireGiven(const Job& job, const std::string& option, const std::string& remedy)
 {
-  require(s.tool_radius != 0.0, "tool-radius", 0.0,
-          "the radius of the ball cutter is needed, such as --tool-radius 10");
-  require(s.tool_radius > 0.0, "tool-radius", s.tool_radius, "must be above 0 mm");
-  require(s.scallop_height > 0.0, "scallop", s.scallop_height,
-          "a height above 0 mm is needed, such as --scallop 0.05");
+  if (job.given.count(option) == 0)
+    throw UsageError("no --" + option + " is given; " + remedy);
+}
+
+void
+checkCutter(const Job& job)
+{
+  const pcl_spiral::SpiralSettings& s = job.settings;
+  requireGiven(job, "tool-radius", "give the radius of the ball cutter in mm, such as --tool-radius 10");
+  requireGiven(job, "scallop", "give the height of the ridge left between turns in mm, such as --scallop 0.05");
+  require(s.tool_radius > 0.0, "tool-radius", s.tool_radius, "must be above 0 mm, such as 10");
+  require(s.scallop_height > 0.0, "scallop", s.scallop_height, "must be above 0 mm, such as 0.05");
   require(s.scallop_height < s.tool_radius, "scallop", s.scallop_height,
           "must be below the tool radius, which is " + text(s.tool_radius) +
               " mm; usual is a hundredth of it");
@@ -112,6 +119,6 @@ checkJob(const Job& job)
 {
   if (job.scan.empty())
     throw UsageError("no scan is named; give one, such as part.pcd");
-  checkCutter(job.settings);
+  checkCutter(job);
   checkOutputs(job);
 }

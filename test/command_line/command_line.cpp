@@ -4,6 +4,7 @@
 #include "run_program.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -124,8 +125,11 @@ TEST_F(CommandLine, RefusesBadCalls)
 {
   const std::string scan = "cap.xyz";
   expectRefused({}, 2, {"no scan"});
-  expectRefused({scan, "--scallop", "0.02", "-o", "a.csv"}, 2, {"--tool-radius"});
-  expectRefused({scan, "--tool-radius", "3", "-o", "a.csv"}, 2, {"--scallop"});
+  expectRefused({scan, "--scallop", "0.02", "-o", "a.csv"}, 2, {"no --tool-radius is given", "such as --tool-radius 10"});
+  expectRefused({scan, "--tool-radius", "3", "-o", "a.csv"}, 2, {"no --scallop is given", "such as --scallop 0.05"});
+  for (const char* radius : {"0", "-2"})
+    expectRefused({scan, "--scallop", "0.02", "-o", "a.csv", "--tool-radius", radius}, 2,
+                  {"--tool-radius " + std::string(radius), "above 0"});
   expectRefused({scan, "--tool-radius", "3", "--scallop", "0.02"}, 2, {"-o"});
   for (const char* scallop : {"0", "-1", "3", "4", "nan", "abc", "0.02mm"})
     expectRefused({scan, "--tool-radius", "3", "--scallop", scallop, "-o", "a.csv"}, 2,
@@ -149,6 +153,28 @@ TEST_F(CommandLine, RefusesBadCalls)
   expectRefused(with({"-o", "a.csv"}), 2, {"a.csv", "twice"});
   expectRefused(with({"other.xyz"}), 2, {"other.xyz"});
   expectRefused({"cap.ply", "--tool-radius", "3", "--scallop", "1", "-o"}, 2, {"output"});
+}
+
+TEST_F(CommandLine, RefusesOptionsThatDoNotFitTheScan)
+{
+  std::vector<Point> ring;
+  for (const Point& p : cap(8000))
+    if (std::hypot(p[0], p[1]) > 18.0)
+      ring.push_back(p);
+  writeText(folder_.path("ring.xyz"), xyz(ring));
+  const auto refused = [this](const std::string& scan, Arguments more, int code, const std::vector<std::string>& words) {
+    Arguments arguments{scan, "--scallop", "0.02", "-o", "a.csv"};
+    if (std::find(more.begin(), more.end(), "--tool-radius") == more.end())
+      more.insert(more.end(), {"--tool-radius", "3"});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expectRefused(arguments, code, words);
+  };
+  refused("cap.xyz", {"--center", "0,0,500"}, 2, {"cap.xyz", "centre (", "500", "within three spacings"});
+  refused("ring.xyz", {"--center", "20,0,-2"}, 2, {"ring.xyz", "centre", "two boundaries", "leave the centre out"});
+  refused("cap.xyz", {"--boundaries", "two"}, 2, {"cap.xyz", "two boundaries were asked for", "ask for one"});
+  refused("cap.xyz", {"--thin", "1e-7"}, 2, {"cap.xyz", "thinning edge", "raise it"});
+  // What is wrong with the scan is no wrong call.
+  refused("cap.xyz", {"--tool-radius", "300"}, 1, {"cap.xyz", "is the scan in metres"});
 }
 
 TEST_F(CommandLine, RefusesBadFilesBeforeAnyWork)
@@ -217,6 +243,35 @@ TEST_F(CommandLine, WritesEveryOutputAndSaysSo)
   for (const char* word :
        {"\"tool_radius\": 3.0", "\"input_points\": 6000", "\"outer\"", "\"warnings\"", "\"stages\""})
     EXPECT_NE(report.find(word), std::string::npos) << word;
+}
+
+TEST_F(CommandLine, SaysWhereTheTiltWasEased)
+{
+  const auto jsonOf = [this](const Arguments& more) {
+    Arguments arguments{"-o", "a.csv", "-o", "a.json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const RunResult result = make("cap.xyz", arguments);
+    EXPECT_EQ(result.code, 0) << result.err;
+    const auto path = nlohmann::json::parse(readText(folder_.path("a.json"))).at("path");
+    const bool said = result.out.find("tilt eased at " + path.at("limited_points").dump() + " point") != std::string::npos;
+    EXPECT_EQ(said, path.at("limited_points").get<int>() > 0) << result.out;
+    return path;
+  };
+  const auto eased = jsonOf({"--tilt", "15"});
+  std::size_t limited = 0; // as the path itself shows it
+  double largest = 0.0;
+  for (const auto& point : pcl_spiral::readToolpath(folder_.path("a.csv")).path) {
+    const double cosine = point.getAxisVector3fMap().dot(point.getNormalVector3fMap());
+    const double reduction = 15.0 - std::acos(std::min(1.0, cosine)) * 180.0 / M_PI;
+    limited += reduction > 0.05;
+    largest = std::max(largest, reduction);
+  }
+  ASSERT_GT(limited, 5U);
+  EXPECT_NEAR(eased.at("limited_points").get<double>(), static_cast<double>(limited), 0.1 * limited);
+  EXPECT_NEAR(eased.at("largest_tilt_reduction").get<double>(), largest, 0.1);
+  const auto upright = jsonOf({"--tilt", "0"});
+  EXPECT_EQ(upright.at("limited_points").get<int>(), 0);
+  EXPECT_EQ(upright.at("largest_tilt_reduction").get<double>(), 0.0);
 }
 
 TEST_F(CommandLine, DropsBadPointsAndSaysHowMany)

@@ -234,7 +234,7 @@ TEST(RadialLines, RefusesWithNoLines)
   refused([](Lines& r) { r.setInputCloud(test::toCloud({{0, 0, 0}, {1, 0, 0}})); }, input, "50");
   refused([](Lines& r) { r.setInputNormals(test::toNormals({Vector3d(0, 0, 1)})); }, input, "normals");
   refused([](Lines& r) { r.setIndices(pcl::make_shared<pcl::Indices>(pcl::Indices{0, 3000})); }, input, "3000");
-  refused([](Lines& r) { r.setBoundaryMode(BoundaryMode::TwoBoundaries); }, input, "two boundaries");
+  refused([](Lines& r) { r.setBoundaryMode(BoundaryMode::TwoBoundaries); }, argument, "two boundaries");
   refused([](Lines& r) { r.setProgressCallback([](double) { return false; }); }, StatusCode::Cancelled, "cancelled");
 
   BoundaryLoop circle;

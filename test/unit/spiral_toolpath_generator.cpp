@@ -238,7 +238,7 @@ TEST(SpiralToolpathGenerator, RefusesACentreOfARing)
   spiral.setCenter({0, 0, 80});
   Path path;
   spiral.compute(path);
-  EXPECT_EQ(spiral.getStatus().code(), StatusCode::InvalidInput);
+  EXPECT_EQ(spiral.getStatus().code(), StatusCode::InvalidArgument);
   EXPECT_NE(spiral.getStatus().message().find("two boundaries"), std::string::npos);
   EXPECT_TRUE(path.empty());
 }
@@ -310,7 +310,7 @@ TEST(SpiralToolpathGenerator, RefusesWithAnEmptyPath)
   with([](Generator& g) { g.setCenter({0, 0, 120}); }, argument, "centre");
   with([](Generator& g) { g.setToolRadius(100.0); }, StatusCode::InvalidInput, "is the scan in metres");
   with([](Generator& g) { g.setInputNormals(test::toNormals({Vector3d(0, 0, 1)})); }, argument, "normals");
-  with([](Generator& g) { g.setBoundaryMode(BoundaryMode::TwoBoundaries); }, StatusCode::InvalidInput, "two boundaries");
+  with([](Generator& g) { g.setBoundaryMode(BoundaryMode::TwoBoundaries); }, argument, "two boundaries");
   with([](Generator& g) { g.setIndices(pcl::make_shared<pcl::Indices>(pcl::Indices{3, 4000})); },
        StatusCode::InvalidInput, "4000");
 }

@@ -117,6 +117,7 @@ TEST(ToolAxes, StraightLineKeepsTheFullTilt)
     points.emplace_back(i, 0.0, 0.0);
   const ToolAxes r = toolAxes(points, {50, Vector3d::UnitZ()}, {15 * degree, 5 * degree, 0.1 * degree});
   EXPECT_EQ(r.limited_points, 0u);
+  EXPECT_EQ(r.largest_reduction, 0.0);
   EXPECT_EQ(r.largest_change, 0.0);
   for (const Vector3d& a : r.axes)
     EXPECT_NEAR(std::cos(angleBetween(a, Vector3d::UnitZ())), std::cos(15 * degree) * std::cos(5 * degree),
@@ -129,9 +130,12 @@ TEST(ToolAxes, SpiralKeepsTheRateAndTheTilt)
     const TestPath path = sphereSpiral(step, 12.0);
     const ToolAxisOptions options{15 * degree, 0.0, 4 * degree};
     const ToolAxes r = toolAxes(path.points, path.normals, options);
-    double largest = 0.0;
+    double largest = 0.0, reduction = 0.0;
+    std::size_t limited = 0;
     for (std::size_t i = 0; i < r.axes.size(); ++i) {
       EXPECT_NEAR(r.axes[i].norm(), 1.0, 1e-14);
+      limited += r.tilt_share[i] < 1.0;
+      reduction = std::max(reduction, 15 * degree - angleBetween(r.axes[i], path.normals[i]));
       EXPECT_LE(angleBetween(r.axes[i], path.normals[i]), 15 * degree + 1e-7);
       if (i == 0)
         continue;
@@ -142,6 +146,8 @@ TEST(ToolAxes, SpiralKeepsTheRateAndTheTilt)
     EXPECT_NEAR(r.largest_change, largest, 1e-7);
     EXPECT_EQ(r.exceeded_moves, 0u);
     EXPECT_GT(r.limited_points, 0u);
+    EXPECT_EQ(r.limited_points, limited);
+    EXPECT_NEAR(r.largest_reduction, reduction, 1e-7);
     // Beyond radius r the spin is sin(15 deg) / r: 3.7 mm at 4 degrees per mm.
     for (std::size_t i = 0; i < r.axes.size(); ++i)
       if (const double radius = std::hypot(path.points[i].x(), path.points[i].y());
@@ -201,6 +207,11 @@ TEST(ToolAxisClass, SetsAxesAndReports)
               1e-5);
   EXPECT_LE(tool_axis.getLargestAxisRate(), 6.0 * 1.001);
   EXPECT_GT(tool_axis.getLimitedPoints(), 0u);
+  double least_tilt = 90.0;
+  for (const ToolpathPoint& p : out)
+    least_tilt = std::min(least_tilt, angleBetween(p.getAxisVector3fMap().cast<double>(),
+                                                   p.getNormalVector3fMap().cast<double>()) / degree);
+  EXPECT_NEAR(tool_axis.getLargestTiltReduction(), 20.0 - least_tilt, 0.05);
   tool_axis.compute(*path); // in place
   EXPECT_EQ(path->back().getAxisVector3fMap(), out.back().getAxisVector3fMap());
 }

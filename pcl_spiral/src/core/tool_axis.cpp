@@ -94,7 +94,10 @@ public:
     r.tilt_share = shares_;
     for (std::size_t i = 0; i < shares_.size(); ++i) {
       r.axes.push_back(axis(i, shares_[i]));
-      r.limited_points += shares_[i] < 1.0;
+      if (shares_[i] < 1.0) {
+        ++r.limited_points;
+        r.largest_reduction = std::max(r.largest_reduction, tilt_ - angleBetween(normals_[i], r.axes[i]));
+      }
       if (i == 0)
         continue;
       const double turn = angleBetween(r.axes[i - 1], r.axes[i]), ds = arc_[i] - arc_[i - 1];

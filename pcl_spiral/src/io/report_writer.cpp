@@ -97,7 +97,9 @@ pathJson(const SpiralReport& report, double feed)
           {"largest_step_over", report.largest_step_over},
           {"largest_allowed_step", report.largest_allowed_step},
           {"largest_gap", report.largest_gap},
-          {"largest_axis_change", report.largest_axis_change}};
+          {"largest_axis_change", report.largest_axis_change},
+          {"limited_points", report.limited_points},
+          {"largest_tilt_reduction", report.largest_tilt_reduction}};
 }
 
 } // namespace

@@ -18,7 +18,8 @@ chooseBoundaries(const std::vector<BoundaryLoop>& loops, BoundaryMode mode, Boun
   if (!choice.rim)
     return {StatusCode::InvalidInput, "none of the loops is an outer one: a spiral ends on the outer rim, so give it"};
   if (mode == BoundaryMode::TwoBoundaries && holes.empty())
-    return {StatusCode::InvalidInput, "two boundaries were asked for, but the surface has one; ask for one, or automatic"};
+    return {StatusCode::InvalidArgument,
+            "two boundaries were asked for, but the surface has one; ask for one, or automatic"};
   if (mode == BoundaryMode::Automatic && holes.size() > 1) {
     std::ostringstream message;
     message << "the surface has " << holes.size() << " holes:";

@@ -302,6 +302,13 @@ meanOf(const Polyline& line)
   return sum / static_cast<double>(line.size());
 }
 
+/** A setting is only to blame where the centre is one. */
+StatusCode
+blame(const RadialLineRequest& request, StatusCode code)
+{
+  return code == StatusCode::InvalidArgument && !request.centre ? StatusCode::Failed : code;
+}
+
 } // namespace
 
 Status
@@ -330,7 +337,7 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
       return status;
     set.why_harmonic = status.message();
     if (request.method == LineMethod::Geodesic)
-      return {status.code(), status.message() + "; harmonic lines cope with such outlines"};
+      return {blame(request, status.code()), status.message() + "; harmonic lines cope with such outlines"};
   }
   if (!request.inner && !request.centre)
     centre = deepestPoint(request.surface, request.rim.points);
@@ -338,10 +345,10 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
     return {StatusCode::Failed, "no centre was found on the surface: give one"};
   const Status status = linesByMethod(request, *centre, true, set);
   if (status.ok() || set.why_harmonic.empty() || status.code() == StatusCode::Cancelled)
-    return status;
-  return {status.code(), "no radial lines were found: as geodesics, " + set.why_harmonic +
-                             "; as harmonic lines, " + status.message() +
-                             "; give a centre from which the rim is easier to reach, or machine the part in pieces"};
+    return {blame(request, status.code()), status.message()};
+  return {blame(request, status.code()),
+          "no radial lines were found: as geodesics, " + set.why_harmonic + "; as harmonic lines, " + status.message() +
+              "; give a centre from which the rim is easier to reach, or machine the part in pieces"};
 }
 
 } // namespace pcl_spiral

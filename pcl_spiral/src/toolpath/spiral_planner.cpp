@@ -257,6 +257,8 @@ SpiralPlanner::setAxes(SpiralPath& path)
   ToolAxes axes = toolAxes(path.contacts, path.normals, options);
   path.axes = std::move(axes.axes);
   report_.largest_axis_change = axes.largest_change * 180.0 / M_PI;
+  report_.limited_points = axes.limited_points;
+  report_.largest_tilt_reduction = axes.largest_reduction * 180.0 / M_PI;
   if (axes.exceeded_moves > 0)
     report_.warnings.push_back(text("on ", axes.exceeded_moves, " of ", path.contacts.size() - 1,
                                     " moves the surface alone turns the tool axis faster than the largest axis rate of ",
@@ -345,8 +347,8 @@ SpiralPlanner::plan(const std::vector<Eigen::Vector3f>& points, const std::vecto
     return cancelled;
   const bool two = report_.boundaries == 2;
   if (two && settings_.centre)
-    return {StatusCode::InvalidInput, text("a centre was given, ", at(*settings_.centre), ", but the surface has two ",
-                                           "boundaries: leave the centre out, or ask for one boundary")};
+    return {StatusCode::InvalidArgument, text("a centre was given, ", at(*settings_.centre), ", but the surface has two ",
+                                              "boundaries: leave the centre out, or ask for one boundary")};
   RadialLineSet set;
   if (const Status status = makeLines(two, set); !status.ok())
     return status;

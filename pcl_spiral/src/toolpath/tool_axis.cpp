@@ -53,7 +53,7 @@ void
 ToolAxis::compute(Path& output)
 {
   status_ = check();
-  largest_change_ = largest_rate_ = 0.0;
+  largest_change_ = largest_rate_ = largest_reduction_ = 0.0;
   limited_points_ = exceeded_moves_ = 0;
   if (!status_.ok()) {
     PCL_ERROR("[pcl_spiral::ToolAxis::compute] %s.\n", status_.message().c_str());
@@ -76,6 +76,7 @@ ToolAxis::compute(Path& output)
     output[i].getAxisVector3fMap() = result.axes[i].cast<float>();
   largest_change_ = result.largest_change / radians;
   largest_rate_ = result.largest_rate / radians;
+  largest_reduction_ = result.largest_reduction / radians;
   limited_points_ = result.limited_points;
   exceeded_moves_ = result.exceeded_moves;
 }

@@ -12,7 +12,7 @@ namespace pcl_spiral {
 enum class StatusCode {
   Ok,              ///< done
   NotComputed,     ///< compute has not been called yet
-  InvalidArgument, ///< a setting is missing, out of range, or contradicts another
+  InvalidArgument, ///< a setting is missing, out of range, contradicts another, or does not fit the cloud
   InvalidInput,    ///< the cloud cannot be worked on (empty, too few points, closed, several parts ...)
   Failed,          ///< the computation met something it cannot solve on this surface
   Cancelled        ///< the progress callback asked to stop

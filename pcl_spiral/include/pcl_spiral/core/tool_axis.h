@@ -23,6 +23,7 @@ struct ToolAxes {
   double largest_change = 0.0;       ///< between neighbouring points
   double largest_rate = 0.0;         ///< per length of path
   std::size_t limited_points = 0;    ///< points whose tilt was reduced
+  double largest_reduction = 0.0;    ///< of the angle between axis and normal
   std::size_t exceeded_moves = 0;    ///< moves on which the normals alone turn faster than max_rate
 };
 

@@ -42,6 +42,8 @@ struct SpiralReport {
   double largest_allowed_step = 0.0;
   double largest_gap = 0.0;         ///< longest linear move
   double largest_axis_change = 0.0; ///< degrees between neighbouring path points
+  std::size_t limited_points = 0;   ///< whose tilt was eased, for the axis not to turn faster than its rate
+  double largest_tilt_reduction = 0.0; ///< at any of them, degrees
   std::vector<StageTime> stages;
   std::vector<std::string> warnings;
 };

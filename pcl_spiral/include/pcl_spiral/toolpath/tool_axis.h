@@ -100,6 +100,12 @@ public:
   {
     return limited_points_;
   }
+  /** Largest reduction of the angle between axis and normal at any of them, degrees. */
+  double
+  getLargestTiltReduction() const
+  {
+    return largest_reduction_;
+  }
   /** Moves on which the surface normal alone turns faster than the limit: the path is too sharp for it there.
    */
   std::size_t
@@ -118,6 +124,7 @@ private:
   Status status_;
   double largest_change_ = 0.0;
   double largest_rate_ = 0.0;
+  double largest_reduction_ = 0.0;
   std::size_t limited_points_ = 0;
   std::size_t exceeded_moves_ = 0;
 };
