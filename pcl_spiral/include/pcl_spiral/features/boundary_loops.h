@@ -6,6 +6,7 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
 #include <pcl_spiral/features/surface_boundary.h>
+#include <pcl_spiral/search/usable_points.h>
 
 #include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
@@ -71,8 +72,7 @@ public:
 
 private:
   Status check() const;
-  std::vector<std::uint32_t> usablePoints() const;
-  Status buildGraph(const std::vector<std::uint32_t>& usable, SurfaceGraph& graph) const;
+  Status buildGraph(const UsablePoints& usable, SurfaceGraph& graph) const;
 
   using pcl::PCLBase<PointT>::input_;
   using pcl::PCLBase<PointT>::indices_;

@@ -92,7 +92,6 @@ private:
   Status check() const;
   Status checkPlace(const Place& place, const std::string& name) const;
   Eigen::Vector3d positionOf(const Place& place) const;
-  std::vector<std::uint32_t> usablePoints() const;
   Status buildGraph(SurfaceGraph& graph) const;
   Status run();
 

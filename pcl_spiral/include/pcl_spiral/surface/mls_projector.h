@@ -73,7 +73,6 @@ public:
 
 private:
   Status check() const;
-  std::vector<std::uint32_t> surfacePoints() const;
   std::vector<Eigen::Vector3d> queryPoints() const;
   Status findSide(const SurfaceGraph& graph, const std::vector<std::uint32_t>& source, bool& flip) const;
   void write(const std::vector<SurfaceFoot>& feet, bool flip, PointCloudOut& output);

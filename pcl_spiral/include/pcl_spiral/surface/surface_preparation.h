@@ -76,6 +76,11 @@ public:
   {
     graph_options_.view_point = point;
   }
+  const std::optional<Eigen::Vector3d>&
+  getViewPoint() const
+  {
+    return graph_options_.view_point;
+  }
   void
   clearViewPoint()
   {
@@ -137,8 +142,6 @@ public:
 private:
   Status check() const;
   Status select();
-  void keep(std::vector<Eigen::Vector3f>& points, const std::vector<std::uint32_t>& kept,
-            std::size_t& dropped);
 
   using pcl::PCLBase<PointT>::input_;
   using pcl::PCLBase<PointT>::indices_;

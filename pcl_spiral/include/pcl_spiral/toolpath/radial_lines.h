@@ -50,6 +50,7 @@ public:
   /** The first line ends at the rim point nearest here. Without it, at the corner, or else the rim point, farthest from
    *  the centre. */
   void setStartPoint(const Eigen::Vector3d& point) { start_point_ = point; }
+  const std::optional<Eigen::Vector3d>& getStartPoint() const { return start_point_; }
   void clearStartPoint() { start_point_.reset(); }
 
   /** How lines are found; Automatic by default. */
@@ -95,8 +96,6 @@ public:
 
 private:
   Status check() const;
-  /** Finite points of the input, one a place, with their normals. */
-  void collect(std::vector<Eigen::Vector3f>& points, std::vector<Eigen::Vector3f>& normals) const;
   Status run();
 
   using pcl::PCLBase<PointT>::input_;

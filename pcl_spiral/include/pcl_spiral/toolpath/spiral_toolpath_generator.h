@@ -65,13 +65,18 @@ public:
   /** Centre of a surface with one boundary; projected onto the surface. Without it, the point whose largest geodesic
    *  distance to the rim is smallest. */
   void setCenter(const Eigen::Vector3d& centre) { settings_.centre = centre; }
+  const std::optional<Eigen::Vector3d>& getCenter() const { return settings_.centre; }
   void clearCenter() { settings_.centre.reset(); }
 
   /** The first radial line ends at the rim point nearest here. */
   void setStartPoint(const Eigen::Vector3d& point) { settings_.start_point = point; }
+  const std::optional<Eigen::Vector3d>& getStartPoint() const { return settings_.start_point; }
+  void clearStartPoint() { settings_.start_point.reset(); }
 
   /** Where the scanner stood: normals face it. */
   void setViewPoint(const Eigen::Vector3d& point) { settings_.view_point = point; }
+  const std::optional<Eigen::Vector3d>& getViewPoint() const { return settings_.view_point; }
+  void clearViewPoint() { settings_.view_point.reset(); }
 
   /** Every setting at once. */
   void setSettings(const SpiralSettings& settings) { settings_ = settings; }

@@ -6,9 +6,7 @@
 #include <pcl/console/print.h>
 #include <pcl/impl/pcl_base.hpp> // for point types that PCL has not compiled
 
-#include <algorithm>
 #include <string>
-#include <tuple>
 
 namespace pcl_spiral {
 
@@ -29,62 +27,28 @@ BoundaryLoops<PointT, PointNT>::check() const
     return {StatusCode::InvalidInput, "there are " + std::to_string(boundary_points_->size()) + " boundary flags for " +
                                           std::to_string(input_->size()) +
                                           " points; call setBoundaryPoints with one a point, of the whole input"};
-  if (indices_)
-    for (const auto index : *indices_)
-      if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
-        return {StatusCode::InvalidInput, "index " + std::to_string(index) + " is outside the cloud of " +
-                                              std::to_string(input_->size()) + " points"};
-  return Status::success();
-}
-
-/** Finite points that take part, each place once. */
-template <typename PointT, typename PointNT>
-std::vector<std::uint32_t>
-BoundaryLoops<PointT, PointNT>::usablePoints() const
-{
-  std::vector<std::uint8_t> wanted(input_->size(), indices_ ? 0 : 1);
-  if (indices_)
-    for (const auto index : *indices_)
-      wanted[static_cast<std::size_t>(index)] = 1;
-  std::vector<std::uint32_t> usable;
-  for (std::size_t i = 0; i < input_->size(); ++i)
-    if (wanted[i] && pcl::isXYZFinite((*input_)[i]))
-      usable.push_back(static_cast<std::uint32_t>(i));
-  const auto key = [&](std::uint32_t i) {
-    const PointT& p = (*input_)[i];
-    return std::make_tuple(p.x, p.y, p.z);
-  };
-  std::sort(usable.begin(), usable.end(),
-            [&](auto a, auto b) { return std::make_tuple(key(a), a) < std::make_tuple(key(b), b); });
-  usable.erase(std::unique(usable.begin(), usable.end(), [&](auto a, auto b) { return key(a) == key(b); }),
-               usable.end());
-  std::sort(usable.begin(), usable.end());
-  return usable;
+  return checkIndices(indices_.get(), input_->size());
 }
 
 template <typename PointT, typename PointNT>
 Status
-BoundaryLoops<PointT, PointNT>::buildGraph(const std::vector<std::uint32_t>& usable, SurfaceGraph& graph) const
+BoundaryLoops<PointT, PointNT>::buildGraph(const UsablePoints& usable, SurfaceGraph& graph) const
 {
-  std::vector<Eigen::Vector3f> points;
-  points.reserve(usable.size());
-  for (const std::uint32_t i : usable)
-    points.push_back((*input_)[i].getVector3fMap());
   SurfaceGraphOptions options;
   options.max_circumradius = alpha_;
-  Status status = graph.build(points, options);
+  Status status = graph.build(usable.positions, options);
   if (!status.ok() || !normals_)
     return status;
   double agreement = 0.0;
   for (std::size_t i = 0; i < graph.size(); ++i) {
-    const PointNT& given = (*normals_)[usable[graph.blocks().originalIndex(i)]];
+    const PointNT& given = (*normals_)[usable.source[graph.blocks().originalIndex(i)]];
     if (pcl::isNormalFinite(given))
       agreement += graph.normal(i).dot(given.getNormalVector3fMap().template cast<double>());
   }
   if (agreement >= 0.0)
     return status;
   options.flip_normals = true;
-  return graph.build(points, options);
+  return graph.build(usable.positions, options);
 }
 
 template <typename PointT, typename PointNT>
@@ -94,16 +58,16 @@ BoundaryLoops<PointT, PointNT>::compute(std::vector<BoundaryLoop>& loops)
   loops.clear();
   counts_ = BoundaryCounts();
   status_ = check();
-  std::vector<std::uint32_t> usable;
+  UsablePoints usable;
   SurfaceGraph graph;
   if (status_.ok()) {
-    usable = usablePoints();
+    usable = usablePoints(*input_, indices_.get());
     status_ = buildGraph(usable, graph);
   }
   if (status_.ok()) {
     BoundaryOptions options = options_;
     if (boundary_points_)
-      for (const std::uint32_t i : usable)
+      for (const std::uint32_t i : usable.source)
         options.marked.push_back((*boundary_points_)[i].boundary_point);
     status_ = findBoundaryLoops(graph, options, loops, &counts_);
   }
@@ -111,7 +75,7 @@ BoundaryLoops<PointT, PointNT>::compute(std::vector<BoundaryLoop>& loops)
     PCL_ERROR("[pcl_spiral::BoundaryLoops::compute] %s.\n", status_.message().c_str());
   for (BoundaryLoop& loop : loops)
     for (std::uint32_t& index : loop.indices)
-      index = usable[index];
+      index = usable.source[index];
 }
 
 } // namespace pcl_spiral

@@ -3,6 +3,7 @@
 #include <pcl_spiral/core/frame.h>
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 #include <pcl_spiral/search/impl/pcl_search.hpp>
+#include <pcl_spiral/search/usable_points.h>
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
@@ -63,11 +64,8 @@ CentroidBoundaryEstimation<PointInT, PointNT, PointOutT>::check() const
     return {StatusCode::InvalidArgument, "the thresholds are " + std::to_string(offset_threshold_) +
                                              " (offset) and " + std::to_string(angle_threshold_) +
                                              " (angle, radians); set both above 0"};
-  if (indices_)
-    for (const auto index : *indices_)
-      if (static_cast<std::size_t>(index) >= input_->size())
-        return {StatusCode::InvalidInput, "index " + std::to_string(index) + " is outside the cloud of " +
-                                              std::to_string(input_->size()) + " points"};
+  if (const Status status = checkIndices(indices_.get(), input_->size()); !status.ok())
+    return status;
   if (std::none_of(input_->begin(), input_->end(), [](const PointInT& p) { return pcl::isXYZFinite(p); }))
     return {StatusCode::InvalidInput, "no point of the input cloud is finite; check the file it came from"};
   return checkSearch();

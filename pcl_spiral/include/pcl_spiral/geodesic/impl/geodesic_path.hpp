@@ -2,15 +2,14 @@
 
 #include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/geodesic/geodesic_path.h>
+#include <pcl_spiral/search/usable_points.h>
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
 #include <pcl/impl/pcl_base.hpp>
 #include <pcl/type_traits.h>
 
-#include <algorithm>
-#include <array>
-#include <utility>
+#include <limits>
 
 namespace pcl_spiral {
 
@@ -53,11 +52,8 @@ GeodesicPath<PointT, PointNT>::check() const
 {
   if (!input_ || input_->empty())
     return {StatusCode::InvalidInput, "the input cloud is missing or empty; call setInputCloud with points"};
-  if (indices_)
-    for (const pcl::index_t index : *indices_)
-      if (static_cast<std::size_t>(index) >= input_->size())
-        return {StatusCode::InvalidInput, "index " + std::to_string(index) + " is outside the cloud of " +
-                                              std::to_string(input_->size()) + " points"};
+  if (const Status status = checkIndices(indices_.get(), input_->size()); !status.ok())
+    return status;
   if (normals_ && normals_->size() != input_->size())
     return {StatusCode::InvalidInput, "there are " + std::to_string(normals_->size()) + " normals for " +
                                           std::to_string(input_->size()) + " points; give one a point"};
@@ -80,54 +76,23 @@ GeodesicPath<PointT, PointNT>::positionOf(const Place& place) const
                          : Eigen::Vector3d((*input_)[place.index].getVector3fMap().template cast<double>());
 }
 
-/** Finite points of the cloud or its indices, one at each position, in the order of the cloud. */
-template <typename PointT, typename PointNT>
-std::vector<std::uint32_t>
-GeodesicPath<PointT, PointNT>::usablePoints() const
-{
-  using Keyed = std::pair<std::array<float, 3>, std::uint32_t>;
-  std::vector<Keyed> found;
-  const auto add = [&](std::size_t i) {
-    const PointT& p = (*input_)[i];
-    if (pcl::isXYZFinite(p))
-      found.push_back({{p.x, p.y, p.z}, static_cast<std::uint32_t>(i)});
-  };
-  if (indices_)
-    std::for_each(indices_->begin(), indices_->end(), [&](pcl::index_t i) { add(static_cast<std::size_t>(i)); });
-  else
-    for (std::size_t i = 0; i < input_->size(); ++i)
-      add(i);
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end(),
-                          [](const Keyed& a, const Keyed& b) { return a.first == b.first; }),
-              found.end());
-  std::vector<std::uint32_t> usable;
-  for (const Keyed& point : found)
-    usable.push_back(point.second);
-  std::sort(usable.begin(), usable.end());
-  return usable;
-}
-
 template <typename PointT, typename PointNT>
 Status
 GeodesicPath<PointT, PointNT>::buildGraph(SurfaceGraph& graph) const
 {
-  const std::vector<std::uint32_t> usable = usablePoints();
-  std::vector<Eigen::Vector3f> points;
-  for (const std::uint32_t i : usable)
-    points.push_back((*input_)[i].getVector3fMap());
+  const UsablePoints usable = usablePoints(*input_, indices_.get());
   SurfaceGraphOptions options;
-  Status status = graph.build(points, options);
+  Status status = graph.build(usable.positions, options);
   if (!status.ok() || !normals_)
     return status;
   double agreement = 0.0;
   for (std::size_t i = 0; i < graph.size(); ++i) {
-    const auto given = (*normals_)[usable[graph.blocks().originalIndex(i)]].getNormalVector3fMap();
+    const auto given = (*normals_)[usable.source[graph.blocks().originalIndex(i)]].getNormalVector3fMap();
     if (given.allFinite())
       agreement += graph.normals()[i].dot(given) > 0.0f ? 1.0 : -1.0;
   }
   options.flip_normals = true;
-  return agreement < 0.0 ? graph.build(points, options) : status;
+  return agreement < 0.0 ? graph.build(usable.positions, options) : status;
 }
 
 template <typename PointT, typename PointNT>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
+#include <pcl_spiral/search/usable_points.h>
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
@@ -34,12 +35,7 @@ EllipticGabrielGraph<PointT, PointNT>::check() const
     return {StatusCode::InvalidInput, "the angle between normals needs one normal a point: there are " +
                                           std::to_string(normals_ ? normals_->size() : 0) + " for " +
                                           std::to_string(input_->size()) + " points; call setInputNormals"};
-  if (indices_)
-    for (const auto index : *indices_)
-      if (static_cast<std::size_t>(index) >= input_->size())
-        return {StatusCode::InvalidInput, "index " + std::to_string(index) + " is outside the cloud of " +
-                                              std::to_string(input_->size()) + " points"};
-  return Status::success();
+  return checkIndices(indices_.get(), input_->size());
 }
 
 template <typename PointT, typename PointNT>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl_spiral/search/usable_points.h>
 #include <pcl_spiral/surface/mls_projector.h>
 
 #include <pcl/common/point_tests.h>
@@ -8,7 +9,6 @@
 #include <pcl/type_traits.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <string>
 
@@ -64,34 +64,7 @@ MLSProjector<PointInT, PointOutT>::check() const
   if (normals_ && normals_->size() != input_->size())
     return {StatusCode::InvalidInput, "there are " + std::to_string(normals_->size()) + " normals for " +
                                           std::to_string(input_->size()) + " points; give one a point"};
-  if (indices_)
-    for (const auto index : *indices_)
-      if (static_cast<std::size_t>(index) >= input_->size())
-        return {StatusCode::InvalidInput, "index " + std::to_string(index) + " is outside the cloud of " +
-                                              std::to_string(input_->size()) + " points"};
-  return Status::success();
-}
-
-template <typename PointInT, typename PointOutT>
-std::vector<std::uint32_t>
-MLSProjector<PointInT, PointOutT>::surfacePoints() const
-{
-  std::vector<std::uint32_t> source;
-  const std::size_t count = indices_ ? indices_->size() : input_->size();
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto i = indices_ ? static_cast<std::size_t>((*indices_)[k]) : k;
-    if (pcl::isXYZFinite((*input_)[i]))
-      source.push_back(static_cast<std::uint32_t>(i));
-  }
-  const auto key = [this](std::uint32_t i) {
-    const PointInT& p = (*input_)[i];
-    return std::array<float, 3>{p.x, p.y, p.z};
-  };
-  std::sort(source.begin(), source.end(),
-            [&](auto a, auto b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
-  source.erase(std::unique(source.begin(), source.end(), [&](auto a, auto b) { return key(a) == key(b); }),
-               source.end());
-  return source;
+  return checkIndices(indices_.get(), input_->size());
 }
 
 template <typename PointInT, typename PointOutT>
@@ -171,18 +144,15 @@ MLSProjector<PointInT, PointOutT>::compute(PointCloudOut& output)
   noise_ = 0.0;
   neighbours_used_ = 0;
   SurfaceGraph graph;
-  std::vector<std::uint32_t> source;
+  UsablePoints usable;
   bool flip = false;
   status_ = check();
   if (status_.ok()) {
-    source = surfacePoints();
-    std::vector<Eigen::Vector3f> points;
-    for (const std::uint32_t i : source)
-      points.push_back((*input_)[i].getVector3fMap());
-    status_ = graph.build(points, {});
+    usable = usablePoints(*input_, indices_.get());
+    status_ = graph.build(usable.positions, {});
   }
   if (status_.ok())
-    status_ = findSide(graph, source, flip);
+    status_ = findSide(graph, usable.source, flip);
   if (!status_.ok()) {
     PCL_ERROR("[pcl_spiral::MLSProjector::compute] %s.\n", status_.message().c_str());
     output.clear();

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <pcl_spiral/search/point_selection.h>
+#include <pcl_spiral/search/usable_points.h>
 #include <pcl_spiral/surface/surface_preparation.h>
 
-#include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
 #include <pcl/impl/pcl_base.hpp>
 
@@ -32,57 +31,31 @@ SurfacePreparation<PointT>::check() const
                                              "; set it to 8 or more, 32 is recommended"};
   if (graph_options_.view_point && !graph_options_.view_point->allFinite())
     return {StatusCode::InvalidArgument, "the view point is not finite; set it to where the scanner stood"};
-  if (indices_)
-    for (const auto index : *indices_)
-      if (static_cast<std::size_t>(index) >= input_->size())
-        return {StatusCode::InvalidInput, "index " + std::to_string(index) + " is outside the cloud of " +
-                                              std::to_string(input_->size()) + " points"};
-  return Status::success();
-}
-
-template <typename PointT>
-void
-SurfacePreparation<PointT>::keep(std::vector<Eigen::Vector3f>& points, const std::vector<std::uint32_t>& kept,
-                                 std::size_t& dropped)
-{
-  dropped = points.size() - kept.size();
-  for (std::size_t i = 0; i < kept.size(); ++i) { // ascending: never over what is still to be read
-    points[i] = points[kept[i]];
-    source_indices_[i] = source_indices_[kept[i]];
-  }
-  points.resize(kept.size());
-  source_indices_.resize(kept.size());
+  return checkIndices(indices_.get(), input_->size());
 }
 
 template <typename PointT>
 Status
 SurfacePreparation<PointT>::select()
 {
-  std::vector<Eigen::Vector3f> points;
-  counts_.input = indices_ ? indices_->size() : input_->size();
-  for (std::size_t k = 0; k < counts_.input; ++k) {
-    const std::size_t i = indices_ ? static_cast<std::size_t>((*indices_)[k]) : k;
-    if (!pcl::isXYZFinite((*input_)[i]))
-      continue;
-    points.push_back((*input_)[i].getVector3fMap());
-    source_indices_.push_back(static_cast<std::uint32_t>(i));
-  }
-  counts_.nonfinite = counts_.input - points.size();
-  if (points.empty())
+  UsablePoints usable = usablePoints(*input_, indices_.get());
+  counts_.input = usable.asked_for;
+  counts_.nonfinite = usable.nonfinite;
+  counts_.duplicate = usable.duplicates;
+  if (usable.source.empty())
     return {StatusCode::InvalidInput, "none of the " + std::to_string(counts_.input) +
                                           " points is finite; check the file they came from"};
-  keep(points, distinctPoints(points), counts_.duplicate);
   if (outlier_neighbours_ > 0)
-    keep(points, statisticalInliers(points, outlier_neighbours_, outlier_deviations_), counts_.outlier);
+    counts_.outlier = usable.keep(statisticalInliers(usable.positions, outlier_neighbours_, outlier_deviations_));
   if (thinning_ > 0.0) {
-    const std::vector<std::uint32_t> kept = voxelRepresentatives(points, thinning_);
+    const std::vector<std::uint32_t> kept = voxelRepresentatives(usable.positions, thinning_);
     if (kept.empty())
       return {StatusCode::InvalidArgument,
               "the voxel edge " + std::to_string(thinning_) +
                   " is under a millionth of the largest coordinate; make it larger"};
-    keep(points, kept, counts_.thinned);
+    counts_.thinned = usable.keep(kept);
   }
-  counts_.used = points.size();
+  counts_.used = usable.source.size();
   if (counts_.used < minimum_points)
     return {StatusCode::InvalidInput,
             std::to_string(counts_.used) + " points are left of " + std::to_string(counts_.input) +
@@ -90,7 +63,8 @@ SurfacePreparation<PointT>::select()
                 std::to_string(counts_.duplicate) + ", outliers " + std::to_string(counts_.outlier) +
                 ", thinned " + std::to_string(counts_.thinned) +
                 "); a surface needs at least 50: give a denser scan or thin less"};
-  return graph_.build(points, graph_options_);
+  source_indices_ = std::move(usable.source);
+  return graph_.build(usable.positions, graph_options_);
 }
 
 template <typename PointT>

@@ -2,12 +2,11 @@
 
 #include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/features/surface_boundary.h>
-#include <pcl_spiral/search/point_selection.h>
+#include <pcl_spiral/search/usable_points.h>
 #include <pcl_spiral/toolpath/boundary_choice.h>
 #include <pcl_spiral/toolpath/loop_check.h>
 #include <pcl_spiral/toolpath/radial_lines.h>
 
-#include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
 #include <pcl/impl/pcl_base.hpp> // for point types that PCL has not compiled
 
@@ -24,11 +23,8 @@ RadialLines<PointT, PointNT>::check() const
   if (normals_ && normals_->size() != input_->size())
     return {StatusCode::InvalidInput, "there are " + std::to_string(normals_->size()) + " normals for " +
                                           std::to_string(input_->size()) + " points; give one a point"};
-  if (indices_)
-    for (const auto index : *indices_)
-      if (static_cast<std::size_t>(index) >= input_->size())
-        return {StatusCode::InvalidInput, "index " + std::to_string(index) + " is outside the cloud of " +
-                                              std::to_string(input_->size()) + " points"};
+  if (const Status status = checkIndices(indices_.get(), input_->size()); !status.ok())
+    return status;
   for (const double tolerance : {tolerance_, fit_tolerance_})
     if (!(tolerance > 0.0) || !std::isfinite(tolerance))
       return {StatusCode::InvalidArgument, "a tolerance is " + std::to_string(tolerance) + " mm; set it above 0"};
@@ -42,41 +38,18 @@ RadialLines<PointT, PointNT>::check() const
 }
 
 template <typename PointT, typename PointNT>
-void
-RadialLines<PointT, PointNT>::collect(std::vector<Eigen::Vector3f>& points, std::vector<Eigen::Vector3f>& normals) const
-{
-  std::vector<std::size_t> source;
-  const std::size_t count = indices_ ? indices_->size() : input_->size();
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = indices_ ? static_cast<std::size_t>((*indices_)[k]) : k;
-    if (!pcl::isXYZFinite((*input_)[i]))
-      continue;
-    source.push_back(i);
-    points.push_back((*input_)[i].getVector3fMap());
-  }
-  const std::vector<std::uint32_t> kept = distinctPoints(points);
-  for (std::size_t i = 0; i < kept.size(); ++i) { // ascending: never over what is still to be read
-    points[i] = points[kept[i]];
-    if (!normals_)
-      continue;
-    const Eigen::Vector3f n = (*normals_)[source[kept[i]]].getNormalVector3fMap();
-    normals.push_back(n.allFinite() ? n : Eigen::Vector3f::Zero());
-  }
-  points.resize(kept.size());
-}
-
-template <typename PointT, typename PointNT>
 Status
 RadialLines<PointT, PointNT>::run()
 {
   if (const Status status = check(); !status.ok())
     return status;
   const ThreadLimit limit(thread_count_);
-  std::vector<Eigen::Vector3f> points;
+  const UsablePoints usable = usablePoints(*input_, indices_.get());
   SurfaceGraphOptions options;
-  collect(points, options.given_normals);
+  if (normals_)
+    options.given_normals = normalsOf(*normals_, usable.source);
   SurfaceGraph graph;
-  if (const Status status = graph.build(points, options); !status.ok())
+  if (const Status status = graph.build(usable.positions, options); !status.ok())
     return status;
   loops_ = given_loops_;
   const Status loops_status =

@@ -4,14 +4,12 @@
 #pragma once
 
 #include <pcl_spiral/common/thread_limit.h>
-#include <pcl_spiral/search/point_selection.h>
+#include <pcl_spiral/search/usable_points.h>
 #include <pcl_spiral/toolpath/spiral_planner.h>
 #include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
 
-#include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
 #include <pcl/impl/pcl_base.hpp>
-
 
 namespace pcl_spiral {
 
@@ -28,50 +26,26 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::collect(std::vector<Eigen
   if (normals_ && normals_->size() != cloud.size())
     return {StatusCode::InvalidArgument, "the cloud has " + std::to_string(cloud.size()) + " points but " +
                                              std::to_string(normals_->size()) + " normals were given; one a point"};
-  if (!this->initCompute())
-    return {StatusCode::InvalidInput, "the indices do not fit the input cloud: set them after the cloud"};
-  for (const auto index : *this->indices_)
-    if (static_cast<std::size_t>(index) >= cloud.size())
-      return {StatusCode::InvalidInput, "index " + std::to_string(index) + " is outside the cloud of " +
-                                            std::to_string(cloud.size()) + " points"};
-  report_.input_points = this->indices_->size();
-  std::vector<Eigen::Vector3f> finite;
-  std::vector<std::size_t> source; // of the points kept, in the cloud
-  for (const auto index : *this->indices_)
-    if (pcl::isXYZFinite(cloud[index])) {
-      finite.push_back(cloud[index].getVector3fMap());
-      source.push_back(index);
-    }
-  report_.nonfinite_points = report_.input_points - finite.size();
-  const auto keep = [&](const std::vector<std::uint32_t>& kept) {
-    const std::size_t dropped = finite.size() - kept.size();
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-      finite[i] = finite[kept[i]];
-      source[i] = source[kept[i]];
-    }
-    finite.resize(kept.size());
-    source.resize(kept.size());
-    return dropped;
-  };
-  report_.duplicate_points = keep(distinctPoints(finite));
+  if (const Status status = checkIndices(this->indices_.get(), cloud.size()); !status.ok())
+    return status;
+  UsablePoints usable = usablePoints(cloud, this->indices_.get());
+  report_.input_points = usable.asked_for;
+  report_.nonfinite_points = usable.nonfinite;
+  report_.duplicate_points = usable.duplicates;
   if (settings_.outlier_neighbours > 0)
     report_.outlier_points =
-        keep(statisticalInliers(finite, settings_.outlier_neighbours, settings_.outlier_deviations));
+        usable.keep(statisticalInliers(usable.positions, settings_.outlier_neighbours, settings_.outlier_deviations));
   if (settings_.thinning > 0.0) {
-    const auto kept = voxelRepresentatives(finite, settings_.thinning);
-    if (kept.empty() && !finite.empty())
+    const auto kept = voxelRepresentatives(usable.positions, settings_.thinning);
+    if (kept.empty() && !usable.source.empty())
       return {StatusCode::InvalidArgument, "the thinning edge " + std::to_string(settings_.thinning) +
                                                " mm is too small for the size of the cloud: raise it, or check the units"};
-    keep(kept);
+    usable.keep(kept);
   }
   if (normals_)
-    for (const std::size_t i : source) {
-      const Eigen::Vector3f n((*normals_)[i].normal_x, (*normals_)[i].normal_y, (*normals_)[i].normal_z);
-      normals.push_back(n.allFinite() ? n : Eigen::Vector3f::Zero().eval());
-    }
-  points = std::move(finite);
+    normals = normalsOf(*normals_, usable.source);
+  points = std::move(usable.positions);
   report_.used_points = points.size();
-  this->deinitCompute();
   if (points.empty())
     return {StatusCode::InvalidInput, "none of the " + std::to_string(report_.input_points) +
                                           " points is finite: check the scan or the file's columns"};
