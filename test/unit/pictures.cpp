@@ -8,9 +8,13 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
+#include <vtkSmartPointer.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <map>
 #include <random>
 
@@ -18,13 +22,24 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** A paraboloid of radius 100 mm, its rim, twelve lines and a spiral of 50 turns. */
+constexpr int lines_end = 1170; ///< column of pixels; the part and its axes stand left of it
+
+/** A paraboloid of radius 100 mm, its rim, twelve lines and a spiral that ends at an angle of the rim. */
+struct Paraboloid {
+  double depth = 40.0;
+  int turns = 50;
+  double end_angle = 0.0;
+
+  Eigen::Vector3d
+  place(double r, double angle) const
+  {
+    return {r * std::cos(angle), r * std::sin(angle), depth * (1.0 - 1e-4 * r * r)};
+  }
+};
+
 PictureScene
-scene()
+scene(const Paraboloid& part = {})
 {
-  const auto place = [](double r, double angle) {
-    return Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), 40.0 - 0.004 * r * r);
-  };
   PictureScene result;
   result.title = "paraboloid";
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
@@ -32,16 +47,17 @@ scene()
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int i = 0; i < 5000; ++i) {
-    const Eigen::Vector3d p = place(100.0 * std::sqrt(unit(random)), 2.0 * M_PI * unit(random));
+    const Eigen::Vector3d p = part.place(100.0 * std::sqrt(unit(random)), 2.0 * M_PI * unit(random));
     cloud->emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
   }
-  for (int i = 0; i <= 10000; ++i) {
+  const int steps = 200 * part.turns;
+  for (int i = 0; i <= steps; ++i) {
     const double turn = 0.005 * i;
-    const Eigen::Vector3d p = place(2.0 * turn, 2.0 * M_PI * turn);
+    const Eigen::Vector3d p = part.place(100.0 * i / steps, 2.0 * M_PI * turn + part.end_angle);
     ToolpathPoint point;
     point.getVector3fMap() = p.cast<float>();
     point.getNormalVector3fMap() =
-        Eigen::Vector3d(0.008 * p.x(), 0.008 * p.y(), 1.0).normalized().cast<float>();
+        Eigen::Vector3d(2e-4 * part.depth * p.x(), 2e-4 * part.depth * p.y(), 1.0).normalized().cast<float>();
     point.turn = static_cast<float>(turn);
     if (!path->empty())
       point.arc_length =
@@ -50,15 +66,15 @@ scene()
   }
   BoundaryLoop rim;
   for (int i = 0; i < 200; ++i)
-    rim.curve.push_back(place(100.0, 2.0 * M_PI * i / 200.0));
+    rim.curve.push_back(part.place(100.0, 2.0 * M_PI * i / 200.0));
   result.report.loops.push_back(rim);
   for (int i = 0; i < 12; ++i)
     result.report.radial_lines.push_back(
-        {place(0.0, 0.0), place(50.0, M_PI * i / 6.0), place(100.0, M_PI * i / 6.0)});
-  result.report.centre = place(0.0, 0.0);
+        {part.place(0.0, 0.0), part.place(50.0, M_PI * i / 6.0), part.place(100.0, M_PI * i / 6.0)});
+  result.report.centre = part.place(0.0, 0.0);
   result.report.boundaries = 1;
-  result.report.turns = 50;
-  result.report.smallest_step_over = result.report.largest_step_over = 2.0;
+  result.report.turns = static_cast<std::size_t>(part.turns);
+  result.report.smallest_step_over = result.report.largest_step_over = 100.0 / part.turns;
   result.cloud = cloud;
   result.path = path;
   return result;
@@ -66,24 +82,35 @@ scene()
 
 using Pixel = std::array<int, 3>;
 
-/** How often each colour occurs in a picture. */
-std::map<Pixel, std::size_t>
-colors(const std::string& file)
+vtkSmartPointer<vtkImageData>
+read(const std::string& file)
 {
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();
-  vtkImageData* const image = reader->GetOutput();
   int size[3];
-  image->GetDimensions(size);
+  reader->GetOutput()->GetDimensions(size);
   EXPECT_EQ(size[0], 1600);
   EXPECT_EQ(size[1], 1200);
+  return reader->GetOutput();
+}
+
+Pixel
+at(vtkImageData* image, int x, int y)
+{
+  const auto* const p = static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0));
+  return {p[0], p[1], p[2]};
+}
+
+/** How often each colour occurs in the columns of pixels from \p first to before \p last. */
+std::map<Pixel, std::size_t>
+colors(const std::string& file, int first = 0, int last = 1600)
+{
+  const auto image = read(file);
   std::map<Pixel, std::size_t> counts;
-  for (int y = 0; y < size[1]; ++y)
-    for (int x = 0; x < size[0]; ++x) {
-      const auto* const at = static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0));
-      ++counts[{at[0], at[1], at[2]}];
-    }
+  for (int y = 0; y < 1200; ++y)
+    for (int x = first; x < last; ++x)
+      ++counts[at(image, x, y)];
   return counts;
 }
 
@@ -109,6 +136,20 @@ bool
 isRed(const Pixel& p)
 {
   return p[0] > 150 && p[1] < 70 && p[2] < 70;
+}
+
+bool
+isGreen(const Pixel& p)
+{
+  return p[0] < 60 && p[1] > 150 && p[2] < 80;
+}
+
+/** The surface is gray, lines on it are not. */
+bool
+isGray(const Pixel& p)
+{
+  const auto [low, high] = std::minmax({p[0], p[1], p[2]});
+  return high - low < 25 && high < 245 && low > 60;
 }
 
 } // namespace
@@ -140,6 +181,77 @@ TEST(Pictures, ShowSurfaceLinesAndSpiral)
   EXPECT_GT(rim, 0.002);
   EXPECT_LT(share(colors(folder.path("bare.png")), isRed), 0.5 * rim);
   EXPECT_THROW(pictures.writeLines(folder.path("nowhere/a.png")), FileError);
+}
+
+TEST(Pictures, DenseTurnsStandApartAndAreCountableEnlarged)
+{
+  if (!displayProblem().empty())
+    GTEST_SKIP() << "no display here";
+  const ScratchFolder folder;
+  for (const int turns : {50, 500, 1500}) {
+    SpiralPictures(scene({40.0, turns})).writeSpiral(folder.path("spiral.png"));
+    // across the part, through its middle: gray between the lines, and lines between the gray
+    const auto image = read(folder.path("spiral.png"));
+    int gray = 0, lines = 0;
+    bool on_gray = false;
+    for (int x = 200; x < 1000; ++x) {
+      const bool is_gray = isGray(at(image, x, 560));
+      gray += is_gray;
+      lines += on_gray && !is_gray;
+      on_gray = is_gray;
+    }
+    EXPECT_GT(gray, 250) << turns << " turns: not a solid block";
+    EXPECT_GT(lines, 60) << turns << " turns";
+    // the start enlarged: sixteen pitches across, so eight lines from its middle to its edge
+    int crossed = 0;
+    on_gray = false;
+    for (int x = 1395; x < 1575; ++x) {
+      const bool is_gray = isGray(at(image, x, 615));
+      crossed += on_gray && !is_gray;
+      on_gray = is_gray;
+    }
+    EXPECT_NEAR(crossed, 7, 1) << turns << " turns: every one is there";
+  }
+}
+
+TEST(Pictures, StartAndEndAreMarkedAndWhatThePartHidesIsARing)
+{
+  if (!displayProblem().empty())
+    GTEST_SKIP() << "no display here";
+  const ScratchFolder folder;
+  // pixels; smoothing takes 0.3 from either edge
+  const double disc = M_PI * 7.7 * 7.7, ring = disc - M_PI * 4.8 * 4.8;
+  const auto count = [](const std::map<Pixel, std::size_t>& counts, bool (*matches)(const Pixel&)) {
+    double sum = 0.0;
+    for (const auto& [pixel, n] : counts)
+      sum += matches(pixel) ? static_cast<double>(n) : 0.0;
+    return sum;
+  };
+  // steeper than the view: the far side of the rim is hidden
+  for (const bool far : {false, true}) {
+    SpiralPictures(scene({250.0, 60, far ? M_PI_2 : -M_PI_2})).writeSpiral(folder.path("spiral.png"));
+    const auto main = colors(folder.path("spiral.png"), 0, lines_end);
+    EXPECT_NEAR(count(main, isRed), far ? ring : disc, 20.0);
+    EXPECT_NEAR(count(main, isGreen), disc, 20.0);
+    const auto side = colors(folder.path("spiral.png"), lines_end); // the legend's and the enlarged view's
+    EXPECT_NEAR(count(side, isRed), far ? ring + disc : 2.0 * disc, 40.0);
+    EXPECT_NEAR(count(side, isGreen), 2.0 * disc, 40.0);
+  }
+}
+
+TEST(Pictures, AreTheSameEveryTime)
+{
+  if (!displayProblem().empty())
+    GTEST_SKIP() << "no display here";
+  const ScratchFolder folder;
+  for (const char* name : {"a.png", "b.png"})
+    SpiralPictures(scene()).writeSpiral(folder.path(name));
+  const auto bytes = [&folder](const char* name) {
+    std::ifstream file(folder.path(name), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  EXPECT_GT(bytes("a.png").size(), 10000U);
+  EXPECT_TRUE(bytes("a.png") == bytes("b.png"));
 }
 
 TEST(Pictures, WithoutADisplayTheRemedyIsNamed)

@@ -5,24 +5,23 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkSphereSource.h>
 
 namespace pcl_spiral {
 
 vtkSmartPointer<vtkActor>
-surfaceActor(const DisplaySurface& surface, const Color& color)
+surfaceActor(vtkPolyData* surface, const Color& color)
 {
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(surface.mesh);
+  mapper->SetInputData(surface);
   mapper->ScalarVisibilityOff();
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   actor->GetProperty()->SetInterpolationToPhong();
-  actor->GetProperty()->SetAmbient(0.15);
-  actor->GetProperty()->SetDiffuse(0.85);
-  actor->GetProperty()->SetSpecular(0.1);
+  actor->GetProperty()->SetAmbient(0.4);
+  actor->GetProperty()->SetDiffuse(0.6);
+  actor->GetProperty()->SetSpecular(0.0);
   return actor;
 }
 
@@ -49,22 +48,6 @@ lineActor(const std::vector<Polyline>& lines, bool closed, const Color& color, f
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   actor->GetProperty()->SetLineWidth(width);
   actor->GetProperty()->LightingOff();
-  return actor;
-}
-
-vtkSmartPointer<vtkActor>
-ballActor(const Eigen::Vector3d& centre, double radius, const Color& color)
-{
-  vtkNew<vtkSphereSource> ball;
-  ball->SetCenter(centre.x(), centre.y(), centre.z());
-  ball->SetRadius(radius);
-  ball->SetThetaResolution(24);
-  ball->SetPhiResolution(24);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(ball->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   return actor;
 }
 

@@ -2,14 +2,10 @@
 
 #include <pcl_spiral/io/file_error.h>
 
-#include <vtkActor2D.h>
 #include <vtkCamera.h>
-#include <vtkLightKit.h>
+#include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
-#include <vtkPlaneSource.h>
-#include <vtkPolyDataMapper2D.h>
-#include <vtkProperty2D.h>
 #include <vtkScalarBarActor.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
@@ -25,9 +21,10 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double tilt = 35.0 * M_PI / 180.0;
-constexpr int main_right = 1180; ///< pixels; words and enlarged view stand right of it
-constexpr int words_left = 1150, legend_top = 590;
-constexpr double side_margin = 130.0, top_margin = 130.0,
+constexpr int main_right = 1190; ///< pixels; words and enlarged view stand right of it
+constexpr int words_left = 1190, bar_bottom = 1040, bar_height = 90, bar_margin = 15, legend_top = 990;
+constexpr int inset_bottom = 20, inset_apart = 16;
+constexpr double side_margin = 136.0, top_margin = 130.0,
                  bottom_margin = 90.0; ///< pixels, for axes and words
 
 void
@@ -39,6 +36,17 @@ style(vtkTextProperty* text, int size, bool bold = false)
   text->SetBold(bold);
   text->SetItalic(false);
   text->SetShadow(false);
+}
+
+/** From over the viewer's left shoulder. */
+void
+addLight(vtkRenderer* view)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToCameraLight();
+  light->SetPosition(-0.35, 0.45, 1.0);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  view->AddLight(light);
 }
 
 } // namespace
@@ -55,9 +63,7 @@ Canvas::Canvas(const DisplaySurface& surface)
   window_->SetSize(width, height);
   view_->SetBackground(1.0, 1.0, 1.0);
   window_->AddRenderer(view_);
-  vtkNew<vtkLightKit> lights;
-  lights->SetKeyLightIntensity(0.85);
-  lights->AddLightsToRenderer(view_);
+  addLight(view_);
   aim();
 }
 
@@ -72,38 +78,33 @@ Canvas::aim()
   side -= side.dot(outward) * outward;
   side = side.norm() > 0.3 ? side.normalized() : (x - x.dot(outward) * outward).normalized();
   const Eigen::Vector3d towards = std::cos(tilt) * outward + std::sin(tilt) * side;
-  right_ = (lying ? outward : z).cross(towards).normalized();
-  top_ = towards.cross(right_);
-  centre_ = 0.5 * (surface_.low + surface_.high);
+  const Eigen::Vector3d right = (lying ? outward : z).cross(towards).normalized();
+  projection_ = {right, towards.cross(right), 1.0};
+  const Eigen::Vector3d centre = 0.5 * (surface_.low + surface_.high);
 
   const Eigen::Vector3d half = 0.5 * (surface_.high - surface_.low);
-  const double half_width = half.dot(right_.cwiseAbs()), half_height = half.dot(top_.cwiseAbs());
+  const double half_width = half.dot(right.cwiseAbs()), half_height = half.dot(projection_.top.cwiseAbs());
   const double room_x = main_right - 2.0 * side_margin, room_y = height - top_margin - bottom_margin;
-  const double mm_per_pixel = std::max(2.0 * half_width / room_x, 2.0 * half_height / room_y);
+  projection_.mm_per_pixel = std::max(2.0 * half_width / room_x, 2.0 * half_height / room_y);
   const double middle_x = 0.5 * main_right, middle_y = bottom_margin + 0.5 * room_y;
+  origin_ = Eigen::Vector2d(middle_x, middle_y) - projection_.project(centre);
 
   const double size = 2.0 * half.norm();
-  const Eigen::Vector3d eye = centre_ + 3.0 * size * towards;
+  const Eigen::Vector3d eye = centre + 3.0 * size * towards;
   vtkCamera* const camera = view_->GetActiveCamera();
   camera->ParallelProjectionOn();
-  camera->SetFocalPoint(centre_.data());
+  camera->SetFocalPoint(centre.data());
   camera->SetPosition(eye.data());
-  camera->SetViewUp(top_.data());
-  camera->SetParallelScale(0.5 * height * mm_per_pixel);
+  camera->SetViewUp(projection_.top.data());
+  camera->SetParallelScale(0.5 * height * projection_.mm_per_pixel);
   camera->SetWindowCenter(1.0 - 2.0 * middle_x / width, 1.0 - 2.0 * middle_y / height);
   camera->SetClippingRange(size, 5.0 * size);
-}
-
-double
-Canvas::millimetresPerPixel() const
-{
-  return 2.0 * view_->GetActiveCamera()->GetParallelScale() / height;
 }
 
 Eigen::Vector2d
 Canvas::onScreen(const Eigen::Vector3d& place) const
 {
-  return Eigen::Vector2d(right_.dot(place - centre_), top_.dot(place - centre_)) / millimetresPerPixel();
+  return origin_ + projection_.project(place);
 }
 
 void
@@ -111,9 +112,62 @@ Canvas::addOver(vtkActor* actor)
 {
   // The view is parallel, so this moves nothing on the screen.
   const double lift = std::max(0.7 * surface_.spacing, 0.004 * (surface_.high - surface_.low).norm());
-  const Eigen::Vector3d shift = lift * right_.cross(top_);
+  const Eigen::Vector3d shift = lift * projection_.towards();
   actor->SetPosition(shift.x(), shift.y(), shift.z());
   view_->AddActor(actor);
+}
+
+void
+Canvas::addInFront(vtkActor* actor)
+{
+  const Eigen::Vector3d shift = (surface_.high - surface_.low).norm() * projection_.towards();
+  actor->SetPosition(shift.x(), shift.y(), shift.z());
+  view_->AddActor(actor);
+}
+
+bool
+Canvas::addMarker(const Eigen::Vector3d& place, const Color& color)
+{
+  const bool hidden = hides(surface_, place, projection_.towards());
+  addMark(view_, hidden ? Marker::Ring : Marker::Disc, onScreen(place), color);
+  return hidden;
+}
+
+void
+Canvas::addAxes()
+{
+  std::vector<std::array<Eigen::Vector2d, 2>> strokes;
+  for (const BoxAxis& axis : layOutAxes(surface_.low, surface_.high, projection_)) {
+    strokes.push_back({origin_ + axis.from, origin_ + axis.to});
+    for (const Eigen::Vector2d& tick : axis.ticks)
+      strokes.push_back({origin_ + tick, origin_ + tick + axis_tick_length * axis.outward});
+    for (const AxisText& text : axis.texts)
+      addCentredText(view_, text.words, origin_ + text.middle, text.font_size);
+  }
+  addStrokes(view_, strokes, ink, 1.5f);
+}
+
+vtkSmartPointer<vtkRenderer>
+Canvas::addInset(int slot, const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double across)
+{
+  auto view = vtkSmartPointer<vtkRenderer>::New();
+  const double bottom = inset_bottom + (1 - slot) * (inset_size + inset_apart);
+  view->SetViewport(words_left / double(width), bottom / height, (words_left + inset_size) / double(width),
+                    (bottom + inset_size) / height);
+  view->SetBackground(0.97, 0.97, 0.97);
+  window_->AddRenderer(view);
+  addLight(view);
+  const Eigen::Vector3d eye = centre + 10.0 * across * normal;
+  const Eigen::Vector3d up =
+      std::abs(normal.dot(projection_.top)) < 0.9 ? projection_.top : projection_.towards();
+  vtkCamera* const camera = view->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetFocalPoint(centre.data());
+  camera->SetPosition(eye.data());
+  camera->SetViewUp(up.data());
+  camera->SetParallelScale(0.5 * across);
+  camera->SetClippingRange(0.1 * across, 20.0 * across);
+  return view;
 }
 
 void
@@ -128,17 +182,7 @@ Canvas::addLegend(const std::vector<LegendEntry>& entries)
 {
   int y = legend_top;
   for (const LegendEntry& entry : entries) {
-    vtkNew<vtkPlaneSource> swatch; // a square of 16 pixels
-    swatch->SetOrigin(0.0, 0.0, 0.0);
-    swatch->SetPoint1(16.0, 0.0, 0.0);
-    swatch->SetPoint2(0.0, 16.0, 0.0);
-    vtkNew<vtkPolyDataMapper2D> mapper;
-    mapper->SetInputConnection(swatch->GetOutputPort());
-    vtkNew<vtkActor2D> actor;
-    actor->SetMapper(mapper);
-    actor->SetPosition(words_left, y);
-    actor->GetProperty()->SetColor(entry.color[0], entry.color[1], entry.color[2]);
-    view_->AddActor(actor);
+    addMark(view_, entry.marker, Eigen::Vector2d(words_left + 8.0, y + 8.0), entry.color);
     addText(view_, entry.text, words_left + 28, y - 2, 20);
     y -= 30;
   }
@@ -155,10 +199,11 @@ Canvas::addColorBar(const std::string& title, const char* format, vtkScalarsToCo
   bar->UnconstrainedFontSizeOn();
   style(bar->GetTitleTextProperty(), 20);
   style(bar->GetLabelTextProperty(), 18);
+  bar->SetOrientationToHorizontal();
   bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  bar->SetPosition(0.92, 0.52);
-  bar->SetWidth(0.06);
-  bar->SetHeight(0.38);
+  bar->SetPosition((words_left + bar_margin) / double(width), bar_bottom / double(height));
+  bar->SetWidth((inset_size - 2.0 * bar_margin) / double(width));
+  bar->SetHeight(bar_height / double(height));
   view_->AddActor(bar);
 }
 
@@ -191,6 +236,18 @@ addText(vtkRenderer* view, const std::string& text, int x, int y, int size, bool
   actor->SetInput(text.c_str());
   actor->SetPosition(x, y);
   style(actor->GetTextProperty(), size, bold);
+  view->AddActor(actor);
+}
+
+void
+addCentredText(vtkRenderer* view, const std::string& text, const Eigen::Vector2d& middle, int size)
+{
+  vtkNew<vtkTextActor> actor;
+  actor->SetInput(text.c_str());
+  actor->SetPosition(middle.x(), middle.y());
+  style(actor->GetTextProperty(), size);
+  actor->GetTextProperty()->SetJustificationToCentered();
+  actor->GetTextProperty()->SetVerticalJustificationToCentered();
   view->AddActor(actor);
 }
 

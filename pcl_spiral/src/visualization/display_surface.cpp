@@ -1,20 +1,29 @@
 #include "display_surface.h"
 
+#include <pcl_spiral/search/point_selection.h>
 #include <pcl_spiral/search/surface_graph.h>
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
 #include <limits>
 
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t most_points = 200000; ///< more than this a picture of 1600 x 1200 does not show
-constexpr double margin = 0.03;             ///< of the part's size, about the box
-constexpr double least_mean_normal = 0.25;  ///< a shorter mean of unit normals tells no side
+constexpr std::size_t most_points =
+    60000;                      ///< the part fills a million pixels at most: 4 pixels between points
+constexpr int stray_rounds = 3; ///< an outlier may hide another
+constexpr double margin = 0.03; ///< of the part's size, about the box
+constexpr double hiding_clearance = 0.01;  ///< of the part's size
+constexpr double least_mean_normal = 0.25; ///< a shorter mean of unit normals tells no side
 
 void
 measurePath(const PictureScene& scene, DisplaySurface& surface)
@@ -41,14 +50,19 @@ measurePath(const PictureScene& scene, DisplaySurface& surface)
   surface.outward = clear ? surface.outward.normalized() : Eigen::Vector3d::Zero().eval();
 }
 
-/** Finite points inside the box; a fixed share of them, spread evenly over the file, where there are too
- * many. */
+/** Finite points inside the box. Where there are too many, those of the loops and a fixed share of the
+ * others, spread evenly over the file. */
 std::vector<Eigen::Vector3f>
 shownPoints(const PictureScene& scene, const DisplaySurface& surface)
 {
   const Eigen::Vector3d extra = Eigen::Vector3d::Constant(margin * (surface.high - surface.low).norm());
   const Eigen::Vector3f low = (surface.low - extra).cast<float>(),
                         high = (surface.high + extra).cast<float>();
+  std::vector<bool> on_loop(scene.cloud->size(), false);
+  for (const BoundaryLoop& loop : scene.report.loops)
+    for (const std::uint32_t i : loop.indices)
+      if (i < on_loop.size())
+        on_loop[i] = true;
   std::vector<Eigen::Vector3f> points;
   const double share =
       std::min(1.0, static_cast<double>(most_points) / static_cast<double>(scene.cloud->size()));
@@ -56,11 +70,39 @@ shownPoints(const PictureScene& scene, const DisplaySurface& surface)
     // a low-discrepancy sequence: every stretch of the file keeps the same share of its points
     const double fraction = std::fmod(0.6180339887498949 * static_cast<double>(i), 1.0);
     const Eigen::Vector3f p = (*scene.cloud)[i].getVector3fMap();
-    if (fraction < share && p.allFinite() && (p.array() >= low.array()).all() &&
+    if ((fraction < share || on_loop[i]) && p.allFinite() && (p.array() >= low.array()).all() &&
         (p.array() <= high.array()).all())
       points.push_back(p);
   }
   return points;
+}
+
+/** A graph of the surface without the outliers that the path, too, was made without. */
+SurfaceGraph
+graphOf(std::vector<Eigen::Vector3f> points, const SpiralSettings& settings)
+{
+  if (settings.outlier_neighbours > 0) {
+    std::vector<Eigen::Vector3f> kept;
+    for (const std::uint32_t i :
+         statisticalInliers(points, settings.outlier_neighbours, settings.outlier_deviations))
+      kept.push_back(points[i]);
+    points = std::move(kept);
+  }
+  SurfaceGraphOptions options;
+  options.view_point = settings.view_point;
+  options.flip_normals = settings.flip_normals;
+  SurfaceGraph graph;
+  // where it fails the surface stays empty, and the path is drawn alone
+  for (int round = 0; graph.build(points, options).ok() && round < stray_rounds; ++round) {
+    const std::vector<std::uint32_t>& strays = graph.strayPoints();
+    if (strays.empty())
+      break;
+    for (auto stray = strays.rbegin(); stray != strays.rend(); ++stray) {
+      points[*stray] = points.back();
+      points.pop_back();
+    }
+  }
+  return graph;
 }
 
 /** Triangulate what is shown. */
@@ -69,13 +111,7 @@ displaySurface(const PictureScene& scene)
 {
   DisplaySurface surface;
   measurePath(scene, surface);
-  SurfaceGraph graph;
-  SurfaceGraphOptions options;
-  options.view_point = scene.settings.view_point;
-  options.flip_normals = scene.settings.flip_normals;
-  graph.build(shownPoints(scene, surface),
-              options); // where it fails the surface stays empty; the path is drawn alone
-
+  const SurfaceGraph graph = graphOf(shownPoints(scene, surface), scene.settings);
   const Eigen::Vector3d up = surface.outward.isZero() ? Eigen::Vector3d::UnitZ() : surface.outward;
   vtkNew<vtkPoints> points;
   vtkNew<vtkFloatArray> normals, heights;
@@ -104,6 +140,46 @@ displaySurface(const PictureScene& scene)
 }
 
 } // namespace
+
+vtkSmartPointer<vtkPolyData>
+surfaceNear(const DisplaySurface& surface, const Eigen::Vector3d& centre, double reach)
+{
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType t = 0; t < surface.mesh->GetNumberOfPolys(); ++t) {
+    surface.mesh->GetPolys()->GetCellAtId(t, corners);
+    Eigen::AlignedBox3d box;
+    for (vtkIdType i = 0; i < 3; ++i)
+      box.extend(Eigen::Map<const Eigen::Vector3d>(surface.mesh->GetPoint(corners->GetId(i))));
+    if (((box.min() - centre).array() < reach).all() && ((centre - box.max()).array() < reach).all())
+      triangles->InsertNextCell(corners);
+  }
+  auto part = vtkSmartPointer<vtkPolyData>::New();
+  part->SetPoints(surface.mesh->GetPoints());
+  part->SetPolys(triangles);
+  part->GetPointData()->SetNormals(surface.mesh->GetPointData()->GetNormals());
+  return part;
+}
+
+bool
+hides(const DisplaySurface& surface, const Eigen::Vector3d& place, const Eigen::Vector3d& towards)
+{
+  const Eigen::Vector3d from = place + hiding_clearance * (surface.high - surface.low).norm() * towards;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType t = 0; t < surface.mesh->GetNumberOfPolys(); ++t) {
+    surface.mesh->GetPolys()->GetCellAtId(t, corners);
+    std::array<Eigen::Vector3d, 3> p; // from the ray's start
+    for (int i = 0; i < 3; ++i)
+      p[i] = Eigen::Map<const Eigen::Vector3d>(surface.mesh->GetPoint(corners->GetId(i))) - from;
+    const double a = towards.dot(p[1].cross(p[2])), b = towards.dot(p[2].cross(p[0])),
+                 c = towards.dot(p[0].cross(p[1])); // of one sign where the ray's line meets the triangle
+    const bool met = (a >= 0.0 && b >= 0.0 && c >= 0.0) || (a <= 0.0 && b <= 0.0 && c <= 0.0);
+    const double sum = a + b + c;
+    if (met && sum != 0.0 && (a * p[0] + b * p[1] + c * p[2]).dot(towards) / sum > 0.0)
+      return true;
+  }
+  return false;
+}
 
 SpiralPictures::SpiralPictures(PictureScene scene)
     : scene_(std::move(scene)), surface_(std::make_unique<DisplaySurface>(displaySurface(scene_)))

@@ -18,4 +18,12 @@ struct DisplaySurface {
   double spacing = 0.0;    ///< of the drawn points, mm
 };
 
+/** The triangles that reach into the cube of half edge \p reach about \p centre. */
+vtkSmartPointer<vtkPolyData> surfaceNear(const DisplaySurface& surface, const Eigen::Vector3d& centre,
+                                         double reach);
+
+/** Whether the surface lies between \p place, a point on it, and a viewer far away in direction \p towards.
+ */
+bool hides(const DisplaySurface& surface, const Eigen::Vector3d& place, const Eigen::Vector3d& towards);
+
 } // namespace pcl_spiral

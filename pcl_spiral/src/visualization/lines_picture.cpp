@@ -57,6 +57,7 @@ addLoops(Canvas& canvas, const SpiralReport& report, std::vector<LegendEntry>& l
     if (loops.empty())
       return;
     canvas.addOver(lineActor(loops, true, color, 4.0f));
+    canvas.addInFront(lineActor(loops, true, color, 1.0f));
     double longest = 0.0;
     for (const Polyline& loop : loops)
       longest = std::max(longest, length(loop, true));
@@ -94,14 +95,14 @@ SpiralPictures::writeLines(const std::string& file) const
   double range[2] = {0.0, 1.0};
   surface.mesh->GetScalarRange(range);
   const auto colors = colorScale(range[0], range[1]);
-  canvas.view()->AddActor(surfaceActor(surface, surface_color));
-  canvas.view()->AddActor(pointActor(surface, colors, canvas.millimetresPerPixel()));
+  canvas.view()->AddActor(surfaceActor(surface.mesh, surface_color));
+  canvas.view()->AddActor(pointActor(surface, colors, canvas.projection().mm_per_pixel));
   std::vector<LegendEntry> legend;
   addLoops(canvas, scene.report, legend);
   addLines(canvas, scene.report, legend);
   if (scene.report.boundaries == 1) {
-    canvas.addOver(ballActor(scene.report.centre, 6.0 * canvas.millimetresPerPixel(), centre_color));
-    legend.push_back({"centre", centre_color});
+    const bool hidden = canvas.addMarker(scene.report.centre, centre_color);
+    legend.push_back({"centre", centre_color, hidden ? Marker::Ring : Marker::Disc});
   }
   canvas.addAxes();
   canvas.addLegend(legend);

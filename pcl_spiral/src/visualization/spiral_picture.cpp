@@ -1,51 +1,62 @@
 #include "canvas.h"
 
-#include <vtkCamera.h>
+#include <pcl_spiral/visualization/shown_turns.h>
+
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
-#include <vtkLightKit.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 namespace pcl_spiral {
 namespace {
 
-constexpr double least_pitch = 5.0;    ///< pixels between drawn turns; nearer they run together
-constexpr double inset_pitches = 16.0; ///< across the enlarged view
+constexpr double least_pitch = 4.0;    ///< pixels between drawn turns; nearer they run together
+constexpr double least_move = 1.0;     ///< pixels between drawn points
+constexpr double inset_pitches = 16.0; ///< across an enlarged view
 constexpr Color start_color{0.10, 0.65, 0.20}, end_color{0.85, 0.05, 0.05};
 
-/** The path, or every so manyth turn of it, coloured by turn and lifted off the surface by \p lift. */
+Eigen::Vector3d
+placeOf(const ToolpathPoint& point)
+{
+  return point.getVector3fMap().cast<double>();
+}
+
+Eigen::Vector3d
+normalOf(const ToolpathPoint& point)
+{
+  return point.getNormalVector3fMap().cast<double>();
+}
+
+/** The stretches of the path for which \p shown is true, without the points nearer than \p least to the last
+ * one, coloured by turn. */
+template <typename Shown>
 vtkSmartPointer<vtkActor>
-pathActor(const pcl::PointCloud<ToolpathPoint>& path, int every, double lift, vtkScalarsToColors* colors,
-          float width)
+pathActor(const pcl::PointCloud<ToolpathPoint>& path, double least, vtkScalarsToColors* colors, Shown shown)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkDoubleArray> turns;
   vtkNew<vtkCellArray> lines;
   std::vector<vtkIdType> run;
-  const auto finish = [&] {
-    if (run.size() > 1)
-      lines->InsertNextCell(static_cast<vtkIdType>(run.size()), run.data());
-    run.clear();
+  std::size_t last = 0;
+  const auto add = [&](std::size_t i) {
+    run.push_back(points->InsertNextPoint(placeOf(path[i]).data()));
+    turns->InsertNextValue(path[i].turn);
+    last = i;
   };
-  for (const ToolpathPoint& point : path) {
-    const bool shown = static_cast<int>(point.turn) % every == 0;
-    if (!shown && run.empty())
-      continue;
-    const Eigen::Vector3d p =
-        point.getVector3fMap().cast<double>() + lift * point.getNormalVector3fMap().cast<double>();
-    run.push_back(points->InsertNextPoint(p.data()));
-    turns->InsertNextValue(point.turn);
-    if (!shown) // a turn drawn alone ends where the next begins
-      finish();
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const bool inside = shown(path[i]);
+    const bool ends = !run.empty() && (!inside || i + 1 == path.size());
+    if (ends || (inside && (run.empty() || (placeOf(path[i]) - placeOf(path[last])).norm() >= least)))
+      add(i); // a stretch reaches to the first point that is not shown
+    if (ends) {
+      lines->InsertNextCell(static_cast<vtkIdType>(run.size()), run.data());
+      run.clear();
+    }
   }
-  finish();
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
   data->SetLines(lines);
@@ -55,7 +66,6 @@ pathActor(const pcl::PointCloud<ToolpathPoint>& path, int every, double lift, vt
   mapper->SetLookupTable(colors);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetLineWidth(width);
   actor->GetProperty()->LightingOff();
   return actor;
 }
@@ -68,45 +78,37 @@ text(const char* format, double a, double b)
   return result;
 }
 
-double
-meanPitch(const SpiralReport& report)
+/** One end of the path enlarged, looking along its normal, with every turn. */
+void
+addInset(Canvas& canvas, int slot, const DisplaySurface& surface, const PictureScene& scene,
+         vtkScalarsToColors* colors)
 {
-  return 0.5 * (report.smallest_step_over + report.largest_step_over);
+  const ToolpathPoint& end = slot == 0 ? scene.path->front() : scene.path->back();
+  const Eigen::Vector3d centre = placeOf(end), normal = normalOf(end);
+  const double pitch = 0.5 * (scene.report.smallest_step_over + scene.report.largest_step_over);
+  const double across = inset_pitches * pitch, pixel = across / Canvas::inset_size;
+  const auto view = canvas.addInset(slot, centre, normal, across);
+  view->AddActor(surfaceActor(surfaceNear(surface, centre, across), surface_color));
+  const auto path = pathActor(*scene.path, least_move * pixel, colors, [&](const ToolpathPoint& point) {
+    return (placeOf(point) - centre).norm() < across && normalOf(point).dot(normal) > 0.0;
+  });
+  const Eigen::Vector3d lift = 2.0 * across * normal;
+  path->SetPosition(lift.x(), lift.y(), lift.z()); // over the surface; the view is parallel
+  path->GetProperty()->SetLineWidth(2.0f);
+  view->AddActor(path);
+  addMark(view, Marker::Disc, Eigen::Vector2d::Constant(0.5 * Canvas::inset_size),
+          slot == 0 ? start_color : end_color);
+  addText(
+      view,
+      text(slot == 0 ? "start, every turn, %.3g mm across" : "end, every turn, %.3g mm across", across, 0.0),
+      10, 10, 18, true);
 }
 
-/** The path's innermost end enlarged, looking along its normal. */
-void
-addInset(Canvas& canvas, const DisplaySurface& surface, const PictureScene& scene, vtkScalarsToColors* colors)
+LegendEntry
+markEnd(Canvas& canvas, const ToolpathPoint& end, const std::string& name, const Color& color)
 {
-  const bool outward = scene.settings.direction == SpiralDirection::Outward;
-  const ToolpathPoint& end = outward ? scene.path->front() : scene.path->back();
-  const Eigen::Vector3d centre =
-      scene.report.boundaries == 1 ? scene.report.centre : end.getVector3fMap().cast<double>().eval();
-  const Eigen::Vector3d normal = end.getNormalVector3fMap().cast<double>();
-  const double across = inset_pitches * meanPitch(scene.report);
-
-  vtkNew<vtkRenderer> view;
-  view->SetViewport(0.70, 0.02, 0.985, 0.40);
-  view->SetBackground(0.97, 0.97, 0.97);
-  canvas.window()->AddRenderer(view);
-  vtkNew<vtkLightKit> lights;
-  lights->AddLightsToRenderer(view);
-  view->AddActor(surfaceActor(surface, surface_color));
-  view->AddActor(pathActor(*scene.path, 1, 0.02 * across, colors, 2.0f));
-
-  vtkCamera* const camera = view->GetActiveCamera();
-  const Eigen::Vector3d eye = centre + across * normal;
-  const Eigen::Vector3d up = std::abs(normal.y()) < 0.9 ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
-  camera->ParallelProjectionOn();
-  camera->SetFocalPoint(centre.data());
-  camera->SetPosition(eye.data());
-  camera->SetViewUp(up.data());
-  camera->SetParallelScale(0.5 * across);
-  camera->SetClippingRange(0.01 * across, 3.0 * across);
-  addText(view,
-          text(scene.report.boundaries == 1 ? "centre, %.3g mm across" : "inner edge, %.3g mm across", across,
-               0.0),
-          12, 12, 20, true);
+  const bool hidden = canvas.addMarker(placeOf(end), color);
+  return {name + (hidden ? ", hidden by the part" : ""), color, hidden ? Marker::Ring : Marker::Disc};
 }
 
 } // namespace
@@ -118,22 +120,20 @@ SpiralPictures::writeSpiral(const std::string& file) const
   const DisplaySurface& surface = *surface_;
   const SpiralReport& report = scene.report;
   Canvas canvas(surface);
-  const double pixel = canvas.millimetresPerPixel();
-  const int every =
-      std::max(1, static_cast<int>(std::ceil(least_pitch * pixel / std::max(meanPitch(report), 1e-9))));
+  const ShownTurns turns = chooseTurns(*scene.path, canvas.projection(), least_pitch);
   const auto colors = colorScale(0.0, static_cast<double>(report.turns));
-  canvas.view()->AddActor(surfaceActor(surface, surface_color));
-  canvas.addOver(pathActor(*scene.path, every, 0.0, colors, 1.6f));
-  const auto place = [](const ToolpathPoint& point) { return point.getVector3fMap().cast<double>().eval(); };
-  canvas.addOver(ballActor(place(scene.path->front()), 6.0 * pixel, start_color));
-  canvas.addOver(ballActor(place(scene.path->back()), 6.0 * pixel, end_color));
+  canvas.view()->AddActor(surfaceActor(surface.mesh, surface_color));
+  const auto path = pathActor(*scene.path, least_move * canvas.projection().mm_per_pixel, colors,
+                              [&turns](const ToolpathPoint& point) { return turns.shows(point.turn); });
+  path->GetProperty()->SetLineWidth(1.6f);
+  canvas.addOver(path);
   canvas.addAxes();
-  canvas.addLegend({{every > 1 ? "spiral, one turn in " + std::to_string(every) + " drawn" : "spiral",
-                     {0.128, 0.567, 0.551}},
-                    {"start", start_color},
-                    {"end", end_color}});
   canvas.addColorBar("turn", "%.0f", colors);
-  addInset(canvas, surface, scene, colors);
+  canvas.addLegend({{"spiral, " + turns.caption(), {0.128, 0.567, 0.551}},
+                    markEnd(canvas, scene.path->front(), "start", start_color),
+                    markEnd(canvas, scene.path->back(), "end", end_color)});
+  for (const int slot : {0, 1})
+    addInset(canvas, slot, surface, scene, colors);
   canvas.addTitle(
       scene.title + ": " + std::to_string(report.turns) + " turns, " +
           text("%.2f m", report.path_length / 1000.0, 0.0),

@@ -40,8 +40,8 @@ public:
    *  \throw std::runtime_error without a display, FileError where the file cannot be written */
   void writeLines(const std::string& file) const;
 
-  /** The spiral on the shaded surface, and its inner end enlarged, so that every turn can be told from the
-   * next. Errors as for writeLines. */
+  /** The spiral on the shaded surface: as many of its turns as stand apart in the picture (the legend says
+   * which), start and end marked, and both enlarged with every turn. Errors as for writeLines. */
   void writeSpiral(const std::string& file) const;
 
 private:

@@ -1,0 +1,61 @@
+/** \file
+ *  Where the axes of a picture go.
+ */
+#pragma once
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A parallel view: the picture's directions in the scene, unit and perpendicular, and its scale. */
+struct ParallelView {
+  Eigen::Vector3d right, top;
+  double mm_per_pixel = 1.0;
+
+  /** Where a place appears, pixels right of and above where the origin does. */
+  Eigen::Vector2d
+  project(const Eigen::Vector3d& place) const
+  {
+    return Eigen::Vector2d(right.dot(place), top.dot(place)) / mm_per_pixel;
+  }
+  /** From the scene to the viewer, unit. */
+  Eigen::Vector3d
+  towards() const
+  {
+    return right.cross(top);
+  }
+};
+
+/** Words in a picture; pixels. */
+struct AxisText {
+  std::string words;
+  int font_size;
+  Eigen::Vector2d middle;
+  Eigen::Vector2d half_size; ///< an upper bound
+};
+
+/** One axis as it is drawn; pixels, placed as ParallelView::project does. */
+struct BoxAxis {
+  int axis; ///< 0, 1, 2: x, y, z
+  Eigen::Vector2d from, to;
+  Eigen::Vector2d outward;            ///< unit, away from the box
+  std::vector<Eigen::Vector2d> ticks; ///< where they leave the axis
+  std::vector<AxisText> texts;        ///< the axis's name, then its numbers, mm
+};
+
+/** Length of a tick, pixels. */
+constexpr double axis_tick_length = 9.0;
+
+/** Axes along edges of the box from \p low to \p high, mm.
+ *
+ *  Each runs along the outline of the box in the view, so that nothing stands over the part; of the up to 64
+ *  ways to choose such edges, one without overlaps, the flat axes below, steep ones on different sides, and
+ *  axes that meet in a corner, as far as the view allows. Numbers that would still overlap are left out. An
+ *  edge seen nearly end on (less than 40 pixels) gets no axis. */
+std::vector<BoxAxis> layOutAxes(const Eigen::Vector3d& low, const Eigen::Vector3d& high,
+                                const ParallelView& view);
+
+} // namespace pcl_spiral
