@@ -46,7 +46,7 @@ straightLines(const std::function<Eigen::Vector3d(std::size_t)>& start, const Po
       foot.position = (1.0 - t) * start(i) + t * rim[i];
       return foot;
     }));
-    lines[i].rim_share = s[i] / s.back();
+    lines[i].rim_share = lines[i].turn_share = s[i] / s.back();
     lines[i].corner = std::count(corners.begin(), corners.end(), i) > 0;
     lines[i].level = i % 4 == 0 ? 0 : i % 2 == 0 ? 1 : 2;
   }

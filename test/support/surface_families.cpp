@@ -240,6 +240,12 @@ offCentreAnnulus()
 SurfacePtr
 kidneyPatch()
 {
+  return quadric(800.0, -500.0, Region({kidney(120.0, 60.0, 0.006)}));
+}
+
+SurfacePtr
+boomerangPatch()
+{
   return quadric(800.0, -500.0, Region({kidney(120.0, 45.0, 0.012)}));
 }
 

@@ -105,6 +105,8 @@ SurfacePtr ovalSaddle();
 SurfacePtr offCentreAnnulus();
 /** A kidney 240 wide on a gentle saddle. */
 SurfacePtr kidneyPatch();
+/** The same bent twice as much, with long thin ends that hardly any point sees both of. */
+SurfacePtr boomerangPatch();
 /** An L of size 200, limbs 90 wide, on a gently convex surface. */
 SurfacePtr ellPatch();
 

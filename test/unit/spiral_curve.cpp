@@ -37,7 +37,7 @@ public:
     corner_places.clear();
     for (std::size_t i = 0; i < lines_.size(); ++i)
       for (double j = 0.0; lines_[i].corner && j < turns; ++j)
-        corner_places.push_back(lines_[i].curve.positionAt(turn_function.arcLengthAt(i, j + lines_[i].rim_share)));
+        corner_places.push_back(lines_[i].curve.positionAt(turn_function.arcLengthAt(i, j + lines_[i].turn_share)));
     return curve.sample();
   }
 

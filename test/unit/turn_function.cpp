@@ -39,7 +39,7 @@ meridians(double radius, double reach, std::size_t count, bool hollow)
       foot.normal *= hollow ? -1.0 : 1.0;
       return foot;
     }));
-    lines[i].rim_share = static_cast<double>(i) / static_cast<double>(count);
+    lines[i].rim_share = lines[i].turn_share = static_cast<double>(i) / static_cast<double>(count);
   }
   return lines;
 }

@@ -184,6 +184,27 @@ crossing(const std::vector<RadialLine>& lines, double slack)
   return std::nullopt;
 }
 
+/** How far each line is round a turn: on the mean of its shares of the rim and of the whole angle at the centre, so that
+ *  turns advance evenly about the centre too when a far tip takes most of the rim; of the rim alone without a centre. */
+void
+shareOutTurns(const RadialLineRequest& request, std::vector<RadialLine>& lines)
+{
+  constexpr double reach = 3.0; // spacings from the centre, where lines have spread
+  std::vector<double> angle(1, 0.0);
+  const std::size_t n = lines.size();
+  const auto direction = [&](std::size_t i) {
+    const RadialLine& line = lines[i % n];
+    const double s = std::min(reach * request.surface.graph().spacing(), 0.25 * line.length());
+    return Eigen::Vector3d(line.curve.positionAt(s) - line.curve.positionAt(0.0));
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::Vector3d a = direction(i), b = direction(i + 1);
+    angle.push_back(angle.back() + std::atan2(a.cross(b).norm(), a.dot(b)));
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    lines[i].turn_share = request.inner ? lines[i].rim_share : 0.5 * (lines[i].rim_share + angle[i] / angle.back());
+}
+
 /** Coarse lines, then halved gaps, by one method. */
 Status
 linesByMethod(const RadialLineRequest& request, const Eigen::Vector3d& centre, bool harmonic, RadialLineSet& set)
@@ -272,6 +293,7 @@ linesByMethod(const RadialLineRequest& request, const Eigen::Vector3d& centre, b
     message << "radial lines cross at (" << place->transpose() << ")";
     return {StatusCode::Failed, message.str()};
   }
+  shareOutTurns(request, lines);
   set.lines = std::move(lines);
   set.centre = centre;
   set.harmonic = harmonic;
@@ -329,7 +351,7 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
     centre = foot.position;
   }
   else
-    centre = chebyshevCentre(request.surface, request.rim.curve);
+    centre = balancedCentre(request.surface, request.rim.curve);
 
   if (request.method != LineMethod::Harmonic && centre) {
     const Status status = linesByMethod(request, *centre, false, set);
@@ -339,8 +361,6 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
     if (request.method == LineMethod::Geodesic)
       return {blame(request, status.code()), status.message() + "; harmonic lines cope with such outlines"};
   }
-  if (!request.inner && !request.centre)
-    centre = deepestPoint(request.surface, request.rim.points);
   if (!centre)
     return {StatusCode::Failed, "no centre was found on the surface: give one"};
   const Status status = linesByMethod(request, *centre, true, set);

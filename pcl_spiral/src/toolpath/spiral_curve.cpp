@@ -8,7 +8,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double closest_in_spacings = 1.5; // neighbouring lines on a turn
+constexpr double closest_in_spacings = 0.4; // neighbouring lines on a turn
 constexpr double widest_angle = 0.35;       // rad between neighbouring lines near the centre
 constexpr double step_reserve = 0.98;       // projection stretches steps a little
 
@@ -149,7 +149,7 @@ SpiralCurve::turnKnots(std::size_t turn) const
   const bool clockwise = drawnClockwise(settings_);
   for (std::size_t step = 0; step < n; ++step) {
     const std::size_t i = clockwise ? (n - step) % n : step;
-    const double delta = step == 0 ? 0.0 : clockwise ? 1.0 - lines_[i].rim_share : lines_[i].rim_share;
+    const double delta = step == 0 ? 0.0 : clockwise ? 1.0 - lines_[i].turn_share : lines_[i].turn_share;
     const double tau = static_cast<double>(turn) + delta;
     const double s = turns_.arcLengthAt(i, tau);
     if (s < active_from_[i] * lines_[i].length())
@@ -174,11 +174,11 @@ SpiralCurve::loopKnots(const ClosedLoop& loop, double turn) const
     const double share = s[k] / s[m];
     const auto after = std::upper_bound(loop.line_shares.begin() + 1, loop.line_shares.end() - 1, share);
     const auto line = static_cast<std::size_t>(after - loop.line_shares.begin()) - 1;
-    // Turns are counted by the lines' shares of the rim, on the inner loop too.
-    const double next = line + 1 < n ? lines_[line + 1].rim_share : 1.0;
+    // Turns are counted by the lines' own shares, on loops too.
+    const double next = line + 1 < n ? lines_[line + 1].turn_share : 1.0;
     const double width = loop.line_shares[line + 1] - loop.line_shares[line];
     const double f = width > 0.0 ? (share - loop.line_shares[line]) / width : 0.0;
-    const double delta = lines_[line].rim_share + f * (next - lines_[line].rim_share);
+    const double delta = lines_[line].turn_share + f * (next - lines_[line].turn_share);
     knots.push_back({loop.points[k % m], turn + (clockwise ? 1.0 - delta : delta),
                      turns_.feedStepAt(line, loop.at_rim ? lines_[line].length() : 0.0),
                      corner[k % m] != 0 || step == 0 || step == m, false});
@@ -199,7 +199,7 @@ SpiralCurve::turnBesideLoop(const ClosedLoop& loop, std::size_t turn) const
   std::vector<Offset> offsets;
   for (std::size_t step = 0; step <= n; ++step) {
     const std::size_t i = (clockwise ? n - step : step) % n;
-    const double share = lines_[i].rim_share;
+    const double share = lines_[i].turn_share;
     const double gone = step == 0 ? 0.0 : step == n ? 1.0 : clockwise ? 1.0 - share : share;
     const double along = turns_.arcLengthAt(i, static_cast<double>(turn) + gone);
     offsets.push_back({gone, lines_[i].curve.positionAt(along) -

@@ -282,37 +282,7 @@ SpiralPlanner::checkPath(const SpiralPath& path)
   }
   report_.path_points = path.contacts.size();
   report_.path_length = path.arc_lengths.back();
-  return checkOrder(path);
-}
-
-Status
-SpiralPlanner::checkOrder(const SpiralPath& path) const
-{
-  // One turn on, the path must have moved to the outer side of its travel: right of it where it winds counter-clockwise;
-  // to the other side, where it runs inward.
-  const bool outward = settings_.direction == SpiralDirection::Outward;
-  const double side = (settings_.sense == SpiralSense::CounterClockwise) == outward ? 1.0 : -1.0;
-  const double slack = 0.05 * report_.smallest_step_over + 2.0 * settings_.chord_error; // of chords on either side
-  const double spin = report_.boundaries == 2 ? 0.0 : 1.0; // about a centre the feed spins within one turn
-  const double lowest = outward ? spin : 0.0, highest = path.turns.back() - 1.0 - (outward ? 0.0 : spin);
-  std::size_t next = 1;
-  for (std::size_t i = 1; i + 1 < path.contacts.size(); ++i) {
-    if (path.turns[i] < lowest || path.turns[i] >= highest)
-      continue;
-    while (path.turns[next] < path.turns[i] + 1.0)
-      ++next;
-    // The place exactly one turn on, between path points: a step may be many times the pitch.
-    const double f = (path.turns[i] + 1.0 - path.turns[next - 1]) / (path.turns[next] - path.turns[next - 1]);
-    const Eigen::Vector3d later = (1.0 - f) * path.contacts[next - 1] + f * path.contacts[next];
-    const Eigen::Vector3d feed = path.contacts[i + 1] - path.contacts[i - 1];
-    const Eigen::Vector3d right = feed.cross(path.normals[i]).normalized();
-    const double moved = side * right.dot(later - path.contacts[i]);
-    if (moved < -slack)
-      return {StatusCode::Failed,
-              text("turns cross by ", -moved, " mm at ", at(path.contacts[i]), " in turn ", path.turns[i],
-                   ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
-  }
-  // Where turns run aslant, places one turn on tell too little: look at all of them.
+  // Turns that are not in order cross somewhere: each goes once round.
   if (const auto crossing = firstSelfCrossing(path.contacts, path.normals, settings_.chord_error))
     return {StatusCode::Failed,
             text("the path crosses itself at ", at(path.contacts[*crossing]), " in turn ", path.turns[*crossing],

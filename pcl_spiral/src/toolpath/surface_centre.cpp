@@ -1,10 +1,9 @@
 #include <pcl_spiral/toolpath/surface_centre.h>
 
-#include <pcl_spiral/core/enclosing_circle.h>
 #include <pcl_spiral/core/frame.h>
 #include <pcl_spiral/geodesic/distance_field.h>
 
-#include <Eigen/LU>
+#include <Eigen/Eigenvalues>
 
 #include <cmath>
 #include <limits>
@@ -15,35 +14,6 @@ namespace {
 constexpr std::size_t rim_samples = 96;
 constexpr int most_rounds = 12;
 constexpr double settled = 5e-4; // spacings
-
-/** Centre of the rim's smallest enclosing circle in the plane across its mean normal, put on the surface. */
-SurfaceFoot
-firstGuess(const MlsSurface& surface, const Polyline& rim)
-{
-  const SurfaceGraph& graph = surface.graph();
-  Eigen::Vector3d up = graph.meanNormal().normalized(), e1, e2, mean = Eigen::Vector3d::Zero();
-  tangentFrame(up, e1, e2);
-  std::vector<Eigen::Vector2d> plan;
-  for (const Eigen::Vector3d& p : rim) {
-    plan.emplace_back(p.dot(e1), p.dot(e2));
-    mean += p / static_cast<double>(rim.size());
-  }
-  const Circle circle = smallestEnclosingCircle(plan);
-  // The cloud's point nearest to the axis of that circle.
-  double best = 1e300;
-  std::size_t nearest = 0;
-  for (std::size_t i = 0; i < graph.size(); ++i) {
-    const Eigen::Vector3d p = graph.position(i);
-    const double distance = std::hypot(p.dot(e1) - circle.centre.x(), p.dot(e2) - circle.centre.y());
-    if (distance < best) {
-      best = distance;
-      nearest = i;
-    }
-  }
-  const Eigen::Vector3d on_axis = circle.centre.x() * e1 + circle.centre.y() * e2;
-  const Eigen::Vector3d p = graph.position(nearest);
-  return surface.project(best < graph.spacing() ? Eigen::Vector3d(on_axis + p.dot(up) * up) : p);
-}
 
 /** Where the rim's points lie in the tangent plane of \p foot, by distance and direction along the surface. */
 std::vector<Eigen::Vector2d>
@@ -72,53 +42,83 @@ logMap(const DistanceField& field, const SurfaceFoot& foot, const Polyline& rim,
   return plane;
 }
 
-/** Centre of the points by the least sum of distances to the 16th power, close to the smallest circle's; unlike that it
- *  moves smoothly when the points do. Newton's method from the smallest circle. */
-Eigen::Vector2d
-smoothCentre(const std::vector<Eigen::Vector2d>& points)
+/** log ((sum d^p)^(1/p) (sum d^-p)^(b/p)) of the distances d from \p x to the points: smooth stand-ins for the largest
+ *  distance, times the smallest to the power -b. With its gradient and second derivatives. */
+double
+unevenness(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& x, Eigen::Vector2d& gradient,
+           Eigen::Matrix2d& hessian)
 {
-  constexpr double power = 16.0;
-  const Circle circle = smallestEnclosingCircle(points);
-  Eigen::Vector2d centre = circle.centre;
-  for (int iteration = 0; iteration < 40 && circle.radius > 0.0; ++iteration) {
-    Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
-    for (const Eigen::Vector2d& p : points) {
-      const Eigen::Vector2d d = (p - centre) / circle.radius;
-      const double distance = d.norm();
-      if (!(distance > 0.0))
-        continue;
-      const double weight = std::pow(distance, power - 2.0);
-      const Eigen::Vector2d u = d / distance;
-      gradient += weight * d;
-      hessian += weight * (Eigen::Matrix2d::Identity() + (power - 2.0) * u * u.transpose());
-    }
-    const Eigen::Vector2d step = hessian.inverse() * gradient * circle.radius;
+  constexpr double p = 16.0, b = 0.5;
+  const Eigen::Matrix2d unit = Eigen::Matrix2d::Identity();
+  double scale = 0.0;
+  for (const Eigen::Vector2d& q : points)
+    scale = std::max(scale, (q - x).norm());
+  double far = 0.0, near = 0.0;
+  Eigen::Vector2d far_slope = Eigen::Vector2d::Zero(), near_slope = far_slope;
+  Eigen::Matrix2d far_bend = Eigen::Matrix2d::Zero(), near_bend = far_bend;
+  for (const Eigen::Vector2d& q : points) {
+    const double d = std::max((x - q).norm() / scale, 1e-6);
+    const Eigen::Vector2d u = (x - q) / (scale * d);
+    far += std::pow(d, p);
+    far_slope += std::pow(d, p - 1.0) * u;
+    far_bend += std::pow(d, p - 2.0) * (unit + (p - 2.0) * u * u.transpose());
+    near += std::pow(d, -p);
+    near_slope -= std::pow(d, -p - 1.0) * u;
+    near_bend -= std::pow(d, -p - 2.0) * (unit - (p + 2.0) * u * u.transpose());
+  }
+  far_slope /= far;
+  near_slope /= near;
+  gradient = (far_slope + b * near_slope) / scale;
+  hessian = (far_bend / far - p * far_slope * far_slope.transpose() +
+             b * (near_bend / near - p * near_slope * near_slope.transpose())) /
+            (scale * scale);
+  return std::log(scale) * (1.0 - b) + (std::log(far) + b * std::log(near)) / p;
+}
+
+/** The place of least unevenness near the origin: Newton's method, downhill where the function is not convex. */
+Eigen::Vector2d
+evenCentre(const std::vector<Eigen::Vector2d>& points)
+{
+  Eigen::Vector2d x = Eigen::Vector2d::Zero(), gradient, unused_gradient;
+  Eigen::Matrix2d hessian, unused_hessian;
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    const double value = unevenness(points, x, gradient, hessian);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(hessian);
+    const Eigen::Vector2d bend = eigen.eigenvalues().cwiseAbs().cwiseMax(1e-6 * eigen.eigenvalues().cwiseAbs().maxCoeff());
+    Eigen::Vector2d step = -(eigen.eigenvectors() * (eigen.eigenvectors().transpose() * gradient).cwiseQuotient(bend));
     if (!step.allFinite())
       break;
-    centre += step;
-    if (step.norm() < 1e-12 * circle.radius)
+    int halving = 0;
+    while (halving < 40 && unevenness(points, x + step, unused_gradient, unused_hessian) > value) {
+      step *= 0.5;
+      ++halving;
+    }
+    if (halving == 40)
+      break;
+    x += step;
+    if (step.norm() < 1e-12 * points[0].norm())
       break;
   }
-  return centre;
+  return x;
 }
 
 } // namespace
 
 std::optional<Eigen::Vector3d>
-chebyshevCentre(const MlsSurface& surface, const Polyline& rim)
+balancedCentre(const MlsSurface& surface, const Polyline& rim)
 {
   const Polyline sample = resampled(rim, rim_samples, true);
   const double spacing = surface.graph().spacing();
-  SurfaceFoot foot = firstGuess(surface, sample);
-  if (!foot.valid)
+  const auto deepest = deepestPoint(surface, rim);
+  if (!deepest)
     return std::nullopt;
+  SurfaceFoot foot = surface.project(*deepest);
   double share = 1.0, last_step = std::numeric_limits<double>::max(); // of the way, less where rounds go to and fro
   for (int round = 0; round < most_rounds; ++round) {
     DistanceField field;
     if (!field.compute(surface.graph(), foot.position))
       return std::nullopt;
-    const Eigen::Vector2d centre = smoothCentre(logMap(field, foot, sample, spacing));
+    const Eigen::Vector2d centre = evenCentre(logMap(field, foot, sample, spacing));
     if (centre.norm() > 0.5 * last_step)
       share *= 0.5;
     last_step = centre.norm();

@@ -10,7 +10,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int contour_rounds = 1;
 constexpr double smoothing_share = 1.0 / 64.0; // of the rim: standard deviation of what smooths rates across lines
 constexpr double steepest_cosine = 0.05; // of psi: a line nearly along its contour tells nothing
 constexpr double reserve = 0.997; // of the step-over, for what interpolation between lines adds
@@ -253,33 +252,40 @@ TurnFunction::compute()
                 << " mm: the cutter would gouge; use a smaller tool";
         return {StatusCode::Failed, message.str()};
       }
-  const int rounds = settings_.pitch == Pitch::AlongLine ? 0 : contour_rounds;
-  for (int round = 0; round <= rounds + 1; ++round) {
-    auto measured = stations_;
+  const auto measure = [&](bool across_feed, std::vector<std::vector<Station>>& measured) {
+    measured = stations_;
     bool fits = true;
 #pragma omp parallel for schedule(dynamic, 8) reduction(&& : fits)
     for (std::int64_t i = 0; i < n; ++i)
       for (std::size_t k = 0; k < measured[i].size(); ++k) {
-        const auto station = stationAt(i, k, round > 0 && rounds > 0);
+        const auto station = stationAt(i, k, across_feed);
         fits = fits && station.has_value();
         if (station)
           measured[i][k] = *station;
       }
-    if (!fits)
-      return {StatusCode::Failed, "no step-over exists for this tool on the surface: use a smaller tool"};
-    if (round == rounds + 1) {
-      turns_ = static_cast<std::size_t>(std::ceil(turnsNeeded(measured)));
-      break;
-    }
-    stations_.swap(measured);
+    return fits;
+  };
+  const Status no_step(StatusCode::Failed, "no step-over exists for this tool on the surface: use a smaller tool");
+  if (!measure(false, stations_))
+    return no_step;
+  const auto integrateAll = [&] {
+#pragma omp parallel for schedule(static)
     for (std::int64_t i = 0; i < n; ++i)
       integrate(i);
-    if (rounds > 0) {
-      smoothRates();
-      for (std::int64_t i = 0; i < n; ++i)
-        integrate(i);
-    }
+  };
+  integrateAll();
+  const bool across_feed = settings_.pitch == Pitch::AcrossFeed;
+  if (across_feed) {
+    smoothRates();
+    integrateAll();
   }
+  std::vector<std::vector<Station>> measured;
+  if (!measure(across_feed, measured))
+    return no_step;
+  turns_ = static_cast<std::size_t>(std::ceil(turnsNeeded(measured)));
+  for (std::int64_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < measured[i].size(); ++k)
+      stations_[i][k].feed_step = measured[i][k].feed_step;
   smallest_step_over_ = std::numeric_limits<double>::max();
   for (std::int64_t i = 0; i < n; ++i)
     for (const SurfaceFoot& foot : lines_[i].feet)

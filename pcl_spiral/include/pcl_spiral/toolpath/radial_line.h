@@ -16,6 +16,7 @@ struct RadialLine {
   BSplineCurve curve;             ///< arc length runs outward
   std::vector<SurfaceFoot> feet;  ///< the surface at stations of equal arc length; the first and last at the ends
   double rim_share = 0.0;         ///< share of the rim's length from line 0 to this one, 0 to 1
+  double turn_share = 0.0;        ///< share of each turn from line 0 to this one, 0 to 1
   bool corner = false;            ///< ends on a corner of the rim: turns keep their corner here
   int level = 0;                  ///< round in which it was added: coarse lines are level 0
   double deviation = 0.0;         ///< largest distance of the curve from the points it was fitted to

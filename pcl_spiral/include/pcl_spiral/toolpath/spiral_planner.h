@@ -47,7 +47,6 @@ private:
   Status putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& path);
   Status setAxes(SpiralPath& path);
   Status checkPath(const SpiralPath& path);
-  Status checkOrder(const SpiralPath& path) const;
   bool report(double share, const std::string& stage);
   void endStage(const std::string& name);
 

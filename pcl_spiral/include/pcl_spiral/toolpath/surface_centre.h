@@ -10,11 +10,15 @@
 
 namespace pcl_spiral {
 
-/** The geodesic Chebyshev centre: the point whose largest distance along the surface to the rim is smallest, which makes
- *  the fewest turns. Each round lays the rim out in the tangent plane by distance and direction (the log map) and moves
- *  to the centre of its smallest enclosing circle. \p rim is closed. Empty when no point of the surface is reached. */
+/** The point x of the surface with the least max d / sqrt(min d) of the distances d along the surface to the rim, maxima
+ *  and minima taken as means of the 16th power.
+ *
+ *  The largest distance sets the number of turns; where it alone is least (the geodesic Chebyshev centre) may lie close
+ *  to the rim, or on it (a right triangle, a kidney): turns would be squeezed there. The smallest keeps away from that.
+ *  Each round lays the rim out in the tangent plane by distance and direction (the log map), finds the place there by
+ *  Newton's method and moves to it. \p rim is closed. Empty when no point of the surface is reached. */
 std::optional<Eigen::Vector3d>
-chebyshevCentre(const MlsSurface& surface, const Polyline& rim);
+balancedCentre(const MlsSurface& surface, const Polyline& rim);
 
 /** The point farthest from every boundary: always well inside, also on outlines like an L. */
 std::optional<Eigen::Vector3d>

@@ -17,8 +17,8 @@ namespace pcl_spiral {
  *  l is the exact step-over for the normal curvature across the feed, psi the angle between the line and the normal of
  *  the contour (the turn's direction): what counts is the distance of turns across the feed. All lines share N turns, so
  *  what shapes the spiral is each line's share T_i(s) / T_i(L_i). It comes from contours of equal integral of 1 / l,
- *  smoothed across lines, for it may be any smooth function; then psi is measured on the contours of these shares
- *  themselves, and N is the least that keeps every distance within l.
+ *  smoothed across lines, for it may be any smooth function; then psi is measured on the contours of these shares,
+ *  and N is the least that keeps every distance within l.
  *  Source: Wu et al. 2025, equations (16)-(19), corrected: pitch across the feed, turns shared by all lines.
  */
 class TurnFunction {
@@ -43,7 +43,7 @@ public:
 
 private:
   struct Station {
-    double rate = 0.0;      ///< cos psi / l; once integrated, the share's growth over the share of length
+    double rate = 0.0;      ///< 1 / l, or cos psi / l; once integrated, the share's growth over the share of length
     double share = 0.0;     ///< T_i(s) / T_i(L_i)
     double feed_step = 0.0; ///< mm
   };
