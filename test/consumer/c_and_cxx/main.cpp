@@ -1,30 +1,19 @@
 // Uses the classes with a point type of its own, from a project with C in it.
+#include "scanner_point.h"
+
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
-
-#include <pcl/point_cloud.h>
-#include <pcl/register_point_struct.h>
 
 #include <cmath>
 #include <iostream>
 
-/** A point as some scanner gives it. */
-struct EIGEN_ALIGN16 ScannerPoint {
-  PCL_ADD_POINT4D;
-  float confidence;
-  PCL_MAKE_ALIGNED_OPERATOR_NEW
-};
-POINT_CLOUD_REGISTER_POINT_STRUCT(ScannerPoint,
-                                  (float, x, x)(float, y, y)(float, z, z)(float, confidence, confidence))
-
 extern "C" double metres_to_millimetres(double metres);
 
-/** A dome of 0.08 m radius about the origin, its points on a sunflower. */
-pcl::PointCloud<ScannerPoint>::Ptr
-scanOfDome(int count, double rim)
+/** A dome about the origin, its points on a sunflower. */
+ScannerCloud::Ptr
+scanOfDome(int count, double radius, double rim)
 {
-  const double radius = metres_to_millimetres(0.08);
-  pcl::PointCloud<ScannerPoint>::Ptr cloud(new pcl::PointCloud<ScannerPoint>);
+  ScannerCloud::Ptr cloud(new ScannerCloud);
   for (int i = 0; i < count; ++i) {
     const double r = rim * std::sqrt((i + 0.5) / count), angle = 2.399963229728653 * i;
     ScannerPoint point;
@@ -39,7 +28,7 @@ scanOfDome(int count, double rim)
 
 /** Every edge both ways, and as many as on a surface. */
 bool
-graphIsRight(const pcl::PointCloud<ScannerPoint>::Ptr& cloud)
+graphIsRight(const ScannerCloud::Ptr& cloud)
 {
   pcl_spiral::EllipticGabrielGraph<ScannerPoint> egg;
   egg.setInputCloud(cloud);
@@ -58,7 +47,7 @@ graphIsRight(const pcl::PointCloud<ScannerPoint>::Ptr& cloud)
 
 /** Boundary points at the rim alone, all around. */
 bool
-boundaryIsRight(const pcl::PointCloud<ScannerPoint>::Ptr& cloud, double rim)
+boundaryIsRight(const ScannerCloud::Ptr& cloud, double rim)
 {
   pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
   for (const ScannerPoint& point : *cloud) {
@@ -85,7 +74,7 @@ boundaryIsRight(const pcl::PointCloud<ScannerPoint>::Ptr& cloud, double rim)
 int
 main()
 {
-  const double rim = 48;
-  const auto cloud = scanOfDome(5000, rim);
-  return graphIsRight(cloud) && boundaryIsRight(cloud, rim) ? 0 : 1;
+  const double radius = metres_to_millimetres(0.08), rim = 48;
+  const auto cloud = scanOfDome(5000, radius, rim);
+  return graphIsRight(cloud) && boundaryIsRight(cloud, rim) && stagesAreRight(cloud, radius, rim) ? 0 : 1;
 }
