@@ -24,13 +24,13 @@ struct HermiteSegment {
   }
 };
 
-/** The next count on a ladder whose rungs are two percent apart, so that rounding in the input hardly ever changes it. */
+/** The next count on a ladder whose rungs are five percent apart, so that rounding in the input hardly ever changes it. */
 double
 wholeSteps(double needed)
 {
   double rung = 1.0;
   while (rung < needed)
-    rung = std::max(rung + 1.0, std::ceil(1.02 * rung));
+    rung = std::max(rung + 1.0, std::ceil(1.05 * rung));
   return rung;
 }
 

@@ -2,6 +2,7 @@
 
 #include <pcl_spiral/core/frame.h>
 #include <pcl_spiral/geodesic/distance_field.h>
+#include <pcl_spiral/geodesic/geodesic_refinement.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -13,20 +14,45 @@ namespace {
 
 constexpr std::size_t rim_samples = 96;
 constexpr int most_rounds = 12;
-constexpr double settled = 5e-4; // spacings
+constexpr double nearly_settled = 0.02; // spacings: from here on along exact geodesics
+constexpr double settled = 1e-4;        // spacings
 
-/** Where the rim's points lie in the tangent plane of \p foot, by distance and direction along the surface. */
+/** Where the rim's points lie in the tangent plane of \p foot, by distance and direction along the surface: along lines of
+ *  steepest descent of the field, or, \p refined, along the geodesics they lead to. */
 std::vector<Eigen::Vector2d>
-logMap(const DistanceField& field, const SurfaceFoot& foot, const Polyline& rim, double spacing)
+logMap(const MlsSurface& surface, const DistanceField& field, const SurfaceFoot& foot, const Polyline& rim, bool refined)
 {
+  const double spacing = surface.graph().spacing();
+  std::vector<GeodesicLine> lines(rim.size());
+  const auto count = static_cast<std::int64_t>(rim.size());
+#pragma omp parallel for schedule(dynamic, 4)
+  for (std::int64_t i = 0; i < count; ++i)
+    lines[i].points = field.trace(rim[i]);
+  if (refined) {
+    RefinementOptions options;
+    options.levels = {32};
+    options.max_iterations = 8;
+    options.probe_normals = false;
+    options.tolerance = 1e-4 * spacing;
+    std::vector<GeodesicLine> geodesics;
+    std::vector<std::size_t> which;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (lines[i].points.size() > 1) {
+        geodesics.push_back(lines[i]);
+        geodesics.back().points.front() = foot.position;
+        geodesics.back().points.back() = rim[i];
+        which.push_back(i);
+      }
+    refineGeodesics(surface, options, geodesics);
+    for (std::size_t j = 0; j < which.size(); ++j)
+      if (!geodesics[j].left_surface) // behind a re-entrant rim the field's line must do
+        lines[which[j]].points = std::move(geodesics[j].points);
+  }
   Eigen::Vector3d e1, e2;
   tangentFrame(foot.normal, e1, e2);
   std::vector<Eigen::Vector2d> plane(rim.size(), Eigen::Vector2d::Zero());
-  const auto count = static_cast<std::int64_t>(rim.size());
-#pragma omp parallel for schedule(dynamic, 4)
-  for (std::int64_t i = 0; i < count; ++i) {
-    const Polyline line = field.trace(rim[i]);
-    const double whole = length(line);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Polyline& line = lines[i].points;
     double gone = 0.0;
     for (std::size_t k = 1; k < line.size(); ++k) {
       gone += (line[k] - line[k - 1]).norm();
@@ -35,7 +61,7 @@ logMap(const DistanceField& field, const SurfaceFoot& foot, const Polyline& rim,
       const Eigen::Vector3d d = line[k] - foot.position;
       const Eigen::Vector2d direction(d.dot(e1), d.dot(e2));
       if (direction.norm() > 0.0)
-        plane[i] = whole * direction.normalized();
+        plane[i] = length(line) * direction.normalized();
       break;
     }
   }
@@ -113,12 +139,13 @@ balancedCentre(const MlsSurface& surface, const Polyline& rim)
   if (!deepest)
     return std::nullopt;
   SurfaceFoot foot = surface.project(*deepest);
+  bool refined = false;
   double share = 1.0, last_step = std::numeric_limits<double>::max(); // of the way, less where rounds go to and fro
   for (int round = 0; round < most_rounds; ++round) {
     DistanceField field;
     if (!field.compute(surface.graph(), foot.position))
       return std::nullopt;
-    const Eigen::Vector2d centre = evenCentre(logMap(field, foot, sample, spacing));
+    const Eigen::Vector2d centre = evenCentre(logMap(surface, field, foot, sample, refined));
     if (centre.norm() > 0.5 * last_step)
       share *= 0.5;
     last_step = centre.norm();
@@ -142,8 +169,13 @@ balancedCentre(const MlsSurface& surface, const Polyline& rim)
       break;
     const double moved = (next.position - foot.position).norm();
     foot = next;
-    if (moved < settled * spacing)
+    if (refined && moved < settled * spacing)
       break;
+    if (!refined && moved < nearly_settled * spacing) {
+      refined = true;
+      share = 1.0;
+      last_step = std::numeric_limits<double>::max();
+    }
   }
   return foot.position;
 }
