@@ -1,5 +1,6 @@
 #include "loop_rings.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace pcl_spiral {
@@ -41,6 +42,25 @@ boundaryRings(const Triangulation& mesh, const std::vector<std::uint32_t>& parts
         rings.push_back(std::move(ring));
   }
   return rings;
+}
+
+Ring
+begunFarOut(const SurfaceGraph& graph, Ring ring)
+{
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const std::uint32_t v : ring)
+    mean += graph.position(v) / static_cast<double>(ring.size());
+  std::size_t first = 0;
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const double distance = (graph.position(ring[i]) - mean).norm();
+    if (distance > farthest) {
+      farthest = distance;
+      first = i;
+    }
+  }
+  std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(first), ring.end());
+  return ring;
 }
 
 } // namespace pcl_spiral

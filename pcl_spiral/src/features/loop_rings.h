@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/search/surface_graph.h>
 #include <pcl_spiral/search/triangulation.h>
 
 #include <cstdint>
@@ -20,5 +21,9 @@ simpleRings(const Ring& run);
 /** Simple rings round the triangles of part \p which (as given by Triangulation::parts). */
 std::vector<Ring>
 boundaryRings(const Triangulation& mesh, const std::vector<std::uint32_t>& parts, std::uint32_t which);
+
+/** The ring begun at the point farthest from its mean: the same one wherever the cloud lies. */
+Ring
+begunFarOut(const SurfaceGraph& graph, Ring ring);
 
 } // namespace pcl_spiral

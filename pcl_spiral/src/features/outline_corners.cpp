@@ -90,6 +90,44 @@ turn(double from, double to)
   return std::remainder(to - from, 2.0 * M_PI);
 }
 
+/** Move sharp corners to the point of the ring that sticks out most nearby: breaks between pieces fall beside a tip. */
+void
+moveToTips(const std::vector<Eigen::Vector3d>& points, double spacing, std::vector<CornerCandidate>& corners)
+{
+  constexpr double least_turn_of_tip = 60.0 * M_PI / 180.0, arm = 8.0; // spacings
+  const std::size_t n = points.size(), count = corners.size();
+  // Entry of the ring up to an arm's length from a corner, at most half-way to the next corner that way.
+  const auto armsEnd = [&](std::size_t c, bool forward) {
+    const std::size_t from = corners[c].point, other = corners[forward ? (c + 1) % count : (c + count - 1) % count].point;
+    const std::size_t apart = forward ? (other + n - from) % n : (from + n - other) % n;
+    const std::size_t most = (apart == 0 ? n : apart) / 2;
+    std::size_t i = from;
+    double run = 0.0;
+    for (std::size_t k = 0; k < most && run < arm * spacing; ++k) {
+      const std::size_t next = forward ? (i + 1) % n : (i + n - 1) % n;
+      run += (points[next] - points[i]).norm();
+      i = next;
+    }
+    return i;
+  };
+  std::vector<CornerCandidate> moved = corners;
+  for (std::size_t c = 0; c < count; ++c) {
+    if (std::abs(corners[c].turn) < least_turn_of_tip)
+      continue;
+    const std::size_t begin = armsEnd(c, false), end = armsEnd(c, true);
+    const Eigen::Vector3d a = points[begin], along = (points[end] - a).normalized();
+    double farthest = 0.0;
+    for (std::size_t i = begin; i != end; i = (i + 1) % n) {
+      const Eigen::Vector3d d = points[i] - a;
+      if (const double distance = (d - d.dot(along) * along).norm(); distance > farthest) {
+        farthest = distance;
+        moved[c].point = i;
+      }
+    }
+  }
+  corners = std::move(moved);
+}
+
 } // namespace
 
 std::vector<Eigen::Vector2d>
@@ -141,7 +179,10 @@ cornerCandidates(const std::vector<Eigen::Vector3d>& points, const std::vector<E
     if (std::abs(angle) > least_turn)
       corners.push_back({(before.to + between / 2) % n, angle});
   }
-  std::sort(corners.begin(), corners.end(), [](const auto& a, const auto& b) { return a.point < b.point; });
+  const auto byPoint = [](const auto& a, const auto& b) { return a.point < b.point; };
+  std::sort(corners.begin(), corners.end(), byPoint);
+  moveToTips(points, spacing, corners);
+  std::sort(corners.begin(), corners.end(), byPoint);
   return corners;
 }
 

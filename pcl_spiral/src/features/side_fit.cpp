@@ -25,18 +25,20 @@ shareOf(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3
   return squared > 0.0 ? (p - a).dot(d) / squared : 0.0;
 }
 
-/** Points as the edge problem wants them; \p shares, of the side's length, are where they are expected and then are. */
+/** Points as the edge problem wants them, without those so deep inside that they settle nothing; their shares of the
+ *  side's length are where they are expected and then are. */
 std::vector<SidePoint>
-placed(const OutlineSide& side, double spacing, const std::vector<Eigen::Vector3d>& points, std::vector<double>& shares)
+placed(const OutlineSide& side, double spacing, double blur, std::vector<ExpectedPoint>& points)
 {
   constexpr std::ptrdiff_t reach = 40;
   constexpr double beyond = 3.0; // nodes past an end
+  const double deepest = -(2.0 + 2.0 * blur);
   const auto segments = static_cast<double>(side.segments());
   std::vector<SidePoint> result;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const SideFoot foot = footOn(side, points[i], std::lround(shares[i] * segments), reach);
-    shares[i] = side.closed ? foot.place / segments : std::clamp(foot.place / segments, 0.0, 1.0);
-    if (side.closed || (foot.place > -beyond && foot.place < segments + beyond))
+  for (ExpectedPoint& point : points) {
+    const SideFoot foot = footOn(side, point.position, std::lround(point.share * segments), reach);
+    point.share = side.closed ? foot.place / segments : std::clamp(foot.place / segments, 0.0, 1.0);
+    if (foot.offset > deepest * spacing && (side.closed || (foot.place > -beyond && foot.place < segments + beyond)))
       result.push_back({foot.place, foot.offset / spacing});
   }
   return result;
@@ -175,15 +177,10 @@ layOnSurface(const MlsSurface& surface, OutlineSide& side)
 }
 
 FittedSide
-fitSide(const MlsSurface& surface, double spacing, OutlineSide start, const std::vector<Eigen::Vector3d>& points)
+fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vector<ExpectedPoint> points)
 {
   constexpr double largest_move = 4.0;
   constexpr std::array<double, 5> blurs{0.5, 0.25, 0.12, final_blur, final_blur};
-  std::vector<double> shares = arcLengths(points, start.closed);
-  const double whole = shares.back();
-  for (double& s : shares)
-    s /= whole;
-  shares.resize(points.size());
   FittedSide fitted;
   fitted.side = std::move(start);
   EdgeOptions options;
@@ -194,7 +191,7 @@ fitSide(const MlsSurface& surface, double spacing, OutlineSide start, const std:
       layOnSurface(surface, fitted.side);
     makeEven(fitted.side, spacing);
     options.blur = blurs[round];
-    const std::vector<SidePoint> near = placed(fitted.side, spacing, points, shares);
+    const std::vector<SidePoint> near = placed(fitted.side, spacing, options.blur, points);
     if (round == 2)
       options.wavelength = likelyWavelength(fitted.side, near, options);
     const EdgeFit edge = fitEdge(fitted.side, near, options);

@@ -44,8 +44,14 @@ smoothSide(const Polyline& line, bool closed, double spacing);
 void
 layOnSurface(const MlsSurface& surface, OutlineSide& side);
 
-/** Draw \p start along the edge of \p points, which come in order along it. */
+/** A point of an edge and where along the side, as a share of its length, it is expected. */
+struct ExpectedPoint {
+  Eigen::Vector3d position;
+  double share;
+};
+
+/** Draw \p start along the edge of \p points. */
 FittedSide
-fitSide(const MlsSurface& surface, double spacing, OutlineSide start, const std::vector<Eigen::Vector3d>& points);
+fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vector<ExpectedPoint> points);
 
 } // namespace pcl_spiral

@@ -6,6 +6,8 @@
 #include "loop_rings.h"
 #include "outline.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -101,6 +103,23 @@ ringLength(const SurfaceGraph& graph, const Ring& ring)
   for (std::size_t i = 0; i < ring.size(); ++i)
     sum += (graph.position(ring[i]) - graph.position(ring[(i + 1) % ring.size()])).norm();
   return sum;
+}
+
+double
+ringArea(const SurfaceGraph& graph, const Ring& ring)
+{
+  const Eigen::Vector3d origin = graph.position(ring[0]);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+    sum += (graph.position(ring[i]) - origin).cross(graph.position(ring[i + 1]) - origin);
+  return 0.5 * sum.norm();
+}
+
+/** Whether a ring is shorter than a loop must be, or so thin that it encloses less than such a loop does. */
+bool
+isFlaw(const SurfaceGraph& graph, const Ring& ring, double shortest)
+{
+  return ringLength(graph, ring) < shortest || ringArea(graph, ring) < shortest * shortest / (4.0 * M_PI);
 }
 
 /** Largest distance between two points of a curve, to a factor of two: twice the distance from its mean. */
@@ -232,7 +251,7 @@ findBoundaryLoops(const SurfaceGraph& graph, const BoundaryOptions& options, std
   }
   const MlsSurface surface(graph);
   for (const Ring& ring : rings)
-    if (ringLength(graph, ring) < options.shortest_loop * graph.spacing())
+    if (isFlaw(graph, ring, options.shortest_loop * graph.spacing()))
       ++found.left_out_loops;
     else
       loops.push_back(loopOf(graph, surface, ring));

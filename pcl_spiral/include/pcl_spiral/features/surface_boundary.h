@@ -30,7 +30,8 @@ struct BoundaryOptions {
    *  more than largest_gap spacings across. */
   double min_hole_length = 0.0;
   double largest_gap = 15.0;       ///< across, in spacings: with no length set, a hole no larger is a gap in the data
-  double shortest_loop = 8.0;      ///< in spacings: a shorter loop is a flaw of the triangulation, and left out
+  double shortest_loop = 8.0;      ///< in spacings: a shorter loop, or a thinner one than such a circle, is a flaw of
+                                   ///< the triangulation, and left out
   double largest_left_out = 0.02;  ///< share of the triangles a further part may have and still be left out
 };
 
@@ -38,7 +39,7 @@ struct BoundaryOptions {
 struct BoundaryCounts {
   std::size_t left_out_parts = 0;     ///< specks apart from the surface
   std::size_t left_out_triangles = 0; ///< in them
-  std::size_t left_out_loops = 0;     ///< shorter than shortest_loop
+  std::size_t left_out_loops = 0;     ///< see shortest_loop
   std::size_t unmarked_loops = 0;     ///< less than half of their points among those marked
 };
 

@@ -1,0 +1,97 @@
+#include "edge_points.h"
+
+#include <pcl_spiral/core/polyline.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <unordered_set>
+#include <utility>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double depth = 4.5; // of the strip along the ring, spacings
+constexpr double reach = 6.0; // spacings from a point of the ring: its edges are up to six long
+
+/** A point of the cloud, and the entry of the ring it was reached from. */
+using Reached = std::pair<std::uint32_t, std::size_t>;
+
+std::vector<Reached>
+reachedFrom(const SurfaceGraph& graph, const Ring& ring)
+{
+  const Triangulation& mesh = graph.triangulation();
+  const double farthest = reach * graph.spacing();
+  std::unordered_set<std::uint32_t> known(ring.begin(), ring.end());
+  std::vector<Reached> reached;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    reached.emplace_back(ring[i], i);
+  for (std::size_t next = 0; next < reached.size(); ++next) {
+    const auto [v, from] = reached[next];
+    for (std::size_t i = mesh.outgoingBegin(v); i < mesh.outgoingBegin(v + 1); ++i)
+      for (const std::uint32_t w : mesh.triangle(mesh.outgoing(i) / 3))
+        if ((graph.position(w) - graph.position(ring[from])).norm() < farthest && known.insert(w).second)
+          reached.emplace_back(w, from);
+  }
+  return reached;
+}
+
+/** A closed line on which feet are sought about a given entry. */
+class RingLine {
+public:
+  explicit RingLine(Polyline line) : line_(std::move(line)), at_(arcLengths(line_, true)) {}
+
+  /** Place of the foot of \p p among the edges up to \p window from entry \p about either way; its distance. */
+  std::pair<double, double>
+  foot(const Eigen::Vector3d& p, std::size_t about, double window) const
+  {
+    const std::size_t n = line_.size();
+    std::pair<double, double> best{0.0, std::numeric_limits<double>::infinity()};
+    double run = 0.0;
+    for (std::size_t i = about, k = 0; k < n && run < window; i = (i + 1) % n, ++k) {
+      look(p, i, best);
+      run += at_[i + 1] - at_[i];
+    }
+    run = 0.0;
+    for (std::size_t i = (about + n - 1) % n, k = 0; k < n && run < window; i = (i + n - 1) % n, ++k) {
+      look(p, i, best);
+      run += at_[i + 1] - at_[i];
+    }
+    return best;
+  }
+
+private:
+  void
+  look(const Eigen::Vector3d& p, std::size_t i, std::pair<double, double>& best) const
+  {
+    const Eigen::Vector3d a = line_[i], d = line_[(i + 1) % line_.size()] - a;
+    const double f = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
+    if (const double distance = (p - a - f * d).norm(); distance < best.second)
+      best = {std::fmod(at_[i] + f * (at_[i + 1] - at_[i]), at_.back()), distance};
+  }
+
+  Polyline line_;
+  std::vector<double> at_;
+};
+
+} // namespace
+
+std::vector<EdgePoint>
+edgePoints(const SurfaceGraph& graph, const Ring& ring)
+{
+  Polyline positions;
+  for (const std::uint32_t v : ring)
+    positions.push_back(graph.position(v));
+  const RingLine line(std::move(positions));
+  std::vector<EdgePoint> points;
+  for (const auto& [v, from] : reachedFrom(graph, ring)) {
+    const Eigen::Vector3d p = graph.position(v);
+    if (const auto [place, distance] = line.foot(p, from, reach * graph.spacing()); distance < depth * graph.spacing())
+      points.push_back({p, place});
+  }
+  std::stable_sort(points.begin(), points.end(), [](const EdgePoint& a, const EdgePoint& b) { return a.place < b.place; });
+  return points;
+}
+
+} // namespace pcl_spiral

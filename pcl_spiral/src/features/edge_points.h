@@ -1,0 +1,30 @@
+/** \file
+ *  The points along the boundary of a triangulation. Private to features.
+ */
+#pragma once
+
+#include "loop_rings.h"
+
+#include <pcl_spiral/search/surface_graph.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A point by a ring. */
+struct EdgePoint {
+  Eigen::Vector3d position;
+  double place; ///< of its foot on the ring, mm from the ring's first point
+};
+
+/** All points of the cloud by \p ring, its own among them, in the order of their places.
+ *
+ *  The ring alone does not tell the edge: at a re-entrant corner its edges span the notch, and the points of the true
+ *  edge lie behind them.
+ */
+std::vector<EdgePoint>
+edgePoints(const SurfaceGraph& graph, const Ring& ring);
+
+} // namespace pcl_spiral
