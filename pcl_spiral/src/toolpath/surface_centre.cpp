@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t rim_samples = 96;
 constexpr int most_rounds = 12;
-constexpr double nearly_settled = 0.02; // spacings: from here on along exact geodesics
-constexpr double settled = 1e-4;        // spacings
+constexpr double nearly_settled = 0.5; // spacings: from here on along exact geodesics
+constexpr double settled = 5e-3;       // spacings
 
 /** Where the rim's points lie in the tangent plane of \p foot, by distance and direction along the surface: along lines of
  *  steepest descent of the field, or, \p refined, along the geodesics they lead to. */

@@ -16,7 +16,8 @@ namespace pcl_spiral {
  *  The largest distance sets the number of turns; where it alone is least (the geodesic Chebyshev centre) may lie close
  *  to the rim, or on it (a right triangle, a kidney): turns would be squeezed there. The smallest keeps away from that.
  *  Each round lays the rim out in the tangent plane by distance and direction (the log map), finds the place there by
- *  Newton's method and moves to it; the last rounds follow exact geodesics, so that the centre moves with the part. \p rim is closed. Empty when no point of the surface is reached. */
+ *  Newton's method and moves to it; the last rounds follow exact geodesics, so that the centre moves with the part.
+ *  \p rim is closed. Empty when no point of the surface is reached. */
 std::optional<Eigen::Vector3d>
 balancedCentre(const MlsSurface& surface, const Polyline& rim);
 
