@@ -5,6 +5,7 @@
 #include <pcl_spiral/geodesic/geodesic_refinement.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <limits>
@@ -128,6 +129,68 @@ evenCentre(const std::vector<Eigen::Vector2d>& points)
   return x;
 }
 
+/** Whether \p x lies within the closed line: an odd number of its edges lies to the right. */
+bool
+isInside(const std::vector<Eigen::Vector2d>& line, const Eigen::Vector2d& x)
+{
+  bool inside = false;
+  for (std::size_t i = 0, j = line.size() - 1; i < line.size(); j = i++)
+    if ((line[i].y() > x.y()) != (line[j].y() > x.y()) &&
+        x.x() < line[i].x() + (x.y() - line[i].y()) / (line[j].y() - line[i].y()) * (line[j].x() - line[i].x()))
+      inside = !inside;
+  return inside;
+}
+
+/** The even centre of the rim as seen along the mean normal, put on the surface: a start close to the goal. */
+SurfaceFoot
+startInPlan(const MlsSurface& surface, const Polyline& rim)
+{
+  constexpr int cells = 24; // of the box about the rim, each way
+  const SurfaceGraph& graph = surface.graph();
+  const Eigen::Vector3d up = graph.meanNormal().normalized();
+  Eigen::Vector3d e1, e2;
+  tangentFrame(up, e1, e2);
+  std::vector<Eigen::Vector2d> plan;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector3d& p : rim) {
+    plan.emplace_back(p.dot(e1), p.dot(e2));
+    box.extend(plan.back());
+  }
+  std::optional<Eigen::Vector2d> best;
+  double least = std::numeric_limits<double>::infinity();
+  Eigen::Vector2d gradient;
+  Eigen::Matrix2d hessian;
+  for (int i = 0; i < cells * cells; ++i) {
+    const Eigen::Vector2d x = box.min() + Eigen::Vector2d(i % cells + 0.5, i / cells + 0.5).cwiseProduct(box.sizes()) / cells;
+    if (!isInside(plan, x))
+      continue;
+    if (const double value = unevenness(plan, x, gradient, hessian); value < least) {
+      least = value;
+      best = x;
+    }
+  }
+  SurfaceFoot none;
+  if (!best)
+    return none;
+  std::vector<Eigen::Vector2d> about = plan;
+  for (Eigen::Vector2d& p : about)
+    p -= *best;
+  *best += evenCentre(about);
+  double closest = std::numeric_limits<double>::infinity();
+  std::size_t nearest = 0;
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    const Eigen::Vector3d p = graph.position(i);
+    const double distance = std::hypot(p.dot(e1) - best->x(), p.dot(e2) - best->y());
+    if (distance < closest) {
+      closest = distance;
+      nearest = i;
+    }
+  }
+  if (closest > graph.spacing())
+    return none;
+  return surface.project(best->x() * e1 + best->y() * e2 + graph.position(nearest).dot(up) * up);
+}
+
 } // namespace
 
 std::optional<Eigen::Vector3d>
@@ -135,10 +198,13 @@ balancedCentre(const MlsSurface& surface, const Polyline& rim)
 {
   const Polyline sample = resampled(rim, rim_samples, true);
   const double spacing = surface.graph().spacing();
-  const auto deepest = deepestPoint(surface, rim);
-  if (!deepest)
-    return std::nullopt;
-  SurfaceFoot foot = surface.project(*deepest);
+  SurfaceFoot foot = startInPlan(surface, sample);
+  if (!foot.valid) {
+    const auto deepest = deepestPoint(surface, rim);
+    if (!deepest)
+      return std::nullopt;
+    foot = surface.project(*deepest);
+  }
   bool refined = false;
   double share = 1.0, last_step = std::numeric_limits<double>::max(); // of the way, less where rounds go to and fro
   for (int round = 0; round < most_rounds; ++round) {
