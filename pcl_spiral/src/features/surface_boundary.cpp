@@ -1,7 +1,5 @@
 #include <pcl_spiral/features/surface_boundary.h>
 
-#include <pcl_spiral/surface/mls_surface.h>
-
 #include "boundary_walk.h"
 #include "loop_rings.h"
 #include "outline.h"
@@ -230,9 +228,10 @@ keepMarked(const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, std
 } // namespace
 
 Status
-findBoundaryLoops(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
+findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
                   BoundaryCounts* counts)
 {
+  const SurfaceGraph& graph = surface.graph();
   loops.clear();
   BoundaryCounts found;
   if (const Status status = checkOptions(graph, options); !status.ok())
@@ -249,7 +248,6 @@ findBoundaryLoops(const SurfaceGraph& graph, const BoundaryOptions& options, std
     if (const Status status = walkRings(graph, points, walk, rings, found.left_out_loops); !status.ok())
       return status;
   }
-  const MlsSurface surface(graph);
   for (const Ring& ring : rings)
     if (isFlaw(graph, ring, options.shortest_loop * graph.spacing()))
       ++found.left_out_loops;
@@ -267,6 +265,13 @@ findBoundaryLoops(const SurfaceGraph& graph, const BoundaryOptions& options, std
   if (counts)
     *counts = found;
   return status;
+}
+
+Status
+findBoundaryLoops(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
+                  BoundaryCounts* counts)
+{
+  return findBoundaryLoops(MlsSurface(graph), options, loops, counts);
 }
 
 } // namespace pcl_spiral

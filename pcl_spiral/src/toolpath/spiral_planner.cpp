@@ -118,7 +118,7 @@ Status
 SpiralPlanner::findLoops()
 {
   BoundaryCounts counts;
-  if (const Status status = findBoundaryLoops(graph_, BoundaryOptions(), report_.loops, &counts); !status.ok())
+  if (const Status status = findBoundaryLoops(*surface_, BoundaryOptions(), report_.loops, &counts); !status.ok())
     return status;
   if (counts.left_out_parts > 0 && bridges_.empty())
     report_.warnings.push_back(text(counts.left_out_parts, " specks apart from the surface were left out"));

@@ -6,6 +6,7 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
 #include <pcl_spiral/search/surface_graph.h>
+#include <pcl_spiral/surface/mls_surface.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -49,6 +50,11 @@ struct BoundaryCounts {
  *  there is no boundary at all, when the outer one is not among the points marked, when a walk ends before it comes back,
  *  and on options out of range.
  */
+Status
+findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
+                  BoundaryCounts* counts = nullptr);
+
+/** The same with a surface made for the purpose. */
 Status
 findBoundaryLoops(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
                   BoundaryCounts* counts = nullptr);

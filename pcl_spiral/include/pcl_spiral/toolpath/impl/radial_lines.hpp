@@ -51,9 +51,10 @@ RadialLines<PointT, PointNT>::run()
   SurfaceGraph graph;
   if (const Status status = graph.build(usable.positions, options); !status.ok())
     return status;
+  const MlsSurface surface(graph);
   loops_ = given_loops_;
   const Status loops_status =
-      loops_.empty() ? findBoundaryLoops(graph, BoundaryOptions(), loops_) : checkLoops(graph, loops_);
+      loops_.empty() ? findBoundaryLoops(surface, BoundaryOptions(), loops_) : checkLoops(graph, loops_);
   if (!loops_status.ok())
     return loops_status;
   BoundaryChoice choice;
@@ -62,7 +63,6 @@ RadialLines<PointT, PointNT>::run()
   if (choice.inner && center_)
     return {StatusCode::InvalidArgument,
             "a centre was given, but lines between two boundaries have none; clear it, or ask for one boundary"};
-  const MlsSurface surface(graph);
   RadialLineRequest request{surface,      *choice.rim, choice.inner, center_,        start_point_,
                             method_,      tolerance_,  fit_tolerance_, progress_};
   return buildRadialLines(request, set_);
