@@ -1,0 +1,66 @@
+/** \file
+ *  The solid that a cutter sweeps along the linear moves of its path.
+ */
+#pragma once
+
+#include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/surface/mls_surface.h>
+
+#include <cstddef>
+
+namespace pcl_spiral {
+
+/** A cutter of revolution at every point of a path, moved in straight lines from one point to the next.
+ *
+ *  The search and the figures know a cutter by these functions alone; a profile other than the ball brings its own class,
+ *  which keeps the tool axes of the path if its shape needs them. Only the cutting part counts: shank and holder are a
+ *  matter for collision checks. Lengths in mm.
+ */
+class CutterSweep {
+public:
+  virtual ~CutterSweep() = default;
+
+  /** The middle of a ball that holds the cutter, at every point of the path; move i goes from i to i + 1. */
+  const Polyline& centres() const { return centres_; }
+  std::size_t moves() const { return centres_.size() < 2 ? 0 : centres_.size() - 1; }
+  /** Radius of that ball. */
+  double boundingRadius() const { return bounding_radius_; }
+
+  /** Lower \p t to the smallest t in [-start, t) at which x + t n lies in the solid swept along \p move; false, and
+   *  \p t kept, when there is none. \p n is unit. */
+  virtual bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start,
+                     double& t) const = 0;
+  /** Whether \p x lies in the solid swept along \p move. */
+  virtual bool contains(std::size_t move, const Eigen::Vector3d& x) const = 0;
+  /** How deep the cutter reaches below the surface about \p foot (a quadric) when it stands at the share \p f of
+   *  \p move; negative: the clearance. */
+  virtual double depth(std::size_t move, double f, const SurfaceFoot& foot) const = 0;
+
+protected:
+  CutterSweep(Polyline centres, double bounding_radius)
+  : centres_(std::move(centres)), bounding_radius_(bounding_radius)
+  {
+  }
+
+private:
+  Polyline centres_;
+  double bounding_radius_;
+};
+
+/** A ball: each move sweeps a capsule, so every answer is exact and the tool axis has no say. */
+class BallSweep : public CutterSweep {
+public:
+  /** The centres stand a radius off the contacts, along the normals. One unit normal a contact. */
+  BallSweep(const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals, double radius);
+
+  bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start,
+             double& t) const override;
+  bool contains(std::size_t move, const Eigen::Vector3d& x) const override;
+  double depth(std::size_t move, double f, const SurfaceFoot& foot) const override;
+};
+
+/** Height of \p p above the quadric about \p foot: signed distance, positive out of the material. */
+double
+heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p);
+
+} // namespace pcl_spiral

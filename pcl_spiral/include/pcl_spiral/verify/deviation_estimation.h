@@ -1,0 +1,45 @@
+/** \file
+ *  How far a toolpath's points stand off a scan.
+ */
+#pragma once
+
+#include <pcl_spiral/verify/path_deviation.h>
+#include <pcl_spiral/verify/reference_input.h>
+
+namespace pcl_spiral {
+
+/** Signed distance of each point of a toolpath from a scanned surface, the angle of its normal, and how the path moves.
+ *
+ *  setInputCloud takes the reference: the raw scan, the planner's or another one. The distance is that to a local
+ *  quadratic fit of the raw points; see ReferenceSurface for what part of it is noise. Positive out of the material.
+ *  Lengths in mm, angles in degrees. The input is never changed.
+ */
+template <typename PointT>
+class DeviationEstimation : public ReferenceInput<PointT> {
+public:
+  using Ptr = pcl::shared_ptr<DeviationEstimation>;
+  using ConstPtr = pcl::shared_ptr<const DeviationEstimation>;
+
+  /** Measure. \p output has a point a path point, in their order: its place, and the deviation as intensity, NaN where
+   *  there is no surface. It is empty on failure: no or unfit reference or toolpath, no path point on the reference, or
+   *  cancelled. */
+  void compute(pcl::PointCloud<pcl::PointXYZI>& output);
+
+  const DeviationFigures& getFigures() const { return figures_; }
+
+private:
+  DeviationFigures figures_;
+};
+
+} // namespace pcl_spiral
+
+#include <pcl_spiral/verify/impl/deviation_estimation.hpp>
+
+namespace pcl_spiral {
+extern template class ReferenceInput<pcl::PointXYZ>;
+extern template class ReferenceInput<pcl::PointXYZRGB>;
+extern template class ReferenceInput<pcl::PointNormal>;
+extern template class DeviationEstimation<pcl::PointXYZ>;
+extern template class DeviationEstimation<pcl::PointXYZRGB>;
+extern template class DeviationEstimation<pcl::PointNormal>;
+} // namespace pcl_spiral

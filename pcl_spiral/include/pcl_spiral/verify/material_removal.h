@@ -1,0 +1,65 @@
+/** \file
+ *  What a toolpath's cutter leaves on a scanned surface, and what it takes too much.
+ */
+#pragma once
+
+#include <pcl_spiral/verify/reference_input.h>
+#include <pcl_spiral/verify/removed_material.h>
+
+namespace pcl_spiral {
+
+/** Stock left or gouge at every point of a scan after a ball cutter has run along a toolpath in straight lines; the
+ *  scallops between turns, and how short the path is against the least length.
+ *
+ *  setInputCloud takes the reference: the raw scan, the planner's or another one. Heights are above the local quadratic
+ *  fit of its points; see ReferenceSurface for what part of them is noise. Lengths in mm. The input is never changed.
+ */
+template <typename PointT>
+class MaterialRemoval : public ReferenceInput<PointT> {
+public:
+  using Ptr = pcl::shared_ptr<MaterialRemoval>;
+  using ConstPtr = pcl::shared_ptr<const MaterialRemoval>;
+
+  /** Radius of the ball cutter, mm. Must be set. */
+  void setToolRadius(double radius) { tool_radius_ = radius; }
+  double getToolRadius() const { return tool_radius_; }
+
+  /** Scallop height asked of the path, mm. Must be set, below the radius. */
+  void setScallopHeight(double height) { scallop_height_ = height; }
+  double getScallopHeight() const { return scallop_height_; }
+
+  /** How far above the surface stock is looked for, mm: nothing met counts as uncut. 0, the default: 20 scallop heights,
+   *  and at least ten times the scan's noise. */
+  void setReach(double reach) { reach_ = reach; }
+  double getReach() const { return reach_; }
+
+  /** Measure. \p output has a point for each of the input (of its indices, when set), in their order: its place, and the
+   *  stock as intensity, negative for a gouge, the reach where uncut, NaN where the point is no part of the surface
+   *  (not finite, a repetition, an outlier). Empty on failure: no or unfit reference or toolpath, a setting out of range,
+   *  or cancelled. */
+  void compute(pcl::PointCloud<pcl::PointXYZI>& output);
+
+  const RemovalFigures& getFigures() const { return figures_; }
+  /** Height of the ridge next to each output point, mm; NaN near the rim and where none was found. */
+  const std::vector<float>& getRidgeHeights() const { return ridge_heights_; }
+
+private:
+  void write(const RemovalHeights& heights, pcl::PointCloud<pcl::PointXYZI>& output);
+
+  double tool_radius_ = 0.0, scallop_height_ = 0.0, reach_ = 0.0;
+  RemovalFigures figures_;
+  std::vector<float> ridge_heights_;
+};
+
+} // namespace pcl_spiral
+
+#include <pcl_spiral/verify/impl/material_removal.hpp>
+
+namespace pcl_spiral {
+extern template class ReferenceInput<pcl::PointXYZ>;
+extern template class ReferenceInput<pcl::PointXYZRGB>;
+extern template class ReferenceInput<pcl::PointNormal>;
+extern template class MaterialRemoval<pcl::PointXYZ>;
+extern template class MaterialRemoval<pcl::PointXYZRGB>;
+extern template class MaterialRemoval<pcl::PointNormal>;
+} // namespace pcl_spiral

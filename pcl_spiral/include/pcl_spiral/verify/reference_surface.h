@@ -1,0 +1,79 @@
+/** \file
+ *  The scan a path is judged by: its surface, its noise, its rim.
+ */
+#pragma once
+
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/features/boundary_loop.h>
+#include <pcl_spiral/surface/mls_surface.h>
+#include <pcl_spiral/verify/move_index.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** The surface behind the raw points of a scan, by local quadratic fits to the points themselves (MlsSurface).
+ *
+ *  Every figure is measured against this surface, not against single points, so the noise of a single point, noise(), is
+ *  averaged: what remains in the surface is fitNoise(), and no figure is better known than that. Where a planner worked on
+ *  the same scan, the part of its error that comes from the scan's noise is common to both and does not show; a second
+ *  scan shows it. Memory: about 150 bytes a point.
+ */
+class ReferenceSurface {
+public:
+  ReferenceSurface() = default;
+  ReferenceSurface(const ReferenceSurface&) = delete; // the fits refer to the graph
+  ReferenceSurface& operator=(const ReferenceSurface&) = delete;
+
+  /** Make the surface of finite, different \p points. Points that stand alone off it are left out; boundaries that cannot
+   *  be found leave it without a rim and with a warning. Fails where SurfaceGraph does. */
+  Status build(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions options);
+
+  const SurfaceGraph& graph() const { return graph_; }
+  const MlsSurface& surface() const { return *surface_; }
+  /** Which of the points given to build is point \p i of the graph. */
+  std::uint32_t source(std::size_t i) const { return source_[graph_.blocks().originalIndex(i)]; }
+  std::size_t strayPoints() const { return strays_; }
+
+  /** Standard deviation of single points about the surface, mm. On a scan without noise it is what a quadric leaves of
+   *  the shape: an upper bound. */
+  double noise() const { return surface_->noise(); }
+  /** Standard deviation of the surface found, inside the rim: noise() sqrt(50 / (7 k)) for k evenly spread neighbours and
+   *  the fit's weight (1 - r^2)^3, from the variance of least squares. */
+  double fitNoise() const;
+  /** Radius of one fit: as far as it can be trusted about its foot, mm. */
+  double fitRadius() const;
+
+  const std::vector<BoundaryLoop>& loops() const { return loops_; }
+  /** Of the outer loop and of the real holes, mm. */
+  double rimLength() const { return rim_length_; }
+  /** Area between the outermost points and the rim that they stand a little inside of, mm^2. */
+  double rimStrip() const { return rim_strip_; }
+  /** Distance to the rim (outer loop and real holes), no more than \p limit. */
+  double rimDistance(const Eigen::Vector3d& p, double limit) const;
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+private:
+  void findRim();
+
+  SurfaceGraph graph_;
+  std::unique_ptr<MlsSurface> surface_;
+  std::vector<std::uint32_t> source_;
+  std::size_t strays_ = 0;
+  std::vector<BoundaryLoop> loops_;
+  std::vector<Polyline> rims_; ///< closed: the first point comes again
+  std::vector<std::unique_ptr<MoveIndex>> rim_index_;
+  double rim_length_ = 0.0, rim_strip_ = 0.0;
+  std::vector<std::string> warnings_;
+};
+
+/** Statements about what the scan cannot show: the scallop height and the chord error asked for that lie below its noise
+ *  or below the noise of the surface fitted to it. 0: nothing was asked for. */
+std::vector<std::string>
+noiseWarnings(const ReferenceSurface& reference, double scallop_height, double chord_error);
+
+} // namespace pcl_spiral

@@ -1,0 +1,78 @@
+#include <pcl_spiral/verify/cutter_path.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <string>
+
+namespace pcl_spiral {
+namespace {
+
+double
+degreesBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / M_PI;
+}
+
+void
+raise(PlacedValue& largest, double value, const Eigen::Vector3d& position, std::size_t index)
+{
+  if (value > largest.value)
+    largest = {value, position, index};
+}
+
+} // namespace
+
+Status
+readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterPath& path)
+{
+  path = CutterPath();
+  if (!toolpath)
+    return {StatusCode::InvalidInput, "no toolpath: call setInputToolpath"};
+  if (toolpath->size() < 2)
+    return {StatusCode::InvalidInput, "the toolpath has " + std::to_string(toolpath->size()) +
+                                          " points; it takes two to make a move: check the file"};
+  bool with_axes = true;
+  for (std::size_t i = 0; i < toolpath->size(); ++i) {
+    const ToolpathPoint& p = (*toolpath)[i];
+    const Eigen::Vector3d contact = p.getVector3fMap().cast<double>();
+    const Eigen::Vector3d normal = p.getNormalVector3fMap().cast<double>();
+    const Eigen::Vector3d axis = p.getAxisVector3fMap().cast<double>();
+    if (!contact.allFinite())
+      return {StatusCode::InvalidInput, "toolpath point " + std::to_string(i) + " is not finite: check the file"};
+    if (!(normal.norm() > 1e-6) || !normal.allFinite())
+      return {StatusCode::InvalidInput, "toolpath point " + std::to_string(i) +
+                                            " has no normal: without it nobody knows where the cutter stands"};
+    path.contacts.push_back(contact);
+    path.normals.push_back(normal.normalized());
+    with_axes = with_axes && axis.allFinite() && axis.norm() > 1e-6;
+    if (with_axes)
+      path.axes.push_back(axis.normalized());
+  }
+  if (!with_axes)
+    path.axes.clear();
+  return Status::success();
+}
+
+PathMotion
+pathMotion(const CutterPath& path)
+{
+  PathMotion motion;
+  Eigen::Vector3d before = Eigen::Vector3d::Zero(); // the last move that is one
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const Eigen::Vector3d move = path.contacts[i + 1] - path.contacts[i];
+    motion.length += move.norm();
+    raise(motion.gap, move.norm(), path.contacts[i], i);
+    if (!move.isZero(0.0)) {
+      if (!before.isZero(0.0))
+        raise(motion.turn, degreesBetween(before, move), path.contacts[i], i);
+      before = move;
+    }
+    raise(motion.normal_change, degreesBetween(path.normals[i], path.normals[i + 1]), path.contacts[i], i);
+    if (!path.axes.empty())
+      raise(motion.axis_change, degreesBetween(path.axes[i], path.axes[i + 1]), path.contacts[i], i);
+  }
+  return motion;
+}
+
+} // namespace pcl_spiral

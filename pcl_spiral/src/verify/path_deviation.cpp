@@ -1,0 +1,131 @@
+#include <pcl_spiral/verify/path_deviation.h>
+
+#include "quantile.h"
+
+#include <Eigen/Geometry>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr std::size_t chunk = 1u << 16; // path points between progress reports
+
+/** Sums and extremes over the points, taken in their order. */
+class Tally {
+public:
+  Tally(const CutterPath& path, DeviationFigures& figures) : path_(path), figures_(figures) {}
+
+  float
+  take(std::size_t i, const SurfaceFoot& foot)
+  {
+    if (!foot.valid) {
+      ++figures_.unmeasured;
+      return std::numeric_limits<float>::quiet_NaN();
+    }
+    const Eigen::Vector3d& p = path_.contacts[i];
+    const double deviation = (p - foot.position).dot(foot.normal);
+    takeNormal(i, foot);
+    PlacedValue& largest = foot.overhang > 0.0 ? figures_.rim_max : figures_.max;
+    if (std::abs(deviation) > std::abs(largest.value))
+      largest = {deviation, p, i};
+    if (foot.overhang > 0.0)
+      ++figures_.beyond_rim;
+    else {
+      ++figures_.measured;
+      squares_ += deviation * deviation;
+      amounts_.push_back(static_cast<float>(std::abs(deviation)));
+    }
+    return static_cast<float>(deviation);
+  }
+
+  void
+  finish()
+  {
+    figures_.rms = amounts_.empty() ? 0.0 : std::sqrt(squares_ / static_cast<double>(amounts_.size()));
+    figures_.p99 = quantile(amounts_, 0.99);
+    figures_.normal_p99 = quantile(angles_, 0.99);
+  }
+
+private:
+  void
+  takeNormal(std::size_t i, const SurfaceFoot& foot)
+  {
+    const Eigen::Vector3d& n = path_.normals[i];
+    const double cosine = n.dot(foot.normal);
+    const double angle = std::atan2(n.cross(foot.normal).norm(), cosine) * 180.0 / M_PI;
+    if (foot.overhang <= 0.0) {
+      angles_.push_back(static_cast<float>(angle));
+      if (angle > figures_.normal_error.value)
+        figures_.normal_error = {angle, path_.contacts[i], i};
+    }
+    if (cosine < 0.0 && figures_.opposed++ == 0)
+      figures_.first_opposed = {angle, path_.contacts[i], i};
+  }
+
+  const CutterPath& path_;
+  DeviationFigures& figures_;
+  double squares_ = 0.0;
+  std::vector<float> amounts_, angles_;
+};
+
+void
+warn(DeviationFigures& figures)
+{
+  const auto of = [&](std::size_t count) {
+    return std::to_string(count) + " of " + std::to_string(figures.points) + " path points";
+  };
+  if (figures.unmeasured > 0)
+    figures.warnings.push_back(of(figures.unmeasured) +
+                               " have no scanned surface near them: is it another part, or another unit?");
+  if (2 * figures.opposed > figures.measured + figures.beyond_rim)
+    figures.warnings.push_back("the normals of " + of(figures.opposed) +
+                               " point into the material: they are reversed, or the reference is seen from its other "
+                               "side; flip the reference's normals if so");
+  else if (figures.opposed > 0)
+    figures.warnings.push_back("the normals of " + of(figures.opposed) + " point into the material, the first at " +
+                               std::to_string(figures.first_opposed.index));
+}
+
+} // namespace
+
+Status
+measureDeviation(const ReferenceSurface& reference, const CutterPath& path, double chord_error,
+                 const ProgressCallback& progress, std::vector<float>& deviation, DeviationFigures& figures)
+{
+  const auto start = std::chrono::steady_clock::now();
+  deviation.clear();
+  figures = DeviationFigures();
+  figures.points = path.size();
+  figures.reference_points = reference.graph().size();
+  figures.noise = reference.noise();
+  figures.fit_noise = reference.fitNoise();
+  figures.warnings = reference.warnings();
+  for (std::string& warning : noiseWarnings(reference, 0.0, chord_error))
+    figures.warnings.push_back(std::move(warning));
+  figures.motion = pathMotion(path);
+  deviation.reserve(path.size());
+  Tally tally(path, figures);
+  std::vector<SurfaceFoot> feet;
+  for (std::size_t begin = 0; begin < path.size(); begin += chunk) {
+    const std::size_t end = std::min(path.size(), begin + chunk);
+    reference.surface().project({path.contacts.begin() + static_cast<std::ptrdiff_t>(begin),
+                                 path.contacts.begin() + static_cast<std::ptrdiff_t>(end)},
+                                feet);
+    for (std::size_t i = begin; i < end; ++i)
+      deviation.push_back(tally.take(i, feet[i - begin]));
+    if (progress && !progress(static_cast<double>(end) / static_cast<double>(path.size()), "deviation"))
+      return {StatusCode::Cancelled, "cancelled"};
+  }
+  tally.finish();
+  warn(figures);
+  figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (figures.unmeasured == path.size())
+    return {StatusCode::InvalidInput, "none of the " + std::to_string(path.size()) +
+                                          " path points lies on the reference: is it another part, or another unit?"};
+  return Status::success();
+}
+
+} // namespace pcl_spiral

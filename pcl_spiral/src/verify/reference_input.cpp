@@ -1,0 +1,9 @@
+#include <pcl_spiral/verify/reference_input.h>
+
+namespace pcl_spiral {
+
+template class ReferenceInput<pcl::PointXYZ>;
+template class ReferenceInput<pcl::PointXYZRGB>;
+template class ReferenceInput<pcl::PointNormal>;
+
+} // namespace pcl_spiral

@@ -1,0 +1,142 @@
+#include <pcl_spiral/verify/reference_surface.h>
+
+#include <pcl_spiral/features/surface_boundary.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace pcl_spiral {
+namespace {
+
+/** Area between the outermost points and the outline: at each point, how far the outline runs outside it. */
+double
+stripOutside(const BoundaryLoop& loop, const MoveIndex& outline, const SurfaceGraph& graph)
+{
+  double area = 0.0;
+  const std::size_t n = loop.points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::Vector3d& p = loop.points[i];
+    const Eigen::Vector3d chord = loop.points[(i + 1) % n] - loop.points[(i + n - 1) % n];
+    const Eigen::Vector3d outward = chord.cross(graph.normal(graph.blocks().nearest(p)));
+    Eigen::Vector3d foot = p;
+    double distance = 10.0 * graph.spacing();
+    if (outline.nearest(p, distance, foot))
+      area += 0.5 * chord.norm() * ((foot - p).dot(outward) < 0.0 ? -distance : distance);
+  }
+  return area;
+}
+
+template <typename... Parts>
+std::string
+text(const Parts&... parts)
+{
+  std::ostringstream stream;
+  (stream << ... << parts);
+  return stream.str();
+}
+
+} // namespace
+
+Status
+ReferenceSurface::build(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions options)
+{
+  constexpr int rounds = 3; // an outlier may hide another
+  source_.resize(points.size());
+  std::iota(source_.begin(), source_.end(), 0u);
+  strays_ = 0;
+  for (int round = 0;; ++round) {
+    if (const Status status = graph_.build(points, options); !status.ok())
+      return status;
+    if (graph_.strayPoints().empty() || round == rounds)
+      break;
+    strays_ += graph_.strayPoints().size();
+    for (auto stray = graph_.strayPoints().rbegin(); stray != graph_.strayPoints().rend(); ++stray) {
+      points[*stray] = points.back();
+      points.pop_back();
+      source_[*stray] = source_.back();
+      source_.pop_back();
+      if (!options.given_normals.empty()) {
+        options.given_normals[*stray] = options.given_normals.back();
+        options.given_normals.pop_back();
+      }
+    }
+  }
+  surface_ = std::make_unique<MlsSurface>(graph_);
+  warnings_.clear();
+  if (strays_ > 0)
+    warnings_.push_back(text(strays_, " points of the reference stand alone off its surface and were left out"));
+  if (!graph_.orientationIsClear() && options.given_normals.empty() && !options.view_point)
+    warnings_.push_back("the outer side of the reference could not be told from +z; the convex side was taken: give a "
+                        "view point or flip the normals if the cutter comes from the other side");
+  findRim();
+  return Status::success();
+}
+
+void
+ReferenceSurface::findRim()
+{
+  loops_.clear();
+  rims_.clear();
+  rim_index_.clear();
+  rim_length_ = rim_strip_ = 0.0;
+  if (const Status status = findBoundaryLoops(graph_, BoundaryOptions(), loops_); !status.ok()) {
+    warnings_.push_back("the rim of the reference was not found, so no band is set apart there: " + status.message());
+    return;
+  }
+  for (const BoundaryLoop& loop : loops_) {
+    if (loop.type == LoopType::ScanGap)
+      continue;
+    rims_.push_back(loop.curve);
+    rims_.back().push_back(loop.curve.front());
+    rim_length_ += loop.length;
+  }
+  for (const Polyline& rim : rims_) // in place for good
+    rim_index_.push_back(std::make_unique<MoveIndex>(rim));
+  std::size_t k = 0;
+  for (const BoundaryLoop& loop : loops_)
+    if (loop.type != LoopType::ScanGap)
+      rim_strip_ += stripOutside(loop, *rim_index_[k++], graph_);
+}
+
+double
+ReferenceSurface::fitNoise() const
+{
+  return noise() * std::sqrt(50.0 / (7.0 * surface_->neighbours()));
+}
+
+double
+ReferenceSurface::fitRadius() const
+{
+  return graph_.spacing() * std::sqrt(surface_->neighbours() / M_PI);
+}
+
+double
+ReferenceSurface::rimDistance(const Eigen::Vector3d& p, double limit) const
+{
+  Eigen::Vector3d point;
+  for (const auto& index : rim_index_)
+    index->nearest(p, limit, point);
+  return limit;
+}
+
+std::vector<std::string>
+noiseWarnings(const ReferenceSurface& reference, double scallop_height, double chord_error)
+{
+  std::vector<std::string> warnings;
+  const auto compare = [&](const char* what, double asked) {
+    if (!(asked > 0.0) || asked >= reference.noise())
+      return;
+    const bool hidden = asked < 3.0 * reference.fitNoise();
+    warnings.push_back(text("the ", what, " asked for, ", asked, " mm, lies below the scan's own noise of ",
+                            reference.noise(), " mm (standard deviation of a point); the surface fitted to ",
+                            reference.surface().neighbours(), " points at a time is known to ", reference.fitNoise(),
+                            hidden ? " mm: this scan cannot show whether it was kept" : " mm"));
+  };
+  compare("scallop height", scallop_height);
+  compare("chord error", chord_error);
+  return warnings;
+}
+
+} // namespace pcl_spiral

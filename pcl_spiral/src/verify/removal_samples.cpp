@@ -1,0 +1,139 @@
+#include "removal_samples.h"
+
+#include <pcl_spiral/core/step_over.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr float none = std::numeric_limits<float>::quiet_NaN();
+constexpr double hollowest = -0.9; // of 1/R: beyond, the ball hardly fits and step-overs mean nothing
+constexpr double farthest_ridge = 2.0; // in step-overs: a turn left out is one away
+constexpr double walk = 0.7;           // in step-overs: past the ridge of a pass at its place
+constexpr double shallow_start = 0.2;  // in scallop heights: where a short ray starts below the surface
+
+void
+raise(PlacedValue& largest, double value, const Eigen::Vector3d& position, std::size_t index)
+{
+  if (value > largest.value)
+    largest = {value, position, index};
+}
+
+} // namespace
+
+void
+RemovalExtremes::merge(const RemovalExtremes& later)
+{
+  raise(stock, later.stock.value, later.stock.position, later.stock.index);
+  raise(scallop, later.scallop.value, later.scallop.position, later.scallop.index);
+  raise(rim, later.rim.value, later.rim.position, later.rim.index);
+  raise(gouge, later.gouge.value, later.gouge.position, later.gouge.index);
+}
+
+RemovalSampler::RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index,
+                               const RemovalSettings& settings, double reach)
+: reference_(reference), sweep_(sweep), settings_(settings),
+  field_(sweep, index, shallow_start * settings.scallop_height, reach), fit_radius_(reference.fitRadius())
+{
+}
+
+double
+RemovalSampler::largestStep(const SurfaceFoot& foot) const
+{
+  const double radius = settings_.tool_radius;
+  const double curvature = std::clamp(foot.curvature2, hollowest / radius, 1.0 / settings_.scallop_height);
+  return stepOver(radius, curvature, settings_.scallop_height).value_or(0.0);
+}
+
+double
+RemovalSampler::stepAcross(const SurfaceFoot& foot, const Eigen::Vector3d& w) const
+{
+  const double radius = settings_.tool_radius;
+  const double curvature =
+      std::clamp(foot.normalCurvature(w), hollowest / radius, 1.0 / settings_.scallop_height);
+  return stepOver(radius, curvature, settings_.scallop_height).value_or(0.0);
+}
+
+Zone
+RemovalSampler::zoneOf(const SurfaceFoot& foot, const Eigen::Vector3d& position, double step) const
+{
+  return foot.overhang > 0.0 || reference_.rimDistance(position, step) < step ? Zone::Rim : Zone::Main;
+}
+
+void
+RemovalSampler::takeRidge(const SurfaceFoot& foot, const Ridge& ridge, double step, RemovalExtremes& extremes,
+                          float* height) const
+{
+  if (!ridge.found || zoneOf(foot, ridge.position, step) != Zone::Main)
+    return;
+  raise(extremes.scallop, ridge.height, ridge.position, ridge.move);
+  if (height)
+    *height = static_cast<float>(ridge.height);
+}
+
+SampleResult
+RemovalSampler::at(const SurfaceFoot& foot, std::size_t& guess, RemovalExtremes& extremes) const
+{
+  SampleResult result;
+  result.stock = result.ridge = none;
+  if (!foot.valid)
+    return result;
+  const double largest = largestStep(foot);
+  const Stock stock = field_.at(foot.position, foot.normal, guess);
+  result.zone = zoneOf(foot, foot.position, largest);
+  result.met = stock.met;
+  result.move = stock.move;
+  result.stock = static_cast<float>(stock.height);
+  result.step = static_cast<float>(largest);
+  if (stock.met)
+    guess = stock.move;
+  raise(extremes.gouge, -stock.height, foot.position, stock.move);
+  raise(result.zone == Zone::Rim ? extremes.rim : extremes.stock, stock.height, foot.position, stock.move);
+  if (!stock.met || result.zone == Zone::Rim)
+    return result;
+  const double step = stepAcross(foot, field_.across(foot, stock.move));
+  const double limit = std::min(farthest_ridge * step, std::max(fit_radius_, 0.25 * step));
+  takeRidge(foot, field_.climbed(foot, stock, walk * step, limit), largest, extremes, &result.ridge);
+  return result;
+}
+
+void
+RemovalSampler::beside(const SurfaceFoot& foot, std::size_t move, double side, RemovalExtremes& extremes) const
+{
+  const double largest = largestStep(foot);
+  if (fit_radius_ < 0.6 * largest) // the points are denser than the ridges, and see them
+    return;
+  if (!foot.valid || zoneOf(foot, foot.position, largest) != Zone::Main)
+    return;
+  const Stock stock = field_.at(foot.position, foot.normal, move);
+  const Eigen::Vector3d w = field_.across(foot, stock.met ? stock.move : move);
+  const double step = stepAcross(foot, w);
+  const double limit = std::min(farthest_ridge * step, fit_radius_);
+  takeRidge(foot, field_.climbed(foot, stock, side * w, walk * step, limit), largest, extremes, nullptr);
+}
+
+void
+RemovalSampler::along(std::size_t move, double f0, double f1, const SurfaceFoot& foot0, const SurfaceFoot& foot1,
+                      RemovalExtremes& extremes) const
+{
+  constexpr int stations = 8;
+  if (!foot0.valid && !foot1.valid)
+    return;
+  const SurfaceFoot& first = foot0.valid ? foot0 : foot1;
+  const SurfaceFoot& last = foot1.valid ? foot1 : foot0;
+  for (int k = 0; k <= stations; ++k) {
+    const double g = static_cast<double>(k) / stations, f = f0 + g * (f1 - f0);
+    double depth = 0.0;
+    if (g < 1.0)
+      depth += (1.0 - g) * sweep_.depth(move, f, first);
+    if (g > 0.0)
+      depth += g * sweep_.depth(move, f, last);
+    if (depth > extremes.gouge.value)
+      extremes.gouge = {depth, (1.0 - g) * first.position + g * last.position, f < 0.5 ? move : move + 1};
+  }
+}
+
+} // namespace pcl_spiral

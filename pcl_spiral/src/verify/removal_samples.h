@@ -1,0 +1,61 @@
+/** \file
+ *  Stock, ridges and gouges over the places of one chunk. Private to verify.
+ */
+#pragma once
+
+#include "stock_field.h"
+
+#include <pcl_spiral/verify/removed_material.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Where a sample counts. */
+enum class Zone : std::uint8_t { None, Main, Rim };
+
+/** The extremes met, in a fixed order. */
+struct RemovalExtremes {
+  PlacedValue stock, scallop, rim, gouge;
+  void merge(const RemovalExtremes& later);
+};
+
+/** What stands over one reference point. */
+struct SampleResult {
+  Zone zone = Zone::None;
+  bool met = false;
+  float stock = 0.0f, ridge = 0.0f; ///< NaN: none
+  float step = 0.0f;                ///< the largest step-over there
+  std::size_t move = 0;
+};
+
+/** Measures places, each by itself. */
+class RemovalSampler {
+public:
+  RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index,
+                 const RemovalSettings& settings, double reach);
+
+  /** Over the foot of a reference point. \p guess is a move tried first, and becomes the one met. */
+  SampleResult at(const SurfaceFoot& foot, std::size_t& guess, RemovalExtremes& extremes) const;
+  /** The ridge on one side, 1 or -1, of a place on the path. */
+  void beside(const SurfaceFoot& foot, std::size_t move, double side, RemovalExtremes& extremes) const;
+  /** The deepest gouge on a move between the shares \p f0 and \p f1, by the fits at both ends. */
+  void along(std::size_t move, double f0, double f1, const SurfaceFoot& foot0, const SurfaceFoot& foot1,
+             RemovalExtremes& extremes) const;
+
+private:
+  double largestStep(const SurfaceFoot& foot) const;
+  double stepAcross(const SurfaceFoot& foot, const Eigen::Vector3d& w) const;
+  Zone zoneOf(const SurfaceFoot& foot, const Eigen::Vector3d& position, double step) const;
+  void takeRidge(const SurfaceFoot& foot, const Ridge& ridge, double step, RemovalExtremes& extremes,
+                 float* height) const;
+
+  const ReferenceSurface& reference_;
+  const CutterSweep& sweep_;
+  const RemovalSettings& settings_;
+  StockField field_;
+  double fit_radius_;
+};
+
+} // namespace pcl_spiral

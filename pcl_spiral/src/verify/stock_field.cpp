@@ -1,0 +1,168 @@
+#include "stock_field.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double same_height = 1e-9; // mm: two moves meet there
+
+} // namespace
+
+SurfaceFoot
+shifted(const SurfaceFoot& foot, const Eigen::Vector3d& d)
+{
+  SurfaceFoot place = foot;
+  const Eigen::Vector3d e2 = foot.normal.cross(foot.direction1);
+  const double a = d.dot(foot.direction1), b = d.dot(e2);
+  const double ka = foot.curvature1 * a, kb = foot.curvature2 * b;
+  place.position = foot.position + a * foot.direction1 + b * e2 - 0.5 * (ka * a + kb * b) * foot.normal;
+  place.normal = (foot.normal + ka * foot.direction1 + kb * e2).normalized();
+  place.direction1 = (foot.direction1 - foot.direction1.dot(place.normal) * place.normal).normalized();
+  return place;
+}
+
+Stock
+StockField::cast(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, std::size_t guess) const
+{
+  Stock stock;
+  stock.height = reach_;
+  const auto test = [&](std::size_t move) {
+    if (sweep_.enter(move, x, n, start, stock.height)) {
+      stock.move = move;
+      stock.met = true;
+    }
+  };
+  if (guess < sweep_.moves())
+    test(guess);
+  // A cutter whose middle is farther off than this does not touch what is left of the ray.
+  index_.search(
+      x, [&] { return sweep_.boundingRadius() + std::max(stock.height, start); }, test);
+  return stock;
+}
+
+Stock
+StockField::at(const Eigen::Vector3d& x, const Eigen::Vector3d& n, std::size_t guess) const
+{
+  constexpr double deeper = 8.0;
+  const double deepest = 2.0 * sweep_.boundingRadius();
+  for (double start = std::min(shallow_, deepest);; start = std::min(deeper * start, deepest)) {
+    const Stock stock = cast(x, n, start, guess);
+    if (!stock.met || stock.height > -start || start == deepest)
+      return stock;
+  }
+}
+
+Eigen::Vector3d
+StockField::across(const SurfaceFoot& foot, std::size_t move) const
+{
+  const Eigen::Vector3d w = foot.normal.cross(sweep_.centres()[move + 1] - sweep_.centres()[move]);
+  const double norm = w.norm();
+  return norm > 1e-9 ? Eigen::Vector3d(w / norm) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
+double
+StockField::under(std::size_t move, const SurfaceFoot& place) const
+{
+  const double radius = sweep_.boundingRadius();
+  double height = 2.0 * radius;
+  sweep_.enter(move, place.position, place.normal, 2.0 * radius, height);
+  return height;
+}
+
+double
+StockField::meeting(const SurfaceFoot& foot, const Eigen::Vector3d& w, std::size_t first, std::size_t second,
+                    double low, double high) const
+{
+  constexpr int rounds = 40;
+  const auto excess = [&](double d) {
+    const SurfaceFoot place = shifted(foot, d * w);
+    return under(first, place) - under(second, place);
+  };
+  double below = excess(low), above = excess(high), d = high;
+  for (int i = 0; i < rounds && high - low > 1e-12; ++i) { // regula falsi, Illinois
+    d = above > below ? low - below * (high - low) / (above - below) : 0.5 * (low + high);
+    const double value = excess(d);
+    if (std::abs(value) < 0.01 * same_height)
+      break;
+    if (value < 0.0) {
+      low = d;
+      below = value;
+      above *= 0.5;
+    }
+    else {
+      high = d;
+      above = value;
+      below *= 0.5;
+    }
+  }
+  return d;
+}
+
+Ridge
+StockField::climbed(const SurfaceFoot& foot, const Stock& from, const Eigen::Vector3d& w, double step,
+                    double limit) const
+{
+  constexpr int most_cells = 64;
+  Ridge ridge;
+  if (!from.met || w.isZero(0.0))
+    return ridge;
+  std::size_t current = from.move;
+  double low = 0.0;
+  for (int cell = 0; cell < most_cells && low < limit; ++cell) {
+    // Walk until another move cuts deeper than the current one.
+    Stock other;
+    double high = low;
+    for (bool lower = false; !lower;) {
+      if (high >= limit)
+        return ridge;
+      high = std::min(limit, high + step);
+      const SurfaceFoot place = shifted(foot, high * w);
+      other = at(place.position, place.normal, current);
+      if (!other.met)
+        return ridge;
+      lower = other.move != current && other.height < under(current, place) - same_height;
+    }
+    // Come back to where the current one ends.
+    double d = high;
+    SurfaceFoot place;
+    for (int i = 0; i < most_cells; ++i) {
+      d = meeting(foot, w, current, other.move, low, high);
+      place = shifted(foot, d * w);
+      const Stock least = at(place.position, place.normal, current);
+      const double here = under(current, place);
+      ridge.height = std::min(here, least.height);
+      if (!least.met || least.move == other.move || least.height >= here - same_height)
+        break;
+      other = least;
+      high = d;
+    }
+    // A top, or the same slope goes on under the next move of the pass.
+    const double beyond = 0.01 * step;
+    if (under(other.move, shifted(foot, (d + beyond) * w)) <= ridge.height) {
+      ridge.position = place.position;
+      ridge.move = current;
+      ridge.found = true;
+      return ridge;
+    }
+    current = other.move;
+    low = d;
+  }
+  return ridge;
+}
+
+Ridge
+StockField::climbed(const SurfaceFoot& foot, const Stock& from, double step, double limit) const
+{
+  if (!from.met)
+    return {};
+  const Eigen::Vector3d w = across(foot, from.move);
+  const double beside = 0.01 * step;
+  const bool rises = under(from.move, shifted(foot, beside * w)) >= under(from.move, shifted(foot, -beside * w));
+  return climbed(foot, from, rises ? w : Eigen::Vector3d(-w), step, limit);
+}
+
+} // namespace pcl_spiral

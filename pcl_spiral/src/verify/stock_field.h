@@ -1,0 +1,68 @@
+/** \file
+ *  Stock over places of a surface under a swept cutter, and the tops of its ridges. Private to verify.
+ */
+#pragma once
+
+#include <pcl_spiral/verify/cutter_sweep.h>
+#include <pcl_spiral/verify/move_index.h>
+
+#include <cstddef>
+
+namespace pcl_spiral {
+
+/** What stands over a place. */
+struct Stock {
+  double height = 0.0;  ///< negative: gouge; the reach where nothing is met
+  std::size_t move = 0; ///< that cuts there
+  bool met = false;
+};
+
+/** The top of a ridge. */
+struct Ridge {
+  double height = 0.0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< on the surface below it
+  std::size_t move = 0;
+  bool found = false;
+};
+
+/** The surface about \p foot, moved by \p d in its tangent plane: the quadric's point and normal there. */
+SurfaceFoot
+shifted(const SurfaceFoot& foot, const Eigen::Vector3d& d);
+
+class StockField {
+public:
+  /** Rays reach \p reach above the surface; they start \p shallow below it, and deep inside the cutter where that is not
+   *  deep enough. */
+  StockField(const CutterSweep& sweep, const MoveIndex& index, double shallow, double reach)
+  : sweep_(sweep), index_(index), shallow_(shallow), reach_(reach)
+  {
+  }
+
+  /** Stock over a place: the smallest t at which x + t n lies in the swept solid. \p guess is a move tried first. */
+  Stock at(const Eigen::Vector3d& x, const Eigen::Vector3d& n, std::size_t guess) const;
+
+  /** Unit direction across the feed of \p move at \p foot; zero where the move stands on the surface's normal. */
+  Eigen::Vector3d across(const SurfaceFoot& foot, std::size_t move) const;
+
+  /** The top of the ridge met first from \p foot in the direction \p w, across the feed, within \p limit, in
+   *  strides of \p step. The stock is the least over the moves, each of which leaves a hollow: the ridge is where
+   *  two of them meet, found on the moves themselves and confirmed against all. */
+  Ridge climbed(const SurfaceFoot& foot, const Stock& from, const Eigen::Vector3d& w, double step,
+                double limit) const;
+  /** The same, on the side that rises. */
+  Ridge climbed(const SurfaceFoot& foot, const Stock& from, double step, double limit) const;
+
+private:
+  Stock cast(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, std::size_t guess) const;
+  /** Height of what \p move alone leaves. */
+  double under(std::size_t move, const SurfaceFoot& place) const;
+  /** Where in [low, high] what two moves leave is of equal height. */
+  double meeting(const SurfaceFoot& foot, const Eigen::Vector3d& w, std::size_t first, std::size_t second, double low,
+                 double high) const;
+
+  const CutterSweep& sweep_;
+  const MoveIndex& index_;
+  double shallow_, reach_;
+};
+
+} // namespace pcl_spiral
