@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -126,9 +127,11 @@ OutlineDraft::fitBetween(std::size_t from, std::size_t to, OutlineSide start) co
 void
 OutlineDraft::fitSides()
 {
-  sides.clear();
-  for (std::size_t c = 0; c < corners.size(); ++c)
-    sides.push_back(firstFit(c));
+  sides.assign(corners.size(), FittedSide());
+  const auto count = static_cast<std::int64_t>(corners.size());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::int64_t c = 0; c < count; ++c)
+    sides[c] = firstFit(c);
   for (std::size_t c = 0; c < corners.size(); ++c)
     meetAt(c);
 }
@@ -153,9 +156,11 @@ OutlineDraft::refine()
   constexpr std::size_t window = 6; // points
   for (Corner& corner : corners)
     corner.point = nearestPoint(corner.position, corner.point, window);
-  std::vector<FittedSide> fitted;
-  for (std::size_t c = 0; c < corners.size(); ++c)
-    fitted.push_back(fitBetween(c, following(c), trimmed(c)));
+  std::vector<FittedSide> fitted(corners.size());
+  const auto count = static_cast<std::int64_t>(corners.size());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::int64_t c = 0; c < count; ++c)
+    fitted[c] = fitBetween(c, following(c), trimmed(c));
   sides = std::move(fitted);
   for (std::size_t c = 0; c < corners.size(); ++c)
     meetAt(c);

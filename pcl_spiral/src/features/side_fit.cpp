@@ -26,11 +26,10 @@ shareOf(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3
 }
 
 /** Points as the edge problem wants them, without those so deep inside that they settle nothing; their shares of the
- *  side's length are where they are expected and then are. */
+ *  side's length are where they are expected, within \p reach nodes, and then are. */
 std::vector<SidePoint>
-placed(const OutlineSide& side, double spacing, double blur, std::vector<ExpectedPoint>& points)
+placed(const OutlineSide& side, double spacing, double blur, std::ptrdiff_t reach, std::vector<ExpectedPoint>& points)
 {
-  constexpr std::ptrdiff_t reach = 40;
   constexpr double beyond = 3.0; // nodes past an end
   const double deepest = -(2.0 + 2.0 * blur);
   const auto segments = static_cast<double>(side.segments());
@@ -180,6 +179,7 @@ FittedSide
 fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vector<ExpectedPoint> points)
 {
   constexpr double largest_move = 4.0;
+  constexpr std::ptrdiff_t first_reach = 40, reach = 12; // nodes
   constexpr std::array<double, 5> blurs{0.5, 0.25, 0.12, final_blur, final_blur};
   FittedSide fitted;
   fitted.side = std::move(start);
@@ -191,7 +191,7 @@ fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vecto
       layOnSurface(surface, fitted.side);
     makeEven(fitted.side, spacing);
     options.blur = blurs[round];
-    const std::vector<SidePoint> near = placed(fitted.side, spacing, options.blur, points);
+    const std::vector<SidePoint> near = placed(fitted.side, spacing, options.blur, round == 0 ? first_reach : reach, points);
     if (round == 2)
       options.wavelength = likelyWavelength(fitted.side, near, options);
     const EdgeFit edge = fitEdge(fitted.side, near, options);
