@@ -30,7 +30,7 @@ graphPoints(const SurfaceGraph& graph, const BoundaryLoop& loop)
 
 } // namespace
 
-LineSource::LineSource(const RadialLineRequest& request, const Eigen::Vector3d& centre, bool harmonic)
+LineSource::LineSource(const RadialLineRequest& request, const SurfaceCentre& centre, bool harmonic)
 : request_(request), centre_(centre), harmonic_(harmonic)
 {
 }
@@ -43,9 +43,13 @@ LineSource::prepare()
     return potential_.compute(graph, graphPoints(graph, *request_.inner), request_.inner->curve,
                               graphPoints(graph, request_.rim));
   if (harmonic_)
-    return potential_.compute(graph, centre_, graphPoints(graph, request_.rim));
-  if (!distance_.compute(graph, centre_))
-    return failedAt(centre_, "the centre does not lie on the surface");
+    return potential_.compute(graph, centre_.position, graphPoints(graph, request_.rim));
+  distance_ = &centre_.field;
+  if (distance_->size() == 0) { // of a given centre
+    if (!own_distance_.compute(graph, centre_.position))
+      return failedAt(centre_.position, "the centre does not lie on the surface");
+    distance_ = &own_distance_;
+  }
   return Status::success();
 }
 
@@ -57,13 +61,13 @@ LineSource::make(const Polyline& rim_places, std::vector<RadialLine>& lines) con
   const auto count = static_cast<std::int64_t>(rim_places.size());
 #pragma omp parallel for schedule(dynamic, 4)
   for (std::int64_t i = 0; i < count; ++i)
-    traces[i] = by_distance ? distance_.trace(rim_places[i]) : potential_.trace(rim_places[i]);
+    traces[i] = by_distance ? distance_->trace(rim_places[i]) : potential_.trace(rim_places[i]);
   for (std::size_t i = 0; i < traces.size(); ++i) {
     if (traces[i].size() < 2)
       return failedAt(rim_places[i], "no line leads from the centre to the rim");
     traces[i].back() = rim_places[i];
     if (!request_.inner)
-      traces[i].front() = centre_;
+      traces[i].front() = centre_.position;
   }
   lines.assign(rim_places.size(), RadialLine());
   const Status status = harmonic_ ? putOnSurface(traces, lines) : refine(traces, lines);

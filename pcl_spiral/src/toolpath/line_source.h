@@ -3,9 +3,9 @@
  */
 #pragma once
 
-#include <pcl_spiral/geodesic/distance_field.h>
 #include <pcl_spiral/geodesic/harmonic_field.h>
 #include <pcl_spiral/toolpath/radial_line_builder.h>
+#include <pcl_spiral/toolpath/surface_centre.h>
 
 namespace pcl_spiral {
 
@@ -14,7 +14,7 @@ class LineSource {
 public:
   /** \p harmonic: gradient lines as they are; otherwise geodesics, which start from the distance field's (one boundary)
    *  or the harmonic function's lines (two). */
-  LineSource(const RadialLineRequest& request, const Eigen::Vector3d& centre, bool harmonic);
+  LineSource(const RadialLineRequest& request, const SurfaceCentre& centre, bool harmonic);
 
   /** Solve the field behind the lines. */
   Status prepare();
@@ -28,9 +28,10 @@ private:
   Status fit(std::vector<RadialLine>& lines) const;
 
   const RadialLineRequest& request_;
-  Eigen::Vector3d centre_;
+  const SurfaceCentre& centre_;
   bool harmonic_;
-  DistanceField distance_;
+  DistanceField own_distance_;
+  const DistanceField* distance_ = nullptr;
   HarmonicField potential_;
 };
 

@@ -207,11 +207,12 @@ shareOutTurns(const RadialLineRequest& request, std::vector<RadialLine>& lines)
 
 /** Coarse lines, then halved gaps, by one method. */
 Status
-linesByMethod(const RadialLineRequest& request, const Eigen::Vector3d& centre, bool harmonic, RadialLineSet& set)
+linesByMethod(const RadialLineRequest& request, const SurfaceCentre& found, bool harmonic, RadialLineSet& set)
 {
+  const Eigen::Vector3d& centre = found.position;
   const double spacing = request.surface.graph().spacing();
   const RimCurve rim(request.rim, startOnRim(request, centre));
-  LineSource source(request, centre, harmonic);
+  LineSource source(request, found, harmonic);
   if (const Status status = source.prepare(); !status.ok())
     return status;
   std::vector<Place> places = coarsePlaces(rim);
@@ -336,9 +337,9 @@ blame(const RadialLineRequest& request, StatusCode code)
 Status
 buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
 {
-  std::optional<Eigen::Vector3d> centre;
+  std::optional<SurfaceCentre> centre;
   if (request.inner)
-    centre = meanOf(request.inner->curve);
+    centre = SurfaceCentre{meanOf(request.inner->curve), {}};
   else if (request.centre) {
     const SurfaceFoot foot = request.surface.project(*request.centre);
     if (!foot.valid) {
@@ -348,7 +349,7 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
               << 3.0 * request.surface.graph().spacing() << " mm) of the cloud, inside its rim, or none";
       return {StatusCode::InvalidArgument, message.str()};
     }
-    centre = foot.position;
+    centre = SurfaceCentre{foot.position, {}};
   }
   else
     centre = balancedCentre(request.surface, request.rim.curve);

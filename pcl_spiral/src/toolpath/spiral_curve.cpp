@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -24,7 +26,13 @@ struct HermiteSegment {
   }
 };
 
-/** The next count on a ladder whose rungs are five percent apart, so that rounding in the input hardly ever changes it. */
+/** A stretch of knots between corners. */
+struct Stretch {
+  std::size_t begin, end;
+  double needed; ///< steps
+};
+
+/** The next count on a ladder whose rungs are five percent apart. */
 double
 wholeSteps(double needed)
 {
@@ -32,6 +40,15 @@ wholeSteps(double needed)
   while (rung < needed)
     rung = std::max(rung + 1.0, std::ceil(1.05 * rung));
   return rung;
+}
+
+/** Turns with the same number take as many steps: up to six percent of the turns below. */
+int
+turnGroup(double turn)
+{
+  constexpr double single = 16.0, growth = 1.06;
+  const double whole = std::floor(std::max(0.0, turn));
+  return static_cast<int>(whole < single ? whole : single + std::floor(std::log(whole / single) / std::log(growth)));
 }
 
 double
@@ -301,13 +318,31 @@ SpiralCurve::sample() const
     const double step = std::min({knots[k].step, knots[k + 1].step, bend, max_step_});
     steps[k] = length / (step_reserve * step);
   }
-  std::vector<SpiralPoint> points;
+  std::vector<Stretch> stretches;
   for (std::size_t begin = 0; begin < segments;) {
-    std::size_t end = begin + 1;
-    double needed = steps[begin];
-    while (end < segments && !knots[end].corner && !knots[end].anchor)
-      needed += steps[end++];
-    const double each = needed / wholeSteps(needed);
+    Stretch stretch{begin, begin + 1, steps[begin]};
+    while (stretch.end < segments && !knots[stretch.end].corner && !knots[stretch.end].anchor)
+      stretch.needed += steps[stretch.end++];
+    stretches.push_back(stretch);
+    begin = stretch.end;
+  }
+  // Counts that few decisions settle, and rungs, hardly ever change with rounding in the input: alike stretches of
+  // neighbouring turns take the same.
+  std::map<std::pair<int, int>, double> counts;
+  std::vector<std::pair<int, int>> alike; // group of turns, place in the turn
+  double last_turn = -1.0;
+  for (const Stretch& stretch : stretches) {
+    const int group = turnGroup(knots[stretch.begin].turn);
+    const bool same_turn = !alike.empty() && std::floor(knots[stretch.begin].turn) == last_turn;
+    alike.emplace_back(group, same_turn ? alike.back().second + 1 : 0);
+    last_turn = std::floor(knots[stretch.begin].turn);
+    double& count = counts[alike.back()];
+    count = std::max(count, wholeSteps(stretch.needed));
+  }
+  std::vector<SpiralPoint> points;
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const auto [begin, end, needed] = stretches[i];
+    const double each = needed / counts[alike[i]];
     double before = 0.0, next = 0.0;
     for (std::size_t k = begin; k < end; ++k) {
       const HermiteSegment segment{knots[k].position, knots[k + 1].position, leaving[k], arriving[k + 1],
@@ -318,7 +353,6 @@ SpiralCurve::sample() const
       }
       before += steps[k];
     }
-    begin = end;
   }
   points.push_back({knots.back().position, knots.back().turn});
   if (settings_.direction == SpiralDirection::Inward) {

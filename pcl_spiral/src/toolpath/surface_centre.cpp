@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::size_t rim_samples = 96;
 constexpr int most_rounds = 12;
-constexpr double nearly_settled = 0.5; // spacings: from here on along exact geodesics
-constexpr double settled = 5e-3;       // spacings
+constexpr double farthest_drift = 0.5; // spacings from where the field was computed that start its lines
+constexpr double settled = 5e-3;       // spacings: the next move would be a hundred times smaller
 
-/** Where the rim's points lie in the tangent plane of \p foot, by distance and direction along the surface: along lines of
- *  steepest descent of the field, or, \p refined, along the geodesics they lead to. */
+/** Where the rim's points lie in the tangent plane of \p foot, by distance and direction along geodesics, which start from
+ *  the field's lines. */
 std::vector<Eigen::Vector2d>
-logMap(const MlsSurface& surface, const DistanceField& field, const SurfaceFoot& foot, const Polyline& rim, bool refined)
+logMap(const MlsSurface& surface, const DistanceField& field, const SurfaceFoot& foot, const Polyline& rim)
 {
   const double spacing = surface.graph().spacing();
   std::vector<GeodesicLine> lines(rim.size());
@@ -29,26 +29,24 @@ logMap(const MlsSurface& surface, const DistanceField& field, const SurfaceFoot&
 #pragma omp parallel for schedule(dynamic, 4)
   for (std::int64_t i = 0; i < count; ++i)
     lines[i].points = field.trace(rim[i]);
-  if (refined) {
-    RefinementOptions options;
-    options.levels = {32};
-    options.max_iterations = 8;
-    options.probe_normals = false;
-    options.tolerance = 1e-4 * spacing;
-    std::vector<GeodesicLine> geodesics;
-    std::vector<std::size_t> which;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      if (lines[i].points.size() > 1) {
-        geodesics.push_back(lines[i]);
-        geodesics.back().points.front() = foot.position;
-        geodesics.back().points.back() = rim[i];
-        which.push_back(i);
-      }
-    refineGeodesics(surface, options, geodesics);
-    for (std::size_t j = 0; j < which.size(); ++j)
-      if (!geodesics[j].left_surface) // behind a re-entrant rim the field's line must do
-        lines[which[j]].points = std::move(geodesics[j].points);
-  }
+  RefinementOptions options;
+  options.levels = {32};
+  options.max_iterations = 8;
+  options.probe_normals = false;
+  options.tolerance = 1e-4 * spacing;
+  std::vector<GeodesicLine> geodesics;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (lines[i].points.size() > 1) {
+      geodesics.push_back(lines[i]);
+      geodesics.back().points.front() = foot.position;
+      geodesics.back().points.back() = rim[i];
+      which.push_back(i);
+    }
+  refineGeodesics(surface, options, geodesics);
+  for (std::size_t j = 0; j < which.size(); ++j)
+    if (!geodesics[j].left_surface) // behind a re-entrant rim the field's line must do
+      lines[which[j]].points = std::move(geodesics[j].points);
   Eigen::Vector3d e1, e2;
   tangentFrame(foot.normal, e1, e2);
   std::vector<Eigen::Vector2d> plane(rim.size(), Eigen::Vector2d::Zero());
@@ -193,7 +191,7 @@ startInPlan(const MlsSurface& surface, const Polyline& rim)
 
 } // namespace
 
-std::optional<Eigen::Vector3d>
+std::optional<SurfaceCentre>
 balancedCentre(const MlsSurface& surface, const Polyline& rim)
 {
   const Polyline sample = resampled(rim, rim_samples, true);
@@ -205,19 +203,20 @@ balancedCentre(const MlsSurface& surface, const Polyline& rim)
       return std::nullopt;
     foot = surface.project(*deepest);
   }
-  bool refined = false;
+  SurfaceCentre centre;
   double share = 1.0, last_step = std::numeric_limits<double>::max(); // of the way, less where rounds go to and fro
+  double drift = std::numeric_limits<double>::max();                 // of the centre since the field was computed
   for (int round = 0; round < most_rounds; ++round) {
-    DistanceField field;
-    if (!field.compute(surface.graph(), foot.position))
+    if (drift > farthest_drift * spacing && !centre.field.compute(surface.graph(), foot.position))
       return std::nullopt;
-    const Eigen::Vector2d centre = evenCentre(logMap(surface, field, foot, sample, refined));
-    if (centre.norm() > 0.5 * last_step)
+    drift = drift > farthest_drift * spacing ? 0.0 : drift;
+    const Eigen::Vector2d goal = evenCentre(logMap(surface, centre.field, foot, sample));
+    if (goal.norm() > 0.5 * last_step)
       share *= 0.5;
-    last_step = centre.norm();
+    last_step = goal.norm();
     Eigen::Vector3d e1, e2;
     tangentFrame(foot.normal, e1, e2);
-    Eigen::Vector3d step = share * (centre.x() * e1 + centre.y() * e2);
+    Eigen::Vector3d step = share * (goal.x() * e1 + goal.y() * e2);
     SurfaceFoot next;
     for (int halving = 0; halving < 6 && !next.valid; ++halving, step *= 0.5) {
       // Follow the surface in short tangent steps.
@@ -235,15 +234,14 @@ balancedCentre(const MlsSurface& surface, const Polyline& rim)
       break;
     const double moved = (next.position - foot.position).norm();
     foot = next;
-    if (refined && moved < settled * spacing)
+    drift += moved;
+    if (moved < settled * spacing)
       break;
-    if (!refined && moved < nearly_settled * spacing) {
-      refined = true;
-      share = 1.0;
-      last_step = std::numeric_limits<double>::max();
-    }
   }
-  return foot.position;
+  if (drift > farthest_drift * spacing && !centre.field.compute(surface.graph(), foot.position))
+    return std::nullopt;
+  centre.position = foot.position;
+  return centre;
 }
 
 std::optional<Eigen::Vector3d>

@@ -82,7 +82,8 @@ TurnFunction::feedStepAt(std::size_t i, double s) const
   const auto& stations = stations_[i];
   const double at = std::clamp(s / lines_[i].stationSpacing(), 0.0, static_cast<double>(stations.size() - 1));
   const std::size_t k = std::min(stations.size() - 2, static_cast<std::size_t>(at));
-  return std::min(stations[k].feed_step, stations[k + 1].feed_step);
+  const double f = at - static_cast<double>(k);
+  return (1.0 - f) * stations[k].feed_step + f * stations[k + 1].feed_step;
 }
 
 Eigen::Vector3d

@@ -4,11 +4,18 @@
 #pragma once
 
 #include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/geodesic/distance_field.h>
 #include <pcl_spiral/surface/mls_surface.h>
 
 #include <optional>
 
 namespace pcl_spiral {
+
+/** A centre, and distances along the surface from it or from a place within half a spacing of it. */
+struct SurfaceCentre {
+  Eigen::Vector3d position;
+  DistanceField field;
+};
 
 /** The point x of the surface with the least max d / sqrt(min d) of the distances d along the surface to the rim, maxima
  *  and minima taken as means of the 16th power.
@@ -16,9 +23,10 @@ namespace pcl_spiral {
  *  The largest distance sets the number of turns; where it alone is least (the geodesic Chebyshev centre) may lie close
  *  to the rim, or on it (a right triangle, a kidney): turns would be squeezed there. The smallest keeps away from that.
  *  Each round lays the rim out in the tangent plane by distance and direction (the log map), finds the place there by
- *  Newton's method and moves to it; the last rounds follow exact geodesics, so that the centre moves with the part.
+ *  Newton's method and moves to it; distances are those of exact geodesics, so that the centre
+ *  moves with the part.
  *  \p rim is closed. Empty when no point of the surface is reached. */
-std::optional<Eigen::Vector3d>
+std::optional<SurfaceCentre>
 balancedCentre(const MlsSurface& surface, const Polyline& rim);
 
 /** The point farthest from every boundary: always well inside, also on outlines like an L. */
