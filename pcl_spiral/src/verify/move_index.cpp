@@ -8,7 +8,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t leaf_size = 1;
 constexpr double longest_piece = 2.0; // in mean lengths: at most half as many pieces again as segments
 
 } // namespace
@@ -23,11 +22,11 @@ MoveIndex::MoveIndex(const Polyline& line) : line_(line)
   origin_ = box.center();
   slack_ = 4e-7 * box.diagonal().norm();
   std::vector<Piece> all = pieces();
-  order_.resize(all.size());
-  nodes_.reserve(all.size() + 8);
-  build(all, 0, all.size());
-  for (std::size_t i = 0; i < all.size(); ++i)
-    order_[i] = all[i].move;
+  boxes_.reserve(2 * all.size());
+  next_.reserve(2 * all.size());
+  boxes_.emplace_back();
+  next_.emplace_back();
+  build(all, 0, all.size(), 0);
 }
 
 std::vector<MoveIndex::Piece>
@@ -42,11 +41,11 @@ MoveIndex::pieces() const
     for (int k = 0; k < count; ++k) {
       const Eigen::Vector3f p = (a + d * (static_cast<double>(k) / count)).cast<float>();
       const Eigen::Vector3f q = (a + d * (static_cast<double>(k + 1) / count)).cast<float>();
-      Piece piece;
+      Piece piece{};
       piece.move = static_cast<std::uint32_t>(i);
       for (int axis = 0; axis < 3; ++axis) {
-        piece.low[axis] = std::nextafter(std::min(p[axis], q[axis]), -1e30f);
-        piece.high[axis] = std::nextafter(std::max(p[axis], q[axis]), 1e30f);
+        piece.box.low[axis] = std::nextafter(std::min(p[axis], q[axis]), -1e30f);
+        piece.box.high[axis] = std::nextafter(std::max(p[axis], q[axis]), 1e30f);
       }
       result.push_back(piece);
     }
@@ -54,43 +53,41 @@ MoveIndex::pieces() const
   return result;
 }
 
-std::uint32_t
-MoveIndex::build(std::vector<Piece>& pieces, std::size_t first, std::size_t last)
+void
+MoveIndex::build(std::vector<Piece>& pieces, std::size_t first, std::size_t last, std::size_t node)
 {
-  const auto id = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.emplace_back();
-  Node node{pieces[first].low, pieces[first].high, 0, 0};
-  std::array<float, 3> low, high; // of the middles
-  low.fill(1e30f);
-  high.fill(-1e30f);
+  Box4 box = pieces[first].box, middles;
+  middles.low.fill(1e30f);
+  middles.high.fill(-1e30f);
   for (std::size_t i = first; i < last; ++i)
-    for (int axis = 0; axis < 3; ++axis) {
-      const Piece& piece = pieces[i];
-      node.low[axis] = std::min(node.low[axis], piece.low[axis]);
-      node.high[axis] = std::max(node.high[axis], piece.high[axis]);
-      low[axis] = std::min(low[axis], piece.low[axis] + piece.high[axis]);
-      high[axis] = std::max(high[axis], piece.low[axis] + piece.high[axis]);
+    for (int d = 0; d < 3; ++d) {
+      const Box4& piece = pieces[i].box;
+      box.low[d] = std::min(box.low[d], piece.low[d]);
+      box.high[d] = std::max(box.high[d], piece.high[d]);
+      middles.low[d] = std::min(middles.low[d], piece.low[d] + piece.high[d]);
+      middles.high[d] = std::max(middles.high[d], piece.low[d] + piece.high[d]);
     }
-  if (last - first <= leaf_size) {
-    node.next = static_cast<std::uint32_t>(first);
-    node.count = static_cast<std::uint32_t>(last - first);
-    nodes_[id] = node;
-    return id;
+  boxes_[node] = box;
+  if (last - first == 1) {
+    next_[node] = leaf | pieces[first].move;
+    return;
   }
   int axis = 0;
   for (int d = 1; d < 3; ++d)
-    if (high[d] - low[d] > high[axis] - low[axis])
+    if (middles.high[d] - middles.low[d] > middles.high[axis] - middles.low[axis])
       axis = d;
   const std::size_t half = first + (last - first) / 2;
   const auto begin = pieces.begin();
   std::nth_element(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(half),
                    begin + static_cast<std::ptrdiff_t>(last), [axis](const Piece& a, const Piece& b) {
-                     return a.low[axis] + a.high[axis] < b.low[axis] + b.high[axis];
+                     return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis];
                    });
-  build(pieces, first, half);
-  node.next = build(pieces, half, last);
-  nodes_[id] = node;
-  return id;
+  const std::size_t child = boxes_.size();
+  next_[node] = static_cast<std::uint32_t>(child);
+  boxes_.resize(child + 2);
+  next_.resize(child + 2);
+  build(pieces, first, half, child);
+  build(pieces, half, last, child + 1);
 }
 
 bool

@@ -7,7 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -17,8 +16,8 @@
 namespace pcl_spiral {
 
 /** The segments of a polyline, halved again and again across the longest side of their box, under boxes in single
- *  precision that are rounded outwards. Segments much longer than the mean stand in it piece by piece. Memory: 36 to 72
- *  bytes a segment beside the polyline, which must outlive the index and stay as it is.
+ *  precision that are rounded outwards. Segments much longer than the mean stand in it piece by piece. The polyline must
+ *  outlive the index and stay as it is. Memory: 72 bytes a segment, at most half as much again, beside the polyline.
  */
 class MoveIndex {
 public:
@@ -35,7 +34,7 @@ public:
   void
   search(const Eigen::Vector3d& p, const Radius& radius, const Test& test) const
   {
-    if (nodes_.empty())
+    if (boxes_.empty())
       return;
     struct Entry {
       std::uint32_t node;
@@ -43,22 +42,22 @@ public:
     };
     std::array<Entry, 64> stack;
     std::size_t top = 0;
-    const Eigen::Vector3f q = (p - origin_).cast<float>();
+    Eigen::Array4f q = Eigen::Array4f::Zero();
+    q.head<3>() = (p - origin_).cast<float>();
     float limit = squared(radius());
-    stack[top++] = {0, squaredDistance(nodes_[0], q)};
+    stack[top++] = {0, squaredDistance(boxes_[0], q)};
     while (top > 0) {
       const Entry entry = stack[--top];
       if (entry.distance > limit)
         continue;
-      const Node& node = nodes_[entry.node];
-      if (node.count > 0) {
-        for (std::uint32_t i = node.next; i < node.next + node.count; ++i)
-          test(static_cast<std::size_t>(order_[i]));
+      const std::uint32_t next = next_[entry.node];
+      if (next & leaf) {
+        test(static_cast<std::size_t>(next & ~leaf));
         limit = squared(radius());
         continue;
       }
-      Entry near{entry.node + 1, squaredDistance(nodes_[entry.node + 1], q)};
-      Entry far{node.next, squaredDistance(nodes_[node.next], q)};
+      Entry near{next, squaredDistance(boxes_[next], q)};
+      Entry far{next + 1, squaredDistance(boxes_[next + 1], q)};
       if (far.distance < near.distance)
         std::swap(near, far);
       if (far.distance <= limit)
@@ -69,25 +68,22 @@ public:
   }
 
 private:
-  struct Node {
-    std::array<float, 3> low, high; ///< from origin_
-    std::uint32_t next = 0;         ///< the right child (the left follows its parent), or the first entry of a leaf
-    std::uint32_t count = 0;        ///< entries of a leaf, 0 inside the tree
+  static constexpr std::uint32_t leaf = 0x80000000u;
+
+  struct alignas(16) Box4 { // from origin_; the fourth is 0
+    std::array<float, 4> low, high;
   };
   struct Piece {
-    std::array<float, 3> low, high;
+    Box4 box;
     std::uint32_t move;
   };
 
   static float
-  squaredDistance(const Node& node, const Eigen::Vector3f& p)
+  squaredDistance(const Box4& box, const Eigen::Array4f& p)
   {
-    float sum = 0.0f;
-    for (int d = 0; d < 3; ++d) {
-      const float gap = std::max(0.0f, std::max(node.low[d] - p[d], p[d] - node.high[d]));
-      sum += gap * gap;
-    }
-    return sum;
+    using Lanes = Eigen::Map<const Eigen::Array4f, Eigen::Aligned16>;
+    const Lanes low(box.low.data()), high(box.high.data());
+    return (low - p).max(p - high).max(0.0f).square().sum();
   }
   /** With room for what single precision loses. */
   float
@@ -97,13 +93,13 @@ private:
     return static_cast<float>(wide * wide);
   }
   std::vector<Piece> pieces() const;
-  std::uint32_t build(std::vector<Piece>& pieces, std::size_t first, std::size_t last);
+  void build(std::vector<Piece>& pieces, std::size_t first, std::size_t last, std::size_t node);
 
   const Polyline& line_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   double slack_ = 0.0;
-  std::vector<std::uint32_t> order_;
-  std::vector<Node> nodes_;
+  std::vector<Box4> boxes_;
+  std::vector<std::uint32_t> next_; ///< of a node: its first child, the second follows; of a leaf: its move
 };
 
 } // namespace pcl_spiral
