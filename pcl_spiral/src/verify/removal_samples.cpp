@@ -13,7 +13,7 @@ constexpr float none = std::numeric_limits<float>::quiet_NaN();
 constexpr double hollowest = -0.9; // of 1/R: beyond, the ball hardly fits and step-overs mean nothing
 constexpr double farthest_ridge = 2.0; // in step-overs: a turn left out is one away
 constexpr double walk = 0.7;           // in step-overs: past the ridge of a pass at its place
-constexpr double shallow_start = 0.2;  // in scallop heights: where a short ray starts below the surface
+constexpr double shallow_start = 0.2;  // in scallop heights, at least: where a short ray starts below the surface
 
 void
 raise(PlacedValue& largest, double value, const Eigen::Vector3d& position, std::size_t index)
@@ -36,7 +36,7 @@ RemovalExtremes::merge(const RemovalExtremes& later)
 RemovalSampler::RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index,
                                const RemovalSettings& settings, double reach)
 : reference_(reference), sweep_(sweep), settings_(settings),
-  field_(sweep, index, shallow_start * settings.scallop_height, reach), fit_radius_(reference.fitRadius())
+  field_(sweep, index, std::max(shallow_start * settings.scallop_height, settings.chord_error), reach), fit_radius_(reference.fitRadius())
 {
 }
 

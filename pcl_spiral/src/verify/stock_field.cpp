@@ -8,21 +8,30 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double same_height = 1e-9; // mm: two moves meet there
+constexpr double same_height = 1e-7; // mm: two moves meet there
 
 } // namespace
+
+SurfacePlace
+placeAt(const SurfaceFoot& foot, const Eigen::Vector3d& d)
+{
+  const Eigen::Vector3d e2 = foot.normal.cross(foot.direction1);
+  const double a = d.dot(foot.direction1), b = d.dot(e2);
+  const double ka = foot.curvature1 * a, kb = foot.curvature2 * b;
+  const double root = 1.0 / std::sqrt(1.0 + ka * ka + kb * kb);
+  return {foot.position + a * foot.direction1 + b * e2 - 0.5 * (ka * a + kb * b) * foot.normal,
+          root * (foot.normal + ka * foot.direction1 + kb * e2)};
+}
 
 SurfaceFoot
 shifted(const SurfaceFoot& foot, const Eigen::Vector3d& d)
 {
-  SurfaceFoot place = foot;
-  const Eigen::Vector3d e2 = foot.normal.cross(foot.direction1);
-  const double a = d.dot(foot.direction1), b = d.dot(e2);
-  const double ka = foot.curvature1 * a, kb = foot.curvature2 * b;
-  place.position = foot.position + a * foot.direction1 + b * e2 - 0.5 * (ka * a + kb * b) * foot.normal;
-  place.normal = (foot.normal + ka * foot.direction1 + kb * e2).normalized();
-  place.direction1 = (foot.direction1 - foot.direction1.dot(place.normal) * place.normal).normalized();
-  return place;
+  SurfaceFoot moved = foot;
+  const SurfacePlace place = placeAt(foot, d);
+  moved.position = place.position;
+  moved.normal = place.normal;
+  moved.direction1 = (foot.direction1 - foot.direction1.dot(place.normal) * place.normal).normalized();
+  return moved;
 }
 
 Stock
@@ -53,6 +62,7 @@ StockField::at(const Eigen::Vector3d& x, const Eigen::Vector3d& n, std::size_t g
     const Stock stock = cast(x, n, start, guess);
     if (!stock.met || stock.height > -start || start == deepest)
       return stock;
+    guess = stock.move;
   }
 }
 
@@ -65,7 +75,7 @@ StockField::across(const SurfaceFoot& foot, std::size_t move) const
 }
 
 double
-StockField::under(std::size_t move, const SurfaceFoot& place) const
+StockField::under(std::size_t move, const SurfacePlace& place) const
 {
   const double radius = sweep_.boundingRadius();
   double height = 2.0 * radius;
@@ -79,7 +89,7 @@ StockField::meeting(const SurfaceFoot& foot, const Eigen::Vector3d& w, std::size
 {
   constexpr int rounds = 40;
   const auto excess = [&](double d) {
-    const SurfaceFoot place = shifted(foot, d * w);
+    const SurfacePlace place = placeAt(foot, d * w);
     return under(first, place) - under(second, place);
   };
   double below = excess(low), above = excess(high), d = high;
@@ -120,7 +130,7 @@ StockField::climbed(const SurfaceFoot& foot, const Stock& from, const Eigen::Vec
       if (high >= limit)
         return ridge;
       high = std::min(limit, high + step);
-      const SurfaceFoot place = shifted(foot, high * w);
+      const SurfacePlace place = placeAt(foot, high * w);
       other = at(place.position, place.normal, current);
       if (!other.met)
         return ridge;
@@ -128,10 +138,10 @@ StockField::climbed(const SurfaceFoot& foot, const Stock& from, const Eigen::Vec
     }
     // Come back to where the current one ends.
     double d = high;
-    SurfaceFoot place;
+    SurfacePlace place;
     for (int i = 0; i < most_cells; ++i) {
       d = meeting(foot, w, current, other.move, low, high);
-      place = shifted(foot, d * w);
+      place = placeAt(foot, d * w);
       const Stock least = at(place.position, place.normal, current);
       const double here = under(current, place);
       ridge.height = std::min(here, least.height);
@@ -142,7 +152,7 @@ StockField::climbed(const SurfaceFoot& foot, const Stock& from, const Eigen::Vec
     }
     // A top, or the same slope goes on under the next move of the pass.
     const double beyond = 0.01 * step;
-    if (under(other.move, shifted(foot, (d + beyond) * w)) <= ridge.height) {
+    if (under(other.move, placeAt(foot, (d + beyond) * w)) <= ridge.height) {
       ridge.position = place.position;
       ridge.move = current;
       ridge.found = true;
@@ -161,7 +171,7 @@ StockField::climbed(const SurfaceFoot& foot, const Stock& from, double step, dou
     return {};
   const Eigen::Vector3d w = across(foot, from.move);
   const double beside = 0.01 * step;
-  const bool rises = under(from.move, shifted(foot, beside * w)) >= under(from.move, shifted(foot, -beside * w));
+  const bool rises = under(from.move, placeAt(foot, beside * w)) >= under(from.move, placeAt(foot, -beside * w));
   return climbed(foot, from, rises ? w : Eigen::Vector3d(-w), step, limit);
 }
 

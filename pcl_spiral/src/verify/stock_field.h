@@ -25,7 +25,16 @@ struct Ridge {
   bool found = false;
 };
 
-/** The surface about \p foot, moved by \p d in its tangent plane: the quadric's point and normal there. */
+/** Where the surface stands and faces. */
+struct SurfacePlace {
+  Eigen::Vector3d position, normal;
+};
+
+/** The quadric about \p foot, at \p d in its tangent plane. */
+SurfacePlace
+placeAt(const SurfaceFoot& foot, const Eigen::Vector3d& d);
+
+/** A foot there, with the same curvatures. */
 SurfaceFoot
 shifted(const SurfaceFoot& foot, const Eigen::Vector3d& d);
 
@@ -55,7 +64,7 @@ public:
 private:
   Stock cast(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, std::size_t guess) const;
   /** Height of what \p move alone leaves. */
-  double under(std::size_t move, const SurfaceFoot& place) const;
+  double under(std::size_t move, const SurfacePlace& place) const;
   /** Where in [low, high] what two moves leave is of equal height. */
   double meeting(const SurfaceFoot& foot, const Eigen::Vector3d& w, std::size_t first, std::size_t second, double low,
                  double high) const;
