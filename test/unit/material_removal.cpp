@@ -247,7 +247,8 @@ TEST(MaterialRemoval, AgreesWithTheIndependentCheckOnACurvedSurface)
 TEST(MaterialRemoval, TheNumberOfThreadsChangesNothing)
 {
   const SurfacePtr surface = quadric(200.0, -120.0, Region({circle({0, 0}, 30.0)}));
-  const CheckedPath path = straightPasses(*surface, {-20, -17, -15, -12, -9, -6, -4, -2, 0, 2, 5, 8, 11, 14}, 32.0, 3.0);
+  const CheckedPath path =
+      straightPasses(*surface, {-20, -17, -15, -12, -9, -6, -4, -2, 0, 2, 5, 8, 11, 14}, 32.0, 3.0);
   const auto cloud = toCloud(sampleUniform(*surface, 10000, 3).points);
   pcl::PointCloud<pcl::PointXYZI> first;
   pcl_spiral::RemovalFigures figures;

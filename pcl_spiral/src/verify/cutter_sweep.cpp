@@ -37,8 +37,8 @@ entersBall(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double radius, do
   return true;
 }
 
-/** Where the line x + t n enters the capsule between the origin and \p d. The side of its cylinder, or where that is met
- *  beyond an end, the ball there: a convex body is entered once. */
+/** Where the line x + t n enters the capsule between the origin and \p d. The side of its cylinder, or where
+ * that is met beyond an end, the ball there: a convex body is entered once. */
 bool
 entersCapsule(const Eigen::Vector3d& x, const Eigen::Vector3d& n, const Eigen::Vector3d& d, double radius, double& t)
 {

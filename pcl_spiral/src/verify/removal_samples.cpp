@@ -33,10 +33,11 @@ RemovalExtremes::merge(const RemovalExtremes& later)
   raise(gouge, later.gouge.value, later.gouge.position, later.gouge.index);
 }
 
-RemovalSampler::RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index,
-                               const RemovalSettings& settings, double reach)
-: reference_(reference), sweep_(sweep), settings_(settings),
-  field_(sweep, index, std::max(shallow_start * settings.scallop_height, settings.chord_error), reach), fit_radius_(reference.fitRadius())
+RemovalSampler::RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep,
+                               const MoveIndex& index, const RemovalSettings& settings, double reach)
+    : reference_(reference), sweep_(sweep), settings_(settings),
+      field_(sweep, index, std::max(shallow_start * settings.scallop_height, settings.chord_error), reach),
+      fit_radius_(reference.fitRadius())
 {
 }
 

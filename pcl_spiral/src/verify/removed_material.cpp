@@ -187,9 +187,10 @@ Measurement::finish()
   if (figures_.path_length > 0.0)
     figures_.efficiency = figures_.least_length / figures_.path_length;
   if (figures_.gouge.value > settings_.tool_radius)
-    figures_.warnings.push_back("the middle of the cutter stands inside the material at path point " +
-                                std::to_string(figures_.gouge.index) +
-                                ": the path's normals are reversed there, or the reference is seen from its other side");
+    figures_.warnings.push_back(
+        "the middle of the cutter stands inside the material at path point " +
+        std::to_string(figures_.gouge.index) +
+        ": the path's normals are reversed there, or the reference is seen from its other side");
 }
 
 Status

@@ -40,8 +40,8 @@ shifted(const SurfaceFoot& foot, const Eigen::Vector3d& d);
 
 class StockField {
 public:
-  /** Rays reach \p reach above the surface; they start \p shallow below it, and deep inside the cutter where that is not
-   *  deep enough. */
+  /** Rays reach \p reach above the surface; they start \p shallow below it, and deep inside the cutter where
+   * that is not deep enough. */
   StockField(const CutterSweep& sweep, const MoveIndex& index, double shallow, double reach)
   : sweep_(sweep), index_(index), shallow_(shallow), reach_(reach)
   {

@@ -31,8 +31,8 @@ struct PlacedValue {
   std::size_t index = 0; ///< of the path point, or of the first point of the move
 };
 
-/** Read a toolpath. Fails on none, fewer than two points, a point that is not finite, and a normal without length; an axis
- *  without length at any point leaves the path without axes. */
+/** Read a toolpath. Fails on none, fewer than two points, a point that is not finite, and a normal without
+ * length; an axis without length at any point leaves the path without axes. */
 Status
 readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterPath& path);
 

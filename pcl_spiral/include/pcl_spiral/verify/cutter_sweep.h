@@ -12,9 +12,9 @@ namespace pcl_spiral {
 
 /** A cutter of revolution at every point of a path, moved in straight lines from one point to the next.
  *
- *  The search and the figures know a cutter by these functions alone; a profile other than the ball brings its own class,
- *  which keeps the tool axes of the path if its shape needs them. Only the cutting part counts: shank and holder are a
- *  matter for collision checks. Lengths in mm.
+ *  The search and the figures know a cutter by these functions alone; a profile other than the ball brings
+ * its own class, which keeps the tool axes of the path if its shape needs them. Only the cutting part counts:
+ * shank and holder are a matter for collision checks. Lengths in mm.
  */
 class CutterSweep {
 public:

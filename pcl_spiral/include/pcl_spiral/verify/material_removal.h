@@ -28,15 +28,15 @@ public:
   void setScallopHeight(double height) { scallop_height_ = height; }
   double getScallopHeight() const { return scallop_height_; }
 
-  /** How far above the surface stock is looked for, mm: nothing met counts as uncut. 0, the default: 20 scallop heights,
-   *  and at least ten times the scan's noise. */
+  /** How far above the surface stock is looked for, mm: nothing met counts as uncut. 0, the default: 20
+   * scallop heights, and at least ten times the scan's noise. */
   void setReach(double reach) { reach_ = reach; }
   double getReach() const { return reach_; }
 
-  /** Measure. \p output has a point for each of the input (of its indices, when set), in their order: its place, and the
-   *  stock as intensity, negative for a gouge, the reach where uncut, NaN where the point is no part of the surface
-   *  (not finite, a repetition, an outlier). Empty on failure: no or unfit reference or toolpath, a setting out of range,
-   *  or cancelled. */
+  /** Measure. \p output has a point for each of the input (of its indices, when set), in their order: its
+   * place, and the stock as intensity, negative for a gouge, the reach where uncut, NaN where the point is no
+   * part of the surface (not finite, a repetition, an outlier). Empty on failure: no or unfit reference or
+   * toolpath, a setting out of range, or cancelled. */
   void compute(pcl::PointCloud<pcl::PointXYZI>& output);
 
   const RemovalFigures& getFigures() const { return figures_; }

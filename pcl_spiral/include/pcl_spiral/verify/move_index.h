@@ -15,9 +15,10 @@
 
 namespace pcl_spiral {
 
-/** The segments of a polyline, halved again and again across the longest side of their box, under boxes in single
- *  precision that are rounded outwards. Segments much longer than the mean stand in it piece by piece. The polyline must
- *  outlive the index and stay as it is. Memory: 72 bytes a segment, at most half as much again, beside the polyline.
+/** The segments of a polyline, halved again and again across the longest side of their box, under boxes in
+ * single precision that are rounded outwards. Segments much longer than the mean stand in it piece by piece.
+ * The polyline must outlive the index and stay as it is. Memory: 72 bytes a segment, at most half as much
+ * again, beside the polyline.
  */
 class MoveIndex {
 public:
@@ -28,8 +29,8 @@ public:
   /** The nearest point of the segments to \p p, when it is nearer than \p distance, which becomes its distance. */
   bool nearest(const Eigen::Vector3d& p, double& distance, Eigen::Vector3d& point) const;
 
-  /** Call \p test(move) for every segment that comes within \p radius() of \p p, the nearest boxes first. The radius may
-   *  shrink as the search goes. A segment may come twice. */
+  /** Call \p test(move) for every segment that comes within \p radius() of \p p, the nearest boxes first. The
+   * radius may shrink as the search goes. A segment may come twice. */
   template <typename Radius, typename Test>
   void
   search(const Eigen::Vector3d& p, const Radius& radius, const Test& test) const

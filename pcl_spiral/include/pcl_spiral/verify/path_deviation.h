@@ -34,8 +34,8 @@ struct DeviationFigures {
   std::vector<std::string> warnings;
 };
 
-/** Signed deviation of each path point, NaN where it is not measured, and the figures. \p chord_error is compared with the
- *  noise, 0 for none. Fails when no point lies on the scan, and when \p progress cancels. */
+/** Signed deviation of each path point, NaN where it is not measured, and the figures. \p chord_error is
+ * compared with the noise, 0 for none. Fails when no point lies on the scan, and when \p progress cancels. */
 Status
 measureDeviation(const ReferenceSurface& reference, const CutterPath& path, double chord_error,
                  const ProgressCallback& progress, std::vector<float>& deviation, DeviationFigures& figures);

@@ -16,12 +16,13 @@
 
 namespace pcl_spiral {
 
-/** The surface behind the raw points of a scan, by local quadratic fits to the points themselves (MlsSurface).
+/** The surface behind the raw points of a scan, by local quadratic fits to the points themselves
+ * (MlsSurface).
  *
- *  Every figure is measured against this surface, not against single points, so the noise of a single point, noise(), is
- *  averaged: what remains in the surface is fitNoise(), and no figure is better known than that. Where a planner worked on
- *  the same scan, the part of its error that comes from the scan's noise is common to both and does not show; a second
- *  scan shows it. Memory: about 150 bytes a point.
+ *  Every figure is measured against this surface, not against single points, so the noise of a single point,
+ * noise(), is averaged: what remains in the surface is fitNoise(), and no figure is better known than that.
+ * Where a planner worked on the same scan, the part of its error that comes from the scan's noise is common
+ * to both and does not show; a second scan shows it. Memory: 180 bytes a point, 250 while it is made.
  */
 class ReferenceSurface {
 public:
@@ -29,8 +30,8 @@ public:
   ReferenceSurface(const ReferenceSurface&) = delete; // the fits refer to the graph
   ReferenceSurface& operator=(const ReferenceSurface&) = delete;
 
-  /** Make the surface of finite, different \p points. Points that stand alone off it are left out; boundaries that cannot
-   *  be found leave it without a rim and with a warning. Fails where SurfaceGraph does. */
+  /** Make the surface of finite, different \p points. Points that stand alone off it are left out; boundaries
+   * that cannot be found leave it without a rim and with a warning. Fails where SurfaceGraph does. */
   Status build(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions options);
 
   const SurfaceGraph& graph() const { return graph_; }
@@ -42,8 +43,8 @@ public:
   /** Standard deviation of single points about the surface, mm. On a scan without noise it is what a quadric leaves of
    *  the shape: an upper bound. */
   double noise() const { return surface_->noise(); }
-  /** Standard deviation of the surface found, inside the rim: noise() sqrt(50 / (7 k)) for k evenly spread neighbours and
-   *  the fit's weight (1 - r^2)^3, from the variance of least squares. */
+  /** Standard deviation of the surface found, inside the rim: noise() sqrt(50 / (7 k)) for k evenly spread
+   * neighbours and the fit's weight (1 - r^2)^3, from the variance of least squares. */
   double fitNoise() const;
   /** Radius of one fit: as far as it can be trusted about its foot, mm. */
   double fitRadius() const;
@@ -71,8 +72,8 @@ private:
   std::vector<std::string> warnings_;
 };
 
-/** Statements about what the scan cannot show: the scallop height and the chord error asked for that lie below its noise
- *  or below the noise of the surface fitted to it. 0: nothing was asked for. */
+/** Statements about what the scan cannot show: the scallop height and the chord error asked for that lie
+ * below its noise or below the noise of the surface fitted to it. 0: nothing was asked for. */
 std::vector<std::string>
 noiseWarnings(const ReferenceSurface& reference, double scallop_height, double chord_error);
 

@@ -60,22 +60,24 @@ struct RemovalHeights {
   std::vector<float> ridge; ///< of the ridge next to the point; main area alone
 };
 
-/** Stock over x, with n the surface's normal, is the smallest t at which x + t n lies in the swept solid; a gouge is where
- *  x itself lies inside. x is the foot of a reference point on the local fit of the surface. Ridges are V-shaped, so points
- *  miss their tops: from each point the top is sought across the feed on the local fit. A gouge is also sought along each
- *  move, as the depth of the cutter below the fits at the contacts of its ends (and between, where a move is longer than
- *  twice the radius of a fit). Every figure carries the noise of the fit; max and gouge carry its extremes.
+/** Stock over x, with n the surface's normal, is the smallest t at which x + t n lies in the swept solid; a
+ * gouge is where x itself lies inside. x is the foot of a reference point on the local fit of the surface.
+ * Ridges are V-shaped, so points miss their tops: from each point the top is sought across the feed on the
+ * local fit. A gouge is also sought along each move, as the depth of the cutter below the fits at the
+ * contacts of its ends (and between, where a move is longer than twice the radius of a fit). Every figure
+ * carries the noise of the fit; max and gouge carry its extremes.
  *
- *  Memory: 30 bytes a reference point beside the reference, and 100 a path point. Parallel, the same for any number of
- *  threads. Fails on settings out of range and when \p progress cancels. */
+ *  Memory: 30 bytes a reference point beside the reference, and 100 to 130 a path point. Parallel, the same for any
+ * number of threads. Fails on settings out of range and when \p progress cancels. */
 Status
 measureRemovedMaterial(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep,
                        const RemovalSettings& settings, const ProgressCallback& progress, RemovalHeights& heights,
                        RemovalFigures& figures);
 
-/** Length that a path of constant scallop cannot do without: the integral of dA over the largest step-over, which is the
- *  one across the smallest curvature, and half the rim, where half of the pass lies beside the part. \p steps and \p feet:
- *  one a point of the graph, the step 0 where there is none; \p area is the part's, mm^2. */
+/** Length that a path of constant scallop cannot do without: the integral of dA over the largest step-over,
+ * which is the one across the smallest curvature, and half the rim, where half of the pass lies beside the
+ * part. \p steps and \p feet: one a point of the graph, the step 0 where there is none; \p area is the
+ * part's, mm^2. */
 double
 leastLength(const ReferenceSurface& reference, const std::vector<float>& steps,
             const std::vector<Eigen::Vector3f>& feet, double& area);
