@@ -1,4 +1,6 @@
 // From a scan to toolpath files: the main program.
+#include "judging/figures_table.h"
+#include "judging/judge.h"
 #include "toolpath/command_line.h"
 #include "toolpath/console.h"
 #include "toolpath/job_check.h"
@@ -34,6 +36,7 @@ struct Result {
   Scan scan;
   pcl::PointCloud<ToolpathPoint>::Ptr path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
   SpiralReport report;
+  std::optional<Verification> verification;
 };
 
 void
@@ -72,6 +75,25 @@ compute(const Job& job)
 }
 
 void
+verify(const Job& job, Result& result)
+{
+  ProgressBar bar(job.quiet);
+  const SpiralSettings& s = job.settings;
+  const JudgeSettings settings{s.tool_radius, s.scallop_height, s.chord_error, s.view_point, s.flip_normals, s.threads};
+  std::shared_ptr<const ScannedReference> surface;
+  Verification verification;
+  const Status status = judgePath(result.scan.cloud, result.path, settings,
+                                  [&bar](double share, const std::string& stage) { return bar.update(share, stage); },
+                                  surface, verification);
+  bar.clear();
+  if (cancelled())
+    throw Cancelled();
+  if (!status.ok())
+    throw FileError(job.scan, "the path was made but could not be judged: " + status.message());
+  result.verification = std::move(verification);
+}
+
+void
 write(const Job& job, const Result& result, OutputFiles& files)
 {
   const ToolpathMotion motion{job.settings.tool_radius, job.settings.feed};
@@ -81,7 +103,7 @@ write(const Job& job, const Result& result, OutputFiles& files)
     if (extension == ".json")
       writeReportJSON(files.temporary(i),
                       {job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings},
-                      job.settings, result.report);
+                      job.settings, result.report, result.verification ? &*result.verification : nullptr);
     else if (extension == ".png") {
       const SpiralPictures pictures({title, result.scan.cloud, result.path, job.settings, result.report});
       pictures.writeSpiral(files.temporary(i));
@@ -106,13 +128,19 @@ run(const Job& job)
       throw FileError(output, displayProblem());
   if (!job.verbose)
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
-  const Result result = compute(job);
+  Result result = compute(job);
+  if (job.verify)
+    verify(job, result);
   warn(job, result.scan.warnings);
   warn(job, result.report.warnings);
+  if (result.verification)
+    warn(job, result.verification->removal.warnings);
   write(job, result, files);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (!job.quiet)
     printSummary(job, result.report, seconds.count());
+  if (!job.quiet && result.verification)
+    printFigures(*result.verification);
 }
 
 } // namespace

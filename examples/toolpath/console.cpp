@@ -1,41 +1,15 @@
 #include "console.h"
 #include "job_check.h"
+#include "terminal/terminal.h"
 
-#include <unistd.h>
-
-#include <algorithm>
-#include <cmath>
-#include <csignal>
 #include <cstdio>
 
 namespace {
-
-volatile std::sig_atomic_t signal_received = 0;
-
-void
-remember(int signal)
-{
-  signal_received = signal;
-}
 
 const char*
 plural(std::size_t count)
 {
   return count == 1 ? "" : "s";
-}
-
-std::string
-duration(double seconds)
-{
-  char text[64];
-  if (seconds < 60.0)
-    std::snprintf(text, sizeof(text), "%.1f s", seconds);
-  else if (seconds < 3600.0)
-    std::snprintf(text, sizeof(text), "%.1f min", seconds / 60.0);
-  else
-    std::snprintf(text, sizeof(text), "%.0f h %.0f min", std::floor(seconds / 3600.0),
-                  std::floor(std::fmod(seconds, 3600.0) / 60.0));
-  return text;
 }
 
 void
@@ -83,54 +57,6 @@ printPath(const Job& job, const pcl_spiral::SpiralReport& report)
 }
 
 } // namespace
-
-void
-catchSignals()
-{
-  struct sigaction action = {};
-  action.sa_handler = remember;
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
-
-bool
-cancelled()
-{
-  return signal_received != 0;
-}
-
-ProgressBar::ProgressBar(bool quiet) : shown_(!quiet && ::isatty(STDERR_FILENO) == 1) {}
-
-ProgressBar::~ProgressBar()
-{
-  clear();
-}
-
-bool
-ProgressBar::update(double share, const std::string& stage)
-{
-  const int percent = static_cast<int>(100.0 * std::clamp(share, 0.0, 1.0));
-  if (shown_ && (percent != last_percent_ || stage != last_stage_)) {
-    constexpr int width = 30;
-    const int filled = percent * width / 100;
-    std::fprintf(stderr, "\r\033[K[%s%s] %3d %%  %s",
-                 std::string(static_cast<std::size_t>(filled), '#').c_str(),
-                 std::string(static_cast<std::size_t>(width - filled), '.').c_str(), percent, stage.c_str());
-    std::fflush(stderr);
-    last_percent_ = percent;
-    last_stage_ = stage;
-  }
-  return !cancelled();
-}
-
-void
-ProgressBar::clear()
-{
-  if (shown_ && last_percent_ >= 0)
-    std::fprintf(stderr, "\r\033[K");
-  last_percent_ = -1;
-}
 
 void
 printSummary(const Job& job, const pcl_spiral::SpiralReport& report, double seconds)

@@ -3,11 +3,12 @@
  */
 #pragma once
 
+#include "terminal/terminal.h"
+
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/toolpath/spiral_settings.h>
 
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,14 +19,9 @@ struct Job {
   std::vector<std::string> outputs;
   pcl_spiral::ReadOptions read;
   pcl_spiral::SpiralSettings settings;
+  bool verify = false; ///< judge the path by the scan
   bool verbose = false;
   bool quiet = false;
   bool help = false;
   bool version = false;
-};
-
-/** A call that cannot be meant; the message names the option, the value and the remedy. */
-class UsageError : public std::runtime_error {
-public:
-  using std::runtime_error::runtime_error;
 };

@@ -201,6 +201,8 @@ running()
   return {"Run",
           {{"threads", "N", "0, the default, means all; the path does not depend on it: --threads 4",
             [](Job& job, const std::string& value) { job.settings.threads = wholeNumber("threads", value); }},
+           toggle("verify", "judge the path by the scan: deviation, scallop, gouge; adds about as much time again",
+                  [](Job& job) -> bool& { return job.verify; }),
            toggle("verbose", "say more", [](Job& job) -> bool& { return job.verbose; }),
            toggle("quiet", "say nothing but errors", [](Job& job) -> bool& { return job.quiet; }),
            toggle("help", "this text", [](Job& job) -> bool& { return job.help; }),

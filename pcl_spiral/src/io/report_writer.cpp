@@ -1,4 +1,5 @@
 #include "byte_file.h"
+#include "verification_json.h"
 
 #include <pcl_spiral/io/report_writer.h>
 #include <pcl_spiral/io/setting_names.h>
@@ -106,7 +107,7 @@ pathJson(const SpiralReport& report, double feed)
 
 void
 writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings,
-                const SpiralReport& report)
+                const SpiralReport& report, const Verification* verification)
 {
   Json stages = Json::object();
   double total = 0.0;
@@ -116,7 +117,7 @@ writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSett
   }
   std::vector<std::string> warnings = files.warnings;
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
-  const Json json = {
+  Json json = {
       {"units", {{"length", "mm"}, {"angle", "degree"}, {"feed", "mm/min"}, {"time", "s"}}},
       {"input", {{"file", files.scan}, {"unit", choiceName(files.unit)}, {"origin", toJson(files.origin)}}},
       {"outputs", files.outputs},
@@ -126,6 +127,8 @@ writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSett
       {"path", pathJson(report, settings.feed)},
       {"seconds", {{"total", total}, {"stages", stages}}},
       {"warnings", warnings}};
+  if (verification)
+    json["verification"] = verificationJson(*verification);
   ByteFile out(file);
   out.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   out.close();

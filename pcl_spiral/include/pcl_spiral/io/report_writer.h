@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/io/length_unit.h>
+#include <pcl_spiral/io/verification_writer.h>
 #include <pcl_spiral/toolpath/spiral_report.h>
 #include <pcl_spiral/toolpath/spiral_settings.h>
 
@@ -21,9 +22,9 @@ struct RunFiles {
   std::vector<std::string> warnings; ///< from reading
 };
 
-/** Input, settings, loops, counts, times per stage and warnings of a run. Lengths mm, angles degrees,
- * seconds. \throw FileError */
+/** Input, settings, loops, counts, times per stage and warnings of a run, and the path's figures where it was judged
+ * (null: not). Lengths mm, angles degrees, seconds. \throw FileError */
 void writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings,
-                     const SpiralReport& report);
+                     const SpiralReport& report, const Verification* verification = nullptr);
 
 } // namespace pcl_spiral

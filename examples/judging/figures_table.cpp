@@ -1,0 +1,108 @@
+#include "figures_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+using pcl_spiral::PlacedValue;
+using pcl_spiral::StockFigures;
+
+namespace {
+
+std::string
+at(const PlacedValue& value)
+{
+  char text[120];
+  std::snprintf(text, sizeof(text), "at (%.3f, %.3f, %.3f), path point %zu", value.position.x(), value.position.y(),
+                value.position.z(), value.index);
+  return text;
+}
+
+/** Of all reference points, with the rim band. */
+double
+uncutPercent(const pcl_spiral::RemovalFigures& removal)
+{
+  const std::size_t samples = removal.stock.samples + removal.rim.samples;
+  return samples > 0 ? 100.0 * static_cast<double>(removal.stock.uncut + removal.rim.uncut) / static_cast<double>(samples)
+                     : 100.0;
+}
+
+const PlacedValue&
+firstUncut(const pcl_spiral::RemovalFigures& removal)
+{
+  return removal.stock.uncut > 0 ? removal.stock.first_uncut : removal.rim.first_uncut;
+}
+
+void
+printStock(const char* name, const StockFigures& stock)
+{
+  if (stock.samples == 0)
+    std::printf("%-16sno reference point lies there\n", name);
+  else
+    std::printf("%-16sp50 %.4f, p99 %.4f, p99.9 %.4f, max %.4f mm %s\n", name, stock.p50, stock.p99, stock.p999,
+                stock.max.value, at(stock.max).c_str());
+}
+
+} // namespace
+
+std::vector<std::string>
+brokenLimits(const Limits& limits, const pcl_spiral::Verification& verification)
+{
+  const pcl_spiral::DeviationFigures& deviation = verification.deviation;
+  const pcl_spiral::RemovalFigures& removal = verification.removal;
+  std::vector<std::string> broken;
+  const auto check = [&](const char* option, const std::optional<double>& limit, double value, const std::string& place) {
+    if (!limit || value <= *limit)
+      return;
+    std::ostringstream text;
+    text << option << " " << *limit << " is broken: " << value << " " << place;
+    broken.push_back(text.str());
+  };
+  const PlacedValue& scallop = removal.scallop.samples > 0 ? removal.scallop.max : removal.stock.max;
+  check("--max-deviation", limits.deviation, std::abs(deviation.max.value), "mm " + at(deviation.max));
+  check("--max-scallop", limits.scallop, scallop.value, "mm " + at(scallop));
+  check("--max-gouge", limits.gouge, removal.gouge.value, "mm " + at(removal.gouge));
+  check("--max-uncut", limits.uncut, uncutPercent(removal), "percent, first " + at(firstUncut(removal)));
+  if (deviation.unmeasured > 0 && limits.deviation)
+    broken.push_back("--max-deviation is broken: " + std::to_string(deviation.unmeasured) +
+                     " path points lie off the scanned surface");
+  return broken;
+}
+
+void
+printFigures(const pcl_spiral::Verification& verification)
+{
+  const pcl_spiral::DeviationFigures& d = verification.deviation;
+  const pcl_spiral::RemovalFigures& r = verification.removal;
+  if (!verification.path.empty())
+    std::printf("path            %s: %zu points, %.3f m\n", verification.path.c_str(), d.points, d.motion.length / 1000.0);
+  std::printf("reference       %zu points, noise %.2g mm; its surface is known to %.2g mm\n", d.reference_points, d.noise,
+              d.fit_noise);
+  std::printf("deviation       rms %.4f, p99 %.4f, max %.4f mm %s\n", d.rms, d.p99, d.max.value, at(d.max).c_str());
+  if (d.beyond_rim > 0)
+    std::printf("beyond the rim  %zu points, max %.4f mm %s\n", d.beyond_rim, d.rim_max.value, at(d.rim_max).c_str());
+  if (d.unmeasured > 0)
+    std::printf("off the surface %zu points\n", d.unmeasured);
+  std::printf("normals         p99 %.3g, max %.3g degrees %s\n", d.normal_p99, d.normal_error.value,
+              at(d.normal_error).c_str());
+  if (d.opposed > 0)
+    std::printf("turned normals  %zu, first %s\n", d.opposed, at(d.first_opposed).c_str());
+  printStock("scallop", r.scallop);
+  std::printf("                %.3g %% of the ridges above %.4g mm\n", 100.0 * r.scallop.share_above, r.limit);
+  printStock("stock at rim", r.rim);
+  if (r.gouge.value > 0.0)
+    std::printf("gouge           %.4f mm %s\n", r.gouge.value, at(r.gouge).c_str());
+  else
+    std::printf("gouge           none\n");
+  const double uncut = uncutPercent(r);
+  std::printf("uncut           %.3g %% of the points%s%s\n", uncut, uncut > 0.0 ? ", first " : "",
+              uncut > 0.0 ? at(firstUncut(r)).c_str() : "");
+  std::printf("efficiency      %.3f: least length %.3f m of %.3f m\n", r.efficiency, r.least_length / 1000.0,
+              r.path_length / 1000.0);
+  std::printf("largest step    %.4g mm %s\n", d.motion.gap.value, at(d.motion.gap).c_str());
+  std::printf("largest turn    %.3g degrees a step %s\n", d.motion.turn.value, at(d.motion.turn).c_str());
+  std::printf("axis change     %.3g degrees a step %s\n", d.motion.axis_change.value, at(d.motion.axis_change).c_str());
+  for (const std::string& broken : verification.broken)
+    std::printf("LIMIT           %s\n", broken.c_str());
+}

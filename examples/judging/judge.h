@@ -1,0 +1,24 @@
+/** \file
+ *  A toolpath judged by a scan.
+ */
+#pragma once
+
+#include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/io/verification_writer.h>
+#include <pcl_spiral/verify/deviation_estimation.h>
+
+/** How a path is judged. */
+struct JudgeSettings {
+  double tool_radius = 0.0, scallop_height = 0.0, chord_error = 0.0; ///< mm
+  std::optional<Eigen::Vector3d> view_point;
+  bool flip_normals = false;
+  int threads = 0;
+};
+
+/** The figures of \p path against \p scan. \p surface is that of the scan, made where it is null and kept for the next
+ *  path. Fails as DeviationEstimation and MaterialRemoval do. */
+pcl_spiral::Status
+judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
+          const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
+          const pcl_spiral::ProgressCallback& progress,
+          std::shared_ptr<const pcl_spiral::ScannedReference>& surface, pcl_spiral::Verification& verification);

@@ -1,0 +1,38 @@
+/** \file
+ *  Progress, cancelling and times on a terminal.
+ */
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+/** A call that cannot be meant; the message names the option, the value and the remedy. */
+class UsageError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** From here on ctrl-C and a request to end (SIGINT, SIGTERM) only set what cancelled tells. */
+void catchSignals();
+
+bool cancelled();
+
+/** A bar on stderr, where that is a terminal; nothing where it is piped. */
+class ProgressBar {
+public:
+  explicit ProgressBar(bool quiet);
+  ~ProgressBar();
+
+  /** Draw, and tell whether to go on. */
+  bool update(double share, const std::string& stage);
+  /** Take the bar away. */
+  void clear();
+
+private:
+  bool shown_;
+  int last_percent_ = -1;
+  std::string last_stage_;
+};
+
+/** "12.3 s", "4.5 min", "3 h 20 min" */
+std::string duration(double seconds);

@@ -1,0 +1,187 @@
+#include "verify_job.h"
+
+#include "terminal/terminal.h"
+
+#include <pcl_spiral/io/setting_names.h>
+
+#include <boost/program_options.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+namespace po = boost::program_options;
+
+namespace {
+
+po::options_description
+allOptions()
+{
+  constexpr unsigned int width = 110;
+  const auto value = [](const char* name) { return po::value<std::string>()->value_name(name); };
+  const auto values = [](const char* name) { return po::value<std::vector<std::string>>()->value_name(name); };
+  po::options_description files("Files", width, width / 2), cutter("Cutter and finish (mm)", width, width / 2),
+      limits("Limits: one that is broken ends the program with 1", width, width / 2), run("Run", width, width / 2);
+  files.add_options()("file", values("FILE"), "the scan, then the paths: .csv .pcd .ply .vtp; the names alone are enough")(
+      "output,o", values("FILE"), "report to write: -o part_verified.json")(
+      "units", value("mm|m|inch"), "unit of the numbers in the scan; mm by default: --units m")(
+      "origin", value("X,Y,Z"), "subtracted from the scan, in its own unit, as for the path: --origin 393775,3689071,0")(
+      "columns", value("NAMES"), "columns of a text scan from the left: --columns id,x,y,z");
+  cutter.add_options()("tool-radius", value("R"), "radius of the ball cutter; needed: --tool-radius 10")(
+      "scallop", value("H"), "scallop height asked of the path; 0.05: --scallop 0.02")(
+      "chord-error", value("E"), "chord error asked of the path; 0.005: --chord-error 0.002")(
+      "view-point", value("X,Y,Z"), "where the scanner stood, mm; normals face it: --view-point 0,0,3000")(
+      "flip-normals", "the cutter is on the other side");
+  limits.add_options()("max-gouge", value("G"), "mm: --max-gouge 0.01")("max-scallop", value("S"), "mm: --max-scallop 0.06")(
+      "max-deviation", value("D"), "of the contacts from the scanned surface, mm: --max-deviation 0.02")(
+      "max-uncut", value("P"), "percent of the scan's points: --max-uncut 0");
+  run.add_options()("threads", value("N"), "0, the default, means all: --threads 4")("quiet", "say nothing but errors")(
+      "help,h", "this text")("version", "print the version");
+  po::options_description all;
+  all.add(files).add(cutter).add(limits).add(run);
+  return all;
+}
+
+double
+number(const std::string& name, const std::string& value)
+{
+  double result = 0.0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), result);
+  if (error != std::errc() || end != value.data() + value.size() || !std::isfinite(result))
+    throw UsageError("--" + name + " " + value + ": not a number; write it as 12.5");
+  return result;
+}
+
+std::vector<std::string>
+words(const std::string& value)
+{
+  std::vector<std::string> result;
+  std::stringstream stream(value);
+  for (std::string word; std::getline(stream, word, ',');)
+    result.push_back(word);
+  return result;
+}
+
+Eigen::Vector3d
+place(const std::string& name, const std::string& value)
+{
+  const std::vector<std::string> parts = words(value);
+  if (parts.size() != 3)
+    throw UsageError("--" + name + " " + value + ": three numbers parted by commas are needed, such as 10,-5,120");
+  return {number(name, parts[0]), number(name, parts[1]), number(name, parts[2])};
+}
+
+void
+require(bool holds, const std::string& message)
+{
+  if (!holds)
+    throw UsageError(message);
+}
+
+void
+check(const VerifyJob& job, bool radius_given)
+{
+  const JudgeSettings& s = job.settings;
+  require(!job.scan.empty(), "no scan is named; give the scan and then the paths, such as part.pcd part.csv");
+  require(!job.paths.empty(), "no path is named after the scan; give at least one, such as part.csv");
+  require(radius_given, "no --tool-radius is given; give the radius of the ball cutter in mm, such as --tool-radius 10");
+  require(s.tool_radius > 0.0, "--tool-radius must be above 0 mm, such as 10");
+  require(s.scallop_height > 0.0 && s.scallop_height < s.tool_radius,
+          "--scallop must be above 0 mm and below the tool radius, such as 0.05");
+  require(s.chord_error > 0.0, "--chord-error must be above 0 mm, such as 0.005");
+  require(s.threads >= 0, "--threads must be above 0, or 0 for all");
+  for (const std::string& output : job.outputs)
+    require(std::filesystem::path(output).extension() == ".json", "-o " + output + ": only .json can be written");
+}
+
+VerifyJob
+fromMap(const po::variables_map& given)
+{
+  VerifyJob job;
+  job.help = given.count("help") > 0;
+  job.version = given.count("version") > 0;
+  job.quiet = given.count("quiet") > 0;
+  job.settings.scallop_height = 0.05;
+  job.settings.chord_error = 0.005;
+  job.settings.flip_normals = given.count("flip-normals") > 0;
+  if (job.help || job.version)
+    return job;
+  const auto text = [&](const char* name) { return given[name].as<std::string>(); };
+  const auto read = [&](const char* name, double& value) {
+    if (given.count(name) > 0)
+      value = number(name, text(name));
+  };
+  const auto limit = [&](const char* name, std::optional<double>& value) {
+    if (given.count(name) == 0)
+      return;
+    value = number(name, text(name));
+    require(*value >= 0.0, "--" + std::string(name) + " must not be below 0");
+  };
+  if (given.count("file") > 0) {
+    job.paths = given["file"].as<std::vector<std::string>>();
+    job.scan = job.paths.front();
+    job.paths.erase(job.paths.begin());
+  }
+  if (given.count("output") > 0)
+    job.outputs = given["output"].as<std::vector<std::string>>();
+  if (given.count("units") > 0) {
+    const auto unit = pcl_spiral::choiceFromName<pcl_spiral::LengthUnit>(text("units"));
+    require(unit.has_value(), "--units " + text("units") + ": must be one of " +
+                                  pcl_spiral::choiceList<pcl_spiral::LengthUnit>());
+    job.read.unit = *unit;
+  }
+  if (given.count("origin") > 0)
+    job.read.origin = place("origin", text("origin"));
+  if (given.count("columns") > 0)
+    job.read.columns = words(text("columns"));
+  if (given.count("view-point") > 0)
+    job.settings.view_point = place("view-point", text("view-point"));
+  read("tool-radius", job.settings.tool_radius);
+  read("scallop", job.settings.scallop_height);
+  read("chord-error", job.settings.chord_error);
+  double threads = 0.0;
+  read("threads", threads);
+  require(threads == std::round(threads), "--threads must be a whole number");
+  job.settings.threads = static_cast<int>(threads);
+  limit("max-gouge", job.limits.gouge);
+  limit("max-scallop", job.limits.scallop);
+  limit("max-deviation", job.limits.deviation);
+  limit("max-uncut", job.limits.uncut);
+  check(job, given.count("tool-radius") > 0);
+  return job;
+}
+
+} // namespace
+
+VerifyJob
+parseVerifyCommandLine(int argc, const char* const* argv)
+{
+  namespace style = po::command_line_style;
+  po::positional_options_description positional;
+  positional.add("file", -1);
+  po::variables_map given;
+  try {
+    po::store(po::command_line_parser(argc, argv)
+                  .options(allOptions())
+                  .positional(positional)
+                  .style(style::unix_style & ~style::allow_guessing & ~style::allow_sticky)
+                  .run(),
+              given);
+  }
+  catch (const po::error& error) {
+    throw UsageError(error.what());
+  }
+  return fromMap(given);
+}
+
+void
+printVerifyHelp(std::ostream& out)
+{
+  out << "Judge toolpaths by the raw scan: deviation, scallop, gouge, uncut places, efficiency.\n\n"
+         "  pcl_spiral_verify SCAN PATH... --tool-radius R [options]\n\n"
+         "  pcl_spiral_verify part.pcd part.csv --tool-radius 10 --scallop 0.05 --max-gouge 0.01 -o verified.json\n\n"
+         "Lengths are millimetres and angles degrees. Ends with 0 when every limit holds, 1 when a limit is broken\n"
+         "or the data or a file fails, 2 when the call is wrong.\n"
+      << allOptions();
+}

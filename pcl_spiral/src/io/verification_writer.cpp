@@ -1,0 +1,118 @@
+#include "byte_file.h"
+#include "verification_json.h"
+
+#include <pcl_spiral/io/setting_names.h>
+
+#include <algorithm>
+
+namespace pcl_spiral {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json
+placed(const PlacedValue& v)
+{
+  return {{"value", v.value}, {"position", {v.position.x(), v.position.y(), v.position.z()}}, {"index", v.index}};
+}
+
+Json
+deviationJson(const DeviationFigures& d)
+{
+  return {{"points", d.points},
+          {"measured", d.measured},
+          {"beyond_rim", d.beyond_rim},
+          {"unmeasured", d.unmeasured},
+          {"rms", d.rms},
+          {"p99", d.p99},
+          {"max", placed(d.max)},
+          {"beyond_rim_max", placed(d.rim_max)},
+          {"normal_p99", d.normal_p99},
+          {"normal_max", placed(d.normal_error)},
+          {"opposed_normals", d.opposed},
+          {"seconds", d.seconds}};
+}
+
+Json
+motionJson(const PathMotion& m)
+{
+  return {{"length", m.length},
+          {"largest_gap", placed(m.gap)},
+          {"largest_turn", placed(m.turn)},
+          {"largest_axis_change", placed(m.axis_change)},
+          {"largest_normal_change", placed(m.normal_change)}};
+}
+
+Json
+stockJson(const StockFigures& s)
+{
+  return {{"samples", s.samples},
+          {"p50", s.p50},
+          {"p90", s.p90},
+          {"p99", s.p99},
+          {"p99.9", s.p999},
+          {"max", placed(s.max)},
+          {"uncut_share", s.uncutShare()},
+          {"first_uncut", s.uncut > 0 ? placed(s.first_uncut) : Json()},
+          {"share_above_limit", s.share_above}};
+}
+
+Json
+removalJson(const RemovalFigures& r)
+{
+  return {{"reference_points", r.reference_points},
+          {"unmeasured", r.unmeasured},
+          {"scallop_limit", r.limit},
+          {"reach", r.reach},
+          {"scallop", stockJson(r.scallop)},
+          {"stock", stockJson(r.stock)},
+          {"rim_band", stockJson(r.rim)},
+          {"gouge", placed(r.gouge)},
+          {"area", r.area},
+          {"rim_length", r.rim_length},
+          {"least_length", r.least_length},
+          {"efficiency", r.efficiency},
+          {"seconds", r.seconds}};
+}
+
+} // namespace
+
+nlohmann::ordered_json
+verificationJson(const Verification& v)
+{
+  std::vector<std::string> warnings = v.deviation.warnings;
+  for (const std::string& warning : v.removal.warnings)
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+      warnings.push_back(warning);
+  return {{"noise", v.deviation.noise},
+          {"fit_noise", v.deviation.fit_noise},
+          {"deviation", deviationJson(v.deviation)},
+          {"material", removalJson(v.removal)},
+          {"motion", motionJson(v.deviation.motion)},
+          {"broken_limits", v.broken},
+          {"warnings", warnings}};
+}
+
+void
+writeVerificationJSON(const std::string& file, const VerificationRun& run,
+                      const std::vector<Verification>& verifications)
+{
+  Json paths = Json::array();
+  for (const Verification& verification : verifications) {
+    Json path = {{"file", verification.path}};
+    path.update(verificationJson(verification));
+    paths.push_back(path);
+  }
+  const Json json = {
+      {"units", {{"length", "mm"}, {"angle", "degree"}, {"time", "s"}}},
+      {"input", {{"file", run.scan}, {"unit", choiceName(run.unit)}}},
+      {"settings",
+       {{"tool_radius", run.tool_radius}, {"scallop", run.scallop_height}, {"chord_error", run.chord_error}}},
+      {"paths", paths},
+      {"warnings", run.warnings}};
+  ByteFile out(file);
+  out.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  out.close();
+}
+
+} // namespace pcl_spiral
