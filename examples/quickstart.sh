@@ -49,7 +49,6 @@ if [ -z "$scan" ]; then
   "$build/examples/pcl_spiral_simulate_scan" -o "$scan"
   default --tool-radius 10
   default --scallop 0.05
-  default --outliers 16,3
 fi
 
 name=$(basename "$scan")

@@ -1,5 +1,6 @@
 // Boundary loops against outlines known exactly: loop count, distance both ways, corners, invariance, given boundary
 // points, the published walk, refusals.
+#include <pcl_spiral/core/self_crossing.h>
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 
@@ -207,6 +208,29 @@ TEST(BoundaryLoops, LatticeEdgeIsItsOutermostRow)
   ASSERT_EQ(found.loops.size(), 1u);
   EXPECT_EQ(found.loops[0].corners.size(), 4u);
   EXPECT_LE(farthest(found.loops[0].curve, {{0, 0, 0}, {60, 0, 0}, {60, 40, 0}, {0, 40, 0}}), 0.5);
+}
+
+TEST(BoundaryLoops, DiscsCutFromALatticeNeverCrossThemselves)
+{
+  // A ragged rim once got one corner, whose side ran past it at both ends.
+  constexpr double radius = 66.0;
+  for (int k = 0; k < 12; ++k) {
+    SCOPED_TRACE(k);
+    const double dx = 0.083 * k, dy = 0.031 * k;
+    Cloud::Ptr cloud(new Cloud);
+    for (int i = -70; i <= 70; ++i)
+      for (int j = -70; j <= 70; ++j)
+        if (std::hypot(i + dx, j + dy) <= radius)
+          cloud->emplace_back(static_cast<float>(i + dx), static_cast<float>(j + dy),
+                              static_cast<float>(2.0 * std::sin(0.3 * i) * std::cos(0.2 * j)));
+    const Loops found = loopsOf(cloud);
+    ASSERT_EQ(found.loops.size(), 1u);
+    Polyline closed = found.loops[0].curve;
+    closed.push_back(closed.front());
+    EXPECT_FALSE(firstSelfCrossing(closed, std::vector<Vector3d>(closed.size(), Vector3d::UnitZ()), 1e-3));
+    for (const Vector3d& p : closed)
+      EXPECT_NEAR(std::hypot(p.x(), p.y()), radius, 1.5);
+  }
 }
 
 TEST(BoundaryLoops, SameForAnyOrderAndMoved)

@@ -82,7 +82,7 @@ TEST(SpiralToolpathGenerator, FromTheCentreToTheRim)
     EXPECT_NEAR(path[i].arc_length, length, 1e-3);
   }
   EXPECT_GT(smallest_lean, 14.9);
-  EXPECT_EQ(path.back().turn, static_cast<float>(report.turns + 1));
+  EXPECT_EQ(path.back().turn, static_cast<float>(report.turns));
 }
 
 /** Angle swept about the z axis from point to point, radians; counter-clockwise is positive. */

@@ -2,6 +2,8 @@
 
 #include "corner_choice.h"
 
+#include <pcl_spiral/core/self_crossing.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -11,6 +13,15 @@ namespace {
 
 constexpr int most_draws = 12;      // a node beyond what is known of the surface is drawn back
 constexpr double draw_step = 0.25;  // spacings
+
+/** Whether the surface is known at \p foot and some way round it, so that it is between such places too: fits reach 1.25
+ *  spacings beyond the outermost points. */
+bool
+isWellKnown(const SurfaceGraph& graph, const SurfaceFoot& foot)
+{
+  constexpr double farthest = 1.1; // spacings there
+  return foot.valid && foot.overhang <= farthest * graph.spacing(graph.blocks().nearest(foot.position));
+}
 
 /** Draw a corner in to \p position and leave out the nodes of its sides that now lie beyond it. */
 void
@@ -47,7 +58,7 @@ drawInCorners(OutlineDraft& draft)
   for (std::size_t c = 0; c < draft.corners.size(); ++c) {
     const auto begin = feet.begin() + static_cast<std::ptrdiff_t>(c * (most_draws + 1)), end = begin + most_draws + 1;
     const auto known = std::find_if(begin, end, [&](const SurfaceFoot& foot) {
-      return foot.valid && foot.overhang <= farthest * draft.spacing();
+      return isWellKnown(draft.surface().graph(), foot) && foot.overhang <= farthest * draft.spacing();
     });
     if (known == begin)
       draft.corners[c].position = known->position;
@@ -56,27 +67,36 @@ drawInCorners(OutlineDraft& draft)
   }
 }
 
-/** Lay nodes on the surface; draw back those that lie beyond what is known of it. */
+/** Lay nodes on the surface; draw back those that lie beyond what is known of it: inwards, and where that does not lead
+ *  back to it (a side that runs off), towards the nearest point of the cloud. */
 void
-fallBackInward(const MlsSurface& surface, OutlineSide& side)
+fallBack(const MlsSurface& surface, OutlineSide& side)
 {
-  const double step = draw_step * surface.graph().spacing();
+  const SurfaceGraph& graph = surface.graph();
+  const double step = draw_step * graph.spacing();
   std::vector<std::size_t> open(side.nodes.size());
   std::iota(open.begin(), open.end(), std::size_t{0});
-  for (int k = 0; k <= most_draws && !open.empty(); ++k) {
-    Polyline queries;
-    for (const std::size_t i : open)
-      queries.push_back(side.nodes[i] - k * step * side.outward[i]);
-    std::vector<SurfaceFoot> feet;
-    surface.project(queries, feet);
-    std::vector<std::size_t> still_open;
-    for (std::size_t j = 0; j < open.size(); ++j)
-      if (feet[j].valid)
-        side.nodes[open[j]] = feet[j].position;
-      else
-        still_open.push_back(open[j]);
-    open.swap(still_open);
-  }
+  const auto draw = [&](const auto& place) { // by up to most_draws steps, to the first place that is known
+    for (int k = 0; k <= most_draws && !open.empty(); ++k) {
+      Polyline queries;
+      for (const std::size_t i : open)
+        queries.push_back(place(i, k));
+      std::vector<SurfaceFoot> feet;
+      surface.project(queries, feet);
+      std::vector<std::size_t> still_open;
+      for (std::size_t j = 0; j < open.size(); ++j)
+        if (isWellKnown(graph, feet[j]))
+          side.nodes[open[j]] = feet[j].position;
+        else
+          still_open.push_back(open[j]);
+      open.swap(still_open);
+    }
+  };
+  draw([&](std::size_t i, int k) { return Eigen::Vector3d(side.nodes[i] - k * step * side.outward[i]); });
+  draw([&](std::size_t i, int k) {
+    const Eigen::Vector3d nearest = graph.position(graph.blocks().nearest(side.nodes[i]));
+    return Eigen::Vector3d(side.nodes[i] + k / static_cast<double>(most_draws) * (nearest - side.nodes[i]));
+  });
 }
 
 Outline
@@ -85,7 +105,7 @@ assembled(const OutlineDraft& draft)
   Outline outline;
   for (std::size_t s = 0; s < draft.sides.size(); ++s) {
     OutlineSide side = draft.corners.empty() ? draft.sides[s].side : draft.trimmed(s);
-    fallBackInward(draft.surface(), side);
+    fallBack(draft.surface(), side);
     if (!side.closed)
       outline.corners.push_back(outline.curve.size());
     outline.curve.insert(outline.curve.end(), side.nodes.begin(), side.nodes.end() - (side.closed ? 0 : 1));
@@ -127,6 +147,18 @@ staysByRing(const OutlineDraft& draft, const Outline& outline)
   return outline.curve.size() * node_step * draft.spacing() < 1.3 * length(ring, true);
 }
 
+/** Whether the outline crosses itself nowhere. */
+bool
+isSimple(const SurfaceGraph& graph, const Outline& outline)
+{
+  Polyline closed = outline.curve;
+  closed.push_back(closed.front());
+  std::vector<Eigen::Vector3d> normals;
+  for (const Eigen::Vector3d& p : closed)
+    normals.push_back(graph.normal(graph.blocks().nearest(p)));
+  return !firstSelfCrossing(closed, normals, 1e-3 * graph.spacing());
+}
+
 Outline
 withCorners(OutlineDraft& draft)
 {
@@ -146,17 +178,20 @@ withCorners(OutlineDraft& draft)
 
 } // namespace
 
-/** A fit that runs away from the ring (few points, or a very ragged rim) gives way to a plainer one. */
+/** A fit that runs away from the ring (few points, or a very ragged rim) or crosses itself gives way to a plainer one. */
 Outline
 fitOutline(const MlsSurface& surface, const Ring& ring)
 {
   constexpr std::size_t fewest_points = 24; // in which corners can be told from chance
   OutlineDraft draft(surface, ring);
+  const auto isGood = [&](const Outline& outline) {
+    return staysByRing(draft, outline) && isSimple(surface.graph(), outline);
+  };
   if (ring.size() >= fewest_points)
-    if (const Outline outline = withCorners(draft); staysByRing(draft, outline))
+    if (const Outline outline = withCorners(draft); isGood(outline))
       return outline;
   draft.fitClosed();
-  if (const Outline outline = assembled(draft); staysByRing(draft, outline))
+  if (const Outline outline = assembled(draft); isGood(outline))
     return outline;
   Outline plain;
   plain.curve = smoothSide(draft.points(), true, surface.graph().spacing()).nodes;

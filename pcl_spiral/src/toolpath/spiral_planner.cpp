@@ -204,7 +204,6 @@ SpiralPlanner::makeCurve(const RadialLineSet& set, bool two, std::vector<SpiralP
   if (two)
     spiral.setInner(set.inner, set.inner_corners);
   curve = spiral.sample();
-  report_.turns = turns.turns();
   report_.smallest_step_over = turns.smallestStepOver();
   report_.largest_step_over = turns.largestStepOver();
   report_.largest_allowed_step = spiral.largestAllowedStep();
@@ -280,6 +279,7 @@ SpiralPlanner::checkPath(const SpiralPath& path)
                    ", above the longest step ", report_.largest_allowed_step,
                    " mm: the surface is too rough or too sparse there; scan more densely or raise the longest step")};
   }
+  report_.turns = static_cast<std::size_t>(std::lround(std::abs(path.turns.back() - path.turns.front())));
   report_.path_points = path.contacts.size();
   report_.path_length = path.arc_lengths.back();
   // Turns that are not in order cross somewhere: each goes once round.
@@ -301,7 +301,7 @@ SpiralPlanner::plan(const std::vector<Eigen::Vector3f>& points, const std::vecto
     return status;
   if (const double across = diagonal(points); across < settings_.tool_radius)
     return {StatusCode::InvalidInput, text("the whole scan is ", across, " across, less than the tool radius ",
-                                           settings_.tool_radius, ": is the scan in metres or inches? Scale it to mm")};
+                                           settings_.tool_radius, ": is the scan in metres or inches? Say its unit (--units m), or scale it to mm")};
   endStage("surface");
   if (!report(0.25, "boundaries"))
     return cancelled;

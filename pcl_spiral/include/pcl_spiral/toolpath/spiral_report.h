@@ -34,7 +34,7 @@ struct SpiralReport {
   std::size_t boundaries = 0;       ///< 1 or 2
   bool harmonic_lines = false;      ///< the fallback made the lines
   std::vector<Polyline> radial_lines;
-  std::size_t turns = 0;
+  std::size_t turns = 0;            ///< of the path, with those along the rim and the inner loop
   std::size_t path_points = 0;
   double path_length = 0.0;
   double smallest_step_over = 0.0;
