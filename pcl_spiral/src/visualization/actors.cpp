@@ -7,6 +7,19 @@
 #include <vtkProperty.h>
 
 namespace pcl_spiral {
+namespace {
+
+vtkSmartPointer<vtkScalarsToColors>
+scaleOf(const std::array<Color, 5>& steps, double low, double high)
+{
+  auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    colors->AddRGBPoint(low + (high - low) * static_cast<double>(i) / 4.0, steps[i][0], steps[i][1],
+                        steps[i][2]);
+  return colors;
+}
+
+} // namespace
 
 vtkSmartPointer<vtkActor>
 surfaceActor(vtkPolyData* surface, const Color& color)
@@ -56,16 +69,20 @@ colorScale(double low, double high)
 {
   // steps of viridis (van der Walt and Smith 2015) without its bright end, which a light surface would
   // swallow
-  constexpr std::array<Color, 5> steps{{{0.267, 0.005, 0.329},
-                                        {0.230, 0.322, 0.546},
-                                        {0.128, 0.567, 0.551},
-                                        {0.369, 0.789, 0.383},
-                                        {0.640, 0.790, 0.100}}};
-  auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    colors->AddRGBPoint(low + (high - low) * static_cast<double>(i) / 4.0, steps[i][0], steps[i][1],
-                        steps[i][2]);
-  return colors;
+  return scaleOf({{{0.267, 0.005, 0.329},
+                   {0.230, 0.322, 0.546},
+                   {0.128, 0.567, 0.551},
+                   {0.369, 0.789, 0.383},
+                   {0.640, 0.790, 0.100}}},
+                 low, high);
+}
+
+vtkSmartPointer<vtkScalarsToColors>
+divergingScale(double reach)
+{
+  return scaleOf(
+      {{{0.10, 0.22, 0.66}, {0.36, 0.66, 0.90}, {0.98, 0.96, 0.76}, {0.97, 0.62, 0.26}, {0.72, 0.05, 0.08}}},
+      -reach, reach);
 }
 
 } // namespace pcl_spiral

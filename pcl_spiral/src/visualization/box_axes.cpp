@@ -23,17 +23,6 @@ struct Candidate {
   bool steep;
 };
 
-/** 1, 2 or 5 times a power of ten, not below \p least. */
-double
-niceStep(double least)
-{
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= least)
-      return factor * power;
-  return 10.0 * power;
-}
-
 /** Words whose nearest corner stands \p distance off the axis. */
 AxisText
 text(const std::string& words, int size, const Eigen::Vector2d& at, const Eigen::Vector2d& outward,
@@ -157,6 +146,16 @@ dropOverlaps(std::vector<BoxAxis>& axes)
 }
 
 } // namespace
+
+double
+niceStep(double least)
+{
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= least)
+      return factor * power;
+  return 10.0 * power;
+}
 
 std::vector<BoxAxis>
 layOutAxes(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const ParallelView& view)

@@ -11,6 +11,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -105,7 +106,8 @@ graphOf(std::vector<Eigen::Vector3f> points, const SpiralSettings& settings)
   return graph;
 }
 
-/** Triangulate what is shown. */
+} // namespace
+
 DisplaySurface
 displaySurface(const PictureScene& scene)
 {
@@ -139,7 +141,11 @@ displaySurface(const PictureScene& scene)
   return surface;
 }
 
-} // namespace
+double
+clearance(const DisplaySurface& surface)
+{
+  return std::max(0.7 * surface.spacing, 0.004 * (surface.high - surface.low).norm());
+}
 
 vtkSmartPointer<vtkPolyData>
 surfaceNear(const DisplaySurface& surface, const Eigen::Vector3d& centre, double reach)

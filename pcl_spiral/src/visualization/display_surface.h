@@ -18,6 +18,12 @@ struct DisplaySurface {
   double spacing = 0.0;    ///< of the drawn points, mm
 };
 
+/** Triangulate what is shown of the scan. */
+DisplaySurface displaySurface(const PictureScene& scene);
+
+/** How far what is drawn on the surface may lie below it, mm: the drawn surface is coarser than the scan. */
+double clearance(const DisplaySurface& surface);
+
 /** The triangles that reach into the cube of half edge \p reach about \p centre. */
 vtkSmartPointer<vtkPolyData> surfaceNear(const DisplaySurface& surface, const Eigen::Vector3d& centre,
                                          double reach);

@@ -6,7 +6,6 @@
 #include <vtkProperty.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace pcl_spiral {
 namespace {
@@ -38,14 +37,6 @@ curves(const SpiralReport& report, LoopType type)
   for (const BoundaryLoop& loop : report.loops)
     if (loop.type == type)
       result.push_back(loop.curve.empty() ? loop.points : loop.curve);
-  return result;
-}
-
-std::string
-text(const char* format, double value)
-{
-  char result[160];
-  std::snprintf(result, sizeof(result), format, value);
   return result;
 }
 

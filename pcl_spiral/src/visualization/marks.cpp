@@ -1,4 +1,4 @@
-#include "canvas.h"
+#include "sheet.h"
 
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>
@@ -14,8 +14,9 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int circle_corners = 32;
-constexpr double mark_radius = 8.0, ring_hole = 4.5, square_half = 8.0; ///< pixels
-constexpr double white_edge = 2.0; ///< about a mark, so that it stands out on lines
+constexpr double mark_radius = 8.0, ring_hole = 4.5, square_half = 8.0, circle_radius = 11.0,
+                 circle_line = 2.0; ///< pixels
+constexpr double white_edge = 2.0;  ///< about a mark, so that it stands out on lines
 
 void
 addFlat(vtkRenderer* view, vtkPolyData* shape, const Color& color, float line_width)
@@ -49,31 +50,39 @@ addStrip(vtkRenderer* view, const Eigen::Vector2d& place, double inner, double o
   addFlat(view, strip, color, 1.0f);
 }
 
-void
-addSquare(vtkRenderer* view, const Eigen::Vector2d& place, const Color& color)
-{
-  vtkNew<vtkPoints> points;
-  for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
-    points->InsertNextPoint(place.x() + square_half * x, place.y() + square_half * y, 0.0);
-  vtkNew<vtkCellArray> polygons;
-  const vtkIdType corners[4] = {0, 1, 2, 3};
-  polygons->InsertNextCell(4, corners);
-  vtkNew<vtkPolyData> square;
-  square->SetPoints(points);
-  square->SetPolys(polygons);
-  addFlat(view, square, color, 1.0f);
-}
-
 } // namespace
 
 void
 addMark(vtkRenderer* view, Marker marker, const Eigen::Vector2d& place, const Color& color)
 {
+  const Eigen::Vector2d half = Eigen::Vector2d::Constant(square_half);
   if (marker == Marker::Square)
-    return addSquare(view, place, color);
+    return addBoxes(view, {{place - half, place + half}}, color);
+  if (marker == Marker::Circle) {
+    addStrip(view, place, circle_radius - 0.5 * white_edge, circle_radius + circle_line + 0.5 * white_edge,
+             {1.0, 1.0, 1.0});
+    return addStrip(view, place, circle_radius, circle_radius + circle_line, color);
+  }
   const double hole = marker == Marker::Ring ? ring_hole : 0.0;
   addStrip(view, place, std::max(0.0, hole - white_edge), mark_radius + white_edge, {1.0, 1.0, 1.0});
   addStrip(view, place, hole, mark_radius, color);
+}
+
+void
+addBoxes(vtkRenderer* view, const std::vector<std::array<Eigen::Vector2d, 2>>& boxes, const Color& color)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polygons;
+  for (const auto& [low, high] : boxes) {
+    const vtkIdType corners[4] = {
+        points->InsertNextPoint(low.x(), low.y(), 0.0), points->InsertNextPoint(high.x(), low.y(), 0.0),
+        points->InsertNextPoint(high.x(), high.y(), 0.0), points->InsertNextPoint(low.x(), high.y(), 0.0)};
+    polygons->InsertNextCell(4, corners);
+  }
+  vtkNew<vtkPolyData> shape;
+  shape->SetPoints(points);
+  shape->SetPolys(polygons);
+  addFlat(view, shape, color, 1.0f);
 }
 
 void

@@ -9,8 +9,6 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
-#include <cstdio>
-
 namespace pcl_spiral {
 namespace {
 
@@ -70,14 +68,6 @@ pathActor(const pcl::PointCloud<ToolpathPoint>& path, double least, vtkScalarsTo
   return actor;
 }
 
-std::string
-text(const char* format, double a, double b)
-{
-  char result[160];
-  std::snprintf(result, sizeof(result), format, a, b);
-  return result;
-}
-
 /** One end of the path enlarged, looking along its normal, with every turn. */
 void
 addInset(Canvas& canvas, int slot, const DisplaySurface& surface, const PictureScene& scene,
@@ -87,7 +77,7 @@ addInset(Canvas& canvas, int slot, const DisplaySurface& surface, const PictureS
   const Eigen::Vector3d centre = placeOf(end), normal = normalOf(end);
   const double pitch = 0.5 * (scene.report.smallest_step_over + scene.report.largest_step_over);
   const double across = inset_pitches * pitch, pixel = across / Canvas::inset_size;
-  const auto view = canvas.addInset(slot, centre, normal, across);
+  const auto view = canvas.addInset(slot, centre, normal, across).view;
   view->AddActor(surfaceActor(surfaceNear(surface, centre, across), surface_color));
   const auto path = pathActor(*scene.path, least_move * pixel, colors, [&](const ToolpathPoint& point) {
     return (placeOf(point) - centre).norm() < across && normalOf(point).dot(normal) > 0.0;
@@ -98,10 +88,9 @@ addInset(Canvas& canvas, int slot, const DisplaySurface& surface, const PictureS
   view->AddActor(path);
   addMark(view, Marker::Disc, Eigen::Vector2d::Constant(0.5 * Canvas::inset_size),
           slot == 0 ? start_color : end_color);
-  addText(
-      view,
-      text(slot == 0 ? "start, every turn, %.3g mm across" : "end, every turn, %.3g mm across", across, 0.0),
-      10, 10, 18, true);
+  addText(view,
+          text(slot == 0 ? "start, every turn, %.3g mm across" : "end, every turn, %.3g mm across", across),
+          10, 10, 18, true);
 }
 
 LegendEntry
@@ -136,7 +125,7 @@ SpiralPictures::writeSpiral(const std::string& file) const
     addInset(canvas, slot, surface, scene, colors);
   canvas.addTitle(
       scene.title + ": " + std::to_string(report.turns) + " turns, " +
-          text("%.2f m", report.path_length / 1000.0, 0.0),
+          text("%.2f m", report.path_length / 1000.0),
       text("ball radius %g mm, scallop %g mm", scene.settings.tool_radius, scene.settings.scallop_height) +
           text(", step-over %.3g to %.3g mm", report.smallest_step_over, report.largest_step_over));
   canvas.save(file);

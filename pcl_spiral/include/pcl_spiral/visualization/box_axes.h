@@ -46,6 +46,9 @@ struct BoxAxis {
   std::vector<AxisText> texts;        ///< the axis's name, then its numbers, mm
 };
 
+/** Between numbers of an axis: 1, 2 or 5 times a power of ten, not below \p least. */
+double niceStep(double least);
+
 /** Length of a tick, pixels. */
 constexpr double axis_tick_length = 9.0;
 

@@ -1,0 +1,139 @@
+#include "sheet.h"
+
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/visualization/pictures.h>
+
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkScalarBarActor.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr int bar_bottom = 1040, bar_height = 90, bar_margin = 15, legend_top = 990; ///< pixels
+
+void
+style(vtkTextProperty* text, int size, bool bold = false)
+{
+  text->SetFontFamilyToArial();
+  text->SetFontSize(size);
+  text->SetColor(ink[0], ink[1], ink[2]);
+  text->SetBold(bold);
+  text->SetItalic(false);
+  text->SetShadow(false);
+}
+
+} // namespace
+
+Sheet::Sheet() : window_(vtkSmartPointer<vtkRenderWindow>::New()), view_(vtkSmartPointer<vtkRenderer>::New())
+{
+  const std::string problem = displayProblem();
+  if (!problem.empty())
+    throw std::runtime_error(problem);
+  window_->SetOffScreenRendering(1);
+  window_->SetMultiSamples(4);
+  window_->SetSize(width, height);
+  view_->SetBackground(1.0, 1.0, 1.0);
+  window_->AddRenderer(view_);
+}
+
+void
+Sheet::addTitle(const std::string& first, const std::string& second)
+{
+  addText(view_, first, 30, height - 50, 30, true);
+  addText(view_, second, 30, height - 88, 21);
+}
+
+void
+Sheet::addLegend(const std::vector<LegendEntry>& entries)
+{
+  int y = legend_top;
+  for (const LegendEntry& entry : entries) {
+    addMark(view_, entry.marker, Eigen::Vector2d(words_left + 8.0, y + 8.0), entry.color);
+    addText(view_, entry.text, words_left + 28, y - 2, 20);
+    y -= 30;
+  }
+}
+
+void
+Sheet::addColorBar(const std::string& title, const char* format, vtkScalarsToColors* colors)
+{
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(colors);
+  bar->SetTitle((title + "\n").c_str());
+  bar->SetNumberOfLabels(5);
+  bar->SetLabelFormat(format);
+  bar->UnconstrainedFontSizeOn();
+  style(bar->GetTitleTextProperty(), 20);
+  style(bar->GetLabelTextProperty(), 18);
+  bar->SetOrientationToHorizontal();
+  bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  bar->SetPosition((words_left + bar_margin) / double(width), bar_bottom / double(height));
+  bar->SetWidth((column_width - 2.0 * bar_margin) / double(width));
+  bar->SetHeight(bar_height / double(height));
+  view_->AddActor(bar);
+}
+
+void
+Sheet::save(const std::string& file)
+{
+  window_->Render();
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window_);
+  image->ReadFrontBufferOff();
+  image->ShouldRerenderOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->WriteToMemoryOn();
+  writer->SetInputConnection(image->GetOutputPort());
+  writer->Write();
+  vtkUnsignedCharArray* const bytes = writer->GetResult();
+  std::ofstream out(file, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
+  out.close();
+  if (!out)
+    throw FileError(file, std::string("cannot be written: ") + std::strerror(errno));
+}
+
+std::string
+text(const char* format, double a, double b, double c)
+{
+  char result[160];
+  std::snprintf(result, sizeof(result), format, a, b, c);
+  return result;
+}
+
+void
+addText(vtkRenderer* view, const std::string& text, int x, int y, int size, bool bold)
+{
+  vtkNew<vtkTextActor> actor;
+  actor->GetTextProperty()->SetBackgroundColor(view->GetBackground());
+  actor->GetTextProperty()->SetBackgroundOpacity(0.85);
+  actor->SetInput(text.c_str());
+  actor->SetPosition(x, y);
+  style(actor->GetTextProperty(), size, bold);
+  view->AddActor(actor);
+}
+
+void
+addCentredText(vtkRenderer* view, const std::string& text, const Eigen::Vector2d& middle, int size)
+{
+  vtkNew<vtkTextActor> actor;
+  actor->SetInput(text.c_str());
+  actor->SetPosition(middle.x(), middle.y());
+  style(actor->GetTextProperty(), size);
+  actor->GetTextProperty()->SetJustificationToCentered();
+  actor->GetTextProperty()->SetVerticalJustificationToCentered();
+  view->AddActor(actor);
+}
+
+} // namespace pcl_spiral

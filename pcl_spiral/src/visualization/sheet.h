@@ -1,0 +1,80 @@
+/** \file
+ *  A page of a picture: its window, its words, and the PNG at the end.
+ */
+#pragma once
+
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkScalarsToColors.h>
+#include <vtkSmartPointer.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+using Color = std::array<double, 3>;
+
+constexpr Color ink{0.13, 0.15, 0.19};
+
+/** How a place on the part is pointed out: a ring means that the part hides it; a circle leaves the place to
+ * be seen. */
+enum class Marker { Disc, Ring, Square, Circle };
+
+/** An entry of the legend. */
+struct LegendEntry {
+  std::string text;
+  Color color;
+  Marker marker = Marker::Square;
+};
+
+/** An offscreen window of 1600 x 1200 with one main view; title above, words in a column at the right. */
+class Sheet {
+public:
+  /** \throw std::runtime_error without a display */
+  Sheet();
+
+  vtkRenderer*
+  view()
+  {
+    return view_;
+  }
+  void addTitle(const std::string& first, const std::string& second);
+  void addLegend(const std::vector<LegendEntry>& entries);
+  void addColorBar(const std::string& title, const char* format, vtkScalarsToColors* colors);
+  /** \throw FileError */
+  void save(const std::string& file);
+
+  static constexpr int width = 1600, height = 1200;
+  static constexpr int words_left = 1190, column_width = 386; ///< the column at the right
+
+protected:
+  vtkSmartPointer<vtkRenderWindow> window_;
+  vtkSmartPointer<vtkRenderer> view_;
+};
+
+/** Numbers in words, by a format of printf. */
+std::string text(const char* format, double a, double b = 0.0, double c = 0.0);
+
+/** Words at a place of a view, from its lower left corner in pixels. */
+void addText(vtkRenderer* view, const std::string& text, int x, int y, int size, bool bold = false);
+
+/** Words about a place of a view; pixels. */
+void addCentredText(vtkRenderer* view, const std::string& text, const Eigen::Vector2d& middle, int size);
+
+/** Straight strokes in a view, drawn over everything else; pixels. */
+void addStrokes(vtkRenderer* view, const std::vector<std::array<Eigen::Vector2d, 2>>& strokes,
+                const Color& color, float width);
+
+/** Upright rectangles, each from its lower left to its upper right corner, drawn over everything else;
+ * pixels. */
+void addBoxes(vtkRenderer* view, const std::vector<std::array<Eigen::Vector2d, 2>>& boxes,
+              const Color& color);
+
+/** A mark in a view, drawn over everything else; pixels from the view's lower left corner. */
+void addMark(vtkRenderer* view, Marker marker, const Eigen::Vector2d& place, const Color& color);
+
+} // namespace pcl_spiral

@@ -1,0 +1,53 @@
+/** \file
+ *  What the maps of a verification share. Private to visualization.
+ */
+#pragma once
+
+#include "depth_map.h"
+#include "worst_cells.h"
+
+#include <pcl_spiral/visualization/verification_pictures.h>
+
+namespace pcl_spiral {
+
+/** How a value is drawn. */
+struct ValueStyle {
+  std::function<float(float)> rank; ///< of two on one place that of the higher rank is seen
+  std::function<Color(float)> color;
+  std::function<bool(float)> outstanding; ///< drawn larger, to be seen even alone
+};
+
+/** A place that a map shows enlarged, too. */
+struct WorstPlace {
+  Eigen::Vector3d position, normal;
+  double across = 0.0; ///< of the enlarged view, mm
+  std::string caption;
+};
+
+/** The moves of the path, each half coloured by the value of its end, on \p canvas where nothing hides them.
+ */
+void addPathMap(Canvas& canvas, const DepthMap& depth, const DisplaySurface& surface,
+                const pcl::PointCloud<ToolpathPoint>& path, const std::vector<float>& values,
+                const ValueStyle& style);
+
+/** The same enlarged. */
+void addPathInset(Canvas& canvas, int slot, const DisplaySurface& surface, const WorstPlace& worst,
+                  const pcl::PointCloud<ToolpathPoint>& path, const std::vector<float>& values,
+                  const ValueStyle& style);
+
+/** Points, each in a disc of \p radius pixels, on \p canvas where nothing hides them; none for NaN. */
+void addPointMap(Canvas& canvas, const DepthMap& depth, const pcl::PointCloud<pcl::PointXYZ>& points,
+                 const std::vector<float>& values, double radius, const ValueStyle& style);
+
+/** The same enlarged, discs of \p radius mm, with the path as thin lines. */
+void addPointInset(Canvas& canvas, int slot, const DisplaySurface& surface, const WorstPlace& worst,
+                   const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<float>& values,
+                   double radius, const ValueStyle& style, const pcl::PointCloud<ToolpathPoint>& path);
+
+/** Width of an enlarged view: a dozen turns, mm. */
+double insetWidth(const DisplaySurface& surface, const pcl::PointCloud<ToolpathPoint>& path);
+
+/** Point \p index of the path; the nearest to it that there is. */
+const ToolpathPoint& pathPoint(const pcl::PointCloud<ToolpathPoint>& path, std::size_t index);
+
+} // namespace pcl_spiral
