@@ -82,9 +82,10 @@ verify(const Job& job, Result& result)
   const JudgeSettings settings{s.tool_radius, s.scallop_height, s.chord_error, s.view_point, s.flip_normals, s.threads};
   std::shared_ptr<const ScannedReference> surface;
   Verification verification;
+  Heights heights;
   const Status status = judgePath(result.scan.cloud, result.path, settings,
                                   [&bar](double share, const std::string& stage) { return bar.update(share, stage); },
-                                  surface, verification);
+                                  surface, verification, heights);
   bar.clear();
   if (cancelled())
     throw Cancelled();

@@ -20,23 +20,33 @@ prepare(Judge& judge, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
     judge.setViewPoint(*settings.view_point);
 }
 
+std::vector<float>
+intensities(const pcl::PointCloud<pcl::PointXYZI>& cloud)
+{
+  std::vector<float> values;
+  for (const pcl::PointXYZI& point : cloud)
+    values.push_back(point.intensity);
+  return values;
+}
+
 } // namespace
 
 Status
 judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path,
           const JudgeSettings& settings, const ProgressCallback& progress,
-          std::shared_ptr<const ScannedReference>& surface, Verification& verification)
+          std::shared_ptr<const ScannedReference>& surface, Verification& verification, Heights& heights)
 {
-  pcl::PointCloud<pcl::PointXYZI> heights;
+  pcl::PointCloud<pcl::PointXYZI> values;
   DeviationEstimation<pcl::PointXYZ> deviation;
   prepare(deviation, scan, path, settings);
   deviation.setReferenceSurface(surface);
   deviation.setProgressCallback(
       [&](double share, const std::string&) { return progress(0.3 * share, "deviation"); });
-  deviation.compute(heights);
+  deviation.compute(values);
   if (!deviation.getStatus().ok())
     return deviation.getStatus();
   surface = deviation.getReferenceSurface();
+  heights.deviation = intensities(values);
   verification.deviation = deviation.getFigures();
 
   MaterialRemoval<pcl::PointXYZ> removal;
@@ -46,7 +56,9 @@ judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::Point
   removal.setScallopHeight(settings.scallop_height);
   removal.setProgressCallback(
       [&](double share, const std::string&) { return progress(0.3 + 0.7 * share, "removed material"); });
-  removal.compute(heights);
+  removal.compute(values);
+  heights.stock = intensities(values);
+  heights.ridges = removal.getRidgeHeights();
   verification.removal = removal.getFigures();
   return removal.getStatus();
 }

@@ -15,10 +15,17 @@ struct JudgeSettings {
   int threads = 0;
 };
 
+/** Values behind the figures, mm; see DeviationEstimation and MaterialRemoval. */
+struct Heights {
+  std::vector<float> deviation;     ///< one a path point
+  std::vector<float> stock, ridges; ///< one a point of the scan
+};
+
 /** The figures of \p path against \p scan. \p surface is that of the scan, made where it is null and kept for the next
  *  path. Fails as DeviationEstimation and MaterialRemoval do. */
 pcl_spiral::Status
 judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
           const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
           const pcl_spiral::ProgressCallback& progress,
-          std::shared_ptr<const pcl_spiral::ScannedReference>& surface, pcl_spiral::Verification& verification);
+          std::shared_ptr<const pcl_spiral::ScannedReference>& surface, pcl_spiral::Verification& verification,
+          Heights& heights);

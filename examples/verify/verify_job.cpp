@@ -24,7 +24,8 @@ allOptions()
   po::options_description files("Files", width, width / 2), cutter("Cutter and finish (mm)", width, width / 2),
       limits("Limits: one that is broken ends the program with 1", width, width / 2), run("Run", width, width / 2);
   files.add_options()("file", values("FILE"), "the scan, then the paths: .csv .pcd .ply .vtp; the names alone are enough")(
-      "output,o", values("FILE"), "report to write: -o part_verified.json")(
+      "output,o", values("FILE"), "what to write: .json  the figures; .png  the deviation of the path, and beside it NAME_stock.png, what is left "
+                                 "where, and NAME_histogram.png, how high the scallops are: -o part_verified.json")(
       "units", value("mm|m|inch"), "unit of the numbers in the scan; mm by default: --units m")(
       "origin", value("X,Y,Z"), "subtracted from the scan, in its own unit, as for the path: --origin 393775,3689071,0")(
       "columns", value("NAMES"), "columns of a text scan from the left: --columns id,x,y,z");
@@ -91,8 +92,12 @@ check(const VerifyJob& job, bool radius_given)
           "--scallop must be above 0 mm and below the tool radius, such as 0.05");
   require(s.chord_error > 0.0, "--chord-error must be above 0 mm, such as 0.005");
   require(s.threads >= 0, "--threads must be above 0, or 0 for all");
-  for (const std::string& output : job.outputs)
-    require(std::filesystem::path(output).extension() == ".json", "-o " + output + ": only .json can be written");
+  for (const std::string& output : job.outputs) {
+    require(extensionOf(output) == ".json" || extensionOf(output) == ".png",
+            "-o " + output + ": only .json and .png can be written");
+    require(extensionOf(output) == ".json" || job.paths.size() == 1,
+            "-o " + output + ": pictures show one path; name one alone");
+  }
 }
 
 VerifyJob
@@ -153,6 +158,25 @@ fromMap(const po::variables_map& given)
 }
 
 } // namespace
+
+std::string
+extensionOf(const std::string& file)
+{
+  return std::filesystem::path(file).extension().string();
+}
+
+std::vector<std::string>
+filesOf(const VerifyJob& job)
+{
+  std::vector<std::string> files;
+  for (const std::string& output : job.outputs) {
+    files.push_back(output);
+    if (extensionOf(output) == ".png")
+      for (const char* name : {"_stock.png", "_histogram.png"})
+        files.push_back(output.substr(0, output.size() - 4) + name);
+  }
+  return files;
+}
 
 VerifyJob
 parseVerifyCommandLine(int argc, const char* const* argv)

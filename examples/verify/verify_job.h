@@ -16,7 +16,7 @@
 struct VerifyJob {
   std::string scan;
   std::vector<std::string> paths;
-  std::vector<std::string> outputs; ///< .json
+  std::vector<std::string> outputs; ///< .json and .png
   pcl_spiral::ReadOptions read;
   JudgeSettings settings;
   Limits limits;
@@ -27,5 +27,11 @@ struct VerifyJob {
 
 /** \throw UsageError */
 VerifyJob parseVerifyCommandLine(int argc, const char* const* argv);
+
+/** Every file the job makes: the outputs, and beside each picture NAME.png its NAME_stock.png and NAME_histogram.png. */
+std::vector<std::string> filesOf(const VerifyJob& job);
+
+/** .png of part.png */
+std::string extensionOf(const std::string& file);
 
 void printVerifyHelp(std::ostream& out);

@@ -165,6 +165,7 @@ TEST_F(Verify, WrongCallsAndDataAreRefused)
   EXPECT_EQ(code({"cap.xyz", "cap.xyz", "--tool-radius", "3", "-o", "a.json"}), 1);
   EXPECT_FALSE(std::filesystem::exists(folder_.path("a.json")));
   EXPECT_EQ(code({"--help"}), 0);
+  EXPECT_EQ(code({"cap.xyz", "cap.csv", "cap.pcd", "--tool-radius", "3", "-o", "a.png"}), 2); // one path a picture
 }
 
 } // namespace
