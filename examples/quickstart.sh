@@ -54,7 +54,7 @@ fi
 name=$(basename "$scan")
 part=$output/${name%.*}_spiral
 echo "Making the toolpath"
-"${display[@]}" "$build/examples/pcl_spiral_toolpath" "$scan" --verify -o "$part.csv" -o "$part.vtp" -o "$part.json" \
+"${display[@]}" "$build/examples/pcl_spiral_toolpath" "$scan" -o "$part.csv" -o "$part.vtp" -o "$part.json" \
   -o "$part.png" ${options[@]+"${options[@]}"}
 
 echo "Written:"
