@@ -3,6 +3,7 @@
 #include <pcl_spiral/core/self_crossing.h>
 #include <pcl_spiral/core/tool_axis.h>
 #include <pcl_spiral/features/surface_boundary.h>
+#include <pcl_spiral/search/stray_removal.h>
 #include <pcl_spiral/surface/gap_filling.h>
 #include <pcl_spiral/toolpath/boundary_choice.h>
 
@@ -74,29 +75,17 @@ SpiralPlanner::endStage(const std::string& name)
 Status
 SpiralPlanner::makeGraph(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals)
 {
-  constexpr int rounds = 3; // an outlier may hide another
   SurfaceGraphOptions options;
   options.view_point = settings_.view_point;
   options.flip_normals = settings_.flip_normals;
   points.insert(points.end(), bridges_.begin(), bridges_.end());
   options.given_normals = normals;
   options.given_normals.resize(normals.empty() ? 0 : points.size(), Eigen::Vector3f::Zero());
-  std::size_t strays = 0;
-  for (int round = 0;; ++round) {
-    if (const Status status = graph_.build(points, options); !status.ok())
-      return status;
-    if (graph_.strayPoints().empty() || round == rounds)
-      break;
-    strays += graph_.strayPoints().size();
-    for (auto stray = graph_.strayPoints().rbegin(); stray != graph_.strayPoints().rend(); ++stray) {
-      points[*stray] = points.back();
-      points.pop_back();
-      if (!options.given_normals.empty()) {
-        options.given_normals[*stray] = options.given_normals.back();
-        options.given_normals.pop_back();
-      }
-    }
-  }
+  const std::size_t given = points.size();
+  std::vector<std::uint32_t> kept;
+  if (const Status status = buildWithoutStrays(std::move(points), std::move(options), graph_, kept); !status.ok())
+    return status;
+  const std::size_t strays = given - kept.size();
   if (strays > 0 && bridges_.empty()) {
     report_.outlier_points += strays;
     report_.used_points -= strays;

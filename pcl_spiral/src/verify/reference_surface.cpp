@@ -1,10 +1,10 @@
 #include <pcl_spiral/verify/reference_surface.h>
 
 #include <pcl_spiral/features/surface_boundary.h>
+#include <pcl_spiral/search/stray_removal.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace pcl_spiral {
@@ -42,32 +42,16 @@ text(const Parts&... parts)
 Status
 ReferenceSurface::build(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions options)
 {
-  constexpr int rounds = 3; // an outlier may hide another
-  source_.resize(points.size());
-  std::iota(source_.begin(), source_.end(), 0u);
-  strays_ = 0;
-  for (int round = 0;; ++round) {
-    if (const Status status = graph_.build(points, options); !status.ok())
-      return status;
-    if (graph_.strayPoints().empty() || round == rounds)
-      break;
-    strays_ += graph_.strayPoints().size();
-    for (auto stray = graph_.strayPoints().rbegin(); stray != graph_.strayPoints().rend(); ++stray) {
-      points[*stray] = points.back();
-      points.pop_back();
-      source_[*stray] = source_.back();
-      source_.pop_back();
-      if (!options.given_normals.empty()) {
-        options.given_normals[*stray] = options.given_normals.back();
-        options.given_normals.pop_back();
-      }
-    }
-  }
+  const std::size_t given = points.size();
+  const bool with_normals = !options.given_normals.empty();
+  if (const Status status = buildWithoutStrays(std::move(points), options, graph_, source_); !status.ok())
+    return status;
+  strays_ = given - source_.size();
   surface_ = std::make_unique<MlsSurface>(graph_);
   warnings_.clear();
   if (strays_ > 0)
     warnings_.push_back(text(strays_, " points of the reference stand alone off its surface and were left out"));
-  if (!graph_.orientationIsClear() && options.given_normals.empty() && !options.view_point)
+  if (!graph_.orientationIsClear() && !with_normals && !options.view_point)
     warnings_.push_back("the outer side of the reference could not be told from +z; the convex side was taken: give a "
                         "view point or flip the normals if the cutter comes from the other side");
   findRim();

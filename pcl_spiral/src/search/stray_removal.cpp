@@ -1,0 +1,40 @@
+#include <pcl_spiral/search/stray_removal.h>
+
+#include <numeric>
+
+namespace pcl_spiral {
+namespace {
+
+/** Put the last one in the place of number \p i. */
+template <typename T>
+void
+removeAt(std::vector<T>& values, std::size_t i)
+{
+  values[i] = values.back();
+  values.pop_back();
+}
+
+} // namespace
+
+Status
+buildWithoutStrays(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions options, SurfaceGraph& graph,
+                   std::vector<std::uint32_t>& source)
+{
+  constexpr int rounds = 3;
+  source.resize(points.size());
+  std::iota(source.begin(), source.end(), 0u);
+  for (int round = 0;; ++round) {
+    if (const Status status = graph.build(points, options); !status.ok())
+      return status;
+    if (graph.strayPoints().empty() || round == rounds)
+      return Status::success();
+    for (auto stray = graph.strayPoints().rbegin(); stray != graph.strayPoints().rend(); ++stray) {
+      removeAt(points, *stray);
+      removeAt(source, *stray);
+      if (!options.given_normals.empty())
+        removeAt(options.given_normals, *stray);
+    }
+  }
+}
+
+} // namespace pcl_spiral
