@@ -1,4 +1,4 @@
-#include "canvas.h"
+#include "actors.h"
 
 #include <vtkCellArray.h>
 #include <vtkColorTransferFunction.h>

@@ -1,177 +1,18 @@
-#include "sheet.h"
+#include "histogram_chart.h"
 
-#include <pcl_spiral/visualization/box_axes.h>
-#include <pcl_spiral/visualization/verification_pictures.h>
-
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 namespace pcl_spiral {
-namespace {
-
-using Boxes = std::vector<std::array<Eigen::Vector2d, 2>>;
-
-constexpr double left = 130.0, right = 1140.0, bottom = 110.0, top = 1000.0; ///< of the chart, pixels
-constexpr double tick = axis_tick_length;
-constexpr int number_size = 18, name_size = 20, bins_to_limit = 40;
-constexpr double least_decades = 1.0,
-                 below_one = 0.3; ///< of the logarithmic scale: a single ridge has a height, too
-constexpr Color within_color{0.128, 0.567, 0.551}, above_color{1.00, 0.55, 0.00},
-    asked_color{0.10, 0.22, 0.66}, limit_color{0.84, 0.04, 0.07};
-
-/** How many values fall on each bin; those outside count in the first and the last. */
-struct Bins {
-  double width;
-  int first, last; ///< of bins from k width to (k + 1) width
-  std::vector<std::size_t> counts;
-  std::size_t all = 0, beyond = 0, below = 0, most = 1;
-
-  Bins(const std::vector<float>& values, double limit) : width(limit / bins_to_limit)
-  {
-    double low = 0.0, high = 0.0;
-    for (const float v : values)
-      if (!std::isnan(v)) {
-        low = std::min<double>(low, v);
-        high = std::max<double>(high, v);
-      }
-    first = static_cast<int>(std::floor(std::max(low / width, -0.5 * bins_to_limit)));
-    last = static_cast<int>(std::floor(std::clamp(high / width, 1.3 * bins_to_limit, 3.0 * bins_to_limit)));
-    counts.resize(last - first + 1);
-    for (const float v : values)
-      if (!std::isnan(v))
-        add(v / width);
-    most = std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
-  }
-  void
-  add(double at)
-  {
-    ++all;
-    beyond += at >= last + 1;
-    below += at < first;
-    ++counts[static_cast<std::size_t>(std::floor(std::clamp<double>(at, first, last)) - first)];
-  }
-};
-
-/** Places on the chart. */
-struct Scale {
-  double low, high, decades;
-
-  explicit Scale(const Bins& bins)
-      : low(bins.first * bins.width), high((bins.last + 1) * bins.width),
-        decades(std::max(least_decades, std::log10(static_cast<double>(bins.most)) + 0.1))
-  {
-  }
-  double
-  x(double height) const
-  {
-    return left + (right - left) * (height - low) / (high - low);
-  }
-  double
-  y(double count) const
-  {
-    return bottom + (top - bottom) * (std::log10(count) + below_one) / (decades + below_one);
-  }
-};
-
-void
-addBars(Sheet& sheet, const Bins& bins, const Scale& scale)
-{
-  Boxes within, above;
-  for (std::size_t i = 0; i < bins.counts.size(); ++i) {
-    const int k = bins.first + static_cast<int>(i);
-    if (bins.counts[i] > 0)
-      (k < bins_to_limit ? within : above)
-          .push_back({Eigen::Vector2d(scale.x(k * bins.width) + 1.0, bottom),
-                      Eigen::Vector2d(scale.x((k + 1) * bins.width) - 1.0,
-                                      scale.y(static_cast<double>(bins.counts[i])))});
-  }
-  addBoxes(sheet.view(), within, within_color);
-  addBoxes(sheet.view(), above, above_color);
-}
-
-void
-addAxes(Sheet& sheet, const Scale& scale)
-{
-  Boxes strokes{{Eigen::Vector2d(left, bottom), Eigen::Vector2d(right, bottom)},
-                {Eigen::Vector2d(left, bottom), Eigen::Vector2d(left, top)}};
-  const double step = niceStep((scale.high - scale.low) / 12.0);
-  for (double k = std::ceil(scale.low / step - 1e-9); k * step <= scale.high * (1.0 + 1e-9); k += 1.0) {
-    const double x = scale.x(k * step);
-    strokes.push_back({Eigen::Vector2d(x, bottom), Eigen::Vector2d(x, bottom - tick)});
-    addCentredText(sheet.view(), text("%.6g", k == 0.0 ? 0.0 : k * step), {x, bottom - 26.0}, number_size);
-  }
-  for (int decade = 0; decade <= scale.decades; ++decade)
-    for (int digit = 1; digit < 10; ++digit) {
-      const double count = digit * std::pow(10.0, decade), y = scale.y(count);
-      if (y > top)
-        break;
-      strokes.push_back(
-          {Eigen::Vector2d(left, y), Eigen::Vector2d(left - (digit == 1 ? tick : 0.5 * tick), y)});
-      if (digit == 1)
-        addCentredText(sheet.view(), text("%.0f", count), {left - 50.0, y}, number_size);
-    }
-  addStrokes(sheet.view(), strokes, ink, 1.5f);
-  addCentredText(sheet.view(), "height of the ridge between turns, mm", {0.5 * (left + right), 45.0},
-                 name_size);
-  addText(sheet.view(), "ridges, logarithmic scale", 30, static_cast<int>(top) + 42, name_size);
-}
-
-/** An upright line at \p height with words beside its top, on the left or right of it. */
-void
-addLine(Sheet& sheet, const Scale& scale, double height, const std::string& words, const Color& color,
-        bool on_left)
-{
-  const double x = scale.x(height), room = 0.285 * name_size * static_cast<double>(words.size()) + 10.0;
-  addStrokes(sheet.view(), {{Eigen::Vector2d(x, bottom), Eigen::Vector2d(x, top + 25.0)}}, color, 2.5f);
-  addCentredText(sheet.view(), words, {on_left ? x - room : x + room, top + 17.0}, name_size);
-}
-
-void
-addWords(Sheet& sheet, const Bins& bins, const StockFigures& figures, double limit)
-{
-  sheet.addLegend({{text("up to the limit, %.3g mm", limit), within_color},
-                   {text("above it: %.2g %%", 100.0 * figures.share_above), above_color}});
-  int y = 900;
-  const auto add = [&](const std::string& words) {
-    addText(sheet.view(), words, Sheet::words_left, y, name_size);
-    y -= 30;
-  };
-  add(std::to_string(bins.all) + " ridges");
-  add(text("half of them below %.3g mm", figures.p50));
-  add(text("90 %% below %.3g mm", figures.p90));
-  add(text("99 %% below %.3g mm", figures.p99));
-  add(text("99.9 %% below %.3g mm", figures.p999));
-  add(text("the highest %.3g mm", figures.max.value));
-  if (bins.beyond > 0)
-    add("last bar: " + std::to_string(bins.beyond) + text(" above %.3g mm", (bins.last + 1) * bins.width));
-  if (bins.below > 0)
-    add("first bar: " + std::to_string(bins.below) + text(" below %.3g mm", bins.first * bins.width));
-}
-
-} // namespace
 
 void
 VerificationPictures::writeHistogram(const std::string& file) const
 {
-  const SpiralSettings& asked = scene_.part.settings;
-  const RemovalFigures& figures = scene_.removal_figures;
-  const bool any =
-      std::any_of(scene_.ridges.begin(), scene_.ridges.end(), [](float v) { return !std::isnan(v); });
-  if (!any || !(figures.limit > 0.0))
+  if (!hasHistogram(scene_))
     throw std::logic_error("a histogram needs heights of ridges and the limit they are judged by");
-  const Bins bins(scene_.ridges, figures.limit);
-  const Scale scale(bins);
   Sheet sheet;
-  addBars(sheet, bins, scale);
-  addAxes(sheet, scale);
-  addLine(sheet, scale, asked.scallop_height, text("asked for, h: %.3g", asked.scallop_height), asked_color,
-          true);
-  addLine(sheet, scale, figures.limit, text("limit, 1.02 h + e: %.3g", figures.limit), limit_color, false);
-  addWords(sheet, bins, figures.scallop, figures.limit);
-  sheet.addTitle(scene_.part.title + ": heights of the ridges between turns",
-                 text("ball radius %g mm, scallop %g mm, chord error %g mm", asked.tool_radius,
-                      asked.scallop_height, asked.chord_error));
+  addHistogram(sheet.view(), PageSize(), scene_);
+  const Title title = histogramTitle(scene_);
+  sheet.addTitle(title.first, title.second);
   sheet.save(file);
 }
 

@@ -20,7 +20,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int bar_bottom = 1040, bar_height = 90, bar_margin = 15, legend_top = 990; ///< pixels
+constexpr int bar_height = 90, bar_margin = 15, legend_below = 140; ///< pixels
 
 void
 style(vtkTextProperty* text, int size, bool bold = false)
@@ -50,23 +50,50 @@ Sheet::Sheet() : window_(vtkSmartPointer<vtkRenderWindow>::New()), view_(vtkSmar
 void
 Sheet::addTitle(const std::string& first, const std::string& second)
 {
-  addText(view_, first, 30, height - 50, 30, true);
-  addText(view_, second, 30, height - 88, 21);
+  pcl_spiral::addTitle(view_, PageSize(), first, second);
 }
 
 void
 Sheet::addLegend(const std::vector<LegendEntry>& entries)
 {
-  int y = legend_top;
-  for (const LegendEntry& entry : entries) {
-    addMark(view_, entry.marker, Eigen::Vector2d(words_left + 8.0, y + 8.0), entry.color);
-    addText(view_, entry.text, words_left + 28, y - 2, 20);
-    y -= 30;
-  }
+  pcl_spiral::addLegend(view_, PageSize(), entries);
 }
 
 void
 Sheet::addColorBar(const std::string& title, const char* format, vtkScalarsToColors* colors)
+{
+  pcl_spiral::addColorBar(view_, PageSize(), title, format, colors);
+}
+
+void
+Sheet::save(const std::string& file)
+{
+  window_->Render();
+  writePNG(window_, file);
+}
+
+void
+addTitle(vtkRenderer* view, const PageSize& page, const std::string& first, const std::string& second)
+{
+  addText(view, first, 30, page.height - 50, 30, true);
+  addText(view, second, 30, page.height - 88, 21);
+}
+
+int
+addLegend(vtkRenderer* view, const PageSize& page, const std::vector<LegendEntry>& entries)
+{
+  int y = page.column_top - legend_below;
+  for (const LegendEntry& entry : entries) {
+    addMark(view, entry.marker, Eigen::Vector2d(page.wordsLeft() + 8.0, y + 8.0), entry.color);
+    addText(view, entry.text, page.wordsLeft() + 28, y - 2, 20);
+    y -= 30;
+  }
+  return y;
+}
+
+void
+addColorBar(vtkRenderer* view, const PageSize& page, const std::string& title, const char* format,
+            vtkScalarsToColors* colors)
 {
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(colors);
@@ -78,18 +105,18 @@ Sheet::addColorBar(const std::string& title, const char* format, vtkScalarsToCol
   style(bar->GetLabelTextProperty(), 18);
   bar->SetOrientationToHorizontal();
   bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  bar->SetPosition((words_left + bar_margin) / double(width), bar_bottom / double(height));
-  bar->SetWidth((column_width - 2.0 * bar_margin) / double(width));
-  bar->SetHeight(bar_height / double(height));
-  view_->AddActor(bar);
+  bar->SetPosition((page.wordsLeft() + bar_margin) / double(page.width),
+                   (page.column_top - bar_height) / double(page.height));
+  bar->SetWidth((PageSize::column_width - 2.0 * bar_margin) / double(page.width));
+  bar->SetHeight(bar_height / double(page.height));
+  view->AddActor(bar);
 }
 
 void
-Sheet::save(const std::string& file)
+writePNG(vtkRenderWindow* window, const std::string& file)
 {
-  window_->Render();
   vtkNew<vtkWindowToImageFilter> image;
-  image->SetInput(window_);
+  image->SetInput(window);
   image->ReadFrontBufferOff();
   image->ShouldRerenderOff();
   vtkNew<vtkPNGWriter> writer;

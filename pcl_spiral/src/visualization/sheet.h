@@ -31,6 +31,20 @@ struct LegendEntry {
   Marker marker = Marker::Square;
 };
 
+/** The size of a page, pixels, and where its words go: a title above, a column at the right. */
+struct PageSize {
+  int width = 1600, height = 1200;
+  int column_top = height - 70;
+
+  static constexpr int column_width = 386;
+  static constexpr int column_room = 410; ///< from the column's left edge to the page's right one
+  int
+  wordsLeft() const
+  {
+    return width - column_room;
+  }
+};
+
 /** An offscreen window of 1600 x 1200 with one main view; title above, words in a column at the right. */
 class Sheet {
 public:
@@ -49,12 +63,22 @@ public:
   void save(const std::string& file);
 
   static constexpr int width = 1600, height = 1200;
-  static constexpr int words_left = 1190, column_width = 386; ///< the column at the right
+  static constexpr int words_left = width - PageSize::column_room, column_width = PageSize::column_width;
 
 protected:
   vtkSmartPointer<vtkRenderWindow> window_;
   vtkSmartPointer<vtkRenderer> view_;
 };
+
+/** The words of a page, in a view that fills it. The legend's entries stand below the colour bar; returns
+ * where the next would. */
+void addTitle(vtkRenderer* view, const PageSize& page, const std::string& first, const std::string& second);
+int addLegend(vtkRenderer* view, const PageSize& page, const std::vector<LegendEntry>& entries);
+void addColorBar(vtkRenderer* view, const PageSize& page, const std::string& title, const char* format,
+                 vtkScalarsToColors* colors);
+
+/** What \p window shows, as a PNG. \throw FileError */
+void writePNG(vtkRenderWindow* window, const std::string& file);
 
 /** Numbers in words, by a format of printf. */
 std::string text(const char* format, double a, double b = 0.0, double c = 0.0);

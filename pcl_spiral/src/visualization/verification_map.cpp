@@ -17,6 +17,7 @@ constexpr double line_radius = 1.0,
 constexpr double pitch_share = 0.6; ///< of the pitch, for a disc that reaches the next turn's
 constexpr double inset_line_radius = 2.0, outstanding_radius = 3.0; ///< pixels
 constexpr double least_inset_disc = 2.0, most_inset_disc = 9.0;     ///< pixels
+constexpr double disc_of_spacing = 0.9; ///< discs of this radius leave no gaps between neighbours
 constexpr double inset_pitches = 12.0;
 constexpr double least_inset = 0.001, most_inset = 0.3; ///< of the part's size
 constexpr double inset_depth =
@@ -156,6 +157,13 @@ addPointInset(Canvas& canvas, int slot, const DisplaySurface& surface, const Wor
     putPath(lines, path, std::vector<float>(path.size(), 0.0f), plain, 0.0, at, near(worst));
     lines.addTo(inset.view, plain.color);
   });
+}
+
+double
+discRadius(const DisplaySurface& surface, std::size_t points)
+{
+  const double drawn = static_cast<double>(std::max<vtkIdType>(surface.mesh->GetNumberOfPoints(), 1));
+  return disc_of_spacing * surface.spacing * std::sqrt(drawn / std::max(static_cast<double>(points), drawn));
 }
 
 double

@@ -4,18 +4,12 @@
 #pragma once
 
 #include "depth_map.h"
+#include "value_style.h"
 #include "worst_cells.h"
 
 #include <pcl_spiral/visualization/verification_pictures.h>
 
 namespace pcl_spiral {
-
-/** How a value is drawn. */
-struct ValueStyle {
-  std::function<float(float)> rank; ///< of two on one place that of the higher rank is seen
-  std::function<Color(float)> color;
-  std::function<bool(float)> outstanding; ///< drawn larger, to be seen even alone
-};
 
 /** A place that a map shows enlarged, too. */
 struct WorstPlace {
@@ -43,6 +37,9 @@ void addPointMap(Canvas& canvas, const DepthMap& depth, const pcl::PointCloud<pc
 void addPointInset(Canvas& canvas, int slot, const DisplaySurface& surface, const WorstPlace& worst,
                    const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<float>& values,
                    double radius, const ValueStyle& style, const pcl::PointCloud<ToolpathPoint>& path);
+
+/** Radius of a disc a point, mm, of \p points spread like those of the drawn surface, that leaves no gaps. */
+double discRadius(const DisplaySurface& surface, std::size_t points);
 
 /** Width of an enlarged view: a dozen turns, mm. */
 double insetWidth(const DisplaySurface& surface, const pcl::PointCloud<ToolpathPoint>& path);

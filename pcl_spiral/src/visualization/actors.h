@@ -1,0 +1,30 @@
+/** \file
+ *  Surfaces, lines and colour scales as they are drawn.
+ */
+#pragma once
+
+#include "sheet.h"
+
+#include <pcl_spiral/core/polyline.h>
+
+#include <vtkActor.h>
+#include <vtkPolyData.h>
+
+namespace pcl_spiral {
+
+constexpr Color surface_color{0.80, 0.83, 0.87};
+
+/** The surface in one colour, lit from the viewer's side. */
+vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface, const Color& color);
+
+/** Lines in one colour, drawn over the surface they lie on. */
+vtkSmartPointer<vtkActor> lineActor(const std::vector<Polyline>& lines, bool closed, const Color& color,
+                                    float width);
+
+/** From dark blue through green to yellow. */
+vtkSmartPointer<vtkScalarsToColors> colorScale(double low, double high);
+
+/** From blue, at minus \p reach, through pale yellow to red. */
+vtkSmartPointer<vtkScalarsToColors> divergingScale(double reach);
+
+} // namespace pcl_spiral

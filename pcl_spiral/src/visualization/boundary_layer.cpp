@@ -1,0 +1,114 @@
+#include "boundary_layer.h"
+
+#include "actors.h"
+
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr std::size_t most_lines = 150; ///< more would run together
+constexpr Color outer_color{0.80, 0.11, 0.13}, inner_color{0.93, 0.48, 0.05}, gap_color{0.75, 0.15, 0.70};
+constexpr Color line_color{0.05, 0.05, 0.08}, centre_color{0.10, 0.30, 0.90};
+
+/** The cloud's points coloured by height, in a size that leaves gaps between them. */
+vtkSmartPointer<vtkActor>
+pointActor(const DisplaySurface& surface, vtkScalarsToColors* colors, double mm_per_pixel)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface.mesh);
+  mapper->SetLookupTable(colors);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetRepresentationToPoints();
+  actor->GetProperty()->SetPointSize(
+      static_cast<float>(std::clamp(0.6 * surface.spacing / mm_per_pixel, 1.0, 6.0)));
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+std::vector<Polyline>
+curves(const SpiralReport& report, LoopType type)
+{
+  std::vector<Polyline> result;
+  for (const BoundaryLoop& loop : report.loops)
+    if (loop.type == type)
+      result.push_back(loop.curve.empty() ? loop.points : loop.curve);
+  return result;
+}
+
+void
+addLoops(PartView& view, const SpiralReport& report, std::vector<LegendEntry>& legend)
+{
+  const auto add = [&](LoopType type, const Color& color, const std::string& name) {
+    const std::vector<Polyline> loops = curves(report, type);
+    if (loops.empty())
+      return;
+    view.addOver(lineActor(loops, true, color, 4.0f));
+    view.addInFront(lineActor(loops, true, color, 1.0f));
+    double longest = 0.0;
+    for (const Polyline& loop : loops)
+      longest = std::max(longest, length(loop, true));
+    legend.push_back({loops.size() == 1 ? name + text(", %.0f mm long", longest)
+                                        : std::to_string(loops.size()) + " " + name + "s" +
+                                              text(", the longest %.0f mm", longest),
+                      color});
+  };
+  add(LoopType::Outer, outer_color, "outer rim");
+  add(LoopType::Inner, inner_color, "inner loop");
+  add(LoopType::ScanGap, gap_color, "scan gap");
+}
+
+void
+addLines(PartView& view, const SpiralReport& report, std::vector<LegendEntry>& legend)
+{
+  if (report.radial_lines.empty())
+    return;
+  const std::size_t every = (report.radial_lines.size() + most_lines - 1) / most_lines;
+  std::vector<Polyline> shown;
+  for (std::size_t i = 0; i < report.radial_lines.size(); i += every)
+    shown.push_back(report.radial_lines[i]);
+  view.addOver(lineActor(shown, false, line_color, 1.3f));
+  legend.push_back({std::to_string(report.radial_lines.size()) + " radial lines" +
+                        (every > 1 ? ", one in " + std::to_string(every) + " drawn" : ""),
+                    line_color});
+}
+
+} // namespace
+
+vtkSmartPointer<vtkScalarsToColors>
+heightColors(const DisplaySurface& surface)
+{
+  double range[2] = {0.0, 1.0};
+  surface.mesh->GetScalarRange(range);
+  return colorScale(range[0], range[1]);
+}
+
+std::vector<LegendEntry>
+addBoundaries(PartView& view, const SpiralReport& report, vtkScalarsToColors* height_colors)
+{
+  view.add(surfaceActor(view.surface().mesh, surface_color));
+  view.add(pointActor(view.surface(), height_colors, view.projection().mm_per_pixel));
+  std::vector<LegendEntry> legend;
+  addLoops(view, report, legend);
+  addLines(view, report, legend);
+  if (report.boundaries == 1) {
+    const bool hidden = view.addMarker(report.centre, centre_color);
+    legend.push_back({"centre", centre_color, hidden ? Marker::Ring : Marker::Disc});
+  }
+  return legend;
+}
+
+std::string
+scanInWords(const SpiralReport& report)
+{
+  return std::to_string(report.used_points) + " points, spacing " + text("%.3g mm", report.spacing) +
+         text(", noise %.2g mm", report.noise);
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,18 @@
+/** \file
+ *  How many ridges have which height, on a picture or in the viewer.
+ */
+#pragma once
+
+#include "value_style.h"
+
+namespace pcl_spiral {
+
+/** Whether there are ridges and a limit to judge them by. */
+bool hasHistogram(const VerificationScene& scene);
+
+/** The chart of a scene that has one, in a view that fills the page. */
+void addHistogram(vtkRenderer* view, const PageSize& page, const VerificationScene& scene);
+
+Title histogramTitle(const VerificationScene& scene);
+
+} // namespace pcl_spiral

@@ -1,0 +1,91 @@
+#include "path_layer.h"
+
+#include "actors.h"
+
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+namespace pcl_spiral {
+namespace {
+
+LegendEntry
+markEnd(PartView& view, const ToolpathPoint& end, const std::string& name, const Color& color)
+{
+  const bool hidden = view.addMarker(placeOf(end), color);
+  return {name + (hidden ? ", hidden by the part" : ""), color, hidden ? Marker::Ring : Marker::Disc};
+}
+
+} // namespace
+
+PathLines
+pathLines(const pcl::PointCloud<ToolpathPoint>& path, double least,
+          const std::function<bool(const ToolpathPoint&)>& shown)
+{
+  PathLines result{vtkSmartPointer<vtkPolyData>::New(), {}};
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  std::vector<vtkIdType> run;
+  std::size_t last = 0;
+  const auto add = [&](std::size_t i) {
+    run.push_back(points->InsertNextPoint(placeOf(path[i]).data()));
+    result.points.push_back(static_cast<std::uint32_t>(i));
+    last = i;
+  };
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const bool inside = shown(path[i]);
+    const bool ends = !run.empty() && (!inside || i + 1 == path.size());
+    if (ends || (inside && (run.empty() || (placeOf(path[i]) - placeOf(path[last])).norm() >= least)))
+      add(i); // a stretch reaches to the first point that is not shown
+    if (ends) {
+      lines->InsertNextCell(static_cast<vtkIdType>(run.size()), run.data());
+      run.clear();
+    }
+  }
+  result.data->SetPoints(points);
+  result.data->SetLines(lines);
+  return result;
+}
+
+vtkSmartPointer<vtkActor>
+turnActor(const pcl::PointCloud<ToolpathPoint>& path, const PathLines& lines, vtkScalarsToColors* colors)
+{
+  vtkNew<vtkDoubleArray> turns;
+  for (const std::uint32_t i : lines.points)
+    turns->InsertNextValue(path[i].turn);
+  lines.data->GetPointData()->SetScalars(turns);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(lines.data);
+  mapper->SetLookupTable(colors);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+LegendEntry
+addSpiral(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns,
+          vtkScalarsToColors* colors)
+{
+  view.add(surfaceActor(view.surface().mesh, surface_color));
+  const auto lines =
+      turnActor(path,
+                pathLines(path, least_path_move * view.projection().mm_per_pixel,
+                          [&turns](const ToolpathPoint& point) { return turns.shows(point.turn); }),
+                colors);
+  lines->GetProperty()->SetLineWidth(1.6f);
+  view.addOver(lines);
+  return {"spiral, " + turns.caption(), {0.128, 0.567, 0.551}};
+}
+
+std::vector<LegendEntry>
+markEnds(PartView& view, const pcl::PointCloud<ToolpathPoint>& path)
+{
+  return {markEnd(view, path.front(), "start", path_start_color),
+          markEnd(view, path.back(), "end", path_end_color)};
+}
+
+} // namespace pcl_spiral

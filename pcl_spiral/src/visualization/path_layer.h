@@ -1,0 +1,53 @@
+/** \file
+ *  The path as lines over the part, on a picture or in the viewer.
+ */
+#pragma once
+
+#include "part_view.h"
+
+#include <pcl_spiral/visualization/shown_turns.h>
+
+#include <cstdint>
+#include <functional>
+
+namespace pcl_spiral {
+
+constexpr double least_turn_pitch = 4.0; ///< pixels between drawn turns; nearer they run together
+constexpr double least_path_move = 1.0;  ///< pixels between drawn points
+constexpr Color path_start_color{0.10, 0.65, 0.20}, path_end_color{0.85, 0.05, 0.05};
+
+inline Eigen::Vector3d
+placeOf(const ToolpathPoint& point)
+{
+  return point.getVector3fMap().cast<double>();
+}
+
+inline Eigen::Vector3d
+normalOf(const ToolpathPoint& point)
+{
+  return point.getNormalVector3fMap().cast<double>();
+}
+
+/** Part of a path as lines. */
+struct PathLines {
+  vtkSmartPointer<vtkPolyData> data;
+  std::vector<std::uint32_t> points; ///< the path's point at each of the data's
+};
+
+/** The stretches of the path for which \p shown is true, without the points nearer than \p least to the last
+ * one. */
+PathLines pathLines(const pcl::PointCloud<ToolpathPoint>& path, double least,
+                    const std::function<bool(const ToolpathPoint&)>& shown);
+
+/** The lines coloured by turn. */
+vtkSmartPointer<vtkActor> turnActor(const pcl::PointCloud<ToolpathPoint>& path, const PathLines& lines,
+                                    vtkScalarsToColors* colors);
+
+/** The surface and the shown turns. Returns the entry of the legend. */
+LegendEntry addSpiral(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns,
+                      vtkScalarsToColors* colors);
+
+/** Marks at the path's start and end. Returns their entries of the legend. */
+std::vector<LegendEntry> markEnds(PartView& view, const pcl::PointCloud<ToolpathPoint>& path);
+
+} // namespace pcl_spiral
