@@ -95,6 +95,8 @@ printFigures(const pcl_spiral::Verification& verification)
     std::printf("gouge           %.4f mm %s\n", r.gouge.value, at(r.gouge).c_str());
   else
     std::printf("gouge           none\n");
+  if (r.rim_gouge.value > 0.0)
+    std::printf("  beyond the rim %.4f mm %s\n", r.rim_gouge.value, at(r.rim_gouge).c_str());
   const double uncut = uncutPercent(r);
   std::printf("uncut           %.3g %% of the points%s%s\n", uncut, uncut > 0.0 ? ", first " : "",
               uncut > 0.0 ? at(firstUncut(r)).c_str() : "");

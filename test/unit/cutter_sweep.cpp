@@ -146,3 +146,51 @@ TEST(MoveIndex, FarFromTheOriginNothingIsLost)
     EXPECT_NEAR(found, all, 1e-9);
   }
 }
+
+TEST(HeightAbove, IsTheDistanceToTheNearestPointOfTheQuadric)
+{
+  Random random(5);
+  for (int k = 0; k < 400; ++k) {
+    SurfaceFoot foot;
+    foot.position = randomVector(random, 5.0);
+    foot.normal = randomUnit(random);
+    foot.direction1 = foot.normal.unitOrthogonal();
+    foot.curvature1 = random.uniform(-0.33, 0.5); // a ball of 3 fits, at times hardly
+    foot.curvature2 = random.uniform(-0.33, foot.curvature1);
+    foot.valid = true;
+    const Eigen::Vector3d e2 = foot.normal.cross(foot.direction1);
+    const double a = random.uniform(-1.0, 1.0), b = random.uniform(-1.0, 1.0), z = random.uniform(-1.0, 3.0);
+    double nearest = 1e9;
+    double reach = 12.0, u0 = a, v0 = b;
+    for (int round = 0; round < 5; ++round) { // finer and finer about the best
+      double best_u = u0, best_v = v0;
+      for (int i = -60; i <= 60; ++i)
+        for (int j = -60; j <= 60; ++j) {
+          const double u = u0 + reach * i / 60.0, v = v0 + reach * j / 60.0;
+          const double w = -0.5 * (foot.curvature1 * u * u + foot.curvature2 * v * v);
+          const double distance = std::sqrt((a - u) * (a - u) + (b - v) * (b - v) + (z - w) * (z - w));
+          if (distance < nearest) {
+            nearest = distance;
+            best_u = u;
+            best_v = v;
+          }
+        }
+      u0 = best_u;
+      v0 = best_v;
+      reach *= 0.05;
+    }
+    const double over = z + 0.5 * (foot.curvature1 * a * a + foot.curvature2 * b * b);
+    const double height = heightAbove(foot, foot.position + a * foot.direction1 + b * e2 + z * foot.normal);
+    EXPECT_NEAR(std::abs(height), nearest, 1e-5) << foot.curvature1 << ' ' << foot.curvature2;
+    EXPECT_EQ(height > 0.0, over > 0.0);
+  }
+}
+
+TEST(HeightAbove, BeyondTheCentreOfAHollowEveryDirectionIsAsNear)
+{
+  SurfaceFoot foot;
+  foot.curvature1 = foot.curvature2 = -0.25; // centre of curvature at 4 above it
+  EXPECT_NEAR(heightAbove(foot, Eigen::Vector3d(0.0, 0.0, 3.0)), 3.0, 1e-6);
+  // nearest to (0, 0, 6): of u^2 + (6 - u^2 / 8)^2 the least, at u^2 = 16: sqrt(32)
+  EXPECT_NEAR(heightAbove(foot, Eigen::Vector3d(0.0, 0.0, 6.0)), std::sqrt(32.0), 1e-6);
+}

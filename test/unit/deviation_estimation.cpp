@@ -146,6 +146,51 @@ TEST(DeviationEstimation, NoiseIsMeasuredAndWhatItHidesIsSaid)
   EXPECT_TRUE(measured(scan, path, 0.05).figures.warnings.empty());
 }
 
+TEST(DeviationEstimation, AFalseEchoIsNoDeviation)
+{
+  const double sigma = 0.02;
+  const SurfacePtr surface = saddle();
+  const CheckedPath path = passes(*surface);
+  Sampled scan = sampleUniform(*surface, 40000, 1);
+  addNoise(scan, sigma, 7);
+  const Measured clean = measured(scan, path);
+  Random random(3);
+  for (std::size_t i = 0; i < scan.points.size(); i += 1 + random.below(200)) // 1 %, 0.2 to 5 mm off
+    scan.points[i] += random.uniform(0.2, 5.0) * scan.normals[i];
+  const Measured dirty = measured(scan, path);
+  EXPECT_LT(std::abs(dirty.figures.max.value), 1.25 * std::abs(clean.figures.max.value));
+  EXPECT_LT(dirty.figures.rms, 1.1 * clean.figures.rms);
+}
+
+TEST(DeviationEstimation, SeesWhatAPlannersFitHasSmoothedAway)
+{
+  // Waves of 0.2 mm, 15 mm long; the path lies on wide quadratic fits to the same points, which flatten them.
+  const auto height = [](double x) { return 0.2 * std::sin(2.0 * M_PI * x / 15.0); };
+  Random random(2);
+  Sampled scan;
+  std::vector<Eigen::Vector3f> points;
+  for (int i = 0; i < 10000; ++i) {
+    const double x = random.uniform(-50.0, 50.0);
+    scan.points.emplace_back(x, random.uniform(-50.0, 50.0), height(x));
+    points.push_back(scan.points.back().cast<float>());
+  }
+  SurfaceGraph graph;
+  ASSERT_TRUE(graph.build(points, SurfaceGraphOptions()).ok());
+  const MlsSurface smoothed(graph, 96);
+  CheckedPath path;
+  double largest = 0.0;
+  for (double y = -30.0; y <= 30.0; y += 5.0)
+    for (double x = -30.0; x <= 30.0; x += 0.5) {
+      const SurfaceFoot foot = smoothed.project(Eigen::Vector3d(x, y, height(x)));
+      ASSERT_TRUE(foot.valid);
+      path.contacts.push_back(foot.position);
+      path.normals.push_back(foot.normal);
+      largest = std::max(largest, std::abs(foot.position.z() - height(foot.position.x())));
+    }
+  EXPECT_GT(largest, 0.004);
+  EXPECT_NEAR(std::abs(measured(scan, path).figures.max.value), largest, 0.1 * largest);
+}
+
 TEST(DeviationEstimation, MotionFiguresNameThePlace)
 {
   CheckedPath line;

@@ -103,6 +103,66 @@ TEST(MlsSurface, NoiseIsMeasuredAndAveraged)
   EXPECT_LT(std::sqrt(squares / feet.size()), 0.25 * sigma);
 }
 
+namespace {
+
+/** Waves of 0.2 mm, 15 mm long, every 1 mm a point; \p sigma of noise, and a share of echoes 0.2 to 8 mm off. */
+std::vector<Eigen::Vector3f>
+waves(double sigma, double echoes)
+{
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform;
+  std::vector<Eigen::Vector3f> points;
+  for (int i = -100; i <= 100; ++i)
+    for (int j = -100; j <= 100; ++j) {
+      const double x = i + 0.6 * (uniform(random) - 0.5), y = j + 0.6 * (uniform(random) - 0.5);
+      const double off = uniform(random) < echoes ? 8.0 * std::pow(uniform(random), 2) + 0.2 : sigma * normal(random);
+      points.push_back(Eigen::Vector3d(x, y, 0.2 * std::sin(2.0 * M_PI * x / 15.0) + off).cast<float>());
+    }
+  return points;
+}
+
+/** Largest height of the feet off the waves, over places away from the rim. */
+double
+largestError(const pcl_spiral::SurfaceGraph& graph, pcl_spiral::ProjectionMethod method)
+{
+  const pcl_spiral::MlsSurface surface(graph, 96, method);
+  std::vector<Vector3d> queries;
+  for (double x = -80.0; x <= 80.0; x += 1.7)
+    for (double y = -80.0; y <= 80.0; y += 7.3)
+      queries.emplace_back(x, y, 0.2 * std::sin(2.0 * M_PI * x / 15.0));
+  std::vector<pcl_spiral::SurfaceFoot> feet;
+  surface.project(queries, feet);
+  double largest = 0.0;
+  for (const auto& foot : feet) {
+    EXPECT_TRUE(foot.valid);
+    largest = std::max(largest, std::abs(foot.position.z() - 0.2 * std::sin(2.0 * M_PI * foot.position.x() / 15.0)));
+  }
+  return largest;
+}
+
+} // namespace
+
+TEST(MlsSurface, TheQuarticFollowsWhatTheQuadricSmoothsAway)
+{
+  using pcl_spiral::ProjectionMethod;
+  const auto graph = graphOf(waves(0.0, 0.0));
+  const double quadric = largestError(graph, ProjectionMethod::Quadratic);
+  const double quartic = largestError(graph, ProjectionMethod::RobustQuartic);
+  EXPECT_GT(quadric, 0.004);
+  EXPECT_LT(quartic, 0.1 * quadric);
+}
+
+TEST(MlsSurface, FalseEchoesDoNotBendTheQuartic)
+{
+  using pcl_spiral::ProjectionMethod;
+  const auto clean = graphOf(waves(0.02, 0.0)), dirty = graphOf(waves(0.02, 0.02));
+  const double before = largestError(clean, ProjectionMethod::RobustQuartic);
+  EXPECT_LT(before, 0.04);
+  EXPECT_LT(largestError(dirty, ProjectionMethod::RobustQuartic), 1.5 * before);
+  EXPECT_GT(largestError(dirty, ProjectionMethod::Quadratic), 5.0 * before);
+}
+
 TEST(MlsSurface, RefusesWhatIsNotOnTheSurface)
 {
   const auto graph = graphOf(cap(20000, 100.0, 0.0, 4));

@@ -68,6 +68,7 @@ removalJson(const RemovalFigures& r)
           {"stock", stockJson(r.stock)},
           {"rim_band", stockJson(r.rim)},
           {"gouge", placed(r.gouge)},
+          {"rim_gouge", placed(r.rim_gouge)},
           {"area", r.area},
           {"rim_length", r.rim_length},
           {"least_length", r.least_length},

@@ -19,6 +19,12 @@ overhang(const Neighbourhood& near, const Eigen::Vector3d& centroid);
 SurfaceFoot
 quadraticFoot(const Eigen::Vector3d& query, const Neighbourhood& near, const Eigen::Vector3d& up);
 
+/** Foot on a polynomial of the fourth degree with the same weight, as far as it can be told from the quadric. Neighbours
+ *  more than four standard deviations off it (by the median deviation) are left out and the rest is fitted again, up to
+ *  ten times. */
+SurfaceFoot
+robustQuarticFoot(const Eigen::Vector3d& query, const Neighbourhood& near, const Eigen::Vector3d& up);
+
 /** Foot by the published directional centroid: along the mean normal onto the plane through the weighted centroid.
  *  Source: Wu et al. 2025, equations (8)-(11), with weights exp(-|p - q|^2 / h^2). */
 SurfaceFoot

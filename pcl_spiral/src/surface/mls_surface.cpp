@@ -78,8 +78,17 @@ MlsSurface::projectOnce(const std::vector<std::uint32_t>& which, std::vector<Sur
         if (near.size < std::min<int>(neighbours, static_cast<int>(graph_.size())) ||
             std::sqrt(near.squared_distance[0]) > farthest_in_spacings * graph_.spacing(near.index[0]))
           continue;
-        foot = method_ == ProjectionMethod::Quadratic ? quadraticFoot(from, near, meanNormal(near, graph_.normals()))
-                                                      : directionalCentroidFoot(from, near, graph_.normals());
+        switch (method_) {
+        case ProjectionMethod::Quadratic:
+          foot = quadraticFoot(from, near, meanNormal(near, graph_.normals()));
+          break;
+        case ProjectionMethod::RobustQuartic:
+          foot = robustQuarticFoot(from, near, meanNormal(near, graph_.normals()));
+          break;
+        case ProjectionMethod::DirectionalCentroid:
+          foot = directionalCentroidFoot(from, near, graph_.normals());
+          break;
+        }
         foot.valid = foot.valid && foot.overhang < largest_overhang * graph_.spacing(near.index[0]);
       }
     }
@@ -157,7 +166,10 @@ MlsSurface::chooseNeighbours()
     noise_ = std::sqrt(scatter(neighbours_));
     return;
   }
-  neighbours_ = std::min(std::max(fewest_neighbours, graph_.neighbours()), limit);
+  neighbours_ = std::max(fewest_neighbours, graph_.neighbours());
+  if (method_ == ProjectionMethod::RobustQuartic)
+    neighbours_ += neighbours_ / 2;
+  neighbours_ = std::min(neighbours_, limit);
   double variance = scatter(neighbours_);
   // Scan lines far apart: a fit to one line and a half does not know the slope across.
   while (1000 * determined < 999 * sample.size() && 2 * neighbours_ <= std::min(most_neighbours, limit)) {

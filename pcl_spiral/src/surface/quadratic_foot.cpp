@@ -1,4 +1,5 @@
 #include "local_fit.h"
+#include "quadric.h"
 
 #include <pcl_spiral/core/frame.h>
 
@@ -46,7 +47,6 @@ momentsOf(const Neighbourhood& near, const Eigen::Vector3f& e1, const Eigen::Vec
           uuvv, uvvv, vvvv, f,  fu, fv, fuu, fuv, fvv, ff,  mean_u / n, mean_v / n};
 }
 
-using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 /** Solve A x = b by Cholesky, in place; false when a pivot vanishes against the first. */
@@ -80,51 +80,6 @@ solveNormalEquations(Matrix6d& a, Vector6d& b)
   return true;
 }
 
-/** The point of the quadric nearest to the origin, by Newton's method from above it. */
-bool
-nearestOnQuadric(const Vector6d& b, double& u, double& v)
-{
-  const double fuu = 2.0 * b[3], fuv = b[4], fvv = 2.0 * b[5];
-  u = v = 0.0;
-  for (int iteration = 0; iteration < 8; ++iteration) {
-    const double f = b[0] + b[1] * u + b[2] * v + b[3] * u * u + b[4] * u * v + b[5] * v * v;
-    const double fu = b[1] + fuu * u + fuv * v, fv = b[2] + fuv * u + fvv * v;
-    const double gu = u + f * fu, gv = v + f * fv;
-    const double huu = 1.0 + fu * fu + f * fuu, huv = fu * fv + f * fuv, hvv = 1.0 + fv * fv + f * fvv;
-    const double determinant = huu * hvv - huv * huv;
-    if (!(determinant > 0.0))
-      return false;
-    const double du = (hvv * gu - huv * gv) / determinant, dv = (huu * gv - huv * gu) / determinant;
-    u -= du;
-    v -= dv;
-    if (du * du + dv * dv < 1e-20)
-      break;
-  }
-  return u * u + v * v < 1.0;
-}
-
-/** Normal, principal curvatures and direction of the quadric at (u, v); lengths over \p radius. */
-void
-shapeOfQuadric(const Vector6d& b, double u, double v, double radius, const Eigen::Vector3d& e1,
-               const Eigen::Vector3d& e2, const Eigen::Vector3d& up, SurfaceFoot& foot)
-{
-  const double fuu = 2.0 * b[3], fuv = b[4], fvv = 2.0 * b[5];
-  const double fu = b[1] + fuu * u + fuv * v, fv = b[2] + fuv * u + fvv * v;
-  const double area = std::sqrt(1.0 + fu * fu + fv * fv);
-  foot.normal = (up - fu * e1 - fv * e2) / area;
-  // An orthonormal tangent frame (t1, t2) in terms of the coordinate tangents x_u = e1 + fu up, x_v = e2 + fv up.
-  const double e = 1.0 + fu * fu, f = fu * fv, root = std::sqrt(e);
-  const Eigen::Vector3d t1 = (e1 + fu * up) / root, t2 = foot.normal.cross(t1);
-  const double a = 1.0 / root, c = -f / (root * area), d = root / area; // t1 = a x_u, t2 = c x_u + d x_v
-  const double l = -fuu / area, m = -fuv / area, n = -fvv / area;       // convex positive
-  const double k11 = a * a * l, k12 = a * (c * l + d * m), k22 = c * c * l + 2.0 * c * d * m + d * d * n;
-  const double mean = 0.5 * (k11 + k22), half = 0.5 * (k11 - k22), spread = std::hypot(half, k12);
-  foot.curvature1 = (mean + spread) / radius;
-  foot.curvature2 = (mean - spread) / radius;
-  const double angle = spread > 0.0 ? 0.5 * std::atan2(k12, half) : 0.0;
-  foot.direction1 = std::cos(angle) * t1 + std::sin(angle) * t2;
-}
-
 } // namespace
 
 SurfaceFoot
@@ -149,12 +104,8 @@ quadraticFoot(const Eigen::Vector3d& query, const Neighbourhood& near, const Eig
       s.vv, s.uvv, s.vvv, s.uuvv, s.uvvv, s.vvvv;
   const Vector6d right = (Vector6d() << s.f, s.fu, s.fv, s.fuu, s.fuv, s.fvv).finished();
   Vector6d b = right;
-  double u = 0.0, v = 0.0;
-  if (!solveNormalEquations(a, b) || !nearestOnQuadric(b, u, v))
+  if (!solveNormalEquations(a, b) || !standOnQuadric(b, radius, e1, e2, up, foot))
     return foot;
-  const double f = b[0] + b[1] * u + b[2] * v + b[3] * u * u + b[4] * u * v + b[5] * v * v;
-  foot.position = query + radius * (u * e1 + v * e2 + f * up);
-  shapeOfQuadric(b, u, v, radius, e1, e2, up, foot);
   // The weighted sum of squares over its expectation for unit noise, sum w - tr((X'WX)^-1 X'W^2X); the trace is 15/7
   // for this weight on evenly spread neighbours.
   const double freedom = s.w - 15.0 / 7.0;

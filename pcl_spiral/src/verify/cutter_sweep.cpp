@@ -8,6 +8,8 @@
 namespace pcl_spiral {
 namespace {
 
+constexpr double least = 1e-6, farthest = 1e9; // mm
+
 Polyline
 offset(const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals, double distance)
 {
@@ -66,19 +68,23 @@ heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p)
   const Eigen::Vector3d e2 = foot.normal.cross(foot.direction1), d = p - foot.position;
   const double a = d.dot(foot.direction1), b = d.dot(e2), z = d.dot(foot.normal);
   const double k1 = foot.curvature1, k2 = foot.curvature2;
-  // The nearest point (u, v, w) of w = -(k1 u^2 + k2 v^2) / 2: u (1 + k1 (z - w)) = a, v likewise, by fixed point.
-  double u = a, v = b, w = 0.0;
-  for (int i = 0; i < 20; ++i) {
-    const double before = w;
-    const double gu = 1.0 + k1 * (z - w), gv = 1.0 + k2 * (z - w);
-    u = gu > 0.1 ? a / gu : a;
-    v = gv > 0.1 ? b / gv : b;
-    w = -0.5 * (k1 * u * u + k2 * v * v);
-    if (std::abs(w - before) < 1e-13)
+  // Of the surface w = -(k1 u^2 + k2 v^2) / 2 the point is l (k1 u, k2 v, 1) off: u = a / (1 + k1 l), v = b / (1 + k2 l),
+  // and excess(l) = z - w - l vanishes. Where both 1 + k l are above 0, as at the nearest point, it falls all the way.
+  const auto along = [&](double k, double offset, double l) { return std::max(std::abs(offset), least) / (1.0 + k * l); };
+  const double lowest = k1 > 0.0 ? -1.0 / k1 : -farthest, highest = k2 < 0.0 ? -1.0 / k2 : farthest;
+  double low = lowest, high = highest, l = std::clamp(z, 0.5 * lowest, 0.5 * highest), u = 0.0, v = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    u = along(k1, a, l);
+    v = along(k2, b, l);
+    const double excess = z + 0.5 * (k1 * u * u + k2 * v * v) - l;
+    (excess > 0.0 ? low : high) = l;
+    const double slope = 1.0 + k1 * k1 * u * u / (1.0 + k1 * l) + k2 * k2 * v * v / (1.0 + k2 * l);
+    const double next = l + excess / slope, before = l;
+    l = next > low && next < high ? next : 0.5 * (low + high);
+    if (std::abs(l - before) < 1e-13 * (1.0 + std::abs(l)))
       break;
   }
-  const double distance = std::sqrt((a - u) * (a - u) + (b - v) * (b - v) + (z - w) * (z - w));
-  return z >= w ? distance : -distance;
+  return l * std::sqrt(1.0 + k1 * k1 * u * u + k2 * k2 * v * v);
 }
 
 BallSweep::BallSweep(const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals, double radius)

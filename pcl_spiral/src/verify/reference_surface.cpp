@@ -47,7 +47,7 @@ ReferenceSurface::build(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions
   if (const Status status = buildWithoutStrays(std::move(points), options, graph_, source_); !status.ok())
     return status;
   strays_ = given - source_.size();
-  surface_ = std::make_unique<MlsSurface>(graph_);
+  surface_ = std::make_unique<MlsSurface>(graph_, 0, ProjectionMethod::RobustQuartic);
   warnings_.clear();
   if (strays_ > 0)
     warnings_.push_back(text(strays_, " points of the reference stand alone off its surface and were left out"));

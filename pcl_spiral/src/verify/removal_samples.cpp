@@ -31,6 +31,7 @@ RemovalExtremes::merge(const RemovalExtremes& later)
   raise(scallop, later.scallop.value, later.scallop.position, later.scallop.index);
   raise(rim, later.rim.value, later.rim.position, later.rim.index);
   raise(gouge, later.gouge.value, later.gouge.position, later.gouge.index);
+  raise(rim_gouge, later.rim_gouge.value, later.rim_gouge.position, later.rim_gouge.index);
 }
 
 RemovalSampler::RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep,
@@ -132,8 +133,9 @@ RemovalSampler::along(std::size_t move, double f0, double f1, const SurfaceFoot&
       depth += (1.0 - g) * sweep_.depth(move, f, first);
     if (g > 0.0)
       depth += g * sweep_.depth(move, f, last);
-    if (depth > extremes.gouge.value)
-      extremes.gouge = {depth, (1.0 - g) * first.position + g * last.position, f < 0.5 ? move : move + 1};
+    const bool outside = (g < 1.0 && first.overhang > 0.0) || (g > 0.0 && last.overhang > 0.0);
+    raise(outside ? extremes.rim_gouge : extremes.gouge, depth, (1.0 - g) * first.position + g * last.position,
+          f < 0.5 ? move : move + 1);
   }
 }
 

@@ -17,7 +17,7 @@ enum class Zone : std::uint8_t { None, Main, Rim };
 
 /** The extremes met, in a fixed order. */
 struct RemovalExtremes {
-  PlacedValue stock, scallop, rim, gouge;
+  PlacedValue stock, scallop, rim, gouge, rim_gouge;
   void merge(const RemovalExtremes& later);
 };
 

@@ -178,6 +178,7 @@ void
 Measurement::finish()
 {
   figures_.gouge = extremes_.gouge;
+  figures_.rim_gouge = extremes_.rim_gouge;
   finish(figures_.stock, main_, extremes_.stock);
   finish(figures_.rim, rim_, extremes_.rim);
   finish(figures_.scallop, ridge_, extremes_.scallop);

@@ -38,14 +38,16 @@ struct SurfaceFoot {
 /** Which surface is fitted. */
 enum class ProjectionMethod {
   Quadratic,          ///< local quadric with a compact C2 weight, iterated
+  RobustQuartic,      ///< of the fourth degree where the noise lets it be told from the quadric, outliers left out: what
+                      ///< a path is judged by
   DirectionalCentroid ///< as published (Wu et al. 2025, equations 8-11): order zero, biased by (k1 + k2) h^2 / 4
 };
 
 /** Projects points onto the surface of a graph. Cheap to make; the graph must outlive it. */
 class MlsSurface {
 public:
-  /** \p neighbours in one fit; 0: as many as the noise asks for and the curvature allows (32 to 256),
-   *  and as a fit needs that spans several scan lines. */
+  /** \p neighbours in one fit; 0: as many as the noise asks for and the curvature allows (32 to 256; 48 to 192 for
+   *  RobustQuartic), and as a fit needs that spans several scan lines. */
   explicit MlsSurface(const SurfaceGraph& graph, int neighbours = 0,
                       ProjectionMethod method = ProjectionMethod::Quadratic);
 

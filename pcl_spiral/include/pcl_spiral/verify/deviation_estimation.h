@@ -11,7 +11,7 @@ namespace pcl_spiral {
 /** Signed distance of each point of a toolpath from a scanned surface, the angle of its normal, and how the path moves.
  *
  *  setInputCloud takes the reference: the raw scan, the planner's or another one. The distance is that to a local
- *  quadratic fit of the raw points; see ReferenceSurface for what part of it is noise. Positive out of the material.
+ *  fit of the raw points; see ReferenceSurface for what part of it is noise. Positive out of the material.
  *  Lengths in mm, angles in degrees. The input is never changed.
  */
 template <typename PointT>

@@ -16,8 +16,8 @@
 
 namespace pcl_spiral {
 
-/** The surface behind the raw points of a scan, by local quadratic fits to the points themselves
- * (MlsSurface).
+/** The surface behind the raw points of a scan, by local fits to the points themselves, of the fourth degree and with
+ *  false echoes left out (ProjectionMethod::RobustQuartic): not the planner's quadrics, so what those smooth away shows.
  *
  *  Every figure is measured against this surface, not against single points, so the noise of a single point,
  * noise(), is averaged: what remains in the surface is fitNoise(), and no figure is better known than that.
