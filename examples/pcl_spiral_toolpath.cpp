@@ -4,19 +4,16 @@
 #include "toolpath/command_line.h"
 #include "toolpath/console.h"
 #include "toolpath/job_check.h"
+#include "toolpath/outputs.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/output_files.h>
-#include <pcl_spiral/io/report_writer.h>
-#include <pcl_spiral/io/toolpath_writer.h>
 #include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
-#include <pcl_spiral/visualization/pictures.h>
 
 #include <pcl/console/print.h>
 
 #include <chrono>
-#include <filesystem>
 #include <iostream>
 
 using namespace pcl_spiral;
@@ -25,19 +22,6 @@ namespace {
 
 constexpr int failed_on_data = 1;
 constexpr int bad_usage = 2;
-
-class Cancelled : public std::runtime_error {
-public:
-  Cancelled() : std::runtime_error("cancelled; no output has been written") {}
-};
-
-/** All that a run came to. */
-struct Result {
-  Scan scan;
-  pcl::PointCloud<ToolpathPoint>::Ptr path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
-  SpiralReport report;
-  std::optional<Verification> verification;
-};
 
 void
 warn(const Job& job, const std::vector<std::string>& warnings)
@@ -82,10 +66,9 @@ verify(const Job& job, Result& result)
   const JudgeSettings settings{s.tool_radius, s.scallop_height, s.chord_error, s.view_point, s.flip_normals, s.threads};
   std::shared_ptr<const ScannedReference> surface;
   Verification verification;
-  Heights heights;
   const Status status = judgePath(result.scan.cloud, result.path, settings,
                                   [&bar](double share, const std::string& stage) { return bar.update(share, stage); },
-                                  surface, verification, heights);
+                                  surface, verification, result.heights);
   bar.clear();
   if (cancelled())
     throw Cancelled();
@@ -95,38 +78,13 @@ verify(const Job& job, Result& result)
 }
 
 void
-write(const Job& job, const Result& result, OutputFiles& files)
-{
-  const ToolpathMotion motion{job.settings.tool_radius, job.settings.feed};
-  const std::string title = std::filesystem::path(job.scan).filename().string();
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::string extension = extensionOf(files.path(i));
-    if (extension == ".json")
-      writeReportJSON(files.temporary(i),
-                      {job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings},
-                      job.settings, result.report, result.verification ? &*result.verification : nullptr);
-    else if (extension == ".png") {
-      const SpiralPictures pictures({title, result.scan.cloud, result.path, job.settings, result.report});
-      pictures.writeSpiral(files.temporary(i));
-      pictures.writeLines(files.temporary(++i));
-    }
-    else
-      writeToolpath(files.temporary(i), *result.path, motion);
-    if (cancelled())
-      throw Cancelled();
-  }
-  files.commit();
-}
-
-void
 run(const Job& job)
 {
   const auto start = std::chrono::steady_clock::now();
   checkJob(job);
   OutputFiles files(filesOf(job));
   for (const std::string& output : job.outputs)
-    if (extensionOf(output) == ".png" && !displayProblem().empty())
-      throw FileError(output, displayProblem());
+    requireDisplay(output);
   if (!job.verbose)
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
   Result result = compute(job);
@@ -135,8 +93,8 @@ run(const Job& job)
   warn(job, result.scan.warnings);
   warn(job, result.report.warnings);
   if (result.verification)
-    warn(job, result.verification->removal.warnings);
-  write(job, result, files);
+    warn(job, warningsOf(*result.verification));
+  writeOutputs(job, result, files);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (!job.quiet)
     printSummary(job, result.report, seconds.count());

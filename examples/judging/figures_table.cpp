@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iomanip>
 #include <sstream>
 
+using pcl_spiral::Limits;
 using pcl_spiral::PlacedValue;
 using pcl_spiral::StockFigures;
 
@@ -17,21 +19,6 @@ at(const PlacedValue& value)
   std::snprintf(text, sizeof(text), "at (%.3f, %.3f, %.3f), path point %zu", value.position.x(), value.position.y(),
                 value.position.z(), value.index);
   return text;
-}
-
-/** Of all reference points, with the rim band. */
-double
-uncutPercent(const pcl_spiral::RemovalFigures& removal)
-{
-  const std::size_t samples = removal.stock.samples + removal.rim.samples;
-  return samples > 0 ? 100.0 * static_cast<double>(removal.stock.uncut + removal.rim.uncut) / static_cast<double>(samples)
-                     : 100.0;
-}
-
-const PlacedValue&
-firstUncut(const pcl_spiral::RemovalFigures& removal)
-{
-  return removal.stock.uncut > 0 ? removal.stock.first_uncut : removal.rim.first_uncut;
 }
 
 void
@@ -59,7 +46,7 @@ brokenLimits(const Limits& limits, const pcl_spiral::Verification& verification)
     text << option << " " << *limit << " is broken: " << value << " " << place;
     broken.push_back(text.str());
   };
-  const PlacedValue& scallop = removal.scallop.samples > 0 ? removal.scallop.max : removal.stock.max;
+  const PlacedValue& scallop = highestScallop(removal);
   check("--max-deviation", limits.deviation, std::abs(deviation.max.value), "mm " + at(deviation.max));
   check("--max-scallop", limits.scallop, scallop.value, "mm " + at(scallop));
   check("--max-gouge", limits.gouge, removal.gouge.value, "mm " + at(removal.gouge));
@@ -68,6 +55,25 @@ brokenLimits(const Limits& limits, const pcl_spiral::Verification& verification)
     broken.push_back("--max-deviation is broken: " + std::to_string(deviation.unmeasured) +
                      " path points lie off the scanned surface");
   return broken;
+}
+
+std::vector<std::string>
+unprovenLimits(const Limits& limits, const pcl_spiral::Verification& verification)
+{
+  const double least = 3.0 * verification.deviation.fit_noise;
+  std::vector<std::string> unproven;
+  const auto check = [&](const char* option, const std::optional<double>& limit) {
+    if (!limit || *limit >= least)
+      return;
+    std::ostringstream text;
+    text << option << " " << *limit << " mm lies below " << std::setprecision(2) << least
+         << " mm, three times the noise of the scan's surface: this scan cannot show that it holds";
+    unproven.push_back(text.str());
+  };
+  check("--max-deviation", limits.deviation);
+  check("--max-scallop", limits.scallop);
+  check("--max-gouge", limits.gouge);
+  return unproven;
 }
 
 void
@@ -107,4 +113,6 @@ printFigures(const pcl_spiral::Verification& verification)
   std::printf("axis change     %.3g degrees a step %s\n", d.motion.axis_change.value, at(d.motion.axis_change).c_str());
   for (const std::string& broken : verification.broken)
     std::printf("LIMIT           %s\n", broken.c_str());
+  for (const std::string& unproven : verification.unproven)
+    std::printf("limit           %s\n", unproven.c_str());
 }

@@ -2,6 +2,11 @@
 
 #include <pcl_spiral/verify/material_removal.h>
 
+#include <pcl/kdtree/kdtree_flann.h>
+
+#include <cmath>
+#include <limits>
+
 using namespace pcl_spiral;
 
 namespace {
@@ -27,6 +32,28 @@ intensities(const pcl::PointCloud<pcl::PointXYZI>& cloud)
   for (const pcl::PointXYZI& point : cloud)
     values.push_back(point.intensity);
   return values;
+}
+
+/** For every path point the ridge next to the nearest point of the surface. */
+std::vector<float>
+ridgesAlong(const pcl::PointCloud<ToolpathPoint>& path, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
+            const Heights& heights)
+{
+  const auto on_surface = pcl::make_shared<pcl::Indices>();
+  for (std::size_t i = 0; i < heights.stock.size(); ++i)
+    if (!std::isnan(heights.stock[i]))
+      on_surface->push_back(static_cast<pcl::index_t>(i));
+  std::vector<float> ridges(path.size(), std::numeric_limits<float>::quiet_NaN());
+  if (on_surface->empty())
+    return ridges;
+  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
+  tree.setInputCloud(scan, on_surface);
+  pcl::Indices nearest(1);
+  std::vector<float> squared(1);
+  for (std::size_t i = 0; i < path.size(); ++i)
+    if (tree.nearestKSearch(pcl::PointXYZ(path[i].x, path[i].y, path[i].z), 1, nearest, squared) == 1)
+      ridges[i] = heights.ridges[static_cast<std::size_t>(nearest[0])];
+  return ridges;
 }
 
 } // namespace
@@ -60,5 +87,7 @@ judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::Point
   heights.stock = intensities(values);
   heights.ridges = removal.getRidgeHeights();
   verification.removal = removal.getFigures();
+  if (removal.getStatus().ok())
+    heights.scallop = ridgesAlong(*path, scan, heights);
   return removal.getStatus();
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 
 namespace {
 
@@ -65,6 +66,17 @@ ProgressBar::clear()
   if (shown_ && last_percent_ >= 0)
     std::fprintf(stderr, "\r\033[K");
   last_percent_ = -1;
+}
+
+std::string
+madeBy(const std::string& program)
+{
+  const std::time_t now = std::time(nullptr);
+  std::tm utc = {};
+  ::gmtime_r(&now, &utc);
+  char text[40];
+  std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M UTC", &utc);
+  return program + " " PCL_SPIRAL_VERSION ", " + text;
 }
 
 std::string

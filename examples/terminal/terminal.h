@@ -1,5 +1,5 @@
 /** \file
- *  Progress, cancelling and times on a terminal.
+ *  Wrong calls, progress, cancelling and times on a terminal.
  */
 #pragma once
 
@@ -10,6 +10,12 @@
 class UsageError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
+};
+
+/** The user has ended the run. */
+class Cancelled : public std::runtime_error {
+public:
+  Cancelled() : std::runtime_error("cancelled; no output has been written") {}
 };
 
 /** From here on ctrl-C and a request to end (SIGINT, SIGTERM) only set what cancelled tells. */
@@ -33,6 +39,9 @@ private:
   int last_percent_ = -1;
   std::string last_stage_;
 };
+
+/** "pcl_spiral_verify 0.1.0, 2025-03-01 14:05 UTC" */
+std::string madeBy(const std::string& program);
 
 /** "12.3 s", "4.5 min", "3 h 20 min" */
 std::string duration(double seconds);

@@ -1,6 +1,7 @@
 #include "command_line.h"
 #include "job_file.h"
 #include "option_table.h"
+#include "terminal/file_names.h"
 
 #include <boost/program_options.hpp>
 
@@ -95,6 +96,7 @@ parseCommandLine(int argc, const char* const* argv)
 {
   const NamedValues given = splitArguments(argc, argv);
   Job job;
+  job.command = commandLine(argc, argv);
   const auto config =
       std::find_if(given.begin(), given.end(), [](const auto& v) { return v.first == "config"; });
   if (config != given.end()) {

@@ -15,6 +15,7 @@
 /** A run as the user described it. */
 struct Job {
   std::set<std::string> given; ///< names of the options that were set, here or in a job file
+  std::string command; ///< the call as typed
   std::string scan;
   std::vector<std::string> outputs;
   pcl_spiral::ReadOptions read;

@@ -1,9 +1,9 @@
 #include "job_check.h"
+#include "terminal/file_names.h"
 
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <sstream>
 
@@ -60,7 +60,7 @@ bool
 isWritten(const std::string& extension)
 {
   const auto& known = pcl_spiral::toolpathExtensions();
-  return extension == ".json" || extension == ".png" ||
+  return extension == ".json" || extension == ".png" || extension == ".html" ||
          std::find(known.begin(), known.end(), extension) != known.end();
 }
 
@@ -72,7 +72,7 @@ checkOutputs(const Job& job)
   for (const std::string& file : job.outputs)
     if (!isWritten(extensionOf(file)))
       throw UsageError("-o " + file + ": extension '" + extensionOf(file) +
-                       "' is not known; use .csv .pcd .ply .vtp .json or .png");
+                       "' is not known; use .csv .pcd .ply .vtp .json .html or .png");
   std::error_code error;
   const std::vector<std::string> files = filesOf(job);
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -86,31 +86,27 @@ checkOutputs(const Job& job)
 
 } // namespace
 
-std::string
-extensionOf(const std::string& file)
+std::vector<PictureName>
+picturesOf(const Job& job)
 {
-  std::string extension = fs::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
-std::string
-linesPicture(const std::string& picture)
-{
-  const fs::path path(picture);
-  return (path.parent_path() / (path.stem().string() + "_lines" + path.extension().string())).string();
+  std::vector<PictureName> pictures{{PictureKind::Spiral, ""}, {PictureKind::Lines, "_lines"}};
+  if (job.verify)
+    pictures.insert(pictures.end(), {{PictureKind::Deviation, "_deviation"},
+                                     {PictureKind::Stock, "_stock"},
+                                     {PictureKind::Histogram, "_histogram"}});
+  return pictures;
 }
 
 std::vector<std::string>
 filesOf(const Job& job)
 {
   std::vector<std::string> files;
-  for (const std::string& output : job.outputs) {
-    files.push_back(output);
+  for (const std::string& output : job.outputs)
     if (extensionOf(output) == ".png")
-      files.push_back(linesPicture(output));
-  }
+      for (const PictureName& picture : picturesOf(job))
+        files.push_back(besideName(output, picture.suffix));
+    else
+      files.push_back(output);
   return files;
 }
 

@@ -1,76 +1,21 @@
 #include "option_table.h"
-
-#include <pcl_spiral/io/setting_names.h>
+#include "terminal/option_values.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <numeric>
-#include <sstream>
 
 using pcl_spiral::SpiralSettings;
 
 namespace {
 
-double
-number(const std::string& name, const std::string& value)
-{
-  double result = 0.0;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), result);
-  if (error != std::errc() || end != value.data() + value.size() || !std::isfinite(result))
-    throw UsageError("--" + name + " " + value + ": not a number; write it as 12.5");
-  return result;
-}
-
-std::vector<std::string>
-parts(const std::string& value)
-{
-  std::vector<std::string> words;
-  std::stringstream stream(value);
-  for (std::string word; std::getline(stream, word, ',');) {
-    word.erase(std::remove(word.begin(), word.end(), ' '), word.end());
-    words.push_back(word);
-  }
-  return words;
-}
-
-Eigen::Vector3d
-vector(const std::string& name, const std::string& value)
-{
-  const std::vector<std::string> words = parts(value);
-  if (words.size() != 3)
-    throw UsageError("--" + name + " " + value +
-                     ": three numbers parted by commas are needed, such as 10,-5,120");
-  return {number(name, words[0]), number(name, words[1]), number(name, words[2])};
-}
-
-int
-wholeNumber(const std::string& name, const std::string& value)
-{
-  const double result = number(name, value);
-  if (result != std::round(result) || std::abs(result) > 1e9)
-    throw UsageError("--" + name + " " + value + ": not a whole number");
-  return static_cast<int>(result);
-}
-
-template <typename Enum>
-Enum
-choice(const std::string& name, const std::string& value)
-{
-  const std::optional<Enum> result = pcl_spiral::choiceFromName<Enum>(value);
-  if (!result)
-    throw UsageError("--" + name + " " + value + ": must be one of " + pcl_spiral::choiceList<Enum>());
-  return *result;
-}
-
 void
 setOutliers(Job& job, const std::string& value)
 {
-  const std::vector<std::string> words = parts(value);
+  const std::vector<std::string> words = listValue(value);
   if (words.size() != 2)
     throw UsageError("--outliers " + value + ": neighbours and standard deviations are needed, such as 16,3");
-  job.settings.outlier_neighbours = wholeNumber("outliers", words[0]);
-  job.settings.outlier_deviations = number("outliers", words[1]);
+  job.settings.outlier_neighbours = wholeNumberValue("outliers", words[0]);
+  job.settings.outlier_deviations = numberValue("outliers", words[1]);
   if (job.settings.outlier_neighbours < 1 || job.settings.outlier_deviations <= 0.0)
     throw UsageError("--outliers " + value + ": both numbers must be above 0, such as 16,3");
 }
@@ -81,7 +26,7 @@ setting(const std::string& name, const std::string& argument, const std::string&
         double SpiralSettings::*member)
 {
   return {name, argument, help,
-          [name, member](Job& job, const std::string& value) { job.settings.*member = number(name, value); }};
+          [name, member](Job& job, const std::string& value) { job.settings.*member = numberValue(name, value); }};
 }
 
 /** An option for a place of the settings. */
@@ -90,7 +35,7 @@ setting(const std::string& name, const std::string& help,
         std::optional<Eigen::Vector3d> SpiralSettings::*member)
 {
   return {name, "X,Y,Z", help,
-          [name, member](Job& job, const std::string& value) { job.settings.*member = vector(name, value); }};
+          [name, member](Job& job, const std::string& value) { job.settings.*member = placeValue(name, value); }};
 }
 
 /** An option for a choice of the settings. */
@@ -99,7 +44,7 @@ Option
 setting(const std::string& name, const std::string& help, Enum SpiralSettings::*member)
 {
   return {name, pcl_spiral::choiceList<Enum>(), help, [name, member](Job& job, const std::string& value) {
-            job.settings.*member = choice<Enum>(name, value);
+            job.settings.*member = choiceValue<Enum>(name, value);
           }};
 }
 
@@ -125,17 +70,19 @@ files()
         [](Job& job, const std::string& value) { job.scan = value; }},
        {"output", "FILE",
         "what to write, by extension; give it once a file: -o part.csv -o part.vtp\n"
-        ".csv .pcd .ply .vtp  the path\n"
+        ".csv .pcd .ply .vtp  the path; with --verify a .vtp has the point data Deviation and Scallop, mm\n"
         ".json  report: settings, loops, counts, times\n"
-        ".png  the spiral on the surface; NAME_lines.png beside it shows loops and radial lines",
+        ".html  report to read and print, with the pictures, in one file\n"
+        ".png  the spiral on the surface; NAME_lines.png beside it shows loops and radial lines; with --verify also "
+        "NAME_deviation.png, NAME_stock.png, NAME_histogram.png",
         [](Job& job, const std::string& value) { job.outputs.push_back(value); }},
        {"units", "mm|m|inch", "unit of the numbers in the scan; mm by default: --units m",
-        [](Job& job, const std::string& value) { job.read.unit = choice<LengthUnit>("units", value); }},
+        [](Job& job, const std::string& value) { job.read.unit = choiceValue<LengthUnit>("units", value); }},
        {"origin", "X,Y,Z",
         "subtracted from the scan, in its own unit, for coordinates far from zero: --origin 393775,3689071,0",
-        [](Job& job, const std::string& value) { job.read.origin = vector("origin", value); }},
+        [](Job& job, const std::string& value) { job.read.origin = placeValue("origin", value); }},
        {"columns", "NAMES", "columns of a text file from the left; x, y and z are taken: --columns id,x,y,z",
-        [](Job& job, const std::string& value) { job.read.columns = parts(value); }},
+        [](Job& job, const std::string& value) { job.read.columns = listValue(value); }},
        {"config", "FILE",
         "job file in YAML with these names (tool-radius: 10); the command line wins: --config job.yaml",
         [](Job&, const std::string&) {}}}};
@@ -200,7 +147,7 @@ running()
 {
   return {"Run",
           {{"threads", "N", "0, the default, means all; the path does not depend on it: --threads 4",
-            [](Job& job, const std::string& value) { job.settings.threads = wholeNumber("threads", value); }},
+            [](Job& job, const std::string& value) { job.settings.threads = wholeNumberValue("threads", value); }},
            toggle("verify", "judge the path by the scan: deviation, scallop, gouge; adds about as much time again",
                   [](Job& job) -> bool& { return job.verify; }),
            toggle("verbose", "say more", [](Job& job) -> bool& { return job.verbose; }),

@@ -1,15 +1,12 @@
 #include "verify_job.h"
 
-#include "terminal/terminal.h"
-
-#include <pcl_spiral/io/setting_names.h>
+#include "terminal/file_names.h"
+#include "terminal/option_values.h"
 
 #include <boost/program_options.hpp>
 
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 #include <filesystem>
-#include <sstream>
 
 namespace po = boost::program_options;
 
@@ -24,8 +21,13 @@ allOptions()
   po::options_description files("Files", width, width / 2), cutter("Cutter and finish (mm)", width, width / 2),
       limits("Limits: one that is broken ends the program with 1", width, width / 2), run("Run", width, width / 2);
   files.add_options()("file", values("FILE"), "the scan, then the paths: .csv .pcd .ply .vtp; the names alone are enough")(
-      "output,o", values("FILE"), "what to write: .json  the figures; .png  the deviation of the path, and beside it NAME_stock.png, what is left "
-                                 "where, and NAME_histogram.png, how high the scallops are: -o part_verified.json")(
+      "output,o", values("FILE"),
+      "what to write, by extension; give it once a file: -o verified.json -o verified.html\n"
+      ".json  the figures\n"
+      ".html  report to read and print, with the pictures, in one file\n"
+      ".png  of one path: its deviation; NAME_stock.png beside it shows what is left where, NAME_histogram.png how high "
+      "the scallops are\n"
+      ".vtp  of one path: the path with the point data Deviation and Scallop, mm")(
       "units", value("mm|m|inch"), "unit of the numbers in the scan; mm by default: --units m")(
       "origin", value("X,Y,Z"), "subtracted from the scan, in its own unit, as for the path: --origin 393775,3689071,0")(
       "columns", value("NAMES"), "columns of a text scan from the left: --columns id,x,y,z");
@@ -44,40 +46,24 @@ allOptions()
   return all;
 }
 
-double
-number(const std::string& name, const std::string& value)
-{
-  double result = 0.0;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), result);
-  if (error != std::errc() || end != value.data() + value.size() || !std::isfinite(result))
-    throw UsageError("--" + name + " " + value + ": not a number; write it as 12.5");
-  return result;
-}
-
-std::vector<std::string>
-words(const std::string& value)
-{
-  std::vector<std::string> result;
-  std::stringstream stream(value);
-  for (std::string word; std::getline(stream, word, ',');)
-    result.push_back(word);
-  return result;
-}
-
-Eigen::Vector3d
-place(const std::string& name, const std::string& value)
-{
-  const std::vector<std::string> parts = words(value);
-  if (parts.size() != 3)
-    throw UsageError("--" + name + " " + value + ": three numbers parted by commas are needed, such as 10,-5,120");
-  return {number(name, parts[0]), number(name, parts[1]), number(name, parts[2])};
-}
-
 void
 require(bool holds, const std::string& message)
 {
   if (!holds)
     throw UsageError(message);
+}
+
+/** An output must not replace what is read. */
+void
+refuseInputs(const VerifyJob& job)
+{
+  std::vector<std::string> inputs = job.paths;
+  inputs.push_back(job.scan);
+  std::error_code error;
+  for (const std::string& file : filesOf(job))
+    for (const std::string& input : inputs)
+      require(!std::filesystem::equivalent(file, input, error),
+              "-o " + file + ": this is " + input + ", which is read; give the output another name");
 }
 
 void
@@ -93,11 +79,15 @@ check(const VerifyJob& job, bool radius_given)
   require(s.chord_error > 0.0, "--chord-error must be above 0 mm, such as 0.005");
   require(s.threads >= 0, "--threads must be above 0, or 0 for all");
   for (const std::string& output : job.outputs) {
-    require(extensionOf(output) == ".json" || extensionOf(output) == ".png",
-            "-o " + output + ": only .json and .png can be written");
-    require(extensionOf(output) == ".json" || job.paths.size() == 1,
-            "-o " + output + ": pictures show one path; name one alone");
+    const std::string extension = extensionOf(output);
+    const std::vector<std::string> known{".json", ".html", ".png", ".vtp"};
+    require(std::find(known.begin(), known.end(), extension) != known.end(),
+            "-o " + output + ": extension '" + extension + "' is not known; use .json .html .png or .vtp");
+    require(job.paths.size() == 1 || extension == ".json" || extension == ".html",
+            "-o " + output + ": shows one path, and " + std::to_string(job.paths.size()) +
+                " are named; name one alone, or write .json or .html");
   }
+  refuseInputs(job);
 }
 
 VerifyJob
@@ -115,12 +105,12 @@ fromMap(const po::variables_map& given)
   const auto text = [&](const char* name) { return given[name].as<std::string>(); };
   const auto read = [&](const char* name, double& value) {
     if (given.count(name) > 0)
-      value = number(name, text(name));
+      value = numberValue(name, text(name));
   };
   const auto limit = [&](const char* name, std::optional<double>& value) {
     if (given.count(name) == 0)
       return;
-    value = number(name, text(name));
+    value = numberValue(name, text(name));
     require(*value >= 0.0, "--" + std::string(name) + " must not be below 0");
   };
   if (given.count("file") > 0) {
@@ -130,25 +120,19 @@ fromMap(const po::variables_map& given)
   }
   if (given.count("output") > 0)
     job.outputs = given["output"].as<std::vector<std::string>>();
-  if (given.count("units") > 0) {
-    const auto unit = pcl_spiral::choiceFromName<pcl_spiral::LengthUnit>(text("units"));
-    require(unit.has_value(), "--units " + text("units") + ": must be one of " +
-                                  pcl_spiral::choiceList<pcl_spiral::LengthUnit>());
-    job.read.unit = *unit;
-  }
+  if (given.count("units") > 0)
+    job.read.unit = choiceValue<pcl_spiral::LengthUnit>("units", text("units"));
   if (given.count("origin") > 0)
-    job.read.origin = place("origin", text("origin"));
+    job.read.origin = placeValue("origin", text("origin"));
   if (given.count("columns") > 0)
-    job.read.columns = words(text("columns"));
+    job.read.columns = listValue(text("columns"));
   if (given.count("view-point") > 0)
-    job.settings.view_point = place("view-point", text("view-point"));
+    job.settings.view_point = placeValue("view-point", text("view-point"));
   read("tool-radius", job.settings.tool_radius);
   read("scallop", job.settings.scallop_height);
   read("chord-error", job.settings.chord_error);
-  double threads = 0.0;
-  read("threads", threads);
-  require(threads == std::round(threads), "--threads must be a whole number");
-  job.settings.threads = static_cast<int>(threads);
+  if (given.count("threads") > 0)
+    job.settings.threads = wholeNumberValue("threads", text("threads"));
   limit("max-gouge", job.limits.gouge);
   limit("max-scallop", job.limits.scallop);
   limit("max-deviation", job.limits.deviation);
@@ -159,22 +143,24 @@ fromMap(const po::variables_map& given)
 
 } // namespace
 
-std::string
-extensionOf(const std::string& file)
+const std::vector<PictureName>&
+verifyPictures()
 {
-  return std::filesystem::path(file).extension().string();
+  static const std::vector<PictureName> pictures{
+      {PictureKind::Deviation, ""}, {PictureKind::Stock, "_stock"}, {PictureKind::Histogram, "_histogram"}};
+  return pictures;
 }
 
 std::vector<std::string>
 filesOf(const VerifyJob& job)
 {
   std::vector<std::string> files;
-  for (const std::string& output : job.outputs) {
-    files.push_back(output);
+  for (const std::string& output : job.outputs)
     if (extensionOf(output) == ".png")
-      for (const char* name : {"_stock.png", "_histogram.png"})
-        files.push_back(output.substr(0, output.size() - 4) + name);
-  }
+      for (const PictureName& picture : verifyPictures())
+        files.push_back(besideName(output, picture.suffix));
+    else
+      files.push_back(output);
   return files;
 }
 
@@ -196,7 +182,9 @@ parseVerifyCommandLine(int argc, const char* const* argv)
   catch (const po::error& error) {
     throw UsageError(error.what());
   }
-  return fromMap(given);
+  VerifyJob job = fromMap(given);
+  job.command = commandLine(argc, argv);
+  return job;
 }
 
 void

@@ -5,6 +5,7 @@
 
 #include "judging/figures_table.h"
 #include "judging/judge.h"
+#include "report/picture_files.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
 
@@ -14,12 +15,13 @@
 
 /** A run as the user described it. */
 struct VerifyJob {
+  std::string command; ///< the call as typed
   std::string scan;
   std::vector<std::string> paths;
-  std::vector<std::string> outputs; ///< .json and .png
+  std::vector<std::string> outputs; ///< .json .html .png .vtp
   pcl_spiral::ReadOptions read;
   JudgeSettings settings;
-  Limits limits;
+  pcl_spiral::Limits limits;
   bool quiet = false;
   bool help = false;
   bool version = false;
@@ -28,10 +30,10 @@ struct VerifyJob {
 /** \throw UsageError */
 VerifyJob parseVerifyCommandLine(int argc, const char* const* argv);
 
-/** Every file the job makes: the outputs, and beside each picture NAME.png its NAME_stock.png and NAME_histogram.png. */
-std::vector<std::string> filesOf(const VerifyJob& job);
+/** The pictures of an output NAME.png, itself first. */
+const std::vector<PictureName>& verifyPictures();
 
-/** .png of part.png */
-std::string extensionOf(const std::string& file);
+/** Every file the job makes: the outputs, and the pictures beside each NAME.png. */
+std::vector<std::string> filesOf(const VerifyJob& job);
 
 void printVerifyHelp(std::ostream& out);

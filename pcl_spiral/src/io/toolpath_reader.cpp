@@ -65,7 +65,8 @@ readVtpTable(const std::string& file)
   append(table, file, arrays->GetArray("ToolAxis"), "ToolAxis", 3);
   append(table, file, arrays->GetArray("ArcLength"), "ArcLength", 1);
   append(table, file, arrays->GetArray("Turn"), "Turn", 1);
-  append(table, file, arrays->GetArray("Feed"), "Feed", 1);
+  if (arrays->GetArray("Feed"))
+    append(table, file, arrays->GetArray("Feed"), "Feed", 1);
   return table;
 }
 

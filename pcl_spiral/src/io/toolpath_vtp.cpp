@@ -13,6 +13,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <numeric>
+#include <stdexcept>
 
 namespace pcl_spiral {
 namespace {
@@ -32,8 +33,22 @@ pointArray(const char* name, int components, const pcl::PointCloud<ToolpathPoint
   return array;
 }
 
+/** Adds \p values under \p name, where there are any. */
+template <typename Value>
+void
+addValues(vtkPointData* arrays, const char* name, const std::vector<Value>& values)
+{
+  if (values.empty())
+    return;
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  for (const Value value : values)
+    array->InsertNextValue(static_cast<float>(value));
+  arrays->AddArray(array);
+}
+
 vtkSmartPointer<vtkPolyData>
-polyData(const pcl::PointCloud<ToolpathPoint>& path, double feed)
+polyData(const pcl::PointCloud<ToolpathPoint>& path, double feed, const PathValues& values)
 {
   using P = ToolpathPoint;
   vtkNew<vtkPoints> points;
@@ -51,26 +66,41 @@ polyData(const pcl::PointCloud<ToolpathPoint>& path, double feed)
       pointArray<vtkFloatArray>("Normals", 3, path, [](const P& p, int c) { return p.data_n[c]; }));
   arrays->AddArray(
       pointArray<vtkFloatArray>("ToolAxis", 3, path, [](const P& p, int c) { return p.data_axis[c]; }));
-  arrays->AddArray(
-      pointArray<vtkFloatArray>("Feed", 1, path, [feed](const P&, int) { return static_cast<float>(feed); }));
+  if (!values.feed.empty())
+    addValues(arrays, "Feed", values.feed);
+  else if (feed > 0.0)
+    addValues(arrays, "Feed", std::vector<double>(path.size(), feed));
   arrays->AddArray(pointArray<vtkFloatArray>("Turn", 1, path, [](const P& p, int) { return p.turn; }));
   arrays->AddArray(
       pointArray<vtkDoubleArray>("ArcLength", 1, path, [](const P& p, int) { return p.arc_length; }));
+  addValues(arrays, "Deviation", values.deviation);
+  addValues(arrays, "Scallop", values.scallop);
   return data;
+}
+
+void
+requireOneAPoint(std::size_t values, std::size_t points, const char* what)
+{
+  if (values != 0 && values != points)
+    throw std::invalid_argument(std::to_string(values) + " values of " + what + " for " + std::to_string(points) +
+                                " path points; one a point is needed");
 }
 
 } // namespace
 
 void
 writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
-                 const ToolpathMotion& motion)
+                 const ToolpathMotion& motion, const PathValues& values)
 {
   if (path.empty()) // VTK cannot hold a line without points
     throw FileError(file, "not written: the path has no points");
+  requireOneAPoint(values.feed.size(), path.size(), "feed");
+  requireOneAPoint(values.deviation.size(), path.size(), "deviation");
+  requireOneAPoint(values.scallop.size(), path.size(), "scallop");
   const QuietVtk quiet;
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(file.c_str());
-  writer->SetInputData(polyData(path, motion.feed));
+  writer->SetInputData(polyData(path, motion.feed, values));
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToNone();

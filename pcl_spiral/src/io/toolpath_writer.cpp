@@ -14,7 +14,7 @@ toolpathExtensions()
 
 void
 writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
-              const ToolpathMotion& motion)
+              const ToolpathMotion& motion, const PathValues& values)
 {
   if (path.empty())
     throw FileError(file, "not written: the path has no points");
@@ -26,7 +26,7 @@ writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& pat
   else if (extension == ".ply")
     writeToolpathPLY(file, path);
   else if (extension == ".vtp")
-    writeToolpathVTP(file, path, motion);
+    writeToolpathVTP(file, path, motion, values);
   else
     throw FileError(file, "extension '" + extension +
                               "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");

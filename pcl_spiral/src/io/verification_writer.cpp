@@ -76,22 +76,59 @@ removalJson(const RemovalFigures& r)
           {"seconds", r.seconds}};
 }
 
+Json
+limitsJson(const Limits& limits)
+{
+  const auto value = [](const std::optional<double>& limit) { return limit ? Json(*limit) : Json(); };
+  return {{"max_gouge", value(limits.gouge)},
+          {"max_scallop", value(limits.scallop)},
+          {"max_deviation", value(limits.deviation)},
+          {"max_uncut_percent", value(limits.uncut)}};
+}
+
 } // namespace
+
+double
+uncutPercent(const RemovalFigures& removal)
+{
+  const std::size_t samples = removal.stock.samples + removal.rim.samples;
+  const std::size_t uncut = removal.stock.uncut + removal.rim.uncut;
+  return samples > 0 ? 100.0 * static_cast<double>(uncut) / static_cast<double>(samples) : 100.0;
+}
+
+const PlacedValue&
+firstUncut(const RemovalFigures& removal)
+{
+  return removal.stock.uncut > 0 ? removal.stock.first_uncut : removal.rim.first_uncut;
+}
+
+const PlacedValue&
+highestScallop(const RemovalFigures& removal)
+{
+  return removal.scallop.samples > 0 ? removal.scallop.max : removal.stock.max;
+}
+
+std::vector<std::string>
+warningsOf(const Verification& verification)
+{
+  std::vector<std::string> warnings = verification.deviation.warnings;
+  for (const std::string& warning : verification.removal.warnings)
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+      warnings.push_back(warning);
+  return warnings;
+}
 
 nlohmann::ordered_json
 verificationJson(const Verification& v)
 {
-  std::vector<std::string> warnings = v.deviation.warnings;
-  for (const std::string& warning : v.removal.warnings)
-    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
-      warnings.push_back(warning);
   return {{"noise", v.deviation.noise},
           {"fit_noise", v.deviation.fit_noise},
           {"deviation", deviationJson(v.deviation)},
           {"material", removalJson(v.removal)},
           {"motion", motionJson(v.deviation.motion)},
           {"broken_limits", v.broken},
-          {"warnings", warnings}};
+          {"unproven_limits", v.unproven},
+          {"warnings", warningsOf(v)}};
 }
 
 void
@@ -109,6 +146,7 @@ writeVerificationJSON(const std::string& file, const VerificationRun& run,
       {"input", {{"file", run.scan}, {"unit", choiceName(run.unit)}}},
       {"settings",
        {{"tool_radius", run.tool_radius}, {"scallop", run.scallop_height}, {"chord_error", run.chord_error}}},
+      {"limits", limitsJson(run.limits)},
       {"paths", paths},
       {"warnings", run.warnings}};
   ByteFile out(file);

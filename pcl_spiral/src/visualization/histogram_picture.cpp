@@ -7,10 +7,14 @@ namespace pcl_spiral {
 void
 VerificationPictures::writeHistogram(const std::string& file) const
 {
-  if (!hasHistogram(scene_))
+  if (scene_.ridges.empty() || !(scene_.removal_figures.limit > 0.0))
     throw std::logic_error("a histogram needs heights of ridges and the limit they are judged by");
   Sheet sheet;
-  addHistogram(sheet.view(), PageSize(), scene_);
+  if (hasHistogram(scene_))
+    addHistogram(sheet.view(), PageSize(), scene_);
+  else
+    addCentredText(sheet.view(), "no ridge was measured: none lies farther than a step-over from the rim",
+                   {0.5 * Sheet::width, 0.5 * Sheet::height}, 26);
   const Title title = histogramTitle(scene_);
   sheet.addTitle(title.first, title.second);
   sheet.save(file);

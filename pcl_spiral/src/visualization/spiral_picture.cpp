@@ -60,7 +60,9 @@ SpiralPictures::writeSpiral(const std::string& file) const
       scene.title + ": " + std::to_string(report.turns) + " turns, " +
           text("%.2f m", report.path_length / 1000.0),
       text("ball radius %g mm, scallop %g mm", scene.settings.tool_radius, scene.settings.scallop_height) +
-          text(", step-over %.3g to %.3g mm", report.smallest_step_over, report.largest_step_over));
+          (report.smallest_step_over < report.largest_step_over
+               ? text(", step-over %.3g to %.3g mm", report.smallest_step_over, report.largest_step_over)
+               : text(", mean step-over %.3g mm", report.largest_step_over)));
   canvas.save(file);
 }
 

@@ -1,5 +1,5 @@
 /** \file
- *  The report of a run as JSON.
+ *  The report of a run, as JSON and as a page for people.
  */
 #pragma once
 
@@ -26,5 +26,12 @@ struct RunFiles {
  * (null: not). Lengths mm, angles degrees, seconds. \throw FileError */
 void writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings,
                      const SpiralReport& report, const Verification* verification = nullptr);
+
+/** The same as one HTML file that needs no other, with \p pictures of the path and \p judged of how it was judged.
+ *  \throw FileError */
+void writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files,
+                     const SpiralSettings& settings, const SpiralReport& report,
+                     const std::vector<ReportPicture>& pictures, const Verification* verification = nullptr,
+                     const std::vector<ReportPicture>& judged = {});
 
 } // namespace pcl_spiral

@@ -15,7 +15,7 @@ namespace pcl_spiral {
 /** A toolpath as it was written. */
 struct ToolpathFile {
   pcl::PointCloud<ToolpathPoint> path;
-  std::vector<double> feed; ///< a point, mm/min; empty where the format has none (.pcd, .ply)
+  std::vector<double> feed; ///< a point, mm/min; empty where the file has none (.pcd, .ply)
 };
 
 /** A toolpath from .csv, .pcd, .ply or .vtp as the writers make it. A CSV may hold comment lines (#).

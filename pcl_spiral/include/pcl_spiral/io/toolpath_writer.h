@@ -20,6 +20,13 @@ struct ToolpathMotion {
   double feed = 0.0;        ///< at the contact, mm/min
 };
 
+/** More values of a path, one a point; empty: none. */
+struct PathValues {
+  std::vector<double> feed;     ///< mm/min, in place of the motion's
+  std::vector<float> deviation; ///< mm, positive out of the material; NaN: not measured
+  std::vector<float> scallop;   ///< height of the ridge beside the point, mm; NaN: none was measured
+};
+
 /** Tip of a ball cutter that touches at \p point: contact + radius (normal - axis), mm. */
 inline Eigen::Vector3d
 toolTip(const ToolpathPoint& point, double tool_radius)
@@ -45,15 +52,17 @@ void writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoi
  * normal has the names that mesh viewers know; PCL reads them back as normal_x.. \throw FileError */
 void writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
 
-/** One polyline with point data Normals, ToolAxis, Feed, Turn, ArcLength. \throw FileError */
+/** One polyline with point data Normals, ToolAxis, Feed (where one is known), Turn, ArcLength, and of \p values what is
+ * given as Deviation and Scallop. \throw FileError, std::invalid_argument for values that are not one a point */
 void writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
-                      const ToolpathMotion& motion);
+                      const ToolpathMotion& motion, const PathValues& values = {});
 
 /** Extensions that writeToolpath knows, with the dot. */
 const std::vector<std::string>& toolpathExtensions();
 
-/** By the extension of \p file. \throw FileError extension not known, or the file cannot be written */
+/** By the extension of \p file; \p values go where the format has room for them, into .vtp. \throw FileError extension
+ * not known, or the file cannot be written */
 void writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
-                   const ToolpathMotion& motion);
+                   const ToolpathMotion& motion, const PathValues& values = {});
 
 } // namespace pcl_spiral

@@ -48,7 +48,7 @@ public:
   void writeStock(const std::string& file) const;
 
   /** How many ridges have which height, on a logarithmic scale, with the scallop asked for and the limit as
-   * lines. Errors as for writeDeviation, without a ridge height. */
+   * lines; where none was measured, words that say so. Errors as for writeDeviation, without ridges. */
   void writeHistogram(const std::string& file) const;
 
 private:

@@ -1,0 +1,126 @@
+#include "picture_files.h"
+
+#include "terminal/file_names.h"
+#include "terminal/terminal.h"
+
+#include <pcl_spiral/io/file_error.h>
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+using namespace pcl_spiral;
+namespace fs = std::filesystem;
+
+namespace {
+
+const char*
+captionOf(PictureKind kind)
+{
+  switch (kind) {
+  case PictureKind::Spiral:
+    return "Toolpath over the shaded surface; start and end enlarged with every turn.";
+  case PictureKind::Lines:
+    return "Boundary loops and radial lines over the scan.";
+  case PictureKind::Deviation:
+    return "Deviation of the contacts from the scanned surface, mm, + out of the material; the worst place enlarged.";
+  case PictureKind::Stock:
+    return "Stock left on the surface after cutting, mm; the worst place enlarged.";
+  case PictureKind::Histogram:
+    return "Scallop histogram: heights of the ridges between passes, mm.";
+  }
+  return "";
+}
+
+std::string
+makeFolder()
+{
+  std::error_code error;
+  std::string name = (fs::temp_directory_path(error) / "pcl_spiral-XXXXXX").string();
+  if (error || !::mkdtemp(name.data()))
+    throw FileError(name, std::string("no folder for pictures can be made there: ") +
+                              (error ? error.message() : std::strerror(errno)) +
+                              "; name a folder you may write to in TMPDIR");
+  return name;
+}
+
+} // namespace
+
+PictureFiles::~PictureFiles()
+{
+  std::error_code ignored;
+  if (!folder_.empty())
+    fs::remove_all(folder_, ignored);
+}
+
+std::string
+PictureFiles::add(PictureKind kind)
+{
+  if (cancelled())
+    throw Cancelled();
+  if (folder_.empty())
+    folder_ = makeFolder();
+  files_.push_back({kind, folder_ + "/" + std::to_string(files_.size()) + ".png"});
+  return files_.back().file;
+}
+
+void
+PictureFiles::drawPath(const PictureScene& scene, bool lines)
+{
+  const SpiralPictures pictures(scene);
+  pictures.writeSpiral(add(PictureKind::Spiral));
+  if (lines)
+    pictures.writeLines(add(PictureKind::Lines));
+}
+
+void
+PictureFiles::drawJudging(const VerificationScene& scene)
+{
+  const VerificationPictures pictures(scene);
+  pictures.writeDeviation(add(PictureKind::Deviation));
+  pictures.writeStock(add(PictureKind::Stock));
+  pictures.writeHistogram(add(PictureKind::Histogram));
+}
+
+const PictureFile*
+PictureFiles::find(PictureKind kind) const
+{
+  const auto last = std::find_if(files_.rbegin(), files_.rend(), [kind](const auto& f) { return f.kind == kind; });
+  return last == files_.rend() ? nullptr : &*last;
+}
+
+void
+PictureFiles::copy(PictureKind kind, const std::string& file) const
+{
+  const PictureFile* const picture = find(kind);
+  if (!picture)
+    throw std::logic_error(file + ": its picture has not been drawn");
+  std::error_code error;
+  fs::copy_file(picture->file, file, fs::copy_options::overwrite_existing, error);
+  if (error)
+    throw FileError(file, "cannot be written: " + error.message());
+}
+
+std::vector<ReportPicture>
+PictureFiles::forReport(const std::vector<PictureKind>& kinds) const
+{
+  std::vector<ReportPicture> pictures;
+  for (const PictureKind kind : kinds)
+    if (const PictureFile* const picture = find(kind))
+      pictures.push_back({picture->file, captionOf(kind)});
+  return pictures;
+}
+
+void
+requireDisplay(const std::string& output)
+{
+  const std::string extension = extensionOf(output);
+  if (extension != ".png" && extension != ".html")
+    return;
+  const std::string problem = displayProblem();
+  if (!problem.empty())
+    throw FileError(output, (extension == ".html" ? "the report holds pictures; " : "") + problem);
+}

@@ -1,0 +1,51 @@
+#include "file_names.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/** As a shell reads it: in single quotes where it holds more than plain characters. */
+std::string
+quoted(const std::string& word)
+{
+  const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalnum(c) || std::string("-_./,:=+@%").find(static_cast<char>(c)) != std::string::npos;
+  });
+  if (plain)
+    return word;
+  std::string result = "'";
+  for (const char c : word)
+    result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+} // namespace
+
+std::string
+extensionOf(const std::string& file)
+{
+  std::string extension = fs::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+std::string
+besideName(const std::string& file, const std::string& suffix)
+{
+  const fs::path path(file);
+  return (path.parent_path() / (path.stem().string() + suffix + path.extension().string())).string();
+}
+
+std::string
+commandLine(int argc, const char* const* argv)
+{
+  std::string line = argc > 0 ? fs::path(argv[0]).filename().string() : std::string();
+  for (int i = 1; i < argc; ++i)
+    line += " " + quoted(argv[i]);
+  return line;
+}

@@ -1,0 +1,36 @@
+/** \file
+ *  What the words behind an option mean. A value that means nothing is a UsageError naming option, value and remedy.
+ */
+#pragma once
+
+#include "terminal.h"
+
+#include <pcl_spiral/io/setting_names.h>
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+/** 12.5 */
+double numberValue(const std::string& name, const std::string& value);
+
+/** 4 */
+int wholeNumberValue(const std::string& name, const std::string& value);
+
+/** The words between commas, without spaces. */
+std::vector<std::string> listValue(const std::string& value);
+
+/** 10,-5,120 */
+Eigen::Vector3d placeValue(const std::string& name, const std::string& value);
+
+/** One of an enumeration's words. */
+template <typename Enum>
+Enum
+choiceValue(const std::string& name, const std::string& value)
+{
+  const std::optional<Enum> result = pcl_spiral::choiceFromName<Enum>(value);
+  if (!result)
+    throw UsageError("--" + name + " " + value + ": must be one of " + pcl_spiral::choiceList<Enum>());
+  return *result;
+}

@@ -1,0 +1,71 @@
+#include "outputs.h"
+
+#include "job_check.h"
+#include "terminal/file_names.h"
+
+#include <pcl_spiral/io/report_writer.h>
+#include <pcl_spiral/io/toolpath_writer.h>
+
+#include <algorithm>
+#include <filesystem>
+
+using namespace pcl_spiral;
+
+namespace {
+
+bool
+hasPictures(const std::string& output)
+{
+  return extensionOf(output) == ".png" || extensionOf(output) == ".html";
+}
+
+void
+draw(const Job& job, const Result& result, const std::string& title, PictureFiles& pictures)
+{
+  VerificationScene scene;
+  scene.part = {title, result.scan.cloud, result.path, job.settings, result.report};
+  pictures.drawPath(scene.part, true);
+  if (!result.verification)
+    return;
+  scene.deviation = result.heights.deviation;
+  scene.stock = result.heights.stock;
+  scene.ridges = result.heights.ridges;
+  scene.deviation_figures = result.verification->deviation;
+  scene.removal_figures = result.verification->removal;
+  pictures.drawJudging(scene);
+}
+
+} // namespace
+
+void
+writeOutputs(const Job& job, const Result& result, OutputFiles& files)
+{
+  const ToolpathMotion motion{job.settings.tool_radius, job.settings.feed};
+  const PathValues values{{}, result.heights.deviation, result.heights.scallop};
+  const RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings};
+  const Verification* const verification = result.verification ? &*result.verification : nullptr;
+  const std::string title = std::filesystem::path(job.scan).filename().string();
+  PictureFiles pictures;
+  if (std::any_of(job.outputs.begin(), job.outputs.end(), hasPictures))
+    draw(job, result, title, pictures);
+  std::size_t i = 0;
+  for (const std::string& output : job.outputs) {
+    const std::string extension = extensionOf(output);
+    if (cancelled())
+      throw Cancelled();
+    if (extension == ".png")
+      for (const PictureName& picture : picturesOf(job))
+        pictures.copy(picture.kind, files.temporary(i++));
+    else if (extension == ".json")
+      writeReportJSON(files.temporary(i++), run, job.settings, result.report, verification);
+    else if (extension == ".html")
+      writeReportHTML(files.temporary(i++), {title, madeBy("pcl_spiral_toolpath"), job.command}, run, job.settings,
+                      result.report, pictures.forReport({PictureKind::Spiral, PictureKind::Lines}), verification,
+                      pictures.forReport({PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram}));
+    else
+      writeToolpath(files.temporary(i++), *result.path, motion, values);
+  }
+  if (cancelled())
+    throw Cancelled();
+  files.commit();
+}

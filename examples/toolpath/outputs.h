@@ -1,0 +1,25 @@
+/** \file
+ *  What a run of pcl_spiral_toolpath came to, and its files.
+ */
+#pragma once
+
+#include "job.h"
+#include "judging/judge.h"
+
+#include <pcl_spiral/io/output_files.h>
+#include <pcl_spiral/toolpath/spiral_report.h>
+
+#include <optional>
+
+/** All that a run came to. */
+struct Result {
+  pcl_spiral::Scan scan;
+  pcl::PointCloud<pcl_spiral::ToolpathPoint>::Ptr path =
+      pcl::make_shared<pcl::PointCloud<pcl_spiral::ToolpathPoint>>();
+  pcl_spiral::SpiralReport report;
+  std::optional<pcl_spiral::Verification> verification; ///< where the path was judged, and then
+  Heights heights;                                      ///< the values behind it
+};
+
+/** Writes every file of the job, all or none. \throw pcl_spiral::FileError, Cancelled */
+void writeOutputs(const Job& job, const Result& result, pcl_spiral::OutputFiles& files);

@@ -1,0 +1,172 @@
+#include "verification_html.h"
+
+#include <pcl_spiral/io/report_writer.h>
+#include <pcl_spiral/io/setting_names.h>
+
+#include <algorithm>
+
+namespace pcl_spiral {
+namespace {
+
+std::string
+place(const Eigen::Vector3d& p)
+{
+  return words("%.3f, %.3f, %.3f mm", p.x(), p.y(), p.z());
+}
+
+std::string
+place(const std::optional<Eigen::Vector3d>& p, const char* otherwise)
+{
+  return p ? place(*p) : otherwise;
+}
+
+std::string
+duration(double seconds)
+{
+  const auto minutes = static_cast<long>(seconds / 60.0 + 0.5);
+  return seconds < 60.0     ? words("%.1f s", seconds)
+         : seconds < 3600.0 ? words("%.1f min", seconds / 60.0)
+                            : words("%ld h %02ld min", minutes / 60, minutes % 60);
+}
+
+void
+addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
+{
+  page.addHeading("Toolpath");
+  HtmlRows rows{
+      {"Turns", std::to_string(r.turns)},
+      {"Points", std::to_string(r.path_points)},
+      {"Length", words("%.3f m", r.path_length / 1000.0)},
+      {"Machining time", duration(60.0 * r.path_length / s.feed) + words(" at %g mm/min", s.feed)},
+      {"Step-over", words("%.4g to %.4g mm", r.smallest_step_over, r.largest_step_over)},
+      {"Longest linear move", words("%.4g mm", r.largest_gap)},
+      {"Largest axis change per step", words("%.3g\u00b0", r.largest_axis_change)},
+      {"Radial lines", words("%zu, %s", r.radial_lines.size(), r.harmonic_lines ? "harmonic" : "geodesic")}};
+  if (r.boundaries == 1)
+    rows.push_back({"Centre", place(r.centre)});
+  if (r.limited_points > 0)
+    rows.push_back({words("Tilt eased, to turn the axis no faster than %g\u00b0 per mm", s.max_axis_rate),
+                    words("%zu points, by up to %.3g\u00b0", r.limited_points, r.largest_tilt_reduction)});
+  page.addTable(rows, false);
+}
+
+void
+addSurface(HtmlPage& page, const SpiralReport& r)
+{
+  page.addHeading("Scanned surface");
+  HtmlRows rows{{"Points", words("%zu, of them %zu used", r.input_points, r.used_points)}};
+  const auto dropped = [&](std::size_t count, const char* why) {
+    if (count > 0)
+      rows.push_back({std::string("Left out: ") + why, std::to_string(count)});
+  };
+  dropped(r.nonfinite_points, "not finite");
+  dropped(r.duplicate_points, "repeated");
+  dropped(r.outlier_points, "outliers");
+  rows.push_back({"Point spacing, median", words("%.4g mm", r.spacing)});
+  rows.push_back({"Noise of a single point, standard deviation", words("%.2g mm", r.noise)});
+  for (const BoundaryLoop& loop : r.loops) {
+    const char* const name = loop.type == LoopType::Outer   ? "Outer rim"
+                             : loop.type == LoopType::Inner ? "Inner loop"
+                                                            : "Gap in the scan, bridged";
+    rows.push_back({name, words("%.1f mm long, %zu corners", loop.length, loop.corners.size())});
+  }
+  page.addTable(rows, false);
+}
+
+void
+addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
+{
+  page.addHeading("Settings");
+  std::string outputs;
+  for (const std::string& output : files.outputs)
+    outputs += (outputs.empty() ? "" : ", ") + output;
+  page.addTable(
+      {{"Scan", files.scan},
+       {"Unit of the scan", choiceName(files.unit)},
+       {"Origin taken off the scan", files.origin.isZero() ? "none" : place(files.origin)},
+       {"Written", outputs},
+       {"Ball cutter, radius R", words("%g mm", s.tool_radius)},
+       {"Scallop height h", words("%g mm", s.scallop_height)},
+       {"Chord error e", words("%g mm", s.chord_error)},
+       {"Longest linear move allowed", words("%g mm", s.max_step > 0.0 ? s.max_step : s.tool_radius)},
+       {"Side tilt, lead of the axis", words("%g\u00b0, %g\u00b0", s.tilt_angle, s.lead_angle)},
+       {"Largest turn of the axis", words("%g\u00b0 per mm", s.max_axis_rate)},
+       {"Feed at the contact", words("%g mm/min", s.feed)},
+       {"Centre", place(s.centre, "found")},
+       {"First radial line", place(s.start_point, "found")},
+       {"View point of the scanner", place(s.view_point, "none: the cutter comes from +z, or the convex side")},
+       {"Cutter on the other side", s.flip_normals ? "yes" : "no"},
+       {"Boundaries", choiceName(s.boundary_mode)},
+       {"Direction, sense", choiceName(s.direction) + ", " + choiceName(s.sense)},
+       {"Pitch measured", choiceName(s.pitch)},
+       {"Lines", choiceName(s.lines)},
+       {"Gaps in the scan", choiceName(s.gaps)},
+       {"Thinning", s.thinning > 0.0 ? words("%g mm", s.thinning) : "none"},
+       {"Outlier filter", s.outlier_neighbours > 0 ? words("%d neighbours, %g standard deviations",
+                                                           s.outlier_neighbours, s.outlier_deviations)
+                                                   : "none"}},
+      false);
+}
+
+void
+addTimes(HtmlPage& page, const SpiralReport& report, const Verification* verification)
+{
+  page.addHeading("Time");
+  HtmlRows rows;
+  double total = 0.0;
+  const auto add = [&](const std::string& name, double seconds) {
+    rows.push_back({name, words("%.2f s", seconds)});
+    total += seconds;
+  };
+  for (const StageTime& stage : report.stages)
+    add(stage.name, stage.seconds);
+  if (verification) {
+    add("judging: deviation", verification->deviation.seconds);
+    add("judging: removed material", verification->removal.seconds);
+  }
+  rows.push_back({"all of them", words("%.2f s", total)});
+  page.addTable(rows, false);
+}
+
+} // namespace
+
+void
+writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files,
+                const SpiralSettings& settings, const SpiralReport& report,
+                const std::vector<ReportPicture>& pictures, const Verification* verification,
+                const std::vector<ReportPicture>& judged)
+{
+  HtmlPage html(page.title,
+                words("Spiral toolpath over a scanned surface; ball cutter, radius %g mm, scallop %g mm",
+                      settings.tool_radius, settings.scallop_height));
+  std::vector<std::string> warnings = files.warnings;
+  warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
+  if (verification) {
+    for (const std::string& warning : warningsOf(*verification))
+      if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+        warnings.push_back(warning);
+    const VerificationRun run{files.scan,           files.unit, settings.tool_radius, settings.scallop_height,
+                              settings.chord_error, {},         {}};
+    html.addPart("Verification");
+    addVerification(html, run, *verification, judged);
+  }
+  else
+    html.addStatement(Tone::Neutral, "Not judged",
+                      {"--verify, or pcl_spiral_verify, measures deviation, scallop and gouge against the scan"});
+  html.addPart("Path and surface");
+  for (const ReportPicture& picture : pictures)
+    html.addPicture(picture);
+  addPath(html, report, settings);
+  addSurface(html, report);
+  html.addPart("Run");
+  addWarnings(html, warnings);
+  addSettings(html, files, settings);
+  addTimes(html, report, verification);
+  if (!page.command.empty()) {
+    html.addHeading("Made by");
+    html.addCode(page.command);
+  }
+  html.write(file, page.made);
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,217 @@
+#include "verification_html.h"
+
+#include <pcl_spiral/io/setting_names.h>
+
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string
+placeOf(const PlacedValue& v)
+{
+  return words("%.3f, %.3f, %.3f", v.position.x(), v.position.y(), v.position.z());
+}
+
+/** Rows of a table of figures: name, value, limit, place, path point. */
+class Figures {
+public:
+  void
+  add(const std::string& name, const std::string& value)
+  {
+    rows_.push_back({name, value, "", "", ""});
+  }
+  void
+  add(const std::string& name, const std::string& value, const PlacedValue& place, const std::string& limit = "")
+  {
+    rows_.push_back({name, value, limit, placeOf(place), std::to_string(place.index)});
+  }
+  const HtmlRows&
+  rows() const
+  {
+    return rows_;
+  }
+
+private:
+  HtmlRows rows_{{"Figure", "Value", "Limit", "At x, y, z (mm)", "Path point"}};
+};
+
+std::string
+limitText(const std::optional<double>& limit, double value, const char* unit)
+{
+  return limit ? words("%.4g %s, %s", *limit, unit, value <= *limit ? "held" : "BROKEN") : std::string();
+}
+
+void
+addDeviation(Figures& figures, const DeviationFigures& d, const Limits& limits)
+{
+  figures.add("Deviation of contacts from the scanned surface, largest (+ out of the material)",
+              words("%+.4f mm", d.max.value), d.max, limitText(limits.deviation, std::abs(d.max.value), "mm"));
+  figures.add("Deviation, amount: 99 % below", words("%.4f mm", d.p99));
+  figures.add("Deviation, rms", words("%.4f mm", d.rms));
+  if (d.beyond_rim > 0)
+    figures.add(words("Deviation beyond the outermost scan points, largest of %zu contacts", d.beyond_rim),
+                words("%+.4f mm", d.rim_max.value), d.rim_max);
+  if (d.unmeasured > 0)
+    figures.add("Contacts off the scanned surface, not measured", words("%zu of %zu", d.unmeasured, d.points));
+  figures.add("Normal error, largest", words("%.3g\u00b0", d.normal_error.value), d.normal_error);
+  figures.add("Normal error, 99 % below", words("%.3g\u00b0", d.normal_p99));
+  if (d.opposed > 0)
+    figures.add("Normals that point into the material, and the first", std::to_string(d.opposed), d.first_opposed);
+}
+
+void
+addMaterial(Figures& figures, const RemovalFigures& r, const Limits& limits)
+{
+  if (r.scallop.samples > 0) {
+    figures.add("Scallop: ridge between passes, median", words("%.4f mm", r.scallop.p50));
+    figures.add("Scallop, 99 % below", words("%.4f mm", r.scallop.p99));
+    figures.add("Scallop, 99.9 % below", words("%.4f mm", r.scallop.p999));
+    figures.add(words("Ridges above 1.02 h + e = %.4g mm", r.limit), words("%.3g %%", 100.0 * r.scallop.share_above));
+  }
+  const PlacedValue& highest = highestScallop(r);
+  figures.add(r.scallop.samples > 0 ? "Scallop, highest" : "Stock left, highest (no ridge was measured)",
+              words("%.4f mm", highest.value), highest, limitText(limits.scallop, highest.value, "mm"));
+  if (r.rim.samples > 0)
+    figures.add("Stock within one step-over of the rim, highest", words("%.4f mm", r.rim.max.value), r.rim.max);
+  const std::string gouge_limit = limitText(limits.gouge, r.gouge.value, "mm");
+  if (r.gouge.value > 0.0)
+    figures.add("Gouge, deepest", words("%.4f mm", r.gouge.value), r.gouge, gouge_limit);
+  else
+    figures.add("Gouge", "none" + (gouge_limit.empty() ? "" : "; limit " + gouge_limit));
+  const double uncut = uncutPercent(r);
+  const std::string uncut_limit = limitText(limits.uncut, uncut, "%");
+  if (uncut > 0.0)
+    figures.add("Uncut scan points, and the first", words("%.3g %%", uncut), firstUncut(r), uncut_limit);
+  else
+    figures.add("Uncut scan points", "0 %" + (uncut_limit.empty() ? "" : "; limit " + uncut_limit));
+}
+
+void
+addMotion(Figures& figures, const PathMotion& m, const RemovalFigures& r)
+{
+  figures.add("Path length", words("%.3f m", m.length / 1000.0));
+  figures.add("Least length of a path with this scallop", words("%.3f m", r.least_length / 1000.0));
+  figures.add("Efficiency \u03b7: least length / path length", words("%.3f", r.efficiency));
+  figures.add("Longest linear move (largest gap)", words("%.4g mm", m.gap.value), m.gap);
+  figures.add("Largest turn per step", words("%.3g\u00b0", m.turn.value), m.turn);
+  figures.add("Largest axis change per step", words("%.3g\u00b0", m.axis_change.value), m.axis_change);
+}
+
+void
+addStatement(HtmlPage& page, const Limits& limits, const Verification& v)
+{
+  const RemovalFigures& r = v.removal;
+  Row grounds = v.broken;
+  grounds.insert(grounds.end(), v.unproven.begin(), v.unproven.end());
+  grounds.push_back(words("largest deviation %+.4f mm; scallop 99.9 %% below %.4f mm, highest %.4f mm; gouge %.4f mm; "
+                          "uncut %.3g %%; efficiency %.3f",
+                          v.deviation.max.value, r.scallop.p999, highestScallop(r).value, r.gouge.value,
+                          uncutPercent(r), r.efficiency));
+  if (!v.broken.empty())
+    page.addStatement(Tone::Bad, "Limits are broken", grounds);
+  else if (!v.unproven.empty())
+    page.addStatement(Tone::Doubtful, "No limit is seen broken, but this scan cannot show that all hold", grounds);
+  else if (limits.any())
+    page.addStatement(Tone::Good, "All stated limits hold", grounds);
+  else
+    page.addStatement(Tone::Neutral, "Judged by the scan; no limits were stated", grounds);
+}
+
+/** Whether a value that was asked for can be told from the noise of the surface that it is measured against. */
+Row
+shownRow(const char* name, const std::optional<double>& value, const DeviationFigures& d)
+{
+  if (!value || !(*value > 0.0))
+    return {};
+  const double least = 3.0 * d.fit_noise;
+  return {words("%s %.4g mm", name, *value),
+          *value >= least ? "shown by this scan"
+                          : words("NOT shown by this scan: below %.2g mm, three times its surface's noise", least)};
+}
+
+void
+addNoise(HtmlPage& page, const VerificationRun& run, const DeviationFigures& d)
+{
+  page.addHeading("What the scan can show");
+  HtmlRows rows{{"Scan points judged by", std::to_string(d.reference_points)},
+                {"Noise of a single point, standard deviation", words("%.2g mm", d.noise)},
+                {"Noise of the surface fitted to the points", words("%.2g mm", d.fit_noise)}};
+  for (const Row& row : {shownRow("Scallop asked for, h", run.scallop_height, d),
+                         shownRow("Chord error asked for, e", run.chord_error, d),
+                         shownRow("Limit on the deviation", run.limits.deviation, d),
+                         shownRow("Limit on the scallop", run.limits.scallop, d),
+                         shownRow("Limit on the gouge", run.limits.gouge, d)})
+    if (!row.empty())
+      rows.push_back(row);
+  page.addTable(rows, false);
+}
+
+} // namespace
+
+void
+addVerification(HtmlPage& page, const VerificationRun& run, const Verification& verification,
+                const std::vector<ReportPicture>& pictures)
+{
+  addStatement(page, run.limits, verification);
+  page.addHeading("Figures");
+  Figures figures;
+  addDeviation(figures, verification.deviation, run.limits);
+  addMaterial(figures, verification.removal, run.limits);
+  addMotion(figures, verification.deviation.motion, verification.removal);
+  page.addTable(figures.rows(), true);
+  addNoise(page, run, verification.deviation);
+  for (const ReportPicture& picture : pictures)
+    page.addPicture(picture);
+}
+
+void
+addWarnings(HtmlPage& page, const std::vector<std::string>& warnings)
+{
+  page.addHeading("Warnings");
+  if (warnings.empty())
+    page.addText("None.");
+  page.addList(warnings);
+}
+
+void
+writeVerificationHTML(const std::string& file, const ReportPage& page, const VerificationRun& run,
+                      const std::vector<Verification>& verifications,
+                      const std::vector<std::vector<ReportPicture>>& pictures)
+{
+  HtmlPage html(page.title, words("Toolpath judged by a scan; ball cutter, radius %g mm", run.tool_radius));
+  for (std::size_t i = 0; i < verifications.size(); ++i) {
+    const Verification& v = verifications[i];
+    if (verifications.size() > 1)
+      html.addPart(v.path);
+    addVerification(html, run, v, i < pictures.size() ? pictures[i] : std::vector<ReportPicture>());
+    addWarnings(html, warningsOf(v));
+    html.addHeading("Time");
+    html.addTable({{"Deviation", words("%.2f s", v.deviation.seconds)},
+                   {"Removed material", words("%.2f s", v.removal.seconds)}},
+                  false);
+  }
+  if (verifications.size() > 1)
+    html.addPart("Input");
+  html.addHeading("Settings");
+  HtmlRows rows{{"Scan", run.scan}, {"Unit of the scan", choiceName(run.unit)}};
+  for (const Verification& v : verifications)
+    rows.push_back({"Path", words("%zu points, ", v.deviation.points) + v.path});
+  rows.push_back({"Ball cutter, radius R", words("%g mm", run.tool_radius)});
+  rows.push_back({"Scallop height asked for, h", words("%g mm", run.scallop_height)});
+  rows.push_back({"Chord error asked for, e", words("%g mm", run.chord_error)});
+  html.addTable(rows, false);
+  if (!run.warnings.empty()) {
+    html.addHeading("Warnings from reading the scan");
+    html.addList(run.warnings);
+  }
+  if (!page.command.empty()) {
+    html.addHeading("Made by");
+    html.addCode(page.command);
+  }
+  html.write(file, page.made);
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,19 @@
+/** \file
+ *  A path's figures on a page for people. Private to io.
+ */
+#pragma once
+
+#include "html_page.h"
+
+#include <pcl_spiral/io/verification_writer.h>
+
+namespace pcl_spiral {
+
+/** Limits held or broken, figures, what the scan can show of them, pictures. Warnings go elsewhere. */
+void addVerification(HtmlPage& page, const VerificationRun& run, const Verification& verification,
+                     const std::vector<ReportPicture>& pictures);
+
+/** Warnings under a heading of their own; a sentence where there are none. */
+void addWarnings(HtmlPage& page, const std::vector<std::string>& warnings);
+
+} // namespace pcl_spiral
