@@ -55,7 +55,7 @@ name=$(basename "$scan")
 part=$output/${name%.*}_spiral
 echo "Making the toolpath"
 "${display[@]}" "$build/examples/pcl_spiral_toolpath" "$scan" -o "$part.csv" -o "$part.vtp" -o "$part.json" \
-  -o "$part.png" --verify ${options[@]+"${options[@]}"}
+  -o "$part.png" -o "$part.html" --verify ${options[@]+"${options[@]}"}
 
 echo "Written:"
 ls -1 "$part"*
