@@ -1,47 +1,53 @@
 // pcl_spiral_verify from outside: figures, faults put in on purpose, limits, exit codes.
+#include <pcl_spiral/io/toolpath_reader.h>
+
+#include "cap_scan.h"
 #include "run_program.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <random>
+#include <memory>
 #include <sstream>
 
 namespace {
 
 using Arguments = std::vector<std::string>;
 
-/** A cap of a sphere of radius 100 mm, 40 mm across its rim's radius. */
-std::string
-cap(int count)
-{
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  std::ostringstream text;
-  text << std::setprecision(9);
-  for (int i = 0; i < count; ++i) {
-    const double r = 40.0 * std::sqrt(unit(random)), angle = 2.0 * M_PI * unit(random);
-    text << r * std::cos(angle) << ' ' << r * std::sin(angle) << ' ' << std::sqrt(1e4 - r * r) - 100.0 << '\n';
-  }
-  return text.str();
-}
-
 class Verify : public ::testing::Test {
 protected:
   static constexpr double radius = 3.0, scallop = 0.02, chord_error = 0.005;
 
-  void
-  SetUp() override
+  /** The scan and its path, made once. */
+  static void
+  SetUpTestSuite()
   {
-    writeText(folder_.path("cap.xyz"), cap(8000));
+    made_ = std::make_unique<ScratchFolder>();
+    writeText(made_->path("cap.xyz"), capScan(8000));
     const RunResult made = endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM,
                                               {"cap.xyz", "--tool-radius", "3", "--scallop", "0.02", "-o", "cap.csv", "-o",
                                                "cap.pcd", "-o", "cap.ply", "-o", "cap.vtp"},
-                                              folder_),
-                                 folder_);
+                                              *made_),
+                                 *made_);
     ASSERT_EQ(made.code, 0) << made.err;
+  }
+  static void
+  TearDownTestSuite()
+  {
+    made_.reset();
+  }
+  void
+  SetUp() override
+  {
+    std::filesystem::copy(made_->root(), folder_.root());
   }
 
   RunResult
@@ -59,6 +65,20 @@ protected:
     last_ = verify(arguments);
     const std::string text = readText(folder_.path("figures.json"));
     return text.empty() ? nlohmann::json() : nlohmann::json::parse(text)["paths"][0];
+  }
+
+  /** An array of a .vtp, as VTK reads it. */
+  std::vector<double>
+  pointData(const std::string& file, const char* name)
+  {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(folder_.path(file).c_str());
+    reader->Update();
+    vtkDataArray* const array = reader->GetOutput()->GetPointData()->GetArray(name);
+    std::vector<double> values;
+    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+      values.push_back(array->GetComponent(i, 0));
+    return values;
   }
 
   /** cap.csv with its rows changed by \p change(fields of a row, row number); rows it empties go. */
@@ -84,6 +104,7 @@ protected:
     writeText(folder_.path("spoilt.csv"), out.str());
   }
 
+  static inline std::unique_ptr<ScratchFolder> made_;
   ScratchFolder folder_;
   RunResult last_;
 };
@@ -131,7 +152,37 @@ TEST_F(Verify, FindsAGougeAndWhereItIs)
   EXPECT_EQ(path["deviation"]["max"]["index"], place);
 }
 
-TEST_F(Verify, FindsAMissingTurn)
+TEST_F(Verify, VtpCarriesTheDeviationOfEachPoint)
+{
+  constexpr std::size_t place = 2000;
+  spoil([&](std::vector<double>& f, std::size_t row) {
+    f[14] = row < place ? 700.0 : 900.0; // its feed
+    if (row == place)
+      for (int axis = 0; axis < 3; ++axis)
+        f[2 + axis] += 0.02 * f[5 + axis];
+  });
+  const auto path = figures("spoilt.csv", {"-o", "judged.vtp"});
+  ASSERT_EQ(last_.code, 0) << last_.err;
+  const std::vector<double> deviation = pointData("judged.vtp", "Deviation");
+  ASSERT_EQ(deviation.size(), path["deviation"]["points"].get<std::size_t>());
+  EXPECT_EQ(path["deviation"]["max"]["index"], place);
+  EXPECT_NEAR(deviation[place], 0.02, 0.001);
+  EXPECT_NEAR(deviation[place], path["deviation"]["max"]["value"].get<double>(), 1e-6);
+  const auto unmeasured = std::count_if(deviation.begin(), deviation.end(), [](double v) { return std::isnan(v); });
+  EXPECT_EQ(unmeasured, path["deviation"]["unmeasured"].get<long>());
+  const std::vector<double> feed = pointData("judged.vtp", "Feed");
+  ASSERT_EQ(feed.size(), deviation.size());
+  EXPECT_EQ(feed[place - 1], 700.0);
+  EXPECT_EQ(feed[place], 900.0);
+  // A path without feeds gives a file without them, which is read all the same.
+  ASSERT_EQ(verify({"cap.pcd", "-o", "of_pcd.vtp"}).code, 0);
+  EXPECT_TRUE(pointData("of_pcd.vtp", "Feed").empty());
+  const auto read = pcl_spiral::readToolpath(folder_.path("of_pcd.vtp"));
+  EXPECT_EQ(read.path.size(), deviation.size());
+  EXPECT_TRUE(read.feed.empty());
+}
+
+TEST_F(Verify, FindsAMissingTurnAndThePointsBesideIt)
 {
   double gone = 0.0;
   spoil([&](std::vector<double>& f, std::size_t) {
@@ -141,10 +192,43 @@ TEST_F(Verify, FindsAMissingTurn)
     }
   });
   ASSERT_GT(gone, 0.0);
-  const auto path = figures("spoilt.csv", {"--max-scallop", "0.03"});
+  const auto path = figures("spoilt.csv", {"--max-scallop", "0.03", "-o", "judged.vtp"});
   EXPECT_EQ(last_.code, 1);
   // Twice the pitch leaves four times the height.
-  EXPECT_NEAR(path["material"]["scallop"]["max"]["value"], 4.0 * scallop, 0.15 * 4.0 * scallop);
+  const double highest = path["material"]["scallop"]["max"]["value"];
+  EXPECT_NEAR(highest, 4.0 * scallop, 0.15 * 4.0 * scallop);
+
+  const std::vector<double> ridges = pointData("judged.vtp", "Scallop"), turns = pointData("judged.vtp", "Turn");
+  ASSERT_EQ(ridges.size(), path["deviation"]["points"].get<std::size_t>());
+  double beside = 0.0, apart = 0.0;
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < ridges.size(); ++i) {
+    if (std::isnan(ridges[i]))
+      continue;
+    ++known;
+    // A point's ridge may be a step-over from it, and the point a spacing of the scan from the path.
+    double& larger = std::abs(turns[i] - 20.5) < 3.0 ? beside : apart;
+    larger = std::max(larger, ridges[i]);
+  }
+  EXPECT_GT(known, 3 * ridges.size() / 4) << "all but the rim's band";
+  EXPECT_LT(apart, 1.3 * scallop);
+  EXPECT_GT(beside, 0.9 * highest);
+  EXPECT_LE(beside, highest + 1e-6) << "the highest of all is sought between the points, too";
+}
+
+TEST_F(Verify, SaysWhichLimitsAScanCannotShow)
+{
+  writeText(folder_.path("noisy.xyz"), capScan(4000, 0.05));
+  last_ = endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM,
+                             {"noisy.xyz", "cap.csv", "--tool-radius", "3", "--scallop", "0.02", "--max-gouge", "0.0001",
+                              "--max-deviation", "0.5", "-o", "noisy.json"},
+                             folder_),
+                folder_);
+  const auto noisy = nlohmann::json::parse(readText(folder_.path("noisy.json")));
+  EXPECT_EQ(noisy["limits"]["max_gouge"], 0.0001);
+  EXPECT_TRUE(noisy["limits"]["max_uncut_percent"].is_null());
+  ASSERT_EQ(noisy["paths"][0]["unproven_limits"].size(), 1U) << last_.out;
+  EXPECT_NE(last_.out.find("--max-gouge 0.0001 mm lies below"), std::string::npos) << last_.out;
 }
 
 TEST_F(Verify, WrongCallsAndDataAreRefused)
@@ -165,7 +249,12 @@ TEST_F(Verify, WrongCallsAndDataAreRefused)
   EXPECT_EQ(code({"cap.xyz", "cap.xyz", "--tool-radius", "3", "-o", "a.json"}), 1);
   EXPECT_FALSE(std::filesystem::exists(folder_.path("a.json")));
   EXPECT_EQ(code({"--help"}), 0);
-  EXPECT_EQ(code({"cap.xyz", "cap.csv", "cap.pcd", "--tool-radius", "3", "-o", "a.png"}), 2); // one path a picture
+  for (const char* output : {"a.png", "a.vtp"}) { // they show one path
+    EXPECT_EQ(code({"cap.xyz", "cap.csv", "cap.pcd", "--tool-radius", "3", "-o", output}), 2);
+    EXPECT_NE(last_.err.find("name one alone, or write .json or .html"), std::string::npos) << last_.err;
+  }
+  EXPECT_EQ(code({"cap.xyz", "cap.vtp", "--tool-radius", "3", "-o", "cap.vtp"}), 2);
+  EXPECT_NE(last_.err.find("cap.vtp, which is read"), std::string::npos) << last_.err;
 }
 
 } // namespace

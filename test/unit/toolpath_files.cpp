@@ -210,6 +210,34 @@ TEST(ToolpathFiles, VtkReadsOnePolyline)
   EXPECT_EQ(arrays->GetArray("ArcLength")->GetComponent(499, 0), path[499].arc_length);
   EXPECT_EQ(arrays->GetArray("ToolAxis")->GetComponent(499, 0), path[499].axis_x);
   EXPECT_EQ(arrays->GetArray("Feed")->GetComponent(0, 0), motion.feed);
+  EXPECT_EQ(arrays->GetNumberOfArrays(), 5) << "a path that was not judged has no values";
+}
+
+TEST(ToolpathFiles, VtpTakesValuesOfEachPoint)
+{
+  const ScratchFolder folder;
+  const auto path = spiral(300);
+  PathValues values;
+  for (int i = 0; i < 300; ++i) {
+    values.feed.push_back(1000.0 + i);
+    values.deviation.push_back(i == 7 ? std::numeric_limits<float>::quiet_NaN() : 0.001f * static_cast<float>(i - 150));
+    values.scallop.push_back(0.01f * static_cast<float>(i));
+  }
+  writeToolpath(folder.path("a.vtp"), path, motion, values);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(folder.path("a.vtp").c_str());
+  reader->Update();
+  vtkPointData* const arrays = reader->GetOutput()->GetPointData();
+  for (const char* name : {"Feed", "Deviation", "Scallop"})
+    ASSERT_NE(arrays->GetArray(name), nullptr) << name;
+  EXPECT_EQ(arrays->GetArray("Feed")->GetComponent(299, 0), 1299.0);
+  EXPECT_TRUE(std::isnan(arrays->GetArray("Deviation")->GetComponent(7, 0)));
+  EXPECT_EQ(arrays->GetArray("Deviation")->GetComponent(0, 0), values.deviation[0]);
+  EXPECT_EQ(arrays->GetArray("Scallop")->GetComponent(299, 0), values.scallop[299]);
+  EXPECT_EQ(readToolpath(folder.path("a.vtp")).feed.at(299), 1299.0);
+  values.scallop.pop_back();
+  EXPECT_THROW(writeToolpath(folder.path("b.vtp"), path, motion, values), std::invalid_argument);
+  EXPECT_FALSE(std::filesystem::exists(folder.path("b.vtp")));
 }
 
 TEST(ToolpathFiles, TipLiesBelowTheBallCentre)

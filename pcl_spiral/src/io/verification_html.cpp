@@ -81,6 +81,8 @@ addMaterial(Figures& figures, const RemovalFigures& r, const Limits& limits)
     figures.add("Gouge, deepest", words("%.4f mm", r.gouge.value), r.gouge, gouge_limit);
   else
     figures.add("Gouge", "none" + (gouge_limit.empty() ? "" : "; limit " + gouge_limit));
+  if (r.rim_gouge.value > 0.0)
+    figures.add("Gouge beyond the outermost scan points, deepest", words("%.4f mm", r.rim_gouge.value), r.rim_gouge);
   const double uncut = uncutPercent(r);
   const std::string uncut_limit = limitText(limits.uncut, uncut, "%");
   if (uncut > 0.0)
