@@ -17,6 +17,9 @@ struct Options {
 /** Path, removed material, report, against the exact surface. */
 int judge(const Job& job, const Options& options);
 
+/** Deviation and error after simulated machining by a cloud of the part that the planner has not seen. */
+int judgeBySecondCloud(const Job& job, const Options& options);
+
 /** The same path when the cloud is moved, shuffled, or worked on by another number of threads. */
 int judgeInvariance(const Job& job, const Options& options);
 

@@ -99,6 +99,30 @@ jobs()
   return all;
 }
 
+std::vector<Job>
+secondCloudJobs()
+{
+  std::vector<Job> all{dome("published1", 0.0), freeform()};
+  all[0].points = 2000000;
+  all[1].name = "published2";
+  for (Job& j : all) {
+    j.scallop_height = 0.01;
+    j.deviation_max = 0.0005;
+    j.machined_max = 0.016;
+  }
+  for (const std::size_t i : {0, 1}) {
+    all.push_back(all[i]);
+    all.back().name += "_noisy";
+    all.back().noise = 0.02;
+    all.back().deviation_max = 0.02;
+    all.back().machined_max = 0.035;
+  }
+  all.push_back(dome("million", 0.0));
+  all.back().points = 1000000;
+  all.back().judge_seconds = 60.0;
+  return all;
+}
+
 Job
 job(const std::string& name)
 {

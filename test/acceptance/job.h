@@ -32,10 +32,16 @@ struct Job {
   double turning = 0.0;    ///< degrees between neighbouring moves
   bool may_refuse = false; ///< a clear error is as good as a path
   std::size_t samples = 60000; ///< of the removed material
+  double machined_max = 0.0;   ///< stock, scallop or gouge, by a second cloud
+  double judge_seconds = 0.0;  ///< to judge by it; wants a quiet machine
 };
 
 /** Every row that ends in a path. */
 std::vector<Job> jobs();
+
+/** Rows judged by a second cloud: the two published parts, each without and with noise, and a million points beside a
+ *  million moves. */
+std::vector<Job> secondCloudJobs();
 
 /** The row of that name; throws std::out_of_range when there is none. */
 Job job(const std::string& name);

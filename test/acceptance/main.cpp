@@ -20,6 +20,8 @@ cases()
     all[row.name] = [row](const Options& options) { return judge(row, options); };
     all[row.name + "_invariance"] = [row](const Options& options) { return judgeInvariance(row, options); };
   }
+  for (const Job& row : secondCloudJobs())
+    all[row.name] = [row](const Options& options) { return judgeBySecondCloud(row, options); };
   all["bowl_refusal"] = judgeRefusal;
   all["bad_input"] = judgeBadInput;
   all["geodesics"] = judgeGeodesics;

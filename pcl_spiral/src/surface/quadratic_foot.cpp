@@ -1,4 +1,5 @@
 #include "local_fit.h"
+#include "normal_equations.h"
 #include "quadric.h"
 
 #include <pcl_spiral/core/frame.h>
@@ -47,38 +48,6 @@ momentsOf(const Neighbourhood& near, const Eigen::Vector3f& e1, const Eigen::Vec
           uuvv, uvvv, vvvv, f,  fu, fv, fuu, fuv, fvv, ff,  mean_u / n, mean_v / n};
 }
 
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
-
-/** Solve A x = b by Cholesky, in place; false when a pivot vanishes against the first. */
-bool
-solveNormalEquations(Matrix6d& a, Vector6d& b)
-{
-  for (int i = 0; i < 6; ++i) {
-    const double whole = a(i, i);
-    for (int j = 0; j <= i; ++j) {
-      double sum = a(i, j);
-      for (int k = 0; k < j; ++k)
-        sum -= a(i, k) * a(j, k);
-      if (i != j)
-        a(i, j) = sum / a(j, j);
-      else if (!(sum > 1e-6 * whole)) // the column hardly differs from the ones before it
-        return false;
-      else
-        a(i, i) = std::sqrt(sum);
-    }
-  }
-  for (int i = 0; i < 6; ++i) {
-    for (int k = 0; k < i; ++k)
-      b[i] -= a(i, k) * b[k];
-    b[i] /= a(i, i);
-  }
-  for (int i = 5; i >= 0; --i) {
-    for (int k = i + 1; k < 6; ++k)
-      b[i] -= a(k, i) * b[k];
-    b[i] /= a(i, i);
-  }
-  return true;
-}
 
 } // namespace
 
@@ -95,7 +64,7 @@ quadraticFoot(const Eigen::Vector3d& query, const Neighbourhood& near, const Eig
                               static_cast<float>(1.0 / radius));
   const Eigen::Vector3d centroid = radius * (s.mean_u * e1 + s.mean_v * e2);
   foot.overhang = overhang(near, centroid);
-  Matrix6d a;
+  Eigen::Matrix<double, 6, 6> a;
   a << s.w, s.u, s.v, s.uu, s.uv, s.vv,      //
       s.u, s.uu, s.uv, s.uuu, s.uuv, s.uvv,  //
       s.v, s.uv, s.vv, s.uuv, s.uvv, s.vvv,  //
@@ -103,8 +72,11 @@ quadraticFoot(const Eigen::Vector3d& query, const Neighbourhood& near, const Eig
       s.uv, s.uuv, s.uvv, s.uuuv, s.uuvv, s.uvvv, //
       s.vv, s.uvv, s.vvv, s.uuvv, s.uvvv, s.vvvv;
   const Vector6d right = (Vector6d() << s.f, s.fu, s.fv, s.fuu, s.fuv, s.fvv).finished();
-  Vector6d b = right;
-  if (!solveNormalEquations(a, b) || !standOnQuadric(b, radius, e1, e2, up, foot))
+  const NormalEquations<6> equations(a);
+  if (equations.determined() < 6)
+    return foot;
+  const Vector6d b = equations.solve<6>(right);
+  if (!standOnQuadric(b, radius, e1, e2, up, foot))
     return foot;
   // The weighted sum of squares over its expectation for unit noise, sum w - tr((X'WX)^-1 X'W^2X); the trace is 15/7
   // for this weight on evenly spread neighbours.

@@ -1,4 +1,5 @@
 #include "local_fit.h"
+#include "normal_equations.h"
 #include "quadric.h"
 
 #include <pcl_spiral/core/frame.h>
@@ -10,25 +11,13 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int quadratic_terms = 6, quartic_terms = 15;
+constexpr int degree = 4, quadratic_terms = 6, quartic_terms = 15;
 constexpr double farthest = 4.0; // in standard deviations: a point farther off is no part of the surface
 constexpr double mad_of_normal = 1.4826; // standard deviation over the median deviation, normal distribution
+constexpr double most_noise = 1.0; // of the quartic's height, in that of a point: beside a rim the quadric is surer
 
-using Terms = Eigen::Matrix<double, quartic_terms, 1>;
-using TermRows = Eigen::Matrix<double, quartic_terms, Eigen::Dynamic>;
-using NormalMatrix = Eigen::Matrix<double, quartic_terms, quartic_terms>;
-
-/** 1, u, v, u^2, u v, v^2, ..., v^4. */
-Terms
-termsAt(double u, double v)
-{
-  Terms t;
-  int k = 0;
-  for (int degree = 0; degree <= 4; ++degree)
-    for (int j = 0; j <= degree; ++j, ++k)
-      t[k] = j == 0 ? (degree == 0 ? 1.0 : t[k - degree] * u) : t[k - degree - 1] * v;
-  return t;
-}
+using Terms = Eigen::Matrix<double, quartic_terms, 1>; // of 1, u, v, u^2, u v, v^2, ..., v^4
+using Values = Eigen::ArrayXd; // one a neighbour
 
 /** How far the origin lies outside the nearer half of its neighbours, seen along the widest free angle between them: 0
  *  where no angle of more than 180 degrees is free. Sharper than overhang() on a ragged rim. */
@@ -37,14 +26,19 @@ outsideNearest(const Neighbourhood& near, const Eigen::Vector3d& e1, const Eigen
 {
   const int nearer = near.size / 2;
   Eigen::Matrix2Xd places(2, nearer);
-  std::vector<double> angles;
-  for (int j = 0; j < nearer; ++j) {
+  unsigned quadrants = 0;
+  for (int j = 0; j < nearer && quadrants != 15u; ++j) {
     const Eigen::Vector3d offset(near.x[j], near.y[j], near.z[j]);
     places.col(j) = Eigen::Vector2d(offset.dot(e1), offset.dot(e2));
     if (places.col(j).isZero(0.0))
       return 0.0;
-    angles.push_back(std::atan2(places(1, j), places(0, j)));
+    quadrants |= 1u << ((places(0, j) < 0.0 ? 1 : 0) + (places(1, j) < 0.0 ? 2 : 0));
   }
+  if (quadrants == 15u) // one in each: no more than 180 degrees between them
+    return 0.0;
+  std::vector<double> angles;
+  for (int j = 0; j < nearer; ++j)
+    angles.push_back(std::atan2(places(1, j), places(0, j)));
   std::sort(angles.begin(), angles.end());
   double widest = 0.0, outward = 0.0;
   for (std::size_t j = 0; j < angles.size(); ++j) {
@@ -65,39 +59,60 @@ class LocalFit {
 public:
   LocalFit(const Neighbourhood& near, double radius, const Eigen::Vector3d& e1, const Eigen::Vector3d& e2,
            const Eigen::Vector3d& up)
-  : terms_(quartic_terms, near.size), height_(near.size), weight_(near.size)
+  : powers_(near.size, 2 * degree + 1)
   {
-    for (int j = 0; j < near.size; ++j) {
-      const Eigen::Vector3d offset = Eigen::Vector3d(near.x[j], near.y[j], near.z[j]) / radius;
-      const double u = offset.dot(e1), v = offset.dot(e2), inside = std::max(0.0, 1.0 - (u * u + v * v));
-      terms_.col(j) = termsAt(u, v);
-      height_[j] = offset.dot(up);
-      weight_[j] = inside * inside * inside;
-    }
+    const auto along = [&](const Eigen::Vector3d& axis) {
+      const Eigen::Vector3f a = (axis / radius).cast<float>();
+      const auto n = near.size;
+      using Floats = Eigen::Map<const Eigen::ArrayXf>;
+      return Values((Floats(near.x, n) * a.x() + Floats(near.y, n) * a.y() + Floats(near.z, n) * a.z()).cast<double>());
+    };
+    u_ = along(e1);
+    height_ = along(up);
+    powers_.col(0).setOnes();
+    powers_.col(1) = along(e2);
+    for (int q = 2; q <= 2 * degree; ++q)
+      powers_.col(q) = powers_.col(q - 1) * powers_.col(1);
+    weight_ = (1.0 - u_.square() - powers_.col(2)).max(0.0).cube();
   }
 
   /** Fit both; false where not even the quadric is determined. */
   bool
   solve()
   {
-    const TermRows weighted = terms_ * weight_.asDiagonal();
-    normal_.noalias() = weighted * terms_.transpose();
-    right_.noalias() = weighted * height_;
-    const Eigen::LLT<Eigen::Matrix<double, quadratic_terms, quadratic_terms>> low(
-        normal_.topLeftCorner<quadratic_terms, quadratic_terms>());
-    if (!determined(low))
+    Eigen::Matrix<double, 2 * degree + 1, 2 * degree + 1> moment; // of u^p v^q
+    Terms right;
+    Values weighted = weight_;
+    for (int p = 0; p <= 2 * degree; ++p, weighted *= u_) {
+      for (int q = 0; q <= 2 * degree - p; ++q)
+        moment(p, q) = (weighted * powers_.col(q)).sum();
+      for (int q = 0; q <= degree - p; ++q)
+        right[term(p, q)] = (weighted * powers_.col(q) * height_).sum();
+    }
+    Eigen::Matrix<double, quartic_terms, quartic_terms> normal;
+    for (int p = 0; p <= degree; ++p)
+      for (int q = 0; p + q <= degree; ++q)
+        for (int r = 0; r <= degree; ++r)
+          for (int s = 0; r + s <= degree; ++s)
+            normal(term(p, q), term(r, s)) = moment(p + r, q + s);
+    const NormalEquations<quartic_terms> equations(normal);
+    if (equations.determined() < quadratic_terms)
       return false;
-    quadratic_.setZero();
-    quadratic_.head<quadratic_terms>() = low.solve(right_.head<quadratic_terms>());
-    const Eigen::LLT<NormalMatrix> high(normal_);
-    has_quartic_ = determined(high) && (weighted.transpose() * high.solve(Terms::Unit(0))).squaredNorm() < 1.0;
-    quartic_ = has_quartic_ ? Terms(high.solve(right_)) : quadratic_;
-    // How much each neighbour's height moves the quartic's height at the origin more than the quadric's.
-    Terms influence = Terms::Zero();
-    influence.head<quadratic_terms>() = -low.solve(Vector6d::Unit(0));
-    if (has_quartic_)
-      influence += high.solve(Terms::Unit(0));
-    gain_ = has_quartic_ ? (weighted.transpose() * influence).squaredNorm() : 0.0;
+    quadratic_ = padded(equations.solve<quadratic_terms>(right.head<quadratic_terms>()));
+    quartic_ = quadratic_;
+    gain_ = 0.0;
+    has_quartic_ = false;
+    if (equations.determined() == quartic_terms) {
+      // How much each neighbour's height moves the height at the origin.
+      const Terms high = equations.solve<quartic_terms>(Terms::Unit(0));
+      has_quartic_ = (weight_ * at(high)).matrix().squaredNorm() < most_noise * most_noise;
+      if (has_quartic_) {
+        const Terms low = padded(equations.solve<quadratic_terms>(Vector6d::Unit(0)));
+        quartic_ = equations.solve<quartic_terms>(right);
+        gain_ = (weight_ * at(high - low)).matrix().squaredNorm();
+      }
+    }
+    off_ = height_ - at(quartic_);
     return true;
   }
 
@@ -105,21 +120,23 @@ public:
   bool
   dropOutliers(double rounding)
   {
-    const Eigen::VectorXd off = (height_ - terms_.transpose() * quartic_).cwiseAbs();
-    std::vector<double> kept;
-    for (int j = 0; j < off.size(); ++j)
+    const Values amount = (weight_ > 0.0).select(off_.abs(), 0.0);
+    const double largest = amount.maxCoeff();
+    const std::ptrdiff_t kept = (weight_ > 0.0).count();
+    // Where half of them reach a share of the largest, the median does, and none is too far off.
+    if (largest <= farthest * rounding || 2 * (amount * (farthest * mad_of_normal) >= largest).count() > kept)
+      return false;
+    std::vector<double> sorted;
+    for (std::ptrdiff_t j = 0; j < amount.size(); ++j)
       if (weight_[j] > 0.0)
-        kept.push_back(off[j]);
-    const auto middle = kept.begin() + static_cast<std::ptrdiff_t>(kept.size() / 2);
-    std::nth_element(kept.begin(), middle, kept.end());
+        sorted.push_back(amount[j]);
+    const auto middle = sorted.begin() + kept / 2;
+    std::nth_element(sorted.begin(), middle, sorted.end());
     const double limit = farthest * std::max(mad_of_normal * *middle, rounding);
-    bool any = false;
-    for (int j = 0; j < off.size(); ++j)
-      if (weight_[j] > 0.0 && off[j] > limit) {
-        weight_[j] = 0.0;
-        any = true;
-      }
-    return any;
+    if (largest <= limit)
+      return false;
+    weight_ = (amount > limit).select(0.0, weight_);
+    return true;
   }
 
   /** Standard deviation of the neighbours about the quartic: the weighted sum of squares over its expectation for unit
@@ -127,9 +144,8 @@ public:
   double
   scatter() const
   {
-    const double squares = (weight_.array() * (height_ - terms_.transpose() * quartic_).array().square()).sum();
     const double freedom = weight_.sum() - (has_quartic_ ? 30.0 : 15.0) / 7.0;
-    return freedom > 0.0 ? std::sqrt(squares / freedom) : 0.0;
+    return freedom > 0.0 ? std::sqrt((weight_ * off_.square()).sum() / freedom) : 0.0;
   }
 
   /** The quadric, corrected towards the quartic by as much as the correction's square stands out of its variance: all
@@ -144,20 +160,37 @@ public:
   }
 
 private:
-  template <typename Factor>
-  static bool
-  determined(const Factor& factor)
+  /** Where u^p v^q stands among the terms. */
+  static constexpr int
+  term(int p, int q)
   {
-    if (factor.info() != Eigen::Success)
-      return false;
-    const auto diagonal = factor.matrixLLT().diagonal();
-    return diagonal.minCoeff() > 1e-3 * diagonal.maxCoeff(); // squared: the pivots' ratio
+    return (p + q) * (p + q + 1) / 2 + q;
   }
 
-  TermRows terms_;
-  Eigen::VectorXd height_, weight_;
-  NormalMatrix normal_;
-  Terms right_, quadratic_, quartic_;
+  static Terms
+  padded(const Vector6d& low)
+  {
+    Terms terms = Terms::Zero();
+    terms.head<quadratic_terms>() = low;
+    return terms;
+  }
+
+  /** The polynomial at every neighbour. */
+  Values
+  at(const Terms& c) const
+  {
+    Values sum = Values::Zero(u_.size());
+    for (int p = degree; p >= 0; --p) { // Horner's rule in u
+      sum *= u_;
+      for (int q = 0; p + q <= degree; ++q)
+        sum += c[term(p, q)] * powers_.col(q);
+    }
+    return sum;
+  }
+
+  Values u_, height_, weight_, off_;
+  Eigen::Array<double, Eigen::Dynamic, 2 * degree + 1> powers_; ///< of v
+  Terms quadratic_, quartic_;
   bool has_quartic_ = false;
   double gain_ = 0.0; ///< variance of the correction for unit noise
 };
