@@ -62,17 +62,17 @@ unprovenLimits(const Limits& limits, const pcl_spiral::Verification& verificatio
 {
   const double least = 3.0 * verification.deviation.fit_noise;
   std::vector<std::string> unproven;
-  const auto check = [&](const char* option, const std::optional<double>& limit) {
-    if (!limit || *limit >= least)
+  const auto check = [&](const char* option, const std::optional<double>& limit, double value) {
+    if (!limit || *limit >= least || value > *limit)
       return;
     std::ostringstream text;
     text << option << " " << *limit << " mm lies below " << std::setprecision(2) << least
          << " mm, three times the noise of the scan's surface: this scan cannot show that it holds";
     unproven.push_back(text.str());
   };
-  check("--max-deviation", limits.deviation);
-  check("--max-scallop", limits.scallop);
-  check("--max-gouge", limits.gouge);
+  check("--max-deviation", limits.deviation, std::abs(verification.deviation.max.value));
+  check("--max-scallop", limits.scallop, highestScallop(verification.removal).value);
+  check("--max-gouge", limits.gouge, verification.removal.gouge.value);
   return unproven;
 }
 

@@ -11,7 +11,7 @@
 /** The limits that do not hold, each with the value found and its place. */
 std::vector<std::string> brokenLimits(const pcl_spiral::Limits& limits, const pcl_spiral::Verification& verification);
 
-/** The limits below three times the noise of the scan's surface: that a figure keeps them tells nothing. */
+/** The limits that are kept but lie below three times the noise of the scan's surface, where that tells nothing. */
 std::vector<std::string> unprovenLimits(const pcl_spiral::Limits& limits,
                                         const pcl_spiral::Verification& verification);
 

@@ -121,6 +121,8 @@ requireDisplay(const std::string& output)
   if (extension != ".png" && extension != ".html")
     return;
   const std::string problem = displayProblem();
-  if (!problem.empty())
-    throw FileError(output, (extension == ".html" ? "the report holds pictures; " : "") + problem);
+  if (problem.empty())
+    return;
+  throw FileError(output, extension == ".png" ? problem
+                                              : "a report holds pictures: " + problem + "; .json has the same figures");
 }

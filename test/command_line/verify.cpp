@@ -219,16 +219,31 @@ TEST_F(Verify, FindsAMissingTurnAndThePointsBesideIt)
 TEST_F(Verify, SaysWhichLimitsAScanCannotShow)
 {
   writeText(folder_.path("noisy.xyz"), capScan(4000, 0.05));
-  last_ = endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM,
-                             {"noisy.xyz", "cap.csv", "--tool-radius", "3", "--scallop", "0.02", "--max-gouge", "0.0001",
-                              "--max-deviation", "0.5", "-o", "noisy.json"},
-                             folder_),
-                folder_);
-  const auto noisy = nlohmann::json::parse(readText(folder_.path("noisy.json")));
-  EXPECT_EQ(noisy["limits"]["max_gouge"], 0.0001);
-  EXPECT_TRUE(noisy["limits"]["max_uncut_percent"].is_null());
-  ASSERT_EQ(noisy["paths"][0]["unproven_limits"].size(), 1U) << last_.out;
-  EXPECT_NE(last_.out.find("--max-gouge 0.0001 mm lies below"), std::string::npos) << last_.out;
+  const auto run = [&](const char* program, Arguments arguments) {
+    arguments.insert(arguments.begin(), "noisy.xyz");
+    arguments.insert(arguments.end(), {"--tool-radius", "3", "--scallop", "0.02"});
+    last_ = endOf(startProgram(program, arguments, folder_), folder_);
+  };
+  run(PCL_SPIRAL_TOOLPATH_PROGRAM, {"-o", "noisy.csv"});
+  std::istringstream rows(readText(folder_.path("noisy.csv")));
+  std::string inner, row;
+  for (int i = 0; i < 600 && std::getline(rows, row); ++i) // few points: small extremes of the same noise
+    inner += row + "\n";
+  writeText(folder_.path("inner.csv"), inner);
+  run(PCL_SPIRAL_VERIFY_PROGRAM, {"inner.csv", "-o", "noisy.json"});
+  const auto free = nlohmann::json::parse(readText(folder_.path("noisy.json")))["paths"][0];
+  const double kept = std::abs(free["deviation"]["max"]["value"].get<double>());
+  const double shown = 3.0 * free["fit_noise"].get<double>();
+  ASSERT_LT(kept, shown);
+  EXPECT_TRUE(free["unproven_limits"].empty());
+  const std::string limit = std::to_string(0.5 * (kept + shown));
+  run(PCL_SPIRAL_VERIFY_PROGRAM, {"inner.csv", "-o", "noisy.json", "--max-deviation", limit, "--max-gouge", "0.5"});
+  EXPECT_EQ(last_.code, 0) << last_.out;
+  const auto json = nlohmann::json::parse(readText(folder_.path("noisy.json")));
+  EXPECT_NEAR(json["limits"]["max_deviation"], std::stod(limit), 1e-12);
+  EXPECT_TRUE(json["limits"]["max_uncut_percent"].is_null());
+  ASSERT_EQ(json["paths"][0]["unproven_limits"].size(), 1U) << last_.out;
+  EXPECT_NE(last_.out.find("this scan cannot show that it holds"), std::string::npos) << last_.out;
 }
 
 TEST_F(Verify, WrongCallsAndDataAreRefused)
