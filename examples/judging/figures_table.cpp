@@ -39,7 +39,8 @@ brokenLimits(const Limits& limits, const pcl_spiral::Verification& verification)
   const pcl_spiral::DeviationFigures& deviation = verification.deviation;
   const pcl_spiral::RemovalFigures& removal = verification.removal;
   std::vector<std::string> broken;
-  const auto check = [&](const char* option, const std::optional<double>& limit, double value, const std::string& place) {
+  const auto check = [&](const char* option, const std::optional<double>& limit, double value,
+                         const std::string& place) {
     if (!limit || value <= *limit)
       return;
     std::ostringstream text;

@@ -4,6 +4,7 @@
 
 #include <pcl/kdtree/kdtree_flann.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -63,6 +64,7 @@ judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::Point
           const JudgeSettings& settings, const ProgressCallback& progress,
           std::shared_ptr<const ScannedReference>& surface, Verification& verification, Heights& heights)
 {
+  const auto start = std::chrono::steady_clock::now();
   pcl::PointCloud<pcl::PointXYZI> values;
   DeviationEstimation<pcl::PointXYZ> deviation;
   prepare(deviation, scan, path, settings);
@@ -89,5 +91,6 @@ judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::Point
   verification.removal = removal.getFigures();
   if (removal.getStatus().ok())
     heights.scallop = ridgesAlong(*path, scan, heights);
+  verification.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return removal.getStatus();
 }

@@ -18,7 +18,7 @@ struct JudgeSettings {
 /** Values behind the figures, mm; see DeviationEstimation and MaterialRemoval. */
 struct Heights {
   std::vector<float> deviation;     ///< one a path point
-  std::vector<float> scallop;       ///< one a path point: the ridge next to the nearest point of the scan; NaN: it has none
+  std::vector<float> scallop; ///< one a path point: the ridge next to the nearest point of the scan; NaN: it has none
   std::vector<float> stock, ridges; ///< one a point of the scan
 };
 

@@ -26,7 +26,8 @@ captionOf(PictureKind kind)
   case PictureKind::Lines:
     return "Boundary loops and radial lines over the scan.";
   case PictureKind::Deviation:
-    return "Deviation of the contacts from the scanned surface, mm, + out of the material; the worst place enlarged.";
+    return "Deviation of the contacts from the scanned surface, mm, + out of the material; the worst place "
+           "enlarged.";
   case PictureKind::Stock:
     return "Stock left on the surface after cutting, mm; the worst place enlarged.";
   case PictureKind::Histogram:
@@ -88,7 +89,8 @@ PictureFiles::drawJudging(const VerificationScene& scene)
 const PictureFile*
 PictureFiles::find(PictureKind kind) const
 {
-  const auto last = std::find_if(files_.rbegin(), files_.rend(), [kind](const auto& f) { return f.kind == kind; });
+  const auto last =
+      std::find_if(files_.rbegin(), files_.rend(), [kind](const auto& f) { return f.kind == kind; });
   return last == files_.rend() ? nullptr : &*last;
 }
 
@@ -123,6 +125,7 @@ requireDisplay(const std::string& output)
   const std::string problem = displayProblem();
   if (problem.empty())
     return;
-  throw FileError(output, extension == ".png" ? problem
-                                              : "a report holds pictures: " + problem + "; .json has the same figures");
+  throw FileError(output, extension == ".png"
+                              ? problem
+                              : "a report holds pictures: " + problem + "; .json has the same figures");
 }

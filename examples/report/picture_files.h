@@ -24,8 +24,8 @@ struct PictureFile {
   std::string file;
 };
 
-/** Draws into a folder of its own, which goes with the object. Drawing throws Cancelled between two pictures, and
- *  pcl_spiral::FileError where the system gives no folder for a while. */
+/** Draws into a folder of its own, which goes with the object. Drawing throws Cancelled between two pictures,
+ * and pcl_spiral::FileError where the system gives no folder for a while. */
 class PictureFiles {
 public:
   PictureFiles() = default;
@@ -33,7 +33,8 @@ public:
   PictureFiles(const PictureFiles&) = delete;
   PictureFiles& operator=(const PictureFiles&) = delete;
 
-  /** The path over the surface and, where \p lines, loops and radial lines. Errors as SpiralPictures has them. */
+  /** The path over the surface and, where \p lines, loops and radial lines. Errors as SpiralPictures has
+   * them. */
   void drawPath(const pcl_spiral::PictureScene& scene, bool lines);
   /** Deviation, stock, histogram. Errors as VerificationPictures has them. */
   void drawJudging(const pcl_spiral::VerificationScene& scene);

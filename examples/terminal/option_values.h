@@ -1,5 +1,6 @@
 /** \file
- *  What the words behind an option mean. A value that means nothing is a UsageError naming option, value and remedy.
+ *  What the words behind an option mean. A value that means nothing is a UsageError naming option, value and
+ * remedy.
  */
 #pragma once
 

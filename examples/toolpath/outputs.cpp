@@ -59,9 +59,10 @@ writeOutputs(const Job& job, const Result& result, OutputFiles& files)
     else if (extension == ".json")
       writeReportJSON(files.temporary(i++), run, job.settings, result.report, verification);
     else if (extension == ".html")
-      writeReportHTML(files.temporary(i++), {title, madeBy("pcl_spiral_toolpath"), job.command}, run, job.settings,
-                      result.report, pictures.forReport({PictureKind::Spiral, PictureKind::Lines}), verification,
-                      pictures.forReport({PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram}));
+      writeReportHTML(
+          files.temporary(i++), {title, madeBy("pcl_spiral_toolpath"), job.command}, run, job.settings,
+          result.report, pictures.forReport({PictureKind::Spiral, PictureKind::Lines}), verification,
+          pictures.forReport({PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram}));
     else
       writeToolpath(files.temporary(i++), *result.path, motion, values);
   }

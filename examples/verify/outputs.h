@@ -10,7 +10,8 @@
 
 /** A path and how it was judged. */
 struct JudgedPath {
-  pcl::PointCloud<pcl_spiral::ToolpathPoint>::Ptr path = pcl::make_shared<pcl::PointCloud<pcl_spiral::ToolpathPoint>>();
+  pcl::PointCloud<pcl_spiral::ToolpathPoint>::Ptr path =
+      pcl::make_shared<pcl::PointCloud<pcl_spiral::ToolpathPoint>>();
   std::vector<double> feed; ///< mm/min; empty where its file has none
   pcl_spiral::Verification verification;
   Heights heights;
@@ -24,7 +25,8 @@ public:
   explicit VerifyOutputs(const VerifyJob& job);
 
   /** Draws its pictures, where any are asked for, and writes it where it is asked for as .vtp. */
-  void take(const pcl_spiral::Scan& scan, const pcl_spiral::ReferenceSurface& surface, const JudgedPath& judged);
+  void take(const pcl_spiral::Scan& scan, const pcl_spiral::ReferenceSurface& surface,
+            const JudgedPath& judged);
   /** Writes the rest and puts all files in their places. \throw pcl_spiral::FileError, Cancelled */
   void finish(const pcl_spiral::Scan& scan);
 

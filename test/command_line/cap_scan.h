@@ -9,8 +9,8 @@
 #include <sstream>
 #include <string>
 
-/** A cap of a sphere of radius 100 mm, 40 mm across its rim's radius, as the text of an .xyz file; uniform over its
- *  disc, with noise of standard deviation \p noise along z. */
+/** A cap of a sphere of radius 100 mm, 40 mm across its rim's radius, as the text of an .xyz file; uniform
+ * over its disc, with noise of standard deviation \p noise along z. */
 inline std::string
 capScan(int count, double noise = 0.0)
 {
@@ -22,7 +22,8 @@ capScan(int count, double noise = 0.0)
   for (int i = 0; i < count; ++i) {
     const double r = 40.0 * std::sqrt(unit(random)), angle = 2.0 * M_PI * unit(random);
     const double off = noise > 0.0 ? noise * normal(random) : 0.0;
-    text << r * std::cos(angle) << ' ' << r * std::sin(angle) << ' ' << std::sqrt(1e4 - r * r) - 100.0 + off << '\n';
+    text << r * std::cos(angle) << ' ' << r * std::sin(angle) << ' ' << std::sqrt(1e4 - r * r) - 100.0 + off
+         << '\n';
   }
   return text.str();
 }

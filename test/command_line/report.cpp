@@ -151,14 +151,16 @@ TEST_F(Report, HoldsPicturesFiguresAndSettings)
   const RunResult result = make({"--verify", "-o", "a.html", "-o", "a.png", "-o", "a.json", "-o", "a.csv"});
   ASSERT_EQ(result.code, 0) << result.err;
   const Page page = readPage(folder_.path("a.html"));
-  const std::vector<std::string> pictures{"a_deviation.png", "a_stock.png", "a_histogram.png", "a.png", "a_lines.png"};
+  const std::vector<std::string> pictures{"a_deviation.png", "a_stock.png", "a_histogram.png", "a.png",
+                                          "a_lines.png"};
   ASSERT_EQ(page.png.size(), pictures.size());
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     EXPECT_TRUE(page.png[i] == readText(folder_.path(pictures[i]))) << pictures[i];
     expectPicture(page.png[i]);
     EXPECT_NE(result.out.find(pictures[i]), std::string::npos) << result.out;
   }
-  EXPECT_EQ(std::set<std::string>(page.png.begin(), page.png.end()).size(), pictures.size()) << "all different";
+  EXPECT_EQ(std::set<std::string>(page.png.begin(), page.png.end()).size(), pictures.size())
+      << "all different";
 
   const auto json = nlohmann::json::parse(readText(folder_.path("a.json")));
   const auto& judged = json.at("verification");
@@ -172,9 +174,11 @@ TEST_F(Report, HoldsPicturesFiguresAndSettings)
        {awkward + ".xyz", number("%+.4f mm\n", judged.at("deviation").at("max").at("value")),
         number("\n%.3f, ", at[0]) + number("%.3f, ", at[1]) + number("%.3f\n", at[2]),
         number("\n%.4f mm\n", judged.at("material").at("scallop").at("p99.9")),
-        number("\n%.3f\n", judged.at("material").at("efficiency")), number("%.3f m\n", 1e-3 * json["path"]["length"].get<double>()),
-        std::string("Longest linear move"), std::string("Largest turn per step"), std::string("\n0.1 mm\n"),
-        std::string("radial lines\n"), std::string("no limits were stated"), std::string("pcl_spiral_toolpath 'ca<p> & \"1\" '\\''x'\\''.xyz'")})
+        number("\n%.3f\n", judged.at("material").at("efficiency")),
+        number("%.3f m\n", 1e-3 * json["path"]["length"].get<double>()), std::string("Longest linear move"),
+        std::string("Largest turn per step"), std::string("\n0.1 mm\n"), std::string("radial lines\n"),
+        std::string("no limits were stated"),
+        std::string("pcl_spiral_toolpath 'ca<p> & \"1\" '\\''x'\\''.xyz'")})
     EXPECT_NE(page.text.find(words), std::string::npos) << words << "\nin\n" << page.text;
   for (const auto& warning : json.at("warnings"))
     EXPECT_NE(page.text.find(warning.get<std::string>()), std::string::npos) << warning;
@@ -184,7 +188,9 @@ TEST_F(Report, OfAPathThatIsNotJudgedSaysSoWhateverItsName)
 {
   const std::string name = "sc\xFF\xC3\x01n.xyz"; // bytes that are no text
   writeText(folder_.path(name), capScan(3000));
-  ASSERT_EQ(run(PCL_SPIRAL_TOOLPATH_PROGRAM, {name, "--tool-radius", "3", "--scallop", "0.2", "-o", "a.html"}).code, 0);
+  ASSERT_EQ(
+      run(PCL_SPIRAL_TOOLPATH_PROGRAM, {name, "--tool-radius", "3", "--scallop", "0.2", "-o", "a.html"}).code,
+      0);
   const std::string html = readText(folder_.path("a.html"));
   EXPECT_EQ(html.find('\xFF'), std::string::npos);
   EXPECT_EQ(html.find('\x01'), std::string::npos);
@@ -212,7 +218,8 @@ TEST_F(Report, OfSeveralPathsSaysWhichKeepsTheLimits)
   EXPECT_EQ(page.statements, (Arguments{"statement bad", "statement good"})) << result.out;
   ASSERT_EQ(page.png.size(), 8U);
   EXPECT_EQ(std::set<std::string>(page.png.begin(), page.png.end()).size(), 8U) << "each path has its own";
-  for (const char* words : {"Limits are broken", "All stated limits hold", "0 %, BROKEN", "0.05 mm, held", "\ngood.csv\n"})
+  for (const char* words :
+       {"Limits are broken", "All stated limits hold", "0 %, BROKEN", "0.05 mm, held", "\ngood.csv\n"})
     EXPECT_NE(page.text.find(words), std::string::npos) << words;
 }
 

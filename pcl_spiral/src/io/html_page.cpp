@@ -44,8 +44,8 @@ pre { background: #f2f4f6; padding: 10px 14px; white-space: pre-wrap; overflow-w
 }
 )";
 
-/** Length in bytes of the character that begins at \p at: well-formed UTF-8 (RFC 3629) of a character that XML allows;
- *  0: none begins there. */
+/** Length in bytes of the character that begins at \p at: well-formed UTF-8 (RFC 3629) of a character that
+ * XML allows; 0: none begins there. */
 std::size_t
 characterLength(const std::string& text, std::size_t at)
 {
@@ -64,7 +64,8 @@ characterLength(const std::string& text, std::size_t at)
   }
   const std::uint32_t least = length == 2 ? 0x80 : length == 3 ? 0x800 : 0x10000;
   const bool surrogate = code >= 0xD800 && code < 0xE000;
-  return first < 0xC0 || first > 0xF4 || code < least || code > 0x10FFFF || surrogate || (code & 0xFFFE) == 0xFFFE
+  return first < 0xC0 || first > 0xF4 || code < least || code > 0x10FFFF || surrogate ||
+                 (code & 0xFFFE) == 0xFFFE
              ? 0
              : length;
 }
@@ -91,8 +92,8 @@ element(const char* name, const std::string& text)
 HtmlPage::HtmlPage(const std::string& title, const std::string& subtitle)
     : body_("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
             "<meta name=\"viewport\" content=\"width=device-width\"/>\n" +
-            element("title", title) + "<style>" + style + "</style>\n</head>\n<body>\n" + element("h1", title) +
-            "<p class=\"subtitle\">" + escaped(subtitle) + "</p>\n")
+            element("title", title) + "<style>" + style + "</style>\n</head>\n<body>\n" +
+            element("h1", title) + "<p class=\"subtitle\">" + escaped(subtitle) + "</p>\n")
 {
 }
 

@@ -16,7 +16,8 @@ enum class Tone { Neutral, Good, Doubtful, Bad };
 /** Cells of a table, row by row. A first row of the same length is the head. */
 using HtmlRows = std::vector<std::vector<std::string>>;
 
-/** A page written from top to bottom. Every word given to it is escaped; the result is also well-formed XML. */
+/** A page written from top to bottom. Every word given to it is escaped; the result is also well-formed XML.
+ */
 class HtmlPage {
 public:
   /** \p subtitle stands below the title. */

@@ -94,7 +94,8 @@ addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
        {"Feed at the contact", words("%g mm/min", s.feed)},
        {"Centre", place(s.centre, "found")},
        {"First radial line", place(s.start_point, "found")},
-       {"View point of the scanner", place(s.view_point, "none: the cutter comes from +z, or the convex side")},
+       {"View point of the scanner",
+        place(s.view_point, "none: the cutter comes from +z, or the convex side")},
        {"Cutter on the other side", s.flip_normals ? "yes" : "no"},
        {"Boundaries", choiceName(s.boundary_mode)},
        {"Direction, sense", choiceName(s.direction) + ", " + choiceName(s.sense)},
@@ -113,17 +114,14 @@ addTimes(HtmlPage& page, const SpiralReport& report, const Verification* verific
 {
   page.addHeading("Time");
   HtmlRows rows;
-  double total = 0.0;
-  const auto add = [&](const std::string& name, double seconds) {
-    rows.push_back({name, words("%.2f s", seconds)});
-    total += seconds;
-  };
-  for (const StageTime& stage : report.stages)
-    add(stage.name, stage.seconds);
-  if (verification) {
-    add("judging: deviation", verification->deviation.seconds);
-    add("judging: removed material", verification->removal.seconds);
+  double total = verification ? verification->seconds : 0.0;
+  for (const StageTime& stage : report.stages) {
+    rows.push_back({stage.name, words("%.2f s", stage.seconds)});
+    total += stage.seconds;
   }
+  if (verification)
+    for (const auto& row : judgingTimes(*verification))
+      rows.push_back(row);
   rows.push_back({"all of them", words("%.2f s", total)});
   page.addTable(rows, false);
 }
@@ -145,14 +143,15 @@ writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles&
     for (const std::string& warning : warningsOf(*verification))
       if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
         warnings.push_back(warning);
-    const VerificationRun run{files.scan,           files.unit, settings.tool_radius, settings.scallop_height,
-                              settings.chord_error, {},         {}};
+    const VerificationRun run{
+        files.scan, files.unit, settings.tool_radius, settings.scallop_height, settings.chord_error, {}, {}};
     html.addPart("Verification");
     addVerification(html, run, *verification, judged);
   }
   else
-    html.addStatement(Tone::Neutral, "Not judged",
-                      {"--verify, or pcl_spiral_verify, measures deviation, scallop and gouge against the scan"});
+    html.addStatement(
+        Tone::Neutral, "Not judged",
+        {"--verify, or pcl_spiral_verify, measures deviation, scallop and gouge against the scan"});
   html.addPart("Path and surface");
   for (const ReportPicture& picture : pictures)
     html.addPicture(picture);

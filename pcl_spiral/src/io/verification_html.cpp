@@ -2,6 +2,7 @@
 
 #include <pcl_spiral/io/setting_names.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_spiral {
@@ -24,7 +25,8 @@ public:
     rows_.push_back({name, value, "", "", ""});
   }
   void
-  add(const std::string& name, const std::string& value, const PlacedValue& place, const std::string& limit = "")
+  add(const std::string& name, const std::string& value, const PlacedValue& place,
+      const std::string& limit = "")
   {
     rows_.push_back({name, value, limit, placeOf(place), std::to_string(place.index)});
   }
@@ -48,18 +50,21 @@ void
 addDeviation(Figures& figures, const DeviationFigures& d, const Limits& limits)
 {
   figures.add("Deviation of contacts from the scanned surface, largest (+ out of the material)",
-              words("%+.4f mm", d.max.value), d.max, limitText(limits.deviation, std::abs(d.max.value), "mm"));
+              words("%+.4f mm", d.max.value), d.max,
+              limitText(limits.deviation, std::abs(d.max.value), "mm"));
   figures.add("Deviation, amount: 99 % below", words("%.4f mm", d.p99));
   figures.add("Deviation, rms", words("%.4f mm", d.rms));
   if (d.beyond_rim > 0)
     figures.add(words("Deviation beyond the outermost scan points, largest of %zu contacts", d.beyond_rim),
                 words("%+.4f mm", d.rim_max.value), d.rim_max);
   if (d.unmeasured > 0)
-    figures.add("Contacts off the scanned surface, not measured", words("%zu of %zu", d.unmeasured, d.points));
+    figures.add("Contacts off the scanned surface, not measured",
+                words("%zu of %zu", d.unmeasured, d.points));
   figures.add("Normal error, largest", words("%.3g\u00b0", d.normal_error.value), d.normal_error);
   figures.add("Normal error, 99 % below", words("%.3g\u00b0", d.normal_p99));
   if (d.opposed > 0)
-    figures.add("Normals that point into the material, and the first", std::to_string(d.opposed), d.first_opposed);
+    figures.add("Normals that point into the material, and the first", std::to_string(d.opposed),
+                d.first_opposed);
 }
 
 void
@@ -69,20 +74,23 @@ addMaterial(Figures& figures, const RemovalFigures& r, const Limits& limits)
     figures.add("Scallop: ridge between passes, median", words("%.4f mm", r.scallop.p50));
     figures.add("Scallop, 99 % below", words("%.4f mm", r.scallop.p99));
     figures.add("Scallop, 99.9 % below", words("%.4f mm", r.scallop.p999));
-    figures.add(words("Ridges above 1.02 h + e = %.4g mm", r.limit), words("%.3g %%", 100.0 * r.scallop.share_above));
+    figures.add(words("Ridges above 1.02 h + e = %.4g mm", r.limit),
+                words("%.3g %%", 100.0 * r.scallop.share_above));
   }
   const PlacedValue& highest = highestScallop(r);
   figures.add(r.scallop.samples > 0 ? "Scallop, highest" : "Stock left, highest (no ridge was measured)",
               words("%.4f mm", highest.value), highest, limitText(limits.scallop, highest.value, "mm"));
   if (r.rim.samples > 0)
-    figures.add("Stock within one step-over of the rim, highest", words("%.4f mm", r.rim.max.value), r.rim.max);
+    figures.add("Stock within one step-over of the rim, highest", words("%.4f mm", r.rim.max.value),
+                r.rim.max);
   const std::string gouge_limit = limitText(limits.gouge, r.gouge.value, "mm");
   if (r.gouge.value > 0.0)
     figures.add("Gouge, deepest", words("%.4f mm", r.gouge.value), r.gouge, gouge_limit);
   else
     figures.add("Gouge", "none" + (gouge_limit.empty() ? "" : "; limit " + gouge_limit));
   if (r.rim_gouge.value > 0.0)
-    figures.add("Gouge beyond the outermost scan points, deepest", words("%.4f mm", r.rim_gouge.value), r.rim_gouge);
+    figures.add("Gouge beyond the outermost scan points, deepest", words("%.4f mm", r.rim_gouge.value),
+                r.rim_gouge);
   const double uncut = uncutPercent(r);
   const std::string uncut_limit = limitText(limits.uncut, uncut, "%");
   if (uncut > 0.0)
@@ -108,21 +116,24 @@ addStatement(HtmlPage& page, const Limits& limits, const Verification& v)
   const RemovalFigures& r = v.removal;
   Row grounds = v.broken;
   grounds.insert(grounds.end(), v.unproven.begin(), v.unproven.end());
-  grounds.push_back(words("largest deviation %+.4f mm; scallop 99.9 %% below %.4f mm, highest %.4f mm; gouge %.4f mm; "
-                          "uncut %.3g %%; efficiency %.3f",
-                          v.deviation.max.value, r.scallop.p999, highestScallop(r).value, r.gouge.value,
-                          uncutPercent(r), r.efficiency));
+  grounds.push_back(
+      words("largest deviation %+.4f mm; scallop 99.9 %% below %.4f mm, highest %.4f mm; gouge %.4f mm; "
+            "uncut %.3g %%; efficiency %.3f",
+            v.deviation.max.value, r.scallop.p999, highestScallop(r).value, r.gouge.value, uncutPercent(r),
+            r.efficiency));
   if (!v.broken.empty())
     page.addStatement(Tone::Bad, "Limits are broken", grounds);
   else if (!v.unproven.empty())
-    page.addStatement(Tone::Doubtful, "No limit is seen broken, but this scan cannot show that all hold", grounds);
+    page.addStatement(Tone::Doubtful, "No limit is seen broken, but this scan cannot show that all hold",
+                      grounds);
   else if (limits.any())
     page.addStatement(Tone::Good, "All stated limits hold", grounds);
   else
     page.addStatement(Tone::Neutral, "Judged by the scan; no limits were stated", grounds);
 }
 
-/** Whether a value that was asked for can be told from the noise of the surface that it is measured against. */
+/** Whether a value that was asked for can be told from the noise of the surface that it is measured against.
+ */
 Row
 shownRow(const char* name, const std::optional<double>& value, const DeviationFigures& d)
 {
@@ -130,8 +141,9 @@ shownRow(const char* name, const std::optional<double>& value, const DeviationFi
     return {};
   const double least = 3.0 * d.fit_noise;
   return {words("%s %.4g mm", name, *value),
-          *value >= least ? "shown by this scan"
-                          : words("NOT shown by this scan: below %.2g mm, three times its surface's noise", least)};
+          *value >= least
+              ? "shown by this scan"
+              : words("NOT shown by this scan: below %.2g mm, three times its surface's noise", least)};
 }
 
 void
@@ -169,6 +181,15 @@ addVerification(HtmlPage& page, const VerificationRun& run, const Verification& 
     page.addPicture(picture);
 }
 
+HtmlRows
+judgingTimes(const Verification& v)
+{
+  const double rest = std::max(0.0, v.seconds - v.deviation.seconds - v.removal.seconds);
+  return {{"judging: surface of the scan", words("%.2f s", rest)},
+          {"judging: deviation", words("%.2f s", v.deviation.seconds)},
+          {"judging: removed material", words("%.2f s", v.removal.seconds)}};
+}
+
 void
 addWarnings(HtmlPage& page, const std::vector<std::string>& warnings)
 {
@@ -191,9 +212,7 @@ writeVerificationHTML(const std::string& file, const ReportPage& page, const Ver
     addVerification(html, run, v, i < pictures.size() ? pictures[i] : std::vector<ReportPicture>());
     addWarnings(html, warningsOf(v));
     html.addHeading("Time");
-    html.addTable({{"Deviation", words("%.2f s", v.deviation.seconds)},
-                   {"Removed material", words("%.2f s", v.removal.seconds)}},
-                  false);
+    html.addTable(judgingTimes(v), false);
   }
   if (verifications.size() > 1)
     html.addPart("Input");

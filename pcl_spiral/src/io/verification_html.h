@@ -13,6 +13,9 @@ namespace pcl_spiral {
 void addVerification(HtmlPage& page, const VerificationRun& run, const Verification& verification,
                      const std::vector<ReportPicture>& pictures);
 
+/** How long the steps of judging took: rows of name and seconds. */
+HtmlRows judgingTimes(const Verification& verification);
+
 /** Warnings under a heading of their own; a sentence where there are none. */
 void addWarnings(HtmlPage& page, const std::vector<std::string>& warnings);
 

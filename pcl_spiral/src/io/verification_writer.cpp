@@ -128,6 +128,7 @@ verificationJson(const Verification& v)
           {"motion", motionJson(v.deviation.motion)},
           {"broken_limits", v.broken},
           {"unproven_limits", v.unproven},
+          {"seconds", v.seconds},
           {"warnings", warningsOf(v)}};
 }
 

@@ -16,7 +16,7 @@ struct ReportPage {
 
 /** A picture of a report. */
 struct ReportPicture {
-  std::string file;    ///< PNG; its bytes go into the report
+  std::string file; ///< PNG; its bytes go into the report
   std::string caption;
 };
 

@@ -33,6 +33,7 @@ struct Verification {
   DeviationFigures deviation;
   RemovalFigures removal;
   std::vector<std::string> broken;   ///< limits that do not hold, in words
+  double seconds = 0.0;              ///< of judging, with making the scan's surface where this path was the first
   std::vector<std::string> unproven; ///< limits that the scan is too noisy to show as held, in words
 };
 
