@@ -78,11 +78,11 @@ footOn(const OutlineSide& side, const Eigen::Vector3d& point, std::ptrdiff_t exp
   }
   std::ptrdiff_t best = from;
   double nearest = std::numeric_limits<double>::infinity();
-  for (std::ptrdiff_t k = from; k <= to; ++k) {
-    const double squared = (side.nodes[wrapped(k)] - point).squaredNorm();
+  for (std::ptrdiff_t k = from, node = wrapped(from); k <= to; ++k, node = node + 1 < m ? node + 1 : 0) {
+    const double squared = (side.nodes[node] - point).squaredNorm();
     if (squared < nearest) {
       nearest = squared;
-      best = wrapped(k);
+      best = node;
     }
   }
   // The segment after the nearest node, or the one before when the foot falls behind the node.
