@@ -14,6 +14,7 @@ namespace {
 constexpr int fewest_neighbours = 32, most_neighbours = 256;
 constexpr double farthest_in_spacings = 4.0; // of a query from the nearest point; triangles span up to three
 constexpr double refit_distance = 0.1;       // in spacings: a foot that far from the query gets a fit of its own
+constexpr double run_width = 1.5;            // of queries searched together, in radii of a neighbourhood
 constexpr double largest_overhang = 1.25;    // in spacings
 
 /** Mean of the oriented normals of the nearest few neighbours. */
@@ -25,6 +26,35 @@ meanNormal(const Neighbourhood& near, const std::vector<Eigen::Vector3f>& normal
     sum += normals[near.index[j]];
   const float norm = sum.norm();
   return norm > 0.0f ? Eigen::Vector3d((sum / norm).cast<double>()) : normals[near.index[0]].cast<double>();
+}
+
+/** Queries that lie together, one search for all of them. */
+struct QueryRun {
+  std::size_t begin, end;
+  Box box;
+};
+
+/** Runs of up to a block of spatially sorted queries, none wider than \p widest: few queries far apart would each scan
+ *  what lies between them. */
+std::vector<QueryRun>
+runsOf(const std::vector<IndexedPosition>& order, float widest)
+{
+  std::vector<QueryRun> runs;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (!runs.empty() && i - runs.back().begin < PointBlocks::block_size) {
+      Box box = runs.back().box;
+      box.extend(&order[i].x);
+      if (box.diagonal() <= widest) {
+        runs.back().box = box;
+        runs.back().end = i + 1;
+        continue;
+      }
+    }
+    QueryRun run{i, i + 1, {}};
+    run.box.extend(&order[i].x);
+    runs.push_back(run);
+  }
+  return runs;
 }
 
 } // namespace
@@ -57,20 +87,16 @@ MlsSurface::projectOnce(const std::vector<std::uint32_t>& which, std::vector<Sur
     order[i] = {q.x(), q.y(), q.z(), which[i]};
   }
   sortSpatially(order);
-  const auto runs = static_cast<std::int64_t>((order.size() + PointBlocks::block_size - 1) / PointBlocks::block_size);
+  const auto widest = static_cast<float>(run_width * graph_.spacing() * std::sqrt(neighbours / M_PI));
+  const std::vector<QueryRun> runs = runsOf(order, widest);
   const auto reach = static_cast<float>(12.0 * graph_.spacing() * std::sqrt(neighbours / M_PI));
 #pragma omp parallel
   {
     NeighbourSearch search(graph_.blocks(), neighbours, reach);
 #pragma omp for schedule(dynamic, 16)
-    for (std::int64_t r = 0; r < runs; ++r) {
-      const std::size_t begin = r * PointBlocks::block_size;
-      const std::size_t end = std::min(order.size(), begin + PointBlocks::block_size);
-      Box box;
-      for (std::size_t i = begin; i < end; ++i)
-        box.extend(&order[i].x);
-      search.setRun(box);
-      for (std::size_t i = begin; i < end; ++i) {
+    for (std::int64_t r = 0; r < static_cast<std::int64_t>(runs.size()); ++r) {
+      search.setRun(runs[r].box);
+      for (std::size_t i = runs[r].begin; i < runs[r].end; ++i) {
         SurfaceFoot& foot = feet[order[i].index];
         const Eigen::Vector3d from = foot.position;
         const Neighbourhood& near = search.find(from);
