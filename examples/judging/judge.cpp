@@ -60,24 +60,40 @@ ridgesAlong(const pcl::PointCloud<ToolpathPoint>& path, const pcl::PointCloud<pc
 } // namespace
 
 Status
-judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path,
-          const JudgeSettings& settings, const ProgressCallback& progress,
-          std::shared_ptr<const ScannedReference>& surface, Verification& verification, Heights& heights)
+judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
+               const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
+               const ProgressCallback& progress, std::shared_ptr<const ScannedReference>& surface,
+               Verification& verification, Heights& heights)
 {
-  const auto start = std::chrono::steady_clock::now();
   pcl::PointCloud<pcl::PointXYZI> values;
   DeviationEstimation<pcl::PointXYZ> deviation;
   prepare(deviation, scan, path, settings);
   deviation.setReferenceSurface(surface);
   deviation.setProgressCallback(
-      [&](double share, const std::string&) { return progress(0.3 * share, "deviation"); });
+      [&](double share, const std::string&) { return progress(share, "deviation"); });
   deviation.compute(values);
-  if (!deviation.getStatus().ok())
-    return deviation.getStatus();
-  surface = deviation.getReferenceSurface();
-  heights.deviation = intensities(values);
-  verification.deviation = deviation.getFigures();
+  if (deviation.getStatus().ok()) {
+    surface = deviation.getReferenceSurface();
+    heights.deviation = intensities(values);
+    verification.deviation = deviation.getFigures();
+  }
+  return deviation.getStatus();
+}
 
+Status
+judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
+          const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
+          const ProgressCallback& progress, std::shared_ptr<const ScannedReference>& surface,
+          Verification& verification, Heights& heights)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const Status status = judgeDeviation(
+      scan, path, settings,
+      [&](double share, const std::string& stage) { return progress(0.3 * share, stage); }, surface,
+      verification, heights);
+  if (!status.ok())
+    return status;
+  pcl::PointCloud<pcl::PointXYZI> values;
   MaterialRemoval<pcl::PointXYZ> removal;
   prepare(removal, scan, path, settings);
   removal.setReferenceSurface(surface);

@@ -22,11 +22,18 @@ struct Heights {
   std::vector<float> stock, ridges; ///< one a point of the scan
 };
 
-/** The figures of \p path against \p scan. \p surface is that of the scan, made where it is null and kept for the next
- *  path. Fails as DeviationEstimation and MaterialRemoval do. */
-pcl_spiral::Status
-judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
-          const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
-          const pcl_spiral::ProgressCallback& progress,
-          std::shared_ptr<const pcl_spiral::ScannedReference>& surface, pcl_spiral::Verification& verification,
-          Heights& heights);
+/** How far \p path stands off \p scan, without a cutter: the figures of deviation alone. \p surface is that
+ * of the scan, made where it is null. Fails as DeviationEstimation does. */
+pcl_spiral::Status judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
+                                  const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path,
+                                  const JudgeSettings& settings, const pcl_spiral::ProgressCallback& progress,
+                                  std::shared_ptr<const pcl_spiral::ScannedReference>& surface,
+                                  pcl_spiral::Verification& verification, Heights& heights);
+
+/** The figures of \p path against \p scan. \p surface is that of the scan, made where it is null and kept for
+ * the next path. Fails as DeviationEstimation and MaterialRemoval do. */
+pcl_spiral::Status judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
+                             const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path,
+                             const JudgeSettings& settings, const pcl_spiral::ProgressCallback& progress,
+                             std::shared_ptr<const pcl_spiral::ScannedReference>& surface,
+                             pcl_spiral::Verification& verification, Heights& heights);

@@ -1,5 +1,6 @@
 #include "verify_job.h"
 
+#include "judging/judge_options.h"
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
 
@@ -17,40 +18,34 @@ allOptions()
 {
   constexpr unsigned int width = 110;
   const auto value = [](const char* name) { return po::value<std::string>()->value_name(name); };
-  const auto values = [](const char* name) { return po::value<std::vector<std::string>>()->value_name(name); };
-  po::options_description files("Files", width, width / 2), cutter("Cutter and finish (mm)", width, width / 2),
-      limits("Limits: one that is broken ends the program with 1", width, width / 2), run("Run", width, width / 2);
-  files.add_options()("file", values("FILE"), "the scan, then the paths: .csv .pcd .ply .vtp; the names alone are enough")(
+  const auto values = [](const char* name) {
+    return po::value<std::vector<std::string>>()->value_name(name);
+  };
+  po::options_description files("Files", width, width / 2),
+      cutter("Cutter and finish (mm)", width, width / 2),
+      limits("Limits: one that is broken ends the program with 1", width, width / 2),
+      run("Run", width, width / 2);
+  files.add_options()("file", values("FILE"),
+                      "the scan, then the paths: .csv .pcd .ply .vtp; the names alone are enough")(
       "output,o", values("FILE"),
       "what to write, by extension; give it once a file: -o verified.json -o verified.html\n"
       ".json  the figures\n"
       ".html  report to read and print, with the pictures, in one file\n"
-      ".png  of one path: its deviation; NAME_stock.png beside it shows what is left where, NAME_histogram.png how high "
+      ".png  of one path: its deviation; NAME_stock.png beside it shows what is left where, "
+      "NAME_histogram.png how high "
       "the scallops are\n"
-      ".vtp  of one path: the path with the point data Deviation and Scallop, mm")(
-      "units", value("mm|m|inch"), "unit of the numbers in the scan; mm by default: --units m")(
-      "origin", value("X,Y,Z"), "subtracted from the scan, in its own unit, as for the path: --origin 393775,3689071,0")(
-      "columns", value("NAMES"), "columns of a text scan from the left: --columns id,x,y,z");
-  cutter.add_options()("tool-radius", value("R"), "radius of the ball cutter; needed: --tool-radius 10")(
-      "scallop", value("H"), "scallop height asked of the path; 0.05: --scallop 0.02")(
-      "chord-error", value("E"), "chord error asked of the path; 0.005: --chord-error 0.002")(
-      "view-point", value("X,Y,Z"), "where the scanner stood, mm; normals face it: --view-point 0,0,3000")(
-      "flip-normals", "the cutter is on the other side");
-  limits.add_options()("max-gouge", value("G"), "mm: --max-gouge 0.01")("max-scallop", value("S"), "mm: --max-scallop 0.06")(
+      ".vtp  of one path: the path with the point data Deviation and Scallop, mm");
+  addScanOptions(files);
+  addCutterOptions(cutter, "radius of the ball cutter; needed: --tool-radius 10");
+  limits.add_options()("max-gouge", value("G"), "mm: --max-gouge 0.01")("max-scallop", value("S"),
+                                                                        "mm: --max-scallop 0.06")(
       "max-deviation", value("D"), "of the contacts from the scanned surface, mm: --max-deviation 0.02")(
       "max-uncut", value("P"), "percent of the scan's points: --max-uncut 0");
-  run.add_options()("threads", value("N"), "0, the default, means all: --threads 4")("quiet", "say nothing but errors")(
-      "help,h", "this text")("version", "print the version");
+  run.add_options()("threads", value("N"), "0, the default, means all: --threads 4")(
+      "quiet", "say nothing but errors")("help,h", "this text")("version", "print the version");
   po::options_description all;
   all.add(files).add(cutter).add(limits).add(run);
   return all;
-}
-
-void
-require(bool holds, const std::string& message)
-{
-  if (!holds)
-    throw UsageError(message);
 }
 
 /** An output must not replace what is read. */
@@ -69,15 +64,10 @@ refuseInputs(const VerifyJob& job)
 void
 check(const VerifyJob& job, bool radius_given)
 {
-  const JudgeSettings& s = job.settings;
   require(!job.scan.empty(), "no scan is named; give the scan and then the paths, such as part.pcd part.csv");
   require(!job.paths.empty(), "no path is named after the scan; give at least one, such as part.csv");
-  require(radius_given, "no --tool-radius is given; give the radius of the ball cutter in mm, such as --tool-radius 10");
-  require(s.tool_radius > 0.0, "--tool-radius must be above 0 mm, such as 10");
-  require(s.scallop_height > 0.0 && s.scallop_height < s.tool_radius,
-          "--scallop must be above 0 mm and below the tool radius, such as 0.05");
-  require(s.chord_error > 0.0, "--chord-error must be above 0 mm, such as 0.005");
-  require(s.threads >= 0, "--threads must be above 0, or 0 for all");
+  require(radius_given,
+          "no --tool-radius is given; give the radius of the ball cutter in mm, such as --tool-radius 10");
   for (const std::string& output : job.outputs) {
     const std::string extension = extensionOf(output);
     const std::vector<std::string> known{".json", ".html", ".png", ".vtp"};
@@ -97,20 +87,12 @@ fromMap(const po::variables_map& given)
   job.help = given.count("help") > 0;
   job.version = given.count("version") > 0;
   job.quiet = given.count("quiet") > 0;
-  job.settings.scallop_height = 0.05;
-  job.settings.chord_error = 0.005;
-  job.settings.flip_normals = given.count("flip-normals") > 0;
   if (job.help || job.version)
     return job;
-  const auto text = [&](const char* name) { return given[name].as<std::string>(); };
-  const auto read = [&](const char* name, double& value) {
-    if (given.count(name) > 0)
-      value = numberValue(name, text(name));
-  };
   const auto limit = [&](const char* name, std::optional<double>& value) {
     if (given.count(name) == 0)
       return;
-    value = numberValue(name, text(name));
+    value = numberValue(name, given[name].as<std::string>());
     require(*value >= 0.0, "--" + std::string(name) + " must not be below 0");
   };
   if (given.count("file") > 0) {
@@ -120,19 +102,8 @@ fromMap(const po::variables_map& given)
   }
   if (given.count("output") > 0)
     job.outputs = given["output"].as<std::vector<std::string>>();
-  if (given.count("units") > 0)
-    job.read.unit = choiceValue<pcl_spiral::LengthUnit>("units", text("units"));
-  if (given.count("origin") > 0)
-    job.read.origin = placeValue("origin", text("origin"));
-  if (given.count("columns") > 0)
-    job.read.columns = listValue(text("columns"));
-  if (given.count("view-point") > 0)
-    job.settings.view_point = placeValue("view-point", text("view-point"));
-  read("tool-radius", job.settings.tool_radius);
-  read("scallop", job.settings.scallop_height);
-  read("chord-error", job.settings.chord_error);
-  if (given.count("threads") > 0)
-    job.settings.threads = wholeNumberValue("threads", text("threads"));
+  job.read = scanOptions(given);
+  job.settings = cutterOptions(given);
   limit("max-gouge", job.limits.gouge);
   limit("max-scallop", job.limits.scallop);
   limit("max-deviation", job.limits.deviation);
@@ -192,8 +163,10 @@ printVerifyHelp(std::ostream& out)
 {
   out << "Judge toolpaths by the raw scan: deviation, scallop, gouge, uncut places, efficiency.\n\n"
          "  pcl_spiral_verify SCAN PATH... --tool-radius R [options]\n\n"
-         "  pcl_spiral_verify part.pcd part.csv --tool-radius 10 --scallop 0.05 --max-gouge 0.01 -o verified.json\n\n"
-         "Lengths are millimetres and angles degrees. Ends with 0 when every limit holds, 1 when a limit is broken\n"
+         "  pcl_spiral_verify part.pcd part.csv --tool-radius 10 --scallop 0.05 --max-gouge 0.01 -o "
+         "verified.json\n\n"
+         "Lengths are millimetres and angles degrees. Ends with 0 when every limit holds, 1 when a limit is "
+         "broken\n"
          "or the data or a file fails, 2 when the call is wrong.\n"
       << allOptions();
 }

@@ -7,22 +7,33 @@
 namespace pcl_spiral {
 
 std::string
-displayProblem()
+displayFault()
 {
-  const std::string remedy =
-      "; run the same command under 'xvfb-run -a' (package xvfb), or leave the picture out";
   const char* const name = std::getenv("DISPLAY");
   if (!name || !*name)
-    return "a picture needs a display and DISPLAY is not set" + remedy;
+    return "DISPLAY is not set";
   // VTK ends the program where this fails. The connection is kept until the program's end: a server such as
   // Xvfb starts afresh when its last client leaves, and refuses connections meanwhile, between one picture
   // and the next.
-  static const Display* display = nullptr;
+  static Display* display = nullptr;
   if (!display)
     display = XOpenDisplay(nullptr);
   if (!display)
-    return "a picture needs a display and '" + std::string(name) + "' cannot be opened" + remedy;
+    return "'" + std::string(name) + "' cannot be opened";
+  int opcode = 0, event = 0, error = 0;
+  if (!XQueryExtension(display, "GLX", &opcode, &event, &error))
+    return "'" + std::string(name) + "' cannot draw with OpenGL: it has no GLX";
   return {};
+}
+
+std::string
+displayProblem()
+{
+  const std::string fault = displayFault();
+  return fault.empty()
+             ? fault
+             : "a picture needs a display and " + fault +
+                   "; run the same command under 'xvfb-run -a' (package xvfb), or leave the picture out";
 }
 
 } // namespace pcl_spiral

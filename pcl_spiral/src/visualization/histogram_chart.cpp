@@ -130,7 +130,8 @@ addLine(vtkRenderer* view, const Scale& scale, double height, const std::string&
   addCentredText(view, words, {on_left ? x - room : x + room, scale.top + 17.0}, name_size);
 }
 
-void
+/** Returns where the next would stand. */
+int
 addWords(vtkRenderer* view, const PageSize& page, const Bins& bins, const StockFigures& figures, double limit)
 {
   addLegend(view, page,
@@ -151,6 +152,7 @@ addWords(vtkRenderer* view, const PageSize& page, const Bins& bins, const StockF
     add("last bar: " + std::to_string(bins.beyond) + text(" above %.3g mm", (bins.last + 1) * bins.width));
   if (bins.below > 0)
     add("first bar: " + std::to_string(bins.below) + text(" below %.3g mm", bins.first * bins.width));
+  return y;
 }
 
 } // namespace
@@ -162,7 +164,7 @@ hasHistogram(const VerificationScene& scene)
          std::any_of(scene.ridges.begin(), scene.ridges.end(), [](float v) { return !std::isnan(v); });
 }
 
-void
+int
 addHistogram(vtkRenderer* view, const PageSize& page, const VerificationScene& scene)
 {
   const SpiralSettings& asked = scene.part.settings;
@@ -174,7 +176,7 @@ addHistogram(vtkRenderer* view, const PageSize& page, const VerificationScene& s
   addLine(view, scale, asked.scallop_height, text("asked for, h: %.3g", asked.scallop_height), asked_color,
           true);
   addLine(view, scale, figures.limit, text("limit, 1.02 h + e: %.3g", figures.limit), limit_color, false);
-  addWords(view, page, bins, figures.scallop, figures.limit);
+  return addWords(view, page, bins, figures.scallop, figures.limit);
 }
 
 Title

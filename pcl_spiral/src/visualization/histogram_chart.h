@@ -10,8 +10,9 @@ namespace pcl_spiral {
 /** Whether there are ridges and a limit to judge them by. */
 bool hasHistogram(const VerificationScene& scene);
 
-/** The chart of a scene that has one, in a view that fills the page. */
-void addHistogram(vtkRenderer* view, const PageSize& page, const VerificationScene& scene);
+/** The chart of a scene that has one, in a view that fills the page. Returns how far down its words reach,
+ * pixels. */
+int addHistogram(vtkRenderer* view, const PageSize& page, const VerificationScene& scene);
 
 Title histogramTitle(const VerificationScene& scene);
 

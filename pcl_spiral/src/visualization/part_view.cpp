@@ -57,9 +57,9 @@ PartView::addMarker(const Eigen::Vector3d& place, const Color& color)
 }
 
 bool
-PartView::addCircle(const Eigen::Vector3d& place)
+PartView::addCircle(const Eigen::Vector3d& place, const Color& color)
 {
-  addMarkAt(Marker::Circle, place, ink);
+  addMarkAt(Marker::Circle, place, color);
   return hides(surface_, place, projection_.towards());
 }
 

@@ -34,6 +34,12 @@ public:
 
   /** Where a place appears: pixels from the view's lower left corner. */
   Eigen::Vector2d onScreen(const Eigen::Vector3d& place) const;
+  /** Whether a place is in the view or near it: what is not need not be drawn. */
+  virtual bool
+  isNear(const Eigen::Vector3d&) const
+  {
+    return true;
+  }
   /** Draw as it stands. */
   virtual void add(vtkActor* actor) = 0;
   /** Draw what lies on the surface: nearer to the viewer by what the drawn surface may stand out. */
@@ -43,7 +49,7 @@ public:
   /** A mark over everything: a ring where the part hides the place. Returns whether it does. */
   bool addMarker(const Eigen::Vector3d& place, const Color& color);
   /** A circle about a place, over everything. Returns whether the part hides the place. */
-  bool addCircle(const Eigen::Vector3d& place);
+  bool addCircle(const Eigen::Vector3d& place, const Color& color = ink);
 
 protected:
   virtual void addMarkAt(Marker marker, const Eigen::Vector3d& place, const Color& color) = 0;

@@ -71,11 +71,12 @@ addSpiral(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const Show
           vtkScalarsToColors* colors)
 {
   view.add(surfaceActor(view.surface().mesh, surface_color));
-  const auto lines =
-      turnActor(path,
-                pathLines(path, least_path_move * view.projection().mm_per_pixel,
-                          [&turns](const ToolpathPoint& point) { return turns.shows(point.turn); }),
-                colors);
+  const auto lines = turnActor(path,
+                               pathLines(path, least_path_move * view.projection().mm_per_pixel,
+                                         [&](const ToolpathPoint& point) {
+                                           return turns.shows(point.turn) && view.isNear(placeOf(point));
+                                         }),
+                               colors);
   lines->GetProperty()->SetLineWidth(1.6f);
   view.addOver(lines);
   return {"spiral, " + turns.caption(), {0.128, 0.567, 0.551}};

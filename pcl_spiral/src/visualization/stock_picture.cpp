@@ -11,7 +11,6 @@ VerificationPictures::writeStock(const std::string& file) const
 {
   const VerificationScene& scene = scene_;
   const pcl::PointCloud<ToolpathPoint>& path = *scene.part.path;
-  const RemovalFigures& figures = scene.removal_figures;
   if (scene.stock.empty())
     throw std::logic_error("a picture of the stock needs the stock of each reference point");
   const StockScale scale(scene);
@@ -26,21 +25,14 @@ VerificationPictures::writeStock(const std::string& file) const
   canvas.addColorBar("stock left, mm", "%.3g", scale.colors());
   std::vector<LegendEntry> legend = scale.legend(heights);
   const double across = insetWidth(*surface_, path);
-  const auto show = [&](int slot, const PlacedValue& worst, const std::string& name) {
-    const bool hidden = canvas.addCircle(worst.position);
-    legend.push_back(
-        {name + text(", %.3g mm", worst.value) + (hidden ? ", hidden" : ""), ink, Marker::Circle});
+  for (const WorstStock& worst : worstStock(scene.removal_figures)) {
+    const Eigen::Vector3d& place = worst.value.position;
+    legend.push_back(worst.legend(canvas.addCircle(place)));
     addPointInset(
-        canvas, slot, *surface_,
-        {worst.position, pathPoint(path, worst.index).getNormalVector3fMap().cast<double>(), across, name},
+        canvas, worst.slot, *surface_,
+        {place, pathPoint(path, worst.value.index).getNormalVector3fMap().cast<double>(), across, worst.name},
         *scene.part.cloud, heights, radius, style, path);
-  };
-  if (figures.gouge.value > 0.0)
-    show(0, figures.gouge, "deepest gouge");
-  if (figures.stock.uncut > 0)
-    show(1, figures.stock.first_uncut, "an uncut place");
-  else if (figures.scallop.max.value > 0.0)
-    show(1, figures.scallop.max, "highest ridge");
+  }
   canvas.addLegend(legend);
   const Title title = stockTitle(scene);
   canvas.addTitle(title.first, title.second);

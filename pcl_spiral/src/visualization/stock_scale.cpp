@@ -88,6 +88,25 @@ StockScale::legend(const std::vector<float>& heights) const
           {text("above limit, %.3g mm: ", limit_) + share(above), above_color}};
 }
 
+LegendEntry
+WorstStock::legend(bool hidden) const
+{
+  return {name + text(", %.3g mm", value.value) + (hidden ? ", hidden" : ""), ink, Marker::Circle};
+}
+
+std::vector<WorstStock>
+worstStock(const RemovalFigures& figures)
+{
+  std::vector<WorstStock> worst;
+  if (figures.gouge.value > 0.0)
+    worst.push_back({0, figures.gouge, "deepest gouge"});
+  if (figures.stock.uncut > 0)
+    worst.push_back({1, figures.stock.first_uncut, "an uncut place"});
+  else if (figures.scallop.max.value > 0.0)
+    worst.push_back({1, figures.scallop.max, "highest ridge"});
+  return worst;
+}
+
 Title
 stockTitle(const VerificationScene& scene)
 {

@@ -68,6 +68,18 @@ private:
   vtkSmartPointer<vtkScalarsToColors> colors_;
 };
 
+/** A place that a map of the stock points out. */
+struct WorstStock {
+  int slot; ///< of two: 0 what is too deep, 1 what is too high
+  PlacedValue value;
+  std::string name;
+
+  LegendEntry legend(bool hidden) const;
+};
+
+/** The deepest gouge, and an uncut place or else the highest ridge, as far as there are any. */
+std::vector<WorstStock> worstStock(const RemovalFigures& figures);
+
 Title stockTitle(const VerificationScene& scene);
 
 } // namespace pcl_spiral

@@ -18,7 +18,6 @@ constexpr double pitch_share = 0.6; ///< of the pitch, for a disc that reaches t
 constexpr double inset_line_radius = 2.0, outstanding_radius = 3.0; ///< pixels
 constexpr double least_inset_disc = 2.0, most_inset_disc = 9.0;     ///< pixels
 constexpr double disc_of_spacing = 0.9; ///< discs of this radius leave no gaps between neighbours
-constexpr double inset_pitches = 12.0;
 constexpr double least_inset = 0.001, most_inset = 0.3; ///< of the part's size
 constexpr double inset_depth =
     0.3; ///< of its width: what lies farther from its plane is another side of the part

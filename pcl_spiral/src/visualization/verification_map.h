@@ -41,7 +41,9 @@ void addPointInset(Canvas& canvas, int slot, const DisplaySurface& surface, cons
 /** Radius of a disc a point, mm, of \p points spread like those of the drawn surface, that leaves no gaps. */
 double discRadius(const DisplaySurface& surface, std::size_t points);
 
-/** Width of an enlarged view: a dozen turns, mm. */
+constexpr double inset_pitches = 12.0; ///< turns across an enlarged view
+
+/** Width of an enlarged view, mm. */
 double insetWidth(const DisplaySurface& surface, const pcl::PointCloud<ToolpathPoint>& path);
 
 /** Point \p index of the path; the nearest to it that there is. */

@@ -24,7 +24,10 @@ struct PictureScene {
   SpiralReport report;
 };
 
-/** Why no picture can be made here; empty where one can. VTK draws through an X display. */
+/** What is wrong with the X display that VTK draws through: "DISPLAY is not set"; empty where nothing is. */
+std::string displayFault();
+
+/** Why no picture can be made here, and the remedy; empty where one can. VTK draws through an X display. */
 std::string displayProblem();
 
 struct DisplaySurface;

@@ -1,0 +1,84 @@
+#include "judge_options.h"
+
+#include "terminal/option_values.h"
+
+namespace po = boost::program_options;
+
+namespace {
+
+po::typed_value<std::string>*
+value(const char* name)
+{
+  return po::value<std::string>()->value_name(name);
+}
+
+} // namespace
+
+void
+addScanOptions(po::options_description& options)
+{
+  options.add_options()("units", value("mm|m|inch"),
+                        "unit of the numbers in the scan; mm by default: --units m")(
+      "origin", value("X,Y,Z"),
+      "subtracted from the scan, in its own unit, as for the path: --origin 393775,3689071,0")(
+      "columns", value("NAMES"), "columns of a text scan from the left: --columns id,x,y,z");
+}
+
+void
+addCutterOptions(po::options_description& options, const char* radius_meaning)
+{
+  options.add_options()("tool-radius", value("R"), radius_meaning)(
+      "scallop", value("H"), "scallop height asked of the path; 0.05: --scallop 0.02")(
+      "chord-error", value("E"), "chord error asked of the path; 0.005: --chord-error 0.002")(
+      "view-point", value("X,Y,Z"), "where the scanner stood, mm; normals face it: --view-point 0,0,3000")(
+      "flip-normals", "the cutter is on the other side");
+}
+
+pcl_spiral::ReadOptions
+scanOptions(const po::variables_map& given)
+{
+  pcl_spiral::ReadOptions read;
+  const auto text = [&](const char* name) { return given[name].as<std::string>(); };
+  if (given.count("units") > 0)
+    read.unit = choiceValue<pcl_spiral::LengthUnit>("units", text("units"));
+  if (given.count("origin") > 0)
+    read.origin = placeValue("origin", text("origin"));
+  if (given.count("columns") > 0)
+    read.columns = listValue(text("columns"));
+  return read;
+}
+
+JudgeSettings
+cutterOptions(const po::variables_map& given)
+{
+  JudgeSettings settings;
+  settings.scallop_height = 0.05;
+  settings.chord_error = 0.005;
+  settings.flip_normals = given.count("flip-normals") > 0;
+  const auto text = [&](const char* name) { return given[name].as<std::string>(); };
+  const auto read = [&](const char* name, double& number) {
+    if (given.count(name) > 0)
+      number = numberValue(name, text(name));
+  };
+  if (given.count("view-point") > 0)
+    settings.view_point = placeValue("view-point", text("view-point"));
+  read("tool-radius", settings.tool_radius);
+  read("scallop", settings.scallop_height);
+  read("chord-error", settings.chord_error);
+  if (given.count("threads") > 0)
+    settings.threads = wholeNumberValue("threads", text("threads"));
+  const bool radius_given = given.count("tool-radius") > 0;
+  require(!radius_given || settings.tool_radius > 0.0, "--tool-radius must be above 0 mm, such as 10");
+  require(settings.scallop_height > 0.0 && (!radius_given || settings.scallop_height < settings.tool_radius),
+          "--scallop must be above 0 mm and below the tool radius, such as 0.05");
+  require(settings.chord_error > 0.0, "--chord-error must be above 0 mm, such as 0.005");
+  require(settings.threads >= 0, "--threads must be above 0, or 0 for all");
+  return settings;
+}
+
+void
+require(bool holds, const std::string& message)
+{
+  if (!holds)
+    throw UsageError(message);
+}

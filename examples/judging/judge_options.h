@@ -1,0 +1,26 @@
+/** \file
+ *  The options of scan and cutter, for every program that judges paths.
+ */
+#pragma once
+
+#include "judge.h"
+
+#include <pcl_spiral/io/cloud_reader.h>
+
+#include <boost/program_options.hpp>
+
+/** --units, --origin, --columns */
+void addScanOptions(boost::program_options::options_description& options);
+
+/** --tool-radius, described as \p radius_meaning, --scallop, --chord-error, --view-point, --flip-normals */
+void addCutterOptions(boost::program_options::options_description& options, const char* radius_meaning);
+
+/** How to read the scan. \throw UsageError */
+pcl_spiral::ReadOptions scanOptions(const boost::program_options::variables_map& given);
+
+/** Cutter, finish and --threads; the tool radius is 0 where none is given. \throw UsageError for values that
+ * do not fit one another */
+JudgeSettings cutterOptions(const boost::program_options::variables_map& given);
+
+/** \throw UsageError with \p message unless \p holds */
+void require(bool holds, const std::string& message);

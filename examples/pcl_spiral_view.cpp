@@ -1,0 +1,95 @@
+// A toolpath on its scan, in a window.
+#include "judging/judged_scene.h"
+#include "terminal/terminal.h"
+#include "view/view_job.h"
+
+#include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/toolpath_reader.h>
+#include <pcl_spiral/visualization/spiral_viewer.h>
+
+#include <pcl/console/print.h>
+
+#include <filesystem>
+#include <iostream>
+
+using namespace pcl_spiral;
+
+namespace {
+
+constexpr int failed = 1;
+constexpr int bad_usage = 2;
+
+void
+requireWindow()
+{
+  const std::string fault = displayFault();
+  if (!fault.empty())
+    throw std::runtime_error("a window needs a display and " + fault +
+                             "; run this at a screen or in a VNC session, or make pictures instead: "
+                             "'xvfb-run -a pcl_spiral_verify SCAN PATH --tool-radius R -o verified.png'");
+}
+
+VerificationScene
+judgedScene(const ViewJob& job)
+{
+  const Scan scan = readCloud(job.scan, job.read);
+  if (!job.quiet)
+    for (const std::string& warning : scan.warnings)
+      std::cerr << "pcl_spiral_view: warning: " << warning << '\n';
+  const auto path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(readToolpath(job.path).path);
+  std::shared_ptr<const ScannedReference> surface;
+  Verification verification;
+  verification.path = job.path;
+  Heights heights;
+  ProgressBar bar(job.quiet);
+  const auto judge = job.settings.tool_radius > 0.0 ? judgePath : judgeDeviation;
+  const Status status = judge(
+      scan.cloud, path, job.settings,
+      [&](double share, const std::string& stage) { return bar.update(share, stage); }, surface, verification,
+      heights);
+  bar.clear();
+  if (cancelled())
+    throw std::runtime_error("cancelled");
+  if (!status.ok())
+    throw FileError(job.path, status.message());
+  return judgedScene(scan.cloud, path, job.settings, surface->surface, verification, heights);
+}
+
+void
+run(const ViewJob& job)
+{
+  requireWindow();
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
+  SpiralViewer viewer(judgedScene(job));
+  viewer.setRemedy("Start again with the cutter's radius, such as --tool-radius 10 --scallop 0.05");
+  viewer.setPictureStem(std::filesystem::path(job.path).stem().string() + "_view");
+  viewer.setCloseRequest(cancelled);
+  viewer.run();
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  catchSignals();
+  try {
+    const ViewJob job = parseViewCommandLine(argc, argv);
+    if (job.help)
+      printViewHelp(std::cout);
+    else if (job.version)
+      std::cout << "pcl_spiral_view " PCL_SPIRAL_VERSION "\n";
+    else
+      run(job);
+    return 0;
+  }
+  catch (const UsageError& error) {
+    std::cerr << "pcl_spiral_view: " << error.what() << "\npcl_spiral_view --help lists the options\n";
+    return bad_usage;
+  }
+  catch (const std::exception& error) {
+    std::cerr << "pcl_spiral_view: " << error.what() << '\n';
+    return failed;
+  }
+}

@@ -1,0 +1,85 @@
+#include "view_job.h"
+
+#include "judging/judge_options.h"
+#include "terminal/terminal.h"
+
+#include <boost/program_options.hpp>
+
+#include <vector>
+
+namespace po = boost::program_options;
+
+namespace {
+
+using Files = std::vector<std::string>;
+
+po::options_description
+allOptions()
+{
+  constexpr unsigned int width = 110;
+  po::options_description files("Files", width, width / 2),
+      cutter("Cutter and finish (mm)", width, width / 2), run("Run", width, width / 2);
+  files.add_options()("file", po::value<Files>()->value_name("FILE"),
+                      "the scan, then the path: .csv .pcd .ply .vtp; the names alone are enough");
+  addScanOptions(files);
+  addCutterOptions(cutter,
+                   "radius of the ball cutter; without it the stock map and the histogram stay empty: "
+                   "--tool-radius 10");
+  run.add_options()("threads", po::value<std::string>()->value_name("N"),
+                    "0, the default, means all: --threads 4")("quiet", "say nothing but errors")(
+      "help,h", "this text")("version", "print the version");
+  po::options_description all;
+  all.add(files).add(cutter).add(run);
+  return all;
+}
+
+} // namespace
+
+ViewJob
+parseViewCommandLine(int argc, const char* const* argv)
+{
+  namespace style = po::command_line_style;
+  po::positional_options_description positional;
+  positional.add("file", -1);
+  po::variables_map given;
+  try {
+    po::store(po::command_line_parser(argc, argv)
+                  .options(allOptions())
+                  .positional(positional)
+                  .style(style::unix_style & ~style::allow_guessing & ~style::allow_sticky)
+                  .run(),
+              given);
+  }
+  catch (const po::error& error) {
+    throw UsageError(error.what());
+  }
+  ViewJob job;
+  job.help = given.count("help") > 0;
+  job.version = given.count("version") > 0;
+  job.quiet = given.count("quiet") > 0;
+  if (job.help || job.version)
+    return job;
+  const Files named = given.count("file") > 0 ? given["file"].as<Files>() : Files();
+  require(named.size() == 2,
+          std::to_string(named.size()) +
+              " files are named; give the scan and then one path, such as part.pcd part.csv");
+  job.scan = named[0];
+  job.path = named[1];
+  job.read = scanOptions(given);
+  job.settings = cutterOptions(given);
+  return job;
+}
+
+void
+printViewHelp(std::ostream& out)
+{
+  out << "Show a toolpath on its scan: boundaries, path, deviation map, stock map, scallop histogram.\n\n"
+         "  pcl_spiral_view SCAN PATH [options]\n\n"
+         "  pcl_spiral_view part.pcd part.csv --tool-radius 10 --scallop 0.05\n\n"
+         "The keys are listed in the window. Saved views are PATH_view_1.png and so on, in the current "
+         "folder.\n"
+         "Lengths are millimetres. Ends with 0 when the window is closed, 1 when the data or a file fails or "
+         "there is\n"
+         "no display, 2 when the call is wrong.\n"
+      << allOptions();
+}

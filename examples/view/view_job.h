@@ -1,0 +1,26 @@
+/** \file
+ *  What one run of pcl_spiral_view is asked to do.
+ */
+#pragma once
+
+#include "judging/judge.h"
+
+#include <pcl_spiral/io/cloud_reader.h>
+
+#include <ostream>
+#include <string>
+
+/** A run as the user described it. */
+struct ViewJob {
+  std::string scan, path;
+  pcl_spiral::ReadOptions read;
+  JudgeSettings settings; ///< tool radius 0: none is given
+  bool quiet = false;
+  bool help = false;
+  bool version = false;
+};
+
+/** \throw UsageError */
+ViewJob parseViewCommandLine(int argc, const char* const* argv);
+
+void printViewHelp(std::ostream& out);

@@ -1,0 +1,76 @@
+#include "viewer_keys.h"
+
+#include <algorithm>
+#include <map>
+
+namespace pcl_spiral {
+namespace {
+
+using Command = ViewerCommand;
+
+/** A line of the list. */
+struct KeyLine {
+  const char *keys, *meaning;
+};
+
+constexpr KeyLine lines[] = {{"1", "scan and boundaries"},
+                             {"2", "path on the surface"},
+                             {"3", "deviation map"},
+                             {"4", "stock map"},
+                             {"5", "scallop histogram"},
+                             {"t", "every turn, or those that stand apart"},
+                             {"d", "go to the largest deviation"},
+                             {"s", "go to the highest scallop"},
+                             {"g", "go to the deepest gouge"},
+                             {"click", "choose a point of the path"},
+                             {"left right", "the point before, the next one"},
+                             {"down up", "the turn before, the next one"},
+                             {"c", "cutter at the chosen point on, off"},
+                             {"drag", "turn; with shift: move; wheel: zoom"},
+                             {"r", "the whole part"},
+                             {"p", "save the view as PNG"},
+                             {"h", "this list on, off"},
+                             {"q", "quit"}};
+/** lowest: over the messages, which may be long */
+constexpr int key_width = 92, lowest = 72, most_pitch = 25, least_pitch = 12, gap = 16; ///< pixels
+
+} // namespace
+
+std::optional<ViewerCommand>
+commandOf(const std::string& key)
+{
+  static const std::map<std::string, Command> commands{
+      {"1", Command::ShowBoundaries}, {"2", Command::ShowPath},
+      {"3", Command::ShowDeviation},  {"4", Command::ShowStock},
+      {"5", Command::ShowHistogram},  {"KP_1", Command::ShowBoundaries},
+      {"KP_2", Command::ShowPath},    {"KP_3", Command::ShowDeviation},
+      {"KP_4", Command::ShowStock},   {"KP_5", Command::ShowHistogram},
+      {"t", Command::ToggleTurns},    {"d", Command::GoToDeviation},
+      {"s", Command::GoToScallop},    {"g", Command::GoToGouge},
+      {"c", Command::ToggleCutter},   {"Right", Command::NextPoint},
+      {"Left", Command::LastPoint},   {"Up", Command::NextTurn},
+      {"Down", Command::LastTurn},    {"r", Command::ShowWhole},
+      {"p", Command::SavePicture},    {"h", Command::ToggleKeys},
+      {"q", Command::Close},          {"Escape", Command::Close}};
+  const auto found = commands.find(key);
+  return found == commands.end() ? std::nullopt : std::optional(found->second);
+}
+
+void
+addKeys(vtkRenderer* words, const PageSize& page, int below, bool all)
+{
+  const int left = page.wordsLeft();
+  if (!all)
+    return addText(words, "h   lists the keys", left, lowest, 17);
+  const int count = static_cast<int>(std::size(lines));
+  const int pitch = std::clamp((below - gap - lowest) / count, least_pitch, most_pitch);
+  const int font = std::min(17, pitch * 4 / 5);
+  int y = lowest + (count - 1) * pitch;
+  for (const KeyLine& line : lines) {
+    addText(words, line.keys, left, y, font, true);
+    addText(words, line.meaning, left + key_width, y, font);
+    y -= pitch;
+  }
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,72 @@
+#include "viewer_style.h"
+
+#include <vtkObjectFactory.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <cstdlib>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr int still = 3; ///< pixels that a click may move
+
+} // namespace
+
+vtkStandardNewMacro(ViewerStyle);
+
+void
+ViewerStyle::OnKeyPress()
+{
+  const char* const key = Interactor->GetKeySym();
+  if (key && pressed)
+    pressed(key);
+}
+
+void
+ViewerStyle::OnLeftButtonDown()
+{
+  down_x_ = Interactor->GetEventPosition()[0];
+  down_y_ = Interactor->GetEventPosition()[1];
+  Superclass::OnLeftButtonDown();
+}
+
+void
+ViewerStyle::OnLeftButtonUp()
+{
+  Superclass::OnLeftButtonUp();
+  const int x = Interactor->GetEventPosition()[0], y = Interactor->GetEventPosition()[1];
+  if (std::abs(x - down_x_) < still && std::abs(y - down_y_) < still)
+    clicked(x, y);
+  else
+    moved();
+}
+
+void
+ViewerStyle::OnMiddleButtonUp()
+{
+  Superclass::OnMiddleButtonUp();
+  moved();
+}
+
+void
+ViewerStyle::OnRightButtonUp()
+{
+  Superclass::OnRightButtonUp();
+  moved();
+}
+
+void
+ViewerStyle::OnMouseWheelForward()
+{
+  Superclass::OnMouseWheelForward();
+  zoomed();
+}
+
+void
+ViewerStyle::OnMouseWheelBackward()
+{
+  Superclass::OnMouseWheelBackward();
+  zoomed();
+}
+
+} // namespace pcl_spiral
