@@ -432,7 +432,7 @@ TEST_F(Viewer, AMillionPointsStayUsable)
     act();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  for (const char* key : {"1", "2", "3", "4", "5"}) {
+  for (const char* key : {"1", "4"}) { // the most points, and the most colours
     const double shown = seconds([&] { press(viewer, key); });
     const double turned = seconds([&] { drag(viewer, 200, 300, 210, 305); });
     std::printf("a million points, view %s: shown in %.2f s, turned in %.2f s\n", key, shown, turned);

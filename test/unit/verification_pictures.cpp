@@ -32,12 +32,12 @@ place(double r, double angle)
   return {r * std::cos(angle), r * std::sin(angle), height * (1.0 - r * r / (radius * radius))};
 }
 
-/** Where a place appears: seen from 35 degrees off +z towards -y, the part's box fitting 918 pixels, which
+/** Where a place appears: seen from 35 degrees off +z towards -y, the part's box fitting 886 pixels, which
  * its width fills, about column 595 and row 580. */
 Eigen::Vector2d
 pixel(const Eigen::Vector3d& p)
 {
-  const double tilt = 35.0 * M_PI / 180.0, scale = 918.0 / (2.0 * radius);
+  const double tilt = 35.0 * M_PI / 180.0, scale = 886.0 / (2.0 * radius);
   return {595.0 + scale * p.x(),
           580.0 + scale * (std::cos(tilt) * p.y() + std::sin(tilt) * (p.z() - 0.5 * height))};
 }

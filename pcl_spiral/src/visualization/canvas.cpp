@@ -8,7 +8,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int inset_bottom = 20, inset_apart = 16;
-constexpr double side_margin = 136.0, top_margin = 130.0,
+constexpr double side_margin = 152.0, top_margin = 130.0,
                  bottom_margin = 90.0; ///< pixels, for axes and words
 
 } // namespace

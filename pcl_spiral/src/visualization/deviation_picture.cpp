@@ -20,7 +20,7 @@ VerificationPictures::writeDeviation(const std::string& file) const
   const ToolpathPoint& worst = pathPoint(path, scene_.deviation_figures.max.index);
   const Eigen::Vector3d place = worst.getVector3fMap().cast<double>();
   const bool hidden = canvas.addCircle(place);
-  canvas.addColorBar("deviation of the path, mm", "%.3g", scale.colors());
+  canvas.addColorBar("deviation of the path, mm", scale.colors());
   canvas.addLegend(scale.legend(scene_, hidden));
   addPathInset(
       canvas, 1, *surface_,

@@ -75,7 +75,7 @@ deviationTitle(const VerificationScene& scene)
   const DeviationFigures& figures = scene.deviation_figures;
   return {scene.part.title + ": deviation of the path from the scan",
           text("99 %% within %.5f mm, rms %.5f mm; ", figures.p99, figures.rms) +
-              text("the surface of the scan is known to %.2g mm", 3.0 * figures.fit_noise)};
+              text("the surface of the scan is known to %.2g mm", figures.fit_noise)};
 }
 
 } // namespace pcl_spiral

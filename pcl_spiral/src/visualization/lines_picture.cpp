@@ -11,7 +11,7 @@ SpiralPictures::writeLines(const std::string& file) const
   const std::vector<LegendEntry> legend = addBoundaries(canvas, scene_.report, colors);
   canvas.addAxes();
   canvas.addLegend(legend);
-  canvas.addColorBar("height, mm", "%.4g", colors);
+  canvas.addColorBar("height, mm", colors);
   canvas.addTitle(scene_.title + ": boundaries and radial lines", scanInWords(scene_.report));
   canvas.save(file);
 }

@@ -9,6 +9,8 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
+#include <algorithm>
+
 namespace pcl_spiral {
 namespace {
 
@@ -20,6 +22,15 @@ markEnd(PartView& view, const ToolpathPoint& end, const std::string& name, const
 }
 
 } // namespace
+
+double
+longestMove(const pcl::PointCloud<ToolpathPoint>& path)
+{
+  double longest = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+    longest = std::max(longest, (placeOf(path[i]) - placeOf(path[i - 1])).norm());
+  return longest;
+}
 
 PathLines
 pathLines(const pcl::PointCloud<ToolpathPoint>& path, double least,

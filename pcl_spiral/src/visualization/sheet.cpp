@@ -11,7 +11,9 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -31,6 +33,16 @@ style(vtkTextProperty* text, int size, bool bold = false)
   text->SetBold(bold);
   text->SetItalic(false);
   text->SetShadow(false);
+}
+
+/** Decimals that tell the five labels of a colour bar apart, and one more. */
+std::string
+labelFormat(vtkScalarsToColors* colors)
+{
+  const double* const range = colors->GetRange();
+  const double apart = (range[1] - range[0]) / 4.0;
+  const int decimals = apart > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(apart))), 0, 9) : 0;
+  return "%." + std::to_string(decimals) + "f";
 }
 
 } // namespace
@@ -60,9 +72,9 @@ Sheet::addLegend(const std::vector<LegendEntry>& entries)
 }
 
 void
-Sheet::addColorBar(const std::string& title, const char* format, vtkScalarsToColors* colors)
+Sheet::addColorBar(const std::string& title, vtkScalarsToColors* colors)
 {
-  pcl_spiral::addColorBar(view_, PageSize(), title, format, colors);
+  pcl_spiral::addColorBar(view_, PageSize(), title, colors);
 }
 
 void
@@ -92,14 +104,14 @@ addLegend(vtkRenderer* view, const PageSize& page, const std::vector<LegendEntry
 }
 
 void
-addColorBar(vtkRenderer* view, const PageSize& page, const std::string& title, const char* format,
+addColorBar(vtkRenderer* view, const PageSize& page, const std::string& title,
             vtkScalarsToColors* colors)
 {
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(colors);
   bar->SetTitle((title + "\n").c_str());
   bar->SetNumberOfLabels(5);
-  bar->SetLabelFormat(format);
+  bar->SetLabelFormat(labelFormat(colors).c_str());
   bar->UnconstrainedFontSizeOn();
   style(bar->GetTitleTextProperty(), 20);
   style(bar->GetLabelTextProperty(), 18);

@@ -58,7 +58,7 @@ public:
   }
   void addTitle(const std::string& first, const std::string& second);
   void addLegend(const std::vector<LegendEntry>& entries);
-  void addColorBar(const std::string& title, const char* format, vtkScalarsToColors* colors);
+  void addColorBar(const std::string& title, vtkScalarsToColors* colors);
   /** \throw FileError */
   void save(const std::string& file);
 
@@ -74,7 +74,7 @@ protected:
  * where the next would. */
 void addTitle(vtkRenderer* view, const PageSize& page, const std::string& first, const std::string& second);
 int addLegend(vtkRenderer* view, const PageSize& page, const std::vector<LegendEntry>& entries);
-void addColorBar(vtkRenderer* view, const PageSize& page, const std::string& title, const char* format,
+void addColorBar(vtkRenderer* view, const PageSize& page, const std::string& title,
                  vtkScalarsToColors* colors);
 
 /** What \p window shows, as a PNG. \throw FileError */

@@ -17,12 +17,13 @@ addInset(Canvas& canvas, int slot, const DisplaySurface& surface, const PictureS
   const Eigen::Vector3d centre = placeOf(end), normal = normalOf(end);
   const double pitch = 0.5 * (scene.report.smallest_step_over + scene.report.largest_step_over);
   const double across = inset_pitches * pitch, pixel = across / Canvas::inset_size;
+  const double reach = across + longestMove(*scene.path);
   const auto view = canvas.addInset(slot, centre, normal, across).view;
   view->AddActor(surfaceActor(surfaceNear(surface, centre, across), surface_color));
   const auto path = turnActor(*scene.path,
                               pathLines(*scene.path, least_path_move * pixel,
                                         [&](const ToolpathPoint& point) {
-                                          return (placeOf(point) - centre).norm() < across &&
+                                          return (placeOf(point) - centre).norm() < reach &&
                                                  normalOf(point).dot(normal) > 0.0;
                                         }),
                               colors);
@@ -50,7 +51,7 @@ SpiralPictures::writeSpiral(const std::string& file) const
   const auto colors = colorScale(0.0, static_cast<double>(report.turns));
   std::vector<LegendEntry> legend{addSpiral(canvas, *scene.path, turns, colors)};
   canvas.addAxes();
-  canvas.addColorBar("turn", "%.0f", colors);
+  canvas.addColorBar("turn", colors);
   for (const LegendEntry& end : markEnds(canvas, *scene.path))
     legend.push_back(end);
   canvas.addLegend(legend);

@@ -22,7 +22,7 @@ VerificationPictures::writeStock(const std::string& file) const
   addPointMap(canvas, DepthMap(*surface_, canvas), *scene.part.cloud, heights,
               std::clamp(radius / canvas.projection().mm_per_pixel, 1.0, 6.0), style);
   canvas.addAxes();
-  canvas.addColorBar("stock left, mm", "%.3g", scale.colors());
+  canvas.addColorBar("stock left, mm", scale.colors());
   std::vector<LegendEntry> legend = scale.legend(heights);
   const double across = insetWidth(*surface_, path);
   for (const WorstStock& worst : worstStock(scene.removal_figures)) {

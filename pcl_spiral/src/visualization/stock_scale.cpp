@@ -114,7 +114,7 @@ stockTitle(const VerificationScene& scene)
   return {scene.part.title + ": stock left on the scan",
           text("ball radius %g mm, scallop %g mm, chord error %g mm; ", asked.tool_radius,
                asked.scallop_height, asked.chord_error) +
-              text("the surface of the scan is known to %.2g mm", 3.0 * scene.removal_figures.fit_noise)};
+              text("the surface of the scan is known to %.2g mm", scene.removal_figures.fit_noise)};
 }
 
 } // namespace pcl_spiral

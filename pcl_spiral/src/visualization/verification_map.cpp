@@ -1,5 +1,7 @@
 #include "verification_map.h"
 
+#include "path_layer.h"
+
 #include <vtkCellArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
@@ -62,11 +64,11 @@ putPoints(WorstCells& cells, const pcl::PointCloud<pcl::PointXYZ>& points, const
 }
 
 auto
-near(const WorstPlace& worst)
+near(const WorstPlace& worst, double move = 0.0)
 {
-  return [worst](const Eigen::Vector3d& place) {
+  return [worst, reach = worst.across + move](const Eigen::Vector3d& place) {
     const Eigen::Vector3d off = place - worst.position;
-    return off.norm() < worst.across && std::abs(off.dot(worst.normal)) < inset_depth * worst.across;
+    return off.norm() < reach && std::abs(off.dot(worst.normal)) < inset_depth * reach;
   };
 }
 
@@ -123,7 +125,7 @@ addPathInset(Canvas& canvas, int slot, const DisplaySurface& surface, const Wors
     WorstCells cells(Canvas::inset_size, Canvas::inset_size);
     putPath(
         cells, path, values, style, inset_line_radius,
-        [&](const Eigen::Vector3d& p) { return inset.onScreen(p); }, near(worst));
+        [&](const Eigen::Vector3d& p) { return inset.onScreen(p); }, near(worst, longestMove(path)));
     cells.addTo(inset.view, style.color);
   });
 }
@@ -153,7 +155,8 @@ addPointInset(Canvas& canvas, int slot, const DisplaySurface& surface, const Wor
     cells.addTo(inset.view, style.color);
     const ValueStyle plain{[](float) { return 0.0f; }, [](float) { return path_color; },
                            [](float) { return false; }};
-    putPath(lines, path, std::vector<float>(path.size(), 0.0f), plain, 0.0, at, near(worst));
+    putPath(lines, path, std::vector<float>(path.size(), 0.0f), plain, 0.0, at,
+            near(worst, longestMove(path)));
     lines.addTo(inset.view, plain.color);
   });
 }

@@ -81,7 +81,7 @@ ViewerPages::boundaries()
   return addWords(
       {scene_.part.title + (lines ? ": boundaries and radial lines" : ": the scan and its boundaries"),
        scanInWords(scene_.part.report)},
-      "height, mm", "%.4g", colors, legend);
+      "height, mm", colors, legend);
 }
 
 int
@@ -102,7 +102,7 @@ ViewerPages::path(const ViewerChoice& choice)
                        (asked.tool_radius > 0.0 ? text(", ball radius %g mm, scallop %g mm",
                                                        asked.tool_radius, asked.scallop_height)
                                                 : "")},
-                  "turn", "%.0f", colors, legend);
+                  "turn", colors, legend);
 }
 
 int
@@ -129,7 +129,7 @@ ViewerPages::deviation(const ViewerChoice& choice)
   legend.push_back({shown.caption(), scale.style().color(0.0f)});
   window_.addMeasures();
   addChosen(choice);
-  return addWords(deviationTitle(scene_), "deviation of the path, mm", "%.3g", scale.colors(), legend);
+  return addWords(deviationTitle(scene_), "deviation of the path, mm", scale.colors(), legend);
 }
 
 /** Points in and near the view; where they are too many, a fixed share of them in larger discs. */
@@ -177,7 +177,7 @@ ViewerPages::stock()
   for (const WorstStock& worst : worstStock(scene_.removal_figures))
     legend.push_back(worst.legend(window_.addCircle(worst.value.position)));
   window_.addMeasures();
-  return addWords(stockTitle(scene_), "stock left, mm", "%.3g", scale.colors(), legend);
+  return addWords(stockTitle(scene_), "stock left, mm", scale.colors(), legend);
 }
 
 int
@@ -211,12 +211,12 @@ ViewerPages::addChosen(const ViewerChoice& choice)
 }
 
 int
-ViewerPages::addWords(const Title& title, const std::string& bar, const char* format,
+ViewerPages::addWords(const Title& title, const std::string& bar,
                       vtkScalarsToColors* colors, const std::vector<LegendEntry>& legend)
 {
   vtkRenderer* const words = window_.words();
   addTitle(words, window_.page(), title.first, title.second);
-  addColorBar(words, window_.page(), bar, format, colors);
+  addColorBar(words, window_.page(), bar, colors);
   return addLegend(words, window_.page(), legend);
 }
 

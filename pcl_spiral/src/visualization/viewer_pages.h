@@ -52,7 +52,7 @@ private:
   int absent(const std::string& what);
   void addChosen(const ViewerChoice& choice);
   /** Title, colour bar and legend. */
-  int addWords(const Title& title, const std::string& bar, const char* format, vtkScalarsToColors* colors,
+  int addWords(const Title& title, const std::string& bar, vtkScalarsToColors* colors,
                const std::vector<LegendEntry>& legend);
 
   const VerificationScene& scene_;

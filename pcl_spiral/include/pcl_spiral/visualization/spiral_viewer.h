@@ -24,6 +24,8 @@ enum class ViewerPage {
   Histogram       ///< of the scallops
 };
 
+class ViewerSession;
+
 /** The views of the pictures in one window, to be turned and enlarged; the keys are listed on the screen.
  *
  *  A view from afar shows as many turns as stand apart, a near one every turn. Points whose values lie beyond
@@ -56,8 +58,7 @@ public:
   vtkRenderWindowInteractor* getInteractor() const;
 
 private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  std::unique_ptr<ViewerSession> session_;
 };
 
 } // namespace pcl_spiral
