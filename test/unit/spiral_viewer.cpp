@@ -89,14 +89,14 @@ scene(int reference_points = 20000, int turns = 60, int steps_a_turn = 200)
 
 using Pixel = std::array<int, 3>;
 
-/** What a window shows. */
+/** What a window shows; it is not drawn again for that. */
 class Frame {
 public:
   explicit Frame(vtkRenderWindow* window) : width_(window->GetSize()[0]), height_(window->GetSize()[1])
   {
-    window->Render();
+    constexpr int front = 1;
     vtkNew<vtkUnsignedCharArray> bytes;
-    window->GetPixelData(0, 0, width_ - 1, height_ - 1, 0, bytes);
+    window->GetPixelData(0, 0, width_ - 1, height_ - 1, front, bytes);
     bytes_.assign(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
   }
   int
