@@ -40,7 +40,7 @@ echo "Building the programs in $build (a few minutes the first time)"
 if [ ! -f "$build/CMakeCache.txt" ]; then
   cmake -G Ninja -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release -DPCL_SPIRAL_BUILD_TESTS=OFF >/dev/null
 fi
-cmake --build "$build" --target pcl_spiral_toolpath pcl_spiral_simulate_scan
+cmake --build "$build" --target pcl_spiral_toolpath pcl_spiral_verify pcl_spiral_view pcl_spiral_simulate_scan
 
 mkdir -p "$output"
 if [ -z "$scan" ]; then
@@ -59,3 +59,31 @@ echo "Making the toolpath"
 
 echo "Written:"
 ls -1 "$part"*
+
+same=() # the scan and the cutter as the report has them, for the other programs
+report=$(tr -d ' \n' <"$part.json")
+as_made() { # OPTION FIELD VALUE_TO_LEAVE_OUT
+  local value=
+  if [[ $report =~ \"$2\":(\[([^]]*)\]|\"?([^\",}]*)) ]]; then value=${BASH_REMATCH[2]}${BASH_REMATCH[3]}; fi
+  [ "$value" = "$3" ] || same+=("$1" "$value")
+}
+as_made --tool-radius tool_radius ""
+as_made --scallop scallop ""
+as_made --chord-error chord_error 0.005
+as_made --units unit mm
+as_made --origin origin 0.0,0.0,0.0
+as_made --view-point view_point null
+case "$report" in *'"flip_normals":true'*) same+=(--flip-normals) ;; esac
+for ((i = 0; i < ${#options[@]}; ++i)); do
+  case "${options[i]}" in --columns) same+=("${options[@]:i:2}") ;; --columns=*) same+=("${options[i]}") ;; esac
+done
+call() { # WORD ...: as a line to copy into a shell
+  local word
+  for word; do
+    case "$word" in *[!A-Za-z0-9_./,:=+-]*) printf ' %q' "$word" ;; *) printf ' %s' "$word" ;; esac
+  done
+  echo
+}
+echo "To look at it in a window, and to judge it again:"
+call "$build/examples/pcl_spiral_view" "$scan" "$part.csv" "${same[@]}"
+call "$build/examples/pcl_spiral_verify" "$scan" "$part.csv" "${same[@]}"
