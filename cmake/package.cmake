@@ -13,7 +13,7 @@ function(pcl_spiral_install target component description requires)
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT ${target} FILE pcl_spiral_${component}_targets.cmake NAMESPACE pcl_spiral:: DESTINATION ${package_dir})
 
-  file(RELATIVE_PATH PC_PREFIX /root/${CMAKE_INSTALL_LIBDIR}/pkgconfig /root)
+  file(RELATIVE_PATH PC_PREFIX /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
   set(PC_NAME ${target})
   set(PC_DESCRIPTION ${description})
   set(PC_REQUIRES ${requires})

@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 
 using namespace pcl_spiral;
 

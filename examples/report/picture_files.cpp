@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <stdexcept>
 
 using namespace pcl_spiral;
 namespace fs = std::filesystem;

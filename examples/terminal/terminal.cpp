@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
@@ -82,13 +81,13 @@ madeBy(const std::string& program)
 std::string
 duration(double seconds)
 {
+  const auto minutes = static_cast<long>(seconds / 60.0 + 0.5);
   char text[64];
   if (seconds < 60.0)
     std::snprintf(text, sizeof(text), "%.1f s", seconds);
   else if (seconds < 3600.0)
     std::snprintf(text, sizeof(text), "%.1f min", seconds / 60.0);
   else
-    std::snprintf(text, sizeof(text), "%.0f h %.0f min", std::floor(seconds / 3600.0),
-                  std::floor(std::fmod(seconds, 3600.0) / 60.0));
+    std::snprintf(text, sizeof(text), "%ld h %02ld min", minutes / 60, minutes % 60);
   return text;
 }

@@ -4,6 +4,7 @@
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <sstream>
 

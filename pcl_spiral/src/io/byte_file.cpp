@@ -61,7 +61,7 @@ readBytes(const std::string& file)
     throw FileError(file, std::string("cannot be read: ") + std::strerror(errno) + " after byte " +
                               std::to_string(got));
   if (bytes.empty())
-    throw FileError(file, "is empty (0 bytes); export the scan again");
+    throw FileError(file, "is empty (0 bytes); export or make it again");
   return bytes;
 }
 

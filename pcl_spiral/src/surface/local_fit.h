@@ -6,6 +6,8 @@
 #include <pcl_spiral/search/neighbour_search.h>
 #include <pcl_spiral/surface/mls_surface.h>
 
+#include <vector>
+
 namespace pcl_spiral {
 
 /** How far a query lies beyond the outermost of its neighbours, seen towards their centroid (an offset from it in the

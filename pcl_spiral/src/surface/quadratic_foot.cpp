@@ -4,6 +4,7 @@
 
 #include <pcl_spiral/core/frame.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_spiral {
@@ -47,7 +48,6 @@ momentsOf(const Neighbourhood& near, const Eigen::Vector3f& e1, const Eigen::Vec
   return {w,    su,   sv, uu, uv, vv,  uuu, uuv, uvv, vvv,        uuuu,      uuuv,
           uuvv, uvvv, vvvv, f,  fu, fv, fuu, fuv, fvv, ff,  mean_u / n, mean_v / n};
 }
-
 
 } // namespace
 

@@ -3,6 +3,7 @@
 #include <vtkLight.h>
 #include <vtkNew.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_spiral {

@@ -10,6 +10,7 @@
 #include <vtkProperty.h>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace pcl_spiral {
 namespace {

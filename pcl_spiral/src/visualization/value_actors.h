@@ -6,6 +6,8 @@
 #include "path_layer.h"
 #include "value_style.h"
 
+#include <cstdint>
+
 namespace pcl_spiral {
 
 /** Lines of a path coloured by the values of its points. */

@@ -46,8 +46,8 @@ enum class ProjectionMethod {
 /** Projects points onto the surface of a graph. Cheap to make; the graph must outlive it. */
 class MlsSurface {
 public:
-  /** \p neighbours in one fit; 0: as many as the noise asks for and the curvature allows (32 to 256; 48 to 192 for
-   *  RobustQuartic), and as a fit needs that spans several scan lines. */
+  /** \p neighbours in one fit; 0: as many as the noise asks for and the curvature allows, and as a fit needs that spans
+   *  several scan lines: from max(32, graph.neighbours()), half as many again for RobustQuartic, doubled up to 256. */
   explicit MlsSurface(const SurfaceGraph& graph, int neighbours = 0,
                       ProjectionMethod method = ProjectionMethod::Quadratic);
 
