@@ -1,5 +1,6 @@
 // Toolpath files judged by the raw scan.
 #include "judging/figures_table.h"
+#include "judging/tip_check.h"
 #include "terminal/terminal.h"
 #include "verify/outputs.h"
 #include "verify/verify_job.h"
@@ -33,6 +34,8 @@ judge(const VerifyJob& job, const Scan& scan, const std::string& file, std::shar
 {
   JudgedPath judged;
   ToolpathFile read = readToolpath(file);
+  if (const std::string warning = checkTips(read, job.settings.tool_radius, judged.verification); !warning.empty())
+    warn(job, {file + ": " + warning});
   *judged.path = std::move(read.path);
   judged.feed = std::move(read.feed);
   judged.verification.path = file;

@@ -49,12 +49,22 @@ brokenLimits(const Limits& limits, const pcl_spiral::Verification& verification)
   };
   const PlacedValue& scallop = highestScallop(removal);
   check("--max-deviation", limits.deviation, std::abs(deviation.max.value), "mm " + at(deviation.max));
+  check("--max-deviation", limits.deviation, std::abs(deviation.rim_max.value),
+        "mm beyond the rim " + at(deviation.rim_max));
   check("--max-scallop", limits.scallop, scallop.value, "mm " + at(scallop));
+  check("--max-scallop", limits.scallop, removal.rim.max.value, "mm left at the rim " + at(removal.rim.max));
   check("--max-gouge", limits.gouge, removal.gouge.value, "mm " + at(removal.gouge));
+  check("--max-gouge", limits.gouge, removal.rim_gouge.value, "mm beyond the rim " + at(removal.rim_gouge));
   check("--max-uncut", limits.uncut, uncutPercent(removal), "percent, first " + at(firstUncut(removal)));
-  if (deviation.unmeasured > 0 && limits.deviation)
-    broken.push_back("--max-deviation is broken: " + std::to_string(deviation.unmeasured) +
-                     " path points lie off the scanned surface");
+  const auto fault = [&](std::size_t count, const std::string& what) {
+    if (count > 0 && limits.any())
+      broken.push_back("no limit can hold: " + std::to_string(count) + " of " + std::to_string(deviation.points) +
+                       " path points " + what);
+  };
+  fault(deviation.unmeasured, "lie off the scanned surface and were not judged");
+  fault(deviation.opposed, "have a normal that points into the material, first " + at(deviation.first_opposed));
+  fault(deviation.inward_axes, "have a tool axis that points into the material, first " + at(deviation.first_inward));
+  fault(verification.tips_off, "have a tool tip that is not this cutter's, the farthest " + at(verification.tip_error));
   return broken;
 }
 
@@ -74,6 +84,9 @@ unprovenLimits(const Limits& limits, const pcl_spiral::Verification& verificatio
   check("--max-deviation", limits.deviation, std::abs(verification.deviation.max.value));
   check("--max-scallop", limits.scallop, highestScallop(verification.removal).value);
   check("--max-gouge", limits.gouge, verification.removal.gouge.value);
+  if (limits.any() && verification.deviation.in_gaps > 0)
+    unproven.push_back(std::to_string(verification.deviation.in_gaps) +
+                       " path points lie in gaps of the scan: no limit is shown to hold there");
   return unproven;
 }
 
@@ -89,12 +102,20 @@ printFigures(const pcl_spiral::Verification& verification)
   std::printf("deviation       rms %.4f, p99 %.4f, max %.4f mm %s\n", d.rms, d.p99, d.max.value, at(d.max).c_str());
   if (d.beyond_rim > 0)
     std::printf("beyond the rim  %zu points, max %.4f mm %s\n", d.beyond_rim, d.rim_max.value, at(d.rim_max).c_str());
+  if (d.in_gaps > 0)
+    std::printf("in scan gaps    %zu points, %.4f mm off the surface carried on %s\n", d.in_gaps, d.gap_max.value,
+                at(d.gap_max).c_str());
   if (d.unmeasured > 0)
     std::printf("off the surface %zu points\n", d.unmeasured);
   std::printf("normals         p99 %.3g, max %.3g degrees %s\n", d.normal_p99, d.normal_error.value,
               at(d.normal_error).c_str());
   if (d.opposed > 0)
     std::printf("turned normals  %zu, first %s\n", d.opposed, at(d.first_opposed).c_str());
+  if (d.inward_axes > 0)
+    std::printf("inward axes     %zu, first %s\n", d.inward_axes, at(d.first_inward).c_str());
+  if (verification.tips_off > 0)
+    std::printf("wrong tips      %zu, by up to %.4f mm %s\n", verification.tips_off, verification.tip_error.value,
+                at(verification.tip_error).c_str());
   printStock("scallop", r.scallop);
   std::printf("                %.3g %% of the ridges above %.4g mm\n", 100.0 * r.scallop.share_above, r.limit);
   printStock("stock at rim", r.rim);

@@ -152,6 +152,44 @@ TEST_F(Verify, FindsAGougeAndWhereItIs)
   EXPECT_EQ(path["deviation"]["max"]["index"], place);
 }
 
+TEST_F(Verify, FindsTipsAndAxesThatTheContactsDoNotHave)
+{
+  constexpr std::size_t place = 2000;
+  spoil([&](std::vector<double>& f, std::size_t row) { f[8] += row == place ? 0.05 : 0.0; });
+  auto path = figures("spoilt.csv", {"--max-gouge", "0.1"});
+  EXPECT_EQ(last_.code, 1);
+  EXPECT_EQ(path["tips_off"], 1);
+  EXPECT_EQ(path["tip_error"]["index"], place);
+  EXPECT_NEAR(path["tip_error"]["value"], 0.05, 0.001);
+  EXPECT_NE(last_.err.find("at path point 2000"), std::string::npos) << last_.err;
+  spoil([&](std::vector<double>& f, std::size_t row) {
+    for (int axis = 0; row == place && axis < 3; ++axis)
+      f[11 + axis] *= -1.0;
+  });
+  path = figures("spoilt.csv", {"--max-gouge", "0.1"});
+  EXPECT_EQ(last_.code, 1);
+  EXPECT_EQ(path["deviation"]["inward_axes"], 1);
+  EXPECT_NE(last_.out.find("tool axis that points into the material"), std::string::npos) << last_.out;
+}
+
+TEST_F(Verify, TheRimKeepsTheLimitsToo)
+{
+  std::size_t rows = 0;
+  double last_turn = 0.0;
+  spoil([&](std::vector<double>& f, std::size_t) {
+    ++rows;
+    last_turn = f[0];
+  });
+  spoil([&](std::vector<double>& f, std::size_t) {
+    if (f[0] > last_turn - 1.5) // the turn along the rim and half of the one before
+      f.clear();
+  });
+  const auto path = figures("spoilt.csv", {"--max-scallop", "0.03"});
+  EXPECT_EQ(last_.code, 1);
+  EXPECT_GT(path["material"]["rim_band"]["max"]["value"], 0.03);
+  EXPECT_NE(last_.out.find("left at the rim"), std::string::npos) << last_.out;
+}
+
 TEST_F(Verify, VtpCarriesTheDeviationOfEachPoint)
 {
   constexpr std::size_t place = 2000;

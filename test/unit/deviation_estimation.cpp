@@ -119,7 +119,8 @@ TEST(DeviationEstimation, ReversedNormalsAreToldAndPlaced)
   Measured m = measured(sampleUniform(*surface, 20000, 1), path);
   EXPECT_EQ(m.figures.opposed, 1u);
   EXPECT_EQ(m.figures.first_opposed.index, 123u);
-  EXPECT_EQ(m.figures.warnings.size(), 1u);
+  EXPECT_EQ(m.figures.inward_axes, 1u); // the axis is that of the normal
+  EXPECT_EQ(m.figures.warnings.size(), 2u);
   path.normals[123] *= -1.0;
   for (Eigen::Vector3d& n : path.normals)
     n = -n;
@@ -160,6 +161,37 @@ TEST(DeviationEstimation, AFalseEchoIsNoDeviation)
   const Measured dirty = measured(scan, path);
   EXPECT_LT(std::abs(dirty.figures.max.value), 1.25 * std::abs(clean.figures.max.value));
   EXPECT_LT(dirty.figures.rms, 1.1 * clean.figures.rms);
+}
+
+TEST(DeviationEstimation, AGapOfTheScanIsNotJudged)
+{
+  const SurfacePtr surface = saddle();
+  Sampled scan = sampleUniform(*surface, 40000, 1);
+  const Eigen::Vector3d middle = surface->lift({4.0, 5.0});
+  Sampled seen;
+  for (std::size_t i = 0; i < scan.points.size(); ++i)
+    if ((scan.points[i] - middle).norm() > 2.4) {
+      seen.points.push_back(scan.points[i]);
+      seen.normals.push_back(scan.normals[i]);
+    }
+  CheckedPath path = passes(*surface);
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < path.size(); ++i)
+    if ((path.contacts[i] - middle).norm() < 2.1) {
+      path.contacts[i] -= 0.05 * path.normals[i];
+      ++inside;
+    }
+  ASSERT_GT(inside, 2u);
+  const Measured m = measured(seen, path);
+  EXPECT_EQ(m.figures.in_gaps, inside);
+  EXPECT_LE(m.figures.in_gaps, 4 * inside);
+  EXPECT_NEAR(m.figures.gap_max.value, -0.05, 0.005);
+  EXPECT_LT(std::abs(m.figures.max.value), 0.002);
+  ASSERT_EQ(m.figures.warnings.size(), 1u);
+  EXPECT_NE(m.figures.warnings[0].find("gaps of the scan"), std::string::npos);
+  const Measured whole = measured(scan, path); // where the scan shows the place, the fault counts
+  EXPECT_EQ(whole.figures.in_gaps, 0u);
+  EXPECT_NEAR(whole.figures.max.value, -0.05, 0.005);
 }
 
 TEST(DeviationEstimation, SeesWhatAPlannersFitHasSmoothedAway)

@@ -203,6 +203,18 @@ TEST(MaterialRemoval, ReversedNormalsGougeByTheWholeBall)
   EXPECT_NE(f.warnings[0].find("normals"), std::string::npos);
 }
 
+TEST(MaterialRemoval, APathThatIsAllTooDeepLeavesNoRidge)
+{
+  const SurfacePtr surface = plane();
+  CheckedPath path = planePasses(*surface);
+  for (std::size_t i = 0; i < path.size(); ++i)
+    path.contacts[i] -= 0.2 * path.normals[i];
+  const auto f = measured(*surface, path, 2000);
+  EXPECT_NEAR(f.gouge.value, 0.2, 1e-3);
+  ASSERT_GT(f.scallop.samples, 0u);
+  EXPECT_NEAR(f.scallop.max.value, h - 0.2, 0.005 * h);
+}
+
 TEST(MaterialRemoval, WhatIsNeverCutIsCounted)
 {
   const SurfacePtr surface = plane();

@@ -14,7 +14,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** Columns of a path: x y z, normal, axis, arc length, turn, and the feed where there is one. */
+/** Columns of a path: x y z, normal, axis, arc length, turn, the feed and the tip where they are. */
 ToolpathFile
 fromColumns(const PointTable& table)
 {
@@ -32,6 +32,9 @@ fromColumns(const PointTable& table)
   }
   if (table.size() > 11)
     file.feed = table[11];
+  if (table.size() > 14)
+    for (std::size_t i = 0; i < file.path.size(); ++i)
+      file.tips.emplace_back(table[12][i], table[13][i], table[14][i]);
   return file;
 }
 
@@ -85,7 +88,7 @@ readToolpath(const std::string& file)
   if (extension == ".csv")
     return fromColumns(
         readTextTable(file, readBytes(file),
-                      names({"cc_x", "cc_y", "cc_z", "normal_x", "normal_y", "normal_z"}, {"feed"})));
+                      names({"cc_x", "cc_y", "cc_z", "normal_x", "normal_y", "normal_z"}, {"feed", "tip_x", "tip_y", "tip_z"})));
   if (extension == ".pcd")
     return fromColumns(
         readPcdTable(file, readBytes(file), names({"x", "y", "z", "normal_x", "normal_y", "normal_z"})));

@@ -56,7 +56,11 @@ addDeviation(Figures& figures, const DeviationFigures& d, const Limits& limits)
   figures.add("Deviation, rms", words("%.4f mm", d.rms));
   if (d.beyond_rim > 0)
     figures.add(words("Deviation beyond the outermost scan points, largest of %zu contacts", d.beyond_rim),
-                words("%+.4f mm", d.rim_max.value), d.rim_max);
+                words("%+.4f mm", d.rim_max.value), d.rim_max,
+                limitText(limits.deviation, std::abs(d.rim_max.value), "mm"));
+  if (d.in_gaps > 0)
+    figures.add(words("Distance of %zu contacts in gaps of the scan from the surface carried on, largest", d.in_gaps),
+                words("%+.4f mm", d.gap_max.value), d.gap_max);
   if (d.unmeasured > 0)
     figures.add("Contacts off the scanned surface, not measured",
                 words("%zu of %zu", d.unmeasured, d.points));
@@ -65,6 +69,9 @@ addDeviation(Figures& figures, const DeviationFigures& d, const Limits& limits)
   if (d.opposed > 0)
     figures.add("Normals that point into the material, and the first", std::to_string(d.opposed),
                 d.first_opposed);
+  if (d.inward_axes > 0)
+    figures.add("Tool axes that point into the material, and the first", std::to_string(d.inward_axes),
+                d.first_inward);
 }
 
 void
@@ -81,8 +88,8 @@ addMaterial(Figures& figures, const RemovalFigures& r, const Limits& limits)
   figures.add(r.scallop.samples > 0 ? "Scallop, highest" : "Stock left, highest (no ridge was measured)",
               words("%.4f mm", highest.value), highest, limitText(limits.scallop, highest.value, "mm"));
   if (r.rim.samples > 0)
-    figures.add("Stock within one step-over of the rim, highest", words("%.4f mm", r.rim.max.value),
-                r.rim.max);
+    figures.add("Stock within one step-over of the rim, highest", words("%.4f mm", r.rim.max.value), r.rim.max,
+                limitText(limits.scallop, r.rim.max.value, "mm"));
   const std::string gouge_limit = limitText(limits.gouge, r.gouge.value, "mm");
   if (r.gouge.value > 0.0)
     figures.add("Gouge, deepest", words("%.4f mm", r.gouge.value), r.gouge, gouge_limit);
@@ -90,7 +97,7 @@ addMaterial(Figures& figures, const RemovalFigures& r, const Limits& limits)
     figures.add("Gouge", "none" + (gouge_limit.empty() ? "" : "; limit " + gouge_limit));
   if (r.rim_gouge.value > 0.0)
     figures.add("Gouge beyond the outermost scan points, deepest", words("%.4f mm", r.rim_gouge.value),
-                r.rim_gouge);
+                r.rim_gouge, limitText(limits.gouge, r.rim_gouge.value, "mm"));
   const double uncut = uncutPercent(r);
   const std::string uncut_limit = limitText(limits.uncut, uncut, "%");
   if (uncut > 0.0)

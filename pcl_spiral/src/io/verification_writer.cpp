@@ -22,14 +22,17 @@ deviationJson(const DeviationFigures& d)
   return {{"points", d.points},
           {"measured", d.measured},
           {"beyond_rim", d.beyond_rim},
+          {"in_gaps", d.in_gaps},
           {"unmeasured", d.unmeasured},
           {"rms", d.rms},
           {"p99", d.p99},
           {"max", placed(d.max)},
           {"beyond_rim_max", placed(d.rim_max)},
+          {"gap_max", placed(d.gap_max)},
           {"normal_p99", d.normal_p99},
           {"normal_max", placed(d.normal_error)},
           {"opposed_normals", d.opposed},
+          {"inward_axes", d.inward_axes},
           {"seconds", d.seconds}};
 }
 
@@ -126,6 +129,8 @@ verificationJson(const Verification& v)
           {"deviation", deviationJson(v.deviation)},
           {"material", removalJson(v.removal)},
           {"motion", motionJson(v.deviation.motion)},
+          {"tips_off", v.tips_off},
+          {"tip_error", placed(v.tip_error)},
           {"broken_limits", v.broken},
           {"unproven_limits", v.unproven},
           {"seconds", v.seconds},

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -16,17 +17,26 @@ constexpr std::size_t chunk = 1u << 16; // path points between progress reports
 /** Sums and extremes over the points, taken in their order. */
 class Tally {
 public:
-  Tally(const CutterPath& path, DeviationFigures& figures) : path_(path), figures_(figures) {}
+  Tally(const ReferenceSurface& reference, const CutterPath& path, DeviationFigures& figures)
+  : reference_(reference), path_(path), figures_(figures)
+  {
+  }
 
   float
   take(std::size_t i, const SurfaceFoot& foot)
   {
     if (!foot.valid) {
-      ++figures_.unmeasured;
+      ++(reference_.inGap(path_.contacts[i]) ? figures_.in_gaps : figures_.unmeasured);
       return std::numeric_limits<float>::quiet_NaN();
     }
     const Eigen::Vector3d& p = path_.contacts[i];
     const double deviation = (p - foot.position).dot(foot.normal);
+    if (reference_.inGap(foot.position)) {
+      ++figures_.in_gaps;
+      if (std::abs(deviation) > std::abs(figures_.gap_max.value))
+        figures_.gap_max = {deviation, p, i};
+      return static_cast<float>(deviation);
+    }
     takeNormal(i, foot);
     PlacedValue& largest = foot.overhang > 0.0 ? figures_.rim_max : figures_.max;
     if (std::abs(deviation) > std::abs(largest.value))
@@ -63,8 +73,12 @@ private:
     }
     if (cosine < 0.0 && figures_.opposed++ == 0)
       figures_.first_opposed = {angle, path_.contacts[i], i};
+    if (!path_.axes.empty() && path_.axes[i].dot(foot.normal) < 0.0 && figures_.inward_axes++ == 0)
+      figures_.first_inward = {std::acos(std::max(-1.0, path_.axes[i].dot(foot.normal))) * 180.0 / M_PI,
+                               path_.contacts[i], i};
   }
 
+  const ReferenceSurface& reference_;
   const CutterPath& path_;
   DeviationFigures& figures_;
   double squares_ = 0.0;
@@ -80,13 +94,20 @@ warn(DeviationFigures& figures)
   if (figures.unmeasured > 0)
     figures.warnings.push_back(of(figures.unmeasured) +
                                " have no scanned surface near them: is it another part, or another unit?");
-  if (2 * figures.opposed > figures.measured + figures.beyond_rim)
+  const bool reversed = 2 * figures.opposed > figures.measured + figures.beyond_rim;
+  if (reversed)
     figures.warnings.push_back("the normals of " + of(figures.opposed) +
                                " point into the material: they are reversed, or the reference is seen from its other "
                                "side; flip the reference's normals if so");
   else if (figures.opposed > 0)
     figures.warnings.push_back("the normals of " + of(figures.opposed) + " point into the material, the first at " +
                                std::to_string(figures.first_opposed.index));
+  if (figures.inward_axes > 0 && !reversed)
+    figures.warnings.push_back("the tool axes of " + of(figures.inward_axes) +
+                               " point into the material, the first at " +
+                               std::to_string(figures.first_inward.index) + ": the shank would stand in the part");
+  if (figures.in_gaps > 0)
+    figures.warnings.push_back(of(figures.in_gaps) + " lie in gaps of the scan: nothing there to judge them by");
 }
 
 } // namespace
@@ -107,7 +128,7 @@ measureDeviation(const ReferenceSurface& reference, const CutterPath& path, doub
     figures.warnings.push_back(std::move(warning));
   figures.motion = pathMotion(path);
   deviation.reserve(path.size());
-  Tally tally(path, figures);
+  Tally tally(reference, path, figures);
   std::vector<SurfaceFoot> feet;
   for (std::size_t begin = 0; begin < path.size(); begin += chunk) {
     const std::size_t end = std::min(path.size(), begin + chunk);

@@ -1,10 +1,12 @@
 #include <pcl_spiral/verify/reference_surface.h>
 
+#include <pcl_spiral/core/frame.h>
 #include <pcl_spiral/features/surface_boundary.h>
 #include <pcl_spiral/search/stray_removal.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace pcl_spiral {
@@ -33,6 +35,7 @@ std::string
 text(const Parts&... parts)
 {
   std::ostringstream stream;
+  stream << std::setprecision(3);
   (stream << ... << parts);
   return stream.str();
 }
@@ -64,14 +67,17 @@ ReferenceSurface::findRim()
   loops_.clear();
   rims_.clear();
   rim_index_.clear();
+  gaps_.clear();
   rim_length_ = rim_strip_ = 0.0;
   if (const Status status = findBoundaryLoops(graph_, BoundaryOptions(), loops_); !status.ok()) {
     warnings_.push_back("the rim of the reference was not found, so no band is set apart there: " + status.message());
     return;
   }
   for (const BoundaryLoop& loop : loops_) {
-    if (loop.type == LoopType::ScanGap)
+    if (loop.type == LoopType::ScanGap) {
+      addGap(loop);
       continue;
+    }
     rims_.push_back(loop.curve);
     rims_.back().push_back(loop.curve.front());
     rim_length_ += loop.length;
@@ -84,10 +90,47 @@ ReferenceSurface::findRim()
       rim_strip_ += stripOutside(loop, *rim_index_[k++], graph_);
 }
 
+void
+ReferenceSurface::addGap(const BoundaryLoop& loop)
+{
+  Gap gap;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  gap.centre.setZero();
+  for (const Eigen::Vector3d& p : loop.points) {
+    gap.centre += p / static_cast<double>(loop.points.size());
+    normal += graph_.normal(graph_.blocks().nearest(p));
+  }
+  tangentFrame(normal.normalized(), gap.e1, gap.e2);
+  for (const Eigen::Vector3d& p : loop.points) {
+    gap.outline.emplace_back(gap.e1.dot(p - gap.centre), gap.e2.dot(p - gap.centre));
+    gap.radius = std::max(gap.radius, (p - gap.centre).norm());
+  }
+  gaps_.push_back(std::move(gap));
+}
+
+bool
+ReferenceSurface::inGap(const Eigen::Vector3d& p) const
+{
+  for (const Gap& gap : gaps_) {
+    if (!((p - gap.centre).norm() < gap.radius))
+      continue;
+    const double u = gap.e1.dot(p - gap.centre), v = gap.e2.dot(p - gap.centre);
+    bool inside = false; // an odd number of sides cross the ray towards +u
+    for (std::size_t i = 0, j = gap.outline.size() - 1; i < gap.outline.size(); j = i++) {
+      const Eigen::Vector2d &a = gap.outline[j], &b = gap.outline[i];
+      if ((a.y() > v) != (b.y() > v) && u < a.x() + (b.x() - a.x()) * (v - a.y()) / (b.y() - a.y()))
+        inside = !inside;
+    }
+    if (inside)
+      return true;
+  }
+  return false;
+}
+
 double
 ReferenceSurface::fitNoise() const
 {
-  return noise() * std::sqrt(50.0 / (7.0 * surface_->neighbours()));
+  return noise() * std::sqrt(9.46 / surface_->neighbours());
 }
 
 double
@@ -116,7 +159,9 @@ noiseWarnings(const ReferenceSurface& reference, double scallop_height, double c
     warnings.push_back(text("the ", what, " asked for, ", asked, " mm, lies below the scan's own noise of ",
                             reference.noise(), " mm (standard deviation of a point); the surface fitted to ",
                             reference.surface().neighbours(), " points at a time is known to ", reference.fitNoise(),
-                            hidden ? " mm: this scan cannot show whether it was kept" : " mm"));
+                            hidden ? " mm, and what is below three times that it cannot tell: this scan "
+                                     "cannot show whether it was kept"
+                                   : " mm"));
   };
   compare("scallop height", scallop_height);
   compare("chord error", chord_error);

@@ -69,7 +69,7 @@ void
 RemovalSampler::takeRidge(const SurfaceFoot& foot, const Ridge& ridge, double step, RemovalExtremes& extremes,
                           float* height) const
 {
-  if (!ridge.found || zoneOf(foot, ridge.position, step) != Zone::Main)
+  if (!ridge.found || zoneOf(foot, ridge.position, step) != Zone::Main || reference_.inGap(ridge.position))
     return;
   raise(extremes.scallop, ridge.height, ridge.position, ridge.move);
   if (height)
@@ -108,7 +108,7 @@ RemovalSampler::beside(const SurfaceFoot& foot, std::size_t move, double side, R
   const double largest = largestStep(foot);
   if (fit_radius_ < 0.6 * largest) // the points are denser than the ridges, and see them
     return;
-  if (!foot.valid || zoneOf(foot, foot.position, largest) != Zone::Main)
+  if (!foot.valid || zoneOf(foot, foot.position, largest) != Zone::Main || reference_.inGap(foot.position))
     return;
   const Stock stock = field_.at(foot.position, foot.normal, move);
   const Eigen::Vector3d w = field_.across(foot, stock.met ? stock.move : move);
@@ -126,6 +126,8 @@ RemovalSampler::along(std::size_t move, double f0, double f1, const SurfaceFoot&
     return;
   const SurfaceFoot& first = foot0.valid ? foot0 : foot1;
   const SurfaceFoot& last = foot1.valid ? foot1 : foot0;
+  if (reference_.inGap(first.position) || reference_.inGap(last.position))
+    return;
   for (int k = 0; k <= stations; ++k) {
     const double g = static_cast<double>(k) / stations, f = f0 + g * (f1 - f0);
     double depth = 0.0;

@@ -17,7 +17,9 @@ enum class Zone : std::uint8_t { None, Main, Rim };
 
 /** The extremes met, in a fixed order. */
 struct RemovalExtremes {
-  PlacedValue stock, scallop, rim, gouge, rim_gouge;
+  static constexpr double none = -1e300; ///< below every height
+  PlacedValue stock{none, Eigen::Vector3d::Zero(), 0}, scallop = stock, rim = stock;
+  PlacedValue gouge, rim_gouge;
   void merge(const RemovalExtremes& later);
 };
 

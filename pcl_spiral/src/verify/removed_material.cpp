@@ -163,9 +163,9 @@ void
 Measurement::finish(StockFigures& figures, std::vector<float>& heights, const PlacedValue& max)
 {
   figures.samples = heights.size();
-  figures.max = max;
   if (heights.empty())
     return;
+  figures.max = max;
   const auto above = std::count_if(heights.begin(), heights.end(), [this](float v) { return v > figures_.limit; });
   figures.share_above = static_cast<double>(above) / static_cast<double>(heights.size());
   figures.p50 = quantile(heights, 0.5);

@@ -83,9 +83,9 @@ StockScale::legend(const std::vector<float>& heights) const
                       : text("%.2g %%", 100.0 * static_cast<double>(count) /
                                             static_cast<double>(std::max<std::size_t>(all, 1)));
   };
-  return {{text("gouge over %.3g mm: ", gouge_) + share(gouges), gouge_color},
-          {text("uncut, over %.3g mm: ", reach_) + share(uncut), uncut_color},
-          {text("above limit, %.3g mm: ", limit_) + share(above), above_color}};
+  return {{text("points gouged over %.3g mm: ", gouge_) + share(gouges), gouge_color},
+          {text("points uncut, over %.3g mm: ", reach_) + share(uncut), uncut_color},
+          {text("points above limit, %.3g mm: ", limit_) + share(above), above_color}};
 }
 
 LegendEntry
@@ -99,7 +99,7 @@ worstStock(const RemovalFigures& figures)
 {
   std::vector<WorstStock> worst;
   if (figures.gouge.value > 0.0)
-    worst.push_back({0, figures.gouge, "deepest gouge"});
+    worst.push_back({0, figures.gouge, "deepest gouge of a move"});
   if (figures.stock.uncut > 0)
     worst.push_back({1, figures.stock.first_uncut, "an uncut place"});
   else if (figures.scallop.max.value > 0.0)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/core/polyline.h>
 
 #include <pcl/point_cloud.h>
 
@@ -16,6 +17,7 @@ namespace pcl_spiral {
 struct ToolpathFile {
   pcl::PointCloud<ToolpathPoint> path;
   std::vector<double> feed; ///< a point, mm/min; empty where the file has none (.pcd, .ply)
+  Polyline tips;            ///< tool tips, mm; empty where the file has none (all but .csv)
 };
 
 /** A toolpath from .csv, .pcd, .ply or .vtp as the writers make it. A CSV may hold comment lines (#).

@@ -32,6 +32,8 @@ struct Verification {
   std::string path; ///< file name; empty for one that has just been made
   DeviationFigures deviation;
   RemovalFigures removal;
+  std::size_t tips_off = 0; ///< points whose tool tip, as the file gives it, is not that of the cutter at their contact
+  PlacedValue tip_error;    ///< the farthest of them, mm
   std::vector<std::string> broken;   ///< limits that do not hold, in words
   double seconds = 0.0;              ///< of judging, with making the scan's surface where this path was the first
   std::vector<std::string> unproven; ///< limits that the scan is too noisy to show as held, in words

@@ -22,10 +22,14 @@ struct DeviationFigures {
   double rms = 0.0, p99 = 0.0; ///< of the deviation's amount
   PlacedValue max;            ///< the largest in amount, with its sign: positive out of the material
   PlacedValue rim_max;        ///< the same of those beyond the rim
+  std::size_t in_gaps = 0;    ///< in gaps of the scan: nothing there to judge by
+  PlacedValue gap_max;        ///< the largest distance of those near its edge from the surface carried on
   PlacedValue normal_error;   ///< largest angle between the path's normal and the surface's
   double normal_p99 = 0.0;
   std::size_t opposed = 0; ///< points whose normal points into the material
   PlacedValue first_opposed;
+  std::size_t inward_axes = 0; ///< points whose tool axis points into the material: the shank would go there
+  PlacedValue first_inward;
   PathMotion motion;
   std::size_t reference_points = 0;
   double noise = 0.0;     ///< ReferenceSurface::noise

@@ -43,8 +43,10 @@ public:
   /** Standard deviation of single points about the surface, mm. On a scan without noise it is what a quadric leaves of
    *  the shape: an upper bound. */
   double noise() const { return surface_->noise(); }
-  /** Standard deviation of the surface found, inside the rim: noise() sqrt(50 / (7 k)) for k evenly spread
-   * neighbours and the fit's weight (1 - r^2)^3, from the variance of least squares. */
+  /** Standard deviation of the surface found, inside the rim, where noise hides what the fourth degree adds:
+   *  noise() sqrt(9.46 / k) for k evenly spread neighbours and the fit's weight (1 - r^2)^3. The quadric's variance is
+   *  50 / (7 k), the quartic's 14.10 / k; of their difference, which the fit takes by as much as it stands out, a third
+   *  remains. */
   double fitNoise() const;
   /** Radius of one fit: as far as it can be trusted about its foot, mm. */
   double fitRadius() const;
@@ -56,10 +58,20 @@ public:
   double rimStrip() const { return rim_strip_; }
   /** Distance to the rim (outer loop and real holes), no more than \p limit. */
   double rimDistance(const Eigen::Vector3d& p, double limit) const;
+  /** Whether a place on the surface lies inside a gap of the scan, where there is nothing to judge by. */
+  bool inGap(const Eigen::Vector3d& p) const;
   const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
+  /** A gap's outline in its mean plane. */
+  struct Gap {
+    Eigen::Vector3d centre, e1, e2;
+    double radius = 0.0;
+    std::vector<Eigen::Vector2d> outline;
+  };
+
   void findRim();
+  void addGap(const BoundaryLoop& loop);
 
   SurfaceGraph graph_;
   std::unique_ptr<MlsSurface> surface_;
@@ -68,6 +80,7 @@ private:
   std::vector<BoundaryLoop> loops_;
   std::vector<Polyline> rims_; ///< closed: the first point comes again
   std::vector<std::unique_ptr<MoveIndex>> rim_index_;
+  std::vector<Gap> gaps_;
   double rim_length_ = 0.0, rim_strip_ = 0.0;
   std::vector<std::string> warnings_;
 };

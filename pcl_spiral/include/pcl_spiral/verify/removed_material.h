@@ -41,7 +41,7 @@ struct RemovalFigures {
   StockFigures scallop; ///< at the tops of the ridges next to them; max also beside every path point and between them
   StockFigures rim;     ///< at the reference points within one step-over of the rim
   PlacedValue gouge;    ///< deepest, at reference points and along every move; 0 when there is none
-  PlacedValue rim_gouge; ///< the same of moves just outside the outermost points, below the surface carried on
+  PlacedValue rim_gouge; ///< the same of moves just outside the outermost points, below the surface carried on; in gaps of the scan none is sought
   double limit = 0.0;   ///< 1.02 scallop heights and the chord error
   double reach = 0.0;   ///< as used
   double area = 0.0;         ///< mm^2

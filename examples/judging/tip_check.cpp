@@ -1,0 +1,39 @@
+#include "tip_check.h"
+
+#include <pcl_spiral/io/toolpath_writer.h>
+
+#include <sstream>
+
+using namespace pcl_spiral;
+
+std::string
+checkTips(const ToolpathFile& file, double tool_radius, Verification& verification)
+{
+  constexpr double rounding = 0.001; // mm: of the single precision of contacts, on parts of a few metres
+  double along = 0.0, squared = 0.0; // least squares of tip - contact = radius (normal - axis)
+  for (std::size_t i = 0; i < file.tips.size(); ++i) {
+    const ToolpathPoint& point = file.path[i];
+    const Eigen::Vector3d contact = point.getVector3fMap().cast<double>();
+    const Eigen::Vector3d arm = toolTip(point, 1.0) - contact;
+    along += arm.dot(file.tips[i] - contact);
+    squared += arm.squaredNorm();
+    const double off = (file.tips[i] - toolTip(point, tool_radius)).norm();
+    if (!(off > rounding))
+      continue;
+    ++verification.tips_off;
+    if (off > verification.tip_error.value)
+      verification.tip_error = {off, contact, i};
+  }
+  if (verification.tips_off == 0)
+    return "";
+  std::ostringstream text;
+  text << verification.tips_off << " of " << file.tips.size() << " tool tips are not where a ball of radius "
+       << tool_radius << " mm has them, by up to " << verification.tip_error.value << " mm at path point "
+       << verification.tip_error.index;
+  const double radius = squared > 0.0 ? along / squared : 0.0;
+  if (2 * verification.tips_off > file.tips.size() && radius > 0.01 * tool_radius)
+    text << ": the path seems made for a radius of " << radius << " mm";
+  else
+    text << ": the machine would not go where the contacts say; make the file again";
+  return text.str();
+}
