@@ -193,6 +193,15 @@ TEST_F(VerificationPicture, FarPathPointsAreSeenWhereTheyAre)
   EXPECT_GT(find(file, is_over, 1170, 1600).count, 200U) << "in the legend and enlarged";
 }
 
+TEST_F(VerificationPicture, MovesThatCrossACloseUpAreDrawn)
+{
+  // Four chords a turn: their middles are seen close up, their ends are 60 mm off.
+  VerificationScene with = scene(20000, 60, 4);
+  with.removal_figures.scallop.max.position = place(60.0, M_PI / 4.0);
+  VerificationPictures(with).writeStock(file);
+  EXPECT_GT(find(file, like(0.05, 0.05, 0.08), map_end, 1600).count, 1500U) << "several lines of 380 pixels";
+}
+
 TEST_F(VerificationPicture, GougesAndUncutPlacesAreSeenWhereTheyAre)
 {
   VerificationScene with = scene();
