@@ -14,6 +14,27 @@ value(const char* name)
 
 } // namespace
 
+po::variables_map
+readArguments(int argc, const char* const* argv, const po::options_description& options)
+{
+  namespace style = po::command_line_style;
+  po::positional_options_description positional;
+  positional.add("file", -1);
+  po::variables_map given;
+  try {
+    po::store(po::command_line_parser(argc, argv)
+                  .options(options)
+                  .positional(positional)
+                  .style(style::unix_style & ~style::allow_guessing & ~style::allow_sticky)
+                  .run(),
+              given);
+  }
+  catch (const po::error& error) {
+    throw UsageError(error.what());
+  }
+  return given;
+}
+
 void
 addScanOptions(po::options_description& options)
 {

@@ -9,6 +9,10 @@
 
 #include <boost/program_options.hpp>
 
+/** The arguments by \p options, names written in full; those without a name are "file". \throw UsageError */
+boost::program_options::variables_map
+readArguments(int argc, const char* const* argv, const boost::program_options::options_description& options);
+
 /** --units, --origin, --columns */
 void addScanOptions(boost::program_options::options_description& options);
 

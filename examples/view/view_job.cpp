@@ -38,21 +38,7 @@ allOptions()
 ViewJob
 parseViewCommandLine(int argc, const char* const* argv)
 {
-  namespace style = po::command_line_style;
-  po::positional_options_description positional;
-  positional.add("file", -1);
-  po::variables_map given;
-  try {
-    po::store(po::command_line_parser(argc, argv)
-                  .options(allOptions())
-                  .positional(positional)
-                  .style(style::unix_style & ~style::allow_guessing & ~style::allow_sticky)
-                  .run(),
-              given);
-  }
-  catch (const po::error& error) {
-    throw UsageError(error.what());
-  }
+  const po::variables_map given = readArguments(argc, argv, allOptions());
   ViewJob job;
   job.help = given.count("help") > 0;
   job.version = given.count("version") > 0;

@@ -14,13 +14,6 @@ degreesBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / M_PI;
 }
 
-void
-raise(PlacedValue& largest, double value, const Eigen::Vector3d& position, std::size_t index)
-{
-  if (value > largest.value)
-    largest = {value, position, index};
-}
-
 } // namespace
 
 Status

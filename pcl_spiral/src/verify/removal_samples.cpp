@@ -15,13 +15,6 @@ constexpr double farthest_ridge = 2.0; // in step-overs: a turn left out is one 
 constexpr double walk = 0.7;           // in step-overs: past the ridge of a pass at its place
 constexpr double shallow_start = 0.2;  // in scallop heights, at least: where a short ray starts below the surface
 
-void
-raise(PlacedValue& largest, double value, const Eigen::Vector3d& position, std::size_t index)
-{
-  if (value > largest.value)
-    largest = {value, position, index};
-}
-
 } // namespace
 
 void

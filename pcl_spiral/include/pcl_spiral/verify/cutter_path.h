@@ -31,6 +31,14 @@ struct PlacedValue {
   std::size_t index = 0; ///< of the path point, or of the first point of the move
 };
 
+/** Take \p value and its place where it is above \p largest. */
+inline void
+raise(PlacedValue& largest, double value, const Eigen::Vector3d& position, std::size_t index)
+{
+  if (value > largest.value)
+    largest = {value, position, index};
+}
+
 /** Read a toolpath. Fails on none, fewer than two points, a point that is not finite, and a normal without
  * length; an axis without length at any point leaves the path without axes. */
 Status
