@@ -37,7 +37,10 @@ compute(const Job& job)
   ProgressBar bar(job.quiet);
   bar.update(0.0, "reading " + job.scan);
   Result result;
+  std::vector<StageCost> stages;
+  StageClock clock(stages);
   result.scan = readCloud(job.scan, job.read);
+  clock.end("reading");
   if (cancelled())
     throw Cancelled();
   SpiralToolpathGenerator<pcl::PointXYZ> generator;
@@ -55,6 +58,7 @@ compute(const Job& job)
   if (!status.ok())
     throw FileError(job.scan, status.message());
   result.report = generator.getReport();
+  result.report.stages.insert(result.report.stages.begin(), stages.begin(), stages.end());
   return result;
 }
 
@@ -97,7 +101,7 @@ run(const Job& job)
   writeOutputs(job, result, files);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (!job.quiet)
-    printSummary(job, result.report, seconds.count());
+    printSummary(job, result, seconds.count());
   if (!job.quiet && result.verification)
     printFigures(*result.verification);
 }

@@ -2,6 +2,7 @@
 #include "job_check.h"
 #include "terminal/terminal.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace {
@@ -56,17 +57,44 @@ printPath(const Job& job, const pcl_spiral::SpiralReport& report)
               duration(60.0 * report.path_length / job.settings.feed).c_str(), job.settings.feed);
 }
 
+void
+printStage(const std::string& name, double seconds, double whole, const pcl_spiral::MemoryUse& memory = {})
+{
+  std::printf("  %-16s %9.2f %7.1f", name.c_str(), seconds, 100.0 * seconds / whole);
+  for (const std::size_t bytes : {memory.resident, memory.peak})
+    if (bytes > 0)
+      std::printf(" %9.0f", 1e-6 * static_cast<double>(bytes));
+  std::printf("\n");
+}
+
+/** Time and memory of every stage; what belongs to none, such as writing the reports, is told as the rest. */
+void
+printStages(const Result& result, double seconds)
+{
+  std::printf("  %-16s %9s %7s %9s %9s\n", "stage", "s", "%", "MB", "peak MB");
+  double rest = seconds;
+  for (const pcl_spiral::StageCost& stage : result.report.stages) {
+    printStage(stage.name, stage.seconds, seconds, stage.memory);
+    rest -= stage.seconds;
+  }
+  if (result.verification) {
+    printStage("judging", result.verification->seconds, seconds);
+    rest -= result.verification->seconds;
+  }
+  printStage("the rest", std::max(0.0, rest), seconds);
+}
+
 } // namespace
 
 void
-printSummary(const Job& job, const pcl_spiral::SpiralReport& report, double seconds)
+printSummary(const Job& job, const Result& result, double seconds)
 {
+  const pcl_spiral::SpiralReport& report = result.report;
   printSurface(job, report);
   printPath(job, report);
   std::printf("time            %s\n", duration(seconds).c_str());
   if (job.verbose)
-    for (const pcl_spiral::StageTime& stage : report.stages)
-      std::printf("  %-32s %.2f s\n", stage.name.c_str(), stage.seconds);
+    printStages(result, seconds);
   if (job.read.origin != Eigen::Vector3d::Zero())
     std::printf("origin          the path is relative to %.10g, %.10g, %.10g in the scan's unit\n",
                 job.read.origin.x(), job.read.origin.y(), job.read.origin.z());

@@ -3,9 +3,7 @@
  */
 #pragma once
 
-#include "job.h"
+#include "outputs.h"
 
-#include <pcl_spiral/toolpath/spiral_report.h>
-
-/** What was made, for people. */
-void printSummary(const Job& job, const pcl_spiral::SpiralReport& report, double seconds);
+/** What was made, for people; a verbose job is told what each stage of the \p seconds cost. */
+void printSummary(const Job& job, const Result& result, double seconds);

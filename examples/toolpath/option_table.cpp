@@ -150,7 +150,7 @@ running()
             [](Job& job, const std::string& value) { job.settings.threads = wholeNumberValue("threads", value); }},
            toggle("verify", "judge the path by the scan: deviation, scallop, gouge; adds about as much time again",
                   [](Job& job) -> bool& { return job.verify; }),
-           toggle("verbose", "say more", [](Job& job) -> bool& { return job.verbose; }),
+           toggle("verbose", "say more: what each stage cost", [](Job& job) -> bool& { return job.verbose; }),
            toggle("quiet", "say nothing but errors", [](Job& job) -> bool& { return job.quiet; }),
            toggle("help", "this text", [](Job& job) -> bool& { return job.help; }),
            toggle("version", "print the version", [](Job& job) -> bool& { return job.version; })}};

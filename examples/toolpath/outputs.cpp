@@ -35,36 +35,58 @@ draw(const Job& job, const Result& result, const std::string& title, PictureFile
   pictures.drawJudging(scene);
 }
 
+bool
+isReport(const std::string& output)
+{
+  return extensionOf(output) == ".json" || extensionOf(output) == ".html";
+}
+
+void
+writeReport(const Job& job, const Result& result, const std::string& title, PictureFiles& pictures,
+            const std::string& file)
+{
+  const RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings};
+  const Verification* const verification = result.verification ? &*result.verification : nullptr;
+  if (extensionOf(file) == ".json")
+    writeReportJSON(file, run, job.settings, result.report, verification);
+  else
+    writeReportHTML(file, {title, madeBy("pcl_spiral_toolpath"), job.command}, run, job.settings, result.report,
+                    pictures.forReport({PictureKind::Spiral, PictureKind::Lines}), verification,
+                    pictures.forReport({PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram}));
+}
+
 } // namespace
 
 void
-writeOutputs(const Job& job, const Result& result, OutputFiles& files)
+writeOutputs(const Job& job, Result& result, OutputFiles& files)
 {
   const ToolpathMotion motion{job.settings.tool_radius, job.settings.feed};
   const PathValues values{{}, result.heights.deviation, result.heights.scallop};
-  const RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings};
-  const Verification* const verification = result.verification ? &*result.verification : nullptr;
   const std::string title = std::filesystem::path(job.scan).filename().string();
   PictureFiles pictures;
-  if (std::any_of(job.outputs.begin(), job.outputs.end(), hasPictures))
+  StageClock clock(result.report.stages);
+  if (std::any_of(job.outputs.begin(), job.outputs.end(), hasPictures)) {
     draw(job, result, title, pictures);
+    clock.end("pictures");
+  }
+  std::vector<std::string> reports;
   std::size_t i = 0;
   for (const std::string& output : job.outputs) {
-    const std::string extension = extensionOf(output);
     if (cancelled())
       throw Cancelled();
-    if (extension == ".png")
+    if (extensionOf(output) == ".png")
       for (const PictureName& picture : picturesOf(job))
         pictures.copy(picture.kind, files.temporary(i++));
-    else if (extension == ".json")
-      writeReportJSON(files.temporary(i++), run, job.settings, result.report, verification);
-    else if (extension == ".html")
-      writeReportHTML(
-          files.temporary(i++), {title, madeBy("pcl_spiral_toolpath"), job.command}, run, job.settings,
-          result.report, pictures.forReport({PictureKind::Spiral, PictureKind::Lines}), verification,
-          pictures.forReport({PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram}));
+    else if (isReport(output))
+      reports.push_back(files.temporary(i++));
     else
       writeToolpath(files.temporary(i++), *result.path, motion, values);
+  }
+  clock.end("writing");
+  for (const std::string& report : reports) {
+    if (cancelled())
+      throw Cancelled();
+    writeReport(job, result, title, pictures, report);
   }
   if (cancelled())
     throw Cancelled();

@@ -21,5 +21,6 @@ struct Result {
   Heights heights;                                      ///< the values behind it
 };
 
-/** Writes every file of the job, all or none. \throw pcl_spiral::FileError, Cancelled */
-void writeOutputs(const Job& job, const Result& result, pcl_spiral::OutputFiles& files);
+/** Writes every file of the job, all or none; reports last, so that they tell what drawing and writing cost, which is
+ * added to the stages of \p result. \throw pcl_spiral::FileError, Cancelled */
+void writeOutputs(const Job& job, Result& result, pcl_spiral::OutputFiles& files);

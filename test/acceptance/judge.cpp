@@ -1,6 +1,7 @@
 #include "cases.h"
 #include "table.h"
 
+#include "support/ideal_length.h"
 #include "support/path_checks.h"
 #include "support/removed_material.h"
 
@@ -12,19 +13,7 @@ namespace pcl_spiral::acceptance {
 
 namespace {
 
-/** Integral of dA / exact step-over where turns are circles of latitude: the step runs along the meridian. */
-double
-lengthOverLatitudes(const Job& job)
-{
-  return job.surface->region().integrate([&](const Eigen::Vector2d& u) {
-    const Eigen::Vector3d x = job.surface->lift(u), n = job.surface->normal(x);
-    const Eigen::Vector3d around(-x.y(), x.x(), 0.0);
-    const double kappa = job.surface->normalCurvature(x, n.cross(around));
-    return job.surface->areaElement(u) / test::exactStepOver(job.tool_radius, job.scallop_height, kappa);
-  });
-}
-
-/** The same with turns in no known direction: the mean over the two principal directions. */
+/** Integral of dA / exact step-over with turns in no known direction: the mean over the two principal directions. */
 double
 lengthOverPrincipal(const Job& job)
 {
@@ -63,7 +52,9 @@ judgePath(const Job& job, const Run& run, const test::CheckedPath& path, int thr
   table.atMost("crossings", static_cast<double>(f.crossings), 0.0, "");
   if (f.crossings > 0)
     table.note("  deepest crossing", text(f.crossing));
-  const double ideal = job.length_ratio > 0.0 ? lengthOverLatitudes(job) : lengthOverPrincipal(job);
+  const double ideal = job.length_ratio > 0.0
+                           ? test::lengthOverLatitudes(*job.surface, job.tool_radius, job.scallop_height)
+                           : lengthOverPrincipal(job);
   if (job.length_ratio > 0.0)
     table.atMost("length / ideal length", f.length / ideal, job.length_ratio, "");
   else
@@ -130,7 +121,7 @@ judge(const Job& job, const Options& options)
   Table table(title);
   const Run result = run(job, test::toCloud(sampled(job, options.seed).points), options.threads);
   table.note("time", result.seconds, "s");
-  for (const StageTime& stage : result.report.stages)
+  for (const StageCost& stage : result.report.stages)
     table.note("  " + stage.name, stage.seconds, "s");
   for (const std::string& warning : result.report.warnings)
     table.note("warning", warning);

@@ -6,6 +6,7 @@
 #include "support/scratch_folder.h"
 
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,6 +19,7 @@
 struct RunResult {
   int code = -1; ///< exit code; -1 where a signal ended it
   std::string out, err;
+  std::size_t peak_memory = 0; ///< bytes, as the system counted
 };
 
 /** Start \p program in \p folder, with its output in hidden files there. Returns its process. */
@@ -58,8 +60,10 @@ inline RunResult
 endOf(pid_t process, const ScratchFolder& folder)
 {
   int status = 0;
-  ::waitpid(process, &status, 0);
+  rusage use{};
+  ::wait4(process, &status, 0, &use);
   RunResult result;
+  result.peak_memory = 1024 * static_cast<std::size_t>(use.ru_maxrss);
   result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   result.out = readText(folder.path(".stdout"));
   result.err = readText(folder.path(".stderr"));

@@ -109,21 +109,29 @@ addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
       false);
 }
 
+/** Empty where it is not known. */
+std::string
+megabytes(std::size_t bytes)
+{
+  return bytes > 0 ? words("%.0f MB", 1e-6 * static_cast<double>(bytes)) : "";
+}
+
 void
 addTimes(HtmlPage& page, const SpiralReport& report, const Verification* verification)
 {
-  page.addHeading("Time");
-  HtmlRows rows;
+  page.addHeading("Time and memory");
+  HtmlRows rows{{"stage", "time", "memory at its end", "most until then"}};
   double total = verification ? verification->seconds : 0.0;
-  for (const StageTime& stage : report.stages) {
-    rows.push_back({stage.name, words("%.2f s", stage.seconds)});
+  for (const StageCost& stage : report.stages) {
+    rows.push_back({stage.name, words("%.2f s", stage.seconds), megabytes(stage.memory.resident),
+                    megabytes(stage.memory.peak)});
     total += stage.seconds;
   }
   if (verification)
     for (const auto& row : judgingTimes(*verification))
       rows.push_back(row);
   rows.push_back({"all of them", words("%.2f s", total)});
-  page.addTable(rows, false);
+  page.addTable(rows, true);
 }
 
 } // namespace

@@ -103,29 +103,53 @@ pathJson(const SpiralReport& report, double feed)
           {"largest_tilt_reduction", report.largest_tilt_reduction}};
 }
 
+/** MB; null where it is not known. */
+Json
+megabytes(std::size_t bytes)
+{
+  return bytes > 0 ? Json(1e-6 * static_cast<double>(bytes)) : Json();
+}
+
+Json
+secondsJson(const std::vector<StageCost>& costs)
+{
+  Json stages = Json::object();
+  double total = 0.0;
+  for (const StageCost& stage : costs) {
+    stages[stage.name] = stage.seconds;
+    total += stage.seconds;
+  }
+  return {{"total", total}, {"stages", stages}};
+}
+
+/** At the end of each stage: in main memory, and the most there has been up to then. */
+Json
+memoryJson(const std::vector<StageCost>& costs)
+{
+  Json stages = Json::object();
+  for (const StageCost& stage : costs)
+    stages[stage.name] = {{"resident", megabytes(stage.memory.resident)}, {"peak", megabytes(stage.memory.peak)}};
+  return {{"peak", costs.empty() ? Json() : megabytes(costs.back().memory.peak)}, {"stages", stages}};
+}
+
 } // namespace
 
 void
 writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings,
                 const SpiralReport& report, const Verification* verification)
 {
-  Json stages = Json::object();
-  double total = 0.0;
-  for (const StageTime& stage : report.stages) {
-    stages[stage.name] = stage.seconds;
-    total += stage.seconds;
-  }
   std::vector<std::string> warnings = files.warnings;
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
   Json json = {
-      {"units", {{"length", "mm"}, {"angle", "degree"}, {"feed", "mm/min"}, {"time", "s"}}},
+      {"units", {{"length", "mm"}, {"angle", "degree"}, {"feed", "mm/min"}, {"time", "s"}, {"memory", "MB"}}},
       {"input", {{"file", files.scan}, {"unit", choiceName(files.unit)}, {"origin", toJson(files.origin)}}},
       {"outputs", files.outputs},
       {"settings", settingsJson(settings)},
       {"surface", surfaceJson(report)},
       {"loops", loopsJson(report)},
       {"path", pathJson(report, settings.feed)},
-      {"seconds", {{"total", total}, {"stages", stages}}},
+      {"seconds", secondsJson(report.stages)},
+      {"memory", memoryJson(report.stages)},
       {"warnings", warnings}};
   if (verification)
     json["verification"] = verificationJson(*verification);

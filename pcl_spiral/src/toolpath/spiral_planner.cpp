@@ -52,9 +52,9 @@ diagonal(const std::vector<Eigen::Vector3f>& points)
 
 } // namespace
 
-SpiralPlanner::SpiralPlanner(const SpiralSettings& settings, ProgressCallback progress, SpiralReport& report)
-: settings_(settings), progress_(std::move(progress)), report_(report),
-  stage_start_(std::chrono::steady_clock::now())
+SpiralPlanner::SpiralPlanner(const SpiralSettings& settings, ProgressCallback progress, SpiralReport& report,
+                             StageClock& clock)
+: settings_(settings), progress_(std::move(progress)), report_(report), clock_(clock)
 {
 }
 
@@ -62,14 +62,6 @@ bool
 SpiralPlanner::report(double share, const std::string& stage)
 {
   return !progress_ || progress_(share, stage);
-}
-
-void
-SpiralPlanner::endStage(const std::string& name)
-{
-  const auto now = std::chrono::steady_clock::now();
-  report_.stages.push_back({name, std::chrono::duration<double>(now - stage_start_).count()});
-  stage_start_ = now;
 }
 
 Status
@@ -291,7 +283,7 @@ SpiralPlanner::plan(const std::vector<Eigen::Vector3f>& points, const std::vecto
   if (const double across = diagonal(points); across < settings_.tool_radius)
     return {StatusCode::InvalidInput, text("the whole scan is ", across, " across, less than the tool radius ",
                                            settings_.tool_radius, ": is the scan in metres or inches? Say its unit (--units m), or scale it to mm")};
-  endStage("surface");
+  clock_.end("surface");
   if (!report(0.25, "boundaries"))
     return cancelled;
   if (const Status status = findLoops(); !status.ok())
@@ -301,7 +293,7 @@ SpiralPlanner::plan(const std::vector<Eigen::Vector3f>& points, const std::vecto
   if (!graph_.orientationIsClear() && normals.empty())
     report_.warnings.push_back("the outer side could not be told from +z; the convex side was taken: give a view point "
                                "or flip the normals if the cutter comes from the other side");
-  endStage("boundaries");
+  clock_.end("boundaries");
   if (!report(0.4, "radial lines"))
     return cancelled;
   const bool two = report_.boundaries == 2;
@@ -311,23 +303,23 @@ SpiralPlanner::plan(const std::vector<Eigen::Vector3f>& points, const std::vecto
   RadialLineSet set;
   if (const Status status = makeLines(two, set); !status.ok())
     return status;
-  endStage("radial lines");
+  clock_.end("radial lines");
   if (!report(0.6, "spiral"))
     return cancelled;
   std::vector<SpiralPoint> curve;
   if (const Status status = makeCurve(set, two, curve); !status.ok())
     return status;
-  endStage("spiral");
+  clock_.end("spiral");
   if (const Status status = putOnSurface(curve, path); !status.ok())
     return status;
-  endStage("projection");
+  clock_.end("projection");
   if (!report(0.9, "tool axis"))
     return cancelled;
   if (const Status status = setAxes(path); !status.ok())
     return status;
   if (const Status status = checkPath(path); !status.ok())
     return status;
-  endStage("tool axis");
+  clock_.end("tool axis");
   return report(1.0, "done") ? Status::success() : cancelled;
 }
 

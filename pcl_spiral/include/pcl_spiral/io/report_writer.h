@@ -22,8 +22,8 @@ struct RunFiles {
   std::vector<std::string> warnings; ///< from reading
 };
 
-/** Input, settings, loops, counts, times per stage and warnings of a run, and the path's figures where it was judged
- * (null: not). Lengths mm, angles degrees, seconds. \throw FileError */
+/** Input, settings, loops, counts, time and memory of each stage and warnings of a run, and the path's figures where it was
+ * judged (null: not). Lengths mm, angles degrees, seconds, MB (10^6 bytes; see MemoryUse). \throw FileError */
 void writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings,
                      const SpiralReport& report, const Verification* verification = nullptr);
 

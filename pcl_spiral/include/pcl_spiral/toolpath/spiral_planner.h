@@ -4,13 +4,13 @@
 #pragma once
 
 #include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/common/stage_clock.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/toolpath/radial_line_builder.h>
 #include <pcl_spiral/toolpath/spiral_curve.h>
 #include <pcl_spiral/toolpath/spiral_report.h>
 #include <pcl_spiral/toolpath/spiral_settings.h>
 
-#include <chrono>
 #include <memory>
 #include <vector>
 
@@ -32,7 +32,8 @@ checkSettings(const SpiralSettings& settings);
 /** Plans one spiral over one set of points. */
 class SpiralPlanner {
 public:
-  SpiralPlanner(const SpiralSettings& settings, ProgressCallback progress, SpiralReport& report);
+  /** \p clock writes into the stages of \p report; the first stage, "surface", began when its last one ended. */
+  SpiralPlanner(const SpiralSettings& settings, ProgressCallback progress, SpiralReport& report, StageClock& clock);
 
   /** \p points: finite and all different; \p normals: out of the material, one a point, or empty. */
   Status plan(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& normals,
@@ -48,12 +49,11 @@ private:
   Status setAxes(SpiralPath& path);
   Status checkPath(const SpiralPath& path);
   bool report(double share, const std::string& stage);
-  void endStage(const std::string& name);
 
   const SpiralSettings& settings_;
   ProgressCallback progress_;
   SpiralReport& report_;
-  std::chrono::steady_clock::time_point stage_start_;
+  StageClock& clock_;
   SurfaceGraph graph_;
   std::unique_ptr<MlsSurface> surface_;
   std::vector<Eigen::Vector3f> bridges_; ///< points that were put into gaps

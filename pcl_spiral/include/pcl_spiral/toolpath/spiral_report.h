@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/common/stage_clock.h>
 #include <pcl_spiral/features/boundary_loop.h>
 
 #include <Eigen/Core>
@@ -12,12 +13,6 @@
 #include <vector>
 
 namespace pcl_spiral {
-
-/** Wall time of one stage. */
-struct StageTime {
-  std::string name;
-  double seconds = 0.0;
-};
 
 /** Figures of a run: counts, lengths in mm, seconds. */
 struct SpiralReport {
@@ -44,7 +39,7 @@ struct SpiralReport {
   double largest_axis_change = 0.0; ///< degrees between neighbouring path points
   std::size_t limited_points = 0;   ///< whose tilt was eased, for the axis not to turn faster than its rate
   double largest_tilt_reduction = 0.0; ///< at any of them, degrees
-  std::vector<StageTime> stages;
+  std::vector<StageCost> stages;    ///< in the order they ran
   std::vector<std::string> warnings;
 };
 

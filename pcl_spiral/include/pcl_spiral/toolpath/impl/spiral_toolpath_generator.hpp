@@ -60,12 +60,14 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::compute(pcl::PointCloud<P
   report_ = SpiralReport();
   status_ = checkSettings(settings_);
   const ThreadLimit limit(settings_.threads);
+  StageClock clock(report_.stages);
   std::vector<Eigen::Vector3f> points, normals;
   if (status_.ok())
     status_ = collect(points, normals);
+  clock.end("points");
   SpiralPath spiral;
   if (status_.ok())
-    status_ = SpiralPlanner(settings_, progress_, report_).plan(points, normals, spiral);
+    status_ = SpiralPlanner(settings_, progress_, report_, clock).plan(points, normals, spiral);
   if (!status_.ok()) {
     if (status_.code() != StatusCode::Cancelled)
       PCL_ERROR("[pcl_spiral::SpiralToolpathGenerator::compute] %s\n", status_.message().c_str());
@@ -82,6 +84,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::compute(pcl::PointCloud<P
   }
   path.header = this->input_->header;
   path.is_dense = true;
+  clock.end("path");
 }
 
 } // namespace pcl_spiral
