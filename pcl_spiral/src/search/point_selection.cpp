@@ -1,7 +1,11 @@
 #include <pcl_spiral/search/neighbour_search.h>
 #include <pcl_spiral/search/point_selection.h>
 
+#include "hash_parts.h"
+
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <numeric>
 
 namespace pcl_spiral {
@@ -41,24 +45,138 @@ meanDistances(const std::vector<Eigen::Vector3f>& points, int neighbours)
   return mean;
 }
 
+/** Indices of what is not 0, ascending. */
+std::vector<std::uint32_t>
+indicesOf(const std::vector<std::uint8_t>& kept)
+{
+  std::vector<std::uint32_t> indices;
+  indices.reserve(static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 1)));
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (kept[i])
+      indices.push_back(static_cast<std::uint32_t>(i));
+  return indices;
+}
+
+/** Of a place: 0 and -0 are the same. */
+std::uint64_t
+hashOf(const Eigen::Vector3f& p)
+{
+  std::array<std::uint32_t, 3> bits;
+  const Eigen::Vector3f without_sign_of_zero = p + Eigen::Vector3f::Zero();
+  std::memcpy(bits.data(), without_sign_of_zero.data(), sizeof bits);
+  return mixed(mixed(static_cast<std::uint64_t>(bits[0]) << 32 | bits[1]) + bits[2]);
+}
+
+Eigen::Vector3f
+positionOf(const IndexedPosition& p)
+{
+  return {p.x, p.y, p.z};
+}
+
+/** Voxels of one edge, numbered along each axis from the origin. */
+class VoxelGrid {
+public:
+  explicit VoxelGrid(double edge) : edge_(edge) {}
+
+  /** Whether every point has a voxel: no more than 2^20 from the origin. */
+  bool
+  holds(const std::vector<Eigen::Vector3f>& points) const
+  {
+    Box box;
+    for (const Eigen::Vector3f& p : points)
+      box.extend(p.data());
+    for (int d = 0; d < 3 && !points.empty(); ++d)
+      if (!(cell(box.low[d]) >= 0.0 && cell(box.high[d]) < 2.0 * reach))
+        return false;
+    return true;
+  }
+  std::uint64_t
+  key(const Eigen::Vector3f& p) const
+  {
+    std::uint64_t key = 0;
+    for (int d = 0; d < 3; ++d)
+      key = key << 21 | static_cast<std::uint64_t>(cell(p[d]));
+    return key;
+  }
+
+private:
+  static constexpr double reach = 1 << 20;
+  double cell(float x) const { return std::floor(static_cast<double>(x) / edge_) + reach; }
+
+  double edge_;
+};
+
+/** The voxels of one part of the points. */
+class PartVoxels {
+public:
+  /** Mark in \p kept the point nearest to the centroid of each voxel; of equally near ones the first. */
+  void
+  mark(const VoxelGrid& grid, const IndexedPosition* begin, const IndexedPosition* end, std::vector<std::uint8_t>& kept)
+  {
+    table_.reset(static_cast<std::size_t>(end - begin));
+    voxels_.clear();
+    voxel_of_.clear();
+    for (const IndexedPosition* i = begin; i != end; ++i) {
+      const Eigen::Vector3f p = positionOf(*i);
+      const std::uint64_t key = grid.key(p);
+      const std::uint32_t v = table_.number(mixed(key), [&](std::uint32_t n) { return voxels_[n].key == key; });
+      if (v == voxels_.size())
+        voxels_.push_back({key});
+      voxels_[v].sum += p.cast<double>();
+      ++voxels_[v].count;
+      voxel_of_.push_back(v);
+    }
+    for (const IndexedPosition* i = begin; i != end; ++i) {
+      Voxel& voxel = voxels_[voxel_of_[static_cast<std::size_t>(i - begin)]];
+      const Eigen::Vector3d centroid = voxel.sum / static_cast<double>(voxel.count);
+      const double squared = (positionOf(*i).cast<double>() - centroid).squaredNorm();
+      if (squared < voxel.least) {
+        voxel.least = squared;
+        voxel.nearest = i->index;
+      }
+    }
+    for (const Voxel& voxel : voxels_)
+      kept[voxel.nearest] = 1;
+  }
+
+private:
+  struct Voxel {
+    std::uint64_t key;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    std::uint32_t count = 0, nearest = 0;
+    double least = std::numeric_limits<double>::infinity(); ///< squared distance from the centroid
+  };
+
+  KeyTable table_;
+  std::vector<Voxel> voxels_;
+  std::vector<std::uint32_t> voxel_of_; ///< each point of the part
+};
+
 } // namespace
 
 std::vector<std::uint32_t>
 distinctPoints(const std::vector<Eigen::Vector3f>& points)
 {
-  std::vector<std::uint32_t> order = allIndices(points.size());
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const Eigen::Vector3f &p = points[a], &q = points[b];
-    if (p.x() != q.x())
-      return p.x() < q.x();
-    if (p.y() != q.y())
-      return p.y() < q.y();
-    return p.z() != q.z() ? p.z() < q.z() : a < b;
-  });
-  const auto same = [&](std::uint32_t a, std::uint32_t b) { return points[a] == points[b]; };
-  order.erase(std::unique(order.begin(), order.end(), same), order.end());
-  std::sort(order.begin(), order.end());
-  return order;
+  const HashParts parts(points, hashOf);
+  std::vector<std::uint8_t> kept(points.size(), 1);
+#pragma omp parallel
+  {
+    KeyTable table;
+    std::vector<Eigen::Vector3f> places;
+#pragma omp for schedule(dynamic, 1)
+    for (std::int64_t p = 0; p < static_cast<std::int64_t>(parts.count()); ++p) {
+      table.reset(static_cast<std::size_t>(parts.end(p) - parts.begin(p)));
+      places.clear();
+      for (const IndexedPosition* i = parts.begin(p); i != parts.end(p); ++i) {
+        const Eigen::Vector3f here = positionOf(*i);
+        if (table.number(hashOf(here), [&](std::uint32_t n) { return places[n] == here; }) == places.size())
+          places.push_back(here);
+        else
+          kept[i->index] = 0;
+      }
+    }
+  }
+  return indicesOf(kept);
 }
 
 std::vector<std::uint32_t>
@@ -83,37 +201,19 @@ statisticalInliers(const std::vector<Eigen::Vector3f>& points, int neighbours, d
 std::vector<std::uint32_t>
 voxelRepresentatives(const std::vector<Eigen::Vector3f>& points, double edge)
 {
-  constexpr double reach = 1 << 20;
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> voxels;
-  voxels.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    std::uint64_t key = 0;
-    for (int d = 0; d < 3; ++d) {
-      const double cell = std::floor(static_cast<double>(points[i][d]) / edge) + reach;
-      if (!(cell >= 0.0 && cell < 2.0 * reach))
-        return {};
-      key = key << 21 | static_cast<std::uint64_t>(cell);
-    }
-    voxels.emplace_back(key, static_cast<std::uint32_t>(i));
+  const VoxelGrid grid(edge);
+  if (!grid.holds(points))
+    return {};
+  const HashParts parts(points, [&](const Eigen::Vector3f& p) { return mixed(grid.key(p)); });
+  std::vector<std::uint8_t> kept(points.size(), 0);
+#pragma omp parallel
+  {
+    PartVoxels voxels;
+#pragma omp for schedule(dynamic, 1)
+    for (std::int64_t p = 0; p < static_cast<std::int64_t>(parts.count()); ++p)
+      voxels.mark(grid, parts.begin(p), parts.end(p), kept);
   }
-  std::sort(voxels.begin(), voxels.end());
-  std::vector<std::uint32_t> kept;
-  for (std::size_t first = 0, end; first < voxels.size(); first = end) {
-    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-    for (end = first; end < voxels.size() && voxels[end].first == voxels[first].first; ++end)
-      centroid += points[voxels[end].second].cast<double>();
-    centroid /= static_cast<double>(end - first);
-    std::size_t best = first;
-    double least = 1e300;
-    for (std::size_t i = first; i < end; ++i)
-      if (const double d = (points[voxels[i].second].cast<double>() - centroid).squaredNorm(); d < least) {
-        least = d;
-        best = i;
-      }
-    kept.push_back(voxels[best].second);
-  }
-  std::sort(kept.begin(), kept.end());
-  return kept;
+  return indicesOf(kept);
 }
 
 } // namespace pcl_spiral

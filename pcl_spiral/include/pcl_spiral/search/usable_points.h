@@ -44,12 +44,16 @@ struct UsablePoints {
   keep(const std::vector<std::uint32_t>& kept)
   {
     const std::size_t dropped = source.size() - kept.size();
+    if (dropped == 0)
+      return 0;
     for (std::size_t i = 0; i < kept.size(); ++i) { // ascending: never over what is still to be read
       positions[i] = positions[kept[i]];
       source[i] = source[kept[i]];
     }
     positions.resize(kept.size());
     source.resize(kept.size());
+    positions.shrink_to_fit();
+    source.shrink_to_fit();
     return dropped;
   }
 };
@@ -62,6 +66,8 @@ usablePoints(const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices)
 {
   UsablePoints usable;
   usable.asked_for = indices ? indices->size() : cloud.size();
+  usable.positions.reserve(usable.asked_for);
+  usable.source.reserve(usable.asked_for);
   for (std::size_t k = 0; k < usable.asked_for; ++k) {
     const std::size_t i = indices ? static_cast<std::size_t>((*indices)[k]) : k;
     if (!pcl::isXYZFinite(cloud[i]))
