@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing: as root, through sudo, or by saying which they are.
-# Usage: install_dependencies.sh [build] [test] [display]     (build alone when nothing is named)
+# Usage: install_dependencies.sh [build] [test] [display] [benchmark]     (build alone when nothing is named)
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache libpcl-dev libvtk9-dev libx11-dev libeigen3-dev libboost-dev
   libboost-program-options-dev nlohmann-json3-dev libyaml-cpp-dev)
 test=(libgtest-dev pkg-config)
 display=(xvfb xauth libgl1-mesa-dri) # pictures where there is no screen
+benchmark=(libbenchmark-dev)
 
 wanted=()
 for group in "${@:-build}"; do
@@ -14,7 +15,8 @@ for group in "${@:-build}"; do
     build) wanted+=("${build[@]}") ;;
     test) wanted+=("${test[@]}") ;;
     display) wanted+=("${display[@]}") ;;
-    *) echo "unknown group '$group': name build, test or display" >&2; exit 2 ;;
+    benchmark) wanted+=("${benchmark[@]}") ;;
+    *) echo "unknown group '$group': name build, test, display or benchmark" >&2; exit 2 ;;
   esac
 done
 

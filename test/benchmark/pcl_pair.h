@@ -1,0 +1,36 @@
+/** \file
+ *  What everything is measured against: PCL's own normals and boundary points of the same cloud.
+ */
+#pragma once
+
+#include "clouds.h"
+
+#include <pcl/search/kdtree.h>
+
+namespace pcl_spiral::benchmarks {
+
+using NormalCloud = pcl::PointCloud<pcl::Normal>;
+using Tree = pcl::search::KdTree<pcl::PointXYZ>;
+
+/** NormalEstimationOMP with 20 neighbours; \p tree is built on the way when it is new to the cloud. */
+NormalCloud::Ptr pclNormals(const Cloud::ConstPtr& cloud, const Tree::Ptr& tree, int threads);
+
+/** BoundaryEstimation with 30 neighbours, which PCL runs on one thread. */
+pcl::PointCloud<pcl::Boundary> pclBoundary(const Cloud::ConstPtr& cloud, const NormalCloud::ConstPtr& normals,
+                                           const Tree::Ptr& tree);
+
+/** Seconds of the one after the other, with one tree for both. */
+struct PairSeconds {
+  double normals = 0.0; ///< with the tree
+  double boundary = 0.0;
+
+  double
+  sum() const
+  {
+    return normals + boundary;
+  }
+};
+
+PairSeconds timePclPair(const Cloud::ConstPtr& cloud, int threads);
+
+} // namespace pcl_spiral::benchmarks

@@ -1,0 +1,41 @@
+#include "library_stages.h"
+
+namespace pcl_spiral::benchmarks {
+
+namespace {
+
+template <FileOrder order>
+void
+normalsOfPcl(benchmark::State& state, StageInput& input, int threads)
+{
+  const Cloud::ConstPtr& cloud = input.cloud(order);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(pclNormals(cloud, Tree::Ptr(new Tree), threads));
+  count(state, cloud->size(), cloud->size() * sizeof(pcl::PointXYZ));
+}
+
+/** With the tree that the normals have left. */
+template <FileOrder order>
+void
+boundaryOfPcl(benchmark::State& state, StageInput& input, int)
+{
+  const Cloud::ConstPtr& cloud = input.cloud(order);
+  const NormalCloud::ConstPtr& normals = input.normals(order);
+  const Tree::Ptr& tree = input.tree(order);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(pclBoundary(cloud, normals, tree));
+  count(state, cloud->size(), cloud->size() * sizeof(pcl::PointXYZ));
+}
+
+} // namespace
+
+std::vector<Stage>
+pclStages()
+{
+  return {{"pcl_normals", normalsOfPcl<FileOrder::Random>},
+          {"pcl_boundary", boundaryOfPcl<FileOrder::Random>, false},
+          {"pcl_normals_sorted_file", normalsOfPcl<FileOrder::Sorted>},
+          {"pcl_boundary_sorted_file", boundaryOfPcl<FileOrder::Sorted>, false}};
+}
+
+} // namespace pcl_spiral::benchmarks

@@ -1,0 +1,65 @@
+#include "run_case.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace pcl_spiral::benchmarks {
+
+namespace {
+
+/** Edge of the voxels of which a surface of \p area occupies \p count: 3/2 area / edge^2, as the sum of the moduli of a
+ * unit normal's components is 3/2 in the mean. */
+double
+voxelEdge(double area, double count)
+{
+  return std::sqrt(1.5 * area / count);
+}
+
+RunCase
+dome(const std::string& name, std::size_t points)
+{
+  return {name, {domeSurface(), points}, {}, true};
+}
+
+RunCase
+rawDome(const std::string& name)
+{
+  RunCase raw = dome(name, 12000000);
+  raw.cloud.noise = 0.05;
+  raw.cloud.false_echoes = 0.01;
+  raw.settings.outlier_neighbours = 16;
+  raw.settings.outlier_deviations = 2.0;
+  raw.settings.thinning = voxelEdge(raw.cloud.surface->area(), 2e6);
+  return raw;
+}
+
+} // namespace
+
+const std::vector<std::string>&
+caseNames()
+{
+  static const std::vector<std::string> names{"dome", "dome200k", "freeform", "dome12"};
+  return names;
+}
+
+RunCase
+runCase(const std::string& name, double scallop)
+{
+  RunCase chosen;
+  if (name == "dome")
+    chosen = dome(name, 2000000);
+  else if (name == "dome200k")
+    chosen = dome(name, 200000);
+  else if (name == "freeform")
+    chosen = {name, {test::freeform(), 86000}, {}, false};
+  else if (name == "dome12")
+    chosen = rawDome(name);
+  else
+    throw std::invalid_argument("there is no case named " + name);
+  chosen.settings.tool_radius = 10.0;
+  chosen.settings.scallop_height = scallop;
+  chosen.settings.chord_error = 0.005;
+  return chosen;
+}
+
+} // namespace pcl_spiral::benchmarks

@@ -1,0 +1,27 @@
+/** \file
+ *  The whole runs that are timed. Lengths in mm.
+ */
+#pragma once
+
+#include "clouds.h"
+
+#include <pcl_spiral/toolpath/spiral_settings.h>
+
+namespace pcl_spiral::benchmarks {
+
+/** A cloud and what is asked of its path. */
+struct RunCase {
+  std::string name;
+  CloudPlan cloud;
+  SpiralSettings settings;
+  bool round = false; ///< the least length of its path is known
+};
+
+/** dome (2 M points), dome200k, freeform (86 k) and dome12: 12 M raw points with noise and false echoes, filtered and
+ *  thinned to about 2 M. */
+const std::vector<std::string>& caseNames();
+
+/** \throw std::invalid_argument for a name not among them */
+RunCase runCase(const std::string& name, double scallop);
+
+} // namespace pcl_spiral::benchmarks

@@ -1,0 +1,65 @@
+/** \file
+ *  What the stages work on, made once for each size and before the clock runs.
+ */
+#pragma once
+
+#include "pcl_pair.h"
+
+#include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/features/surface_boundary.h>
+#include <pcl_spiral/geodesic/distance_field.h>
+#include <pcl_spiral/geodesic/geodesic_refinement.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace pcl_spiral::benchmarks {
+
+enum class FileOrder { Random, Sorted };
+
+/** A cloud of one size and all that stages make of it for those after them, each made when first asked for.
+ *  86k points are the free-form part, every other number the dome. */
+class StageInput {
+public:
+  explicit StageInput(std::size_t points);
+
+  const Points& points(FileOrder order = FileOrder::Random);
+  const Cloud::ConstPtr& cloud(FileOrder order);
+  const NormalCloud::ConstPtr& normals(FileOrder order);
+  const Tree::Ptr& tree(FileOrder order);
+
+  const SurfaceGraph& graph();
+  const MlsSurface& surface();
+  Eigen::Vector3d centre() const;
+  const DistanceField& field();
+  const Polyline& rim();
+  /** From the centre to places evenly along the rim, as traced down the field. */
+  const std::vector<GeodesicLine>& traces();
+  /** As many path points as there are cloud points, in turns as far apart as the points of a turn. */
+  const Polyline& spiral();
+  const std::vector<SurfaceFoot>& spiralFeet();
+  const pcl::PointCloud<ToolpathPoint>& path();
+
+private:
+  CloudPlan plan_;
+  std::map<FileOrder, Points> points_;
+  std::map<FileOrder, Cloud::ConstPtr> clouds_;
+  std::map<FileOrder, NormalCloud::ConstPtr> normals_;
+  std::map<FileOrder, Tree::Ptr> trees_;
+  std::optional<SurfaceGraph> graph_;
+  std::optional<MlsSurface> surface_;
+  std::optional<DistanceField> field_;
+  Polyline rim_, spiral_;
+  std::vector<GeodesicLine> traces_;
+  std::vector<SurfaceFoot> feet_;
+  pcl::PointCloud<ToolpathPoint> path_;
+};
+
+/** The input of that size. Only one size is kept: asking for another one drops it. */
+StageInput& inputOf(std::size_t points);
+
+/** Throws what went wrong: nothing is worth timing then. */
+void require(const Status& status);
+
+} // namespace pcl_spiral::benchmarks
