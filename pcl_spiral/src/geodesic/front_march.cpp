@@ -9,45 +9,41 @@ namespace {
 
 constexpr double bucket_width = 0.5; // in spacings
 constexpr std::size_t bucket_count = 256;
-constexpr double least_gain = 1e-6;  // in spacings: smaller improvements are not passed on
+constexpr double least_gain = 1e-6;  // in spacings
 constexpr double flattest = 1e4;     // radius in spacings at which a front counts as straight
+constexpr std::size_t piece = 64;    // points of the front that one thread takes at a time
 
 } // namespace
 
 void
 BucketQueue::push(std::uint32_t point, double distance)
 {
-  // Beyond the last bucket: put off, and looked at again when its turn comes.
+  // Beyond the last bucket: taken with it.
   const double place = std::max(0.0, distance) / width_;
-  const double last = static_cast<double>(current_bucket_ + buckets_.size() - 1);
+  const double last = static_cast<double>(current_ + buckets_.size() - 1);
   const auto bucket = static_cast<std::size_t>(std::min(place, last));
-  buckets_[std::max(bucket, current_bucket_) % buckets_.size()].push_back(point);
+  buckets_[std::max(bucket, current_) % buckets_.size()].push_back(point);
   ++waiting_;
 }
 
 bool
-BucketQueue::pop(std::uint32_t& point)
+BucketQueue::pop(std::vector<std::uint32_t>& points)
 {
-  while (next_ == current_.size()) {
-    if (waiting_ == 0)
-      return false;
-    current_.clear();
-    next_ = 0;
-    std::vector<std::uint32_t>& bucket = buckets_[current_bucket_ % buckets_.size()];
-    if (bucket.empty())
-      ++current_bucket_;
-    else
-      current_.swap(bucket);
-  }
-  --waiting_;
-  point = current_[next_++];
+  points.clear();
+  if (waiting_ == 0)
+    return false;
+  while (buckets_[current_ % buckets_.size()].empty())
+    ++current_;
+  points.swap(buckets_[current_ % buckets_.size()]);
+  waiting_ -= points.size();
   return true;
 }
 
 FrontMarch::FrontMarch(const SurfaceGraph& graph, std::vector<double>& distances,
                        std::vector<Eigen::Vector3f>& gradients)
 : graph_(graph), mesh_(graph.triangulation()), distances_(distances), gradients_(gradients),
-  centres_(graph.size(), 0.0), waiting_(graph.size(), 0), queue_(bucket_width * graph.spacing(), bucket_count)
+  centres_(graph.size(), 0.0), state_(graph.size(), State::Far), least_gain_(least_gain * graph.spacing()),
+  queue_(bucket_width * graph.spacing(), bucket_count)
 {}
 
 void
@@ -56,55 +52,90 @@ FrontMarch::addSeed(std::uint32_t point, double distance, const Eigen::Vector3d&
   distances_[point] = distance;
   gradients_[point] = gradient.cast<float>();
   centres_[point] = centre;
-  waiting_[point] = 1;
+  state_[point] = State::Waiting;
   queue_.push(point, distance);
 }
 
 void
 FrontMarch::run()
 {
-  std::uint32_t v;
-  while (queue_.pop(v))
-    if (waiting_[v]) {
-      waiting_[v] = 0;
-      visit(v);
+  while (queue_.pop(front_)) {
+    settleFront();
+    const auto pieces = static_cast<std::int64_t>((front_.size() + piece - 1) / piece);
+    if (ways_.size() < static_cast<std::size_t>(pieces))
+      ways_.resize(pieces);
+#pragma omp parallel for schedule(dynamic) if (pieces > 2)
+    for (std::int64_t p = 0; p < pieces; ++p) {
+      ways_[p].clear();
+      for (std::size_t i = p * piece; i < std::min(front_.size(), (p + 1) * piece); ++i)
+        visit(front_[i], ways_[p]);
     }
+    for (std::int64_t p = 0; p < pieces; ++p)
+      for (const Way& way : ways_[p])
+        if (way.distance < distances_[way.to] - least_gain_)
+          take(way);
+  }
+  straightenGradients();
 }
 
 void
-FrontMarch::visit(std::uint32_t v)
+FrontMarch::settleFront()
+{
+  std::size_t kept = 0;
+  for (const std::uint32_t v : front_)
+    if (state_[v] == State::Waiting) {
+      state_[v] = State::Settled;
+      front_[kept++] = v;
+    }
+  front_.resize(kept);
+}
+
+void
+FrontMarch::visit(std::uint32_t v, Ways& ways) const
 {
   for (std::uint32_t i = mesh_.outgoingBegin(v); i < mesh_.outgoingBegin(v + 1); ++i) {
     const std::uint32_t h = mesh_.outgoing(i), before = Triangulation::previous(h);
     const std::uint32_t a = mesh_.target(h), b = mesh_.origin(before);
-    updateAlong(v, a);
+    tryAlong(v, a, ways);
     if (mesh_.opposite(before) == Triangulation::none)
-      updateAlong(v, b);
+      tryAlong(v, b, ways);
     if (settled(a))
-      updateAcross(a, v, b);
+      tryAcross(a, v, b, ways);
     if (settled(b))
-      updateAcross(b, v, a);
+      tryAcross(b, v, a, ways);
   }
 }
 
 void
-FrontMarch::lower(std::uint32_t j, double distance, const Eigen::Vector3d& from, double centre)
+FrontMarch::take(const Way& way)
 {
-  const Eigen::Vector3d normal = graph_.normal(j);
-  Eigen::Vector3d along = graph_.position(j) - from;
-  along -= normal * normal.dot(along);
-  addSeed(j, distance, along.normalized(), centre);
+  distances_[way.to] = way.distance;
+  gradients_[way.to] = way.step;
+  centres_[way.to] = way.centre;
+  state_[way.to] = State::Waiting;
+  queue_.push(way.to, way.distance);
 }
 
 void
-FrontMarch::updateAlong(std::uint32_t v, std::uint32_t j)
+FrontMarch::straightenGradients()
+{
+  const auto count = static_cast<std::int64_t>(graph_.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d normal = graph_.normal(i), step = gradients_[i].cast<double>();
+    gradients_[i] = (step - normal * normal.dot(step)).normalized().cast<float>();
+  }
+}
+
+void
+FrontMarch::tryAlong(std::uint32_t v, std::uint32_t j, Ways& ways) const
 {
   if (distances_[j] <= distances_[v])
     return;
-  const Eigen::Vector3d from = graph_.position(v);
-  const double distance = distances_[v] + (graph_.position(j) - from).norm();
-  if (distance < distances_[j] - least_gain * graph_.spacing())
-    lower(j, distance, from, centres_[v]);
+  const Eigen::Vector3d step = graph_.position(j) - graph_.position(v);
+  const double distance = distances_[v] + step.norm();
+  if (distance < distances_[j] - least_gain_)
+    ways.push_back({distance, centres_[v], step.cast<float>(), j});
 }
 
 double
@@ -119,7 +150,7 @@ FrontMarch::commonCentre(std::uint32_t a, std::uint32_t v) const
 }
 
 void
-FrontMarch::updateAcross(std::uint32_t a, std::uint32_t v, std::uint32_t j)
+FrontMarch::tryAcross(std::uint32_t a, std::uint32_t v, std::uint32_t j, Ways& ways) const
 {
   const double da = distances_[a], dv = distances_[v], nearer = std::min(da, dv);
   if (distances_[j] <= nearer)
@@ -146,9 +177,9 @@ FrontMarch::updateAcross(std::uint32_t a, std::uint32_t v, std::uint32_t j)
   const double crossing = cx + (jx - cx) * cy / (cy - jy);
   if (!(crossing > 0.0 && crossing < c))
     return;
-  const double distance = centre - side * std::hypot(jx - cx, jy - cy);
-  if (distance > nearer && distance < distances_[j] - least_gain * graph_.spacing())
-    lower(j, distance, pa + crossing * edge, centre);
+  const double distance = centre - side * std::sqrt((jx - cx) * (jx - cx) + (jy - cy) * (jy - cy));
+  if (distance > nearer && distance < distances_[j] - least_gain_)
+    ways.push_back({distance, centre, (to_j - crossing * edge).cast<float>(), j});
 }
 
 } // namespace pcl_spiral

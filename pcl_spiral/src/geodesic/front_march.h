@@ -10,26 +10,30 @@
 
 namespace pcl_spiral {
 
-/** Points to visit, by distance in steps of a given width; a bucket is emptied in the order it was filled. */
+/** Points to visit, by distance in steps of a given width. */
 class BucketQueue {
 public:
   BucketQueue(double width, std::size_t buckets) : width_(width), buckets_(buckets) {}
 
   void push(std::uint32_t point, double distance);
-  /** The next entry; false when there is none. An entry may be out of date. */
-  bool pop(std::uint32_t& point);
+  /** Takes the nearest bucket that holds anything, in the order it was filled; false when there is none. An entry may be
+   *  out of date. */
+  bool pop(std::vector<std::uint32_t>& points);
 
 private:
   double width_;
   std::vector<std::vector<std::uint32_t>> buckets_;
-  std::vector<std::uint32_t> current_;
-  std::size_t current_bucket_ = 0, next_ = 0, waiting_ = 0;
+  std::size_t current_ = 0, waiting_ = 0;
 };
 
 /** Distances known at seeds carried to all points.
  *
  *  A front about a point is a circle about the source at distance 0. In general the front at a point is taken for a
  *  circle about a centre at which the distance would be \p centre: above the distance here where it contracts.
+ *
+ *  Points settle in rounds, half a spacing of the front at a time: all that settle look in parallel for shorter ways to
+ *  their neighbours, before any is taken, so that the outcome depends on no thread. A point to which a shorter way is found
+ *  later on settles again.
  */
 class FrontMarch {
 public:
@@ -40,21 +44,41 @@ public:
   void run();
 
 private:
-  bool settled(std::uint32_t v) const { return distances_[v] < 1e300 && !waiting_[v]; }
-  void visit(std::uint32_t v);
-  /** Update \p j by the front that crosses the edge a - v, in the plane of the triangle. */
-  void updateAcross(std::uint32_t a, std::uint32_t v, std::uint32_t j);
-  void updateAlong(std::uint32_t v, std::uint32_t j);
-  void lower(std::uint32_t j, double distance, const Eigen::Vector3d& from, double centre);
+  enum class State : std::uint8_t {
+    Far,
+    Waiting, ///< its distance has changed, its neighbours do not know yet
+    Settled
+  };
+  struct Way {
+    double distance;
+    double centre;
+    Eigen::Vector3f step; ///< from the place on an edge, or the point, that it comes from
+    std::uint32_t to;
+  };
+  using Ways = std::vector<Way>;
+
+  bool settled(std::uint32_t v) const { return state_[v] == State::Settled; }
+  /** Settle what of the front still waits; forget the rest. */
+  void settleFront();
+  void visit(std::uint32_t v, Ways& ways) const;
+  void tryAlong(std::uint32_t v, std::uint32_t j, Ways& ways) const;
+  /** The way by the front that crosses the edge a - v, in the plane of the triangle. */
+  void tryAcross(std::uint32_t a, std::uint32_t v, std::uint32_t j, Ways& ways) const;
   double commonCentre(std::uint32_t a, std::uint32_t v) const;
+  void take(const Way& way);
+  /** Turn the last steps into unit tangents. */
+  void straightenGradients();
 
   const SurfaceGraph& graph_;
   const Triangulation& mesh_;
   std::vector<double>& distances_;
   std::vector<Eigen::Vector3f>& gradients_;
   std::vector<double> centres_;
-  std::vector<std::uint8_t> waiting_;
+  std::vector<State> state_;
+  double least_gain_; ///< mm: smaller improvements are not passed on
   BucketQueue queue_;
+  std::vector<std::uint32_t> front_; ///< what settles in this round
+  std::vector<Ways> ways_;           ///< found by each piece of the front
 };
 
 } // namespace pcl_spiral

@@ -22,27 +22,84 @@ struct AxisOrder {
   }
 };
 
+/** Puts the \p smaller first positions in the order of one axis before the others. Slices of equal width across the
+ *  axis are counted; only the one in which the cut lies has to be looked at in order. */
+class AxisCut {
+public:
+  AxisCut(const Box& box, std::size_t count)
+  {
+    for (int d = 1; d < 3; ++d)
+      if (box.high[d] - box.low[d] > box.high[axis_] - box.low[axis_])
+        axis_ = d;
+    slices_ = static_cast<int>(std::min<std::size_t>(most_slices, std::max<std::size_t>(8, count / 8)));
+    low_ = box.low[axis_];
+    const float width = box.high[axis_] - low_;
+    scale_ = width > 0.0f ? (static_cast<float>(slices_) - 0.5f) / width : 0.0f;
+  }
+
+  void
+  apply(IndexedPosition* begin, std::size_t count, std::size_t smaller)
+  {
+    std::array<std::uint32_t, most_slices> in_slice{};
+    for (std::size_t i = 0; i < count; ++i)
+      ++in_slice[sliceOf(begin[i])];
+    std::size_t before = 0;
+    int cut = 0;
+    for (; before + in_slice[cut] <= smaller; ++cut)
+      before += in_slice[cut];
+    IndexedPosition* const middle = split(begin, begin + count, [&](int slice) { return slice < cut; });
+    IndexedPosition* const end = split(middle, begin + count, [&](int slice) { return slice == cut; });
+    std::nth_element(middle, begin + smaller, end, AxisOrder{axis_});
+  }
+
+private:
+  static constexpr int most_slices = 1024;
+
+  int
+  sliceOf(const IndexedPosition& p) const
+  {
+    return static_cast<int>(std::min(static_cast<float>(slices_ - 1), ((&p.x)[axis_] - low_) * scale_));
+  }
+
+  /** Positions whose slices \p belong come first; returns where the others begin. Every step does the same, so that there
+   *  is no branch to be guessed wrongly. */
+  template <typename Belongs>
+  IndexedPosition*
+  split(IndexedPosition* begin, IndexedPosition* end, Belongs belong) const
+  {
+    IndexedPosition* others = begin;
+    for (IndexedPosition* p = begin; p != end; ++p) {
+      const IndexedPosition here = *p;
+      *p = *others;
+      *others = here;
+      others += belong(sliceOf(here));
+    }
+    return others;
+  }
+
+  int axis_ = 0;
+  int slices_;
+  float low_, scale_;
+};
+
+/** Sorts the items of a partition's node: the blocks from \p node 2^level on. */
 void
-sortRun(IndexedPosition* begin, std::size_t count)
+sortNode(IndexedPosition* all, const BlockPartition& partition, std::size_t node, int level)
 {
-  if (count <= PointBlocks::block_size) {
-    std::sort(begin, begin + count, AxisOrder{0});
+  const std::size_t begin = partition.begin(node << level), end = partition.begin((node + 1) << level);
+  if (level == 0) {
+    std::sort(all + begin, all + end, AxisOrder{0});
     return;
   }
   Box box;
-  for (std::size_t i = 0; i < count; ++i)
-    box.extend(&begin[i].x);
-  int axis = 0;
-  for (int d = 1; d < 3; ++d)
-    if (box.high[d] - box.low[d] > box.high[axis] - box.low[axis])
-      axis = d;
-  const std::size_t blocks = (count + PointBlocks::block_size - 1) / PointBlocks::block_size;
-  const std::size_t half = (blocks / 2) * PointBlocks::block_size;
-  std::nth_element(begin, begin + half, begin + count, AxisOrder{axis});
+  for (std::size_t i = begin; i < end; ++i)
+    box.extend(&all[i].x);
+  const std::size_t middle = partition.begin((2 * node + 1) << (level - 1));
+  AxisCut(box, end - begin).apply(all + begin, end - begin, middle - begin);
   constexpr std::size_t worth_a_task = 20000;
-#pragma omp task if (count > worth_a_task)
-  sortRun(begin, half);
-  sortRun(begin + half, count - half);
+#pragma omp task if (end - begin > worth_a_task)
+  sortNode(all, partition, 2 * node, level - 1);
+  sortNode(all, partition, 2 * node + 1, level - 1);
 #pragma omp taskwait
 }
 
@@ -51,31 +108,34 @@ sortRun(IndexedPosition* begin, std::size_t count)
 void
 sortSpatially(std::vector<IndexedPosition>& positions)
 {
+  const BlockPartition partition(positions.size());
 #pragma omp parallel
 #pragma omp single
-  sortRun(positions.data(), positions.size());
+  sortNode(positions.data(), partition, 0, partition.halvings());
 }
 
-PointBlocks::PointBlocks(const std::vector<Eigen::Vector3f>& points)
+PointBlocks::PointBlocks(const std::vector<Eigen::Vector3f>& points) : partition_(points.size())
 {
+  const auto count = static_cast<std::int64_t>(points.size());
   std::vector<IndexedPosition> order(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i)
     order[i] = {points[i].x(), points[i].y(), points[i].z(), static_cast<std::uint32_t>(i)};
   sortSpatially(order);
   points_.resize(order.size());
   original_.resize(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i) {
     points_[i] = {order[i].x, order[i].y, order[i].z};
     original_[i] = order[i].index;
   }
   const std::size_t blocks = blockCount();
-  while (leaves_ < blocks)
-    leaves_ *= 2;
-  boxes_.assign(2 * leaves_, Box());
-  for (std::size_t b = 0; b < blocks; ++b)
+  boxes_.assign(std::max<std::size_t>(2, 2 * blocks), Box());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t b = 0; b < static_cast<std::int64_t>(blocks); ++b)
     for (std::size_t i = blockBegin(b); i < blockEnd(b); ++i)
-      boxes_[leaves_ + b].extend(points_[i].data());
-  for (std::size_t i = leaves_ - 1; i >= 1; --i) {
+      boxes_[blocks + b].extend(points_[i].data());
+  for (std::size_t i = blocks; i-- > 1;) {
     boxes_[i] = boxes_[2 * i];
     boxes_[i].extend(boxes_[2 * i + 1]);
   }
@@ -85,6 +145,7 @@ std::uint32_t
 PointBlocks::nearest(const Eigen::Vector3d& query) const
 {
   const Eigen::Vector3f q = query.cast<float>();
+  const std::size_t leaves = blockCount();
   std::uint32_t best = 0;
   float best_distance = std::numeric_limits<float>::max();
   std::array<std::uint32_t, 64> stack;
@@ -94,14 +155,14 @@ PointBlocks::nearest(const Eigen::Vector3d& query) const
     const std::uint32_t node = stack[--top];
     if (boxes_[node].squaredDistance(q.data()) >= best_distance)
       continue;
-    if (node < leaves_) {
+    if (node < leaves) {
       const bool right_first =
           boxes_[2 * node + 1].squaredDistance(q.data()) < boxes_[2 * node].squaredDistance(q.data());
       stack[top++] = 2 * node + (right_first ? 0 : 1);
       stack[top++] = 2 * node + (right_first ? 1 : 0);
       continue;
     }
-    for (std::size_t i = blockBegin(node - leaves_); i < blockEnd(node - leaves_); ++i) {
+    for (std::size_t i = blockBegin(node - leaves); i < blockEnd(node - leaves); ++i) {
       const float distance = (points_[i] - q).squaredNorm();
       if (distance < best_distance) {
         best_distance = distance;

@@ -5,10 +5,12 @@
 #include <pcl_spiral/search/neighbour_search.h>
 
 #include "normal_orientation.h"
-#include "star_set.h"
+#include "star_triangles.h"
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl_spiral {
@@ -25,21 +27,60 @@ struct LocalShape {
   double height;          ///< distance of the point from its neighbours' plane
 };
 
+/** Unit eigenvector of a covariance's smallest eigenvalue. Newton's method finds that root of the characteristic polynomial
+ *  from zero on, where it falls towards it; then the adjugate's columns are multiples of the vector. */
+Eigen::Vector3d
+leastAxis(const Eigen::Matrix3d& c)
+{
+  constexpr int most_iterations = 16;
+  const double trace = c.trace(), determinant = c.determinant();
+  const double minors = c(0, 0) * c(1, 1) + c(0, 0) * c(2, 2) + c(1, 1) * c(2, 2) - c(0, 1) * c(0, 1) -
+                        c(0, 2) * c(0, 2) - c(1, 2) * c(1, 2);
+  double root = 0.0;
+  for (int i = 0; i < most_iterations; ++i) {
+    const double slope = (2.0 * trace - 3.0 * root) * root - minors;
+    if (!(slope < 0.0))
+      break;
+    const double step = (((trace - root) * root - minors) * root + determinant) / slope;
+    root -= step;
+    if (std::abs(step) <= 1e-13 * trace)
+      break;
+  }
+  const Eigen::Matrix3d m = c - root * Eigen::Matrix3d::Identity();
+  const std::array<Eigen::Vector3d, 3> columns{m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1))};
+  const auto largest = std::max_element(columns.begin(), columns.end(), [](const auto& a, const auto& b) {
+    return a.squaredNorm() < b.squaredNorm();
+  });
+  const double norm = largest->norm();
+  if (norm > 1e-6 * trace * trace)
+    return *largest / norm;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver; // points on a line, or all about
+  solver.computeDirect(c);
+  return solver.eigenvectors().col(0);
+}
+
 LocalShape
 localShape(const Neighbourhood& near)
 {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
-  for (int j = 0; j < near.size; ++j) {
-    const Eigen::Vector3d d(near.x[j], near.y[j], near.z[j]);
-    mean += d;
-    moment += d * d.transpose();
+  using Lanes = Eigen::Array<float, Neighbourhood::lanes, 1>;
+  Lanes x1 = Lanes::Zero(), y1 = x1, z1 = x1, xx = x1, xy = x1, xz = x1, yy = x1, yz = x1, zz = x1;
+  for (int j = 0; j < near.size; j += Neighbourhood::lanes) {
+    const Lanes x = Eigen::Map<const Lanes>(near.x + j), y = Eigen::Map<const Lanes>(near.y + j),
+                z = Eigen::Map<const Lanes>(near.z + j);
+    x1 += x;
+    y1 += y;
+    z1 += z;
+    xx += x * x;
+    xy += x * y;
+    xz += x * z;
+    yy += y * y;
+    yz += y * z;
+    zz += z * z;
   }
-  mean /= near.size;
-  const Eigen::Matrix3d covariance = moment / near.size - mean * mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance);
-  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  const Eigen::Vector3d mean = Eigen::Vector3d(x1.sum(), y1.sum(), z1.sum()) / near.size;
+  Eigen::Matrix3d moment;
+  moment << xx.sum(), xy.sum(), xz.sum(), xy.sum(), yy.sum(), yz.sum(), xz.sum(), yz.sum(), zz.sum();
+  const Eigen::Vector3d normal = leastAxis(moment / near.size - mean * mean.transpose());
   return {normal, std::sqrt(static_cast<double>(near.squared_distance[near.size - 1])), std::abs(mean.dot(normal))};
 }
 
@@ -237,19 +278,21 @@ SurfaceGraph::build(const std::vector<Eigen::Vector3f>& points, const SurfaceGra
 
   std::vector<std::uint8_t> flipped = consistentSigns(normals_, stars);
   orientation_is_clear_ = chooseOuterSide(blocks_, normals_, radii_, options, flipped);
-  mean_normal_.setZero();
-  for (std::size_t i = 0; i < size(); ++i) {
+  const auto count = static_cast<std::int64_t>(size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i)
     if (flipped[i]) {
       normals_[i] = -normals_[i];
       stars.reverse(i);
     }
+  mean_normal_.setZero();
+  for (std::size_t i = 0; i < size(); ++i)
     mean_normal_ += radii_[i] * radii_[i] * normals_[i].cast<double>();
-  }
   double area = 0.0;
   for (const float r : radii_)
     area += static_cast<double>(r) * r;
   mean_normal_ /= area;
-  triangulation_ = Triangulation(size(), stars.agreedTriangles(pinhole_edges));
+  triangulation_ = triangulate(stars, pinhole_edges);
   return Status::success();
 }
 

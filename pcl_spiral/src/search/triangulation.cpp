@@ -5,36 +5,59 @@
 
 namespace pcl_spiral {
 
-Triangulation::Triangulation(std::size_t point_count, std::vector<Triangle> triangles)
-: triangles_(std::move(triangles))
+Triangulation::Triangulation(std::size_t point_count, const std::vector<Triangle>& triangles)
+: outgoing_begin_(point_count + 1, 0)
 {
-  outgoing_begin_.assign(point_count + 1, 0);
-  for (const Triangle& t : triangles_)
-    for (const std::uint32_t v : t)
-      ++outgoing_begin_[v + 1];
-  std::partial_sum(outgoing_begin_.begin(), outgoing_begin_.end(), outgoing_begin_.begin());
-  outgoing_.resize(halfEdgeCount());
-  std::vector<std::uint32_t> place(outgoing_begin_.begin(), outgoing_begin_.end() - 1);
-  for (std::uint32_t h = 0; h < halfEdgeCount(); ++h)
-    outgoing_[place[origin(h)]++] = h;
+  append(triangles);
+}
 
-  std::vector<std::uint32_t> facing(halfEdgeCount(), none);
-  const auto count = static_cast<std::int64_t>(halfEdgeCount());
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < count; ++i) {
-    const auto h = static_cast<std::uint32_t>(i);
+Triangulation::Triangulation(std::vector<Triangle> triangles, std::vector<std::uint32_t> opposite,
+                             std::vector<std::uint32_t> outgoing_begin, std::vector<std::uint32_t> outgoing)
+: triangles_(std::move(triangles)), opposite_(std::move(opposite)), outgoing_begin_(std::move(outgoing_begin)),
+  outgoing_(std::move(outgoing))
+{
+}
+
+void
+Triangulation::append(const std::vector<Triangle>& triangles)
+{
+  if (triangles.empty())
+    return;
+  const auto first = static_cast<std::uint32_t>(halfEdgeCount());
+  triangles_.insert(triangles_.end(), triangles.begin(), triangles.end());
+  opposite_.resize(halfEdgeCount(), none);
+  insertOutgoing(first);
+  for (std::uint32_t h = first; h < halfEdgeCount(); ++h) {
     const std::uint32_t from = origin(h), to = target(h);
-    for (std::uint32_t k = outgoing_begin_[to]; k < outgoing_begin_[to + 1]; ++k)
-      if (target(outgoing_[k]) == from)
-        facing[h] = outgoing_[k];
+    for (std::uint32_t k = outgoing_begin_[to]; k < outgoing_begin_[to + 1] && opposite_[h] == none; ++k) {
+      const std::uint32_t facing = outgoing_[k];
+      if (target(facing) == from && opposite_[facing] == none) {
+        opposite_[h] = facing;
+        opposite_[facing] = h;
+      }
+    }
   }
-  // Where more than two triangles meet in an edge only a pair that faces each other is joined: then every turn about a
-  // point ends.
-  opposite_.assign(halfEdgeCount(), none);
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < count; ++i)
-    if (facing[i] != none && facing[facing[i]] == static_cast<std::uint32_t>(i))
-      opposite_[i] = facing[i];
+}
+
+void
+Triangulation::insertOutgoing(std::uint32_t first_half_edge)
+{
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> added; // origin, half-edge
+  for (std::uint32_t h = first_half_edge; h < halfEdgeCount(); ++h)
+    added.emplace_back(origin(h), h);
+  std::sort(added.begin(), added.end());
+  outgoing_.resize(halfEdgeCount());
+  // From the last point backwards, each list moves up by as many as are added before it.
+  for (std::size_t v = outgoing_begin_.size() - 1, left = added.size(); v-- > 0 && left > 0;) {
+    const std::uint32_t begin = outgoing_begin_[v], end = outgoing_begin_[v + 1];
+    const auto after = static_cast<std::uint32_t>(left);
+    while (left > 0 && added[left - 1].first == v)
+      --left;
+    std::copy_backward(outgoing_.begin() + begin, outgoing_.begin() + end, outgoing_.begin() + end + left);
+    for (std::size_t k = left; k < after; ++k)
+      outgoing_[end + k] = added[k].second;
+    outgoing_begin_[v + 1] = end + after;
+  }
 }
 
 std::vector<std::vector<std::uint32_t>>

@@ -29,12 +29,17 @@ public:
   double reach() const { return reach_; }
 
 private:
+  /** A corner of the cell, and the neighbour whose bisector the edge from it to the next lies on; -1 the first square. */
   struct Vertex {
     double x, y;
-    int edge; ///< neighbour whose bisector the cell's edge from this vertex to the next lies on; -1 the first square
+    int edge;
   };
-  std::vector<Vertex> cell_, clipped_;
+  /** Cut off what is nearer to (u, v) than to the point; returns whether anything was. */
+  bool clip(double u, double v, int neighbour);
+
+  std::vector<Vertex> cell_, clipped_; ///< the first size_ are in use
   std::vector<double> side_;
+  std::size_t size_ = 0;
   std::vector<Spoke> spokes_;
   double reach_ = 0.0;
 };

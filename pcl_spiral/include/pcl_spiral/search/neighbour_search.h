@@ -10,8 +10,10 @@
 
 namespace pcl_spiral {
 
-/** The neighbours of one query, nearest first, as offsets from the query. A point is its own first neighbour. */
+/** The neighbours of one query, nearest first, as offsets from the query. A point is its own first neighbour. Offsets are
+ *  filled up with zeros to a multiple of \p lanes: sums over them need no tail. */
 struct Neighbourhood {
+  static constexpr int lanes = 8;
   int size = 0;
   const float* x = nullptr;
   const float* y = nullptr;
@@ -38,6 +40,11 @@ public:
 
 private:
   void gather(float radius);
+  void reserveCandidates(std::size_t count);
+  /** Squared distances of all candidates. */
+  void measure(const Eigen::Vector3f& query);
+  /** Keys of the candidates within sqrt(threshold); returns how many. */
+  int collectWithin(float threshold);
   int select(float squared_radius);
   void sortSelected(int count, float threshold);
 
@@ -55,7 +62,7 @@ private:
   std::size_t candidates_ = 0;
 
   std::vector<std::uint64_t> keys_, sorted_; ///< squared distance's bits, then the candidate
-  std::vector<std::uint8_t> bucket_;
+  std::vector<std::uint8_t> near_, bucket_;
   std::vector<float> x_, y_, z_, squared_distance_;
   std::vector<std::uint32_t> index_;
   Neighbourhood result_;

@@ -40,7 +40,7 @@ struct Box {
   {
     float sum = 0.0f;
     for (int d = 0; d < 3; ++d) {
-      const float gap = std::max(0.0f, std::max(low[d] - other.high[d], other.low[d] - high[d]));
+      const float gap = std::max(std::max(low[d] - other.high[d], other.low[d] - high[d]), 0.0f);
       sum += gap * gap;
     }
     return sum;
@@ -50,7 +50,7 @@ struct Box {
   {
     float sum = 0.0f;
     for (int d = 0; d < 3; ++d) {
-      const float gap = std::max(0.0f, std::max(low[d] - p[d], p[d] - high[d]));
+      const float gap = std::max(std::max(low[d] - p[d], p[d] - high[d]), 0.0f);
       sum += gap * gap;
     }
     return sum;
@@ -71,8 +71,29 @@ struct IndexedPosition {
   std::uint32_t index;
 };
 
-/** Put positions in spatial order: halved again and again across the longest side of their box, into runs of 32.
- *  The order depends on the set of positions alone, not on the order they come in, nor on the number of threads.
+/** A range of items cut into 2^n blocks of as nearly the same size as can be, at most block_size each. */
+class BlockPartition {
+public:
+  static constexpr std::size_t block_size = 32;
+
+  explicit BlockPartition(std::size_t items = 0) : items_(items)
+  {
+    while (block_size << halvings_ < items)
+      ++halvings_;
+  }
+  std::size_t blocks() const { return items_ > 0 ? std::size_t(1) << halvings_ : 0; }
+  /** First item of a block; of the one past the last, the number of items. */
+  std::size_t begin(std::size_t block) const { return block * items_ >> halvings_; }
+  int halvings() const { return halvings_; }
+
+private:
+  std::size_t items_;
+  int halvings_ = 0;
+};
+
+/** Put positions in spatial order: halved again and again across the longest side of their box, into the blocks of a
+ *  BlockPartition. The order depends on the set of positions alone, not on the order they come in, nor on the number of
+ *  threads.
  */
 void
 sortSpatially(std::vector<IndexedPosition>& positions);
@@ -80,7 +101,7 @@ sortSpatially(std::vector<IndexedPosition>& positions);
 /** Points in spatial order with the boxes of their blocks; the tree is implicit (node i has children 2i, 2i+1). */
 class PointBlocks {
 public:
-  static constexpr std::size_t block_size = 32;
+  static constexpr std::size_t block_size = BlockPartition::block_size; ///< at most
 
   PointBlocks() = default;
   explicit PointBlocks(const std::vector<Eigen::Vector3f>& points);
@@ -92,10 +113,10 @@ public:
   /** Where point \p i stood in the cloud the blocks were made from. */
   std::uint32_t originalIndex(std::size_t i) const { return original_[i]; }
 
-  std::size_t blockCount() const { return (points_.size() + block_size - 1) / block_size; }
-  std::size_t blockBegin(std::size_t block) const { return block * block_size; }
-  std::size_t blockEnd(std::size_t block) const { return std::min(points_.size(), (block + 1) * block_size); }
-  const Box& blockBox(std::size_t block) const { return boxes_[leaves_ + block]; }
+  std::size_t blockCount() const { return partition_.blocks(); }
+  std::size_t blockBegin(std::size_t block) const { return partition_.begin(block); }
+  std::size_t blockEnd(std::size_t block) const { return partition_.begin(block + 1); }
+  const Box& blockBox(std::size_t block) const { return boxes_[blockCount() + block]; }
   const Box& box() const { return boxes_[1]; }
 
   /** Call \p visit(block) for every block whose box is within sqrt(squared_radius) of \p query. */
@@ -103,6 +124,7 @@ public:
   void
   forBlocksNear(const Box& query, float squared_radius, Visit visit) const
   {
+    const std::size_t leaves = blockCount();
     std::array<std::uint32_t, 64> stack;
     std::size_t top = 0;
     stack[top++] = 1;
@@ -110,8 +132,8 @@ public:
       const std::uint32_t node = stack[--top];
       if (boxes_[node].squaredDistance(query) > squared_radius)
         continue;
-      if (node >= leaves_) {
-        visit(node - leaves_);
+      if (node >= leaves) {
+        visit(node - leaves);
         continue;
       }
       stack[top++] = 2 * node + 1;
@@ -126,7 +148,7 @@ private:
   std::vector<Eigen::Vector3f> points_;
   std::vector<std::uint32_t> original_;
   std::vector<Box> boxes_;
-  std::size_t leaves_ = 1;
+  BlockPartition partition_;
 };
 
 } // namespace pcl_spiral

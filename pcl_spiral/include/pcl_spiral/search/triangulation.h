@@ -19,7 +19,15 @@ public:
   static constexpr std::uint32_t none = 0xffffffffu;
 
   Triangulation() = default;
-  Triangulation(std::size_t point_count, std::vector<Triangle> triangles);
+  Triangulation(std::size_t point_count, const std::vector<Triangle>& triangles);
+  /** From its parts, which must fit together: \p opposite of each half-edge; half-edges that leave point v in \p outgoing
+   *  from outgoing_begin[v] to outgoing_begin[v + 1]. */
+  Triangulation(std::vector<Triangle> triangles, std::vector<std::uint32_t> opposite,
+                std::vector<std::uint32_t> outgoing_begin, std::vector<std::uint32_t> outgoing);
+
+  /** Add triangles of the same points. Each half-edge is joined to one that faces it and has no neighbour yet, if there is
+   *  one: never more than two triangles meet in an edge, so that every turn about a point ends. */
+  void append(const std::vector<Triangle>& triangles);
 
   std::size_t triangleCount() const { return triangles_.size(); }
   const Triangle& triangle(std::size_t t) const { return triangles_[t]; }
@@ -42,6 +50,8 @@ public:
   std::vector<std::uint32_t> parts(std::vector<std::size_t>& sizes) const;
 
 private:
+  void insertOutgoing(std::uint32_t first_half_edge);
+
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> opposite_;
   std::vector<std::uint32_t> outgoing_begin_, outgoing_;
