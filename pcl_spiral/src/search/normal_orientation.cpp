@@ -1,5 +1,7 @@
 #include "normal_orientation.h"
 
+#include "pieces.h"
+
 #include <cmath>
 #include <numeric>
 
@@ -64,24 +66,32 @@ consistentSigns(const std::vector<Eigen::Vector3f>& normals, const StarSet& star
   struct Edge {
     std::uint32_t a, b;
   };
-  std::vector<std::vector<Edge>> waiting(classes);
+  const auto turned = [&](const Edge& e) { return static_cast<std::uint8_t>(normals[e.a].dot(normals[e.b]) < 0.0f); };
+  const auto weightOf = [&](const Edge& e) {
+    return std::min(classes - 1, static_cast<int>((1.0f - std::abs(normals[e.a].dot(normals[e.b]))) * classes));
+  };
+  // Edges of the least weight within a piece of the points are joined at once: no other piece knows these points.
   ParityForest forest(normals.size());
-  for (std::uint32_t a = 0; a < normals.size(); ++a)
-    for (std::uint32_t s = stars.begin[a]; s < stars.begin[a + 1]; ++s) {
-      const std::uint32_t b = StarSet::neighbour(stars.spokes[s]);
-      const float cosine = normals[a].dot(normals[b]);
-      const int weight = std::min(classes - 1, static_cast<int>((1.0f - std::abs(cosine)) * classes));
-      if (weight == 0)
-        forest.join(a, b, cosine < 0.0f);
-      else
-        waiting[weight].push_back({a, b});
-    }
+  std::vector<std::vector<Edge>> waiting(pieceCount(normals.size()));
+  forPieces(normals.size(), [&](std::size_t piece, std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t a = begin; a < end; ++a)
+      for (std::uint32_t s = stars.begin[a]; s < stars.begin[a + 1]; ++s) {
+        const Edge edge{a, stars.neighbourAt(s)};
+        if (edge.b >= begin && edge.b < end && weightOf(edge) == 0)
+          forest.join(edge.a, edge.b, turned(edge));
+        else
+          waiting[piece].push_back(edge);
+      }
+  });
+  std::vector<std::vector<Edge>> by_weight(classes);
   for (const auto& edges : waiting)
     for (const Edge& e : edges)
-      forest.join(e.a, e.b, normals[e.a].dot(normals[e.b]) < 0.0f);
+      by_weight[weightOf(e)].push_back(e);
+  for (const auto& edges : by_weight)
+    for (const Edge& e : edges)
+      forest.join(e.a, e.b, turned(e));
   std::vector<std::uint8_t> flipped(normals.size());
-  for (std::uint32_t i = 0; i < normals.size(); ++i)
-    flipped[i] = forest.parity(i);
+  forPoints(normals.size(), [&](std::uint32_t i) { flipped[i] = forest.parity(i); });
   return flipped;
 }
 
@@ -89,32 +99,33 @@ bool
 chooseOuterSide(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& normals, const std::vector<float>& radii,
                 const SurfaceGraphOptions& options, std::vector<std::uint8_t>& flipped)
 {
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-    centroid += blocks.position(i);
-  centroid /= static_cast<double>(blocks.size());
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  const Eigen::Vector3d centroid =
+      sumOverPoints(blocks.size(), zero, [&](std::uint32_t i, Eigen::Vector3d& sum) { sum += blocks.position(i); }) /
+      static_cast<double>(blocks.size());
   const bool given = options.given_normals.size() == blocks.size();
-  double as_given = 0.0, towards_view = 0.0, towards_z = 0.0, convex = 0.0, area = 0.0;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
+  enum { AsGiven, TowardsView, TowardsZ, Convex, Area, Terms };
+  using Sums = Eigen::Array<double, Terms, 1>;
+  const Sums sums = sumOverPoints(blocks.size(), Sums(Sums::Zero()), [&](std::uint32_t i, Sums& sum) {
     const double weight = static_cast<double>(radii[i]) * radii[i];
     const Eigen::Vector3d n = (flipped[i] ? -1.0 : 1.0) * normals[i].cast<double>();
     if (options.view_point)
-      towards_view += weight * n.dot((*options.view_point - blocks.position(i)).normalized());
+      sum[TowardsView] += weight * n.dot((*options.view_point - blocks.position(i)).normalized());
     if (given)
-      as_given += weight * n.dot(options.given_normals[blocks.originalIndex(i)].cast<double>());
-    towards_z += weight * n.z();
-    convex += weight * n.dot((blocks.position(i) - centroid).normalized());
-    area += weight;
-  }
+      sum[AsGiven] += weight * n.dot(options.given_normals[blocks.originalIndex(i)].cast<double>());
+    sum[TowardsZ] += weight * n.z();
+    sum[Convex] += weight * n.dot((blocks.position(i) - centroid).normalized());
+    sum[Area] += weight;
+  });
   constexpr double clear = 0.1; // of the area-weighted mean cosine
-  const bool z_tells = std::abs(towards_z) >= clear * area;
-  double side = as_given != 0.0 ? as_given : options.view_point ? towards_view : z_tells ? towards_z : convex;
+  const bool z_tells = std::abs(sums[TowardsZ]) >= clear * sums[Area], as_given = sums[AsGiven] != 0.0;
+  double side = sums[as_given ? AsGiven : options.view_point ? TowardsView : z_tells ? TowardsZ : Convex];
   if (options.flip_normals)
     side = -side;
   if (side < 0.0)
     for (std::uint8_t& f : flipped)
       f ^= 1;
-  return as_given != 0.0 || options.view_point || z_tells;
+  return as_given || options.view_point || z_tells;
 }
 
 } // namespace pcl_spiral

@@ -1,5 +1,7 @@
 #include "star_triangles.h"
 
+#include "pieces.h"
+
 #include <algorithm>
 #include <unordered_set>
 
@@ -9,32 +11,15 @@ namespace {
 using Triangle = Triangulation::Triangle;
 constexpr std::uint32_t none = Triangulation::none;
 
-/** Points are worked on in pieces of this many, each by one thread. */
-constexpr std::uint32_t piece = 4096;
-
-/** Calls \p work(v) for every point of every piece, pieces in parallel. */
-template <typename Work>
-void
-forPoints(std::size_t points, Work work)
-{
-  const auto pieces = static_cast<std::int64_t>((points + piece - 1) / piece);
-#pragma omp parallel for schedule(dynamic)
-  for (std::int64_t p = 0; p < pieces; ++p) {
-    const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(points, (p + 1) * piece));
-    for (auto v = static_cast<std::uint32_t>(p * piece); v < end; ++v)
-      work(v);
-  }
-}
-
 /** The number of the triangle all agree on at each slot, none where they do not. Triangles are numbered by their smallest
  *  corner, so that those of one place lie together. */
 std::vector<std::uint32_t>
 numberAgreed(const StarSet& stars, std::size_t& count)
 {
   std::vector<std::uint32_t> number(stars.spokes.size(), none);
-  std::vector<std::uint32_t> first((stars.size() + piece - 1) / piece + 1, 0); // of each piece
+  std::vector<std::uint32_t> first(pieceCount(stars.size()) + 1, 0); // of each piece
   forPoints(stars.size(), [&](std::uint32_t v) {
-    std::uint32_t& own = first[v / piece + 1];
+    std::uint32_t& own = first[v / piece_size + 1];
     for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
       const std::uint32_t a = stars.neighbourAt(slot), b = stars.neighbourAt(stars.slotAfter(v, slot));
       if (!stars.hasTriangle(slot) || a < v || b < v)
@@ -49,7 +34,7 @@ numberAgreed(const StarSet& stars, std::size_t& count)
   forPoints(stars.size(), [&](std::uint32_t v) {
     for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot)
       if (number[slot] != none)
-        number[slot] += first[std::min({v, stars.neighbourAt(slot), stars.neighbourAt(stars.slotAfter(v, slot))}) / piece];
+        number[slot] += first[std::min({v, stars.neighbourAt(slot), stars.neighbourAt(stars.slotAfter(v, slot))}) / piece_size];
   });
   count = first.back();
   return number;
@@ -108,7 +93,7 @@ struct Candidate {
 std::vector<Candidate>
 disputedTriangles(const StarSet& stars, const std::vector<std::uint32_t>& number)
 {
-  std::vector<std::vector<Candidate>> found((stars.size() + piece - 1) / piece);
+  std::vector<std::vector<Candidate>> found(pieceCount(stars.size()));
   forPoints(stars.size(), [&](std::uint32_t v) {
     for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
       if (!stars.hasTriangle(slot) || number[slot] != none)
@@ -116,7 +101,7 @@ disputedTriangles(const StarSet& stars, const std::vector<std::uint32_t>& number
       const std::uint32_t a = stars.neighbourAt(slot), b = stars.neighbourAt(stars.slotAfter(v, slot));
       const bool in_a = stars.slotOf(a, b, v) != none, in_b = stars.slotOf(b, v, a) != none;
       if (!(in_a && a < v) && !(in_b && b < v))
-        found[v / piece].push_back({{v, a, b}, 1 + in_a + in_b});
+        found[v / piece_size].push_back({{v, a, b}, 1 + in_a + in_b});
     }
   });
   std::vector<Candidate> disputed;

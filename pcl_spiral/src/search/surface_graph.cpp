@@ -5,9 +5,11 @@
 #include <pcl_spiral/search/neighbour_search.h>
 
 #include "normal_orientation.h"
+#include "pieces.h"
 #include "star_triangles.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -142,10 +144,12 @@ private:
     tangentFrame(normal, e1, e2);
     u_.resize(near.size);
     v_.resize(near.size);
+    double *u = u_.data(), *v = v_.data();
+#pragma omp simd
     for (int j = 0; j < near.size; ++j) {
-      const Eigen::Vector3d d(near.x[j], near.y[j], near.z[j]);
-      u_[j] = d.dot(e1);
-      v_[j] = d.dot(e2);
+      const double x = near.x[j], y = near.y[j], z = near.z[j];
+      u[j] = x * e1.x() + y * e1.y() + z * e1.z();
+      v[j] = x * e2.x() + y * e2.y() + z * e2.z();
     }
     star_.compute(u_.data(), v_.data(), near.size, max_circumradius);
   }
@@ -238,16 +242,19 @@ findStrays(const PointBlocks& blocks, const StarSet& stars, const std::vector<fl
 {
   constexpr double over_median = 8.0, over_spacing = 0.25, company = 0.5;
   const double usual = median(heights);
-  std::vector<std::uint32_t> strays;
-  for (std::uint32_t i = 0; i < blocks.size(); ++i) {
+  std::vector<std::vector<std::uint32_t>> found(pieceCount(blocks.size()));
+  forPoints(blocks.size(), [&](std::uint32_t i) {
     if (heights[i] < over_median * usual || heights[i] < over_spacing * evenSpacing(radii[i], k))
-      continue;
+      return;
     bool alone = true;
     for (std::uint32_t s = stars.begin[i]; s < stars.begin[i + 1]; ++s)
-      alone = alone && heights[StarSet::neighbour(stars.spokes[s])] < company * heights[i];
+      alone = alone && heights[stars.neighbourAt(s)] < company * heights[i];
     if (alone)
-      strays.push_back(blocks.originalIndex(i));
-  }
+      found[i / piece_size].push_back(blocks.originalIndex(i));
+  });
+  std::vector<std::uint32_t> strays;
+  for (const auto& part : found)
+    strays.insert(strays.end(), part.begin(), part.end());
   std::sort(strays.begin(), strays.end());
   return strays;
 }
@@ -278,20 +285,16 @@ SurfaceGraph::build(const std::vector<Eigen::Vector3f>& points, const SurfaceGra
 
   std::vector<std::uint8_t> flipped = consistentSigns(normals_, stars);
   orientation_is_clear_ = chooseOuterSide(blocks_, normals_, radii_, options, flipped);
-  const auto count = static_cast<std::int64_t>(size());
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < count; ++i)
+  const Eigen::Vector4d zero = Eigen::Vector4d::Zero();
+  const Eigen::Vector4d sum = sumOverPoints(size(), zero, [&](std::uint32_t i, Eigen::Vector4d& part) {
     if (flipped[i]) {
       normals_[i] = -normals_[i];
       stars.reverse(i);
     }
-  mean_normal_.setZero();
-  for (std::size_t i = 0; i < size(); ++i)
-    mean_normal_ += radii_[i] * radii_[i] * normals_[i].cast<double>();
-  double area = 0.0;
-  for (const float r : radii_)
-    area += static_cast<double>(r) * r;
-  mean_normal_ /= area;
+    const double area = static_cast<double>(radii_[i]) * radii_[i];
+    part += area * normals_[i].cast<double>().homogeneous();
+  });
+  mean_normal_ = sum.head<3>() / sum.w();
   triangulation_ = triangulate(stars, pinhole_edges);
   return Status::success();
 }

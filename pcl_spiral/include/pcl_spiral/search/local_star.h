@@ -29,17 +29,22 @@ public:
   double reach() const { return reach_; }
 
 private:
-  /** A corner of the cell, and the neighbour whose bisector the edge from it to the next lies on; -1 the first square. */
-  struct Vertex {
-    double x, y;
-    int edge;
+  /** The Voronoi cell: corners counter-clockwise, and with each the neighbour whose bisector the edge from it to the next
+   *  lies on, -1 on the first square. Filled up with the point itself, which no bisector cuts off, to whole lanes. */
+  struct Cell {
+    std::vector<double> x, y;
+    std::vector<int> edge;
+    int size = 0;
+
+    void resize(int room);
+    void add(double corner_x, double corner_y, int next_edge);
+    void fillUp();
   };
   /** Cut off what is nearer to (u, v) than to the point; returns whether anything was. */
   bool clip(double u, double v, int neighbour);
 
-  std::vector<Vertex> cell_, clipped_; ///< the first size_ are in use
+  Cell cell_, clipped_;
   std::vector<double> side_;
-  std::size_t size_ = 0;
   std::vector<Spoke> spokes_;
   double reach_ = 0.0;
 };
