@@ -114,15 +114,14 @@ sortSpatially(std::vector<IndexedPosition>& positions)
   sortNode(positions.data(), partition, 0, partition.halvings());
 }
 
-PointBlocks::PointBlocks(const std::vector<Eigen::Vector3f>& points) : partition_(points.size())
+PointBlocks::PointBlocks(std::vector<Eigen::Vector3f> points) : points_(std::move(points)), partition_(points_.size())
 {
-  const auto count = static_cast<std::int64_t>(points.size());
-  std::vector<IndexedPosition> order(points.size());
+  const auto count = static_cast<std::int64_t>(points_.size());
+  std::vector<IndexedPosition> order(points_.size());
 #pragma omp parallel for schedule(static)
   for (std::int64_t i = 0; i < count; ++i)
-    order[i] = {points[i].x(), points[i].y(), points[i].z(), static_cast<std::uint32_t>(i)};
+    order[i] = {points_[i].x(), points_[i].y(), points_[i].z(), static_cast<std::uint32_t>(i)};
   sortSpatially(order);
-  points_.resize(order.size());
   original_.resize(order.size());
 #pragma omp parallel for schedule(static)
   for (std::int64_t i = 0; i < count; ++i) {

@@ -24,10 +24,13 @@ buildWithoutStrays(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions opti
   source.resize(points.size());
   std::iota(source.begin(), source.end(), 0u);
   for (int round = 0;; ++round) {
-    if (const Status status = graph.build(points, options); !status.ok())
+    if (const Status status = graph.build(std::move(points), options); !status.ok())
       return status;
     if (graph.strayPoints().empty() || round == rounds)
       return Status::success();
+    points.resize(graph.size());
+    for (std::size_t i = 0; i < graph.size(); ++i)
+      points[graph.blocks().originalIndex(i)] = graph.blocks().point(i);
     for (auto stray = graph.strayPoints().rbegin(); stray != graph.strayPoints().rend(); ++stray) {
       removeAt(points, *stray);
       removeAt(source, *stray);

@@ -193,28 +193,31 @@ StarSet
 visitAll(const PointBlocks& blocks, int k, double max_circumradius, std::vector<Eigen::Vector3f>& normals,
          std::vector<float>& radii, std::vector<float>& heights)
 {
-  heights.resize(blocks.size());
-  const auto block_count = static_cast<std::int64_t>(blocks.blockCount());
+  constexpr std::int64_t run = 128; // blocks that one thread takes at a time
+  const auto block_count = static_cast<std::int64_t>(blocks.blockCount()), runs = (block_count + run - 1) / run;
   normals.resize(blocks.size());
   radii.resize(blocks.size());
+  heights.resize(blocks.size());
   StarSet stars;
   stars.begin.assign(blocks.size() + 1, 0);
-  std::vector<std::vector<std::uint32_t>> spokes(block_count);
+  std::vector<std::vector<std::uint32_t>> spokes(runs);
 #pragma omp parallel
   {
     StarWorker worker(blocks, k, max_circumradius);
-#pragma omp for schedule(dynamic, 16)
-    for (std::int64_t b = 0; b < block_count; ++b) {
-      worker.setRun(b);
-      spokes[b].reserve(8 * PointBlocks::block_size);
-      for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); ++i) {
-        LocalShape shape;
-        worker.visit(i, shape);
-        normals[i] = shape.normal.cast<float>();
-        radii[i] = static_cast<float>(shape.radius);
-        heights[i] = static_cast<float>(shape.height);
-        worker.append(spokes[b]);
-        stars.begin[i + 1] = static_cast<std::uint32_t>(worker.spokeCount());
+#pragma omp for schedule(dynamic)
+    for (std::int64_t r = 0; r < runs; ++r) {
+      spokes[r].reserve(6 * run * PointBlocks::block_size);
+      for (std::int64_t b = r * run; b < std::min(block_count, (r + 1) * run); ++b) {
+        worker.setRun(b);
+        for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); ++i) {
+          LocalShape shape;
+          worker.visit(i, shape);
+          normals[i] = shape.normal.cast<float>();
+          radii[i] = static_cast<float>(shape.radius);
+          heights[i] = static_cast<float>(shape.height);
+          worker.append(spokes[r]);
+          stars.begin[i + 1] = static_cast<std::uint32_t>(worker.spokeCount());
+        }
       }
     }
   }
@@ -222,8 +225,10 @@ visitAll(const PointBlocks& blocks, int k, double max_circumradius, std::vector<
     stars.begin[i + 1] += stars.begin[i];
   stars.spokes.resize(stars.begin.back());
 #pragma omp parallel for schedule(static)
-  for (std::int64_t b = 0; b < block_count; ++b)
-    std::copy(spokes[b].begin(), spokes[b].end(), stars.spokes.begin() + stars.begin[blocks.blockBegin(b)]);
+  for (std::int64_t r = 0; r < runs; ++r) {
+    std::copy(spokes[r].begin(), spokes[r].end(), stars.spokes.begin() + stars.begin[blocks.blockBegin(r * run)]);
+    std::vector<std::uint32_t>().swap(spokes[r]);
+  }
   return stars;
 }
 
@@ -268,17 +273,18 @@ SurfaceGraph::spacing(std::size_t i) const
 }
 
 Status
-SurfaceGraph::build(const std::vector<Eigen::Vector3f>& points, const SurfaceGraphOptions& options)
+SurfaceGraph::build(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options)
 {
   if (points.size() < fewest_points)
     return {StatusCode::InvalidInput, "the cloud has " + std::to_string(points.size()) +
                                           " usable points; a surface needs at least " +
                                           std::to_string(fewest_points) + ": scan more densely or thin less"};
-  blocks_ = PointBlocks(points);
+  blocks_ = PointBlocks(std::move(points));
   neighbours_ = enoughNeighbours(blocks_, options);
   std::vector<float> heights;
   StarSet stars = visitAll(blocks_, neighbours_, options.max_circumradius, normals_, radii_, heights);
   stray_points_ = findStrays(blocks_, stars, heights, radii_, neighbours_);
+  std::vector<float>().swap(heights);
   spacing_ = evenSpacing(median(radii_), neighbours_);
   if (!(spacing_ > 0.0))
     return {StatusCode::InvalidInput, "most points of the cloud coincide: remove duplicates or check the units"};

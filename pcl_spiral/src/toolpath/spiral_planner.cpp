@@ -40,16 +40,6 @@ at(const Eigen::Vector3d& p)
   return text("(", p.x(), ", ", p.y(), ", ", p.z(), ")");
 }
 
-/** Of the box about the points. */
-double
-diagonal(const std::vector<Eigen::Vector3f>& points)
-{
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3f& p : points)
-    box.extend(p.cast<double>());
-  return box.isEmpty() ? 0.0 : box.diagonal().norm();
-}
-
 } // namespace
 
 SpiralPlanner::SpiralPlanner(const SpiralSettings& settings, ProgressCallback progress, SpiralReport& report,
@@ -65,19 +55,16 @@ SpiralPlanner::report(double share, const std::string& stage)
 }
 
 Status
-SpiralPlanner::makeGraph(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals)
+SpiralPlanner::makeGraph(std::vector<Eigen::Vector3f> points, std::vector<Eigen::Vector3f> normals)
 {
   SurfaceGraphOptions options;
   options.view_point = settings_.view_point;
   options.flip_normals = settings_.flip_normals;
-  points.insert(points.end(), bridges_.begin(), bridges_.end());
-  options.given_normals = normals;
-  options.given_normals.resize(normals.empty() ? 0 : points.size(), Eigen::Vector3f::Zero());
+  options.given_normals = std::move(normals);
   const std::size_t given = points.size();
-  std::vector<std::uint32_t> kept;
-  if (const Status status = buildWithoutStrays(std::move(points), std::move(options), graph_, kept); !status.ok())
+  if (const Status status = buildWithoutStrays(std::move(points), std::move(options), graph_, source_); !status.ok())
     return status;
-  const std::size_t strays = given - kept.size();
+  const std::size_t strays = given - source_.size();
   if (strays > 0 && bridges_.empty()) {
     report_.outlier_points += strays;
     report_.used_points -= strays;
@@ -107,7 +94,7 @@ SpiralPlanner::findLoops()
 }
 
 Status
-SpiralPlanner::bridgeGaps(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals)
+SpiralPlanner::bridgeGaps(const std::vector<Eigen::Vector3f>& normals)
 {
   BoundaryChoice choice;
   if (const Status status = chooseBoundaries(report_.loops, settings_.boundary_mode, choice); !status.ok())
@@ -134,7 +121,12 @@ SpiralPlanner::bridgeGaps(std::vector<Eigen::Vector3f> points, const std::vector
   }
   if (bridges_.empty())
     return Status::success();
-  if (const Status status = makeGraph(std::move(points), normals); !status.ok())
+  std::vector<Eigen::Vector3f> points = graph_.blocks().points(), known;
+  for (std::size_t i = 0; !normals.empty() && i < points.size(); ++i)
+    known.push_back(normals[source_[graph_.blocks().originalIndex(i)]]);
+  points.insert(points.end(), bridges_.begin(), bridges_.end());
+  known.resize(normals.empty() ? 0 : points.size(), Eigen::Vector3f::Zero());
+  if (const Status status = makeGraph(std::move(points), std::move(known)); !status.ok())
     return status;
   if (const Status status = findLoops(); !status.ok())
     return status;
@@ -272,15 +264,14 @@ SpiralPlanner::checkPath(const SpiralPath& path)
 }
 
 Status
-SpiralPlanner::plan(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& normals,
-                    SpiralPath& path)
+SpiralPlanner::plan(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals, SpiralPath& path)
 {
   const Status cancelled(StatusCode::Cancelled, "cancelled");
   if (!report(0.05, "surface"))
     return cancelled;
-  if (const Status status = makeGraph(points, normals); !status.ok())
+  if (const Status status = makeGraph(std::move(points), normals); !status.ok())
     return status;
-  if (const double across = diagonal(points); across < settings_.tool_radius)
+  if (const double across = graph_.blocks().box().diagonal(); across < settings_.tool_radius)
     return {StatusCode::InvalidInput, text("the whole scan is ", across, " across, less than the tool radius ",
                                            settings_.tool_radius, ": is the scan in metres or inches? Say its unit (--units m), or scale it to mm")};
   clock_.end("surface");
@@ -288,7 +279,7 @@ SpiralPlanner::plan(const std::vector<Eigen::Vector3f>& points, const std::vecto
     return cancelled;
   if (const Status status = findLoops(); !status.ok())
     return status;
-  if (const Status status = bridgeGaps(points, normals); !status.ok())
+  if (const Status status = bridgeGaps(normals); !status.ok())
     return status;
   if (!graph_.orientationIsClear() && normals.empty())
     report_.warnings.push_back("the outer side could not be told from +z; the convex side was taken: give a view point "

@@ -104,7 +104,7 @@ public:
   static constexpr std::size_t block_size = BlockPartition::block_size; ///< at most
 
   PointBlocks() = default;
-  explicit PointBlocks(const std::vector<Eigen::Vector3f>& points);
+  explicit PointBlocks(std::vector<Eigen::Vector3f> points);
 
   std::size_t size() const { return points_.size(); }
   const Eigen::Vector3f& point(std::size_t i) const { return points_[i]; }

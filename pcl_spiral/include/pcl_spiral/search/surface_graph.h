@@ -30,7 +30,7 @@ public:
   SurfaceGraph() = default;
 
   /** Make the graph. \p points must be finite; fails on fewer than 50, or when they do not form a surface. */
-  Status build(const std::vector<Eigen::Vector3f>& points, const SurfaceGraphOptions& options);
+  Status build(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options);
 
   std::size_t size() const { return blocks_.size(); }
   const PointBlocks& blocks() const { return blocks_; }

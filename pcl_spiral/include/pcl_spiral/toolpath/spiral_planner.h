@@ -36,13 +36,12 @@ public:
   SpiralPlanner(const SpiralSettings& settings, ProgressCallback progress, SpiralReport& report, StageClock& clock);
 
   /** \p points: finite and all different; \p normals: out of the material, one a point, or empty. */
-  Status plan(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& normals,
-              SpiralPath& path);
+  Status plan(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals, SpiralPath& path);
 
 private:
-  Status makeGraph(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals);
+  Status makeGraph(std::vector<Eigen::Vector3f> points, std::vector<Eigen::Vector3f> normals);
   Status findLoops();
-  Status bridgeGaps(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals);
+  Status bridgeGaps(const std::vector<Eigen::Vector3f>& normals);
   Status makeLines(bool two, RadialLineSet& set);
   Status makeCurve(const RadialLineSet& set, bool two, std::vector<SpiralPoint>& curve);
   Status putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& path);
@@ -55,6 +54,7 @@ private:
   SpiralReport& report_;
   StageClock& clock_;
   SurfaceGraph graph_;
+  std::vector<std::uint32_t> source_; ///< which of the points given each of the graph's was
   std::unique_ptr<MlsSurface> surface_;
   std::vector<Eigen::Vector3f> bridges_; ///< points that were put into gaps
 };

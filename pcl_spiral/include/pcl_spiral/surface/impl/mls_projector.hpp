@@ -149,7 +149,7 @@ MLSProjector<PointInT, PointOutT>::compute(PointCloudOut& output)
   status_ = check();
   if (status_.ok()) {
     usable = usablePoints(*input_, indices_.get());
-    status_ = graph.build(usable.positions, {});
+    status_ = graph.build(std::move(usable.positions), {});
   }
   if (status_.ok())
     status_ = findSide(graph, usable.source, flip);

@@ -64,7 +64,7 @@ SurfacePreparation<PointT>::select()
                 ", thinned " + std::to_string(counts_.thinned) +
                 "); a surface needs at least 50: give a denser scan or thin less"};
   source_indices_ = std::move(usable.source);
-  return graph_.build(usable.positions, graph_options_);
+  return graph_.build(std::move(usable.positions), graph_options_);
 }
 
 template <typename PointT>
