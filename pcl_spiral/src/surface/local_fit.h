@@ -3,23 +3,38 @@
  */
 #pragma once
 
+#include "patch_search.h"
+
 #include <pcl_spiral/search/neighbour_search.h>
 #include <pcl_spiral/surface/mls_surface.h>
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace pcl_spiral {
 
 /** How far a query lies beyond the outermost of its neighbours, seen towards their centroid (an offset from it in the
  *  tangent plane); 0 when it lies among them. */
+template <typename Points>
 double
-overhang(const Neighbourhood& near, const Eigen::Vector3d& centroid);
+overhang(const Points& points, const Eigen::Vector3d& centroid)
+{
+  const double distance = centroid.norm();
+  if (!(distance > 0.0))
+    return 0.0;
+  const Eigen::Vector3f inward = (centroid / distance).template cast<float>();
+  float nearest = std::numeric_limits<float>::max();
+  for (int j = 0; j < points.size && nearest > 0.0f; ++j)
+    nearest = std::min(nearest, points.x[j] * inward.x() + points.y[j] * inward.y() + points.z[j] * inward.z());
+  return std::max(0.0f, nearest);
+}
 
 /** Foot of a query on the quadric f(u, v) = b0 + b1 u + b2 v + b3 u^2 + b4 u v + b5 v^2 over the plane across \p up,
  *  fitted to its neighbours with the weight (1 - r^2)^3, r the distance in the plane over that of the farthest.
  *  Source: Levin, The approximation power of moving least squares, 1998; weight after Wendland. */
 SurfaceFoot
-quadraticFoot(const Eigen::Vector3d& query, const Neighbourhood& near, const Eigen::Vector3d& up);
+quadraticFoot(const Eigen::Vector3d& query, const Patch& patch, const Eigen::Vector3d& up);
 
 /** Foot on a polynomial of the fourth degree with the same weight, as far as it can be told from the quadric. Neighbours
  *  more than four standard deviations off it (by the median deviation) are left out and the rest is fitted again, up to

@@ -15,63 +15,56 @@ namespace {
 constexpr int fewest_neighbours = 32, most_neighbours = 256;
 constexpr double farthest_in_spacings = 4.0; // of a query from the nearest point; triangles span up to three
 constexpr double refit_distance = 0.1;       // in spacings: a foot that far from the query gets a fit of its own
-constexpr double run_width = 1.5;            // of queries searched together, in radii of a neighbourhood
+constexpr double run_width = 3.0;            // of queries searched together, in radii of a neighbourhood
 constexpr double largest_overhang = 1.25;    // in spacings
 
-/** Mean of the oriented normals of the nearest few neighbours. */
+/** Mean of the oriented normals of the nearest few points. */
 Eigen::Vector3d
-meanNormal(const Neighbourhood& near, const std::vector<Eigen::Vector3f>& normals)
+meanNormal(const std::uint32_t* nearest, int count, const std::vector<Eigen::Vector3f>& normals)
 {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-  for (int j = 0; j < std::min(near.size, 12); ++j)
-    sum += normals[near.index[j]];
+  for (int j = 0; j < count; ++j)
+    sum += normals[nearest[j]];
   const float norm = sum.norm();
-  return norm > 0.0f ? Eigen::Vector3d((sum / norm).cast<double>()) : normals[near.index[0]].cast<double>();
+  return norm > 0.0f ? Eigen::Vector3d((sum / norm).cast<double>()) : normals[nearest[0]].cast<double>();
 }
 
-/** Queries that lie together, one search for all of them. */
-struct QueryRun {
-  std::size_t begin, end;
-  Box box;
+struct NearestPoint {
+  std::uint32_t index;
+  float squared_distance;
 };
 
-/** Runs of up to a block of spatially sorted queries, none wider than \p widest: few queries far apart would each scan
- *  what lies between them. */
-std::vector<QueryRun>
-runsOf(const std::vector<IndexedPosition>& order, float widest)
+NearestPoint
+nearestOf(const Patch& patch)
 {
-  std::vector<QueryRun> runs;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (!runs.empty() && i - runs.back().begin < PointBlocks::block_size) {
-      Box box = runs.back().box;
-      box.extend(&order[i].x);
-      if (box.diagonal() <= widest) {
-        runs.back().box = box;
-        runs.back().end = i + 1;
-        continue;
-      }
-    }
-    QueryRun run{i, i + 1, {}};
-    run.box.extend(&order[i].x);
-    runs.push_back(run);
+  return {patch.nearest, patch.nearest_squared_distance};
+}
+
+NearestPoint
+nearestOf(const Neighbourhood& near)
+{
+  return {near.index[0], near.squared_distance[0]};
+}
+
+/** End of the run of queries from \p begin that one search serves, and the run's \p box: no wider than \p widest, since
+ *  few queries far apart would each scan what lies between them. */
+std::size_t
+endOfRun(const std::vector<IndexedPosition>& order, std::size_t begin, std::size_t end, float widest, Box& box)
+{
+  box = Box();
+  box.extend(&order[begin].x);
+  std::size_t i = begin + 1;
+  for (; i < end; ++i) {
+    Box wider = box;
+    wider.extend(&order[i].x);
+    if (wider.diagonal() > widest)
+      break;
+    box = wider;
   }
-  return runs;
+  return i;
 }
 
 } // namespace
-
-double
-overhang(const Neighbourhood& near, const Eigen::Vector3d& centroid)
-{
-  const double distance = centroid.norm();
-  if (!(distance > 0.0))
-    return 0.0;
-  const Eigen::Vector3f inward = (centroid / distance).cast<float>();
-  float nearest = near.x[0] * inward.x() + near.y[0] * inward.y() + near.z[0] * inward.z();
-  for (int j = 1; j < near.size; ++j)
-    nearest = std::min(nearest, near.x[j] * inward.x() + near.y[j] * inward.y() + near.z[j] * inward.z());
-  return std::max(0.0f, nearest);
-}
 
 MlsSurface::MlsSurface(const SurfaceGraph& graph, int neighbours, ProjectionMethod method)
 : graph_(graph), method_(method), neighbours_(neighbours)
@@ -79,74 +72,93 @@ MlsSurface::MlsSurface(const SurfaceGraph& graph, int neighbours, ProjectionMeth
   chooseNeighbours();
 }
 
-void
+std::vector<std::uint8_t>
 MlsSurface::projectOnce(const std::vector<std::uint32_t>& which, std::vector<SurfaceFoot>& feet, int neighbours) const
 {
+  const auto count = static_cast<std::int64_t>(which.size());
+  std::vector<std::uint8_t> moved(which.size(), 0);
   std::vector<IndexedPosition> order(which.size());
-  for (std::size_t i = 0; i < which.size(); ++i) {
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i) {
     const Eigen::Vector3f q = feet[which[i]].position.cast<float>();
-    order[i] = {q.x(), q.y(), q.z(), which[i]};
+    order[i] = {q.x(), q.y(), q.z(), static_cast<std::uint32_t>(i)};
   }
   sortSpatially(order);
-  const auto widest = static_cast<float>(run_width * graph_.spacing() * std::sqrt(neighbours / M_PI));
-  const std::vector<QueryRun> runs = runsOf(order, widest);
-  const auto reach = static_cast<float>(12.0 * graph_.spacing() * std::sqrt(neighbours / M_PI));
-#pragma omp parallel
-  {
-    NeighbourSearch search(graph_.blocks(), neighbours, reach);
+  const double usual_radius = graph_.spacing() * std::sqrt(neighbours / M_PI);
+  const auto widest = static_cast<float>(run_width * usual_radius), reach = static_cast<float>(12.0 * usual_radius);
+  const auto fitAll = [&](auto search, auto fit) {
+    constexpr auto block_size = static_cast<std::int64_t>(PointBlocks::block_size);
+    const int needed = std::min<int>(neighbours, static_cast<int>(graph_.size()));
 #pragma omp for schedule(dynamic, 16)
-    for (std::int64_t r = 0; r < static_cast<std::int64_t>(runs.size()); ++r) {
-      search.setRun(runs[r].box);
-      for (std::size_t i = runs[r].begin; i < runs[r].end; ++i) {
-        SurfaceFoot& foot = feet[order[i].index];
-        const Eigen::Vector3d from = foot.position;
-        const Neighbourhood& near = search.find(from);
-        foot.valid = false;
-        if (near.size < std::min<int>(neighbours, static_cast<int>(graph_.size())) ||
-            std::sqrt(near.squared_distance[0]) > farthest_in_spacings * graph_.spacing(near.index[0]))
-          continue;
-        switch (method_) {
-        case ProjectionMethod::Quadratic:
-          foot = quadraticFoot(from, near, meanNormal(near, graph_.normals()));
-          break;
-        case ProjectionMethod::RobustQuartic:
-          foot = robustQuarticFoot(from, near, meanNormal(near, graph_.normals()));
-          break;
-        case ProjectionMethod::DirectionalCentroid:
-          foot = directionalCentroidFoot(from, near, graph_.normals());
-          break;
+    for (std::int64_t block = 0; block < count; block += block_size) {
+      const auto block_end = static_cast<std::size_t>(std::min(count, block + block_size));
+      for (std::size_t i = block, end = i; i < block_end;) {
+        Box box;
+        end = endOfRun(order, i, block_end, widest, box);
+        search.setRun(box);
+        for (; i < end; ++i) {
+          SurfaceFoot& foot = feet[which[order[i].index]];
+          const Eigen::Vector3d from = foot.position;
+          const auto& near = search.find(from);
+          foot.valid = false;
+          if (near.size < needed)
+            continue;
+          const NearestPoint nearest = nearestOf(near);
+          const double spacing = graph_.spacing(nearest.index);
+          if (std::sqrt(nearest.squared_distance) > farthest_in_spacings * spacing)
+            continue;
+          foot = fit(from, near);
+          foot.valid = foot.valid && foot.overhang < largest_overhang * spacing;
+          moved[order[i].index] = foot.valid && (foot.position - from).norm() > refit_distance * graph_.spacing();
         }
-        foot.valid = foot.valid && foot.overhang < largest_overhang * graph_.spacing(near.index[0]);
       }
     }
+  };
+  const std::vector<Eigen::Vector3f>& normals = graph_.normals();
+  const auto quadratic = [&](const Eigen::Vector3d& q, const Patch& near) {
+    return quadraticFoot(q, near, meanNormal(near.inner, near.inner_size, normals));
+  };
+  const auto quartic = [&](const Eigen::Vector3d& q, const Neighbourhood& near) {
+    return robustQuarticFoot(q, near, meanNormal(near.index, std::min(near.size, 12), normals));
+  };
+  const auto centroid = [&](const Eigen::Vector3d& q, const Neighbourhood& near) {
+    return directionalCentroidFoot(q, near, normals);
+  };
+#pragma omp parallel
+  switch (method_) {
+  case ProjectionMethod::Quadratic: fitAll(PatchSearch(graph_.blocks(), neighbours, reach), quadratic); break;
+  case ProjectionMethod::RobustQuartic: fitAll(NeighbourSearch(graph_.blocks(), neighbours, reach), quartic); break;
+  case ProjectionMethod::DirectionalCentroid:
+    fitAll(NeighbourSearch(graph_.blocks(), neighbours, reach), centroid);
+    break;
   }
+  return moved;
 }
 
 void
 MlsSurface::project(const std::vector<Eigen::Vector3d>& queries, std::vector<SurfaceFoot>& feet) const
 {
   constexpr int most_rounds = 4;
-  feet.assign(queries.size(), SurfaceFoot());
+  constexpr double farthest_query = 1e15;
+  feet.resize(queries.size());
   std::vector<std::uint32_t> which;
   which.reserve(queries.size());
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    feet[i].position = queries[i];
-    if (queries[i].allFinite() && queries[i].cwiseAbs().maxCoeff() < 1e15)
+  for (std::size_t i = 0; i < queries.size(); ++i)
+    if (queries[i].allFinite() && queries[i].cwiseAbs().maxCoeff() < farthest_query)
       which.push_back(static_cast<std::uint32_t>(i));
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(queries.size()); ++i) {
+    feet[i] = SurfaceFoot();
+    feet[i].position = queries[i];
   }
   // A fit is about the query; where the foot lies well away from it, fit again about the foot.
   for (int round = 0; round < most_rounds && !which.empty(); ++round) {
-    std::vector<Eigen::Vector3d> before(which.size());
+    const std::vector<std::uint8_t> moved = projectOnce(which, feet, neighbours_);
+    std::size_t again = 0;
     for (std::size_t i = 0; i < which.size(); ++i)
-      before[i] = feet[which[i]].position;
-    projectOnce(which, feet, neighbours_);
-    std::vector<std::uint32_t> again;
-    for (std::size_t i = 0; i < which.size(); ++i) {
-      const SurfaceFoot& foot = feet[which[i]];
-      if (foot.valid && (foot.position - before[i]).norm() > refit_distance * graph_.spacing())
-        again.push_back(which[i]);
-    }
-    which.swap(again);
+      if (moved[i])
+        which[again++] = which[i];
+    which.resize(again);
   }
 }
 

@@ -5,33 +5,51 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
+#include <utility>
 
 namespace pcl_spiral {
 
-/** Cholesky factors of a symmetric matrix of \p N rows, of which the lower triangle is read. The leading rows of the
- *  factor are the factor of the leading block: a fit of lower degree comes with it. */
+template <typename Body, int... I>
+inline __attribute__((always_inline)) void
+forEachOf(Body&& body, std::integer_sequence<int, I...>)
+{
+  (body(std::integral_constant<int, I>()), ...);
+}
+
+/** Call \p body with the constants 0 .. N - 1: a loop that the compiler sees whole, also inside another. */
+template <int N, typename Body>
+inline __attribute__((always_inline)) void
+unrolled(Body&& body)
+{
+  forEachOf(body, std::make_integer_sequence<int, N>());
+}
+
+/** Factors L D L' of a symmetric matrix of \p N rows, of which the lower triangle is read. The leading rows of the
+ *  factors are the factors of the leading block: a fit of lower degree comes with it. */
 template <int N>
 class NormalEquations {
 public:
   using Matrix = Eigen::Matrix<double, N, N>;
 
-  explicit NormalEquations(const Matrix& matrix) : l_(matrix)
+  explicit NormalEquations(const Matrix& matrix)
   {
-    for (; rows_ < N; ++rows_) {
-      const double whole = l_(rows_, rows_);
-      for (int j = 0; j <= rows_; ++j) {
-        double sum = l_(rows_, j);
-        for (int k = 0; k < j; ++k)
-          sum -= l_(rows_, k) * l_(j, k);
-        if (j < rows_)
-          l_(rows_, j) = sum / l_(j, j);
-        else if (!(sum > 1e-6 * whole)) // the column hardly differs from the ones before it
-          return;
-        else
-          l_(j, j) = std::sqrt(sum);
-      }
-    }
+    double whole[N][N]; // L D
+    unrolled<N>([&](auto row) {
+      constexpr int i = row;
+      unrolled<i>([&](auto column) {
+        constexpr int j = column;
+        double sum = matrix(i, j);
+        unrolled<j>([&](auto k) { sum -= whole[i][k] * l_[j][k]; });
+        whole[i][j] = sum;
+        l_[i][j] = sum * inverse_[j];
+      });
+      double pivot = matrix(i, i);
+      unrolled<i>([&](auto k) { pivot -= whole[i][k] * l_[i][k]; });
+      // Too small: the column hardly differs from the ones before it.
+      if (rows_ == i && pivot > 1e-6 * matrix(i, i))
+        rows_ = i + 1;
+      inverse_[i] = 1.0 / pivot;
+    });
   }
 
   /** How many leading rows are determined. */
@@ -42,21 +60,18 @@ public:
   Eigen::Matrix<double, Rows, 1>
   solve(Eigen::Matrix<double, Rows, 1> b) const
   {
-    for (int i = 0; i < Rows; ++i) {
-      for (int k = 0; k < i; ++k)
-        b[i] -= l_(i, k) * b[k];
-      b[i] /= l_(i, i);
-    }
-    for (int i = Rows - 1; i >= 0; --i) {
-      for (int k = i + 1; k < Rows; ++k)
-        b[i] -= l_(k, i) * b[k];
-      b[i] /= l_(i, i);
-    }
+    unrolled<Rows>([&](auto i) { unrolled<i>([&](auto k) { b[i] -= l_[i][k] * b[k]; }); });
+    unrolled<Rows>([&](auto i) { b[i] *= inverse_[i]; });
+    unrolled<Rows>([&](auto from_end) {
+      constexpr int i = Rows - 1 - from_end;
+      unrolled<Rows - 1 - i>([&](auto k) { b[i] -= l_[i + 1 + k][i] * b[i + 1 + k]; });
+    });
     return b;
   }
 
 private:
-  Eigen::Matrix<double, N, N, Eigen::RowMajor> l_;
+  double l_[N][N]; ///< below the diagonal
+  double inverse_[N];
   int rows_ = 0;
 };
 

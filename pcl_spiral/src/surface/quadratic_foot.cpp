@@ -1,5 +1,6 @@
 #include "local_fit.h"
 #include "normal_equations.h"
+#include "patch_moments.h"
 #include "quadric.h"
 
 #include <pcl_spiral/core/frame.h>
@@ -8,62 +9,21 @@
 #include <cmath>
 
 namespace pcl_spiral {
-namespace {
-
-/** Weighted moments of the neighbours, coordinates over their radius. */
-struct Moments {
-  float w = 0;
-  float u = 0, v = 0, uu = 0, uv = 0, vv = 0, uuu = 0, uuv = 0, uvv = 0, vvv = 0;
-  float uuuu = 0, uuuv = 0, uuvv = 0, uvvv = 0, vvvv = 0;
-  float f = 0, fu = 0, fv = 0, fuu = 0, fuv = 0, fvv = 0, ff = 0;
-  float mean_u = 0, mean_v = 0; ///< unweighted
-};
-
-Moments
-momentsOf(const Neighbourhood& near, const Eigen::Vector3f& e1, const Eigen::Vector3f& e2, const Eigen::Vector3f& up,
-          float scale)
-{
-  float w = 0, su = 0, sv = 0, uu = 0, uv = 0, vv = 0, uuu = 0, uuv = 0, uvv = 0, vvv = 0;
-  float uuuu = 0, uuuv = 0, uuvv = 0, uvvv = 0, vvvv = 0;
-  float f = 0, fu = 0, fv = 0, fuu = 0, fuv = 0, fvv = 0, ff = 0, mean_u = 0, mean_v = 0;
-  const float *x = near.x, *y = near.y, *z = near.z;
-#pragma omp simd reduction(+ : w, su, sv, uu, uv, vv, uuu, uuv, uvv, vvv, uuuu, uuuv, uuvv, uvvv, vvvv, f, fu, fv, \
-                               fuu, fuv, fvv, ff, mean_u, mean_v)
-  for (int j = 0; j < near.size; ++j) {
-    const float a = (x[j] * e1[0] + y[j] * e1[1] + z[j] * e1[2]) * scale;
-    const float b = (x[j] * e2[0] + y[j] * e2[1] + z[j] * e2[2]) * scale;
-    const float h = (x[j] * up[0] + y[j] * up[1] + z[j] * up[2]) * scale;
-    const float inside = std::max(0.0f, 1.0f - (a * a + b * b));
-    const float weight = inside * inside * inside;
-    const float wa = weight * a, wb = weight * b, waa = wa * a, wab = wa * b, wbb = wb * b;
-    mean_u += a, mean_v += b;
-    w += weight;
-    su += wa, sv += wb, uu += waa, uv += wab, vv += wbb;
-    uuu += waa * a, uuv += waa * b, uvv += wab * b, vvv += wbb * b;
-    uuuu += waa * a * a, uuuv += waa * a * b, uuvv += waa * b * b, uvvv += wab * b * b, vvvv += wbb * b * b;
-    f += weight * h, fu += wa * h, fv += wb * h, fuu += waa * h, fuv += wab * h, fvv += wbb * h;
-    ff += weight * h * h;
-  }
-  const auto n = static_cast<float>(near.size);
-  return {w,    su,   sv, uu, uv, vv,  uuu, uuv, uvv, vvv,        uuuu,      uuuv,
-          uuvv, uvvv, vvvv, f,  fu, fv, fuu, fuv, fvv, ff,  mean_u / n, mean_v / n};
-}
-
-} // namespace
 
 SurfaceFoot
-quadraticFoot(const Eigen::Vector3d& query, const Neighbourhood& near, const Eigen::Vector3d& up)
+quadraticFoot(const Eigen::Vector3d& query, const Patch& patch, const Eigen::Vector3d& up)
 {
   SurfaceFoot foot;
   foot.position = query;
   foot.normal = up;
-  const double radius = std::sqrt(static_cast<double>(near.squared_distance[near.size - 1]));
+  const double radius = std::sqrt(static_cast<double>(patch.squared_radius));
   Eigen::Vector3d e1, e2;
   tangentFrame(up, e1, e2);
-  const Moments s = momentsOf(near, e1.cast<float>(), e2.cast<float>(), up.cast<float>(),
-                              static_cast<float>(1.0 / radius));
-  const Eigen::Vector3d centroid = radius * (s.mean_u * e1 + s.mean_v * e2);
-  foot.overhang = overhang(near, centroid);
+  Eigen::Matrix3f frame;
+  frame << (e1 / radius).cast<float>(), (e2 / radius).cast<float>(), (up / radius).cast<float>();
+  Moments s;
+  momentsOf(patch, frame.data(), s);
+  foot.overhang = overhang(patch, s.mean_u * e1 + s.mean_v * e2);
   Eigen::Matrix<double, 6, 6> a;
   a << s.w, s.u, s.v, s.uu, s.uv, s.vv,      //
       s.u, s.uu, s.uv, s.uuu, s.uuv, s.uvv,  //

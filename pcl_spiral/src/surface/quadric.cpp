@@ -43,11 +43,13 @@ shapeOfQuadric(const Vector6d& b, double u, double v, double radius, const Eigen
   const double a = 1.0 / root, c = -f / (root * area), d = root / area; // t1 = a x_u, t2 = c x_u + d x_v
   const double l = -fuu / area, m = -fuv / area, n = -fvv / area;       // convex positive
   const double k11 = a * a * l, k12 = a * (c * l + d * m), k22 = c * c * l + 2.0 * c * d * m + d * d * n;
-  const double mean = 0.5 * (k11 + k22), half = 0.5 * (k11 - k22), spread = std::hypot(half, k12);
+  const double mean = 0.5 * (k11 + k22), half = 0.5 * (k11 - k22), spread = std::sqrt(half * half + k12 * k12);
   foot.curvature1 = (mean + spread) / radius;
   foot.curvature2 = (mean - spread) / radius;
-  const double angle = spread > 0.0 ? 0.5 * std::atan2(k12, half) : 0.0;
-  foot.direction1 = std::cos(angle) * t1 + std::sin(angle) * t2;
+  // Of the two columns of shape - curvature2, the longer.
+  const double p = half >= 0.0 ? spread + half : k12, q = half >= 0.0 ? k12 : spread - half;
+  const double length = std::sqrt(p * p + q * q);
+  foot.direction1 = length > 0.0 ? Eigen::Vector3d((p * t1 + q * t2) / length) : t1;
 }
 
 } // namespace

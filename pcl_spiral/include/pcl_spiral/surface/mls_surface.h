@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl_spiral {
@@ -63,8 +64,10 @@ public:
 
 private:
   void chooseNeighbours();
-  /** Move the feet of \p which from where they stand to one fit about that place. */
-  void projectOnce(const std::vector<std::uint32_t>& which, std::vector<SurfaceFoot>& feet, int neighbours) const;
+  /** Move the feet of \p which from where they stand to one fit about that place; says which moved so far that they
+   *  should have another. */
+  std::vector<std::uint8_t>
+  projectOnce(const std::vector<std::uint32_t>& which, std::vector<SurfaceFoot>& feet, int neighbours) const;
 
   const SurfaceGraph& graph_;
   ProjectionMethod method_;

@@ -1,0 +1,16 @@
+/** \file
+ *  Hot loops twice in the library: for AVX2, and for any machine.
+ */
+#pragma once
+
+/** Before a function over plain arrays: the loader takes the AVX2 version where the processor has it. Without fused
+ *  multiply-add, so that both give the same bits. Not for functions that hold Eigen or PCL types: their alignment must
+ *  not depend on the version. */
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__has_attribute)
+#if __has_attribute(target_clones)
+#define PCL_SPIRAL_SIMD_CLONES __attribute__((target_clones("avx2", "default")))
+#endif
+#endif
+#ifndef PCL_SPIRAL_SIMD_CLONES
+#define PCL_SPIRAL_SIMD_CLONES
+#endif

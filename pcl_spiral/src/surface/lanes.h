@@ -1,0 +1,37 @@
+/** \file
+ *  Eight floats at a time. Private to surface.
+ */
+#pragma once
+
+#include <cstring>
+
+namespace pcl_spiral {
+
+/** Two SSE registers or one of AVX: sums over lanes have the same order, and the same bits, on either. */
+using Lanes = float __attribute__((vector_size(32)));
+using LaneCounts = int __attribute__((vector_size(32)));
+
+constexpr int lane_count = 8;
+
+/** Entries that fill up the last lanes. */
+constexpr int
+padded(int size)
+{
+  return (size + lane_count - 1) / lane_count * lane_count;
+}
+
+// By reference: passed by value, such types draw a note on the ABI.
+inline __attribute__((always_inline)) void
+load(Lanes& lanes, const float* from)
+{
+  std::memcpy(&lanes, from, sizeof lanes);
+}
+
+template <typename Vector>
+inline __attribute__((always_inline)) auto
+sum(const Vector& v)
+{
+  return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+}
+
+} // namespace pcl_spiral
