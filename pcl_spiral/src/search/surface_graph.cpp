@@ -1,6 +1,7 @@
 #include <pcl_spiral/search/surface_graph.h>
 
 #include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/core/lanes.h>
 #include <pcl_spiral/search/local_star.h>
 #include <pcl_spiral/search/neighbour_search.h>
 
@@ -64,11 +65,11 @@ leastAxis(const Eigen::Matrix3d& c)
 LocalShape
 localShape(const Neighbourhood& near)
 {
-  using Lanes = Eigen::Array<float, Neighbourhood::lanes, 1>;
-  Lanes x1 = Lanes::Zero(), y1 = x1, z1 = x1, xx = x1, xy = x1, xz = x1, yy = x1, yz = x1, zz = x1;
-  for (int j = 0; j < near.size; j += Neighbourhood::lanes) {
-    const Lanes x = Eigen::Map<const Lanes>(near.x + j), y = Eigen::Map<const Lanes>(near.y + j),
-                z = Eigen::Map<const Lanes>(near.z + j);
+  using Lane = Eigen::Array<float, lane_count, 1>;
+  Lane x1 = Lane::Zero(), y1 = x1, z1 = x1, xx = x1, xy = x1, xz = x1, yy = x1, yz = x1, zz = x1;
+  for (int j = 0; j < near.size; j += lane_count) {
+    const Lane x = Eigen::Map<const Lane>(near.x + j), y = Eigen::Map<const Lane>(near.y + j),
+                z = Eigen::Map<const Lane>(near.z + j);
     x1 += x;
     y1 += y;
     z1 += z;

@@ -87,12 +87,12 @@ MlsSurface::projectOnce(const std::vector<std::uint32_t>& which, std::vector<Sur
   const double usual_radius = graph_.spacing() * std::sqrt(neighbours / M_PI);
   const auto widest = static_cast<float>(run_width * usual_radius), reach = static_cast<float>(12.0 * usual_radius);
   const auto fitAll = [&](auto search, auto fit) {
-    constexpr auto block_size = static_cast<std::int64_t>(PointBlocks::block_size);
+    const BlockPartition blocks(which.size());
     const int needed = std::min<int>(neighbours, static_cast<int>(graph_.size()));
 #pragma omp for schedule(dynamic, 16)
-    for (std::int64_t block = 0; block < count; block += block_size) {
-      const auto block_end = static_cast<std::size_t>(std::min(count, block + block_size));
-      for (std::size_t i = block, end = i; i < block_end;) {
+    for (std::int64_t block = 0; block < static_cast<std::int64_t>(blocks.blocks()); ++block) {
+      const std::size_t block_end = blocks.begin(block + 1);
+      for (std::size_t i = blocks.begin(block), end = i; i < block_end;) {
         Box box;
         end = endOfRun(order, i, block_end, widest, box);
         search.setRun(box);

@@ -1,6 +1,6 @@
 #include "patch_moments.h"
 
-#include "lanes.h"
+#include <pcl_spiral/core/lanes.h>
 
 #include <pcl_spiral/core/simd_clones.h>
 

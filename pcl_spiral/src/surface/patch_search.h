@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/search/point_blocks.h>
+#include <pcl_spiral/search/candidate_run.h>
 
 #include <cstdint>
 #include <vector>
@@ -31,33 +31,14 @@ public:
   PatchSearch(const PointBlocks& blocks, int k, float max_radius);
 
   /** Start on queries that lie in \p box. */
-  void setRun(const Box& box);
+  void setRun(const Box& box) { run_.setRun(box); }
 
   /** Points about a query in the run's box; valid until the next call. Fewer than k only beyond max_radius. */
   const Patch& find(const Eigen::Vector3d& query);
 
 private:
-  void gather(float radius);
-  /** Candidates within the threshold of the query: at least k, or all. Returns how many. */
-  int pick(const Eigen::Vector3f& query);
-  /** The k nearest of those picked. */
-  void collect(int count, const Eigen::Vector3f& query);
-
-  const PointBlocks& blocks_;
-  int k_;
-  float max_radius_;
-  Box box_;
-  Eigen::Vector3f origin_ = Eigen::Vector3f::Zero();
-  float gathered_radius_ = 0.0f;
-  float usual_radius_ = 0.0f; ///< largest k-th distance of the run
-  float threshold_ = 0.0f;    ///< squared distance within which the next query's points are expected
-
-  std::vector<float> candidate_x_, candidate_y_, candidate_z_, candidate_distance_;
-  std::vector<std::uint32_t> candidate_index_;
-  int candidates_ = 0;
-
-  std::vector<std::uint32_t> near_; ///< candidates picked
-  std::vector<float> near_distance_, x_, y_, z_;
+  CandidateRun run_;
+  std::vector<float> distance_, x_, y_, z_;
   std::vector<std::uint32_t> inner_;
   Patch result_;
 };

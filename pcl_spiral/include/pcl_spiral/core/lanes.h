@@ -1,5 +1,5 @@
 /** \file
- *  Eight floats at a time. Private to surface.
+ *  Eight floats at a time.
  */
 #pragma once
 
