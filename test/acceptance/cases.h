@@ -38,6 +38,9 @@ judgeLoops(const Options& options);
 int
 judgeGeodesics(const Options& options);
 
+/** Distances from the pole of the spheroid, at 200,000 and 2 million points, against the exact ones. */
+int judgeField(const Options& options);
+
 /** The whole free-form run beside PCL's own filters on the same cloud and threads. */
 int judgeTime(const Options& options);
 

@@ -93,7 +93,7 @@ judgeGeodesics(const Options& options)
     const auto [longitude, length] = published()[i];
     const std::string name = "to longitude " + std::to_string(static_cast<int>(longitude));
     table.note(name + ": length", geodesics.getLengths()[i]);
-    table.atMost(name + ": off the published", std::abs(geodesics.getLengths()[i] - length), 0.001);
+    table.atMost(name + ": off the published", std::abs(geodesics.getLengths()[i] - length), 0.0005);
     table.atMost(name + ": longer than by graph", geodesics.getLengths()[i] - graph[i + 1], 0.0);
     if (paths[i].size() < 2)
       continue;

@@ -67,6 +67,19 @@ noisyDome()
   return j;
 }
 
+/** Two million points: the size the planner is made for. */
+Job
+largeDome(const std::string& name, double noise)
+{
+  Job j = dome(name, 0.0);
+  j.points = 2000000;
+  j.noise = noise;
+  j.deviation_max = noise > 0.0 ? 0.06 : 0.0005;
+  j.scallop = noise == 0.0;
+  j.length_ratio = noise > 0.0 ? 0.0 : 1.025;
+  return j;
+}
+
 Job
 smallRound(const std::string& name, test::SurfacePtr surface, double radius, double h)
 {
@@ -93,7 +106,9 @@ jobs()
                        patch("kidney", test::kidneyPatch()),
                        patch("ell", test::ellPatch()),
                        patch("boomerang", test::boomerangPatch()),
-                       noisyDome()};
+                       noisyDome(),
+                       largeDome("dome2m", 0.0),
+                       largeDome("dome2m_noisy", 0.05)};
   for (Job& j : all)
     j.may_refuse = j.name == "boomerang";
   return all;

@@ -84,7 +84,7 @@ judgeMaterial(const Job& job, const test::CheckedPath& path, const Options& opti
   table.note("scallop p50 / p99", std::to_string(f.ridge.p50) + " / " + std::to_string(f.ridge.p99));
   const double none = 1e9;
   table.atMost("scallop p99.9", f.ridge.p999, job.scallop ? 1.02 * h + e : none);
-  table.atMost("scallop max", f.ridge.max, job.scallop ? 1.05 * h + e : none);
+  table.atMost("scallop max", f.ridge.max, job.scallop ? 1.03 * h + e : none);
   table.atMost("gouge max", std::max(0.0, f.gouge.value), job.scallop ? 1.1 * e + 0.002 : none);
   if (f.gouge.value > 1.1 * e + 0.002)
     table.note("  deepest gouge", text(f.gouge));

@@ -26,6 +26,7 @@ cases()
   all["bad_input"] = judgeBadInput;
   all["geodesics"] = judgeGeodesics;
   all["loops"] = judgeLoops;
+  all["field"] = judgeField;
   all["time"] = judgeTime;
   return all;
 }
