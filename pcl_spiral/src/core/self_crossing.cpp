@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -11,17 +10,71 @@
 namespace pcl_spiral {
 namespace {
 
-using Cell = std::array<std::int64_t, 3>;
+/** The segments of a path by the cells in which their middles lie, cubes as wide as the longest. Cells share buckets, by
+ *  a hash under which neighbours along x follow each other; a segment of another cell in a bucket does no harm. Eight
+ *  bytes a segment. */
+class SegmentCells {
+public:
+  using Cell = Eigen::Matrix<std::int64_t, 3, 1>;
 
-struct Entry {
-  Cell cell;
-  std::size_t segment;
-  Eigen::Vector3d middle;
-  double half_length;
-  bool operator<(const Entry& other) const { return cell < other.cell; }
+  SegmentCells(const Polyline& path, double width) : path_(path), width_(width)
+  {
+    const std::size_t segments = path.size() - 1;
+    std::size_t buckets = 1;
+    while (buckets < segments)
+      buckets *= 2;
+    mask_ = buckets - 1;
+    begin_.assign(buckets + 1, 0);
+    // Each segment's place depends on those before it: serial.
+    for (std::size_t i = 0; i < segments; ++i)
+      ++begin_[bucketOf(cellOf(i))];
+    std::uint32_t before = 0;
+    for (std::uint32_t& entry : begin_)
+      entry = before += entry;
+    segments_.resize(segments);
+    for (std::size_t i = segments; i-- > 0;)
+      segments_[--begin_[bucketOf(cellOf(i))]] = static_cast<std::uint32_t>(i);
+  }
+
+  Cell
+  cellOf(std::size_t segment) const
+  {
+    return (0.5 / width_ * (path_[segment] + path_[segment + 1])).array().floor().matrix().cast<std::int64_t>();
+  }
+
+  /** Call \p visit with the segments from \p first on in a cell and the next two along x. */
+  template <typename Visit>
+  void
+  visitThree(std::size_t first, const Cell& cell, Visit visit) const
+  {
+    const std::size_t bucket = bucketOf(cell);
+    const auto visitBuckets = [&](std::size_t from, std::size_t end) {
+      for (std::uint32_t k = begin_[from]; k < begin_[end]; ++k)
+        if (segments_[k] >= first)
+          visit(segments_[k]);
+    };
+    if (bucket + 2 <= mask_)
+      visitBuckets(bucket, bucket + 3);
+    else
+      for (std::size_t next = bucket; next < bucket + 3; ++next)
+        visitBuckets(next & mask_, (next & mask_) + 1);
+  }
+
+private:
+  std::size_t
+  bucketOf(const Cell& cell) const
+  {
+    return (static_cast<std::size_t>(cell.x()) + 73856093u * static_cast<std::size_t>(cell.y()) +
+            19349663u * static_cast<std::size_t>(cell.z())) & mask_;
+  }
+
+  const Polyline& path_;
+  double width_;
+  std::size_t mask_ = 0;
+  std::vector<std::uint32_t> begin_, segments_;
 };
 
-/** Distance of \p c from the line a b, seen along \p n; positive on its left. */
+/** Twice the area of a b c as seen along \p n, over the length of a b: how far c lies to its left. */
 double
 sideOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& n)
 {
@@ -38,7 +91,9 @@ apart(double one, double other, double slack)
 bool
 cross(const Polyline& p, std::size_t i, std::size_t j, const Eigen::Vector3d& n, double slack)
 {
-  return apart(sideOf(p[i], p[i + 1], p[j], n), sideOf(p[i], p[i + 1], p[j + 1], n), slack) &&
+  const double reach = 0.5 * ((p[i + 1] - p[i]).norm() + (p[j + 1] - p[j]).norm());
+  return 0.25 * (p[i] + p[i + 1] - p[j] - p[j + 1]).squaredNorm() <= reach * reach &&
+         apart(sideOf(p[i], p[i + 1], p[j], n), sideOf(p[i], p[i + 1], p[j + 1], n), slack) &&
          apart(sideOf(p[j], p[j + 1], p[i], n), sideOf(p[j], p[j + 1], p[i + 1], n), slack);
 }
 
@@ -49,50 +104,30 @@ firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& norm
 {
   if (path.size() < 4)
     return std::nullopt;
-  const std::size_t segments = path.size() - 1;
+  const auto segments = static_cast<std::int64_t>(path.size()) - 1;
   double longest = 0.0;
-  for (std::size_t i = 0; i < segments; ++i)
-    longest = std::max(longest, (path[i + 1] - path[i]).norm());
+#pragma omp parallel for schedule(static) reduction(max : longest)
+  for (std::int64_t i = 0; i < segments; ++i)
+    longest = std::max(longest, (path[i + 1] - path[i]).squaredNorm());
   if (!(longest > 0.0))
     return std::nullopt;
-  std::vector<Entry> entries(segments);
-  for (std::size_t i = 0; i < segments; ++i) {
-    const Eigen::Vector3d middle = 0.5 * (path[i] + path[i + 1]);
-    Cell cell;
-    for (int axis = 0; axis < 3; ++axis)
-      cell[axis] = static_cast<std::int64_t>(std::floor(middle[axis] / longest));
-    entries[i] = {cell, i, middle, 0.5 * (path[i + 1] - path[i]).norm()};
+  const SegmentCells cells(path, std::sqrt(longest));
+  auto first = std::numeric_limits<std::int64_t>::max();
+#pragma omp parallel for schedule(dynamic, 4096) reduction(min : first)
+  for (std::int64_t i = 0; i < segments; ++i) {
+    if (i >= first)
+      continue;
+    const Eigen::Vector3d start = path[i], left = normals[i].cross(path[i + 1] - start);
+    const SegmentCells::Cell own = cells.cellOf(i);
+    for (std::int64_t dz = -1; dz <= 1; ++dz)
+      for (std::int64_t dy = -1; dy <= 1; ++dy)
+        cells.visitThree(i + 2, own + SegmentCells::Cell(-1, dy, dz), [&](std::size_t j) {
+          // Hardly any has its ends on either side.
+          if (left.dot(path[j] - start) * left.dot(path[j + 1] - start) < 0.0 && cross(path, i, j, normals[i], slack))
+            first = i;
+        });
   }
-  std::stable_sort(entries.begin(), entries.end());
-  std::vector<std::size_t> cells; // where each begins
-  for (std::size_t e = 0; e < segments; ++e)
-    if (e == 0 || entries[e - 1].cell != entries[e].cell)
-      cells.push_back(e);
-  cells.push_back(segments);
-
-  std::size_t first = std::numeric_limits<std::size_t>::max();
-  const auto count = static_cast<std::int64_t>(cells.size()) - 1;
-#pragma omp parallel for schedule(dynamic, 128) reduction(min : first)
-  for (std::int64_t c = 0; c < count; ++c) {
-    const Cell own = entries[cells[c]].cell;
-    for (std::int64_t dx = -1; dx <= 1; ++dx)
-      for (std::int64_t dy = -1; dy <= 1; ++dy) {
-        const Entry low{{own[0] + dx, own[1] + dy, own[2] - 1}, 0, {}, 0.0};
-        const Entry high{{own[0] + dx, own[1] + dy, own[2] + 1}, 0, {}, 0.0};
-        const auto begin = std::lower_bound(entries.begin(), entries.end(), low);
-        const auto end = std::upper_bound(begin, entries.end(), high);
-        for (std::size_t k = cells[c]; k < cells[c + 1]; ++k) {
-          const Entry& one = entries[k];
-          for (auto other = begin; other != end; ++other) {
-            const double reach = one.half_length + other->half_length;
-            if (other->segment > one.segment + 1 && (other->middle - one.middle).squaredNorm() <= reach * reach &&
-                cross(path, one.segment, other->segment, normals[one.segment], slack))
-              first = std::min(first, one.segment);
-          }
-        }
-      }
-  }
-  return first < segments ? std::optional<std::size_t>(first) : std::nullopt;
+  return first < segments ? std::optional<std::size_t>(static_cast<std::size_t>(first)) : std::nullopt;
 }
 
 } // namespace pcl_spiral

@@ -7,11 +7,22 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 namespace pcl_spiral {
 
 /** Room that one number can take: the largest double has 309 digits before the point. */
 constexpr int fixed_point_room = 340;
+
+/** 00 to 99. */
+inline constexpr std::array<char, 200> digit_pairs = [] {
+  std::array<char, 200> pairs{};
+  for (int i = 0; i < 100; ++i) {
+    pairs[2 * i] = static_cast<char>('0' + i / 10);
+    pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
+  }
+  return pairs;
+}();
 
 /** Write \p value with \p Decimals decimals at \p out and return the end. Rounds half away from zero; within
  * one unit in the last place of a double times 10^Decimals this is what printf writes, at a twentieth of its
@@ -26,21 +37,22 @@ writeFixed(char* out, double value)
   const double scaled = std::abs(value) * powers[Decimals];
   if (!(scaled < 9e15))
     return std::to_chars(out, out + fixed_point_room, value, std::chars_format::fixed, Decimals).ptr;
-  auto units = static_cast<std::uint64_t>(scaled + 0.5);
+  const auto units = static_cast<std::uint64_t>(scaled + 0.5);
+  constexpr auto scale = static_cast<std::uint64_t>(powers[Decimals]);
   if (value < 0.0 && units != 0)
     *out++ = '-';
-  char digits[24];
-  char* first = digits + sizeof(digits);
-  for (int i = 0; i < Decimals; ++i, units /= 10)
-    *--first = static_cast<char>('0' + units % 10);
-  *--first = '.';
-  do {
-    *--first = static_cast<char>('0' + units % 10);
-    units /= 10;
-  } while (units != 0);
-  while (first != digits + sizeof(digits))
-    *out++ = *first++;
-  return out;
+  const std::uint64_t whole = units / scale;
+  out = std::to_chars(out, out + fixed_point_room, whole).ptr;
+  *out++ = '.';
+  auto rest = static_cast<std::uint32_t>(units - whole * scale);
+  char* digit = out + Decimals;
+  for (; digit - out >= 2; rest /= 100) {
+    digit -= 2;
+    std::memcpy(digit, &digit_pairs[2 * (rest % 100)], 2);
+  }
+  if (Decimals % 2)
+    *out = static_cast<char>('0' + rest);
+  return out + Decimals;
 }
 
 } // namespace pcl_spiral

@@ -13,8 +13,9 @@ const char* const toolpath_csv_header =
 
 namespace {
 
-constexpr std::size_t rows_a_block = 8192;
-constexpr std::size_t blocks_a_round = 64; ///< bounds the memory; the same for any number of threads
+constexpr std::size_t rows_a_block = 2048;
+constexpr std::size_t usual_row = 192; ///< bytes
+constexpr std::size_t blocks_a_round = 32; ///< bounds the memory to 12 MB; the same for any number of threads
 
 template <int Decimals>
 char*
@@ -56,12 +57,17 @@ writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
   for (std::size_t begin = 0; begin < path.size(); begin += rows_a_block * blocks_a_round) {
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t b = 0; b < blocks_a_round; ++b) {
-      blocks[b].clear();
       const std::size_t first = begin + b * rows_a_block;
       const std::size_t last = std::min(first + rows_a_block, path.size());
-      char row[15 * (fixed_point_room + 1)];
-      for (std::size_t i = first; i < last; ++i)
-        blocks[b].append(row, static_cast<std::size_t>(writeRow(row, path[i], motion) - row));
+      constexpr std::size_t room = 15 * (fixed_point_room + 1);
+      std::size_t size = 0;
+      for (std::size_t i = first; i < last; ++i) {
+        if (blocks[b].size() < size + room)
+          blocks[b].resize(2 * size + room + usual_row * (last - first));
+        char* const row = blocks[b].data() + size;
+        size += static_cast<std::size_t>(writeRow(row, path[i], motion) - row);
+      }
+      blocks[b].resize(size);
     }
     for (const std::string& block : blocks)
       out.write(block);

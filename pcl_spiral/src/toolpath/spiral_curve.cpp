@@ -205,7 +205,11 @@ SpiralCurve::knots() const
   if (count > 1)
     parts[count] = turnBesideLoop(rim_, count - 1);
   parts.back() = loopKnots(rim_, static_cast<double>(count));
+  std::size_t total = 0;
+  for (const auto& part : parts)
+    total += part.size();
   std::vector<Knot> all;
+  all.reserve(total);
   for (auto& part : parts) {
     for (const Knot& knot : part) {
       // The end of one part is the start of the next; near the centre lines coincide.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 
 namespace pcl_spiral {
@@ -167,8 +168,14 @@ SpiralPlanner::makeLines(bool two, RadialLineSet& set)
 }
 
 Status
-SpiralPlanner::makeCurve(const RadialLineSet& set, bool two, std::vector<SpiralPoint>& curve)
+SpiralPlanner::makeCurve(bool two, std::vector<SpiralPoint>& curve)
 {
+  RadialLineSet set;
+  if (const Status status = makeLines(two, set); !status.ok())
+    return status;
+  clock_.end("radial lines");
+  if (!report(0.6, "spiral"))
+    return {StatusCode::Cancelled, "cancelled"};
   TurnFunction turns(set.lines, settings_, graph_.spacing());
   if (const Status status = turns.compute(); !status.ok())
     return status;
@@ -194,28 +201,35 @@ SpiralPlanner::putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& p
   std::vector<SurfaceFoot> feet;
   for (std::size_t begin = 0; begin < curve.size(); begin += chunk) {
     const std::size_t end = std::min(curve.size(), begin + chunk);
+    const auto count = static_cast<std::int64_t>(end - begin);
     queries.resize(end - begin);
-    for (std::size_t i = begin; i < end; ++i)
-      queries[i - begin] = curve[i].position;
+    for (std::int64_t i = 0; i < count; ++i)
+      queries[i] = curve[begin + i].position;
     surface_->project(queries, feet);
-    for (std::size_t i = begin; i < end; ++i) {
-      const SurfaceFoot& foot = feet[i - begin];
+    std::int64_t first_bad = count;
+#pragma omp parallel for schedule(static) reduction(min : first_bad)
+    for (std::int64_t i = 0; i < count; ++i) {
+      if (!feet[i].valid || feet[i].curvature2 <= hollowest)
+        first_bad = std::min(first_bad, i);
+      path.contacts[begin + i] = feet[i].position;
+      path.normals[begin + i] = feet[i].normal;
+      path.turns[begin + i] = static_cast<float>(curve[begin + i].turn);
+    }
+    if (first_bad < count) {
+      const SurfaceFoot& foot = feet[first_bad];
+      const SpiralPoint& asked = curve[begin + first_bad];
       if (!foot.valid)
-        return {StatusCode::Failed, text("the path leaves the scanned surface at ", at(curve[i].position), " in turn ",
-                                         curve[i].turn, ": the scan has a gap or a ragged rim there")};
-      if (foot.curvature2 <= hollowest)
-        return {StatusCode::Failed,
-                text("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ", at(foot.position),
-                     ", tighter than the tool radius ", settings_.tool_radius,
-                     " mm: the cutter would gouge; use a smaller tool")};
-      path.contacts[i] = foot.position;
-      path.normals[i] = foot.normal;
-      path.turns[i] = curve[i].turn;
+        return {StatusCode::Failed, text("the path leaves the scanned surface at ", at(asked.position), " in turn ",
+                                         asked.turn, ": the scan has a gap or a ragged rim there")};
+      return {StatusCode::Failed,
+              text("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ", at(foot.position),
+                   ", tighter than the tool radius ", settings_.tool_radius,
+                   " mm: the cutter would gouge; use a smaller tool")};
     }
     if (!report(0.65 + 0.25 * static_cast<double>(end) / static_cast<double>(curve.size()), "projection"))
       return {StatusCode::Cancelled, "cancelled"};
   }
-  path.arc_lengths = arcLengths(path.contacts);
+  path.arc_lengths = arcLengths(path.contacts); // serial: a sum whose rounding depends on its order
   return Status::success();
 }
 
@@ -227,7 +241,11 @@ SpiralPlanner::setAxes(SpiralPath& path)
   options.lead = radians(settings_.lead_angle);
   options.max_rate = radians(settings_.max_axis_rate);
   ToolAxes axes = toolAxes(path.contacts, path.normals, options);
-  path.axes = std::move(axes.axes);
+  const auto count = static_cast<std::int64_t>(axes.axes.size());
+  path.axes.resize(axes.axes.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i)
+    path.axes[i] = axes.axes[i].cast<float>();
   report_.largest_axis_change = axes.largest_change * 180.0 / M_PI;
   report_.limited_points = axes.limited_points;
   report_.largest_tilt_reduction = axes.largest_reduction * 180.0 / M_PI;
@@ -291,18 +309,16 @@ SpiralPlanner::plan(std::vector<Eigen::Vector3f> points, const std::vector<Eigen
   if (two && settings_.centre)
     return {StatusCode::InvalidArgument, text("a centre was given, ", at(*settings_.centre), ", but the surface has two ",
                                               "boundaries: leave the centre out, or ask for one boundary")};
-  RadialLineSet set;
-  if (const Status status = makeLines(two, set); !status.ok())
-    return status;
-  clock_.end("radial lines");
-  if (!report(0.6, "spiral"))
-    return cancelled;
-  std::vector<SpiralPoint> curve;
-  if (const Status status = makeCurve(set, two, curve); !status.ok())
-    return status;
-  clock_.end("spiral");
-  if (const Status status = putOnSurface(curve, path); !status.ok())
-    return status;
+  {
+    std::vector<SpiralPoint> curve;
+    if (const Status status = makeCurve(two, curve); !status.ok())
+      return status;
+    clock_.end("spiral");
+    if (const Status status = putOnSurface(curve, path); !status.ok())
+      return status;
+  }
+  surface_.reset();
+  graph_ = SurfaceGraph();
   clock_.end("projection");
   if (!report(0.9, "tool axis"))
     return cancelled;

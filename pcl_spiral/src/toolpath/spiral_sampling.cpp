@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace pcl_spiral {
@@ -98,7 +99,8 @@ SpiralCurve::sample() const
   const std::size_t segments = knots.size() - 1;
   // Steps each segment needs, then equal shares of them between corners.
   std::vector<double> steps(segments);
-  for (std::size_t k = 0; k < segments; ++k) {
+#pragma omp parallel for schedule(static)
+  for (std::int64_t k = 0; k < static_cast<std::int64_t>(segments); ++k) {
     const double chord = (knots[k + 1].position - knots[k].position).norm();
     const double turned = angleBetween(leaving[k], arriving[k + 1]);
     const double length = chord * (1.0 + turned * turned / 24.0);
@@ -127,22 +129,34 @@ SpiralCurve::sample() const
     double& count = counts[alike.back()];
     count = std::max(count, wholeSteps(stretch.needed));
   }
-  std::vector<SpiralPoint> points;
-  for (std::size_t i = 0; i < stretches.size(); ++i) {
+  // A stretch's points, by their place in it: the one before its end stands at least half a step off.
+  const auto forEachPoint = [&](std::size_t i, auto visit) {
     const auto [begin, end, needed] = stretches[i];
-    const double each = needed / counts[alike[i]];
+    const double each = needed / counts.at(alike[i]);
     double before = 0.0, next = 0.0;
     for (std::size_t k = begin; k < end; ++k) {
-      const HermiteSegment segment{knots[k].position, knots[k + 1].position, leaving[k], arriving[k + 1],
-                                   (knots[k + 1].position - knots[k].position).norm()};
-      for (; next < before + steps[k] && next < needed - 0.5 * each; next += each) {
-        const double t = (next - before) / steps[k];
-        points.push_back({segment.at(t), knots[k].turn + t * (knots[k + 1].turn - knots[k].turn)});
-      }
+      for (; next < before + steps[k] && next < needed - 0.5 * each; next += each)
+        visit(k, (next - before) / steps[k]);
       before += steps[k];
     }
+  };
+  const auto stretch_count = static_cast<std::int64_t>(stretches.size());
+  std::vector<std::size_t> starts(stretches.size() + 1, 0);
+#pragma omp parallel for schedule(dynamic, 16)
+  for (std::int64_t i = 0; i < stretch_count; ++i)
+    forEachPoint(i, [&](std::size_t, double) { ++starts[i + 1]; });
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::vector<SpiralPoint> points(starts.back() + 1);
+#pragma omp parallel for schedule(dynamic, 16)
+  for (std::int64_t i = 0; i < stretch_count; ++i) {
+    std::size_t place = starts[i];
+    forEachPoint(i, [&](std::size_t k, double t) {
+      const HermiteSegment segment{knots[k].position, knots[k + 1].position, leaving[k], arriving[k + 1],
+                                   (knots[k + 1].position - knots[k].position).norm()};
+      points[place++] = {segment.at(t), knots[k].turn + t * (knots[k + 1].turn - knots[k].turn)};
+    });
   }
-  points.push_back({knots.back().position, knots.back().turn});
+  points.back() = {knots.back().position, knots.back().turn};
   if (settings_.direction == SpiralDirection::Inward) {
     const double all_turns = points.back().turn;
     std::reverse(points.begin(), points.end());

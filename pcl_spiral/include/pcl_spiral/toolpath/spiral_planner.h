@@ -16,13 +16,13 @@
 
 namespace pcl_spiral {
 
-/** A toolpath in double precision: parallel arrays. */
+/** A toolpath as parallel arrays: in double precision what others are derived from. */
 struct SpiralPath {
   Polyline contacts;
   std::vector<Eigen::Vector3d> normals; ///< unit, out of the material
-  std::vector<Eigen::Vector3d> axes;    ///< unit, tip to shank
+  std::vector<Eigen::Vector3f> axes;    ///< unit, tip to shank
   std::vector<double> arc_lengths;
-  std::vector<double> turns;
+  std::vector<float> turns;
 };
 
 /** Ok, or the setting that cannot be, with its value and remedy. */
@@ -43,7 +43,7 @@ private:
   Status findLoops();
   Status bridgeGaps(const std::vector<Eigen::Vector3f>& normals);
   Status makeLines(bool two, RadialLineSet& set);
-  Status makeCurve(const RadialLineSet& set, bool two, std::vector<SpiralPoint>& curve);
+  Status makeCurve(bool two, std::vector<SpiralPoint>& curve);
   Status putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& path);
   Status setAxes(SpiralPath& path);
   Status checkPath(const SpiralPath& path);

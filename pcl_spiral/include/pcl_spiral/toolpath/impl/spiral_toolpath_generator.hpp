@@ -11,6 +11,8 @@
 #include <pcl/console/print.h>
 #include <pcl/impl/pcl_base.hpp>
 
+#include <cstdint>
+
 namespace pcl_spiral {
 
 template <typename PointInT, typename PointNT, typename PointOutT>
@@ -74,13 +76,15 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::compute(pcl::PointCloud<P
     return;
   }
   path.resize(spiral.contacts.size());
-  for (std::size_t i = 0; i < path.size(); ++i) {
+  const auto count = static_cast<std::int64_t>(path.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i) {
     PointOutT& p = path[i];
     p.getVector3fMap() = spiral.contacts[i].template cast<float>();
     p.getNormalVector3fMap() = spiral.normals[i].template cast<float>();
-    p.getAxisVector3fMap() = spiral.axes[i].template cast<float>();
+    p.getAxisVector3fMap() = spiral.axes[i];
     p.arc_length = spiral.arc_lengths[i];
-    p.turn = static_cast<float>(spiral.turns[i]);
+    p.turn = spiral.turns[i];
   }
   path.header = this->input_->header;
   path.is_dense = true;
