@@ -44,52 +44,74 @@ LineSource::prepare()
                               graphPoints(graph, request_.rim));
   if (harmonic_)
     return potential_.compute(graph, centre_.position, graphPoints(graph, request_.rim));
-  distance_ = &centre_.field;
-  if (distance_->size() == 0) { // of a given centre
-    if (!own_distance_.compute(graph, centre_.position))
-      return failedAt(centre_.position, "the centre does not lie on the surface");
-    distance_ = &own_distance_;
-  }
   return Status::success();
 }
 
-Status
-LineSource::make(const Polyline& rim_places, std::vector<RadialLine>& lines) const
+Polyline
+LineSource::traced(const Eigen::Vector3d& place) const
 {
-  const bool by_distance = !harmonic_ && !request_.inner;
-  std::vector<Polyline> traces(rim_places.size());
+  if (takesGuesses())
+    return centre_.lines->between(centre_.position, place);
+  Polyline line = potential_.trace(place);
+  if (line.size() > 1) {
+    line.back() = place;
+    if (!request_.inner)
+      line.front() = centre_.position;
+  }
+  return line;
+}
+
+Status
+LineSource::make(const Polyline& rim_places, std::vector<Polyline> guesses, std::vector<RadialLine>& lines) const
+{
+  guesses.resize(rim_places.size());
+  std::vector<std::uint8_t> guessed(rim_places.size(), 0);
   const auto count = static_cast<std::int64_t>(rim_places.size());
 #pragma omp parallel for schedule(dynamic, 4)
   for (std::int64_t i = 0; i < count; ++i)
-    traces[i] = by_distance ? distance_->trace(rim_places[i]) : potential_.trace(rim_places[i]);
-  for (std::size_t i = 0; i < traces.size(); ++i) {
-    if (traces[i].size() < 2)
+    if (guesses[i].size() > 1)
+      guessed[i] = 1;
+    else
+      guesses[i] = traced(rim_places[i]);
+  for (std::size_t i = 0; i < guesses.size(); ++i)
+    if (guesses[i].size() < 2)
       return failedAt(rim_places[i], "no line leads from the centre to the rim");
-    traces[i].back() = rim_places[i];
-    if (!request_.inner)
-      traces[i].front() = centre_.position;
-  }
   lines.assign(rim_places.size(), RadialLine());
-  const Status status = harmonic_ ? putOnSurface(traces, lines) : refine(traces, lines);
+  const Status status = harmonic_ ? putOnSurface(guesses, lines) : refine(rim_places, guesses, guessed, lines);
   return status.ok() ? fit(lines) : status;
 }
 
 Status
-LineSource::refine(std::vector<Polyline>& traces, std::vector<RadialLine>& lines) const
+LineSource::refine(const Polyline& rim_places, std::vector<Polyline>& starts, const std::vector<std::uint8_t>& guessed,
+                   std::vector<RadialLine>& lines) const
 {
-  std::vector<GeodesicLine> geodesics(traces.size());
-  for (std::size_t i = 0; i < traces.size(); ++i)
-    geodesics[i].points = std::move(traces[i]);
   RefinementOptions options;
-  options.levels = {32, static_cast<int>(stations) - 1};
   options.max_iterations = 8;
   options.probe_normals = false; // a hundredth of a millimetre sideways is nothing to a radial line
-  options.tolerance = 0.005 * request_.tolerance;
-  refineGeodesics(request_.surface, options, geodesics);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (geodesics[i].left_surface)
-      return failedAt(geodesics[i].left_at, "the shortest line leaves the surface");
-    lines[i].feet = std::move(geodesics[i].feet);
+  options.tolerance = 0.02 * request_.tolerance;
+  // What is foretold is close: the finest level alone. A guess that leads off the surface gives way to a traced line.
+  for (const bool from_guess : {true, false}) {
+    std::vector<GeodesicLine> geodesics;
+    std::vector<std::size_t> which;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (lines[i].feet.empty() && (guessed[i] != 0 || !from_guess)) {
+        which.push_back(i);
+        geodesics.emplace_back();
+        geodesics.back().points =
+            from_guess || !guessed[i] ? std::move(starts[i]) : traced(rim_places[i]);
+        if (geodesics.back().points.size() < 2)
+          return failedAt(rim_places[i], "no line leads from the centre to the rim");
+      }
+    options.levels = {static_cast<int>(stations) - 1};
+    if (!from_guess)
+      options.levels.insert(options.levels.begin(), 32);
+    refineGeodesics(request_.surface, options, geodesics);
+    for (std::size_t j = 0; j < which.size(); ++j) {
+      if (!geodesics[j].left_surface)
+        lines[which[j]].feet = std::move(geodesics[j].feet);
+      else if (!from_guess)
+        return failedAt(geodesics[j].left_at, "the shortest line leaves the surface");
+    }
   }
   return Status::success();
 }

@@ -2,8 +2,8 @@
 
 #include <pcl_spiral/toolpath/surface_centre.h>
 
+#include "line_gaps.h"
 #include "line_source.h"
-#include "rim_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int coarse_lines = 32;
 constexpr int most_rounds = 7;            // of halving the gaps between lines
 constexpr double closest_in_spacings = 0.75; // lines at the rim
 constexpr double largest_jump = 1.0;      // spacings between a line and what its neighbours foretell
+constexpr double foreseeable = 0.5;       // spacings it may have been off in a gap twice as wide to start from that
 
 /** Where line 0 ends: nearest to the user's point; else the corner, else the rim point, farthest from \p centre. */
 Eigen::Vector3d
@@ -32,75 +32,6 @@ startOnRim(const RadialLineRequest& request, const Eigen::Vector3d& centre)
   return *std::max_element(choices.begin(), choices.end(), [&](const auto& a, const auto& b) {
     return (a - centre).squaredNorm() < (b - centre).squaredNorm();
   });
-}
-
-/** A planned line: its place on the rim. */
-struct Place {
-  double s; ///< arc length on the rim
-  bool corner;
-  int level;
-};
-
-/** Corners, and between them places at equal distances, about coarse_lines in all. */
-std::vector<Place>
-coarsePlaces(const RimCurve& rim)
-{
-  std::vector<double> stops{0.0};
-  std::vector<bool> is_corner{!rim.corners().empty() && rim.corners()[0] == 0};
-  for (const std::size_t k : rim.corners())
-    if (k != 0) {
-      stops.push_back(rim.arcLengthOf(k));
-      is_corner.push_back(true);
-    }
-  stops.push_back(rim.length());
-  std::vector<Place> places;
-  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-    const double span = stops[i + 1] - stops[i];
-    const int pieces = std::max(1, static_cast<int>(std::lround(coarse_lines * span / rim.length())));
-    for (int p = 0; p < pieces; ++p)
-      places.push_back({stops[i] + span * p / pieces, p == 0 && is_corner[i], 0});
-  }
-  return places;
-}
-
-/** Lagrange's cubic (or lower, between corners) through neighbouring lines at a share of their length. */
-Eigen::Vector3d
-foretold(const std::vector<RadialLine>& lines, const std::vector<std::size_t>& from, const std::vector<double>& s,
-         double at, std::size_t station)
-{
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t a = 0; a < from.size(); ++a) {
-    double weight = 1.0;
-    for (std::size_t b = 0; b < from.size(); ++b)
-      if (a != b)
-        weight *= (at - s[b]) / (s[a] - s[b]);
-    sum += weight * lines[from[a]].feet[station].position;
-  }
-  return sum;
-}
-
-/** Largest distance between a new line at rim place \p s and what the lines about gap i foretell. */
-double
-surprise(const std::vector<RadialLine>& lines, const std::vector<Place>& places, double rim_length, std::size_t i,
-         double s, const RadialLine& line)
-{
-  const std::size_t n = lines.size();
-  std::vector<std::size_t> from{i, (i + 1) % n};
-  std::vector<double> at{places[i].s, i + 1 < n ? places[i + 1].s : rim_length};
-  if (!places[i].corner && n > 3) {
-    from.insert(from.begin(), (i + n - 1) % n);
-    at.insert(at.begin(), i > 0 ? places[i - 1].s : places[n - 1].s - rim_length);
-  }
-  if (!places[(i + 1) % n].corner && n > 3) {
-    from.push_back((i + 2) % n);
-    at.push_back(places[(i + 2) % n].s + (i + 2 >= n ? rim_length : 0.0));
-  }
-  double largest = 0.0;
-  const std::size_t last = line.feet.size() - 1;
-  for (const std::size_t station : {last / 4, last / 2, 3 * last / 4, last})
-    largest = std::max(largest,
-                       (foretold(lines, from, at, s, station) - line.feet[station].position).norm());
-  return largest;
 }
 
 /** Where neighbouring lines change sides, if anywhere. */
@@ -151,11 +82,11 @@ linesByMethod(const RadialLineRequest& request, const SurfaceCentre& found, bool
   if (const Status status = source.prepare(); !status.ok())
     return status;
   std::vector<Place> places = coarsePlaces(rim);
-  const auto make = [&](const std::vector<Place>& wanted, std::vector<RadialLine>& lines) {
+  const auto make = [&](const std::vector<Place>& wanted, std::vector<Polyline> guesses, std::vector<RadialLine>& lines) {
     Polyline ends;
     for (const Place& place : wanted)
       ends.push_back(rim.at(place.s));
-    const Status status = source.make(ends, lines);
+    const Status status = source.make(ends, std::move(guesses), lines);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       lines[i].rim_share = wanted[i].s / rim.length();
       lines[i].corner = wanted[i].corner;
@@ -164,59 +95,59 @@ linesByMethod(const RadialLineRequest& request, const SurfaceCentre& found, bool
     return status;
   };
   std::vector<RadialLine> lines;
-  if (const Status status = make(places, lines); !status.ok())
+  if (const Status status = make(places, {}, lines); !status.ok())
     return status;
 
-  std::vector<std::uint8_t> settled(places.size(), 0); // the gap after each line
+  // Halved, a gap of smooth lines is foretold at least four times better.
+  const double settled = (source.takesGuesses() ? 4.0 : 1.0) * request.tolerance;
   double worst = 0.0, jump = 0.0;
   Eigen::Vector3d jump_place = centre;
-  for (int round = 1; round <= most_rounds; ++round) {
+  for (int round = 1;; ++round) {
     if (request.progress && !request.progress(static_cast<double>(round) / (most_rounds + 1)))
       return {StatusCode::Cancelled, "cancelled"};
     std::vector<Place> wanted;
-    std::vector<std::size_t> gap;
+    std::vector<Polyline> guesses;
+    std::vector<std::size_t> gaps;
+    worst = 0.0;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const double next = i + 1 < places.size() ? places[i + 1].s : rim.length();
-      if (settled[i] || next - places[i].s < 2.0 * closest_in_spacings * spacing)
+      const LineGap gap(places, rim, i);
+      const double rim_error = gap.rimError(rim);
+      worst = std::max({worst, rim_error, places[i].misfit / 16.0});
+      if ((places[i].misfit <= settled && rim_error <= request.tolerance) || gap.width() < 2.0 * closest_in_spacings * spacing)
         continue;
-      wanted.push_back({0.5 * (places[i].s + next), false, round});
-      gap.push_back(i);
+      wanted.push_back({gap.middle(), false, round});
+      gaps.push_back(i);
+      guesses.emplace_back();
+      if (source.takesGuesses() && places[i].surprise < foreseeable * spacing)
+        guesses.back() = gap.foretold(lines, rim);
     }
-    if (wanted.empty())
+    if (wanted.empty() || round > most_rounds)
       break;
     std::vector<RadialLine> added;
-    if (const Status status = make(wanted, added); !status.ok())
+    if (const Status status = make(wanted, std::move(guesses), added); !status.ok())
       return status;
-    worst = jump = 0.0;
-    std::vector<std::uint8_t> gap_settled(places.size(), 0);
+    jump = 0.0;
     for (std::size_t a = 0; a < wanted.size(); ++a) {
-      const double error = surprise(lines, places, rim.length(), gap[a], wanted[a].s, added[a]);
-      gap_settled[gap[a]] = error <= request.tolerance;
-      worst = std::max(worst, error / 16.0);
-      if (error > jump) {
-        jump = error;
+      wanted[a].surprise = LineGap(places, rim, gaps[a]).surprise(lines, added[a], wanted[a].misfit);
+      if (wanted[a].surprise > jump) {
+        jump = wanted[a].surprise;
         jump_place = added[a].feet[added[a].feet.size() / 2].position;
       }
     }
     std::vector<Place> all_places;
     std::vector<RadialLine> all_lines;
-    std::vector<std::uint8_t> all_settled;
     for (std::size_t i = 0, a = 0; i < places.size(); ++i) {
-      const bool halved = a < gap.size() && gap[a] == i;
-      const std::uint8_t done = halved ? gap_settled[i] : 1;
       all_places.push_back(places[i]);
       all_lines.push_back(std::move(lines[i]));
-      all_settled.push_back(done);
-      if (halved) {
-        all_places.push_back(wanted[a]);
-        all_lines.push_back(std::move(added[a]));
-        all_settled.push_back(done);
-        ++a;
-      }
+      if (a == gaps.size() || gaps[a] != i)
+        continue;
+      all_places.back().misfit = wanted[a].misfit;
+      all_places.back().surprise = wanted[a].surprise;
+      all_places.push_back(wanted[a]);
+      all_lines.push_back(std::move(added[a++]));
     }
     places.swap(all_places);
     lines.swap(all_lines);
-    settled.swap(all_settled);
   }
   if (!harmonic && jump > largest_jump * spacing) { // behind a hill the shortest way jumps from one side to the other
     std::ostringstream message;
@@ -267,6 +198,28 @@ blame(const RadialLineRequest& request, StatusCode code)
   return code == StatusCode::InvalidArgument && !request.centre ? StatusCode::Failed : code;
 }
 
+/** Geodesics, whose starts are refined where coarse ones fail. */
+Status
+geodesicLines(const RadialLineRequest& request, SurfaceCentre& centre, RadialLineSet& set)
+{
+  if (request.inner)
+    return linesByMethod(request, centre, false, set);
+  bool ready = centre.lines.has_value(); // not of a centre that was given
+  if (!ready)
+    centre.lines.emplace(request.surface.graph());
+  for (;; ready = false) {
+    if (!ready && !centre.lines->setCentre(centre.position)) {
+      std::ostringstream message;
+      message << "the centre does not lie on the surface at (" << centre.position.transpose() << ")";
+      return {StatusCode::Failed, message.str()};
+    }
+    const Status status = linesByMethod(request, centre, false, set);
+    if (status.ok() || status.code() == StatusCode::Cancelled || centre.lines->usesEveryPoint())
+      return status;
+    centre.lines->useEveryPoint();
+  }
+}
+
 } // namespace
 
 Status
@@ -274,7 +227,7 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
 {
   std::optional<SurfaceCentre> centre;
   if (request.inner)
-    centre = SurfaceCentre{meanOf(request.inner->curve), {}};
+    centre = SurfaceCentre{meanOf(request.inner->curve), std::nullopt};
   else if (request.centre) {
     const SurfaceFoot foot = request.surface.project(*request.centre);
     if (!foot.valid) {
@@ -284,13 +237,13 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
               << 3.0 * request.surface.graph().spacing() << " mm) of the cloud, inside its rim, or none";
       return {StatusCode::InvalidArgument, message.str()};
     }
-    centre = SurfaceCentre{foot.position, {}};
+    centre = SurfaceCentre{foot.position, std::nullopt};
   }
   else
     centre = balancedCentre(request.surface, request.rim.curve);
 
   if (request.method != LineMethod::Harmonic && centre) {
-    const Status status = linesByMethod(request, *centre, false, set);
+    const Status status = geodesicLines(request, *centre, set);
     if (status.ok() || status.code() == StatusCode::Cancelled)
       return status;
     set.why_harmonic = status.message();

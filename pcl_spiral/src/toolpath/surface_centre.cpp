@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,43 +16,61 @@ namespace {
 
 constexpr std::size_t rim_samples = 96;
 constexpr int most_rounds = 12;
-constexpr double farthest_drift = 0.5; // spacings from where the field was computed that start its lines
+constexpr double farthest_drift = 3.0; // spacings from where the field was computed that starts lines
+constexpr double lasting_drift = 0.5;  // the same where lines that no geodesic follows are taken from the field as they are
 constexpr double settled = 5e-3;       // spacings: the next move would be a hundred times smaller
 
-/** Where the rim's points lie in the tangent plane of \p foot, by distance and direction along geodesics, which start from
- *  the field's lines. */
-std::vector<Eigen::Vector2d>
-logMap(const MlsSurface& surface, const DistanceField& field, const SurfaceFoot& foot, const Polyline& rim)
+/** Lines from a centre under way to the samples of the rim. */
+struct Fan {
+  std::vector<Polyline> lines;
+  std::vector<std::uint8_t> geodesic; ///< 0: no geodesic leads there, as behind a re-entrant rim, and the field's line must do
+
+  bool isGeodesic() const { return std::count(geodesic.begin(), geodesic.end(), 0) == 0; }
+};
+
+/** Make geodesics from \p centre of the fan's lines, those it had about a centre close by where it has them, else those of
+ *  \p start. */
+void
+refineFan(const MlsSurface& surface, const StartLines& start, const Eigen::Vector3d& centre, const Polyline& rim, Fan& fan)
 {
-  const double spacing = surface.graph().spacing();
-  std::vector<GeodesicLine> lines(rim.size());
+  fan.lines.resize(rim.size());
+  fan.geodesic.resize(rim.size(), 0);
+  std::vector<GeodesicLine> geodesics(rim.size());
   const auto count = static_cast<std::int64_t>(rim.size());
 #pragma omp parallel for schedule(dynamic, 4)
-  for (std::int64_t i = 0; i < count; ++i)
-    lines[i].points = field.trace(rim[i]);
+  for (std::int64_t i = 0; i < count; ++i) {
+    Polyline& line = fan.lines[i];
+    if (fan.geodesic[i]) {
+      const Eigen::Vector3d shift = centre - line.front();
+      for (std::size_t k = 0; k < line.size(); ++k)
+        line[k] += (1.0 - static_cast<double>(k) / static_cast<double>(line.size() - 1)) * shift;
+    }
+    else
+      line = start.between(centre, rim[i]);
+    geodesics[i].points = line;
+  }
   RefinementOptions options;
   options.levels = {32};
   options.max_iterations = 8;
   options.probe_normals = false;
-  options.tolerance = 1e-4 * spacing;
-  std::vector<GeodesicLine> geodesics;
-  std::vector<std::size_t> which;
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    if (lines[i].points.size() > 1) {
-      geodesics.push_back(lines[i]);
-      geodesics.back().points.front() = foot.position;
-      geodesics.back().points.back() = rim[i];
-      which.push_back(i);
-    }
+  options.tolerance = 1e-4 * surface.graph().spacing();
   refineGeodesics(surface, options, geodesics);
-  for (std::size_t j = 0; j < which.size(); ++j)
-    if (!geodesics[j].left_surface) // behind a re-entrant rim the field's line must do
-      lines[which[j]].points = std::move(geodesics[j].points);
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    fan.geodesic[i] = geodesics[i].points.size() > 1 && !geodesics[i].left_surface;
+    if (fan.geodesic[i])
+      fan.lines[i] = std::move(geodesics[i].points);
+  }
+}
+
+/** Where the fan's lines end in the tangent plane of \p foot, by distance and direction. */
+std::vector<Eigen::Vector2d>
+logMap(const Fan& fan, const SurfaceFoot& foot, double spacing)
+{
   Eigen::Vector3d e1, e2;
   tangentFrame(foot.normal, e1, e2);
-  std::vector<Eigen::Vector2d> plane(rim.size(), Eigen::Vector2d::Zero());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Polyline& line = lines[i].points;
+  std::vector<Eigen::Vector2d> plane(fan.lines.size(), Eigen::Vector2d::Zero());
+  for (std::size_t i = 0; i < fan.lines.size(); ++i) {
+    const Polyline& line = fan.lines[i];
     double gone = 0.0;
     for (std::size_t k = 1; k < line.size(); ++k) {
       gone += (line[k] - line[k - 1]).norm();
@@ -178,15 +197,58 @@ startInPlan(const MlsSurface& surface, const Polyline& rim)
   std::size_t nearest = 0;
   for (std::size_t i = 0; i < graph.size(); ++i) {
     const Eigen::Vector3d p = graph.position(i);
-    const double distance = std::hypot(p.dot(e1) - best->x(), p.dot(e2) - best->y());
-    if (distance < closest) {
-      closest = distance;
+    const double squared = (Eigen::Vector2d(p.dot(e1), p.dot(e2)) - *best).squaredNorm();
+    if (squared < closest) {
+      closest = squared;
       nearest = i;
     }
   }
-  if (closest > graph.spacing())
+  if (std::sqrt(closest) > graph.spacing())
     return none;
   return surface.project(best->x() * e1 + best->y() * e2 + graph.position(nearest).dot(up) * up);
+}
+
+/** \p step from \p foot over the surface, in short tangent steps; not valid where they leave it. */
+SurfaceFoot
+walked(const MlsSurface& surface, const SurfaceFoot& foot, const Eigen::Vector3d& step)
+{
+  SurfaceFoot next = foot;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(step.norm() / (2.0 * surface.graph().spacing()))));
+  Eigen::Vector3d direction = step / pieces;
+  for (int i = 0; i < pieces && next.valid; ++i) {
+    const Eigen::Vector3d along = direction - direction.dot(next.normal) * next.normal;
+    if (along.norm() > 0.0)
+      direction = along.normalized() * (step.norm() / pieces);
+    next = surface.project(next.position + direction);
+  }
+  return next;
+}
+
+/** Lines for the next round of a centre that has come \p drift from where \p start has its field. Where no geodesic leads to
+ *  part of the rim the field itself counts: then every point carries it, and it stays close by. */
+bool
+followCentre(const MlsSurface& surface, const Eigen::Vector3d& centre, const Polyline& rim, StartLines& start, Fan& fan,
+             double& drift)
+{
+  const auto follow = [&](double farthest) {
+    if (drift > farthest * start.spacing()) {
+      if (!start.setCentre(centre))
+        return false;
+      drift = 0.0;
+    }
+    refineFan(surface, start, centre, rim, fan);
+    return true;
+  };
+  const bool whole = !fan.lines.empty() && fan.isGeodesic();
+  if (!whole && !follow(fan.lines.empty() ? farthest_drift : lasting_drift))
+    return false;
+  if (whole)
+    refineFan(surface, start, centre, rim, fan);
+  if (fan.isGeodesic() || start.usesEveryPoint())
+    return true;
+  start.useEveryPoint();
+  drift = std::numeric_limits<double>::max();
+  return follow(lasting_drift);
 }
 
 } // namespace
@@ -203,14 +265,14 @@ balancedCentre(const MlsSurface& surface, const Polyline& rim)
       return std::nullopt;
     foot = surface.project(*deepest);
   }
-  SurfaceCentre centre;
+  StartLines start(surface.graph());
+  Fan fan;
   double share = 1.0, last_step = std::numeric_limits<double>::max(); // of the way, less where rounds go to and fro
   double drift = std::numeric_limits<double>::max();                 // of the centre since the field was computed
   for (int round = 0; round < most_rounds; ++round) {
-    if (drift > farthest_drift * spacing && !centre.field.compute(surface.graph(), foot.position))
+    if (!followCentre(surface, foot.position, sample, start, fan, drift))
       return std::nullopt;
-    drift = drift > farthest_drift * spacing ? 0.0 : drift;
-    const Eigen::Vector2d goal = evenCentre(logMap(surface, centre.field, foot, sample));
+    const Eigen::Vector2d goal = evenCentre(logMap(fan, foot, spacing));
     if (goal.norm() > 0.5 * last_step)
       share *= 0.5;
     last_step = goal.norm();
@@ -218,18 +280,8 @@ balancedCentre(const MlsSurface& surface, const Polyline& rim)
     tangentFrame(foot.normal, e1, e2);
     Eigen::Vector3d step = share * (goal.x() * e1 + goal.y() * e2);
     SurfaceFoot next;
-    for (int halving = 0; halving < 6 && !next.valid; ++halving, step *= 0.5) {
-      // Follow the surface in short tangent steps.
-      next = foot;
-      const int pieces = std::max(1, static_cast<int>(std::ceil(step.norm() / (2.0 * spacing))));
-      Eigen::Vector3d direction = step / pieces;
-      for (int i = 0; i < pieces && next.valid; ++i) {
-        const Eigen::Vector3d along = direction - direction.dot(next.normal) * next.normal;
-        if (along.norm() > 0.0)
-          direction = along.normalized() * (step.norm() / pieces);
-        next = surface.project(next.position + direction);
-      }
-    }
+    for (int halving = 0; halving < 6 && !next.valid; ++halving, step *= 0.5)
+      next = walked(surface, foot, step);
     if (!next.valid)
       break;
     const double moved = (next.position - foot.position).norm();
@@ -238,10 +290,9 @@ balancedCentre(const MlsSurface& surface, const Polyline& rim)
     if (moved < settled * spacing)
       break;
   }
-  if (drift > farthest_drift * spacing && !centre.field.compute(surface.graph(), foot.position))
+  if (drift > farthest_drift * start.spacing() && !start.setCentre(foot.position))
     return std::nullopt;
-  centre.position = foot.position;
-  return centre;
+  return SurfaceCentre{foot.position, std::move(start)};
 }
 
 std::optional<Eigen::Vector3d>

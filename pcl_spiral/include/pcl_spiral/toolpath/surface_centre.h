@@ -4,17 +4,17 @@
 #pragma once
 
 #include <pcl_spiral/core/polyline.h>
-#include <pcl_spiral/geodesic/distance_field.h>
 #include <pcl_spiral/surface/mls_surface.h>
+#include <pcl_spiral/toolpath/start_lines.h>
 
 #include <optional>
 
 namespace pcl_spiral {
 
-/** A centre, and distances along the surface from it or from a place within half a spacing of it. */
+/** A centre, and rough lines from it. */
 struct SurfaceCentre {
   Eigen::Vector3d position;
-  DistanceField field;
+  std::optional<StartLines> lines;
 };
 
 /** The point x of the surface with the least max d / sqrt(min d) of the distances d along the surface to the rim, maxima
