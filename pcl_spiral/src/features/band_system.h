@@ -16,7 +16,7 @@ namespace pcl_spiral {
 class BandSystem {
 public:
   BandSystem(std::size_t unknowns, std::size_t reach, bool closed)
-  : n_(unknowns), width_(closed ? 2 * reach : reach), closed_(closed), entries_(unknowns * (width_ + 1), 0.0)
+  : n_(unknowns), width_(closed ? 2 * reach : reach), closed_(closed), entries_((unknowns + width_) * (width_ + 1), 0.0)
   {
   }
 
@@ -27,46 +27,66 @@ public:
     std::size_t row = folded(i), column = folded(j);
     if (row < column)
       std::swap(row, column);
-    entries_[row * (width_ + 1) + (row - column)] += value;
+    rowOf(row + width_)[width_ + column - row] += value;
   }
 
   /** Solve for \p right, by Cholesky; the matrix is lost. */
   std::vector<double>
   solve(const std::vector<double>& right)
   {
-    std::vector<double> x(n_);
+    std::vector<double> x(n_ + width_, 0.0);
     for (std::size_t i = 0; i < n_; ++i)
-      x[folded(i)] = right[i];
-    for (std::size_t i = 0; i < n_; ++i) {
-      const std::size_t first = i > width_ ? i - width_ : 0;
-      for (std::size_t j = first; j <= i; ++j) {
-        double sum = at(i, j);
-        for (std::size_t k = j > width_ && j - width_ > first ? j - width_ : first; k < j; ++k)
-          sum -= at(i, k) * at(j, k);
-        at(i, j) = i == j ? std::sqrt(sum) : sum / at(j, j);
-      }
-      for (std::size_t k = first; k < i; ++k)
-        x[i] -= at(i, k) * x[k];
-      x[i] /= at(i, i);
-    }
-    for (std::size_t i = n_; i-- > 0;) {
-      x[i] /= at(i, i);
-      for (std::size_t k = i > width_ ? i - width_ : 0; k < i; ++k)
-        x[k] -= at(i, k) * x[i];
-    }
+      x[width_ + folded(i)] = right[i];
+    if (width_ == 3)
+      solveBand<3>(x);
+    else if (width_ == 6)
+      solveBand<6>(x);
+    else
+      solveBand<0>(x);
     std::vector<double> result(n_);
     for (std::size_t i = 0; i < n_; ++i)
-      result[i] = x[folded(i)];
+      result[i] = x[width_ + folded(i)];
     return result;
   }
 
 private:
   std::size_t folded(std::size_t i) const { return !closed_ ? i : 2 * i < n_ ? 2 * i : 2 * (n_ - 1 - i) + 1; }
-  double& at(std::size_t i, std::size_t j) { return entries_[i * (width_ + 1) + (i - j)]; }
+  double* rowOf(std::size_t i) { return entries_.data() + i * (width_ + 1); }
+
+  /** The solution replaces \p x, which begins with width_ zeros, as entries_ do with rows. \p Width: of the band, known
+   *  beforehand so that its loops are unrolled; 0 if it is not. */
+  template <std::size_t Width>
+  void
+  solveBand(std::vector<double>& x)
+  {
+    const std::size_t w = Width > 0 ? Width : width_;
+    std::vector<double> inverse(n_ + w, 0.0); // of the factor's diagonal
+    for (std::size_t i = w; i < n_ + w; ++i) {
+      double* const row = rowOf(i);
+      double pivot = row[w], sum_right = x[i];
+      for (std::size_t j = 0; j < w; ++j) {
+        const double* const other = rowOf(i - w + j);
+        double sum = row[j];
+        for (std::size_t k = 0; k < j; ++k)
+          sum -= row[k] * other[w - j + k];
+        row[j] = sum * inverse[i - w + j];
+        pivot -= row[j] * row[j];
+        sum_right -= row[j] * x[i - w + j];
+      }
+      inverse[i] = 1.0 / std::sqrt(pivot);
+      x[i] = sum_right * inverse[i];
+    }
+    for (std::size_t i = n_ + w; i-- > w;) {
+      x[i] *= inverse[i];
+      const double* const row = rowOf(i);
+      for (std::size_t k = 0; k < w; ++k)
+        x[i - w + k] -= row[k] * x[i];
+    }
+  }
 
   std::size_t n_, width_;
   bool closed_;
-  std::vector<double> entries_;
+  std::vector<double> entries_; ///< row by row, from width_ columns before the diagonal up to it, after width_ empty rows
 };
 
 } // namespace pcl_spiral

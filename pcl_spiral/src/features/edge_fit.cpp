@@ -47,6 +47,15 @@ struct Stencil {
   }
 };
 
+/** How far a point lies within the edge: between the offsets of two neighbouring nodes, less its own. */
+struct Gap {
+  std::size_t before, after;
+  double share; ///< of the way from the one node to the other
+  double offset;
+
+  double value(const std::vector<double>& d) const { return (1.0 - share) * d[before] + share * d[after] - offset; }
+};
+
 /** Geodesic curvature at every inner node (at every node of a closed side) as it depends on the offsets, 1/spacing. */
 std::vector<Stencil>
 curvatures(const OutlineSide& side, double spacing, double step)
@@ -89,8 +98,7 @@ roughness(const OutlineSide& side, const EdgeOptions& options, double step)
   return terms;
 }
 
-/** The edge's offset at a point's place, less the point's: how far the point lies within. */
-Stencil
+Gap
 gapOf(const OutlineSide& side, const SidePoint& point)
 {
   const auto m = static_cast<std::ptrdiff_t>(side.nodes.size());
@@ -99,19 +107,40 @@ gapOf(const OutlineSide& side, const SidePoint& point)
     a = std::clamp<std::ptrdiff_t>(a, 0, m - 2);
   const double f = point.place - static_cast<double>(a);
   a = (a % m + m) % m;
-  Stencil gap;
-  gap.add(a, 1.0 - f);
-  gap.add((a + 1) % m, f);
-  gap.constant = -point.offset;
-  return gap;
+  return {static_cast<std::size_t>(a), static_cast<std::size_t>((a + 1) % m), f, point.offset};
 }
 
-/** -log of the share of blurred points that are seen as deep as \p u blurs within the edge. */
-double
-outsideCost(double u)
-{
-  return u > 0.0 ? std::log1p(std::exp(-u)) : std::log1p(std::exp(u)) - u;
-}
+/** Sum over points of -log of the share of blurred points that are seen as deep as u blurs within the edge,
+ *  log (1 + exp(-u)): the logarithm of a product of a few at a time. */
+class OutsideCost {
+public:
+  /** \p small = exp(-|u|). */
+  void
+  add(double u, double small)
+  {
+    product_ *= 1.0 + small;
+    sum_ -= std::min(u, 0.0);
+    if (++count_ % 64 == 0)
+      flush();
+  }
+  double
+  total()
+  {
+    flush();
+    return sum_;
+  }
+
+private:
+  void
+  flush()
+  {
+    sum_ += std::log(product_);
+    product_ = 1.0;
+  }
+
+  double sum_ = 0.0, product_ = 1.0;
+  int count_ = 0;
+};
 
 /** The convex function of the offsets that the edge minimises. */
 class EdgeProblem {
@@ -124,6 +153,8 @@ public:
     terms_ = roughness(side, options, step);
     for (const SidePoint& p : points)
       gaps_.push_back(gapOf(side, p));
+    deep_.resize(gaps_.size());
+    small_.resize(gaps_.size());
     for (std::size_t i = 0; i < m; ++i) {
       pressure_[i] = side.closed || (i > 0 && i + 1 < m) ? step : 0.5 * step;
       penalty_.add(i, i, tether * step);
@@ -132,20 +163,20 @@ public:
       addSquare(penalty_, t, 1.0);
   }
 
+  /** Its value at \p d, where the next step starts from. */
   double
-  value(const std::vector<double>& d) const
+  value(const std::vector<double>& d)
   {
     double sum = 0.0;
     for (std::size_t i = 0; i < d.size(); ++i)
       sum += pressure_[i] * d[i] * (1.0 + 0.5 * tether * d[i]);
-    for (const Stencil& gap : gaps_)
-      sum += outsideCost(gap.value(d) / blur_);
+    sum += outside(d);
     for (const Stencil& t : terms_)
-      sum += 0.5 * t.value(d) * t.value(d);
+      sum += 0.5 * std::pow(t.value(d), 2);
     return sum;
   }
 
-  /** Newton's step from \p d; a point far outside counts with some curvature too. */
+  /** Newton's step from \p d, the place of the last value; a point far outside counts with some curvature too. */
   std::vector<double>
   step(const std::vector<double>& d) const
   {
@@ -155,25 +186,30 @@ public:
     for (const Stencil& t : terms_)
       addScaled(descent, t, -t.value(d));
     BandSystem hessian = penalty_;
-    for (const Stencil& gap : gaps_) {
-      const double u = gap.value(d) / blur_;
+    for (std::size_t k = 0; k < gaps_.size(); ++k) {
+      const double u = deep_[k];
       if (u > 40.0)
         continue;
-      const double pull = 1.0 / (1.0 + std::exp(u));
-      addScaled(descent, gap, pull / blur_);
-      addSquare(hessian, gap, (pull * (1.0 - pull) + 0.02 * pull / (1.0 + std::abs(u))) / (blur_ * blur_));
+      const Gap& gap = gaps_[k];
+      const double pull = u > 0.0 ? small_[k] / (1.0 + small_[k]) : 1.0 / (1.0 + small_[k]); // 1 / (1 + exp(u))
+      const double f = gap.share, e = 1.0 - f;
+      descent[gap.before] += e * pull / blur_;
+      descent[gap.after] += f * pull / blur_;
+      const double weight = (pull * (1.0 - pull) + 0.02 * pull / (1.0 + std::abs(u))) / (blur_ * blur_);
+      hessian.add(gap.before, gap.before, weight * e * e);
+      hessian.add(gap.after, gap.before, weight * f * e);
+      hessian.add(gap.after, gap.after, weight * f * f);
     }
     return hessian.solve(descent);
   }
 
   EdgeFit
-  result(std::vector<double> d) const
+  result(std::vector<double> d)
   {
     EdgeFit fit;
     for (std::size_t i = 0; i < d.size(); ++i)
       fit.area += pressure_[i] * d[i];
-    for (const Stencil& gap : gaps_)
-      fit.outside += outsideCost(gap.value(d) / blur_);
+    fit.outside = outside(d);
     for (const Stencil& t : terms_)
       fit.roughness += 0.5 * t.value(d) * t.value(d);
     fit.offsets = std::move(d);
@@ -181,6 +217,17 @@ public:
   }
 
 private:
+  double
+  outside(const std::vector<double>& d)
+  {
+    OutsideCost cost;
+    for (std::size_t k = 0; k < gaps_.size(); ++k) {
+      deep_[k] = gaps_[k].value(d) / blur_;
+      small_[k] = std::exp(-std::abs(deep_[k]));
+      cost.add(deep_[k], small_[k]);
+    }
+    return cost.total();
+  }
   static void
   addSquare(BandSystem& matrix, const Stencil& s, double weight)
   {
@@ -196,7 +243,9 @@ private:
   }
 
   double blur_;
-  std::vector<Stencil> terms_, gaps_;
+  std::vector<Stencil> terms_;
+  std::vector<Gap> gaps_;
+  std::vector<double> deep_, small_; ///< of each point at the last value: u in blurs within the edge, exp(-|u|)
   BandSystem penalty_;
   std::vector<double> pressure_;
 };
@@ -207,7 +256,7 @@ EdgeFit
 fitEdge(const OutlineSide& side, const std::vector<SidePoint>& points, const EdgeOptions& options)
 {
   constexpr int most_steps = 40;
-  const EdgeProblem problem(side, points, options);
+  EdgeProblem problem(side, points, options);
   std::vector<double> d(side.nodes.size(), 0.0);
   double value = problem.value(d);
   for (int i = 0; i < most_steps; ++i) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <unordered_set>
 #include <utility>
@@ -84,12 +85,15 @@ edgePoints(const SurfaceGraph& graph, const Ring& ring)
   for (const std::uint32_t v : ring)
     positions.push_back(graph.position(v));
   const RingLine line(std::move(positions));
+  const std::vector<Reached> reached = reachedFrom(graph, ring);
+  std::vector<std::pair<double, double>> feet(reached.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(reached.size()); ++i)
+    feet[i] = line.foot(graph.position(reached[i].first), reached[i].second, reach * graph.spacing());
   std::vector<EdgePoint> points;
-  for (const auto& [v, from] : reachedFrom(graph, ring)) {
-    const Eigen::Vector3d p = graph.position(v);
-    if (const auto [place, distance] = line.foot(p, from, reach * graph.spacing()); distance < depth * graph.spacing())
-      points.push_back({p, place});
-  }
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    if (feet[i].second < depth * graph.spacing())
+      points.push_back({graph.position(reached[i].first), feet[i].first});
   std::stable_sort(points.begin(), points.end(), [](const EdgePoint& a, const EdgePoint& b) { return a.place < b.place; });
   return points;
 }

@@ -1,11 +1,13 @@
 #include "outline.h"
 
 #include "corner_choice.h"
+#include "near_points.h"
 
 #include <pcl_spiral/core/self_crossing.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace pcl_spiral {
@@ -83,9 +85,13 @@ fallBack(const MlsSurface& surface, OutlineSide& side)
         queries.push_back(place(i, k));
       std::vector<SurfaceFoot> feet;
       surface.project(queries, feet);
+      std::vector<std::uint8_t> known(open.size());
+#pragma omp parallel for schedule(static)
+      for (std::int64_t j = 0; j < static_cast<std::int64_t>(open.size()); ++j)
+        known[j] = isWellKnown(graph, feet[j]);
       std::vector<std::size_t> still_open;
       for (std::size_t j = 0; j < open.size(); ++j)
-        if (isWellKnown(graph, feet[j]))
+        if (known[j])
           side.nodes[open[j]] = feet[j].position;
         else
           still_open.push_back(open[j]);
@@ -113,6 +119,18 @@ assembled(const OutlineDraft& draft)
   return outline;
 }
 
+/** Whether \p holds is true of every point. */
+template <typename Holds>
+bool
+allOf(const Polyline& points, Holds holds)
+{
+  bool all = true;
+#pragma omp parallel for schedule(static) reduction(&& : all)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(points.size()); ++i)
+    all = all && holds(points[i]);
+  return all;
+}
+
 /** Whether the outline follows the ring it was fitted to, and stays by it or by the points behind it: the longest edge of
  *  the ring is six spacings, and may span a notch as deep. */
 bool
@@ -120,31 +138,31 @@ staysByRing(const OutlineDraft& draft, const Outline& outline)
 {
   constexpr double farthest = 3.5, farthest_within = 1.5, farthest_of_ring = 3.0; // spacings
   const Polyline& ring = draft.points();
-  const auto squared = [&](double spacings) { return spacings * spacings * draft.spacing() * draft.spacing(); };
-  const double limit = squared(farthest), limit_within = squared(farthest_within), limit_followed = squared(farthest_of_ring);
+  const std::size_t n = ring.size();
+  const double spacing = draft.spacing();
+  Polyline edge, middles;
+  for (const EdgePoint& e : draft.edge())
+    edge.push_back(e.position);
+  double longest = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    middles.push_back(0.5 * (ring[i] + ring[(i + 1) % n]));
+    longest = std::max(longest, (ring[(i + 1) % n] - ring[i]).norm());
+  }
+  const NearPoints by_middle(middles), by_edge(edge), by_curve(outline.curve);
+  const auto isNear = [](const NearPoints& points, const Eigen::Vector3d& p, double reach) {
+    return points.any(p, reach, [&](const Eigen::Vector3d& q, std::size_t) { return (q - p).norm() < reach; });
+  };
   const auto byRing = [&](const Eigen::Vector3d& p) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Eigen::Vector3d a = ring[i], d = ring[(i + 1) % ring.size()] - a;
+    return by_middle.any(p, farthest * spacing + 0.5 * longest, [&](const Eigen::Vector3d&, std::size_t i) {
+      const Eigen::Vector3d a = ring[i], d = ring[(i + 1) % n] - a;
       const double t = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
-      if ((p - a - t * d).squaredNorm() < limit)
-        return true;
-    }
-    return false;
+      return (p - a - t * d).norm() < farthest * spacing;
+    });
   };
-  const auto byEdge = [&](const Eigen::Vector3d& p) {
-    return std::any_of(draft.edge().begin(), draft.edge().end(),
-                       [&](const EdgePoint& e) { return (e.position - p).squaredNorm() < limit_within; });
-  };
-  const auto isFollowed = [&](const Eigen::Vector3d& p) {
-    return std::any_of(outline.curve.begin(), outline.curve.end(),
-                       [&](const Eigen::Vector3d& q) { return (q - p).squaredNorm() < limit_followed; });
-  };
-  if (!std::all_of(ring.begin(), ring.end(), isFollowed))
-    return false;
-  for (const Eigen::Vector3d& p : outline.curve)
-    if (!byRing(p) && !byEdge(p))
-      return false;
-  return outline.curve.size() * node_step * draft.spacing() < 1.3 * length(ring, true);
+  return allOf(ring, [&](const Eigen::Vector3d& p) { return isNear(by_curve, p, farthest_of_ring * spacing); }) &&
+         allOf(outline.curve,
+               [&](const Eigen::Vector3d& p) { return byRing(p) || isNear(by_edge, p, farthest_within * spacing); }) &&
+         outline.curve.size() * node_step * spacing < 1.3 * length(ring, true);
 }
 
 /** Whether the outline crosses itself nowhere. */
@@ -153,9 +171,10 @@ isSimple(const SurfaceGraph& graph, const Outline& outline)
 {
   Polyline closed = outline.curve;
   closed.push_back(closed.front());
-  std::vector<Eigen::Vector3d> normals;
-  for (const Eigen::Vector3d& p : closed)
-    normals.push_back(graph.normal(graph.blocks().nearest(p)));
+  std::vector<Eigen::Vector3d> normals(closed.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(closed.size()); ++i)
+    normals[i] = graph.normal(graph.blocks().nearest(closed[i]));
   return !firstSelfCrossing(closed, normals, 1e-3 * graph.spacing());
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace pcl_spiral {
@@ -33,10 +34,14 @@ placed(const OutlineSide& side, double spacing, double blur, std::ptrdiff_t reac
   constexpr double beyond = 3.0; // nodes past an end
   const double deepest = -(2.0 + 2.0 * blur);
   const auto segments = static_cast<double>(side.segments());
+  std::vector<SideFoot> feet(points.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(points.size()); ++i)
+    feet[i] = footOn(side, points[i].position, std::lround(points[i].share * segments), reach);
   std::vector<SidePoint> result;
-  for (ExpectedPoint& point : points) {
-    const SideFoot foot = footOn(side, point.position, std::lround(point.share * segments), reach);
-    point.share = side.closed ? foot.place / segments : std::clamp(foot.place / segments, 0.0, 1.0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const SideFoot& foot = feet[i];
+    points[i].share = side.closed ? foot.place / segments : std::clamp(foot.place / segments, 0.0, 1.0);
     if (foot.offset > deepest * spacing && (side.closed || (foot.place > -beyond && foot.place < segments + beyond)))
       result.push_back({foot.place, foot.offset / spacing});
   }
@@ -49,7 +54,8 @@ likelyWavelength(const OutlineSide& side, const std::vector<SidePoint>& points, 
 {
   const double size = length(side.nodes, side.closed) / options.spacing;
   std::array<double, wavelengths.size()> cost{};
-  for (std::size_t k = 0; k < wavelengths.size(); ++k) {
+#pragma omp parallel for schedule(dynamic, 1) firstprivate(options)
+  for (int k = 0; k < static_cast<int>(wavelengths.size()); ++k) {
     options.wavelength = wavelengths[k];
     cost[k] = fitEdge(side, points, options).cost() + freedom_cost * size / wavelengths[k];
   }
@@ -168,7 +174,8 @@ layOnSurface(const MlsSurface& surface, OutlineSide& side)
   std::vector<SurfaceFoot> feet;
   surface.project(side.nodes, feet);
   side.normals.resize(side.nodes.size());
-  for (std::size_t i = 0; i < side.nodes.size(); ++i) {
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(side.nodes.size()); ++i) {
     if (feet[i].valid)
       side.nodes[i] = feet[i].position;
     side.normals[i] = feet[i].valid ? feet[i].normal : graph.normal(graph.blocks().nearest(side.nodes[i]));

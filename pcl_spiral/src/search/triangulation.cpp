@@ -85,26 +85,48 @@ Triangulation::boundaryLoops() const
 std::vector<std::uint32_t>
 Triangulation::parts(std::vector<std::size_t>& sizes) const
 {
-  std::vector<std::uint32_t> part(triangleCount(), none);
-  std::vector<std::uint32_t> stack;
-  sizes.clear();
-  for (std::uint32_t seed = 0; seed < triangleCount(); ++seed) {
-    if (part[seed] != none)
-      continue;
-    const auto id = static_cast<std::uint32_t>(sizes.size());
-    sizes.push_back(0);
-    part[seed] = id;
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      const std::uint32_t t = stack.back();
-      stack.pop_back();
-      ++sizes.back();
-      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
-        if (opposite_[h] != none && part[opposite_[h] / 3] == none) {
-          part[opposite_[h] / 3] = id;
-          stack.push_back(opposite_[h] / 3);
-        }
+  // Union of sets by their first triangle: runs of triangles in parallel, each by itself, then the edges between runs.
+  const std::size_t n = triangleCount();
+  constexpr std::size_t runs = 64;
+  std::vector<std::uint32_t> first(n);
+  std::iota(first.begin(), first.end(), 0u);
+  const auto firstOf = [&](std::uint32_t t) {
+    while (first[t] != t)
+      t = first[t] = first[first[t]];
+    return t;
+  };
+  const auto unite = [&](std::uint32_t t, std::uint32_t other) {
+    t = firstOf(t);
+    other = firstOf(other);
+    first[std::max(t, other)] = std::min(t, other);
+  };
+  std::vector<std::vector<std::uint32_t>> between(runs); // half-edges to other runs
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::int64_t r = 0; r < static_cast<std::int64_t>(runs); ++r) {
+    const std::size_t begin = n * r / runs, end = n * (r + 1) / runs;
+    for (std::size_t h = 3 * begin; h < 3 * end; ++h) {
+      const std::uint32_t other = opposite_[h];
+      if (other == none || other > h)
+        continue;
+      if (other >= 3 * begin)
+        unite(static_cast<std::uint32_t>(h / 3), other / 3);
+      else
+        between[r].push_back(static_cast<std::uint32_t>(h));
     }
+  }
+  for (const auto& run : between)
+    for (const std::uint32_t h : run)
+      unite(h / 3, opposite_[h] / 3);
+  std::vector<std::uint32_t> part(n);
+  sizes.clear();
+  for (std::uint32_t t = 0; t < n; ++t) { // a set's first triangle comes before its others
+    const std::uint32_t f = firstOf(t);
+    if (f == t) {
+      part[t] = static_cast<std::uint32_t>(sizes.size());
+      sizes.push_back(0);
+    }
+    part[t] = part[f];
+    ++sizes[part[t]];
   }
   std::vector<std::uint32_t> order(sizes.size()), rank(sizes.size());
   std::iota(order.begin(), order.end(), 0u);
