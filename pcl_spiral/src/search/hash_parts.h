@@ -24,6 +24,7 @@ mixed(std::uint64_t key)
  *  part, small enough to stay in the cache. Independent of the number of threads. */
 class HashParts {
 public:
+  HashParts() = default;
   template <typename Hash>
   HashParts(const std::vector<Eigen::Vector3f>& points, Hash hash) : points_(points.size())
   {
@@ -56,6 +57,7 @@ public:
   }
 
   std::size_t count() const { return begin_.size() - 1; }
+  IndexedPosition* begin(std::size_t part) { return points_.data() + begin_[part]; }
   const IndexedPosition* begin(std::size_t part) const { return points_.data() + begin_[part]; }
   const IndexedPosition* end(std::size_t part) const { return points_.data() + begin_[part + 1]; }
 
@@ -67,6 +69,8 @@ private:
 /** Numbers of the different keys of one part, in the order they are met: open addressing. */
 class KeyTable {
 public:
+  static constexpr std::uint32_t none = 0xffffffffu;
+
   void
   reset(std::size_t most_keys)
   {
@@ -88,6 +92,17 @@ public:
         return slots_[slot] - 1;
     slots_[slot] = ++keys_;
     return keys_ - 1;
+  }
+  /** The same, or none. */
+  template <typename IsSame>
+  std::uint32_t
+  find(std::uint64_t hash, IsSame isSame) const
+  {
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t slot = hash & mask; slots_[slot] != 0; slot = (slot + 1) & mask)
+      if (isSame(slots_[slot] - 1))
+        return slots_[slot] - 1;
+    return none;
   }
 
 private:

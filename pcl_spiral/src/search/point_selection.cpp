@@ -1,7 +1,7 @@
-#include <pcl_spiral/search/neighbour_search.h>
 #include <pcl_spiral/search/point_selection.h>
 
 #include "hash_parts.h"
+#include "mean_distances.h"
 
 #include <cmath>
 #include <cstring>
@@ -18,31 +18,6 @@ allIndices(std::size_t n)
   std::vector<std::uint32_t> indices(n);
   std::iota(indices.begin(), indices.end(), 0u);
   return indices;
-}
-
-/** Mean distance of each point to its nearest. */
-std::vector<double>
-meanDistances(const std::vector<Eigen::Vector3f>& points, int neighbours)
-{
-  const PointBlocks blocks(points);
-  std::vector<double> mean(points.size(), 0.0);
-  const auto count = static_cast<std::int64_t>(blocks.blockCount());
-#pragma omp parallel
-  {
-    NeighbourSearch search(blocks, neighbours + 1);
-#pragma omp for schedule(dynamic, 16)
-    for (std::int64_t b = 0; b < count; ++b) {
-      search.setRun(blocks.blockBox(b));
-      for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); ++i) {
-        const Neighbourhood& near = search.find(blocks.position(i));
-        double sum = 0.0;
-        for (int k = 1; k < near.size; ++k)
-          sum += std::sqrt(static_cast<double>(near.squared_distance[k]));
-        mean[blocks.originalIndex(i)] = sum / std::max(1, near.size - 1);
-      }
-    }
-  }
-  return mean;
 }
 
 /** Indices of what is not 0, ascending. */
@@ -184,11 +159,11 @@ statisticalInliers(const std::vector<Eigen::Vector3f>& points, int neighbours, d
 {
   if (points.size() < 2)
     return allIndices(points.size());
-  const std::vector<double> distance = meanDistances(points, neighbours);
+  const std::vector<float> distance = meanDistances(points, neighbours);
   const double n = static_cast<double>(points.size());
   const double mean = std::accumulate(distance.begin(), distance.end(), 0.0) / n;
   double squares = 0.0;
-  for (const double d : distance)
+  for (const float d : distance)
     squares += (d - mean) * (d - mean);
   const double limit = mean + deviations * std::sqrt(squares / (n - 1.0));
   std::vector<std::uint32_t> kept;
