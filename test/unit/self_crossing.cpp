@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace {
 
@@ -38,6 +39,43 @@ TEST(SelfCrossing, ShortPathsAndRepeatedPoints)
   const pcl_spiral::Polyline still(5, Eigen::Vector3d(1, 2, 3));
   EXPECT_FALSE(pcl_spiral::firstSelfCrossing(still, {5, Eigen::Vector3d::UnitZ()}));
   EXPECT_FALSE(pcl_spiral::firstSelfCrossing({}, {}));
+}
+
+// Whether two segments of the plane z = 0 cross, each leaving the other's ends on either side by more than the slack.
+bool
+crossInPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d,
+             double slack)
+{
+  const auto offSides = [slack](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r,
+                                const Eigen::Vector3d& s) {
+    const Eigen::Vector2d across = Eigen::Vector2d(p.y() - q.y(), q.x() - p.x()).normalized();
+    const double one = across.dot((r - p).head<2>()), other = across.dot((s - p).head<2>());
+    return (one > slack && other < -slack) || (one < -slack && other > slack);
+  };
+  return offSides(a, b, c, d) && offSides(c, d, a, b);
+}
+
+TEST(SelfCrossing, AgreesWithEveryPairTested)
+{
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> u(-1.0, 1.0);
+  int crossed = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    // A path that drifts, so that some cross late and some never.
+    pcl_spiral::Polyline path{Eigen::Vector3d(1000 * u(random), 1000 * u(random), 0)};
+    for (int i = 0; i < 60; ++i)
+      path.push_back(path.back() + Eigen::Vector3d(0.9 + u(random), 1.5 * u(random), 0));
+    const double slack = trial % 2 ? 0.05 : 0.0;
+    std::optional<std::size_t> expected;
+    for (std::size_t i = 0; i + 1 < path.size() && !expected; ++i)
+      for (std::size_t j = i + 2; j + 1 < path.size(); ++j)
+        if (crossInPlane(path[i], path[i + 1], path[j], path[j + 1], slack))
+          expected = i;
+    crossed += expected.has_value();
+    EXPECT_EQ(pcl_spiral::firstSelfCrossing(path, {path.size(), Eigen::Vector3d::UnitZ()}, slack), expected) << trial;
+  }
+  EXPECT_GT(crossed, 30);
+  EXPECT_LT(crossed, 250);
 }
 
 } // namespace
