@@ -43,7 +43,8 @@ struct RadialLineSet {
 };
 
 /** Make the lines: coarse ones evenly along the rim and on each of its corners, then one in the middle of every gap
- *  where the line that is there differs from what its neighbours foretell by more than the tolerance.
+ *  until the rim in it is interpolated to the tolerance, and the last line found there was too: of geodesics from a centre,
+ *  less what comes from the rim's own shape, to four times the tolerance, since the gap is half as wide then.
  *
  *  Lines are geodesics (between paired ends when there are two boundaries). Where those leave the surface, cross or
  *  jump, as they do behind re-entrant boundaries, all lines become gradient lines of the harmonic function between the
