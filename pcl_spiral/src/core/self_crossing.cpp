@@ -10,9 +10,11 @@
 namespace pcl_spiral {
 namespace {
 
-/** The segments of a path by the cells in which their middles lie, cubes as wide as the longest. Cells share buckets, by
- *  a hash under which neighbours along x follow each other; a segment of another cell in a bucket does no harm. Eight
- *  bytes a segment. */
+constexpr double width_in_longest = 1.4; // of a cell: smaller ones cost more to look up than they leave out
+
+/** The segments of a path by the cells in which their middles lie. Cells share buckets, by a hash under which
+ *  neighbours along x follow each other; a segment of another cell in a bucket does no harm. Eight bytes a
+ *  segment. */
 class SegmentCells {
 public:
   using Cell = Eigen::Matrix<std::int64_t, 3, 1>;
@@ -27,40 +29,52 @@ public:
     begin_.assign(buckets + 1, 0);
     // Each segment's place depends on those before it: serial.
     for (std::size_t i = 0; i < segments; ++i)
-      ++begin_[bucketOf(cellOf(i))];
+      ++begin_[bucketOf(cellAt(middle(i)))];
     std::uint32_t before = 0;
     for (std::uint32_t& entry : begin_)
       entry = before += entry;
     segments_.resize(segments);
     for (std::size_t i = segments; i-- > 0;)
-      segments_[--begin_[bucketOf(cellOf(i))]] = static_cast<std::uint32_t>(i);
+      segments_[--begin_[bucketOf(cellAt(middle(i)))]] = static_cast<std::uint32_t>(i);
   }
 
-  Cell
-  cellOf(std::size_t segment) const
+  Eigen::Vector3d
+  middle(std::size_t segment) const
   {
-    return (0.5 / width_ * (path_[segment] + path_[segment + 1])).array().floor().matrix().cast<std::int64_t>();
+    return 0.5 * (path_[segment] + path_[segment + 1]);
   }
 
-  /** Call \p visit with the segments from \p first on in a cell and the next two along x. */
+  /** Call \p visit with the segments from \p first on whose middle may lie within \p reach of \p place. */
   template <typename Visit>
   void
-  visitThree(std::size_t first, const Cell& cell, Visit visit) const
+  visitNear(const Eigen::Vector3d& place, double reach, std::size_t first, Visit visit) const
   {
-    const std::size_t bucket = bucketOf(cell);
+    const Eigen::Vector3d half = Eigen::Vector3d::Constant(reach);
+    const Cell low = cellAt(place - half), high = cellAt(place + half);
+    const std::size_t columns = high.x() - low.x() + 1;
     const auto visitBuckets = [&](std::size_t from, std::size_t end) {
       for (std::uint32_t k = begin_[from]; k < begin_[end]; ++k)
         if (segments_[k] >= first)
           visit(segments_[k]);
     };
-    if (bucket + 2 <= mask_)
-      visitBuckets(bucket, bucket + 3);
-    else
-      for (std::size_t next = bucket; next < bucket + 3; ++next)
-        visitBuckets(next & mask_, (next & mask_) + 1);
+    for (std::int64_t z = low.z(); z <= high.z(); ++z)
+      for (std::int64_t y = low.y(); y <= high.y(); ++y) {
+        const std::size_t bucket = bucketOf(Cell(low.x(), y, z));
+        if (bucket + columns <= mask_ + 1)
+          visitBuckets(bucket, bucket + columns);
+        else
+          for (std::size_t next = bucket; next < bucket + columns; ++next)
+            visitBuckets(next & mask_, (next & mask_) + 1);
+      }
   }
 
 private:
+  Cell
+  cellAt(const Eigen::Vector3d& place) const
+  {
+    return (place / width_).array().floor().matrix().cast<std::int64_t>();
+  }
+
   std::size_t
   bucketOf(const Cell& cell) const
   {
@@ -111,21 +125,21 @@ firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& norm
     longest = std::max(longest, (path[i + 1] - path[i]).squaredNorm());
   if (!(longest > 0.0))
     return std::nullopt;
-  const SegmentCells cells(path, std::sqrt(longest));
+  longest = std::sqrt(longest);
+  const SegmentCells cells(path, width_in_longest * longest);
   auto first = std::numeric_limits<std::int64_t>::max();
 #pragma omp parallel for schedule(dynamic, 4096) reduction(min : first)
   for (std::int64_t i = 0; i < segments; ++i) {
     if (i >= first)
       continue;
-    const Eigen::Vector3d start = path[i], left = normals[i].cross(path[i + 1] - start);
-    const SegmentCells::Cell own = cells.cellOf(i);
-    for (std::int64_t dz = -1; dz <= 1; ++dz)
-      for (std::int64_t dy = -1; dy <= 1; ++dy)
-        cells.visitThree(i + 2, own + SegmentCells::Cell(-1, dy, dz), [&](std::size_t j) {
-          // Hardly any has its ends on either side.
-          if (left.dot(path[j] - start) * left.dot(path[j + 1] - start) < 0.0 && cross(path, i, j, normals[i], slack))
-            first = i;
-        });
+    const Eigen::Vector3d start = path[i], along = path[i + 1] - start, left = normals[i].cross(along);
+    const double reach = 0.5000001 * (along.norm() + longest);
+    cells.visitNear(cells.middle(i), reach, i + 2, [&](std::size_t j) {
+      // Hardly any has its ends on either side.
+      if (left.dot(path[j] - start) * left.dot(path[j + 1] - start) < 0.0 &&
+          cross(path, i, j, normals[i], slack))
+        first = i;
+    });
   }
   return first < segments ? std::optional<std::size_t>(static_cast<std::size_t>(first)) : std::nullopt;
 }
