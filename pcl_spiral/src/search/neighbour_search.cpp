@@ -1,6 +1,7 @@
 #include <pcl_spiral/search/neighbour_search.h>
 
 #include <pcl_spiral/core/lanes.h>
+#include <pcl_spiral/core/simd_clones.h>
 
 #include <array>
 #include <cstring>
@@ -9,6 +10,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int bucket_count = 32;
+constexpr int few = 96; // values are ranked by comparing all pairs: no branch to be guessed wrongly
 
 std::uint32_t
 bitsOf(float value)
@@ -27,6 +29,27 @@ distanceOf(std::uint64_t key)
   return value;
 }
 
+/** How many values come before each one in ascending order, equal ones in the order they stand in. Both arrays are filled up
+ *  to whole lanes, \p value with anything. */
+PCL_SPIRAL_SIMD_CLONES void
+rank(const float* value, int count, std::int32_t* ranks)
+{
+  const LaneCounts lane = {0, 1, 2, 3, 4, 5, 6, 7};
+  for (int begin = 0; begin < count; begin += lane_count) {
+    Lanes own;
+    load(own, value + begin);
+    LaneCounts before = {};
+    const int end = begin + lane_count < count ? begin + lane_count : count;
+    for (int j = 0; j < begin; ++j)
+      before -= value[j] <= own;
+    for (int j = begin; j < end; ++j)
+      before -= (value[j] < own) | ((value[j] == own) & (lane > j - begin));
+    for (int j = end; j < count; ++j)
+      before -= value[j] < own;
+    std::memcpy(ranks + begin, &before, sizeof before);
+  }
+}
+
 } // namespace
 
 NeighbourSearch::NeighbourSearch(const PointBlocks& blocks, int k, float max_radius) : run_(blocks, k, max_radius)
@@ -40,14 +63,34 @@ NeighbourSearch::NeighbourSearch(const PointBlocks& blocks, int k, float max_rad
 void
 NeighbourSearch::sortPicked(int count)
 {
-  if (keys_.size() < run_.room()) {
-    keys_.resize(run_.room());
-    sorted_.resize(run_.room());
-    bucket_.resize(run_.room());
+  if (sorted_.size() < run_.room()) {
+    for (auto* array : {&sorted_, &rank_})
+      array->resize(run_.room());
+    near_.resize(run_.room());
   }
   const std::uint32_t* picked = run_.picked();
+  if (count > few) {
+    sortByBuckets(count);
+    return;
+  }
   const float* distance = run_.squaredDistances();
-  std::uint64_t *key = keys_.data(), *sorted = sorted_.data();
+  float* near = near_.data();
+  for (int i = 0; i < count; ++i)
+    near[i] = distance[picked[i]];
+  rank(near, count, rank_.data());
+  for (int i = 0; i < count; ++i)
+    sorted_[rank_[i]] = static_cast<std::int32_t>(picked[i]);
+}
+
+void
+NeighbourSearch::sortByBuckets(int count)
+{
+  key_.resize(run_.room());
+  sorted_key_.resize(run_.room());
+  bucket_.resize(run_.room());
+  const std::uint32_t* picked = run_.picked();
+  const float* distance = run_.squaredDistances();
+  std::uint64_t *key = key_.data(), *sorted = sorted_key_.data();
   std::uint8_t* bucket = bucket_.data();
   float farthest = 0.0f;
   for (int i = 0; i < count; ++i) {
@@ -72,6 +115,8 @@ NeighbourSearch::sortPicked(int count)
       sorted[j] = sorted[j - 1];
     sorted[j] = own;
   }
+  for (int i = 0; i < count; ++i)
+    sorted_[i] = static_cast<std::int32_t>(sorted[i]);
 }
 
 const Neighbourhood&
@@ -84,7 +129,7 @@ NeighbourSearch::find(const Eigen::Vector3d& query)
     x_[i] = run_.offsetX(c);
     y_[i] = run_.offsetY(c);
     z_[i] = run_.offsetZ(c);
-    squared_distance_[i] = distanceOf(sorted_[i]);
+    squared_distance_[i] = run_.squaredDistances()[c];
     index_[i] = run_.point(c);
   }
   for (int i = found; i < padded(found); ++i)

@@ -1,5 +1,6 @@
 #include <pcl_spiral/search/surface_graph.h>
 
+#include <pcl_spiral/common/freed_memory.h>
 #include <pcl_spiral/core/frame.h>
 #include <pcl_spiral/core/lanes.h>
 #include <pcl_spiral/search/local_star.h>
@@ -230,6 +231,7 @@ visitAll(const PointBlocks& blocks, int k, double max_circumradius, std::vector<
     std::copy(spokes[r].begin(), spokes[r].end(), stars.spokes.begin() + stars.begin[blocks.blockBegin(r * run)]);
     std::vector<std::uint32_t>().swap(spokes[r]);
   }
+  returnFreedMemory();
   return stars;
 }
 

@@ -35,10 +35,14 @@ public:
   const Neighbourhood& find(const Eigen::Vector3d& query);
 
 private:
+  /** Candidates picked, nearest first, into sorted_. */
   void sortPicked(int count);
+  void sortByBuckets(int count);
 
   CandidateRun run_;
-  std::vector<std::uint64_t> keys_, sorted_; ///< squared distance's bits, then the candidate
+  std::vector<std::int32_t> sorted_, rank_;
+  std::vector<float> near_;
+  std::vector<std::uint64_t> key_, sorted_key_; ///< squared distance's bits, then the candidate
   std::vector<std::uint8_t> bucket_;
   std::vector<float> x_, y_, z_, squared_distance_;
   std::vector<std::uint32_t> index_;
