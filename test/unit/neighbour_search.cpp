@@ -69,6 +69,38 @@ TEST(NeighbourSearch, QueriesOffTheCloudAgainstBruteForce)
   }
 }
 
+TEST(NeighbourSearch, PointsOffTheSurfaceDisturbNoOthers)
+{
+  std::vector<Eigen::Vector3f> points;
+  for (const Eigen::Vector3f& p : randomSurface(3000, 11))
+    points.emplace_back(p.x() - 5000.0f, p.y(), p.z());
+  for (int i = 0; i < 40; ++i)
+    points[70 * i].z() += 20.0f + static_cast<float>(i);
+  points[1].x() = 1e9f;
+  constexpr int k = 17;
+  const pcl_spiral::PointBlocks blocks(points);
+  pcl_spiral::NeighbourSearch search(blocks, k);
+  for (std::size_t b = 0; b < blocks.blockCount(); ++b) {
+    search.setRun(blocks.blockBox(b));
+    pcl_spiral::NeighbourSearch fresh(blocks, k);
+    fresh.setRun(blocks.blockBox(b));
+    for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); ++i) {
+      const auto& found = search.find(blocks.position(i));
+      const auto& again = fresh.find(blocks.position(i));
+      std::vector<double> distance;
+      for (const auto& p : points)
+        distance.push_back((p.cast<double>() - blocks.position(i)).norm());
+      std::sort(distance.begin(), distance.end());
+      ASSERT_EQ(found.size, k);
+      for (int j = 0; j < k; ++j) {
+        EXPECT_NEAR(std::sqrt(found.squared_distance[j]), distance[j], 1e-4 + 1e-6 * distance[j]) << "point " << i;
+        EXPECT_EQ(found.squared_distance[j], again.squared_distance[j]); // whatever was learnt before
+        EXPECT_EQ(found.index[j], again.index[j]);
+      }
+    }
+  }
+}
+
 TEST(NeighbourSearch, StopsAtTheLargestRadius)
 {
   const pcl_spiral::PointBlocks blocks(randomSurface(2000, 8));

@@ -75,43 +75,53 @@ CandidateRun::CandidateRun(const PointBlocks& blocks, int k, float max_radius)
 {
 }
 
-void
-CandidateRun::setRun(const Box& box)
+float
+CandidateRun::firstRadius(const Box& box) const
 {
-  box_ = box;
-  for (int d = 0; d < 3; ++d)
-    origin_[d] = 0.5f * (box.low[d] + box.high[d]);
   // Without experience: a block holds 32 points on a patch about as wide as its diagonal.
   const float guess = usual_radius_ > 0.0f
                           ? 1.1f * usual_radius_
                           : 0.12f * std::sqrt(static_cast<float>(k_)) * std::max(box.diagonal(), 1e-12f);
-  gather(std::min(guess, max_radius_));
-  usual_radius_ = 0.0f;
+  return std::min(guess, max_radius_);
 }
 
 void
-CandidateRun::reserve(std::size_t candidates)
+CandidateRun::setRun(const Box& box)
 {
-  if (candidates <= x_.size())
+  constexpr float widest = 64.0f; // in usual blocks
+  if (largest_radius_ > 0.0f)
+    usual_radius_ = largest_radius_;
+  largest_radius_ = 0.0f;
+  loners_ = 0;
+  stretched_ = box.diagonal() > widest * blocks_.usualDiagonal() && blocks_.usualDiagonal() > 0.0f;
+  for (int d = 0; d < 3; ++d)
+    origin_[d] = 0.5f * (box.low[d] + box.high[d]);
+  if (!stretched_)
+    gather(run_, box, firstRadius(box));
+}
+
+void
+CandidateRun::Candidates::reserve(std::size_t candidates)
+{
+  if (candidates <= x.size())
     return;
-  for (auto* array : {&x_, &y_, &z_, &distance_})
+  for (auto* array : {&x, &y, &z})
     array->resize(2 * candidates);
-  for (auto* array : {&point_, &picked_})
-    array->resize(2 * candidates);
+  point.resize(2 * candidates);
 }
 
 void
-CandidateRun::gather(float radius)
+CandidateRun::gather(Candidates& into, const Box& box, float radius)
 {
-  gathered_radius_ = radius;
+  into.box = box;
+  into.radius = radius;
   const float limit = radius * radius;
-  const Box box = box_;
   const Eigen::Vector3f origin = origin_;
   std::size_t count = 0;
   blocks_.forBlocksNear(box, limit, [&](std::size_t block) {
-    reserve(count + PointBlocks::block_size + lane_count);
-    float *x = x_.data(), *y = y_.data(), *z = z_.data();
-    std::uint32_t* point = point_.data();
+    into.reserve(count + PointBlocks::block_size + lane_count);
+    float *x = into.x.data(), *y = into.y.data(), *z = into.z.data();
+    std::uint32_t* point = into.point.data();
     const std::size_t end = blocks_.blockEnd(block);
     for (std::size_t i = blocks_.blockBegin(block); i < end; ++i) {
       const Eigen::Vector3f& p = blocks_.point(i);
@@ -124,20 +134,43 @@ CandidateRun::gather(float radius)
       count += dx * dx + dy * dy + dz * dz <= limit;
     }
   });
-  reserve(count + lane_count);
-  std::fill_n(x_.begin() + static_cast<std::ptrdiff_t>(count), lane_count, 1e15f); // nothing picks these
-  candidates_ = count;
+  into.reserve(count + lane_count);
+  std::fill_n(into.x.begin() + static_cast<std::ptrdiff_t>(count), lane_count, 1e15f); // nothing picks these
+  into.count = count;
+  if (distance_.size() < into.x.size()) {
+    distance_.resize(into.x.size());
+    picked_.resize(into.x.size());
+  }
 }
 
 int
-CandidateRun::pick()
+CandidateRun::pick(const Candidates& from)
 {
-  const float all = gathered_radius_ * gathered_radius_;
+  looked_at_ = &from;
+  const float all = from.radius * from.radius;
   float limit = threshold_ > 0.0f ? std::min(threshold_, all) : all;
   for (;; limit = std::min(all, 1.6f * limit)) {
-    const int count = pickWithin(x_.data(), y_.data(), z_.data(), padded(static_cast<int>(candidates_)), query_.data(),
-                                 limit, distance_.data(), picked_.data());
+    const int count = pickWithin(from.x.data(), from.y.data(), from.z.data(), padded(static_cast<int>(from.count)),
+                                 query_.data(), limit, distance_.data(), picked_.data());
     if (count >= k_ || limit >= all)
+      return count;
+  }
+}
+
+int
+CandidateRun::findAlone(const Eigen::Vector3d& query)
+{
+  Box box;
+  const Eigen::Vector3f position = query.cast<float>();
+  box.extend(position.data());
+  if (stretched_)
+    origin_ = position;
+  query_ = (query - origin_.cast<double>()).cast<float>();
+  for (float radius = stretched_ ? firstRadius(box) : std::min(1.4f * run_.radius, max_radius_);;
+       radius = std::min(1.4f * radius, max_radius_)) {
+    gather(alone_, box, radius);
+    const int count = pick(alone_);
+    if (count >= k_ || radius >= max_radius_)
       return count;
   }
 }
@@ -145,19 +178,28 @@ CandidateRun::pick()
 int
 CandidateRun::find(const Eigen::Vector3d& query)
 {
+  constexpr float much_farther = 2.0f;
+  constexpr int most_loners = 4; // more: the points lie farther apart here
+  if (stretched_)
+    return findAlone(query);
   query_ = (query - origin_.cast<double>()).cast<float>();
-  int count = pick();
-  while (count < k_ && gathered_radius_ < max_radius_) {
-    gather(std::min(1.4f * gathered_radius_, max_radius_));
-    count = pick();
+  const int count = pick(run_);
+  if (count >= k_ || run_.radius >= max_radius_)
+    return count;
+  const int found = findAlone(query);
+  if (usual_radius_ == 0.0f || alone_.radius <= much_farther * run_.radius || ++loners_ > most_loners) {
+    gather(run_, run_.box, alone_.radius); // the others will have to look so far, too
+    return pick(run_);
   }
-  return count;
+  return found;
 }
 
 void
 CandidateRun::learn(float squared_distance)
 {
-  usual_radius_ = std::max(usual_radius_, std::sqrt(squared_distance));
+  if (looked_at_ == &alone_ && !stretched_)
+    return;
+  largest_radius_ = std::max(largest_radius_, std::sqrt(squared_distance));
   threshold_ = 1.25f * squared_distance;
 }
 

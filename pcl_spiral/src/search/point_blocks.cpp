@@ -138,6 +138,13 @@ PointBlocks::PointBlocks(std::vector<Eigen::Vector3f> points) : points_(std::mov
     boxes_[i] = boxes_[2 * i];
     boxes_[i].extend(boxes_[2 * i + 1]);
   }
+  std::vector<float> diagonals;
+  for (std::size_t b = 0; b < blocks; ++b)
+    diagonals.push_back(blockBox(b).diagonal());
+  if (blocks > 0) {
+    std::nth_element(diagonals.begin(), diagonals.begin() + blocks / 2, diagonals.end());
+    usual_diagonal_ = diagonals[blocks / 2];
+  }
 }
 
 std::uint32_t

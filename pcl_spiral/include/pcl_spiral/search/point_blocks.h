@@ -118,6 +118,8 @@ public:
   std::size_t blockEnd(std::size_t block) const { return partition_.begin(block + 1); }
   const Box& blockBox(std::size_t block) const { return boxes_[blockCount() + block]; }
   const Box& box() const { return boxes_[1]; }
+  /** Median diagonal of the blocks' boxes: far larger ones hold points far off the others. */
+  float usualDiagonal() const { return usual_diagonal_; }
 
   /** Call \p visit(block) for every block whose box is within sqrt(squared_radius) of \p query. */
   template <typename Visit>
@@ -149,6 +151,7 @@ private:
   std::vector<std::uint32_t> original_;
   std::vector<Box> boxes_;
   BlockPartition partition_;
+  float usual_diagonal_ = 0.0f;
 };
 
 } // namespace pcl_spiral
