@@ -24,7 +24,6 @@ mixed(std::uint64_t key)
  *  part, small enough to stay in the cache. Independent of the number of threads. */
 class HashParts {
 public:
-  HashParts() = default;
   template <typename Hash>
   HashParts(const std::vector<Eigen::Vector3f>& points, Hash hash) : points_(points.size())
   {
@@ -57,7 +56,6 @@ public:
   }
 
   std::size_t count() const { return begin_.size() - 1; }
-  IndexedPosition* begin(std::size_t part) { return points_.data() + begin_[part]; }
   const IndexedPosition* begin(std::size_t part) const { return points_.data() + begin_[part]; }
   const IndexedPosition* end(std::size_t part) const { return points_.data() + begin_[part + 1]; }
 

@@ -11,12 +11,19 @@ namespace {
 using Triangle = Triangulation::Triangle;
 constexpr std::uint32_t none = Triangulation::none;
 
-/** The number of the triangle all agree on at each slot, none where they do not. Triangles are numbered by their smallest
- *  corner, so that those of one place lie together. */
-std::vector<std::uint32_t>
-numberAgreed(const StarSet& stars, std::size_t& count)
+/** Which corner \p v is of the triangle (v, a, b), whose first is the smallest. */
+std::uint32_t
+cornerOf(std::uint32_t v, std::uint32_t a, std::uint32_t b)
 {
-  std::vector<std::uint32_t> number(stars.spokes.size(), none);
+  return v < a && v < b ? 0 : a < b ? 2 : 1;
+}
+
+/** By slot, the half-edge that leaves the star's point along the spoke in the triangle all agree on; none where they do not.
+ *  Triangles are numbered by their smallest corner, so that those of one place lie together. */
+std::vector<std::uint32_t>
+agreedHalfEdges(const StarSet& stars, std::size_t& triangle_count)
+{
+  std::vector<std::uint32_t> half_edge(stars.spokes.size(), none); // at first the number of the triangle in its piece
   std::vector<std::uint32_t> first(pieceCount(stars.size()) + 1, 0); // of each piece
   forPoints(stars.size(), [&](std::uint32_t v) {
     std::uint32_t& own = first[v / piece_size + 1];
@@ -26,62 +33,55 @@ numberAgreed(const StarSet& stars, std::size_t& count)
         continue;
       const std::uint32_t at_a = stars.slotOf(a, b, v), at_b = stars.slotOf(b, v, a);
       if (at_a != none && at_b != none)
-        number[slot] = number[at_a] = number[at_b] = own++;
+        half_edge[slot] = half_edge[at_a] = half_edge[at_b] = own++;
     }
   });
   for (std::size_t p = 1; p < first.size(); ++p)
     first[p] += first[p - 1];
   forPoints(stars.size(), [&](std::uint32_t v) {
-    for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot)
-      if (number[slot] != none)
-        number[slot] += first[std::min({v, stars.neighbourAt(slot), stars.neighbourAt(stars.slotAfter(v, slot))}) / piece_size];
-  });
-  count = first.back();
-  return number;
-}
-
-/** Which corner \p v is of the triangle (v, a, b), whose first is the smallest. */
-std::uint32_t
-cornerOf(std::uint32_t v, std::uint32_t a, std::uint32_t b)
-{
-  return v < a && v < b ? 0 : a < b ? 2 : 1;
-}
-
-/** The mesh of the triangles all agree on. Neighbours in a star are neighbours in the mesh. */
-Triangulation
-agreedMesh(const StarSet& stars, const std::vector<std::uint32_t>& number, std::size_t count)
-{
-  const std::size_t room = count + count / 64; // for those that come later
-  std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> opposite, outgoing, outgoing_begin(stars.size() + 1, 0);
-  triangles.reserve(room);
-  triangles.resize(count);
-  for (auto* array : {&opposite, &outgoing}) {
-    array->reserve(3 * room);
-    array->resize(3 * count, none);
-  }
-  forPoints(stars.size(), [&](std::uint32_t v) {
-    for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot)
-      outgoing_begin[v + 1] += number[slot] != none;
-  });
-  for (std::size_t v = 0; v < stars.size(); ++v)
-    outgoing_begin[v + 1] += outgoing_begin[v];
-  forPoints(stars.size(), [&](std::uint32_t v) {
-    std::uint32_t out = outgoing_begin[v];
     for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
-      if (number[slot] == none)
+      if (half_edge[slot] == none)
         continue;
       const std::uint32_t a = stars.neighbourAt(slot), b = stars.neighbourAt(stars.slotAfter(v, slot));
-      const std::uint32_t corner = cornerOf(v, a, b), half_edge = 3 * number[slot] + corner;
-      if (corner == 0)
-        triangles[number[slot]] = {v, a, b};
-      outgoing[out++] = half_edge;
-      const std::uint32_t before = stars.slotBefore(v, slot);
-      if (number[before] != none) // (v, z, a): its half-edge a - v faces this one
-        opposite[half_edge] = 3 * number[before] + (cornerOf(v, stars.neighbourAt(before), a) + 2) % 3;
+      half_edge[slot] = 3 * (half_edge[slot] + first[std::min({v, a, b}) / piece_size]) + cornerOf(v, a, b);
     }
   });
-  return Triangulation(std::move(triangles), std::move(opposite), std::move(outgoing_begin), std::move(outgoing));
+  triangle_count = first.back();
+  return half_edge;
+}
+
+/** The triangles all agree on, and what each of their half-edges faces: neighbours in a star are neighbours in the mesh. */
+void
+joinAgreed(const StarSet& stars, const std::vector<std::uint32_t>& half_edge, std::vector<Triangle>& triangles,
+           std::vector<std::uint32_t>& opposite)
+{
+  forPoints(stars.size(), [&](std::uint32_t v) {
+    for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
+      const std::uint32_t own = half_edge[slot];
+      if (own == none)
+        continue;
+      if (own % 3 == 0)
+        triangles[own / 3] = {v, stars.neighbourAt(slot), stars.neighbourAt(stars.slotAfter(v, slot))};
+      const std::uint32_t before = half_edge[stars.slotBefore(v, slot)];
+      if (before != none) // of (v, z, a), where this one is v - a
+        opposite[own] = Triangulation::previous(before);
+    }
+  });
+}
+
+/** Closes the gaps of slots without a triangle; \p begin is where the half-edges of each point then start. */
+void
+compact(const StarSet& stars, std::vector<std::uint32_t>& half_edge, std::vector<std::uint32_t>& begin)
+{
+  std::uint32_t kept = 0;
+  begin.assign(stars.size() + 1, 0);
+  for (std::size_t v = 0; v < stars.size(); ++v) {
+    for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot)
+      if (half_edge[slot] != none)
+        half_edge[kept++] = half_edge[slot];
+    begin[v + 1] = kept;
+  }
+  half_edge.resize(kept);
 }
 
 struct Candidate {
@@ -91,12 +91,12 @@ struct Candidate {
 
 /** Triangles that not all agree on, each named by the smallest corner that has it; those with most votes first. */
 std::vector<Candidate>
-disputedTriangles(const StarSet& stars, const std::vector<std::uint32_t>& number)
+disputedTriangles(const StarSet& stars, const std::vector<std::uint32_t>& half_edge)
 {
   std::vector<std::vector<Candidate>> found(pieceCount(stars.size()));
   forPoints(stars.size(), [&](std::uint32_t v) {
     for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
-      if (!stars.hasTriangle(slot) || number[slot] != none)
+      if (!stars.hasTriangle(slot) || half_edge[slot] != none)
         continue;
       const std::uint32_t a = stars.neighbourAt(slot), b = stars.neighbourAt(stars.slotAfter(v, slot));
       const bool in_a = stars.slotOf(a, b, v) != none, in_b = stars.slotOf(b, v, a) != none;
@@ -157,10 +157,18 @@ Triangulation
 triangulate(const StarSet& stars, int pinhole_edges)
 {
   std::size_t count = 0;
-  std::vector<std::uint32_t> number = numberAgreed(stars, count);
-  Triangulation mesh = agreedMesh(stars, number, count);
-  const std::vector<Candidate> disputed = disputedTriangles(stars, number);
-  std::vector<std::uint32_t>().swap(number);
+  std::vector<std::uint32_t> half_edge = agreedHalfEdges(stars, count);
+  const std::size_t room = count + count / 64; // for those that come later
+  std::vector<Triangle> triangles;
+  triangles.reserve(room);
+  triangles.resize(count);
+  std::vector<std::uint32_t> opposite, outgoing_begin;
+  opposite.reserve(3 * room);
+  opposite.resize(3 * count, none);
+  joinAgreed(stars, half_edge, triangles, opposite);
+  const std::vector<Candidate> disputed = disputedTriangles(stars, half_edge);
+  compact(stars, half_edge, outgoing_begin);
+  Triangulation mesh(std::move(triangles), std::move(opposite), std::move(outgoing_begin), std::move(half_edge));
   mesh.append(settle(disputed, mesh));
   mesh.append(pinholeTriangles(mesh, pinhole_edges));
   return mesh;

@@ -173,6 +173,7 @@ SpiralPlanner::makeCurve(bool two, std::vector<SpiralPoint>& curve)
   RadialLineSet set;
   if (const Status status = makeLines(two, set); !status.ok())
     return status;
+  graph_.dropTriangulation(); // the projection looks at neighbourhoods alone
   clock_.end("radial lines");
   if (!report(0.6, "spiral"))
     return {StatusCode::Cancelled, "cancelled"};

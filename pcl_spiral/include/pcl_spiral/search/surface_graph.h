@@ -47,6 +47,8 @@ public:
   /** Points, as indices of what build was given, that stand alone off the surface: outliers to leave out. Ascending. */
   const std::vector<std::uint32_t>& strayPoints() const { return stray_points_; }
   const Triangulation& triangulation() const { return triangulation_; }
+  /** Forget the triangles, the larger half of the graph's memory, when only neighbourhoods are asked for from now on. */
+  void dropTriangulation() { triangulation_ = Triangulation(); }
   /** Mean of the normals by area: the side the part shows as a whole; zero on a closed surface. */
   Eigen::Vector3d meanNormal() const { return mean_normal_; }
   /** Whether +z told the outer side clearly; if not, the convex side was taken. */
