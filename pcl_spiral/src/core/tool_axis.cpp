@@ -1,5 +1,7 @@
 #include <pcl_spiral/core/tool_axis.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -1,0 +1,22 @@
+/** \file
+ *  Normal and extent of one neighbourhood. Private to search.
+ */
+#pragma once
+
+#include <pcl_spiral/search/neighbour_search.h>
+
+#include <Eigen/Core>
+
+namespace pcl_spiral {
+
+/** What one neighbourhood tells about its point. */
+struct LocalShape {
+  Eigen::Vector3d normal; ///< least principal axis of the neighbours (Hoppe et al. 1992), sign arbitrary
+  double radius;          ///< distance to the k-th neighbour
+  double height;          ///< distance of the point from its neighbours' plane
+};
+
+LocalShape
+localShape(const Neighbourhood& near);
+
+} // namespace pcl_spiral
