@@ -201,6 +201,25 @@ TEST(SurfaceGraph, FindsStrayPointsAndNoOthers)
   EXPECT_EQ(graphOf(points).strayPoints(), strays);
 }
 
+TEST(SurfaceGraph, OnePointFarOffIsFoundAndTurnsNothing)
+{
+  const Points dome = randomSphere(5000, 40.0, true, 3);
+  const std::vector<Eigen::Vector3f> ways{{1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0.3f, 1, -1}, {-1, 1, 0.2f}};
+  for (int power = 3; power <= 12; ++power)
+    for (const Eigen::Vector3f& way : ways) {
+      Points points = dome;
+      points.push_back(std::pow(10.0f, static_cast<float>(power)) * way);
+      SurfaceGraph graph;
+      ASSERT_TRUE(graph.build(points, {}).ok());
+      EXPECT_EQ(graph.strayPoints(), std::vector<std::uint32_t>{5000}) << "1e" << power << " along " << way.transpose();
+      EXPECT_GT(graph.meanNormal().z(), 0.4);
+      std::size_t inwards = 0;
+      for (std::size_t i = 0; i < graph.size(); ++i)
+        inwards += graph.blocks().originalIndex(i) != 5000 && graph.normal(i).dot(graph.position(i)) < 0.0;
+      EXPECT_LE(inwards, 40u); // neighbours that took the far point for a near one, if any
+    }
+}
+
 TEST(SurfaceGraph, PointsOnACreaseAreNoStrays)
 {
   auto points = randomSquare(20000, 100.0, 13);

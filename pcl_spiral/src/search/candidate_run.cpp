@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #ifdef __SSE2__
 #include <emmintrin.h>
@@ -115,7 +116,10 @@ CandidateRun::gather(Candidates& into, const Box& box, float radius)
 {
   into.box = box;
   into.radius = radius;
-  const float limit = radius * radius;
+  // Somewhat more than asked for: rounding must not leave out what the radius holds.
+  const float largest = std::max(std::max({std::abs(box.low[0]), std::abs(box.low[1]), std::abs(box.low[2])}),
+                                 std::max({std::abs(box.high[0]), std::abs(box.high[1]), std::abs(box.high[2])}));
+  const float generous = 1.0001f * radius + 1e-6f * largest, limit = generous * generous;
   const Eigen::Vector3f origin = origin_;
   std::size_t count = 0;
   blocks_.forBlocksNear(box, limit, [&](std::size_t block) {
@@ -135,7 +139,7 @@ CandidateRun::gather(Candidates& into, const Box& box, float radius)
     }
   });
   into.reserve(count + lane_count);
-  std::fill_n(into.x.begin() + static_cast<std::ptrdiff_t>(count), lane_count, 1e15f); // nothing picks these
+  std::fill_n(into.x.begin() + static_cast<std::ptrdiff_t>(count), lane_count, std::numeric_limits<float>::infinity());
   into.count = count;
   if (distance_.size() < into.x.size()) {
     distance_.resize(into.x.size());

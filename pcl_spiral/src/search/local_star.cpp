@@ -1,23 +1,13 @@
 #include <pcl_spiral/search/local_star.h>
 
+#include <pcl_spiral/core/lanes.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 
 namespace pcl_spiral {
-namespace {
-
-constexpr int lanes = 8; // corners looked at together
-
-int
-padded(int count)
-{
-  return (count + lanes - 1) / lanes * lanes;
-}
-
-} // namespace
-
 void
 LocalStar::Cell::resize(int room)
 {
@@ -49,8 +39,8 @@ LocalStar::clip(double u, double v, int neighbour)
   const double *x = cell_.x.data(), *y = cell_.y.data();
   double* side = side_.data();
   double farthest = 0.0; // beyond the bisector
-  for (int t = 0; t < m; t += lanes) {
-    using Corners = Eigen::Array<double, lanes, 1>;
+  for (int t = 0; t < m; t += lane_count) {
+    using Corners = Eigen::Array<double, lane_count, 1>;
     const Corners beyond = Eigen::Map<const Corners>(x + t) * u + Eigen::Map<const Corners>(y + t) * v - half;
     Eigen::Map<Corners>(side + t) = beyond;
     farthest = std::max(farthest, beyond.maxCoeff());
@@ -88,7 +78,7 @@ LocalStar::clip(double u, double v, int neighbour)
 void
 LocalStar::compute(const double* u, const double* v, int count, double max_circumradius)
 {
-  const int room = padded(count + 4 + lanes); // each cut adds one corner at most
+  const int room = padded(count + 4 + lane_count); // each cut adds one corner at most
   if (static_cast<int>(side_.size()) < room) {
     cell_.resize(room);
     clipped_.resize(room);

@@ -2,6 +2,8 @@
 
 #include "pieces.h"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <numeric>
 
@@ -97,16 +99,20 @@ consistentSigns(const std::vector<Eigen::Vector3f>& normals, const StarSet& star
 
 bool
 chooseOuterSide(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& normals, const std::vector<float>& radii,
-                const SurfaceGraphOptions& options, std::vector<std::uint8_t>& flipped)
+                double farthest, const SurfaceGraphOptions& options, std::vector<std::uint8_t>& flipped)
 {
-  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-  const Eigen::Vector3d centroid =
-      sumOverPoints(blocks.size(), zero, [&](std::uint32_t i, Eigen::Vector3d& sum) { sum += blocks.position(i); }) /
-      static_cast<double>(blocks.size());
+  const Eigen::Vector4d zero = Eigen::Vector4d::Zero();
+  const Eigen::Vector4d places = sumOverPoints(blocks.size(), zero, [&](std::uint32_t i, Eigen::Vector4d& sum) {
+    if (!(radii[i] > farthest))
+      sum += blocks.position(i).homogeneous();
+  });
+  const Eigen::Vector3d centroid = places.head<3>() / places.w();
   const bool given = options.given_normals.size() == blocks.size();
   enum { AsGiven, TowardsView, TowardsZ, Convex, Area, Terms };
   using Sums = Eigen::Array<double, Terms, 1>;
   const Sums sums = sumOverPoints(blocks.size(), Sums(Sums::Zero()), [&](std::uint32_t i, Sums& sum) {
+    if (radii[i] > farthest)
+      return;
     const double weight = static_cast<double>(radii[i]) * radii[i];
     const Eigen::Vector3d n = (flipped[i] ? -1.0 : 1.0) * normals[i].cast<double>();
     if (options.view_point)

@@ -18,9 +18,10 @@ std::vector<std::uint8_t>
 consistentSigns(const std::vector<Eigen::Vector3f>& normals, const StarSet& stars);
 
 /** Turn \p flipped over as a whole where needed, so that normals leave the material: as given, or towards the view
- *  point, or towards +z, or, where z does not tell, to the convex side. False in that last case. */
+ *  point, or towards +z, or, where z does not tell, to the convex side. False in that last case. Points whose
+ *  neighbourhood is wider than \p farthest count nothing: they belong to no surface. */
 bool
 chooseOuterSide(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& normals, const std::vector<float>& radii,
-                const SurfaceGraphOptions& options, std::vector<std::uint8_t>& flipped);
+                double farthest, const SurfaceGraphOptions& options, std::vector<std::uint8_t>& flipped);
 
 } // namespace pcl_spiral

@@ -21,6 +21,7 @@ namespace {
 constexpr std::size_t fewest_points = 50;
 constexpr int most_neighbours = 256;
 constexpr int pinhole_edges = 6;
+constexpr double far_off = 32.0; // times the usual radius of a neighbourhood: no part of the surface
 
 /** Spacing of k evenly spread points in a disc of this radius. */
 double
@@ -177,15 +178,20 @@ median(std::vector<float> values)
 }
 
 /** Points that stand alone off the surface: high over their neighbours' plane, which none of these is nearly as much.
- *  Along a crease points are high too, but in company. */
+ *  Along a crease points are high too, but in company. Those far off everything lie in the plane that they make with the
+ *  rest; their neighbours are far. */
 std::vector<std::uint32_t>
 findStrays(const PointBlocks& blocks, const StarSet& stars, const std::vector<float>& heights,
            const std::vector<float>& radii, int k)
 {
   constexpr double over_median = 8.0, over_spacing = 0.25, company = 0.5;
-  const double usual = median(heights);
+  const double usual = median(heights), far = far_off * median(radii);
   std::vector<std::vector<std::uint32_t>> found(pieceCount(blocks.size()));
   forPoints(blocks.size(), [&](std::uint32_t i) {
+    if (radii[i] > far) {
+      found[i / piece_size].push_back(blocks.originalIndex(i));
+      return;
+    }
     if (heights[i] < over_median * usual || heights[i] < over_spacing * evenSpacing(radii[i], k))
       return;
     bool alone = true;
@@ -222,19 +228,20 @@ SurfaceGraph::build(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptio
   StarSet stars = visitAll(blocks_, neighbours_, options.max_circumradius, normals_, radii_, heights);
   stray_points_ = findStrays(blocks_, stars, heights, radii_, neighbours_);
   std::vector<float>().swap(heights);
-  spacing_ = evenSpacing(median(radii_), neighbours_);
+  const double usual_radius = median(radii_);
+  spacing_ = evenSpacing(usual_radius, neighbours_);
   if (!(spacing_ > 0.0))
     return {StatusCode::InvalidInput, "most points of the cloud coincide: remove duplicates or check the units"};
 
   std::vector<std::uint8_t> flipped = consistentSigns(normals_, stars);
-  orientation_is_clear_ = chooseOuterSide(blocks_, normals_, radii_, options, flipped);
+  orientation_is_clear_ = chooseOuterSide(blocks_, normals_, radii_, far_off * usual_radius, options, flipped);
   const Eigen::Vector4d zero = Eigen::Vector4d::Zero();
   const Eigen::Vector4d sum = sumOverPoints(size(), zero, [&](std::uint32_t i, Eigen::Vector4d& part) {
     if (flipped[i]) {
       normals_[i] = -normals_[i];
       stars.reverse(i);
     }
-    const double area = static_cast<double>(radii_[i]) * radii_[i];
+    const double area = radii_[i] > far_off * usual_radius ? 0.0 : static_cast<double>(radii_[i]) * radii_[i];
     part += area * normals_[i].cast<double>().homogeneous();
   });
   mean_normal_ = sum.head<3>() / sum.w();

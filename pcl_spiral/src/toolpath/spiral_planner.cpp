@@ -291,8 +291,8 @@ SpiralPlanner::plan(std::vector<Eigen::Vector3f> points, const std::vector<Eigen
   if (const Status status = makeGraph(std::move(points), normals); !status.ok())
     return status;
   if (const double across = graph_.blocks().box().diagonal(); across < settings_.tool_radius)
-    return {StatusCode::InvalidInput, text("the whole scan is ", across, " across, less than the tool radius ",
-                                           settings_.tool_radius, ": is the scan in metres or inches? Say its unit (--units m), or scale it to mm")};
+    return {StatusCode::InvalidInput, text("the whole scan is ", across, " mm across, less than the tool radius ",
+                                           settings_.tool_radius, " mm: is the scan in metres or inches? Say its unit (--units m), or scale it to mm")};
   clock_.end("surface");
   if (!report(0.25, "boundaries"))
     return cancelled;

@@ -13,7 +13,7 @@ namespace pcl_spiral {
 /** The neighbours of one query, nearest first, as offsets from the query. A point is its own first neighbour. Offsets are
  *  filled up with zeros to whole lanes (core/lanes.h): sums over them need no tail. */
 struct Neighbourhood {
-    int size = 0;
+  int size = 0;
   const float* x = nullptr;
   const float* y = nullptr;
   const float* z = nullptr;

@@ -36,7 +36,7 @@ struct UsablePoints {
   std::vector<Eigen::Vector3f> positions;
   std::vector<std::uint32_t> source;
   std::size_t asked_for = 0;  ///< of the whole cloud or its indices
-  std::size_t nonfinite = 0;  ///< of those, left out
+  std::size_t nonfinite = 0;  ///< of those, left out: NaN, infinite, or markers beyond 1e12
   std::size_t duplicates = 0; ///< of those, left out: another point stands at the same place
 
   /** Keep the points of ascending \p kept alone; returns how many are dropped. */
@@ -58,6 +58,9 @@ struct UsablePoints {
   }
 };
 
+/** Coordinates beyond this, mm, are no place of a part: some scanners write 1e20 or the largest number for "nothing". */
+constexpr float farthest_coordinate = 1e12f;
+
 /** The finite points of \p cloud, or of those that \p indices name (null: all), in their order, one of each place: the
  *  first. Indices must be inside the cloud. */
 template <typename PointT>
@@ -70,7 +73,7 @@ usablePoints(const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices)
   usable.source.reserve(usable.asked_for);
   for (std::size_t k = 0; k < usable.asked_for; ++k) {
     const std::size_t i = indices ? static_cast<std::size_t>((*indices)[k]) : k;
-    if (!pcl::isXYZFinite(cloud[i]))
+    if (!pcl::isXYZFinite(cloud[i]) || cloud[i].getVector3fMap().cwiseAbs().maxCoeff() > farthest_coordinate)
       continue;
     usable.positions.push_back(cloud[i].getVector3fMap());
     usable.source.push_back(static_cast<std::uint32_t>(i));
