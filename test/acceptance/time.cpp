@@ -1,9 +1,8 @@
 #include "cases.h"
 #include "table.h"
 
-#include <pcl/features/boundary.h>
-#include <pcl/features/normal_3d_omp.h>
-#include <pcl/search/kdtree.h>
+#include "support/pcl_pair.h"
+
 #include <pcl/surface/mls.h>
 
 #include <algorithm>
@@ -21,20 +20,8 @@ double
 pclSeconds(const Cloud::ConstPtr& cloud, double spacing, int threads)
 {
   const auto from = std::chrono::steady_clock::now();
-  pcl::search::KdTree<pcl::PointXYZ>::Ptr tree(new pcl::search::KdTree<pcl::PointXYZ>);
-  pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
-  pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> normal(static_cast<unsigned>(threads));
-  normal.setInputCloud(cloud);
-  normal.setSearchMethod(tree);
-  normal.setKSearch(20);
-  normal.compute(*normals);
-  pcl::PointCloud<pcl::Boundary> edges;
-  pcl::BoundaryEstimation<pcl::PointXYZ, pcl::Normal, pcl::Boundary> boundary;
-  boundary.setInputCloud(cloud);
-  boundary.setInputNormals(normals);
-  boundary.setSearchMethod(tree);
-  boundary.setKSearch(30);
-  boundary.compute(edges);
+  const test::Tree::Ptr tree(new test::Tree);
+  test::pclBoundary(cloud, test::pclNormals(cloud, tree, threads), tree);
   pcl::PointCloud<pcl::PointNormal> smooth;
   pcl::MovingLeastSquares<pcl::PointXYZ, pcl::PointNormal> mls;
   mls.setInputCloud(cloud);

@@ -1,7 +1,8 @@
 #include "measured_run.h"
 
 #include "accuracy.h"
-#include "pcl_pair.h"
+
+#include "support/pcl_pair.h"
 
 #include <pcl_spiral/common/stage_clock.h>
 #include <pcl_spiral/common/thread_limit.h>
@@ -133,7 +134,7 @@ measurePcl(const std::string& scan, int threads)
   if (pcl::io::loadPCDFile(scan, *cloud) != 0)
     throw std::runtime_error("PCL cannot read " + scan);
   const double processor_before = processorSeconds();
-  const PairSeconds pair = timePclPair(cloud, threads);
+  const test::PairSeconds pair = test::timePclPair(cloud, threads);
   return {{"seconds", pair.sum()}, {"processor_seconds", processorSeconds() - processor_before},
           {"normals", pair.normals}, {"boundary", pair.boundary}, {"peak_mb", megabytes(memoryUse().peak)}};
 }

@@ -10,7 +10,7 @@ normalsOfPcl(benchmark::State& state, StageInput& input, int threads)
 {
   const Cloud::ConstPtr& cloud = input.cloud(order);
   for (auto _ : state)
-    benchmark::DoNotOptimize(pclNormals(cloud, Tree::Ptr(new Tree), threads));
+    benchmark::DoNotOptimize(test::pclNormals(cloud, test::Tree::Ptr(new test::Tree), threads));
   count(state, cloud->size(), cloud->size() * sizeof(pcl::PointXYZ));
 }
 
@@ -20,10 +20,10 @@ void
 boundaryOfPcl(benchmark::State& state, StageInput& input, int)
 {
   const Cloud::ConstPtr& cloud = input.cloud(order);
-  const NormalCloud::ConstPtr& normals = input.normals(order);
-  const Tree::Ptr& tree = input.tree(order);
+  const test::NormalCloud::ConstPtr& normals = input.normals(order);
+  const test::Tree::Ptr& tree = input.tree(order);
   for (auto _ : state)
-    benchmark::DoNotOptimize(pclBoundary(cloud, normals, tree));
+    benchmark::DoNotOptimize(test::pclBoundary(cloud, normals, tree));
   count(state, cloud->size(), cloud->size() * sizeof(pcl::PointXYZ));
 }
 

@@ -35,20 +35,20 @@ StageInput::cloud(FileOrder order)
   return cloud;
 }
 
-const Tree::Ptr&
+const test::Tree::Ptr&
 StageInput::tree(FileOrder order)
 {
   normals(order);
   return trees_[order];
 }
 
-const NormalCloud::ConstPtr&
+const test::NormalCloud::ConstPtr&
 StageInput::normals(FileOrder order)
 {
-  NormalCloud::ConstPtr& normals = normals_[order];
+  test::NormalCloud::ConstPtr& normals = normals_[order];
   if (!normals) {
-    trees_[order].reset(new Tree);
-    normals = pclNormals(cloud(order), trees_[order], 0);
+    trees_[order].reset(new test::Tree);
+    normals = test::pclNormals(cloud(order), trees_[order], 0);
   }
   return normals;
 }

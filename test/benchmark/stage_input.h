@@ -3,7 +3,9 @@
  */
 #pragma once
 
-#include "pcl_pair.h"
+#include "clouds.h"
+
+#include "support/pcl_pair.h"
 
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/features/surface_boundary.h>
@@ -26,8 +28,8 @@ public:
 
   const Points& points(FileOrder order = FileOrder::Random);
   const Cloud::ConstPtr& cloud(FileOrder order);
-  const NormalCloud::ConstPtr& normals(FileOrder order);
-  const Tree::Ptr& tree(FileOrder order);
+  const test::NormalCloud::ConstPtr& normals(FileOrder order);
+  const test::Tree::Ptr& tree(FileOrder order);
 
   const SurfaceGraph& graph();
   const MlsSurface& surface();
@@ -45,8 +47,8 @@ private:
   CloudPlan plan_;
   std::map<FileOrder, Points> points_;
   std::map<FileOrder, Cloud::ConstPtr> clouds_;
-  std::map<FileOrder, NormalCloud::ConstPtr> normals_;
-  std::map<FileOrder, Tree::Ptr> trees_;
+  std::map<FileOrder, test::NormalCloud::ConstPtr> normals_;
+  std::map<FileOrder, test::Tree::Ptr> trees_;
   std::optional<SurfaceGraph> graph_;
   std::optional<MlsSurface> surface_;
   std::optional<DistanceField> field_;

@@ -1,5 +1,6 @@
 #include <pcl_spiral/search/gabriel_edges.h>
-#include <pcl_spiral/search/neighbour_search.h>
+
+#include "all_neighbourhoods.h"
 
 #include <omp.h>
 
@@ -96,20 +97,9 @@ std::vector<float>
 localSpacings(const PointBlocks& blocks, int candidates, int threads)
 {
   std::vector<float> spacing(blocks.size());
-  const auto count = static_cast<std::int64_t>(blocks.blockCount());
-#pragma omp parallel num_threads(threads)
-  {
-    NeighbourSearch search(blocks, candidates + 1);
-#pragma omp for schedule(dynamic, 16)
-    for (std::int64_t b = 0; b < count; ++b) {
-      search.setRun(blocks.blockBox(b));
-      for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); ++i) {
-        const Neighbourhood& near = search.find(blocks.position(i));
-        spacing[i] =
-            std::sqrt(near.squared_distance[near.size - 1] * 3.14159265f / static_cast<float>(near.size));
-      }
-    }
-  }
+  forNeighbourhoods(blocks, candidates + 1, threads, [&](std::size_t i, const Neighbourhood& near) {
+    spacing[i] = std::sqrt(near.squared_distance[near.size - 1] * 3.14159265f / static_cast<float>(near.size));
+  });
   return spacing;
 }
 

@@ -1,14 +1,14 @@
-#include "pcl_pair.h"
+#include "support/pcl_pair.h"
 
 #include <pcl/features/boundary.h>
 #include <pcl/features/normal_3d_omp.h>
 
 #include <chrono>
 
-namespace pcl_spiral::benchmarks {
+namespace pcl_spiral::test {
 
 NormalCloud::Ptr
-pclNormals(const Cloud::ConstPtr& cloud, const Tree::Ptr& tree, int threads)
+pclNormals(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud, const Tree::Ptr& tree, int threads)
 {
   NormalCloud::Ptr normals(new NormalCloud);
   pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(static_cast<unsigned>(threads));
@@ -20,7 +20,8 @@ pclNormals(const Cloud::ConstPtr& cloud, const Tree::Ptr& tree, int threads)
 }
 
 pcl::PointCloud<pcl::Boundary>
-pclBoundary(const Cloud::ConstPtr& cloud, const NormalCloud::ConstPtr& normals, const Tree::Ptr& tree)
+pclBoundary(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud, const NormalCloud::ConstPtr& normals,
+            const Tree::Ptr& tree)
 {
   pcl::PointCloud<pcl::Boundary> marks;
   pcl::BoundaryEstimation<pcl::PointXYZ, pcl::Normal, pcl::Boundary> estimation;
@@ -33,7 +34,7 @@ pclBoundary(const Cloud::ConstPtr& cloud, const NormalCloud::ConstPtr& normals, 
 }
 
 PairSeconds
-timePclPair(const Cloud::ConstPtr& cloud, int threads)
+timePclPair(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud, int threads)
 {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
@@ -45,4 +46,4 @@ timePclPair(const Cloud::ConstPtr& cloud, int threads)
   return {std::chrono::duration<double>(middle - begin).count(), std::chrono::duration<double>(end - middle).count()};
 }
 
-} // namespace pcl_spiral::benchmarks
+} // namespace pcl_spiral::test

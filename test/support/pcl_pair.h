@@ -3,21 +3,21 @@
  */
 #pragma once
 
-#include "clouds.h"
-
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
 
-namespace pcl_spiral::benchmarks {
+namespace pcl_spiral::test {
 
 using NormalCloud = pcl::PointCloud<pcl::Normal>;
 using Tree = pcl::search::KdTree<pcl::PointXYZ>;
 
 /** NormalEstimationOMP with 20 neighbours; \p tree is built on the way when it is new to the cloud. */
-NormalCloud::Ptr pclNormals(const Cloud::ConstPtr& cloud, const Tree::Ptr& tree, int threads);
+NormalCloud::Ptr pclNormals(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud, const Tree::Ptr& tree, int threads);
 
 /** BoundaryEstimation with 30 neighbours, which PCL runs on one thread. */
-pcl::PointCloud<pcl::Boundary> pclBoundary(const Cloud::ConstPtr& cloud, const NormalCloud::ConstPtr& normals,
-                                           const Tree::Ptr& tree);
+pcl::PointCloud<pcl::Boundary> pclBoundary(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
+                                           const NormalCloud::ConstPtr& normals, const Tree::Ptr& tree);
 
 /** Seconds of the one after the other, with one tree for both. */
 struct PairSeconds {
@@ -31,6 +31,6 @@ struct PairSeconds {
   }
 };
 
-PairSeconds timePclPair(const Cloud::ConstPtr& cloud, int threads);
+PairSeconds timePclPair(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud, int threads);
 
-} // namespace pcl_spiral::benchmarks
+} // namespace pcl_spiral::test
