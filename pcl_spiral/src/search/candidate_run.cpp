@@ -4,6 +4,7 @@
 #include <pcl_spiral/core/simd_clones.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -61,12 +62,24 @@ pickWithin(const float* x, const float* y, const float* z, int size, const float
   return count;
 }
 
-/** How far a coordinate lies outside an interval. */
-float
-outside(float low, float value, float high)
+constexpr int block_coordinates = 3 * PointBlocks::block_size; // x y z x y z ...
+
+/** Box and origin as often as a block has points, so that all its coordinates are looked at alike. */
+struct BoxPattern {
+  std::array<float, block_coordinates> low, high, origin;
+};
+
+/** The coordinates of a block relative to the origin, and the squares of how far they lie outside the box. */
+PCL_SPIRAL_SIMD_CLONES void
+compare(const float* coordinate, int count, const BoxPattern& pattern, float* offset, float* squared_outside)
 {
-  const float below = low - value, above = value - high, most = below > above ? below : above;
-  return most > 0.0f ? most : 0.0f;
+#pragma omp simd
+  for (int c = 0; c < count; ++c) {
+    const float below = pattern.low[c] - coordinate[c], above = coordinate[c] - pattern.high[c];
+    const float most = below > above ? below : above, outside = most > 0.0f ? most : 0.0f;
+    offset[c] = coordinate[c] - pattern.origin[c];
+    squared_outside[c] = outside * outside;
+  }
 }
 
 } // namespace
@@ -120,22 +133,27 @@ CandidateRun::gather(Candidates& into, const Box& box, float radius)
   const float largest = std::max(std::max({std::abs(box.low[0]), std::abs(box.low[1]), std::abs(box.low[2])}),
                                  std::max({std::abs(box.high[0]), std::abs(box.high[1]), std::abs(box.high[2])}));
   const float generous = 1.0001f * radius + 1e-6f * largest, limit = generous * generous;
-  const Eigen::Vector3f origin = origin_;
+  BoxPattern pattern;
+  for (int c = 0; c < block_coordinates; ++c) {
+    pattern.low[c] = box.low[c % 3];
+    pattern.high[c] = box.high[c % 3];
+    pattern.origin[c] = origin_[c % 3];
+  }
+  std::array<float, block_coordinates> offset, squared;
   std::size_t count = 0;
   blocks_.forBlocksNear(box, limit, [&](std::size_t block) {
     into.reserve(count + PointBlocks::block_size + lane_count);
     float *x = into.x.data(), *y = into.y.data(), *z = into.z.data();
     std::uint32_t* point = into.point.data();
-    const std::size_t end = blocks_.blockEnd(block);
-    for (std::size_t i = blocks_.blockBegin(block); i < end; ++i) {
-      const Eigen::Vector3f& p = blocks_.point(i);
-      const float dx = outside(box.low[0], p[0], box.high[0]), dy = outside(box.low[1], p[1], box.high[1]);
-      const float dz = outside(box.low[2], p[2], box.high[2]);
-      x[count] = p[0] - origin[0];
-      y[count] = p[1] - origin[1];
-      z[count] = p[2] - origin[2];
-      point[count] = static_cast<std::uint32_t>(i);
-      count += dx * dx + dy * dy + dz * dz <= limit;
+    const std::size_t begin = blocks_.blockBegin(block);
+    const int coordinates = 3 * static_cast<int>(blocks_.blockEnd(block) - begin);
+    compare(blocks_.point(begin).data(), coordinates, pattern, offset.data(), squared.data());
+    for (int c = 0; c < coordinates; c += 3) {
+      x[count] = offset[c];
+      y[count] = offset[c + 1];
+      z[count] = offset[c + 2];
+      point[count] = static_cast<std::uint32_t>(begin) + static_cast<std::uint32_t>(c / 3);
+      count += squared[c] + squared[c + 1] + squared[c + 2] <= limit;
     }
   });
   into.reserve(count + lane_count);

@@ -40,10 +40,12 @@ rank(const float* value, int count, std::int32_t* ranks)
     load(own, value + begin);
     LaneCounts before = {};
     const int end = begin + lane_count < count ? begin + lane_count : count;
+#pragma GCC unroll 4
     for (int j = 0; j < begin; ++j)
       before -= value[j] <= own;
     for (int j = begin; j < end; ++j)
       before -= (value[j] < own) | ((value[j] == own) & (lane > j - begin));
+#pragma GCC unroll 4
     for (int j = end; j < count; ++j)
       before -= value[j] < own;
     std::memcpy(ranks + begin, &before, sizeof before);

@@ -3,14 +3,15 @@
  */
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 namespace pcl_spiral {
 
-/** Neighbours of a point in counter-clockwise order, found by clipping its Voronoi cell with one bisector after the
- *  other, nearest first. A triangle stands between a neighbour and the next one when the Voronoi vertex between them,
- *  its circumcentre, is no farther than the largest allowed circumradius.
+/** Neighbours of a point in counter-clockwise order, found by walking round its Voronoi cell: along the
+ * bisector of one neighbour up to the first that cuts it off, then along that, from the nearest neighbour
+ * back to it. A triangle stands between a neighbour and the next one when the Voronoi vertex between them,
+ * its circumcentre, is no farther than the largest allowed circumradius. Of neighbours on one circle with the
+ * point, those that only touch a corner are left out.
  */
 class LocalStar {
 public:
@@ -19,32 +20,38 @@ public:
     bool triangle_next; ///< whether a triangle stands between this spoke and the next
   };
 
-  /** \p u, \p v: offsets of \p count neighbours from the point in its tangent plane, nearest in space first; the
-   *  first is the point itself. \p max_circumradius in the same unit. */
+  /** \p u, \p v: offsets of \p count neighbours from the point in its tangent plane, nearest in space first;
+   * the first is the point itself. \p max_circumradius in the same unit. */
   void compute(const double* u, const double* v, int count, double max_circumradius);
 
-  const std::vector<Spoke>& spokes() const { return spokes_; }
+  const std::vector<Spoke>&
+  spokes() const
+  {
+    return spokes_;
+  }
   /** Distance of the farthest vertex of the cell, before triangles were dropped, but at most twice
    *  the largest circumradius: neighbours beyond twice this distance cannot change the star. */
-  double reach() const { return reach_; }
+  double
+  reach() const
+  {
+    return reach_;
+  }
 
 private:
-  /** The Voronoi cell: corners counter-clockwise, and with each the neighbour whose bisector the edge from it to the next
-   *  lies on, -1 on the first square. Filled up with the point itself, which no bisector cuts off, to whole lanes. */
-  struct Cell {
-    std::vector<double> x, y;
-    std::vector<int> edge;
-    int size = 0;
-
-    void resize(int room);
-    void add(double corner_x, double corner_y, int next_edge);
-    void fillUp();
+  struct Corner {
+    double u, v;
   };
-  /** Cut off what is nearer to (u, v) than to the point; returns whether anything was. */
-  bool clip(double u, double v, int neighbour);
+  /** Take the sides of a square, of which none has a corner within reach, and the neighbours. */
+  void setSites(const double* u, const double* v, int count, double half_width);
+  /** The cell of the first sites. */
+  void walk(int sites, double max_circumradius);
+  /** Whether a site from \p first to \p end cuts a corner off. */
+  bool cutsCorner(int first, int end) const;
 
-  Cell cell_, clipped_;
-  std::vector<double> side_;
+  std::vector<double> u_, v_, half_square_; ///< of each site; its bisector is u x + v y = half_square
+  std::vector<double> cut_, ends_;
+  std::vector<int> edges_;
+  std::vector<Corner> corners_;
   std::vector<Spoke> spokes_;
   double reach_ = 0.0;
 };
