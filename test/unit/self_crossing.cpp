@@ -78,4 +78,28 @@ TEST(SelfCrossing, AgreesWithEveryPairTested)
   EXPECT_LT(crossed, 250);
 }
 
+TEST(SelfCrossing, SegmentsMayPassOverEachOther)
+{
+  // A loop that crosses its start, at some height over it.
+  const auto loop = [](double height) {
+    pcl_spiral::Polyline path;
+    for (int i = 0; i <= 20; ++i)
+      path.emplace_back(i, 0.0, 0.0);
+    for (int i = 1; i <= 10; ++i)
+      path.emplace_back(20.0, i, 0.1 * i * height);
+    for (int i = 1; i <= 10; ++i)
+      path.emplace_back(20.0 - i, 10.0, height);
+    for (int i = 1; i <= 20; ++i)
+      path.emplace_back(9.6, 10.3 - i, height);
+    return path;
+  };
+  for (double height : {-0.14, 0.0, 0.14, -3.2, 3.2}) {
+    const auto path = loop(height);
+    const auto found = pcl_spiral::firstSelfCrossing(path, {path.size(), Eigen::Vector3d::UnitZ()});
+    EXPECT_EQ(found.has_value(), std::abs(height) < 1.0) << height;
+    if (found)
+      EXPECT_EQ(*found, 9u);
+  }
+}
+
 } // namespace

@@ -10,11 +10,14 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double width_in_longest = 1.4; // of a cell: smaller ones cost more to look up than they leave out
+constexpr double width_in_mean =
+    1.5; // of a cell, in mean segments: smaller ones cost more to look up than they leave out
+constexpr double most_cells_along = 16.0;
+constexpr double margin_in_width = 0.1; // segments that cross may lie so far over each other
+constexpr double margin_in_slack = 4.0;
 
-/** The segments of a path by the cells in which their middles lie. Cells share buckets, by a hash under which
- *  neighbours along x follow each other; a segment of another cell in a bucket does no harm. Eight bytes a
- *  segment. */
+/** The segments of a path by the cells that their boxes touch. Cells share buckets, by a hash; a segment of
+ * another cell in a bucket does no harm. About eighteen bytes a segment. */
 class SegmentCells {
 public:
   using Cell = Eigen::Matrix<std::int64_t, 3, 1>;
@@ -29,57 +32,47 @@ public:
     begin_.assign(buckets + 1, 0);
     // Each segment's place depends on those before it: serial.
     for (std::size_t i = 0; i < segments; ++i)
-      ++begin_[bucketOf(cellAt(middle(i)))];
+      forBuckets(i, 0.0, [&](std::size_t bucket) { ++begin_[bucket]; });
     std::uint32_t before = 0;
     for (std::uint32_t& entry : begin_)
       entry = before += entry;
-    segments_.resize(segments);
+    segments_.resize(before);
     for (std::size_t i = segments; i-- > 0;)
-      segments_[--begin_[bucketOf(cellAt(middle(i)))]] = static_cast<std::uint32_t>(i);
+      forBuckets(i, 0.0,
+                 [&](std::size_t bucket) { segments_[--begin_[bucket]] = static_cast<std::uint32_t>(i); });
   }
 
-  Eigen::Vector3d
-  middle(std::size_t segment) const
-  {
-    return 0.5 * (path_[segment] + path_[segment + 1]);
-  }
-
-  /** Call \p visit with the segments from \p first on whose middle may lie within \p reach of \p place. */
+  /** Call \p visit with the segments after the next one that may come within \p margin of a segment. */
   template <typename Visit>
   void
-  visitNear(const Eigen::Vector3d& place, double reach, std::size_t first, Visit visit) const
+  visitNear(std::size_t segment, double margin, Visit visit) const
   {
-    const Eigen::Vector3d half = Eigen::Vector3d::Constant(reach);
-    const Cell low = cellAt(place - half), high = cellAt(place + half);
-    const std::size_t columns = high.x() - low.x() + 1;
-    const auto visitBuckets = [&](std::size_t from, std::size_t end) {
-      for (std::uint32_t k = begin_[from]; k < begin_[end]; ++k)
-        if (segments_[k] >= first)
-          visit(segments_[k]);
-    };
-    for (std::int64_t z = low.z(); z <= high.z(); ++z)
-      for (std::int64_t y = low.y(); y <= high.y(); ++y) {
-        const std::size_t bucket = bucketOf(Cell(low.x(), y, z));
-        if (bucket + columns <= mask_ + 1)
-          visitBuckets(bucket, bucket + columns);
-        else
-          for (std::size_t next = bucket; next < bucket + columns; ++next)
-            visitBuckets(next & mask_, (next & mask_) + 1);
-      }
+    forBuckets(segment, margin, [&](std::size_t bucket) {
+      for (std::uint32_t k = begin_[bucket + 1]; k-- > begin_[bucket] && segments_[k] > segment + 1;)
+        visit(segments_[k]);
+    });
   }
 
 private:
+  template <typename Visit>
+  void
+  forBuckets(std::size_t segment, double margin, Visit visit) const
+  {
+    const Eigen::Vector3d &a = path_[segment], &b = path_[segment + 1],
+                          reach = Eigen::Vector3d::Constant(margin);
+    const Cell low = cellAt(a.cwiseMin(b) - reach), high = cellAt(a.cwiseMax(b) + reach);
+    for (std::int64_t z = low.z(); z <= high.z(); ++z)
+      for (std::int64_t y = low.y(); y <= high.y(); ++y)
+        for (std::int64_t x = low.x(); x <= high.x(); ++x)
+          visit((static_cast<std::size_t>(x) + 73856093u * static_cast<std::size_t>(y) +
+                 19349663u * static_cast<std::size_t>(z)) &
+                mask_);
+  }
+
   Cell
   cellAt(const Eigen::Vector3d& place) const
   {
     return (place / width_).array().floor().matrix().cast<std::int64_t>();
-  }
-
-  std::size_t
-  bucketOf(const Cell& cell) const
-  {
-    return (static_cast<std::size_t>(cell.x()) + 73856093u * static_cast<std::size_t>(cell.y()) +
-            19349663u * static_cast<std::size_t>(cell.z())) & mask_;
   }
 
   const Polyline& path_;
@@ -119,22 +112,25 @@ firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& norm
   if (path.size() < 4)
     return std::nullopt;
   const auto segments = static_cast<std::int64_t>(path.size()) - 1;
-  double longest = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : longest)
-  for (std::int64_t i = 0; i < segments; ++i)
-    longest = std::max(longest, (path[i + 1] - path[i]).squaredNorm());
+  double longest = 0.0, sum = 0.0;
+  for (std::int64_t i = 0; i < segments; ++i) { // serial: a sum whose rounding depends on its order
+    const double length = (path[i + 1] - path[i]).norm();
+    longest = std::max(longest, length);
+    sum += length;
+  }
   if (!(longest > 0.0))
     return std::nullopt;
-  longest = std::sqrt(longest);
-  const SegmentCells cells(path, width_in_longest * longest);
+  const double width =
+      std::max(width_in_mean * sum / static_cast<double>(segments), longest / most_cells_along);
+  const double margin = margin_in_slack * slack + margin_in_width * width;
+  const SegmentCells cells(path, width);
   auto first = std::numeric_limits<std::int64_t>::max();
 #pragma omp parallel for schedule(dynamic, 4096) reduction(min : first)
   for (std::int64_t i = 0; i < segments; ++i) {
     if (i >= first)
       continue;
     const Eigen::Vector3d start = path[i], along = path[i + 1] - start, left = normals[i].cross(along);
-    const double reach = 0.5000001 * (along.norm() + longest);
-    cells.visitNear(cells.middle(i), reach, i + 2, [&](std::size_t j) {
+    cells.visitNear(i, margin, [&](std::size_t j) {
       // Hardly any has its ends on either side.
       if (left.dot(path[j] - start) * left.dot(path[j + 1] - start) < 0.0 &&
           cross(path, i, j, normals[i], slack))

@@ -10,8 +10,9 @@
 namespace pcl_spiral {
 
 /** Index of the first segment of \p path that crosses another one as seen along the normal of its first point;
- *  segments that share a point do not count, nor crossings whose ends all stay
- *  within \p slack of the other segment, nor sheets farther apart than the longest segment.
+ *  segments that share a point do not count, nor crossings whose ends all stay within \p slack of the other segment.
+ *  Segments may pass over each other: a crossing is found where they do so within 0.15 of the mean segment and four
+ *  times the slack, and never beyond three mean segments (or a fifth of the longest, if that is more).
  *  \p normals unit, one a point. Near-linear in the number of points for segments of like length. */
 std::optional<std::size_t>
 firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& normals, double slack = 0.0);
