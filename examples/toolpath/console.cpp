@@ -53,6 +53,9 @@ printPath(const Job& job, const pcl_spiral::SpiralReport& report)
                 report.limited_points, plural(report.limited_points), report.largest_tilt_reduction,
                 job.settings.max_axis_rate);
   std::printf("path length     %.3f m\n", report.path_length / 1000.0);
+  if (report.gap_points > 0)
+    std::printf("over gaps       %.1f mm at %zu point%s: bridged, a guess from what lies round them\n", report.gap_length,
+                report.gap_points, plural(report.gap_points));
   std::printf("machining time  %s at %g mm/min\n",
               duration(60.0 * report.path_length / job.settings.feed).c_str(), job.settings.feed);
 }

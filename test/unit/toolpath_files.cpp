@@ -180,7 +180,7 @@ TEST(ToolpathFiles, PlyHeaderDescribesItsBytes)
   while (std::getline(header, line)) {
     if (line == "property double arc_length")
       length_at = row;
-    row += line.rfind("property float ", 0) == 0 ? 4 : line.rfind("property double ", 0) == 0 ? 8 : 0;
+    row += line.rfind("property float ", 0) == 0 ? 4 : line.rfind("property double ", 0) == 0 ? 8 : line.rfind("property uchar ", 0) == 0;
   }
   ASSERT_EQ(bytes.size(), body + 10 * row);
   double length = 0.0;
@@ -238,6 +238,38 @@ TEST(ToolpathFiles, VtpTakesValuesOfEachPoint)
   values.scallop.pop_back();
   EXPECT_THROW(writeToolpath(folder.path("b.vtp"), path, motion, values), std::invalid_argument);
   EXPECT_FALSE(std::filesystem::exists(folder.path("b.vtp")));
+}
+
+TEST(ToolpathFiles, GapsOfTheScanAreMarkedInEveryFormat)
+{
+  const ScratchFolder folder;
+  auto path = spiral(5000);
+  for (std::size_t i = 2040; i < 2060; ++i) // over the end of a block of rows
+    path[i].over_gap = 1;
+  for (const std::string& extension : toolpathExtensions()) {
+    writeToolpath(folder.path("a" + extension), path, motion);
+    EXPECT_EQ(readToolpath(folder.path("a" + extension)).path.size(), path.size()) << extension;
+  }
+  std::istringstream lines(readText(folder.path("a.csv")));
+  std::string line;
+  std::vector<std::size_t> marks;
+  for (std::size_t rows = 0; std::getline(lines, line); rows += line.front() != '#')
+    if (line.front() == '#')
+      marks.push_back(rows - 1); // less the header
+  EXPECT_EQ(marks, (std::vector<std::size_t>{2040, 2060}));
+  pcl::PointCloud<ToolpathPoint> pcd, ply;
+  ASSERT_EQ(pcl::io::loadPCDFile(folder.path("a.pcd"), pcd), 0);
+  ASSERT_EQ(pcl::io::loadPLYFile(folder.path("a.ply"), ply), 0);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(folder.path("a.vtp").c_str());
+  reader->Update();
+  vtkDataArray* const over_gap = reader->GetOutput()->GetPointData()->GetArray("OverGap");
+  ASSERT_NE(over_gap, nullptr);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    ASSERT_EQ(pcd[i].over_gap, path[i].over_gap) << i;
+    ASSERT_EQ(ply[i].over_gap, path[i].over_gap) << i;
+    ASSERT_EQ(over_gap->GetComponent(static_cast<vtkIdType>(i), 0), path[i].over_gap) << i;
+  }
 }
 
 TEST(ToolpathFiles, TipLiesBelowTheBallCentre)

@@ -42,6 +42,9 @@ addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
       {"Longest linear move", words("%.4g mm", r.largest_gap)},
       {"Largest axis change per step", words("%.3g\u00b0", r.largest_axis_change)},
       {"Radial lines", words("%zu, %s", r.radial_lines.size(), r.harmonic_lines ? "harmonic" : "geodesic")}};
+  if (r.gap_points > 0)
+    rows.push_back({"Over gaps of the scan, bridged: a guess",
+                    words("%zu points, %.1f mm", r.gap_points, r.gap_length)});
   if (r.boundaries == 1)
     rows.push_back({"Centre", place(r.centre)});
   if (r.limited_points > 0)

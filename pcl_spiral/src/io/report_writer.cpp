@@ -93,6 +93,8 @@ pathJson(const SpiralReport& report, double feed)
           {"turns", report.turns},
           {"points", report.path_points},
           {"length", report.path_length},
+          {"points_over_gaps", report.gap_points},
+          {"length_over_gaps", report.gap_length},
           {"machining_minutes", feed > 0.0 ? Json(report.path_length / feed) : Json()},
           {"smallest_step_over", report.smallest_step_over},
           {"largest_step_over", report.largest_step_over},

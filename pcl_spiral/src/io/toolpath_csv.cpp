@@ -4,6 +4,7 @@
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace pcl_spiral {
 
@@ -24,6 +25,15 @@ writeField(char* out, double value)
   out = writeFixed<Decimals>(out, value);
   *out++ = ',';
   return out;
+}
+
+/** Comment lines where the path comes over a gap of the scan that was bridged, and where it leaves it. */
+char*
+writeGapMark(char* out, const pcl::PointCloud<ToolpathPoint>& path, std::size_t i)
+{
+  const bool before = i > 0 && path[i - 1].over_gap != 0, now = path[i].over_gap != 0;
+  const std::string_view mark = before == now ? "" : now ? "# over a gap of the scan, bridged\n" : "# on the scan\n";
+  return std::copy(mark.begin(), mark.end(), out);
 }
 
 char*
@@ -59,13 +69,13 @@ writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
     for (std::size_t b = 0; b < blocks_a_round; ++b) {
       const std::size_t first = begin + b * rows_a_block;
       const std::size_t last = std::min(first + rows_a_block, path.size());
-      constexpr std::size_t room = 15 * (fixed_point_room + 1);
+      constexpr std::size_t room = 15 * (fixed_point_room + 1) + 40; // and a mark
       std::size_t size = 0;
       for (std::size_t i = first; i < last; ++i) {
         if (blocks[b].size() < size + room)
           blocks[b].resize(2 * size + room + usual_row * (last - first));
         char* const row = blocks[b].data() + size;
-        size += static_cast<std::size_t>(writeRow(row, path[i], motion) - row);
+        size += static_cast<std::size_t>(writeRow(writeGapMark(row, path, i), path[i], motion) - row);
       }
       blocks[b].resize(size);
     }

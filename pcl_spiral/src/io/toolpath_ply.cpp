@@ -7,7 +7,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t bytes_a_point = 9 * sizeof(float) + sizeof(double) + sizeof(float);
+constexpr std::size_t bytes_a_point = 9 * sizeof(float) + sizeof(double) + sizeof(float) + 1;
 
 template <typename T>
 char*
@@ -29,7 +29,7 @@ writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
       std::to_string(path.size()) + "\n";
   for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "axis_x", "axis_y", "axis_z"})
     header += std::string("property float ") + name + "\n";
-  out.write(header + "property double arc_length\nproperty float turn\nend_header\n");
+  out.write(header + "property double arc_length\nproperty float turn\nproperty uchar over_gap\nend_header\n");
 
   std::string rows(path.size() * bytes_a_point, '\0');
   char* at = rows.data();
@@ -39,6 +39,7 @@ writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
         at = put(at, vector[i]);
     at = put(at, point.arc_length);
     at = put(at, point.turn);
+    at = put(at, point.over_gap);
   }
   out.write(rows);
   out.close();

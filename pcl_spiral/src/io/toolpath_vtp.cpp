@@ -10,8 +10,10 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <algorithm>
 #include <numeric>
 #include <stdexcept>
 
@@ -73,6 +75,9 @@ polyData(const pcl::PointCloud<ToolpathPoint>& path, double feed, const PathValu
   arrays->AddArray(pointArray<vtkFloatArray>("Turn", 1, path, [](const P& p, int) { return p.turn; }));
   arrays->AddArray(
       pointArray<vtkDoubleArray>("ArcLength", 1, path, [](const P& p, int) { return p.arc_length; }));
+  const auto over_gap = [](const P& p) { return p.over_gap != 0; };
+  if (std::any_of(path.begin(), path.end(), over_gap))
+    arrays->AddArray(pointArray<vtkUnsignedCharArray>("OverGap", 1, path, [](const P& p, int) { return p.over_gap; }));
   addValues(arrays, "Deviation", values.deviation);
   addValues(arrays, "Scallop", values.scallop);
   return data;

@@ -108,6 +108,8 @@ MlsSurface::projectOnce(const std::vector<std::uint32_t>& which, std::vector<Sur
           if (std::sqrt(nearest.squared_distance) > farthest_in_spacings * spacing)
             continue;
           foot = fit(from, near);
+          foot.nearest = nearest.index;
+          foot.nearest_distance = std::sqrt(nearest.squared_distance);
           foot.valid = foot.valid && foot.overhang < largest_overhang * spacing;
           moved[order[i].index] = foot.valid && (foot.position - from).norm() > refit_distance * graph_.spacing();
         }

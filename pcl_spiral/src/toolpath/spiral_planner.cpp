@@ -18,6 +18,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double two_sheets_scatter = 0.35; // of the spacing: more is no surface
+constexpr double gap_in_spacings = 2.7;       // on random points one in 10^9 lies so far from the next
 constexpr std::size_t chunk = 1u << 16;     // path points between progress reports
 
 double
@@ -125,6 +126,7 @@ SpiralPlanner::bridgeGaps(const std::vector<Eigen::Vector3f>& normals)
   std::vector<Eigen::Vector3f> points = graph_.blocks().points(), known;
   for (std::size_t i = 0; !normals.empty() && i < points.size(); ++i)
     known.push_back(normals[source_[graph_.blocks().originalIndex(i)]]);
+  first_bridge_ = points.size();
   points.insert(points.end(), bridges_.begin(), bridges_.end());
   known.resize(normals.empty() ? 0 : points.size(), Eigen::Vector3f::Zero());
   if (const Status status = makeGraph(std::move(points), std::move(known)); !status.ok())
@@ -198,6 +200,7 @@ SpiralPlanner::putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& p
   path.contacts.resize(curve.size());
   path.normals.resize(curve.size());
   path.turns.resize(curve.size());
+  path.over_gap.resize(curve.size());
   std::vector<Eigen::Vector3d> queries;
   std::vector<SurfaceFoot> feet;
   for (std::size_t begin = 0; begin < curve.size(); begin += chunk) {
@@ -214,6 +217,7 @@ SpiralPlanner::putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& p
         first_bad = std::min(first_bad, i);
       path.contacts[begin + i] = feet[i].position;
       path.normals[begin + i] = feet[i].normal;
+      path.over_gap[begin + i] = isOverGap(feet[i]);
       path.turns[begin + i] = static_cast<float>(curve[begin + i].turn);
     }
     if (first_bad < count) {
@@ -231,6 +235,31 @@ SpiralPlanner::putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& p
       return {StatusCode::Cancelled, "cancelled"};
   }
   path.arc_lengths = arcLengths(path.contacts); // serial: a sum whose rounding depends on its order
+  return reportGaps(path);
+}
+
+/** Whether there is no point of the scan near, but perhaps one that was put into a gap. */
+bool
+SpiralPlanner::isOverGap(const SurfaceFoot& foot) const
+{
+  return foot.nearest_distance > gap_in_spacings * graph_.spacing(foot.nearest) ||
+         (!bridges_.empty() && source_[graph_.blocks().originalIndex(foot.nearest)] >= first_bridge_);
+}
+
+Status
+SpiralPlanner::reportGaps(const SpiralPath& path)
+{
+  for (std::size_t i = 0; i < path.contacts.size(); ++i) {
+    report_.gap_points += path.over_gap[i];
+    if (i > 0 && (path.over_gap[i - 1] || path.over_gap[i]))
+      report_.gap_length += path.arc_lengths[i] - path.arc_lengths[i - 1];
+    if (path.over_gap[i] && settings_.gaps == GapHandling::Refuse)
+      return {StatusCode::InvalidInput, text("the scan has a gap at ", at(path.contacts[i]),
+                                             ": no point of it lies near the path there; rescan it, or allow gaps to be bridged")};
+  }
+  if (report_.gap_points > 0)
+    report_.warnings.push_back(text(report_.gap_points, " path points, ", report_.gap_length,
+                                    " mm, lie over gaps of the scan, where the surface is a guess; they are marked"));
   return Status::success();
 }
 

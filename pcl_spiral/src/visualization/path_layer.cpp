@@ -94,6 +94,26 @@ addSpiral(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const Show
   return {"spiral, " + turns.caption(), {0.128, 0.567, 0.551}};
 }
 
+void
+addOverGaps(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns,
+            std::vector<LegendEntry>& legend)
+{
+  const PathLines lines = pathLines(path, least_path_move * view.projection().mm_per_pixel, [&](const ToolpathPoint& point) {
+    return point.over_gap != 0 && turns.shows(point.turn) && view.isNear(placeOf(point));
+  });
+  if (lines.points.empty())
+    return;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(lines.data);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(over_gap_color[0], over_gap_color[1], over_gap_color[2]);
+  actor->GetProperty()->SetLineWidth(3.0f);
+  view.addOver(actor);
+  legend.push_back({"over gaps of the scan, bridged", over_gap_color});
+}
+
 std::vector<LegendEntry>
 markEnds(PartView& view, const pcl::PointCloud<ToolpathPoint>& path)
 {

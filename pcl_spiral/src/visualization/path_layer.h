@@ -14,6 +14,7 @@ namespace pcl_spiral {
 
 constexpr double least_turn_pitch = 4.0; ///< pixels between drawn turns; nearer they run together
 constexpr double least_path_move = 1.0;  ///< pixels between drawn points
+constexpr Color over_gap_color{0.90, 0.15, 0.85};
 constexpr Color path_start_color{0.10, 0.65, 0.20}, path_end_color{0.85, 0.05, 0.05};
 
 inline Eigen::Vector3d
@@ -49,6 +50,11 @@ vtkSmartPointer<vtkActor> turnActor(const pcl::PointCloud<ToolpathPoint>& path, 
 /** The surface and the shown turns. Returns the entry of the legend. */
 LegendEntry addSpiral(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns,
                       vtkScalarsToColors* colors);
+
+/** The shown turns again where they run over gaps of the scan that were bridged; nothing without any. Adds an entry to the
+ *  legend. */
+void addOverGaps(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns,
+                 std::vector<LegendEntry>& legend);
 
 /** Marks at the path's start and end. Returns their entries of the legend. */
 std::vector<LegendEntry> markEnds(PartView& view, const pcl::PointCloud<ToolpathPoint>& path);

@@ -50,6 +50,7 @@ SpiralPictures::writeSpiral(const std::string& file) const
   const ShownTurns turns = chooseTurns(*scene.path, canvas.projection(), least_turn_pitch);
   const auto colors = colorScale(0.0, static_cast<double>(report.turns));
   std::vector<LegendEntry> legend{addSpiral(canvas, *scene.path, turns, colors)};
+  addOverGaps(canvas, *scene.path, turns, legend);
   canvas.addAxes();
   canvas.addColorBar("turn", colors);
   for (const LegendEntry& end : markEnds(canvas, *scene.path))

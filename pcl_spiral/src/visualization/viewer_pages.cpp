@@ -93,6 +93,7 @@ ViewerPages::path(const ViewerChoice& choice)
   const ShownTurns shown = turns(choice);
   const auto colors = colorScale(0.0, static_cast<double>(shown.turns));
   std::vector<LegendEntry> legend{addSpiral(window_, path, shown, colors)};
+  addOverGaps(window_, path, shown, legend);
   for (const LegendEntry& end : markEnds(window_, path))
     legend.push_back(end);
   window_.addMeasures();

@@ -8,12 +8,15 @@
 #include <pcl/register_point_struct.h>
 #include <pcl/impl/point_types.hpp>
 
+#include <cstdint>
+
 namespace pcl_spiral {
 
 /** One point of a toolpath.
  *  x y z is the cutter contact (mm), normal the unit surface normal out of the material, axis the unit tool axis
  *  from the tip to the shank, arc_length the length of the path up to here (mm), turn the spiral's turn count.
- *  arc_length is a double: a path of kilometres loses a millimetre in single precision.
+ *  arc_length is a double: a path of kilometres loses a millimetre in single precision. over_gap is 1 where the scan has a
+ *  gap that was bridged: there the surface is a guess from what lies round it.
  */
 struct EIGEN_ALIGN16 ToolpathPoint {
   PCL_ADD_POINT4D;
@@ -29,6 +32,7 @@ struct EIGEN_ALIGN16 ToolpathPoint {
   };
   double arc_length = 0.0;
   float turn = 0.0f;
+  std::uint8_t over_gap = 0;
 
   ToolpathPoint()
   {
@@ -50,4 +54,4 @@ POINT_CLOUD_REGISTER_POINT_STRUCT(pcl_spiral::ToolpathPoint,
                                   (float, x, x)(float, y, y)(float, z, z)
                                   (float, normal_x, normal_x)(float, normal_y, normal_y)(float, normal_z, normal_z)
                                   (float, axis_x, axis_x)(float, axis_y, axis_y)(float, axis_z, axis_z)
-                                  (double, arc_length, arc_length)(float, turn, turn))
+                                  (double, arc_length, arc_length)(float, turn, turn)(std::uint8_t, over_gap, over_gap))

@@ -23,6 +23,8 @@ struct SurfaceFoot {
   double curvature2 = 0.0; ///< the smaller, across direction1
   double residual = 0.0;   ///< standard deviation of the cloud about the fit here, mm
   double overhang = 0.0;   ///< how far it lies beyond the outermost points of the cloud, mm; 0 inside
+  double nearest_distance = 0.0; ///< from the nearest point of the cloud, mm
+  std::uint32_t nearest = 0;     ///< which that is, in the graph's order
   bool valid = false;      ///< false far from the cloud, beyond its rim, or where the fit is not determined
 
   /** Normal curvature in the tangent direction \p t (unit), by Euler's theorem. */

@@ -23,6 +23,7 @@ struct SpiralPath {
   std::vector<Eigen::Vector3f> axes;    ///< unit, tip to shank
   std::vector<double> arc_lengths;
   std::vector<float> turns;
+  std::vector<std::uint8_t> over_gap; ///< 1 where the scan has a gap
 };
 
 /** Ok, or the setting that cannot be, with its value and remedy. */
@@ -45,6 +46,8 @@ private:
   Status makeLines(bool two, RadialLineSet& set);
   Status makeCurve(bool two, std::vector<SpiralPoint>& curve);
   Status putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& path);
+  bool isOverGap(const SurfaceFoot& foot) const;
+  Status reportGaps(const SpiralPath& path);
   Status setAxes(SpiralPath& path);
   Status checkPath(const SpiralPath& path);
   bool report(double share, const std::string& stage);
@@ -57,6 +60,7 @@ private:
   std::vector<std::uint32_t> source_; ///< which of the points given each of the graph's was
   std::unique_ptr<MlsSurface> surface_;
   std::vector<Eigen::Vector3f> bridges_; ///< points that were put into gaps
+  std::size_t first_bridge_ = 0;         ///< of the points given to the graph
 };
 
 } // namespace pcl_spiral

@@ -32,6 +32,8 @@ struct SpiralReport {
   std::size_t turns = 0;            ///< of the path, with those along the rim and the inner loop
   std::size_t path_points = 0;
   double path_length = 0.0;
+  std::size_t gap_points = 0;       ///< path points over gaps of the scan
+  double gap_length = 0.0;          ///< of the path between them
   double smallest_step_over = 0.0;
   double largest_step_over = 0.0;
   double largest_allowed_step = 0.0;

@@ -85,6 +85,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::compute(pcl::PointCloud<P
     p.getAxisVector3fMap() = spiral.axes[i];
     p.arc_length = spiral.arc_lengths[i];
     p.turn = spiral.turns[i];
+    p.over_gap = spiral.over_gap[i];
   }
   path.header = this->input_->header;
   path.is_dense = true;
