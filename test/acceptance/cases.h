@@ -20,7 +20,8 @@ int judge(const Job& job, const Options& options);
 /** Deviation and error after simulated machining by a cloud of the part that the planner has not seen. */
 int judgeBySecondCloud(const Job& job, const Options& options);
 
-/** The same path when the cloud is moved, shuffled, or worked on by another number of threads. */
+/** The same path when the cloud is moved, mirrored, scaled with all lengths, shuffled, or worked on by another number of
+ *  threads. */
 int judgeInvariance(const Job& job, const Options& options);
 
 /** A ball of radius 200 in a bowl of radius 130 must be refused, and the place named. */

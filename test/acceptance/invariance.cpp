@@ -27,7 +27,7 @@ farthest(const test::CheckedPath& a, const test::CheckedPath& b)
 
 void
 comparePaths(const std::string& what, const test::CheckedPath& expected, const Run& other,
-             const Eigen::Isometry3d& back, Table& table)
+             const Eigen::Affine3d& back, Table& table)
 {
   table.holds(what + ": a path is made", other.status.ok(), other.status.message());
   if (other.path.empty() || expected.size() == 0)
@@ -40,6 +40,24 @@ comparePaths(const std::string& what, const test::CheckedPath& expected, const R
   table.atMost(what + ": first path off it", farthest(expected, path), 1e-3);
   table.atMost(what + ": start", (path.contacts.front() - expected.contacts.front()).norm(), 1e-3);
   table.atMost(what + ": end", (path.contacts.back() - expected.contacts.back()).norm(), 1e-3);
+}
+
+/** The job on its points under a similarity: all lengths are scaled with them, and a mirrored part is gone
+ * round the other way. */
+Run
+runMapped(const Job& job, const std::vector<Eigen::Vector3d>& points, const Eigen::Affine3d& map,
+          const Eigen::Vector3d& view, const Eigen::Vector3d& start, int threads)
+{
+  const double determinant = map.linear().determinant(), scale = std::cbrt(std::abs(determinant));
+  Job mapped = job;
+  for (double* length : {&mapped.tool_radius, &mapped.scallop_height, &mapped.chord_error})
+    *length *= scale;
+  std::vector<Eigen::Vector3d> mapped_points;
+  for (const Eigen::Vector3d& p : points)
+    mapped_points.push_back(map * p);
+  const Eigen::Vector3d mapped_view = map * view, mapped_start = map * start;
+  return run(mapped, test::toCloud(mapped_points), threads, &mapped_view, &mapped_start,
+             determinant > 0.0 ? SpiralSense::CounterClockwise : SpiralSense::Clockwise);
 }
 
 /** Every field the same to the bit. */
@@ -61,7 +79,7 @@ sameBytes(const Path& a, const Path& b)
 int
 judgeInvariance(const Job& job, const Options& options)
 {
-  Table table(job.name + ": the same path moved, shuffled, and for any number of threads");
+  Table table(job.name + ": the same path moved, mirrored, scaled, shuffled, and for any number of threads");
   const std::vector<Eigen::Vector3d> points = sampled(job, options.seed).points;
   const Eigen::Vector3d view(0.0, 0.0, 1e4), start = job.surface->outlines().front().front();
   const Run first = run(job, test::toCloud(points), options.threads, &view, &start);
@@ -77,16 +95,18 @@ judgeInvariance(const Job& job, const Options& options)
   std::vector<Eigen::Vector3d> mixed;
   for (const std::size_t i : test::shuffled(points.size(), options.seed + 5))
     mixed.push_back(points[i]);
-  const Run other_order = run(job, test::toCloud(mixed), options.threads, &view, &start);
-  comparePaths("shuffled", expected, other_order, Eigen::Isometry3d::Identity(), table);
+  const Eigen::Affine3d as_it_is = Eigen::Affine3d::Identity();
+  comparePaths("shuffled", expected, run(job, test::toCloud(mixed), options.threads, &view, &start), as_it_is,
+               table);
 
-  const Eigen::Isometry3d motion = test::randomMotion(options.seed + 9, 200.0);
-  std::vector<Eigen::Vector3d> moved;
-  for (const Eigen::Vector3d& p : points)
-    moved.push_back(motion * p);
-  const Eigen::Vector3d moved_view = motion * view, moved_start = motion * start;
-  const Run other_place = run(job, test::toCloud(moved), options.threads, &moved_view, &moved_start);
-  comparePaths("moved", expected, other_place, motion.inverse(), table);
+  const Eigen::Affine3d moved(test::randomMotion(options.seed + 9, 200.0));
+  const Eigen::Affine3d mirrored = moved * Eigen::Scaling(-1.0, 1.0, 1.0);
+  const Eigen::Affine3d reduced = as_it_is * Eigen::Scaling(1.0 / 1024),
+                        enlarged = moved * Eigen::Scaling(40.0);
+  for (const auto& [what, map] :
+       {std::pair{"moved", moved}, {"mirrored", mirrored}, {"a 1024th", reduced}, {"forty times", enlarged}})
+    comparePaths(what, expected, runMapped(job, points, map, view, start, options.threads), map.inverse(),
+                 table);
   return table.broken();
 }
 

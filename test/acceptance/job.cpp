@@ -158,7 +158,7 @@ sampled(const Job& job, std::uint64_t seed)
 
 Run
 run(const Job& job, const Cloud::ConstPtr& cloud, int threads, const Eigen::Vector3d* view,
-    const Eigen::Vector3d* start)
+    const Eigen::Vector3d* start, SpiralSense sense)
 {
   Generator generator;
   generator.setInputCloud(cloud);
@@ -166,6 +166,7 @@ run(const Job& job, const Cloud::ConstPtr& cloud, int threads, const Eigen::Vect
   generator.setScallopHeight(job.scallop_height);
   generator.setChordError(job.chord_error);
   generator.setNumberOfThreads(threads);
+  generator.setSense(sense);
   if (view)
     generator.setViewPoint(*view);
   if (start)

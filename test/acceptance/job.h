@@ -59,6 +59,6 @@ struct Run {
 
 /** Run with the job's cutter on \p cloud; \p view and \p start are left to the generator when null. */
 Run run(const Job& job, const Cloud::ConstPtr& cloud, int threads, const Eigen::Vector3d* view = nullptr,
-        const Eigen::Vector3d* start = nullptr);
+        const Eigen::Vector3d* start = nullptr, SpiralSense sense = SpiralSense::CounterClockwise);
 
 } // namespace pcl_spiral::acceptance
