@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing: as root, through sudo, or by saying which they are.
-# Usage: install_dependencies.sh [build] [test] [display] [benchmark]     (build alone when nothing is named)
+# Usage: install_dependencies.sh [build] [test] [display] [benchmark] [fuzz]     (build alone when nothing is named)
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache libpcl-dev libvtk9-dev libx11-dev libeigen3-dev libboost-dev
@@ -8,6 +8,7 @@ build=(g++ cmake ninja-build ccache libpcl-dev libvtk9-dev libx11-dev libeigen3-
 test=(libgtest-dev pkg-config)
 display=(xvfb xauth libgl1-mesa-dri) # pictures where there is no screen
 benchmark=(libbenchmark-dev)
+fuzz=(clang libclang-rt-14-dev) # libFuzzer; no test needs it
 
 wanted=()
 for group in "${@:-build}"; do
@@ -16,7 +17,8 @@ for group in "${@:-build}"; do
     test) wanted+=("${test[@]}") ;;
     display) wanted+=("${display[@]}") ;;
     benchmark) wanted+=("${benchmark[@]}") ;;
-    *) echo "unknown group '$group': name build, test, display or benchmark" >&2; exit 2 ;;
+    fuzz) wanted+=("${fuzz[@]}") ;;
+    *) echo "unknown group '$group': name build, test, display, benchmark or fuzz" >&2; exit 2 ;;
   esac
 done
 

@@ -18,7 +18,8 @@ public:
   Cancelled() : std::runtime_error("cancelled; no output has been written") {}
 };
 
-/** From here on ctrl-C and a request to end (SIGINT, SIGTERM) only set what cancelled tells. */
+/** From here on ctrl-C, a request to end and a closed terminal (SIGINT, SIGTERM, SIGHUP) only set what cancelled tells,
+ * and a file grown past the limit of the shell (SIGXFSZ) is an error of writing. */
 void catchSignals();
 
 bool cancelled();

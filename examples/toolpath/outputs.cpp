@@ -3,11 +3,13 @@
 #include "job_check.h"
 #include "terminal/file_names.h"
 
+#include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/report_writer.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
 
 using namespace pcl_spiral;
 
@@ -59,7 +61,7 @@ writeReport(const Job& job, const Result& result, const std::string& title, Pict
 
 void
 writeOutputs(const Job& job, Result& result, OutputFiles& files)
-{
+try {
   const ToolpathMotion motion{job.settings.tool_radius, job.settings.feed};
   const PathValues values{{}, result.heights.deviation, result.heights.scallop};
   const std::string title = std::filesystem::path(job.scan).filename().string();
@@ -91,4 +93,7 @@ writeOutputs(const Job& job, Result& result, OutputFiles& files)
   if (cancelled())
     throw Cancelled();
   files.commit();
+}
+catch (const FileError& error) {
+  throw std::runtime_error(files.asGiven(error.what()) + "; no output has been changed");
 }

@@ -4,10 +4,12 @@
 #include "terminal/file_names.h"
 #include "terminal/terminal.h"
 
+#include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
 
 using namespace pcl_spiral;
 
@@ -50,7 +52,7 @@ VerifyOutputs::take(const Scan& scan, const ReferenceSurface& surface, const Jud
 
 void
 VerifyOutputs::finish(const Scan& scan)
-{
+try {
   const VerificationRun run{job_.scan,
                             job_.read.unit,
                             job_.settings.tool_radius,
@@ -77,4 +79,7 @@ VerifyOutputs::finish(const Scan& scan)
       ++i; // written when the path was taken
   }
   files_.commit();
+}
+catch (const FileError& error) {
+  throw std::runtime_error(files_.asGiven(error.what()) + "; no output has been changed");
 }

@@ -12,6 +12,7 @@ namespace pcl_spiral::acceptance {
 struct Options {
   std::uint64_t seed = 1;
   int threads = 0; ///< 0: all
+  std::uint64_t first = 0, count = 19; ///< of the random cases
 };
 
 /** Path, removed material, report, against the exact surface. */
@@ -44,5 +45,9 @@ int judgeField(const Options& options);
 
 /** The whole free-form run beside PCL's own filters on the same cloud and threads. */
 int judgeTime(const Options& options);
+
+/** Surfaces, outlines, scans and jobs by chance: each ends in a path that holds, or is refused with a reason. Prints the
+ *  cases that do not, and how many ended in what. */
+int judgeRandom(const Options& options);
 
 } // namespace pcl_spiral::acceptance

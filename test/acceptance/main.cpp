@@ -28,13 +28,14 @@ cases()
   all["loops"] = judgeLoops;
   all["field"] = judgeField;
   all["time"] = judgeTime;
+  all["random"] = judgeRandom;
   return all;
 }
 
 int
 usage()
 {
-  std::fprintf(stderr, "usage: pcl_spiral_acceptance CASE [--seed N] [--threads N]\ncases:");
+  std::fprintf(stderr, "usage: pcl_spiral_acceptance CASE [--seed N] [--threads N] [--first N] [--count N]\ncases:");
   for (const auto& [name, judge] : cases())
     std::fprintf(stderr, " %s", name.c_str());
   std::fprintf(stderr, "\n");
@@ -54,6 +55,10 @@ main(int argc, char** argv)
       options.seed = std::strtoull(argv[i + 1], nullptr, 10);
     else if (std::strcmp(argv[i], "--threads") == 0)
       options.threads = std::atoi(argv[i + 1]);
+    else if (std::strcmp(argv[i], "--first") == 0)
+      options.first = std::strtoull(argv[i + 1], nullptr, 10);
+    else if (std::strcmp(argv[i], "--count") == 0)
+      options.count = std::strtoull(argv[i + 1], nullptr, 10);
     else
       return usage();
   }

@@ -253,3 +253,55 @@ TEST_F(CloudReader, SaysWhatIsWrongInPly)
   expectProblem("j.stl", "solid a\nfacet", "endsolid");
   expectProblem("k.stl", std::string(80, ' ') + std::string("\x09\0\0\0", 4), "cut off");
 }
+
+TEST_F(CloudReader, HeadersThatPromiseTooMuchAreRefusedBeforeMemoryIsTaken)
+{
+  const std::string fields = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n";
+  expectProblem("a.pcd", fields + "WIDTH 999999999999999\nHEIGHT 1\nDATA binary\n1", "cut off");
+  expectProblem("b.pcd", fields + "WIDTH 4294967296\nHEIGHT 4294967296\nDATA binary\n1",
+                "WIDTH 4294967296 and HEIGHT 4294967296"); // their product is 0 in 64 bits
+  expectProblem("c.pcd", fields + "COUNT 1 1 900000000000000\nWIDTH 99999\nHEIGHT 1\nDATA binary\n1", "COUNT 900000000000000");
+  expectProblem("d.pcd", fields + "WIDTH 1e18\nHEIGHT 1\nDATA ascii\n1 2 3\n", "'1e18' is not a count");
+  expectProblem("e.pcd", fields + "WIDTH 300000000\nHEIGHT 1\nDATA binary_compressed\n" +
+                             std::string("\x01\0\0\0\0\xa4\x93\xd6q", 9), "1 packed bytes cannot come to 3600000000");
+  expectProblem("f.pcd", fields + "WIDTH 1\nHEIGHT 1\nDATA binary_compressed\n" + std::string("\0\0\0\0\x0c\0\0\0", 8),
+                "0 packed bytes");
+  const std::string binary = "ply\nformat binary_little_endian 1.0\n";
+  expectProblem("g.ply", binary + "element vertex 999999999999999\nproperty float x\nproperty float y\nproperty float z\n"
+                                  "end_header\n1", "cut off");
+  expectProblem("h.ply", binary + "element nothing 999999999999999\nend_header\n", "no vertices");
+  expectProblem("i.ply", binary + "element face 999999999999999\nproperty list uint double k\nend_header\n\xff\xff\xff\xff",
+                "cut off");
+  expectProblem("j.stl", std::string(80, ' ') + "\xff\xff\xff\xff", "cut off");
+}
+
+TEST_F(CloudReader, HeadersThatContradictThemselves)
+{
+  const std::string fields = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n";
+  expectProblem("a.pcd", fields + "COUNT 0 0 0\nWIDTH 1\nHEIGHT 1\nDATA binary\n1", "COUNT 0");
+  expectProblem("b.pcd", fields + "COUNT 1 1 0\nWIDTH 1\nHEIGHT 1\nDATA ascii\n1 2\n", "COUNT 0");
+  expectProblem("c.pcd", fields + "WIDTH 3\nHEIGHT 2\nPOINTS 5\nDATA ascii\n1 2 3\n", "but POINTS 5");
+  const std::string ascii = "ply\nformat ascii 1.0\nelement vertex 1\n";
+  expectProblem("d.ply", ascii + "property float x\nproperty float y\nproperty list uchar float z\nend_header\n1 2 1 3\n",
+                "a list for 'z'");
+  const std::string lists = "property list uchar float k\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+  expectProblem("e.ply", ascii + lists + "3 1 2 3\n", "line 9: 4 values");
+  expectProblem("f.ply", ascii + lists + "nan 1 2 3\n", "a list of nan entries");
+  expectProblem("g.ply", "ply\nformat ascii 1.0\nelement vertex 1.5\n", "'1.5' is not a count");
+}
+
+TEST_F(CloudReader, StlInEveryDress)
+{
+  std::string binary = "solid made by a program that writes binary files" + std::string(84 + 2 * 50, '\0');
+  binary.resize(84 + 2 * 50);
+  binary[80] = 2;
+  for (std::size_t i = 0; i < 6; ++i) // the second triangle has the corners of the first
+    std::memcpy(&binary[84 + 50 * (i / 3) + 12 + 12 * (i % 3)], points[i % 3].data(), 12);
+  expectPoints(text("a.stl", binary));
+  expectPoints(text("b.stl", "SOLID A\r\n FACET NORMAL 0 0 1\r\n  OUTER LOOP\r\n   VERTEX 1.5 -2.25 3\r\n"
+                             "\tVERTEX 4 5.5 -6\r\n   VERTEX 0.125 1E-3 700.5\r\n  ENDLOOP\r\n ENDFACET\r\nENDSOLID\r\n"));
+  expectProblem("c.stl", "solid a\nvertex 1 2\nendsolid\n", "line 2: a vertex needs x y z");
+  expectProblem("d.stl", "solid a\nvertex 1 2 x\nendsolid\n", "line 2: 'x' is not a number");
+  expectProblem("e.stl", "solid a\nendsolid a\n", "no triangles");
+  expectProblem("f.stl", "solid a\nvertex 1 2 3\nendsolid a\nsolid b\nvertex 1 2 3\n", "'endsolid' is missing");
+}

@@ -290,7 +290,7 @@ TEST(ToolpathFiles, AFullDiskIsAnError)
   EXPECT_THROW(writeToolpathCSV("/dev/full", path, motion), FileError);
   EXPECT_THROW(writeToolpathPLY("/dev/full", path), FileError);
   EXPECT_THROW(writeToolpathPCD("/dev/full", path), FileError);
-  // not the VTP: VTK's writer removes the file it could not write
+  EXPECT_THROW(writeToolpathVTP("/dev/full", path, motion), FileError);
 }
 
 TEST(ToolpathFiles, APathWithoutPointsIsRefused)
@@ -312,6 +312,25 @@ TEST(ToolpathFiles, ReaderSaysWhatIsMissing)
   const std::string whole = readText(folder.path("whole.vtp"));
   writeText(folder.path("half.vtp"), whole.substr(0, whole.size() / 2));
   EXPECT_THROW(readToolpath(folder.path("half.vtp")), FileError);
+  const auto changed = [&](const std::string& what, const std::string& to) {
+    std::string text = whole;
+    text.replace(text.find(what), what.size(), to);
+    writeText(folder.path("changed.vtp"), text);
+    try {
+      readToolpath(folder.path("changed.vtp"));
+    }
+    catch (const FileError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(changed("Turn", "Turn"), "") << "the file as it is can be read";
+  EXPECT_NE(changed("NumberOfPoints=\"100\"", "NumberOfPoints=\"999999999999999\"").find("1200 bytes of Points"),
+            std::string::npos); // and no memory taken for them
+  EXPECT_NE(changed("NumberOfLines=\"1\"", "NumberOfLines=\"2\"").find("one polyline"), std::string::npos);
+  EXPECT_NE(changed("offset=\"0\"", "offset=\"99999999\"").find("cut off"), std::string::npos);
+  EXPECT_NE(changed("\"raw\"", "\"base64\"").find("encoded"), std::string::npos);
+  EXPECT_NE(changed("\"Turn\"", "\"Torn\"").find("no point data Turn"), std::string::npos);
   EXPECT_THROW(readToolpath(folder.path("missing.csv")), FileError);
   EXPECT_THROW(writeToolpath(folder.path("a.dwg"), spiral(3), motion), FileError);
 }

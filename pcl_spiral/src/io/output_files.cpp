@@ -2,6 +2,7 @@
 #include <pcl_spiral/io/output_files.h>
 
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -29,6 +30,45 @@ hiddenName(const fs::path& target, const std::string& purpose)
 {
   const std::string stem = "." + target.stem().string() + "." + purpose + "-" + std::to_string(::getpid());
   return target.parent_path() / (stem + target.extension().string());
+}
+
+/** Whether \p name is hiddenName(target, purpose) of a run that is no longer there. */
+bool
+isStale(const fs::path& target, const std::string& purpose, const std::string& name)
+{
+  const std::string before = "." + target.stem().string() + "." + purpose + "-", after = target.extension().string();
+  if (name.size() <= before.size() + after.size() || name.compare(0, before.size(), before) != 0 ||
+      name.compare(name.size() - after.size(), after.size(), after) != 0)
+    return false;
+  const std::string number = name.substr(before.size(), name.size() - before.size() - after.size());
+  if (number.size() > 9 || number.find_first_not_of("0123456789") != std::string::npos)
+    return false;
+  return ::kill(static_cast<pid_t>(std::stol(number)), 0) != 0 && errno == ESRCH;
+}
+
+/** Take away what runs that were killed while they wrote this file have left beside it. */
+void
+removeStale(const fs::path& target)
+{
+  std::error_code error;
+  for (fs::directory_iterator entry(target.parent_path(), error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (isStale(target, "writing", name) || isStale(target, "earlier", name))
+      ::unlink(entry->path().c_str());
+  }
+}
+
+/** Have the bytes on the disk, so that not even a loss of power leaves a new name on an unwritten file. */
+void
+sync(const std::string& path, const std::string& temporary)
+{
+  const int handle = ::open(temporary.c_str(), O_RDONLY);
+  const bool failed = handle < 0 || (::fsync(handle) != 0 && errno != EINVAL && errno != EROFS);
+  const int reason = errno;
+  if (handle >= 0)
+    ::close(handle);
+  if (failed)
+    throw FileError(path, "cannot be written: " + std::string(std::strerror(reason)));
 }
 
 void
@@ -61,6 +101,7 @@ OutputFiles::OutputFiles(std::vector<std::string> paths) : paths_(std::move(path
       throw FileError(path, "is given twice as an output");
     const fs::path temporary = hiddenName(target, "writing");
     checkWritable(path, target, temporary);
+    removeStale(target);
     targets_.push_back(target.string());
     temporaries_.push_back(temporary.string());
   }
@@ -72,9 +113,20 @@ OutputFiles::~OutputFiles()
     ::unlink(temporary.c_str());
 }
 
+std::string
+OutputFiles::asGiven(std::string message) const
+{
+  for (std::size_t i = 0; i < temporaries_.size(); ++i)
+    for (std::size_t at; (at = message.find(temporaries_[i])) != std::string::npos;)
+      message.replace(at, temporaries_[i].size(), paths_[i]);
+  return message;
+}
+
 void
 OutputFiles::commit()
 {
+  for (std::size_t i = 0; i < targets_.size(); ++i)
+    sync(paths_[i], temporaries_[i]);
   std::vector<std::string> kept(targets_.size()); // earlier files under a second name, until all are replaced
   std::size_t done = 0;
   std::error_code error;
@@ -84,7 +136,7 @@ OutputFiles::commit()
       fs::remove(kept[done], error);
       fs::create_hard_link(targets_[done], kept[done], error);
       if (error) // a file system without links
-        fs::rename(targets_[done], kept[done], error);
+        fs::copy_file(targets_[done], kept[done], error);
       if (error)
         break;
     }
@@ -101,7 +153,7 @@ OutputFiles::commit()
       }
       else if (i < done)
         fs::remove(targets_[i], ignored);
-    throw FileError(paths_[done], "cannot be written: " + error.message() + "; no output has been changed");
+    throw FileError(paths_[done], "cannot be written: " + error.message());
   }
   for (const std::string& earlier : kept)
     if (!earlier.empty())

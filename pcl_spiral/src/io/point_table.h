@@ -27,6 +27,8 @@ PointTable readTextTable(const std::string& file, std::string_view bytes, const 
 PointTable readObjTable(const std::string& file, std::string_view bytes);
 /** Corners x y z of the triangles, each point once. */
 PointTable readStlTable(const std::string& file, std::string_view bytes);
+/** Points, Normals, ToolAxis, ArcLength, Turn, and Feed where there is one, of a polyline as our writer makes it. */
+PointTable readVtpTable(const std::string& file, std::string_view bytes);
 /** @} */
 
 /** Where each wanted name stands in \p names, upper or lower case. \throw FileError with the names there are

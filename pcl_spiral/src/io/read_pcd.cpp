@@ -12,6 +12,9 @@ namespace {
 // Own reading, because PCL 1.13's ends the program on an empty file or one without a header, and takes words
 // that are no numbers and missing columns for zeros; only its decompression is used.
 
+constexpr std::size_t most_values = 1000000; ///< of one field at one point
+constexpr double most_packing = 100.0;       ///< LZF makes no more than 264 bytes of 3
+
 struct PcdField {
   FieldType type;
   std::size_t count = 1;
@@ -28,6 +31,13 @@ struct PcdHeader {
   std::string data; ///< ascii, binary, binary_compressed
   std::size_t begin = 0;
   std::size_t lines = 0;
+
+  /** Bytes of all points, unpacked; a double, because a header may promise anything. */
+  double
+  size() const
+  {
+    return static_cast<double>(points) * static_cast<double>(bytes_a_point);
+  }
 };
 
 class PcdHeaderReader {
@@ -60,11 +70,10 @@ private:
   std::size_t
   count(std::string_view word) const
   {
-    const std::optional<double> value = toNumber(word);
-    if (!value || !(*value >= 0.0 && *value < 1e15) ||
-        *value != static_cast<double>(static_cast<std::size_t>(*value)))
+    const std::optional<std::size_t> value = toCount(word);
+    if (!value)
       fail(quoted(word) + " is not a count");
-    return static_cast<std::size_t>(*value);
+    return *value;
   }
 
   void
@@ -111,16 +120,25 @@ private:
     }
   }
 
+  /** In double precision, where counts below 1e15 do not overflow. */
+  void
+  checkPoints()
+  {
+    const std::size_t height = std::max<std::size_t>(height_, 1);
+    const double product = static_cast<double>(width_) * static_cast<double>(height);
+    if (header_.points == 0 && product < 1e15)
+      header_.points = width_ * height;
+    if (width_ > 0 && product != static_cast<double>(header_.points))
+      fail("the header says WIDTH " + std::to_string(width_) + " and HEIGHT " + std::to_string(height) + ", but POINTS " +
+           std::to_string(header_.points));
+    if (header_.points == 0)
+      fail("the header says that there are no points");
+  }
+
   void
   settle()
   {
-    if (header_.points == 0)
-      header_.points = width_ * std::max<std::size_t>(height_, 1);
-    else if (width_ > 0 && width_ * std::max<std::size_t>(height_, 1) != header_.points)
-      fail("the header says WIDTH x HEIGHT = " + std::to_string(width_ * std::max<std::size_t>(height_, 1)) +
-           ", but POINTS " + std::to_string(header_.points));
-    if (header_.points == 0)
-      fail("the header says that there are no points");
+    checkPoints();
     for (PcdField& field : header_.fields) {
       const int size = field.type.size;
       const bool real = field.type.kind == 'F' && (size == 4 || size == 8);
@@ -129,6 +147,8 @@ private:
       if (!real && !whole)
         fail("the header has a field of TYPE " + std::string(1, field.type.kind) + " SIZE " +
              std::to_string(size));
+      if (field.count == 0 || field.count > most_values)
+        fail("the header has a field of COUNT " + std::to_string(field.count));
       field.offset = header_.bytes_a_point;
       field.position = header_.words_a_point;
       header_.bytes_a_point += field.count * static_cast<std::size_t>(size);
@@ -145,10 +165,10 @@ private:
 };
 
 [[noreturn]] void
-failCutOff(const std::string& file, std::size_t there, std::size_t needed)
+failCutOff(const std::string& file, std::size_t there, double needed)
 {
   throw FileError(file, "is cut off: byte " + std::to_string(there) +
-                            " is its last, and the points of its header need " + std::to_string(needed) +
+                            " is its last, and the points of its header need " + wholeNumber(needed) +
                             " bytes; copy or export it again");
 }
 
@@ -187,16 +207,19 @@ readAscii(const std::string& file, std::string_view bytes, const PcdHeader& head
 std::string
 decompressed(const std::string& file, std::string_view bytes, const PcdHeader& header)
 {
-  if (bytes.size() < header.begin + 8)
-    failCutOff(file, bytes.size(), header.begin + 8);
+  const std::size_t there = bytes.size() - std::min(header.begin, bytes.size());
+  if (there < 8)
+    failCutOff(file, bytes.size(), static_cast<double>(header.begin + 8));
   const auto packed = static_cast<std::size_t>(loadAs<std::uint32_t>(bytes.data() + header.begin));
   const auto unpacked = static_cast<std::size_t>(loadAs<std::uint32_t>(bytes.data() + header.begin + 4));
-  if (bytes.size() < header.begin + 8 + packed)
-    failCutOff(file, bytes.size(), header.begin + 8 + packed);
-  if (unpacked != header.points * header.bytes_a_point)
+  if (there < 8 + packed)
+    failCutOff(file, bytes.size(), static_cast<double>(header.begin + 8 + packed));
+  if (static_cast<double>(unpacked) != header.size())
     throw FileError(file, "byte " + std::to_string(header.begin) + ": the packed points come to " +
-                              std::to_string(unpacked) + " bytes, the header to " +
-                              std::to_string(header.points * header.bytes_a_point));
+                              std::to_string(unpacked) + " bytes, the header to " + wholeNumber(header.size()));
+  if (static_cast<double>(unpacked) > most_packing * static_cast<double>(packed))
+    throw FileError(file, "byte " + std::to_string(header.begin) + ": " + std::to_string(packed) +
+                              " packed bytes cannot come to " + std::to_string(unpacked));
   std::string body(unpacked, '\0');
   const unsigned int got =
       pcl::lzfDecompress(bytes.data() + header.begin + 8, static_cast<unsigned int>(packed), body.data(),
@@ -239,7 +262,7 @@ readPcdTable(const std::string& file, std::string_view bytes, const Names& wante
     throw FileError(file, atLine(header.lines, "DATA " + quoted(header.data) +
                                                    " is none of ascii, binary, binary_compressed"));
   if ((bytes.size() - std::min(header.begin, bytes.size())) / header.bytes_a_point < header.points)
-    failCutOff(file, bytes.size(), header.begin + header.points * header.bytes_a_point);
+    failCutOff(file, bytes.size(), static_cast<double>(header.begin) + header.size());
   return readBinary(bytes.substr(header.begin), header, fields, false);
 }
 

@@ -4,6 +4,7 @@
 
 #include <pcl_spiral/io/file_error.h>
 
+#include <algorithm>
 #include <map>
 
 namespace pcl_spiral {
@@ -44,6 +45,8 @@ public:
       if (vertices)
         settleColumns(element);
       found = found || vertices;
+      if (element.properties.empty() && !ascii_) // nothing there, however many
+        continue;
       for (std::size_t i = 0; i < element.count; ++i)
         ascii_ ? readLine(element, vertices, i) : readRecord(element, vertices, i);
     }
@@ -118,10 +121,10 @@ private:
   void
   takeElement(const std::vector<std::string_view>& words)
   {
-    const std::optional<double> count = toNumber(words[2]);
-    if (!count || !(*count >= 0.0 && *count < 1e15))
+    const std::optional<std::size_t> count = toCount(words[2]);
+    if (!count)
       failLine(quoted(words[2]) + " is not a count");
-    elements_.push_back({std::string(words[1]), static_cast<std::size_t>(*count), {}});
+    elements_.push_back({std::string(words[1]), *count, {}});
   }
 
   void
@@ -146,8 +149,11 @@ private:
       names.push_back(property.name);
     column_of_.assign(names.size(), wanted_.size());
     const std::vector<std::size_t> positions = columnsOf(file_, names, wanted_);
-    for (std::size_t c = 0; c < positions.size(); ++c)
+    for (std::size_t c = 0; c < positions.size(); ++c) {
+      if (element.properties[positions[c]].list)
+        throw FileError(file_, "has a list for '" + wanted_[c] + "', where a number a vertex is needed");
       column_of_[positions[c]] = c;
+    }
     table_.resize(wanted_.size());
     if (!ascii_) // enough bytes for that many, before memory is taken for them
       for (std::vector<double>& column : table_)
@@ -169,14 +175,16 @@ private:
       failLine(std::to_string(words_.size()) + " values, where the header names " +
                std::to_string(element.properties.size()));
     std::size_t word = 0;
-    for (std::size_t p = 0; p < element.properties.size() && word < words_.size(); ++p, ++word) {
+    for (std::size_t p = 0; p < element.properties.size(); ++p, ++word) {
+      if (word >= words_.size())
+        failLine(std::to_string(words_.size()) + " values, too few for the lists among them");
       const std::optional<double> value = toNumber(words_[word]);
       if (!value)
         failLine(quoted(words_[word]) + " is not a number");
       if (column_of_[p] < wanted_.size())
         table_[column_of_[p]].push_back(*value);
       if (element.properties[p].list)
-        word += static_cast<std::size_t>(std::clamp(*value, 0.0, 1e9));
+        word += listSize(*value);
     }
   }
 
@@ -186,14 +194,23 @@ private:
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
       const PlyProperty& property = element.properties[p];
       if (property.list) {
-        const double count = std::clamp(take(element, i, property.count_type), 0.0, 1e9);
-        skip(element, i, static_cast<std::size_t>(count) * static_cast<std::size_t>(property.type.size));
+        const std::size_t count = listSize(take(element, i, property.count_type));
+        skip(element, i, count * static_cast<std::size_t>(property.type.size));
         continue;
       }
       const double value = take(element, i, property.type);
       if (vertices && column_of_[p] < wanted_.size())
         table_[column_of_[p]].push_back(value);
     }
+  }
+
+  /** What stands before a list, as a count; a file that ends before it is found to when it is skipped. */
+  std::size_t
+  listSize(double value) const
+  {
+    if (!(value >= 0.0))
+      throw FileError(file_, "has a list of " + std::to_string(value) + " entries");
+    return static_cast<std::size_t>(std::min(value, 1e15));
   }
 
   double

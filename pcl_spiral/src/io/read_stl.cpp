@@ -1,37 +1,97 @@
 #include "field_layout.h"
 #include "point_table.h"
-#include "quiet_vtk.h"
 #include "text_scan.h"
 
 #include <pcl_spiral/io/file_error.h>
 
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkSTLReader.h>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <unordered_map>
 
 namespace pcl_spiral {
 namespace {
 
+// Own reading, because VTK's takes a file that is cut off for a smaller one and reads the file a second time.
+
 constexpr std::size_t header_bytes = 84;
 constexpr std::size_t triangle_bytes = 50;
+constexpr std::size_t normal_bytes = 12;
 
-/** VTK's reader takes a file that is cut off for a smaller one: the count is checked here. */
-void
-checkComplete(const std::string& file, std::string_view bytes)
-{
-  const std::string_view start = trimmed(bytes.substr(0, 256));
-  const bool text =
-      start.substr(0, 5) == "solid" && bytes.substr(0, 1024).find('\0') == std::string_view::npos;
-  if (text) {
-    if (bytes.find("endsolid") == std::string_view::npos)
-      throw FileError(file, "is cut off: 'endsolid' is missing; copy or export it again");
-    return;
+using Corner = std::array<float, 3>;
+
+/** By bits, so that a corner that is not a number equals itself. */
+struct CornerHash {
+  std::size_t
+  operator()(const Corner& corner) const
+  {
+    std::size_t hash = 0;
+    for (const float value : corner) {
+      std::uint32_t bits = 0;
+      std::memcpy(&bits, &value, sizeof(bits));
+      hash = (hash ^ bits) * 0x9E3779B97F4A7C15ULL;
+      hash ^= hash >> 32;
+    }
+    return hash;
   }
+};
+
+struct SameCorner {
+  bool
+  operator()(const Corner& a, const Corner& b) const
+  {
+    return std::memcmp(a.data(), b.data(), sizeof(a)) == 0;
+  }
+};
+
+/** Corners in the order of the file, each once. */
+class Corners {
+public:
+  void
+  add(Corner corner)
+  {
+    for (float& value : corner)
+      value += 0.0f; // -0 becomes 0
+    if (!seen_.emplace(corner, table_[0].size()).second)
+      return;
+    for (std::size_t c = 0; c < 3; ++c)
+      table_[c].push_back(corner[c]);
+  }
+  PointTable
+  take()
+  {
+    return std::move(table_);
+  }
+
+private:
+  PointTable table_ = PointTable(3);
+  std::unordered_map<Corner, std::size_t, CornerHash, SameCorner> seen_;
+};
+
+std::size_t
+triangleCount(std::string_view bytes)
+{
+  return static_cast<std::size_t>(loadAs<std::uint32_t>(bytes.data() + 80));
+}
+
+/** Some programs begin binary files with "solid", too: the size that their count asks for tells them. */
+bool
+isText(std::string_view bytes)
+{
+  if (!sameWord(trimmed(bytes.substr(0, 256)).substr(0, 5), "solid"))
+    return false;
+  const bool binary_size =
+      bytes.size() > header_bytes && bytes.size() == header_bytes + triangleCount(bytes) * triangle_bytes;
+  return !binary_size && bytes.substr(0, 1024).find('\0') == std::string_view::npos;
+}
+
+PointTable
+readBinary(const std::string& file, std::string_view bytes)
+{
   if (bytes.size() < header_bytes)
     throw FileError(file,
                     "is neither an ascii nor a binary STL file (" + std::to_string(bytes.size()) + " bytes)");
-  const auto triangles = static_cast<std::size_t>(loadAs<std::uint32_t>(bytes.data() + 80));
+  const std::size_t triangles = triangleCount(bytes);
   if (triangles == 0)
     throw FileError(file, "byte 80: the header says that there are no triangles");
   if (bytes.size() < header_bytes + triangles * triangle_bytes)
@@ -39,6 +99,49 @@ checkComplete(const std::string& file, std::string_view bytes)
                               std::to_string(triangles) + " triangles need " +
                               std::to_string(header_bytes + triangles * triangle_bytes) +
                               "; copy or export it again");
+  Corners corners;
+  for (std::size_t t = 0; t < triangles; ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      Corner corner;
+      std::memcpy(corner.data(), bytes.data() + header_bytes + t * triangle_bytes + normal_bytes + k * sizeof(corner),
+                  sizeof(corner));
+      corners.add(corner);
+    }
+  return corners.take();
+}
+
+PointTable
+readText(const std::string& file, std::string_view bytes)
+{
+  Corners corners;
+  LineScanner lines(bytes);
+  std::string_view line;
+  std::vector<std::string_view> words;
+  bool ended = false, any = false;
+  while (lines.next(line)) {
+    splitWords(line, ' ', words);
+    if (words.empty())
+      continue;
+    ended = sameWord(words[0], "endsolid");
+    if (!sameWord(words[0], "vertex"))
+      continue;
+    if (words.size() != 4)
+      throw FileError(file, atLine(lines.number(), "a vertex needs x y z; is the file cut off?"));
+    Corner corner;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::optional<double> value = toNumber(words[c + 1]);
+      if (!value)
+        throw FileError(file, atLine(lines.number(), quoted(words[c + 1]) + " is not a number"));
+      corner[c] = static_cast<float>(*value);
+    }
+    corners.add(corner);
+    any = true;
+  }
+  if (!ended)
+    throw FileError(file, "is cut off: 'endsolid' is missing; copy or export it again");
+  if (!any)
+    throw FileError(file, "holds no triangles ('vertex x y z')");
+  return corners.take();
 }
 
 } // namespace
@@ -46,19 +149,7 @@ checkComplete(const std::string& file, std::string_view bytes)
 PointTable
 readStlTable(const std::string& file, std::string_view bytes)
 {
-  checkComplete(file, bytes);
-  const QuietVtk quiet;
-  vtkNew<vtkSTLReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  vtkPoints* const points = reader->GetOutput()->GetPoints();
-  if (!points || points->GetNumberOfPoints() == 0)
-    throw FileError(file, "is not a readable STL file; export it again");
-  PointTable table(3);
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-    for (std::size_t c = 0; c < 3; ++c)
-      table[c].push_back(points->GetPoint(i)[c]);
-  return table;
+  return isText(bytes) ? readText(file, bytes) : readBinary(file, bytes);
 }
 
 } // namespace pcl_spiral

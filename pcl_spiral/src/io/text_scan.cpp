@@ -1,6 +1,9 @@
 #include "text_scan.h"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <cmath>
 
 namespace pcl_spiral {
 namespace {
@@ -61,6 +64,14 @@ splitWords(std::string_view line, char separator, std::vector<std::string_view>&
   }
 }
 
+bool
+sameWord(std::string_view word, std::string_view lower)
+{
+  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(), [](unsigned char a, unsigned char b) {
+    return std::tolower(a) == b;
+  });
+}
+
 std::optional<double>
 toNumber(std::string_view word)
 {
@@ -73,10 +84,27 @@ toNumber(std::string_view word)
   return value;
 }
 
+std::optional<std::size_t>
+toCount(std::string_view word)
+{
+  constexpr double most = 1e15;
+  const std::optional<double> value = toNumber(word);
+  if (!value || !(*value >= 0.0 && *value < most) || *value != std::floor(*value))
+    return std::nullopt;
+  return static_cast<std::size_t>(*value);
+}
+
 std::string
 atLine(std::size_t number, const std::string& what)
 {
   return "line " + std::to_string(number) + ": " + what;
+}
+
+std::string
+wholeNumber(double value)
+{
+  const std::string text = std::to_string(value);
+  return text.substr(0, text.find('.'));
 }
 
 std::string

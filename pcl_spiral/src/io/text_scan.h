@@ -44,11 +44,20 @@ std::string_view trimmed(std::string_view text);
  * kept. */
 void splitWords(std::string_view line, char separator, std::vector<std::string_view>& words);
 
+/** Whether \p word is \p lower, in whatever mixture of upper and lower case. */
+bool sameWord(std::string_view word, std::string_view lower);
+
 /** The whole word as a number; nan and inf are numbers too. */
 std::optional<double> toNumber(std::string_view word);
 
+/** The whole word as a number of things: whole, not negative, below 1e15. */
+std::optional<std::size_t> toCount(std::string_view word);
+
 /** "line 7: what" */
 std::string atLine(std::size_t number, const std::string& what);
+
+/** A number of things for a message, without decimals. */
+std::string wholeNumber(double value);
 
 /** A word for a message: in quotes, cut at 40 characters, without control characters. */
 std::string quoted(std::string_view word);

@@ -1,15 +1,8 @@
 #include "byte_file.h"
 #include "point_table.h"
-#include "quiet_vtk.h"
 
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/toolpath_reader.h>
-
-#include <vtkDataArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkXMLPolyDataReader.h>
 
 namespace pcl_spiral {
 namespace {
@@ -38,41 +31,6 @@ fromColumns(const PointTable& table)
   return file;
 }
 
-void
-append(PointTable& table, const std::string& file, vtkDataArray* array, const char* name, int components)
-{
-  if (!array || array->GetNumberOfComponents() != components)
-    throw FileError(file, std::string("has no point data ") + name + "; it is not a toolpath of ours");
-  for (int c = 0; c < components; ++c) {
-    table.emplace_back(static_cast<std::size_t>(array->GetNumberOfTuples()));
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-      table.back()[static_cast<std::size_t>(i)] = array->GetComponent(i, c);
-  }
-}
-
-PointTable
-readVtpTable(const std::string& file)
-{
-  readBytes(file); // missing, a folder, empty
-  const QuietVtk quiet;
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  vtkPolyData* const data = reader->GetOutput();
-  if (!data || data->GetNumberOfPoints() == 0 || data->GetNumberOfLines() != 1)
-    throw FileError(file, "is not a readable polyline file; make it again");
-  vtkPointData* const arrays = data->GetPointData();
-  PointTable table;
-  append(table, file, data->GetPoints()->GetData(), "Points", 3);
-  append(table, file, arrays->GetArray("Normals"), "Normals", 3);
-  append(table, file, arrays->GetArray("ToolAxis"), "ToolAxis", 3);
-  append(table, file, arrays->GetArray("ArcLength"), "ArcLength", 1);
-  append(table, file, arrays->GetArray("Turn"), "Turn", 1);
-  if (arrays->GetArray("Feed"))
-    append(table, file, arrays->GetArray("Feed"), "Feed", 1);
-  return table;
-}
-
 } // namespace
 
 ToolpathFile
@@ -95,7 +53,7 @@ readToolpath(const std::string& file)
   if (extension == ".ply")
     return fromColumns(readPlyTable(file, readBytes(file), names({"x", "y", "z", "nx", "ny", "nz"})));
   if (extension == ".vtp")
-    return fromColumns(readVtpTable(file));
+    return fromColumns(readVtpTable(file, readBytes(file)));
   throw FileError(file,
                   "extension '" + extension + "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");
 }

@@ -1,3 +1,4 @@
+#include "byte_file.h"
 #include "quiet_vtk.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -104,15 +105,17 @@ writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
   requireOneAPoint(values.scallop.size(), path.size(), "scallop");
   const QuietVtk quiet;
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetFileName(file.c_str());
+  writer->WriteToOutputStringOn();
   writer->SetInputData(polyData(path, motion.feed, values));
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToNone();
-  const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
-  if (!written)
+  if (writer->Write() != 1 || writer->GetErrorCode() != vtkErrorCode::NoError)
     throw FileError(file, std::string("cannot be written: ") +
                               vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+  ByteFile out(file); // VTK's own files miss what fails when they are closed
+  out.write(writer->GetOutputString());
+  out.close();
 }
 
 } // namespace pcl_spiral

@@ -17,7 +17,8 @@ namespace pcl_spiral {
  *  writeToolpath(files.temporary(1), ...);
  *  files.commit();                               // all of them, or none and the earlier files as they were
  *  \endcode
- *  Without commit the destructor removes what was written.
+ *  Without commit the destructor removes what was written. A process that is killed leaves its temporaries
+ *  (.part.writing-PID.csv), and every target as it was or complete; the next OutputFiles of that target removes them.
  */
 class OutputFiles {
 public:
@@ -46,7 +47,10 @@ public:
     return temporaries_[i];
   }
 
-  /** Rename every temporary to its target. \throw FileError after earlier files have been put back */
+  /** \p message with the names that were given in place of the temporaries'. */
+  std::string asGiven(std::string message) const;
+
+  /** Have every temporary on the disk, then rename them all to their targets, one right after the other. \throw FileError after earlier files have been put back */
   void commit();
 
 private:

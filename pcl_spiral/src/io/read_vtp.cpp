@@ -1,0 +1,223 @@
+#include "field_layout.h"
+#include "point_table.h"
+#include "text_scan.h"
+
+#include <pcl_spiral/io/file_error.h>
+
+#include <algorithm>
+#include <map>
+
+namespace pcl_spiral {
+namespace {
+
+// Own reading of what our writer makes, because VTK's takes memory for as many points as the header promises.
+
+struct VtpArray {
+  FieldType type;
+  std::size_t components = 1;
+  std::size_t offset = 0; ///< in the appended data
+};
+
+/** Reads a polyline whose arrays follow the XML as they are: appended, raw, not compressed. */
+class VtpFile {
+public:
+  VtpFile(const std::string& file, std::string_view bytes) : file_(file), bytes_(bytes)
+  {
+    readTags();
+    begin_ = bytes_.find('_', begin_);
+    if (begin_ == std::string_view::npos)
+      fail("has no data behind its XML; is it cut off?");
+    ++begin_;
+    if (points_ == 0)
+      fail("holds no polyline");
+  }
+
+  bool
+  has(const std::string& name) const
+  {
+    return arrays_.count(name) > 0;
+  }
+
+  /** One column for each component. */
+  void
+  append(PointTable& table, const std::string& name, std::size_t components) const
+  {
+    const auto found = arrays_.find(name);
+    if (found == arrays_.end() || found->second.components != components)
+      fail("has no point data " + name + "; it is not a toolpath of ours");
+    const VtpArray& array = found->second;
+    const auto width = static_cast<std::size_t>(array.type.size);
+    const std::string_view data = block(name, array);
+    if (data.size() / (width * components) != points_ || data.size() % (width * components) != 0)
+      fail("has " + std::to_string(data.size()) + " bytes of " + name + " for " + std::to_string(points_) + " points");
+    for (std::size_t c = 0; c < components; ++c) {
+      table.emplace_back(points_);
+      for (std::size_t i = 0; i < points_; ++i)
+        table.back()[i] = loadField(data.data() + (i * components + c) * width, array.type);
+    }
+  }
+
+private:
+  using Attributes = std::map<std::string_view, std::string_view>;
+
+  [[noreturn]] void
+  fail(const std::string& what) const
+  {
+    throw FileError(file_, what);
+  }
+
+  /** Up to the tag of the appended data. */
+  void
+  readTags()
+  {
+    while (begin_ < bytes_.size()) {
+      const std::size_t open = bytes_.find('<', begin_);
+      const std::size_t close = std::min(bytes_.find('>', open), bytes_.size());
+      if (open == std::string_view::npos || close == bytes_.size())
+        break;
+      begin_ = close + 1;
+      if (takeTag(bytes_.substr(open + 1, close - open - 1)))
+        return;
+    }
+    fail("has no appended data: not a .vtp file of ours, or cut off");
+  }
+
+  /** Whether this is the tag that the data follow. */
+  bool
+  takeTag(std::string_view tag)
+  {
+    const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n/", 1));
+    const Attributes attributes = attributesOf(tag.substr(name.size()));
+    if (name == "VTKFile")
+      takeFormat(attributes);
+    else if (name == "Piece")
+      takePiece(attributes);
+    else if (name == "PointData" || name == "Points")
+      of_points_ = true;
+    else if (name == "/PointData" || name == "/Points")
+      of_points_ = false;
+    else if (name == "DataArray" && of_points_)
+      takeArray(attributes);
+    else if (name == "AppendedData" && value(attributes, "encoding") != "raw")
+      fail("holds encoded data; save it with raw appended data, or give the path as .csv");
+    return name == "AppendedData";
+  }
+
+  static Attributes
+  attributesOf(std::string_view text)
+  {
+    Attributes attributes;
+    for (std::size_t equal = text.find('='); equal != std::string_view::npos; equal = text.find('=')) {
+      std::string_view name = trimmed(text.substr(0, equal));
+      name = name.substr(std::min(name.find_last_of(" \t\r\n") + 1, name.size()));
+      const std::size_t open = text.find_first_of("\"'", equal);
+      const std::size_t close = open == std::string_view::npos ? open : text.find(text[open], open + 1);
+      if (close == std::string_view::npos)
+        break;
+      attributes[name] = text.substr(open + 1, close - open - 1);
+      text.remove_prefix(close + 1);
+    }
+    return attributes;
+  }
+
+  static std::string_view
+  value(const Attributes& attributes, std::string_view name)
+  {
+    const auto found = attributes.find(name);
+    return found == attributes.end() ? std::string_view() : found->second;
+  }
+
+  std::size_t
+  countIn(const Attributes& attributes, std::string_view name) const
+  {
+    const std::optional<std::size_t> count = toCount(value(attributes, name));
+    if (!count)
+      fail("has " + std::string(name) + " " + quoted(value(attributes, name)) + ", which is not a count");
+    return *count;
+  }
+
+  void
+  takeFormat(const Attributes& attributes)
+  {
+    if (value(attributes, "byte_order") == "BigEndian" || attributes.count("compressor") > 0)
+      fail("holds compressed or big-endian data; save it as little-endian without compression, or give the path as .csv");
+    wide_headers_ = value(attributes, "header_type") == "UInt64";
+  }
+
+  void
+  takePiece(const Attributes& attributes)
+  {
+    if (points_ > 0 || countIn(attributes, "NumberOfLines") != 1)
+      fail("holds more or less than one polyline; a toolpath is one");
+    points_ = countIn(attributes, "NumberOfPoints");
+  }
+
+  void
+  takeArray(const Attributes& attributes)
+  {
+    static const std::map<std::string_view, FieldType> types{
+        {"Int8", {'I', 1}},  {"UInt8", {'U', 1}},  {"Int16", {'I', 2}},   {"UInt16", {'U', 2}},  {"Int32", {'I', 4}},
+        {"UInt32", {'U', 4}}, {"Int64", {'I', 8}}, {"UInt64", {'U', 8}}, {"Float32", {'F', 4}}, {"Float64", {'F', 8}}};
+    const auto type = types.find(value(attributes, "type"));
+    if (type == types.end() || value(attributes, "format") != "appended")
+      return; // not ours: missed when it is asked for
+    VtpArray array;
+    array.type = type->second;
+    if (attributes.count("NumberOfComponents") > 0)
+      array.components = countIn(attributes, "NumberOfComponents");
+    array.offset = countIn(attributes, "offset");
+    arrays_[std::string(value(attributes, "Name"))] = array;
+  }
+
+  template <typename T>
+  static std::size_t
+  load(std::string_view bytes)
+  {
+    T value;
+    std::memcpy(&value, bytes.data(), sizeof(T));
+    return static_cast<std::size_t>(value);
+  }
+
+  /** The bytes of an array, which stand behind their own number. */
+  std::string_view
+  block(const std::string& name, const VtpArray& array) const
+  {
+    const std::size_t header = wide_headers_ ? 8 : 4;
+    std::string_view rest = bytes_.substr(std::min(begin_ + array.offset, bytes_.size()));
+    if (rest.size() >= header) {
+      const std::size_t size = wide_headers_ ? load<std::uint64_t>(rest)
+                                             : load<std::uint32_t>(rest);
+      rest.remove_prefix(header);
+      if (size <= rest.size())
+        return rest.substr(0, size);
+    }
+    fail("is cut off at byte " + std::to_string(bytes_.size()) + ", in " + name + "; make it again");
+  }
+
+  std::string file_;
+  std::string_view bytes_;
+  std::size_t begin_ = 0; ///< of the appended data
+  std::size_t points_ = 0;
+  bool of_points_ = false; ///< within the tags whose arrays have a value a point
+  bool wide_headers_ = false;
+  std::map<std::string, VtpArray> arrays_;
+};
+
+} // namespace
+
+PointTable
+readVtpTable(const std::string& file, std::string_view bytes)
+{
+  const VtpFile vtp(file, bytes);
+  PointTable table;
+  vtp.append(table, "Points", 3);
+  vtp.append(table, "Normals", 3);
+  vtp.append(table, "ToolAxis", 3);
+  vtp.append(table, "ArcLength", 1);
+  vtp.append(table, "Turn", 1);
+  if (vtp.has("Feed"))
+    vtp.append(table, "Feed", 1);
+  return table;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,36 @@
+#include "toolpath_rows.h"
+
+#include <cstring>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr std::size_t bytes_a_point = 9 * sizeof(float) + sizeof(double) + sizeof(float) + 1;
+
+template <typename T>
+char*
+put(char* out, T value)
+{
+  std::memcpy(out, &value, sizeof(T));
+  return out + sizeof(T);
+}
+
+} // namespace
+
+std::string
+toolpathRows(const pcl::PointCloud<ToolpathPoint>& path)
+{
+  std::string rows(path.size() * bytes_a_point, '\0');
+  char* at = rows.data();
+  for (const ToolpathPoint& point : path) {
+    for (const float* vector : {point.data, point.data_n, point.data_axis})
+      for (int i = 0; i < 3; ++i)
+        at = put(at, vector[i]);
+    at = put(at, point.arc_length);
+    at = put(at, point.turn);
+    at = put(at, point.over_gap);
+  }
+  return rows;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,260 @@
+#include "cases.h"
+#include "random_case.h"
+
+#include "support/path_checks.h"
+#include "support/removed_material.h"
+
+#include <pcl_spiral/verify/deviation_estimation.h>
+#include <pcl_spiral/verify/material_removal.h>
+
+#include <pcl/console/print.h>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <sstream>
+
+namespace pcl_spiral::acceptance {
+
+namespace {
+
+constexpr unsigned int longest = 30; ///< s of processor time; a case that takes longer hangs
+
+/** What a case came to: nothing wrong, or the faults found. */
+struct Outcome {
+  std::string kind; ///< "path", or the reason of the refusal with its numbers left out
+  std::string faults;
+};
+
+/** Collects what does not hold. */
+class Faults {
+public:
+  void
+  atMost(const char* what, double value, double limit)
+  {
+    if (!(value <= limit))
+      text_ << what << ' ' << value << " above " << limit << "; ";
+  }
+  std::string
+  text() const
+  {
+    return text_.str();
+  }
+
+private:
+  std::ostringstream text_;
+};
+
+/** The path where the exact surface stands. */
+test::CheckedPath
+movedBack(const RandomCase& made, const Path& path)
+{
+  test::CheckedPath back = test::fromToolpath(path);
+  const Eigen::Isometry3d inverse = made.motion.inverse();
+  for (Eigen::Vector3d& contact : back.contacts)
+    contact = inverse * contact;
+  for (Eigen::Vector3d& normal : back.normals)
+    normal = inverse.linear() * normal;
+  return back;
+}
+
+void
+checkPoints(const Path& path, Faults& faults)
+{
+  std::size_t bad = 0, back = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const ToolpathPoint& p = path[i];
+    const bool numbers = p.getVector3fMap().allFinite() && std::isfinite(p.arc_length) && std::isfinite(p.turn);
+    const auto unit = [](const auto& v) { return std::abs(v.norm() - 1.0f) < 1e-5f; };
+    bad += numbers && unit(p.getNormalVector3fMap()) && unit(p.getAxisVector3fMap()) ? 0 : 1;
+    back += i == 0 || (p.arc_length >= path[i - 1].arc_length && p.turn >= path[i - 1].turn) ? 0 : 1;
+  }
+  faults.atMost("points that are no numbers or no units", static_cast<double>(bad), 0.0);
+  faults.atMost("steps back", static_cast<double>(back), 0.0);
+}
+
+/** Whether the points tell the surface well enough for the limits of the job to be kept, and not only aimed at. */
+bool
+isToldWell(const RandomCase& made)
+{
+  const SpiralSettings& s = made.settings;
+  const double sag = made.spacing * made.spacing * made.bend / 8.0;
+  return made.noise == 0.0 && made.strays == 0 && made.even && sag < 0.3 * s.chord_error &&
+         made.spacing * made.bend < 0.1 && s.tool_radius * made.concave < 0.5;
+}
+
+void
+checkAgainstSurface(const RandomCase& made, const Path& path, const SpiralReport& report, Faults& faults)
+{
+  const SpiralSettings& s = made.settings;
+  const test::CheckedPath back = movedBack(made, path);
+  const test::PathFigures f = test::checkPath(*made.surface, back, made.spacing, 1);
+  const double rounding = 1e-6 * made.cloud->size() + 1e-5 * made.surface->region().upper().norm();
+  const double sag = made.spacing * made.spacing * made.bend;
+  faults.atMost("step", f.gap.value, report.largest_allowed_step * 1.001 + rounding);
+  faults.atMost("crossings", static_cast<double>(test::crossings(*made.surface, back, 0.05 * made.spacing, 1).size()), 0.0);
+  faults.atMost("deviation rms", f.deviation_rms, 0.6 * made.noise + 0.1 * sag + rounding);
+  faults.atMost("deviation", std::abs(f.deviation.value), 2.5 * made.noise + 0.5 * sag + rounding);
+  if (!isToldWell(made))
+    return;
+  test::RemovalSettings settings;
+  settings.tool_radius = s.tool_radius;
+  settings.scallop_height = s.scallop_height;
+  settings.samples = 1500;
+  settings.threads = 1;
+  const test::RemovalFigures left = test::removedMaterial(*made.surface, back, settings);
+  faults.atMost("scallop p99.9", left.ridge.p999, 1.05 * s.scallop_height + s.chord_error + rounding);
+  faults.atMost("uncut share", left.ridge.uncut_share, 0.0);
+  faults.atMost("gouge", left.gouge.value, 1.2 * s.chord_error + sag + rounding);
+}
+
+template <typename Judge>
+void
+judgeBy(Judge& judge, const RandomCase& made, const Path::ConstPtr& path, pcl::PointCloud<pcl::PointXYZI>& values)
+{
+  judge.setInputCloud(made.cloud);
+  judge.setInputToolpath(path);
+  judge.setChordError(made.settings.chord_error);
+  judge.setViewPoint(*made.settings.view_point);
+  judge.setNumberOfThreads(1);
+  judge.compute(values);
+}
+
+/** The path by our own judges, which know the scan alone. */
+void
+checkByScan(const RandomCase& made, const Path::ConstPtr& path, Faults& faults)
+{
+  const SpiralSettings& s = made.settings;
+  pcl::PointCloud<pcl::PointXYZI> values;
+  DeviationEstimation<pcl::PointXYZ> deviation;
+  judgeBy(deviation, made, path, values);
+  if (!deviation.getStatus().ok()) {
+    faults.atMost(("not judged: " + deviation.getStatus().message()).c_str(), 1.0, 0.0);
+    return;
+  }
+  const DeviationFigures& d = deviation.getFigures();
+  const double known = 3.0 * d.fit_noise + made.spacing * made.spacing * made.bend;
+  faults.atMost("opposed normals", static_cast<double>(d.opposed), 0.0);
+  faults.atMost("inward axes", static_cast<double>(d.inward_axes), 0.0);
+  faults.atMost("judged deviation p99", d.p99, s.chord_error + known + 2.0 * made.noise);
+  MaterialRemoval<pcl::PointXYZ> removal;
+  removal.setToolRadius(s.tool_radius);
+  removal.setScallopHeight(s.scallop_height);
+  removal.setReferenceSurface(deviation.getReferenceSurface());
+  judgeBy(removal, made, path, values);
+  if (!removal.getStatus().ok()) {
+    faults.atMost(("not judged: " + removal.getStatus().message()).c_str(), 1.0, 0.0);
+    return;
+  }
+  const RemovalFigures& r = removal.getFigures();
+  faults.atMost("judged uncut share", r.scallop.uncutShare(), 0.0);
+  faults.atMost("judged scallop p99.9", r.scallop.p999, r.limit + known + 3.0 * made.noise);
+}
+
+/** Digits left out, so that refusals of one kind are counted together; the first clause alone. */
+std::string
+reasonOf(const std::string& message)
+{
+  std::string reason;
+  for (const char c : message.substr(0, message.find_first_of(";:")))
+    if (!std::isdigit(static_cast<unsigned char>(c)))
+      reason += c;
+    else if (reason.empty() || reason.back() != '#')
+      reason += '#';
+  return "refused: " + reason.substr(0, 90);
+}
+
+Outcome
+outcomeOf(const RandomCase& made)
+{
+  Generator generator;
+  generator.setInputCloud(made.cloud);
+  generator.setSettings(made.settings);
+  const Path::Ptr path(new Path);
+  generator.compute(*path);
+  const Status& status = generator.getStatus();
+  if (!status.ok()) {
+    const bool told = path->empty() && status.message().size() > 30 && status.code() != StatusCode::NotComputed;
+    return {reasonOf(status.message()), told ? "" : "a refusal with a path or without a reason: " + status.message()};
+  }
+  Faults faults;
+  if (path->size() < 3)
+    return {"path", "success without a path"};
+  checkPoints(*path, faults);
+  checkAgainstSurface(made, *path, generator.getReport(), faults);
+  checkByScan(made, path, faults);
+  return {"path", faults.text()};
+}
+
+/** In a process of its own, so that a crash or a hang is an outcome like others. */
+Outcome
+isolated(std::uint64_t seed, std::uint64_t index)
+{
+  std::array<int, 2> pipe{};
+  if (::pipe(pipe.data()) != 0)
+    return {"path", "no pipe"};
+  std::fflush(stdout);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::close(pipe[0]);
+    const rlimit seconds{longest, longest};
+    ::setrlimit(RLIMIT_CPU, &seconds);
+    ::alarm(20 * longest); // asleep for good
+    std::string told;
+    try {
+      const Outcome outcome = outcomeOf(randomCase(seed, index));
+      told = outcome.kind + '\n' + outcome.faults;
+    }
+    catch (const std::exception& error) {
+      told = std::string("exception\n") + error.what();
+    }
+    ::_exit(::write(pipe[1], told.data(), told.size()) == static_cast<ssize_t>(told.size()) ? 0 : 3);
+  }
+  ::close(pipe[1]);
+  std::string told;
+  std::array<char, 4096> piece{};
+  for (ssize_t n; (n = ::read(pipe[0], piece.data(), piece.size())) > 0;)
+    told.append(piece.data(), static_cast<std::size_t>(n));
+  ::close(pipe[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  if (WIFSIGNALED(status))
+    return {WTERMSIG(status) == SIGALRM || WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL ? "hang" : "crash", std::string(::strsignal(WTERMSIG(status)))};
+  const std::size_t end = told.find('\n');
+  return {told.substr(0, end), end == std::string::npos ? "nothing told" : told.substr(end + 1)};
+}
+
+} // namespace
+
+int
+judgeRandom(const Options& options)
+{
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+  std::map<std::string, int> kinds;
+  int faulty = 0;
+  const auto from = std::chrono::steady_clock::now();
+  for (std::uint64_t i = options.first; i < options.first + options.count; ++i) {
+    const Outcome outcome = isolated(options.seed, i);
+    ++kinds[outcome.kind];
+    if (outcome.faults.empty())
+      continue;
+    ++faulty;
+    std::printf("  case %llu: %s\n    %s: %s\n", static_cast<unsigned long long>(i),
+                randomCase(options.seed, i).name.c_str(), outcome.kind.c_str(), outcome.faults.c_str());
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - from;
+  std::printf("random, seed %llu: %llu cases in %.1f s\n", static_cast<unsigned long long>(options.seed),
+              static_cast<unsigned long long>(options.count), took.count());
+  for (const auto& [kind, count] : kinds)
+    std::printf("  %5d  %s\n", count, kind.c_str());
+  return faulty;
+}
+
+} // namespace pcl_spiral::acceptance

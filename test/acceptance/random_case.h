@@ -1,0 +1,38 @@
+/** \file
+ *  A part, a scan of it and a job, all by chance.
+ */
+#pragma once
+
+#include "support/surfaces.h"
+
+#include <pcl_spiral/toolpath/spiral_settings.h>
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <string>
+
+namespace pcl_spiral::acceptance {
+
+/** Lengths in mm. The scan stands where \p motion has moved the surface's. */
+struct RandomCase {
+  std::string name; ///< surface, outline, scan and job in words
+  test::SurfacePtr surface;
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud;
+  SpiralSettings settings;
+  double spacing = 0.0;  ///< of as many points spread evenly over the area
+  double noise = 0.0;    ///< standard deviation along the normal
+  double bend = 0.0;     ///< largest normal curvature, 1/mm
+  double concave = 0.0;  ///< the largest of the concave ones, 1/mm
+  std::size_t strays = 0;
+  bool even = true;      ///< spread evenly over the area; else in scan lines
+};
+
+/** Case \p index of the series \p seed; the same on every platform. */
+RandomCase randomCase(std::uint64_t seed, std::uint64_t index);
+
+} // namespace pcl_spiral::acceptance

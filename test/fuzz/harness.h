@@ -1,0 +1,36 @@
+/** \file
+ *  What every fuzzed reader must keep: a table that is whole and in proportion to its bytes, or a FileError.
+ */
+#pragma once
+
+#include "../../pcl_spiral/src/io/point_table.h"
+
+#include <pcl_spiral/io/file_error.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+namespace pcl_spiral {
+
+/** Runs \p read on the bytes; ends the program where what comes back is not a table of \p columns, all of one length,
+ *  with at least one row and no more than one a byte. Any exception but FileError ends the program by itself. */
+template <typename Read>
+int
+fuzzTable(const std::uint8_t* data, std::size_t size, std::size_t columns, Read read)
+{
+  try {
+    const PointTable table = read(std::string_view(reinterpret_cast<const char*>(data), size));
+    if (table.size() != columns || table[0].empty() || table[0].size() > size)
+      std::abort();
+    for (const std::vector<double>& column : table)
+      if (column.size() != table[0].size())
+        std::abort();
+  }
+  catch (const FileError&) {
+  }
+  return 0;
+}
+
+} // namespace pcl_spiral

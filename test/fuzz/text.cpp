@@ -1,0 +1,15 @@
+// Scans in text files: .xyz .txt .csv .asc. The first byte says whether the columns are named by the user.
+#include "harness.h"
+
+using namespace pcl_spiral;
+
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  if (size == 0)
+    return 0;
+  const Names columns = data[0] % 2 == 0 ? Names{} : Names{"id", "z", "x", "y"};
+  return fuzzTable(data + 1, size - 1, 3, [&columns](std::string_view bytes) {
+    return readTextTable("scan.csv", bytes, {"x", "y", "z"}, columns);
+  });
+}
