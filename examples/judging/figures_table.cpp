@@ -100,6 +100,9 @@ printFigures(const pcl_spiral::Verification& verification)
   std::printf("reference       %zu points, noise %.2g mm; its surface is known to %.2g mm\n", d.reference_points, d.noise,
               d.fit_noise);
   std::printf("deviation       rms %.4f, p99 %.4f, max %.4f mm %s\n", d.rms, d.p99, d.max.value, at(d.max).c_str());
+  if (d.wobble.measured > 0)
+    std::printf("turn to turn    wobble rms %.4f, max %.4f mm %s\n", d.wobble.rms, d.wobble.max.value,
+                at(d.wobble.max).c_str());
   if (d.beyond_rim > 0)
     std::printf("beyond the rim  %zu points, max %.4f mm %s\n", d.beyond_rim, d.rim_max.value, at(d.rim_max).c_str());
   if (d.in_gaps > 0)

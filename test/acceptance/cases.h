@@ -36,6 +36,16 @@ judgeBadInput(const Options& options);
 int
 judgeLoops(const Options& options);
 
+/** Scans of parts known exactly beside clean ones of the same worth: scan lines far apart; density changing over the part;
+ *  overlapping passes; outliers. The same loops, and a path no more than twice as far off. */
+int judgeLines(const Options& options);
+int judgeUneven(const Options& options);
+int judgePasses(const Options& options);
+int judgeOutliers(const Options& options);
+
+/** Noise of a tenth of the spacing: the deviation that is left, and the wobble from turn to turn. */
+int judgeNoise(const Options& options);
+
 /** Geodesics on the spheroid against the published distances and the exact curves. */
 int
 judgeGeodesics(const Options& options);

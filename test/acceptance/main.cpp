@@ -26,6 +26,11 @@ cases()
   all["bad_input"] = judgeBadInput;
   all["geodesics"] = judgeGeodesics;
   all["loops"] = judgeLoops;
+  all["lines"] = judgeLines;
+  all["uneven"] = judgeUneven;
+  all["passes"] = judgePasses;
+  all["outliers"] = judgeOutliers;
+  all["noise"] = judgeNoise;
   all["field"] = judgeField;
   all["time"] = judgeTime;
   all["random"] = judgeRandom;

@@ -77,6 +77,7 @@ surfaceJson(const SpiralReport& report)
           {"nonfinite_points", report.nonfinite_points},
           {"duplicate_points", report.duplicate_points},
           {"outlier_points", report.outlier_points},
+          {"surplus_points", report.surplus_points},
           {"used_points", report.used_points},
           {"spacing", report.spacing},
           {"noise", report.noise},

@@ -54,6 +54,10 @@ addDeviation(Figures& figures, const DeviationFigures& d, const Limits& limits)
               limitText(limits.deviation, std::abs(d.max.value), "mm"));
   figures.add("Deviation, amount: 99 % below", words("%.4f mm", d.p99));
   figures.add("Deviation, rms", words("%.4f mm", d.rms));
+  if (d.wobble.measured > 0) {
+    figures.add("Wobble from turn to turn (deviation off the mean of the turns beside), rms", words("%.4f mm", d.wobble.rms));
+    figures.add("Wobble from turn to turn, largest", words("%+.4f mm", d.wobble.max.value), d.wobble.max);
+  }
   if (d.beyond_rim > 0)
     figures.add(words("Deviation beyond the outermost scan points, largest of %zu contacts", d.beyond_rim),
                 words("%+.4f mm", d.rim_max.value), d.rim_max,

@@ -29,6 +29,8 @@ deviationJson(const DeviationFigures& d)
           {"max", placed(d.max)},
           {"beyond_rim_max", placed(d.rim_max)},
           {"gap_max", placed(d.gap_max)},
+          {"turn_wobble_rms", d.wobble.rms},
+          {"turn_wobble_max", placed(d.wobble.max)},
           {"normal_p99", d.normal_p99},
           {"normal_max", placed(d.normal_error)},
           {"opposed_normals", d.opposed},

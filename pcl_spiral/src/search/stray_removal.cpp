@@ -1,5 +1,7 @@
 #include <pcl_spiral/search/stray_removal.h>
 
+#include "even_spread.h"
+
 #include <numeric>
 
 namespace pcl_spiral {
@@ -14,29 +16,61 @@ removeAt(std::vector<T>& values, std::size_t i)
   values.pop_back();
 }
 
+/** The points that blocks were made from, in their first order. */
+std::vector<Eigen::Vector3f>
+firstOrder(const PointBlocks& blocks)
+{
+  std::vector<Eigen::Vector3f> points(blocks.size());
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    points[blocks.originalIndex(i)] = blocks.point(i);
+  return points;
+}
+
+/** Those of ascending \p indices alone. */
+template <typename T>
+void
+keepOnly(const std::vector<std::uint32_t>& indices, std::vector<T>& values)
+{
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    values[i] = values[indices[i]];
+  values.resize(indices.size());
+}
+
 } // namespace
 
 Status
 buildWithoutStrays(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions options, SurfaceGraph& graph,
-                   std::vector<std::uint32_t>& source)
+                   GraphSource& source)
 {
   constexpr int rounds = 3;
-  source.resize(points.size());
-  std::iota(source.begin(), source.end(), 0u);
+  const std::size_t given = points.size();
+  source.indices.resize(given);
+  std::iota(source.indices.begin(), source.indices.end(), 0u);
+  PointBlocks blocks(std::move(points));
+  const EvenSpread spread = evenSpread(blocks);
+  source.surplus = spread.surplus;
+  if (!spread.kept.empty()) {
+    points = firstOrder(blocks);
+    keepOnly(spread.kept, points);
+    keepOnly(spread.kept, source.indices);
+    if (!options.given_normals.empty())
+      keepOnly(spread.kept, options.given_normals);
+    blocks = PointBlocks(std::move(points));
+  }
   for (int round = 0;; ++round) {
-    if (const Status status = graph.build(std::move(points), options); !status.ok())
+    if (const Status status = graph.build(std::move(blocks), options); !status.ok())
       return status;
+    source.strays = given - source.surplus - source.indices.size();
     if (graph.strayPoints().empty() || round == rounds)
       return Status::success();
-    points.resize(graph.size());
-    for (std::size_t i = 0; i < graph.size(); ++i)
-      points[graph.blocks().originalIndex(i)] = graph.blocks().point(i);
+    points = firstOrder(graph.blocks());
     for (auto stray = graph.strayPoints().rbegin(); stray != graph.strayPoints().rend(); ++stray) {
       removeAt(points, *stray);
-      removeAt(source, *stray);
+      removeAt(source.indices, *stray);
       if (!options.given_normals.empty())
         removeAt(options.given_normals, *stray);
     }
+    blocks = PointBlocks(std::move(points));
   }
 }
 

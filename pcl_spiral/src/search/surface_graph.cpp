@@ -218,11 +218,17 @@ SurfaceGraph::spacing(std::size_t i) const
 Status
 SurfaceGraph::build(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options)
 {
-  if (points.size() < fewest_points)
-    return {StatusCode::InvalidInput, "the cloud has " + std::to_string(points.size()) +
+  return build(PointBlocks(std::move(points)), options);
+}
+
+Status
+SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
+{
+  if (blocks.size() < fewest_points)
+    return {StatusCode::InvalidInput, "the cloud has " + std::to_string(blocks.size()) +
                                           " usable points; a surface needs at least " +
                                           std::to_string(fewest_points) + ": scan more densely or thin less"};
-  blocks_ = PointBlocks(std::move(points));
+  blocks_ = std::move(blocks);
   neighbours_ = enoughNeighbours(blocks_, options);
   std::vector<float> heights;
   StarSet stars = visitAll(blocks_, neighbours_, options.max_circumradius, normals_, radii_, heights);

@@ -63,14 +63,18 @@ SpiralPlanner::makeGraph(std::vector<Eigen::Vector3f> points, std::vector<Eigen:
   options.view_point = settings_.view_point;
   options.flip_normals = settings_.flip_normals;
   options.given_normals = std::move(normals);
-  const std::size_t given = points.size();
   if (const Status status = buildWithoutStrays(std::move(points), std::move(options), graph_, source_); !status.ok())
     return status;
-  const std::size_t strays = given - source_.size();
-  if (strays > 0 && bridges_.empty()) {
-    report_.outlier_points += strays;
-    report_.used_points -= strays;
-    report_.warnings.push_back(text(strays, " points that stand alone off the surface were left out"));
+  if (bridges_.empty()) {
+    report_.outlier_points += source_.strays;
+    report_.surplus_points = source_.surplus;
+    report_.used_points = source_.indices.size();
+    if (source_.strays > 0)
+      report_.warnings.push_back(text(source_.strays, " points that stand alone off the surface were left out"));
+    if (source_.surplus > 0)
+      report_.warnings.push_back(text(source_.surplus, " points were left out where they lie much closer together than to ",
+                                      "the next scan line or the sparser part beside them: the path follows the others, ",
+                                      graph_.spacing(), " mm apart"));
   }
   surface_ = std::make_unique<MlsSurface>(graph_);
   report_.spacing = graph_.spacing();
@@ -125,7 +129,7 @@ SpiralPlanner::bridgeGaps(const std::vector<Eigen::Vector3f>& normals)
     return Status::success();
   std::vector<Eigen::Vector3f> points = graph_.blocks().points(), known;
   for (std::size_t i = 0; !normals.empty() && i < points.size(); ++i)
-    known.push_back(normals[source_[graph_.blocks().originalIndex(i)]]);
+    known.push_back(normals[source_.indices[graph_.blocks().originalIndex(i)]]);
   first_bridge_ = points.size();
   points.insert(points.end(), bridges_.begin(), bridges_.end());
   known.resize(normals.empty() ? 0 : points.size(), Eigen::Vector3f::Zero());
@@ -243,7 +247,7 @@ bool
 SpiralPlanner::isOverGap(const SurfaceFoot& foot) const
 {
   return foot.nearest_distance > gap_in_spacings * graph_.spacing(foot.nearest) ||
-         (!bridges_.empty() && source_[graph_.blocks().originalIndex(foot.nearest)] >= first_bridge_);
+         (!bridges_.empty() && source_.indices[graph_.blocks().originalIndex(foot.nearest)] >= first_bridge_);
 }
 
 Status

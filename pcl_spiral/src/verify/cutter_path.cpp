@@ -38,6 +38,7 @@ readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterP
                                             " has no normal: without it nobody knows where the cutter stands"};
     path.contacts.push_back(contact);
     path.normals.push_back(normal.normalized());
+    path.turns.push_back(p.turn);
     with_axes = with_axes && axis.allFinite() && axis.norm() > 1e-6;
     if (with_axes)
       path.axes.push_back(axis.normalized());

@@ -141,6 +141,7 @@ measureDeviation(const ReferenceSurface& reference, const CutterPath& path, doub
       return {StatusCode::Cancelled, "cancelled"};
   }
   tally.finish();
+  figures.wobble = turnWobble(path, deviation);
   warn(figures);
   figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (figures.unmeasured == path.size())

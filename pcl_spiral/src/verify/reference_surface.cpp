@@ -45,11 +45,10 @@ text(const Parts&... parts)
 Status
 ReferenceSurface::build(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions options)
 {
-  const std::size_t given = points.size();
   const bool with_normals = !options.given_normals.empty();
   if (const Status status = buildWithoutStrays(std::move(points), options, graph_, source_); !status.ok())
     return status;
-  strays_ = given - source_.size();
+  strays_ = source_.strays;
   surface_ = std::make_unique<MlsSurface>(graph_, 0, ProjectionMethod::RobustQuartic);
   warnings_.clear();
   if (strays_ > 0)

@@ -31,6 +31,8 @@ public:
 
   /** Make the graph. \p points must be finite; fails on fewer than 50, or when they do not form a surface. */
   Status build(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options);
+  /** The same of points already in spatial order. */
+  Status build(PointBlocks blocks, const SurfaceGraphOptions& options);
 
   std::size_t size() const { return blocks_.size(); }
   const PointBlocks& blocks() const { return blocks_; }

@@ -6,6 +6,7 @@
 #include <pcl_spiral/common/progress.h>
 #include <pcl_spiral/common/stage_clock.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/search/stray_removal.h>
 #include <pcl_spiral/toolpath/radial_line_builder.h>
 #include <pcl_spiral/toolpath/spiral_curve.h>
 #include <pcl_spiral/toolpath/spiral_report.h>
@@ -57,7 +58,7 @@ private:
   SpiralReport& report_;
   StageClock& clock_;
   SurfaceGraph graph_;
-  std::vector<std::uint32_t> source_; ///< which of the points given each of the graph's was
+  GraphSource source_; ///< which of the points given each of the graph's was
   std::unique_ptr<MlsSurface> surface_;
   std::vector<Eigen::Vector3f> bridges_; ///< points that were put into gaps
   std::size_t first_bridge_ = 0;         ///< of the points given to the graph

@@ -20,6 +20,7 @@ struct SpiralReport {
   std::size_t nonfinite_points = 0; ///< dropped
   std::size_t duplicate_points = 0; ///< dropped
   std::size_t outlier_points = 0;   ///< dropped
+  std::size_t surplus_points = 0;   ///< left out: much closer to others than these to the next, as along scan lines
   std::size_t used_points = 0;
   double spacing = 0.0;             ///< median distance of neighbouring points
   double noise = 0.0;               ///< standard deviation of the points about the fitted surface

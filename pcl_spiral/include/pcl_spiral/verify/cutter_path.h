@@ -21,6 +21,7 @@ struct CutterPath {
   Polyline contacts;
   std::vector<Eigen::Vector3d> normals; ///< unit, out of the material
   std::vector<Eigen::Vector3d> axes;    ///< unit, tip to shank; empty when the path has none
+  std::vector<float> turns;             ///< turns made up to each point
   std::size_t size() const { return contacts.size(); }
 };
 

@@ -6,6 +6,7 @@
 #include <pcl_spiral/common/progress.h>
 #include <pcl_spiral/verify/cutter_path.h>
 #include <pcl_spiral/verify/reference_surface.h>
+#include <pcl_spiral/verify/turn_wobble.h>
 
 #include <cstddef>
 #include <string>
@@ -30,6 +31,7 @@ struct DeviationFigures {
   PlacedValue first_opposed;
   std::size_t inward_axes = 0; ///< points whose tool axis points into the material: the shank would go there
   PlacedValue first_inward;
+  TurnWobble wobble;          ///< of the deviation, from turn to turn
   PathMotion motion;
   std::size_t reference_points = 0;
   double noise = 0.0;     ///< ReferenceSurface::noise

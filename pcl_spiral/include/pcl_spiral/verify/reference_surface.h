@@ -5,6 +5,7 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
+#include <pcl_spiral/search/stray_removal.h>
 #include <pcl_spiral/surface/mls_surface.h>
 #include <pcl_spiral/verify/move_index.h>
 
@@ -37,7 +38,7 @@ public:
   const SurfaceGraph& graph() const { return graph_; }
   const MlsSurface& surface() const { return *surface_; }
   /** Which of the points given to build is point \p i of the graph. */
-  std::uint32_t source(std::size_t i) const { return source_[graph_.blocks().originalIndex(i)]; }
+  std::uint32_t source(std::size_t i) const { return source_.indices[graph_.blocks().originalIndex(i)]; }
   std::size_t strayPoints() const { return strays_; }
 
   /** Standard deviation of single points about the surface, mm. On a scan without noise it is what a quadric leaves of
@@ -75,7 +76,7 @@ private:
 
   SurfaceGraph graph_;
   std::unique_ptr<MlsSurface> surface_;
-  std::vector<std::uint32_t> source_;
+  GraphSource source_;
   std::size_t strays_ = 0;
   std::vector<BoundaryLoop> loops_;
   std::vector<Polyline> rims_; ///< closed: the first point comes again

@@ -1,0 +1,74 @@
+#include "spread_shape.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double thin = 0.1; // second principal moment of a line, over the first
+
+/** Whether the point and its \p count nearest neighbours lie along a line: the second principal moment is far below the
+ *  first. Evenly spread points at random do in one case of ten or fewer. */
+bool
+isLine(const Neighbourhood& near, int count)
+{
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int j = 0; j <= count; ++j) {
+    const Eigen::Vector3d d(near.x[j], near.y[j], near.z[j]);
+    sum += d;
+    moment += d * d.transpose();
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(moment - sum * sum.transpose() / (count + 1), Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[1] < thin * solver.eigenvalues()[2];
+}
+
+/** Whether the neighbours are no plane piece, nor a piece of a line, or the point stands off their plane. */
+bool
+isOff(const Neighbourhood& near, double spacing)
+{
+  constexpr double flat = 0.2, low = 0.7; // thickness over width; of the spacing
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  const int others = near.size - 1;
+  for (int j = 1; j < near.size; ++j) {
+    const Eigen::Vector3d d(near.x[j], near.y[j], near.z[j]);
+    mean += d / others;
+    moment += d * d.transpose();
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(moment - others * mean * mean.transpose());
+  const Eigen::Vector3d& spread = solver.eigenvalues();
+  if (spread[1] < thin * spread[2])
+    return false;
+  return spread[0] > flat * flat * spread[1] || std::abs(solver.eigenvectors().col(0).dot(mean)) > low * spacing;
+}
+
+} // namespace
+
+SpreadShape
+spreadShape(const Neighbourhood& near)
+{
+  // More tell a line where noise scatters its points as far as they lie apart, or where two lines run side by side.
+  constexpr int counts[] = {6, 12, 24};
+  constexpr float nearly_one_place = 0.1f;
+  const auto distance = [&](int j) { return std::sqrt(near.squared_distance[std::min(j, near.size - 1)]); };
+  SpreadShape shape;
+  shape.spacing = distance(near.size - 1) * std::sqrt(static_cast<float>(M_PI) / static_cast<float>(near.size));
+  const int half = near.size / 2;
+  shape.fine = distance(half - 1) * std::sqrt(static_cast<float>(M_PI) / static_cast<float>(half));
+  shape.is_off = isOff(near, shape.spacing);
+  shape.near = distance(8);
+  shape.is_double = distance(1) < nearly_one_place * shape.spacing;
+  shape.line_step = 0.0f;
+  for (const int count : counts)
+    if (near.size > count && isLine(near, count))
+      shape.line_step = std::max(shape.line_step, 2.0f * distance(count) / static_cast<float>(count));
+  return shape;
+}
+
+} // namespace pcl_spiral

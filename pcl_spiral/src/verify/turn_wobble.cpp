@@ -1,0 +1,46 @@
+#include <pcl_spiral/verify/turn_wobble.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_spiral {
+namespace {
+
+/** Deviation where the path has made \p turn turns; NaN beyond its ends. */
+double
+deviationAt(double turn, const std::vector<float>& turns, const std::vector<float>& deviation)
+{
+  const auto next = std::upper_bound(turns.begin(), turns.end(), turn) - turns.begin();
+  if (next == 0 || next == static_cast<std::ptrdiff_t>(turns.size()))
+    return std::numeric_limits<double>::quiet_NaN();
+  const double from = turns[next - 1], to = turns[next], share = (turn - from) / (to - from);
+  return share == 0.0 ? deviation[next - 1] : (1.0 - share) * deviation[next - 1] + share * deviation[next];
+}
+
+} // namespace
+
+TurnWobble
+turnWobble(const CutterPath& path, const std::vector<float>& deviation)
+{
+  TurnWobble wobble;
+  const std::vector<float>& turns = path.turns;
+  if (turns.size() != deviation.size() || !std::is_sorted(turns.begin(), turns.end()))
+    return wobble;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const double beside = deviationAt(turns[i] - 1.0, turns, deviation) + deviationAt(turns[i] + 1.0, turns, deviation);
+    const double off = deviation[i] - 0.5 * beside;
+    if (!std::isfinite(off))
+      continue;
+    ++wobble.measured;
+    squares += off * off;
+    if (std::abs(off) > std::abs(wobble.max.value))
+      wobble.max = {off, path.contacts[i], i};
+  }
+  if (wobble.measured > 0)
+    wobble.rms = std::sqrt(squares / static_cast<double>(wobble.measured));
+  return wobble;
+}
+
+} // namespace pcl_spiral
