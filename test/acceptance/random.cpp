@@ -102,6 +102,7 @@ checkAgainstSurface(const RandomCase& made, const Path& path, const SpiralReport
   faults.atMost("crossings", static_cast<double>(test::crossings(*made.surface, back, 0.05 * made.spacing, 1).size()), 0.0);
   faults.atMost("deviation rms", f.deviation_rms, 0.6 * made.noise + 0.1 * sag + rounding);
   faults.atMost("deviation", std::abs(f.deviation.value), 2.5 * made.noise + 0.5 * sag + rounding);
+  faults.atMost("normal error, degrees", f.normal_error.value, 45.0);
   if (!isToldWell(made))
     return;
   test::RemovalSettings settings;
