@@ -25,6 +25,7 @@ printSurface(const Job& job, const pcl_spiral::SpiralReport& report)
   dropped(report.duplicate_points, "duplicates");
   dropped(report.outlier_points, "outliers");
   dropped(report.surplus_points, "surplus along scan lines or beside sparser parts");
+  dropped(report.left_out_points, "in other parts");
   std::printf(", %zu used\n", report.used_points);
   std::printf("surface         spacing %.4g mm, noise %.2g mm\n", report.spacing, report.noise);
   std::size_t gaps = 0;

@@ -1,6 +1,7 @@
 #include "job_check.h"
 #include "terminal/file_names.h"
 
+#include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
@@ -54,7 +55,8 @@ checkCutter(const Job& job)
   require(s.max_axis_rate > 0.0, "max-axis-rate", s.max_axis_rate, "must be above 0 degrees a mm");
   require(s.feed > 0.0, "feed", s.feed, "must be above 0 mm/min");
   require(s.thinning >= 0.0, "thin", s.thinning, "must be above 0 mm, or 0 for none");
-  require(s.threads >= 0, "threads", s.threads, "must be above 0, or 0 for all");
+  require(s.threads >= 0 && s.threads <= pcl_spiral::most_threads, "threads", s.threads,
+          "must be above 0 and not above 256, or 0 for all");
 }
 
 bool

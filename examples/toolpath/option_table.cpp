@@ -136,6 +136,8 @@ surface()
                    &SpiralSettings::view_point),
            toggle("flip-normals", "the cutter is on the other side",
                   [](Job& job) -> bool& { return job.settings.flip_normals; }),
+           toggle("largest", "of several separate parts keep the largest one alone: --largest",
+                  [](Job& job) -> bool& { return job.settings.largest_part; }),
            setting("thin", "EDGE", "thin to one point a cube of this edge, mm; 0, none: --thin 2",
                    &SpiralSettings::thinning),
            {"outliers", "K,SIGMA", "drop points that far, in deviations, from K neighbours: --outliers 16,3",

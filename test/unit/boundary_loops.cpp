@@ -488,4 +488,24 @@ TEST(BoundaryLoops, RefusesWithAReason)
   EXPECT_FALSE(loopsOf(toCloud(line)).status.ok());
 }
 
+TEST(BoundaryLoops, RefusesARimOfFarSparserPoints)
+{
+  // Rings of a hundred points, each wider than the last: the spacing grows as the radius does.
+  const auto graded = [](double growth) {
+    Random random(12);
+    std::vector<Vector3d> points;
+    for (double r = 1.0; r < 2e5; r *= growth)
+      for (int i = 0; i < 100; ++i) {
+        const double angle = 2.0 * M_PI * (i + 0.4 * random.uniform(-1.0, 1.0)) / 100.0;
+        points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.0);
+      }
+    return toCloud(points);
+  };
+  const Loops result = loopsOf(graded(1.06));
+  EXPECT_EQ(result.status.code(), StatusCode::InvalidInput);
+  for (const char* words : {"boundary at (", "mm apart", "times as far as", "--thin"})
+    EXPECT_NE(result.status.message().find(words), std::string::npos) << result.status.message();
+  EXPECT_TRUE(result.loops.empty());
+}
+
 } // namespace

@@ -1,6 +1,9 @@
 #include "loop_rings.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace pcl_spiral {
@@ -42,6 +45,31 @@ boundaryRings(const Triangulation& mesh, const std::vector<std::uint32_t>& parts
         rings.push_back(std::move(ring));
   }
   return rings;
+}
+
+double
+ringLength(const SurfaceGraph& graph, const Ring& ring)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    sum += (graph.position(ring[i]) - graph.position(ring[(i + 1) % ring.size()])).norm();
+  return sum;
+}
+
+double
+ringArea(const SurfaceGraph& graph, const Ring& ring)
+{
+  const Eigen::Vector3d origin = graph.position(ring[0]);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+    sum += (graph.position(ring[i]) - origin).cross(graph.position(ring[i + 1]) - origin);
+  return 0.5 * sum.norm();
+}
+
+bool
+isFlaw(const SurfaceGraph& graph, const Ring& ring, double shortest)
+{
+  return ringLength(graph, ring) < shortest || ringArea(graph, ring) < shortest * shortest / (4.0 * M_PI);
 }
 
 Ring

@@ -22,6 +22,16 @@ simpleRings(const Ring& run);
 std::vector<Ring>
 boundaryRings(const Triangulation& mesh, const std::vector<std::uint32_t>& parts, std::uint32_t which);
 
+/** Length of a ring, mm, and the area it encloses as seen from where that is largest, mm2. */
+double
+ringLength(const SurfaceGraph& graph, const Ring& ring);
+double
+ringArea(const SurfaceGraph& graph, const Ring& ring);
+
+/** Whether a ring is shorter than a loop must be, or so thin that it encloses less than such a loop does. */
+bool
+isFlaw(const SurfaceGraph& graph, const Ring& ring, double shortest);
+
 /** The ring begun at the point farthest from its mean: the same one wherever the cloud lies. */
 Ring
 begunFarOut(const SurfaceGraph& graph, Ring ring);

@@ -178,37 +178,50 @@ isSimple(const SurfaceGraph& graph, const Outline& outline)
   return !firstSelfCrossing(closed, normals, 1e-3 * graph.spacing());
 }
 
+/** The outline as the corners of the draft suggest; empty when \p goOn is false on the way. */
 Outline
-withCorners(OutlineDraft& draft)
+withCorners(OutlineDraft& draft, const std::function<bool()>& goOn)
 {
   if (!draft.corners.empty()) {
     draft.fitSides();
+    if (!goOn())
+      return {};
     chooseCorners(draft);
+    if (!goOn())
+      return {};
   }
   if (draft.corners.empty())
     draft.fitClosed();
   else {
     draft.refine();
+    if (!goOn())
+      return {};
     draft.refine();
     drawInCorners(draft);
   }
-  return assembled(draft);
+  return goOn() ? assembled(draft) : Outline();
 }
 
 } // namespace
 
 /** A fit that runs away from the ring (few points, or a very ragged rim) or crosses itself gives way to a plainer one. */
 Outline
-fitOutline(const MlsSurface& surface, const Ring& ring)
+fitOutline(const MlsSurface& surface, const Ring& ring, const std::function<bool()>& goOn)
 {
   constexpr std::size_t fewest_points = 24; // in which corners can be told from chance
   OutlineDraft draft(surface, ring);
+  if (!goOn())
+    return {};
   const auto isGood = [&](const Outline& outline) {
     return staysByRing(draft, outline) && isSimple(surface.graph(), outline);
   };
-  if (ring.size() >= fewest_points)
-    if (const Outline outline = withCorners(draft); isGood(outline))
+  if (ring.size() >= fewest_points) {
+    const Outline outline = withCorners(draft, goOn);
+    if (outline.curve.empty() || isGood(outline))
       return outline;
+  }
+  if (!goOn())
+    return {};
   draft.fitClosed();
   if (const Outline outline = assembled(draft); isGood(outline))
     return outline;

@@ -9,6 +9,7 @@
 #include <pcl_spiral/surface/mls_surface.h>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace pcl_spiral {
@@ -19,8 +20,8 @@ struct Outline {
   std::vector<std::size_t> corners; ///< entries of curve
 };
 
-/** Outline of \p ring. */
+/** Outline of \p ring. Between the fits it takes, \p goOn is asked; what comes of a false is not worth having. */
 Outline
-fitOutline(const MlsSurface& surface, const Ring& ring);
+fitOutline(const MlsSurface& surface, const Ring& ring, const std::function<bool()>& goOn);
 
 } // namespace pcl_spiral

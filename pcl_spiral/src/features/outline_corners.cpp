@@ -1,5 +1,7 @@
 #include "outline_corners.h"
 
+#include <pcl_spiral/core/polyline.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
@@ -149,8 +151,11 @@ rolledOut(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::V
   return line;
 }
 
+namespace {
+
+/** Corners among all of the points given. */
 std::vector<CornerCandidate>
-cornerCandidates(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals, double spacing)
+cornersAmong(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals, double spacing)
 {
   const std::size_t n = points.size();
   const std::vector<Eigen::Vector2d> line = rolledOut(points, normals, 3);
@@ -183,6 +188,41 @@ cornerCandidates(const std::vector<Eigen::Vector3d>& points, const std::vector<E
   std::sort(corners.begin(), corners.end(), byPoint);
   moveToTips(points, spacing, corners);
   std::sort(corners.begin(), corners.end(), byPoint);
+  return corners;
+}
+
+/** Points of a closed line among which corners are sought: all of them, or of a line far denser than the cloud, as where a
+ *  scan line runs along the rim, those a quarter of a spacing apart, since the search takes the square of their number in
+ *  a piece. \p at: places along the line. */
+std::vector<std::size_t>
+pointsToSeekAmong(const std::vector<double>& at, double spacing)
+{
+  constexpr double densest = 4.0; // points a spacing
+  const std::size_t count = at.size() - 1;
+  const bool dense = static_cast<double>(count) > densest * at.back() / spacing;
+  std::vector<std::size_t> sought{0};
+  for (std::size_t i = 1; i < count; ++i)
+    if (!dense || at[i] - at[sought.back()] >= spacing / densest)
+      sought.push_back(i);
+  return sought;
+}
+
+} // namespace
+
+std::vector<CornerCandidate>
+cornerCandidates(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals, double spacing)
+{
+  const std::vector<std::size_t> sought = pointsToSeekAmong(arcLengths(points, true), spacing);
+  if (sought.size() == points.size())
+    return cornersAmong(points, normals, spacing);
+  std::vector<Eigen::Vector3d> some_points, some_normals;
+  for (const std::size_t i : sought) {
+    some_points.push_back(points[i]);
+    some_normals.push_back(normals[i]);
+  }
+  std::vector<CornerCandidate> corners = cornersAmong(some_points, some_normals, spacing);
+  for (CornerCandidate& corner : corners)
+    corner.point = sought[corner.point];
   return corners;
 }
 

@@ -1,14 +1,18 @@
 #include <pcl_spiral/features/surface_boundary.h>
 
+#include <pcl_spiral/common/message.h>
+
 #include "boundary_walk.h"
 #include "loop_rings.h"
 #include "outline.h"
+#include "part_check.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <numeric>
 #include <string>
 
@@ -21,12 +25,6 @@ formatted(const char* format, double a, double b = 0.0, double c = 0.0)
   char text[160];
   std::snprintf(text, sizeof text, format, a, b, c);
   return text;
-}
-
-std::string
-place(const Eigen::Vector3d& p)
-{
-  return formatted("(%.1f, %.1f, %.1f)", p.x(), p.y(), p.z());
 }
 
 Status
@@ -59,67 +57,6 @@ checkOptions(const SurfaceGraph& graph, const BoundaryOptions& options)
   return Status::success();
 }
 
-/** The part of each triangle, after a check that only one of the parts is more than a speck. */
-Status
-checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<std::uint32_t>& parts,
-           BoundaryCounts& counts)
-{
-  constexpr std::size_t most_named = 4;
-  const Triangulation& mesh = graph.triangulation();
-  std::vector<std::size_t> sizes;
-  parts = mesh.parts(sizes);
-  if (sizes.empty())
-    return {StatusCode::InvalidInput, "the points make no surface: no three of them are neighbours of each other; "
-                                      "check that the cloud is a surface and not a line or scattered points"};
-  std::size_t large = 1;
-  while (large < sizes.size() &&
-         static_cast<double>(sizes[large]) > options.largest_left_out * static_cast<double>(mesh.triangleCount()))
-    ++large;
-  counts.left_out_parts = sizes.size() - 1;
-  counts.left_out_triangles = mesh.triangleCount() - sizes[0];
-  if (large == 1)
-    return Status::success();
-  std::string message = "the cloud has " + std::to_string(large) + " separate parts:";
-  for (std::size_t part = 0; part < std::min(large, most_named); ++part) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
-      if (parts[t] == part)
-        for (const std::uint32_t v : mesh.triangle(t))
-          sum += graph.position(v);
-    message += (part ? ", " : " ") + std::to_string(sizes[part]) + " triangles about " +
-               place(sum / (3.0 * static_cast<double>(sizes[part])));
-  }
-  if (large > most_named)
-    message += " and others";
-  return {StatusCode::InvalidInput, message + "; keep the one to be machined and remove the others from the cloud"};
-}
-
-double
-ringLength(const SurfaceGraph& graph, const Ring& ring)
-{
-  double sum = 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    sum += (graph.position(ring[i]) - graph.position(ring[(i + 1) % ring.size()])).norm();
-  return sum;
-}
-
-double
-ringArea(const SurfaceGraph& graph, const Ring& ring)
-{
-  const Eigen::Vector3d origin = graph.position(ring[0]);
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-    sum += (graph.position(ring[i]) - origin).cross(graph.position(ring[i + 1]) - origin);
-  return 0.5 * sum.norm();
-}
-
-/** Whether a ring is shorter than a loop must be, or so thin that it encloses less than such a loop does. */
-bool
-isFlaw(const SurfaceGraph& graph, const Ring& ring, double shortest)
-{
-  return ringLength(graph, ring) < shortest || ringArea(graph, ring) < shortest * shortest / (4.0 * M_PI);
-}
-
 /** Largest distance between two points of a curve, to a factor of two: twice the distance from its mean. */
 double
 width(const Polyline& curve)
@@ -145,16 +82,44 @@ classify(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<
                                 width(loop.curve) > options.largest_gap * graph.spacing();
     loop.type = hole ? LoopType::Inner : LoopType::ScanGap;
   }
-  loops.front().type = LoopType::Outer;
+  if (!loops.empty())
+    loops.front().type = LoopType::Outer;
 }
 
-/** Whether the longest loop is but a gap in the data of a surface closed otherwise. */
-bool
-isClosed(const SurfaceGraph& graph, const BoundaryOptions& options, const BoundaryLoop& longest)
+/** Refuse a surface that is all boundary: a ring left out for the little it encloses is as long as the cloud. */
+Status
+checkWidth(const SurfaceGraph& graph, const std::vector<Ring>& rings)
 {
-  const double area = static_cast<double>(graph.size()) * graph.spacing() * graph.spacing();
-  return width(longest.curve) <= options.largest_gap * graph.spacing() &&
-         longest.length * longest.length < 0.1 * 4.0 * M_PI * area;
+  for (const Ring& ring : rings)
+    if (const double length = ringLength(graph, ring); length > graph.blocks().box().diagonal())
+      return {StatusCode::InvalidInput,
+              textOf("the surface is too narrow for its points: its boundary at ", placeText(graph.position(ring.front())),
+                     ", ", length, " mm long, encloses but ", ringArea(graph, ring), " mm2, and points lie ",
+                     graph.spacing(), " mm apart: scan more densely, for at least seven points across")};
+  return Status::success();
+}
+
+/** Refuse a surface whose longest loop, if it has one at all, is but a gap in the data. */
+Status
+checkOpen(const SurfaceGraph& graph, const BoundaryOptions& options, const std::vector<BoundaryLoop>& loops)
+{
+  std::string opening;
+  if (!loops.empty()) {
+    const BoundaryLoop& longest = loops.front();
+    const double area = static_cast<double>(graph.size()) * graph.spacing() * graph.spacing();
+    const double across = width(longest.curve);
+    if (across > options.largest_gap * graph.spacing() || longest.length * longest.length >= 0.1 * 4.0 * M_PI * area)
+      return Status::success();
+    opening = textOf(" (its largest opening, ", across, " mm across at ", placeText(longest.curve.front()),
+                     ", is but a gap in the scan)");
+  }
+  const Box box = graph.blocks().box();
+  const Eigen::Vector3d low = Eigen::Map<const Eigen::Vector3f>(box.low.data()).cast<double>();
+  const Eigen::Vector3d high = Eigen::Map<const Eigen::Vector3f>(box.high.data()).cast<double>();
+  return {StatusCode::InvalidInput,
+          textOf("the surface from ", placeText(low), " to ", placeText(high),
+                 " is closed: it has no boundary for a spiral to end at", opening,
+                 "; cut the cloud down to the side to be machined")};
 }
 
 bool
@@ -187,18 +152,56 @@ pointsToWalk(const SurfaceGraph& graph, const BoundaryOptions& options, const st
 }
 
 BoundaryLoop
-loopOf(const SurfaceGraph& graph, const MlsSurface& surface, const Ring& ring)
+loopOf(const SurfaceGraph& graph, const MlsSurface& surface, const Ring& ring, const std::function<bool()>& goOn)
 {
   BoundaryLoop loop;
   for (const std::uint32_t v : ring) {
     loop.indices.push_back(graph.blocks().originalIndex(v));
     loop.points.push_back(graph.position(v));
   }
-  Outline outline = fitOutline(surface, ring);
+  Outline outline = fitOutline(surface, ring, goOn);
   loop.curve = std::move(outline.curve);
   loop.corners = std::move(outline.corners);
   loop.length = length(loop.curve, true);
   return loop;
+}
+
+/** Fit a loop to every ring that is no flaw. Curves have two nodes a spacing: rings of points far sparser than the rest of
+ *  the cloud, which would have no end of them, are refused. */
+Status
+fitLoops(const MlsSurface& surface, const BoundaryOptions& options, const std::vector<Ring>& rings,
+         std::vector<BoundaryLoop>& loops, BoundaryCounts& found)
+{
+  constexpr double sparsest = 32.0; // spacings between the points of a ring
+  constexpr double fits = 8.0;      // of one ring
+  const SurfaceGraph& graph = surface.graph();
+  double all = 0.0, done = 0.0;
+  for (const Ring& ring : rings)
+    all += static_cast<double>(ring.size());
+  for (const Ring& ring : rings) {
+    const auto size = static_cast<double>(ring.size()), apart = ringLength(graph, ring) / size;
+    double fit = 0.0;
+    bool going = true;
+    const auto goOn = [&] {
+      fit = std::min(fit + 1.0, fits);
+      going = going && (!options.progress || options.progress((done + size * fit / (fits + 1.0)) / all));
+      return going;
+    };
+    if (isFlaw(graph, ring, options.shortest_loop * graph.spacing()))
+      ++found.left_out_loops;
+    else if (apart > sparsest * graph.spacing())
+      return {StatusCode::InvalidInput,
+              textOf("the points of the boundary at ", placeText(graph.position(ring.front())), " lie ", apart,
+                     " mm apart, ", apart / graph.spacing(), " times as far as points of the scan usually do (",
+                     graph.spacing(), " mm): the scan is far denser elsewhere; thin it to an even spacing (--thin ", apart,
+                     "), or leave the dense part out")};
+    else
+      loops.push_back(loopOf(graph, surface, ring, goOn));
+    done += size;
+    if (!going || (options.progress && !options.progress(done / all)))
+      return {StatusCode::Cancelled, "cancelled"};
+  }
+  return Status::success();
 }
 
 /** Drop the loops of which less than half the points are marked; the outer one must not be among them. */
@@ -248,18 +251,15 @@ findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std
     if (const Status status = walkRings(graph, points, walk, rings, found.left_out_loops); !status.ok())
       return status;
   }
-  for (const Ring& ring : rings)
-    if (isFlaw(graph, ring, options.shortest_loop * graph.spacing()))
-      ++found.left_out_loops;
-    else
-      loops.push_back(loopOf(graph, surface, ring));
-  Status status = {StatusCode::InvalidInput, "the surface is closed: it has no boundary for a spiral to end at; cut the "
-                                             "cloud down to the side to be machined"};
-  if (!loops.empty()) {
+  Status status = fitLoops(surface, options, rings, loops, found);
+  if (status.ok() && loops.empty())
+    status = checkWidth(graph, rings);
+  if (status.ok()) {
     classify(graph, options, loops);
-    if (!isClosed(graph, options, loops.front()))
-      status = keepMarked(options, loops, found.unmarked_loops);
+    status = checkOpen(graph, options, loops);
   }
+  if (status.ok())
+    status = keepMarked(options, loops, found.unmarked_loops);
   if (!status.ok())
     loops.clear();
   if (counts)

@@ -66,6 +66,7 @@ addSurface(HtmlPage& page, const SpiralReport& r)
   dropped(r.duplicate_points, "repeated");
   dropped(r.outlier_points, "outliers");
   dropped(r.surplus_points, "surplus along scan lines or beside sparser parts");
+  dropped(r.left_out_points, "in other parts");
   rows.push_back({"Point spacing, median", words("%.4g mm", r.spacing)});
   rows.push_back({"Noise of a single point, standard deviation", words("%.2g mm", r.noise)});
   for (const BoundaryLoop& loop : r.loops) {

@@ -1,6 +1,8 @@
 #include <pcl_spiral/toolpath/boundary_choice.h>
 
-#include <sstream>
+#include <pcl_spiral/common/message.h>
+
+#include <string>
 
 namespace pcl_spiral {
 
@@ -21,14 +23,12 @@ chooseBoundaries(const std::vector<BoundaryLoop>& loops, BoundaryMode mode, Boun
     return {StatusCode::InvalidArgument,
             "two boundaries were asked for, but the surface has one; ask for one, or automatic"};
   if (mode == BoundaryMode::Automatic && holes.size() > 1) {
-    std::ostringstream message;
-    message << "the surface has " << holes.size() << " holes:";
+    std::string message = textOf("the surface has ", holes.size(), " holes:");
     for (const BoundaryLoop* hole : holes)
-      message << " (" << hole->curve.front().x() << ", " << hole->curve.front().y() << ", " << hole->curve.front().z()
-              << ") length " << hole->length << " mm;";
-    message << " a spiral runs between two boundaries at most: ask for one boundary to bridge them all, or for two to "
+      message += textOf(" ", placeText(hole->curve.front()), " length ", hole->length, " mm;");
+    message += " a spiral runs between two boundaries at most: ask for one boundary to bridge them all, or for two to "
                "keep the longest and bridge the rest";
-    return {StatusCode::InvalidInput, message.str()};
+    return {StatusCode::InvalidInput, message};
   }
   if (mode != BoundaryMode::OneBoundary)
     for (const BoundaryLoop* hole : holes)

@@ -1,9 +1,9 @@
 #include "line_source.h"
 
+#include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/bspline_fit.h>
 #include <pcl_spiral/geodesic/geodesic_refinement.h>
 
-#include <sstream>
 
 namespace pcl_spiral {
 namespace {
@@ -13,9 +13,7 @@ constexpr std::size_t stations = 129; // on a line
 Status
 failedAt(const Eigen::Vector3d& place, const std::string& what)
 {
-  std::ostringstream message;
-  message << what << " at (" << place.transpose() << ")";
-  return {StatusCode::Failed, message.str()};
+  return {StatusCode::Failed, textOf(what, " at ", placeText(place))};
 }
 
 /** Points of the graph nearest to a loop's own points, in the graph's order. */

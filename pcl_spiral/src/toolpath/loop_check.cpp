@@ -1,8 +1,8 @@
 #include <pcl_spiral/toolpath/loop_check.h>
 
-#include <Eigen/Geometry>
+#include <pcl_spiral/common/message.h>
 
-#include <sstream>
+#include <Eigen/Geometry>
 
 namespace pcl_spiral {
 namespace {
@@ -14,10 +14,7 @@ template <typename... Parts>
 Status
 refused(std::size_t loop, const Parts&... parts)
 {
-  std::ostringstream message;
-  message << "loop " << loop;
-  (message << ... << parts);
-  return {StatusCode::InvalidInput, message.str()};
+  return {StatusCode::InvalidInput, textOf("loop ", loop, parts...)};
 }
 
 double
@@ -59,15 +56,15 @@ checkLoops(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& loops)
       for (const Eigen::Vector3d& p : *line) {
         const double distance = p.allFinite() ? distanceToCloud(graph, p) : 0.0;
         if (!p.allFinite() || distance > farthest * graph.spacing())
-          return refused(i, " has a point (", p.transpose(), ") that is not finite or ", distance,
+          return refused(i, " has a point ", placeText(p), " that is not finite or ", distance,
                          " mm from the cloud: give loops of this very cloud, or none to have them found");
       }
     for (const std::size_t corner : loop.corners)
       if (corner >= loop.curve.size())
         return refused(i, " names corner ", corner, " of a curve of ", loop.curve.size(), " points");
     if (!surfaceOnLeft(graph, loop.curve))
-      return refused(i, " at (", loop.curve.front().transpose(),
-                     ") has the surface on its right: find loops and lines with the same normals, or turn the loop round");
+      return refused(i, " at ", placeText(loop.curve.front()),
+                     " has the surface on its right: find loops and lines with the same normals, or turn the loop round");
   }
   return Status::success();
 }

@@ -1,5 +1,6 @@
 #include <pcl_spiral/toolpath/radial_line_builder.h>
 
+#include <pcl_spiral/common/message.h>
 #include <pcl_spiral/toolpath/surface_centre.h>
 
 #include "line_gaps.h"
@@ -7,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <limits>
 
 namespace pcl_spiral {
 namespace {
@@ -149,17 +150,12 @@ linesByMethod(const RadialLineRequest& request, const SurfaceCentre& found, bool
     places.swap(all_places);
     lines.swap(all_lines);
   }
-  if (!harmonic && jump > largest_jump * spacing) { // behind a hill the shortest way jumps from one side to the other
-    std::ostringstream message;
-    message << "neighbouring radial lines jump by " << jump << " mm about (" << jump_place.transpose() << ")";
-    return {StatusCode::Failed, message.str()};
-  }
+  if (!harmonic && jump > largest_jump * spacing) // behind a hill the shortest way jumps from one side to the other
+    return {StatusCode::Failed,
+            textOf("neighbouring radial lines jump by ", jump, " mm about ", placeText(jump_place))};
   // Harmonic lines converge into narrow tips, closer than they are known; turns there leave most of them out.
-  if (const auto place = crossing(lines, (harmonic ? 0.5 : 0.05) * spacing)) {
-    std::ostringstream message;
-    message << "radial lines cross at (" << place->transpose() << ")";
-    return {StatusCode::Failed, message.str()};
-  }
+  if (const auto place = crossing(lines, (harmonic ? 0.5 : 0.05) * spacing))
+    return {StatusCode::Failed, textOf("radial lines cross at ", placeText(*place))};
   shareOutTurns(request, lines);
   set.lines = std::move(lines);
   set.centre = centre;
@@ -208,16 +204,48 @@ geodesicLines(const RadialLineRequest& request, SurfaceCentre& centre, RadialLin
   if (!ready)
     centre.lines.emplace(request.surface.graph());
   for (;; ready = false) {
-    if (!ready && !centre.lines->setCentre(centre.position)) {
-      std::ostringstream message;
-      message << "the centre does not lie on the surface at (" << centre.position.transpose() << ")";
-      return {StatusCode::Failed, message.str()};
-    }
+    if (!ready && !centre.lines->setCentre(centre.position))
+      return {StatusCode::Failed, textOf("the centre ", placeText(centre.position), " does not lie on the surface")};
     const Status status = linesByMethod(request, centre, false, set);
     if (status.ok() || status.code() == StatusCode::Cancelled || centre.lines->usesEveryPoint())
       return status;
     centre.lines->useEveryPoint();
   }
+}
+
+/** The centre given is off the surface. */
+Status
+offSurface(const RadialLineRequest& request)
+{
+  const SurfaceGraph& graph = request.surface.graph();
+  const Eigen::Vector3d nearest = graph.position(graph.blocks().nearest(*request.centre));
+  return {StatusCode::InvalidArgument,
+          textOf("the centre ", placeText(*request.centre), " does not lie on the surface, whose nearest point is ",
+                 placeText(nearest), ", ", (nearest - *request.centre).norm(),
+                 " mm off: give a point within three spacings (", 3.0 * graph.spacing(),
+                 " mm) of the cloud, inside its rim and out of its holes, or none")};
+}
+
+/** What is amiss where no lines were found: a centre by the rim, or a surface too narrow for one clear of it. Ok where it is
+ *  neither. */
+Status
+checkClearance(const RadialLineRequest& request, const Eigen::Vector3d& centre)
+{
+  constexpr double least = 3.0; // spacings
+  const double spacing = request.surface.graph().spacing();
+  double clear = std::numeric_limits<double>::max();
+  for (const Eigen::Vector3d& p : request.rim.curve)
+    clear = std::min(clear, (p - centre).norm());
+  if (request.inner || clear >= least * spacing)
+    return Status::success();
+  if (request.centre)
+    return {StatusCode::InvalidArgument,
+            textOf("the centre ", placeText(*request.centre), " lies ", clear, " mm from the rim, less than three spacings (",
+                   least * spacing, " mm): radial lines cannot lead round it; move it inwards, or leave it out")};
+  return {StatusCode::InvalidInput,
+          textOf("the surface is too narrow for its points: its middle ", placeText(centre), " lies only ", clear,
+                 " mm from the rim, and points lie ", spacing,
+                 " mm apart: scan more densely, for at least seven points across, or machine the part by other means")};
 }
 
 } // namespace
@@ -230,13 +258,8 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
     centre = SurfaceCentre{meanOf(request.inner->curve), std::nullopt};
   else if (request.centre) {
     const SurfaceFoot foot = request.surface.project(*request.centre);
-    if (!foot.valid) {
-      std::ostringstream message;
-      message << "the centre (" << request.centre->transpose()
-              << ") does not lie on the surface: give a point within three spacings ("
-              << 3.0 * request.surface.graph().spacing() << " mm) of the cloud, inside its rim, or none";
-      return {StatusCode::InvalidArgument, message.str()};
-    }
+    if (!foot.valid)
+      return offSurface(request);
     centre = SurfaceCentre{foot.position, std::nullopt};
   }
   else
@@ -253,6 +276,9 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
   if (!centre)
     return {StatusCode::Failed, "no centre was found on the surface: give one"};
   const Status status = linesByMethod(request, *centre, true, set);
+  if (!status.ok() && status.code() != StatusCode::Cancelled)
+    if (const Status clearance = checkClearance(request, centre->position); !clearance.ok())
+      return clearance;
   if (status.ok() || set.why_harmonic.empty() || status.code() == StatusCode::Cancelled)
     return {blame(request, status.code()), status.message()};
   return {blame(request, status.code()),

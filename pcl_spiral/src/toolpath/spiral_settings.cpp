@@ -1,7 +1,9 @@
 #include <pcl_spiral/toolpath/spiral_planner.h>
 
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/thread_limit.h>
+
 #include <cmath>
-#include <sstream>
 
 namespace pcl_spiral {
 namespace {
@@ -10,9 +12,7 @@ template <typename Value>
 Status
 refused(const char* name, Value value, const char* remedy)
 {
-  std::ostringstream message;
-  message << name << " is " << value << ": " << remedy;
-  return {StatusCode::InvalidArgument, message.str()};
+  return {StatusCode::InvalidArgument, textOf(name, " is ", value, ": ", remedy)};
 }
 
 } // namespace
@@ -44,11 +44,11 @@ checkSettings(const SpiralSettings& s)
   if (s.outlier_neighbours < 0 || !(s.outlier_deviations > 0.0))
     return refused("the outlier filter's neighbours", s.outlier_neighbours,
                    "give a count of 0 (none) or more, and a threshold above 0 standard deviations");
-  if (s.threads < 0)
-    return refused("the number of threads", s.threads, "give 0 for all, or a count");
+  if (s.threads < 0 || s.threads > most_threads)
+    return refused("the number of threads", s.threads, "give 0 for all, or a count up to 256");
   for (const auto* point : {&s.centre, &s.start_point, &s.view_point})
     if (*point && !(*point)->allFinite())
-      return refused("a given point", (*point)->transpose(), "its coordinates must be finite");
+      return refused("a given point", placeText(**point), "its coordinates must be finite");
   return Status::success();
 }
 

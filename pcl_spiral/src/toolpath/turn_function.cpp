@@ -1,17 +1,18 @@
 #include <pcl_spiral/toolpath/turn_function.h>
 
+#include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/step_over.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace pcl_spiral {
 namespace {
 
 constexpr double smoothing_share = 1.0 / 64.0; // of the rim: standard deviation of what smooths rates across lines
 constexpr double steepest_cosine = 0.05; // of psi: a line nearly along its contour tells nothing
+constexpr double most_turns = 1e15;      // that are counted: no path has as many
 constexpr double reserve = 0.997; // of the step-over, for what interpolation between lines adds
 
 /** Derivative at u[at] of Lagrange's polynomial through points p at u. */
@@ -246,13 +247,10 @@ TurnFunction::compute()
   const double steepest = -1.0 / settings_.tool_radius;
   for (const RadialLine& line : lines_)
     for (const SurfaceFoot& foot : line.feet)
-      if (foot.valid && foot.curvature2 <= steepest) {
-        std::ostringstream message;
-        message << "the surface is hollow with radius " << -1.0 / foot.curvature2 << " mm at ("
-                << foot.position.transpose() << "), tighter than the tool radius " << settings_.tool_radius
-                << " mm: the cutter would gouge; use a smaller tool";
-        return {StatusCode::Failed, message.str()};
-      }
+      if (foot.valid && foot.curvature2 <= steepest)
+        return {StatusCode::Failed, textOf("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ",
+                                         placeText(foot.position), ", tighter than the tool radius ",
+                                         settings_.tool_radius, " mm: the cutter would gouge; use a smaller tool")};
   const auto measure = [&](bool across_feed, std::vector<std::vector<Station>>& measured) {
     measured = stations_;
     bool fits = true;
@@ -283,7 +281,7 @@ TurnFunction::compute()
   std::vector<std::vector<Station>> measured;
   if (!measure(across_feed, measured))
     return no_step;
-  turns_ = static_cast<std::size_t>(std::ceil(turnsNeeded(measured)));
+  turns_ = static_cast<std::size_t>(std::ceil(std::min(turnsNeeded(measured), most_turns)));
   for (std::int64_t i = 0; i < n; ++i)
     for (std::size_t k = 0; k < measured[i].size(); ++k)
       stations_[i][k].feed_step = measured[i][k].feed_step;

@@ -3,11 +3,13 @@
 #include <pcl_spiral/core/frame.h>
 #include <pcl_spiral/features/surface_boundary.h>
 #include <pcl_spiral/search/stray_removal.h>
+#include <pcl_spiral/surface/noise_warning.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -129,7 +131,7 @@ ReferenceSurface::inGap(const Eigen::Vector3d& p) const
 double
 ReferenceSurface::fitNoise() const
 {
-  return noise() * std::sqrt(9.46 / surface_->neighbours());
+  return pcl_spiral::fitNoise(*surface_);
 }
 
 double
@@ -151,19 +153,9 @@ std::vector<std::string>
 noiseWarnings(const ReferenceSurface& reference, double scallop_height, double chord_error)
 {
   std::vector<std::string> warnings;
-  const auto compare = [&](const char* what, double asked) {
-    if (!(asked > 0.0) || asked >= reference.noise())
-      return;
-    const bool hidden = asked < 3.0 * reference.fitNoise();
-    warnings.push_back(text("the ", what, " asked for, ", asked, " mm, lies below the scan's own noise of ",
-                            reference.noise(), " mm (standard deviation of a point); the surface fitted to ",
-                            reference.surface().neighbours(), " points at a time is known to ", reference.fitNoise(),
-                            hidden ? " mm, and what is below three times that it cannot tell: this scan "
-                                     "cannot show whether it was kept"
-                                   : " mm"));
-  };
-  compare("scallop height", scallop_height);
-  compare("chord error", chord_error);
+  for (const auto& [what, asked] : {std::pair{"scallop height", scallop_height}, std::pair{"chord error", chord_error}})
+    if (const auto warning = noiseWarning(reference.surface(), what, asked))
+      warnings.push_back(*warning);
   return warnings;
 }
 

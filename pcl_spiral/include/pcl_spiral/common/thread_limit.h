@@ -5,14 +5,19 @@
 
 #include <omp.h>
 
+#include <algorithm>
+
 namespace pcl_spiral {
+
+/** More are never started: where the system refuses one, OpenMP ends the program. */
+constexpr int most_threads = 256;
 
 /** Parallel loops started in this thread use \p threads threads while the object lives; 0 means all. */
 class ThreadLimit {
 public:
   explicit ThreadLimit(int threads) : before_(omp_get_max_threads())
   {
-    omp_set_num_threads(threads > 0 ? threads : omp_get_num_procs());
+    omp_set_num_threads(std::min(threads > 0 ? threads : omp_get_num_procs(), most_threads));
   }
   ~ThreadLimit() { omp_set_num_threads(before_); }
   ThreadLimit(const ThreadLimit&) = delete;

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace pcl_spiral {
@@ -33,13 +34,16 @@ struct BoundaryOptions {
   double largest_gap = 15.0;       ///< across, in spacings: with no length set, a hole no larger is a gap in the data
   double shortest_loop = 8.0;      ///< in spacings: a shorter loop, or a thinner one than such a circle, is a flaw of
                                    ///< the triangulation, and left out
-  double largest_left_out = 0.02;  ///< share of the triangles a further part may have and still be left out
+  double largest_left_out = 0.02;  ///< share of the triangles a further part may have and still be left out; all of them
+                                   ///< together, ten times that
+  std::function<bool(double)> progress; ///< called with the share done; false cancels
 };
 
 /** What was left out on the way to the loops. */
 struct BoundaryCounts {
   std::size_t left_out_parts = 0;     ///< specks apart from the surface
   std::size_t left_out_triangles = 0; ///< in them
+  std::size_t left_out_points = 0;    ///< of these triangles alone
   std::size_t left_out_loops = 0;     ///< see shortest_loop
   std::size_t unmarked_loops = 0;     ///< less than half of their points among those marked
 };

@@ -6,6 +6,7 @@
 #include <pcl_spiral/common/progress.h>
 #include <pcl_spiral/common/stage_clock.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/features/surface_boundary.h>
 #include <pcl_spiral/search/stray_removal.h>
 #include <pcl_spiral/toolpath/radial_line_builder.h>
 #include <pcl_spiral/toolpath/spiral_curve.h>
@@ -38,12 +39,18 @@ public:
   SpiralPlanner(const SpiralSettings& settings, ProgressCallback progress, SpiralReport& report, StageClock& clock);
 
   /** \p points: finite and all different; \p normals: out of the material, one a point, or empty. */
-  Status plan(std::vector<Eigen::Vector3f> points, const std::vector<Eigen::Vector3f>& normals, SpiralPath& path);
+  Status plan(std::vector<Eigen::Vector3f> points, std::vector<Eigen::Vector3f> normals, SpiralPath& path);
 
 private:
+  Status prepareSurface(std::vector<Eigen::Vector3f> points, std::vector<Eigen::Vector3f> normals);
   Status makeGraph(std::vector<Eigen::Vector3f> points, std::vector<Eigen::Vector3f> normals);
-  Status findLoops();
-  Status bridgeGaps(const std::vector<Eigen::Vector3f>& normals);
+  Status keepLargestPart();
+  Status checkScale();
+  Status prepareBoundaries();
+  /** Loops of the surface, while progress goes \p from one share \p to another. */
+  Status findLoops(double from, double to);
+  void reportStrays(const BoundaryCounts& counts);
+  Status bridgeGaps();
   Status makeLines(bool two, RadialLineSet& set);
   Status makeCurve(bool two, std::vector<SpiralPoint>& curve);
   Status putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& path);
@@ -59,6 +66,8 @@ private:
   StageClock& clock_;
   SurfaceGraph graph_;
   GraphSource source_; ///< which of the points given each of the graph's was
+  std::vector<Eigen::Vector3f> normals_; ///< of these, or empty
+  std::size_t strays_ = 0;               ///< points that were left out because they stand alone
   std::unique_ptr<MlsSurface> surface_;
   std::vector<Eigen::Vector3f> bridges_; ///< points that were put into gaps
   std::size_t first_bridge_ = 0;         ///< of the points given to the graph

@@ -19,8 +19,10 @@ struct SpiralReport {
   std::size_t input_points = 0;
   std::size_t nonfinite_points = 0; ///< dropped
   std::size_t duplicate_points = 0; ///< dropped
-  std::size_t outlier_points = 0;   ///< dropped
   std::size_t surplus_points = 0;   ///< left out: much closer to others than these to the next, as along scan lines
+  std::size_t outlier_points = 0;   ///< dropped: by the filter, standing alone, or in specks apart from the surface
+  std::size_t left_out_parts = 0;   ///< separate parts beside the largest, dropped as asked
+  std::size_t left_out_points = 0;  ///< in them
   std::size_t used_points = 0;
   double spacing = 0.0;             ///< median distance of neighbouring points
   double noise = 0.0;               ///< standard deviation of the points about the fitted surface

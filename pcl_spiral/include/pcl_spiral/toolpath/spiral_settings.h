@@ -53,6 +53,7 @@ struct SpiralSettings {
   Pitch pitch = Pitch::AcrossFeed;
   GapHandling gaps = GapHandling::Bridge;
   LineMethod lines = LineMethod::Automatic;
+  bool largest_part = false;        ///< of several separate parts keep the one of the largest area alone
   double thinning = 0.0;            ///< voxel edge of the thinning filter; 0: none
   int outlier_neighbours = 0;       ///< neighbours of the statistical outlier filter; 0: none
   double outlier_deviations = 3.0;  ///< its threshold in standard deviations

@@ -94,6 +94,10 @@ public:
   GapHandling getGapHandling() const { return settings_.gaps; }
   void setLineMethod(LineMethod method) { settings_.lines = method; }
   LineMethod getLineMethod() const { return settings_.lines; }
+  /** Of several separate parts keep the one of the largest area alone, and say what was left out; without it, the default,
+   *  several parts are refused. */
+  void setLargestPart(bool alone) { settings_.largest_part = alone; }
+  bool getLargestPart() const { return settings_.largest_part; }
   void setFlipNormals(bool flip) { settings_.flip_normals = flip; }
   bool getFlipNormals() const { return settings_.flip_normals; }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/toolpath/path_size.h>
 #include <pcl_spiral/toolpath/radial_line.h>
 #include <pcl_spiral/toolpath/spiral_settings.h>
 
@@ -37,6 +38,9 @@ public:
   double shareAt(std::size_t i, double s) const;
   /** Longest linear move in the feed's direction at arc length \p s of line \p i, from the chord error. */
   double feedStepAt(std::size_t i, double s) const;
+
+  /** How large the spiral of these turns becomes: points by the surface's own curvature, and knots. */
+  PathSize pathSize() const;
 
   double smallestStepOver() const { return smallest_step_over_; }
   double largestStepOver() const { return largest_step_over_; }

@@ -69,7 +69,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::compute(pcl::PointCloud<P
   clock.end("points");
   SpiralPath spiral;
   if (status_.ok())
-    status_ = SpiralPlanner(settings_, progress_, report_, clock).plan(std::move(points), normals, spiral);
+    status_ = SpiralPlanner(settings_, progress_, report_, clock).plan(std::move(points), std::move(normals), spiral);
   if (!status_.ok()) {
     if (status_.code() != StatusCode::Cancelled)
       PCL_ERROR("[pcl_spiral::SpiralToolpathGenerator::compute] %s\n", status_.message().c_str());

@@ -1,0 +1,145 @@
+// From the spiral's curve to a path on the surface.
+#include <pcl_spiral/toolpath/spiral_planner.h>
+
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/core/self_crossing.h>
+#include <pcl_spiral/core/tool_axis.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double gap_in_spacings = 2.7; // on random points one in 10^9 lies so far from the next
+constexpr std::size_t chunk = 1u << 16; // path points between progress reports
+
+double
+radians(double degrees)
+{
+  return degrees * M_PI / 180.0;
+}
+
+} // namespace
+
+Status
+SpiralPlanner::putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& path)
+{
+  const double hollowest = -1.0 / settings_.tool_radius;
+  path.contacts.resize(curve.size());
+  path.normals.resize(curve.size());
+  path.turns.resize(curve.size());
+  path.over_gap.resize(curve.size());
+  std::vector<Eigen::Vector3d> queries;
+  std::vector<SurfaceFoot> feet;
+  for (std::size_t begin = 0; begin < curve.size(); begin += chunk) {
+    const std::size_t end = std::min(curve.size(), begin + chunk);
+    const auto count = static_cast<std::int64_t>(end - begin);
+    queries.resize(end - begin);
+    for (std::int64_t i = 0; i < count; ++i)
+      queries[i] = curve[begin + i].position;
+    surface_->project(queries, feet);
+    std::int64_t first_bad = count;
+#pragma omp parallel for schedule(static) reduction(min : first_bad)
+    for (std::int64_t i = 0; i < count; ++i) {
+      if (!feet[i].valid || feet[i].curvature2 <= hollowest)
+        first_bad = std::min(first_bad, i);
+      path.contacts[begin + i] = feet[i].position;
+      path.normals[begin + i] = feet[i].normal;
+      path.over_gap[begin + i] = isOverGap(feet[i]);
+      path.turns[begin + i] = static_cast<float>(curve[begin + i].turn);
+    }
+    if (first_bad < count) {
+      const SurfaceFoot& foot = feet[first_bad];
+      const SpiralPoint& asked = curve[begin + first_bad];
+      if (!foot.valid)
+        return {StatusCode::Failed, textOf("the path leaves the scanned surface at ", placeText(asked.position), " in turn ",
+                                         asked.turn, ": the scan has a gap or a ragged rim there")};
+      return {StatusCode::Failed,
+              textOf("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ", placeText(foot.position),
+                   ", tighter than the tool radius ", settings_.tool_radius,
+                   " mm: the cutter would gouge; use a smaller tool")};
+    }
+    if (!report(0.65 + 0.25 * static_cast<double>(end) / static_cast<double>(curve.size()), "projection"))
+      return {StatusCode::Cancelled, "cancelled"};
+  }
+  path.arc_lengths = arcLengths(path.contacts); // serial: a sum whose rounding depends on its order
+  return reportGaps(path);
+}
+
+/** Whether there is no point of the scan near, but perhaps one that was put into a gap. */
+bool
+SpiralPlanner::isOverGap(const SurfaceFoot& foot) const
+{
+  return foot.nearest_distance > gap_in_spacings * graph_.spacing(foot.nearest) ||
+         (!bridges_.empty() && source_.indices[graph_.blocks().originalIndex(foot.nearest)] >= first_bridge_);
+}
+
+Status
+SpiralPlanner::reportGaps(const SpiralPath& path)
+{
+  for (std::size_t i = 0; i < path.contacts.size(); ++i) {
+    report_.gap_points += path.over_gap[i];
+    if (i > 0 && (path.over_gap[i - 1] || path.over_gap[i]))
+      report_.gap_length += path.arc_lengths[i] - path.arc_lengths[i - 1];
+    if (path.over_gap[i] && settings_.gaps == GapHandling::Refuse)
+      return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(path.contacts[i]),
+                                               ": no point of it lies near the path there; rescan it, or allow gaps to be "
+                                               "bridged")};
+  }
+  if (report_.gap_points > 0)
+    report_.warnings.push_back(textOf(report_.gap_points, " path points, ", report_.gap_length,
+                                      " mm, lie over gaps of the scan, where the surface is a guess; they are marked"));
+  return Status::success();
+}
+
+Status
+SpiralPlanner::setAxes(SpiralPath& path)
+{
+  ToolAxisOptions options;
+  options.side_tilt = radians(settings_.tilt_angle);
+  options.lead = radians(settings_.lead_angle);
+  options.max_rate = radians(settings_.max_axis_rate);
+  ToolAxes axes = toolAxes(path.contacts, path.normals, options);
+  const auto count = static_cast<std::int64_t>(axes.axes.size());
+  path.axes.resize(axes.axes.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i)
+    path.axes[i] = axes.axes[i].cast<float>();
+  report_.largest_axis_change = axes.largest_change * 180.0 / M_PI;
+  report_.limited_points = axes.limited_points;
+  report_.largest_tilt_reduction = axes.largest_reduction * 180.0 / M_PI;
+  if (axes.exceeded_moves > 0)
+    report_.warnings.push_back(textOf("on ", axes.exceeded_moves, " of ", path.contacts.size() - 1,
+                                    " moves the surface alone turns the tool axis faster than the largest axis rate of ",
+                                    settings_.max_axis_rate, " degrees per mm: the axis follows the surface there; ",
+                                    "slow the feed, or smooth the scan"));
+  return Status::success();
+}
+
+Status
+SpiralPlanner::checkPath(const SpiralPath& path)
+{
+  constexpr double slack = 1.05; // steps stretch a little when put on the surface
+  for (std::size_t i = 1; i < path.contacts.size(); ++i) {
+    const double gap = (path.contacts[i] - path.contacts[i - 1]).norm();
+    report_.largest_gap = std::max(report_.largest_gap, gap);
+    if (!(gap <= slack * report_.largest_allowed_step))
+      return {StatusCode::Failed,
+              textOf("the path jumps by ", gap, " mm at ", placeText(path.contacts[i]), " in turn ", path.turns[i],
+                   ", above the longest step ", report_.largest_allowed_step,
+                   " mm: the surface is too rough or too sparse there; scan more densely or raise the longest step")};
+  }
+  report_.turns = static_cast<std::size_t>(std::lround(std::abs(path.turns.back() - path.turns.front())));
+  report_.path_points = path.contacts.size();
+  report_.path_length = path.arc_lengths.back();
+  // Turns that are not in order cross somewhere: each goes once round.
+  if (const auto crossing = firstSelfCrossing(path.contacts, path.normals, settings_.chord_error))
+    return {StatusCode::Failed,
+            textOf("the path crosses itself at ", placeText(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
+                 ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
+  return Status::success();
+}
+
+} // namespace pcl_spiral
