@@ -178,7 +178,11 @@ randomCase(std::uint64_t seed, std::uint64_t index)
   if (random.uniform() < 0.5)
     made.motion = test::randomMotion(own, 3.0 * size);
   spoil(random, made, size, scan.points);
-  made.settings.view_point = made.motion * Eigen::Vector3d(0.0, 0.0, 30.0 * size);
+  double top = 0.0; // a flat cap of a large ball lies high
+  for (const Eigen::Vector3d& p : scan.points)
+    if (p.allFinite())
+      top = std::max(top, p.z());
+  made.settings.view_point = made.motion * Eigen::Vector3d(0.0, 0.0, top + 30.0 * size);
   chooseJob(random, made, size, scan.points);
   made.name = inWords(made, kind, edge.name, scan.points.size());
   for (Eigen::Vector3d& p : scan.points)

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 namespace {
 
 using namespace pcl_spiral;
@@ -139,12 +141,12 @@ TEST(TurnFunction, HollowTighterThanTheCutterIsRefusedWithItsPlace)
 {
   auto lines = test::straightLines(from_origin, test::ring(100.0, 16));
   lines[5].feet[64].curvature2 = -1.0 / 7.5;
-  std::ostringstream place;
-  place << lines[5].feet[64].position.x();
+  char place[32]; // as messages give it
+  std::snprintf(place, sizeof place, "(%.3f, ", lines[5].feet[64].position.x());
   TurnFunction tight(lines, cutter(8.0, 0.05), 0.5);
   const Status status = tight.compute();
   EXPECT_EQ(status.code(), StatusCode::Failed);
-  for (const std::string& part : {std::string("7.5 mm"), place.str(), std::string("smaller tool")})
+  for (const std::string& part : {std::string("7.5 mm"), std::string(place), std::string("smaller tool")})
     EXPECT_NE(status.message().find(part), std::string::npos) << part << " is not in: " << status.message();
   TurnFunction small(lines, cutter(7.0, 0.05), 0.5);
   EXPECT_TRUE(small.compute().ok());

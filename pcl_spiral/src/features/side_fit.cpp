@@ -185,11 +185,13 @@ layOnSurface(const MlsSurface& surface, OutlineSide& side)
 FittedSide
 fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vector<ExpectedPoint> points)
 {
-  constexpr double largest_move = 4.0;
+  constexpr double largest_move = 4.0, largest_growth = 3.0;
   constexpr std::ptrdiff_t first_reach = 40, reach = 12; // nodes
   constexpr std::array<double, 5> blurs{0.5, 0.25, 0.12, final_blur, final_blur};
   FittedSide fitted;
   fitted.side = std::move(start);
+  const OutlineSide first = fitted.side;
+  const double longest = largest_growth * length(first.nodes, first.closed);
   EdgeOptions options;
   options.spacing = spacing;
   options.wavelength = wavelengths[2];
@@ -204,6 +206,12 @@ fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vecto
     const EdgeFit edge = fitEdge(fitted.side, near, options);
     for (std::size_t i = 0; i < edge.offsets.size(); ++i)
       fitted.side.nodes[i] += spacing * std::clamp(edge.offsets[i], -largest_move, largest_move) * fitted.side.outward[i];
+    if (!(length(fitted.side.nodes, fitted.side.closed) < longest)) { // to and fro, further every round: no smooth side
+      fitted.side = first;
+      layOnSurface(surface, fitted.side);
+      fitted.outside = std::numeric_limits<double>::infinity();
+      break;
+    }
     fitted.outside = edge.outside;
     fitted.roughness = edge.roughness;
   }

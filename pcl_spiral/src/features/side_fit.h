@@ -17,7 +17,7 @@ constexpr double node_step = 0.5;
 /** A side at the edge of its points. */
 struct FittedSide {
   OutlineSide side;
-  double outside = 0.0, roughness = 0.0; ///< as in EdgeFit
+  double outside = 0.0, roughness = 0.0; ///< as in EdgeFit; outside is infinite where no smooth side fits
   double wavelength = 0.0;
 };
 
