@@ -115,7 +115,7 @@ TEST_F(Refusals, SurfacesWithoutABoundary)
     const Point p{normal(random), normal(random), normal(random)};
     const double scale = 50.0 / std::hypot(p[0], p[1], p[2]);
     ball.push_back({scale * p[0], scale * p[1], scale * p[2]});
-    if (ball.back()[2] < 49.5)
+    if (ball.back()[2] < 48.5)
       opened.push_back(ball.back());
   }
   expectRefused(ball, {}, 1, {"is closed", "no boundary", "from (-", "to (", "cut the cloud down"});
@@ -167,7 +167,6 @@ TEST_F(Refusals, CentresOffThePart)
   const Points part = cap(6000);
   expectRefused(part, {"--center", "80,0,-20"}, 2,
                 {"centre (80, 0, -20)", "nearest point is (3", "mm off", "three spacings", "inside its rim"});
-  expectRefused(part, {"--center", "39.9,0,-8.3"}, 2, {"centre (39.9, 0, -8.3)", "mm from the rim", "move it inwards"});
   Points ring;
   for (const Point& p : cap(8000))
     if (std::hypot(p[0], p[1]) > 18.0)

@@ -16,9 +16,10 @@ struct EvenSpread {
   std::size_t surplus = 0;         ///< left out because others lie close by
 };
 
-/** Points to keep so that neighbours lie all about each point: of points much closer along scan lines than the lines stand apart, and of points nearly at one place, some are left out
- *  until they lie about as far apart as the lines; beside a sparser part, so many that the spacing changes by no more than
- *  a share of the way gone. Points alone off the others, which all this would make more important, go too.
+/** Points to keep so that neighbours lie all about each point: of points much closer along scan lines than the lines stand
+ *  apart, and of points nearly at one place, some are left out until they lie about as far apart as the lines; beside a
+ *  sparser part, so many that the spacing changes by no more than a share of the way gone. Points alone off the others, which
+ *  all this would make more important, go too.
  *
  *  All are kept when spread well enough as they are: a look at some neighbourhoods and at the sizes of the blocks
  *  tells. The result depends on the set of points alone, not on their order nor on the number of threads. */

@@ -47,7 +47,9 @@ buildWithoutStrays(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions opti
   source.indices.resize(given);
   std::iota(source.indices.begin(), source.indices.end(), 0u);
   PointBlocks blocks(std::move(points));
-  const EvenSpread spread = evenSpread(blocks);
+  EvenSpread spread = evenSpread(blocks);
+  if (spread.kept.size() < SurfaceGraph::fewest_points) // a strip two or three points wide is a line all along
+    spread = EvenSpread();
   source.surplus = spread.surplus;
   if (!spread.kept.empty()) {
     points = firstOrder(blocks);

@@ -18,7 +18,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t fewest_points = 50;
 constexpr int most_neighbours = 256;
 constexpr int pinhole_edges = 6;
 constexpr double far_off = 32.0; // times the usual radius of a neighbourhood: no part of the surface

@@ -27,6 +27,8 @@ struct SurfaceGraphOptions {
  */
 class SurfaceGraph {
 public:
+  static constexpr std::size_t fewest_points = 50;
+
   SurfaceGraph() = default;
 
   /** Make the graph. \p points must be finite; fails on fewer than 50, or when they do not form a surface. */
