@@ -19,7 +19,7 @@ struct PathSize {
   double turns = 0.0;
   double step_over = 0.0, step = 0.0; ///< mean distances of turns, and of points along them, mm
 
-  /** Memory at the peak, measured: as much a point of the path, and a knot. */
+  /** Memory at the peak, estimated: as much a point of the path, and a knot. */
   double bytes() const { return 200.0 * points + 150.0 * knots; }
 };
 
