@@ -22,13 +22,18 @@ checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vecto
   const auto whole = static_cast<double>(graph.triangulation().triangleCount());
   counts.left_out_parts = sizes.size() - 1;
   counts.left_out_triangles = graph.triangulation().triangleCount() - sizes[0];
-  const bool second = sizes.size() > 1 && static_cast<double>(sizes[1]) > options.largest_left_out * whole;
+  std::vector<SurfacePart> parts = sizes.size() > 1 ? surfaceParts(graph).parts : std::vector<SurfacePart>();
+  // What is much larger than the part of most triangles is no speck: a coarse scan has few of them beside a fine one.
+  const auto isSpeck = [&](const SurfacePart& part) {
+    return static_cast<double>(part.triangles) <= options.largest_left_out * whole &&
+           part.area <= 2.0 * parts.front().area;
+  };
+  const bool second = sizes.size() > 1 && !std::all_of(parts.begin() + 1, parts.end(), isSpeck);
   const bool scattered =
       static_cast<double>(counts.left_out_triangles) > specks_together * options.largest_left_out * whole;
   if (sizes.size() > 1 && (second || scattered)) {
-    std::vector<SurfacePart> parts = surfaceParts(graph).parts;
-    while (second && static_cast<double>(parts.back().triangles) <= options.largest_left_out * whole)
-      parts.pop_back();
+    if (second)
+      parts.erase(std::remove_if(parts.begin() + 1, parts.end(), isSpeck), parts.end());
     return {StatusCode::InvalidInput,
             textOf("the cloud has ", parts.size(), " separate parts: ", partsText(parts),
                    second ? "; keep the largest one alone (--largest), or the one to be machined, and remove the others "

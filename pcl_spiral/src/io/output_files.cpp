@@ -131,14 +131,18 @@ OutputFiles::commit()
   std::size_t done = 0;
   std::error_code error;
   for (; done < targets_.size(); ++done) {
-    if (fs::exists(targets_[done])) {
+    if (fs::exists(targets_[done], error)) {
       kept[done] = hiddenName(targets_[done], "earlier").string();
       fs::remove(kept[done], error);
       fs::create_hard_link(targets_[done], kept[done], error);
       if (error) // a file system without links
         fs::copy_file(targets_[done], kept[done], error);
-      if (error)
+      if (error) {
+        std::error_code ignored;
+        fs::remove(kept[done], ignored); // half a copy, perhaps: what it was made of still stands
+        kept[done].clear();
         break;
+      }
     }
     fs::rename(temporaries_[done], targets_[done], error);
     if (error)

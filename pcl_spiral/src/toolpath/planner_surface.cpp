@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl_spiral {
 namespace {
@@ -48,8 +49,16 @@ SpiralPlanner::makeGraph(std::vector<Eigen::Vector3f> points, std::vector<Eigen:
   options.flip_normals = settings_.flip_normals;
   options.given_normals = std::move(normals);
   const std::size_t given = points.size();
-  if (const Status status = buildWithoutStrays(std::move(points), std::move(options), graph_, source_); !status.ok())
-    return status;
+  // With points put into gaps nothing more is left out: what was counted and told before stays true.
+  const Status built = bridges_.empty() ? buildWithoutStrays(std::move(points), std::move(options), graph_, source_)
+                                        : graph_.build(std::move(points), options);
+  if (!built.ok())
+    return built;
+  if (!bridges_.empty()) {
+    source_ = GraphSource();
+    source_.indices.resize(given);
+    std::iota(source_.indices.begin(), source_.indices.end(), 0u);
+  }
   const Box box = graph_.blocks().box();
   const Eigen::Vector3d middle = 0.5 * (Eigen::Map<const Eigen::Vector3f>(box.low.data()).cast<double>() +
                                         Eigen::Map<const Eigen::Vector3f>(box.high.data()).cast<double>());
@@ -105,6 +114,21 @@ SpiralPlanner::keepLargestPart()
                                         [](const SurfacePart& a, const SurfacePart& b) { return a.area < b.area; });
   const auto kept = static_cast<std::size_t>(largest - found.parts.begin());
   const std::vector<std::uint8_t> apart = apartFrom(graph_, found, kept);
+  report_.left_out_parts = found.parts.size() - 1;
+  report_.left_out_points = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
+  const SurfaceParts all = found;
+  const SurfacePart part = found.parts[kept];
+  found.parts.erase(largest);
+  report_.warnings.push_back(textOf("of ", report_.left_out_parts + 1, " separate parts the largest was kept, ",
+                                    partsText({part}), "; left out with ", report_.left_out_points,
+                                    " points: ", partsText(found.parts)));
+  return keepPart(all, kept);
+}
+
+Status
+SpiralPlanner::keepPart(const SurfaceParts& parts, std::size_t part)
+{
+  const std::vector<std::uint8_t> apart = apartFrom(graph_, parts, part);
   std::vector<Eigen::Vector3f> points, normals;
   for (std::size_t i = 0; i < graph_.size(); ++i) {
     if (apart[i])
@@ -113,13 +137,6 @@ SpiralPlanner::keepLargestPart()
     if (!normals_.empty())
       normals.push_back(normals_[source_.indices[graph_.blocks().originalIndex(i)]]);
   }
-  report_.left_out_parts = found.parts.size() - 1;
-  report_.left_out_points = graph_.size() - points.size();
-  const SurfacePart part = found.parts[kept];
-  found.parts.erase(largest);
-  report_.warnings.push_back(textOf("of ", report_.left_out_parts + 1, " separate parts the largest was kept, ",
-                                    partsText({part}), "; left out with ", report_.left_out_points,
-                                    " points: ", partsText(found.parts)));
   normals_ = normals;
   return makeGraph(std::move(points), std::move(normals));
 }
@@ -132,8 +149,15 @@ SpiralPlanner::findLoops(double from, double to)
   options.progress = [&](double share) { return report(from + share * (to - from), "boundaries"); };
   if (const Status status = findBoundaryLoops(*surface_, options, report_.loops, &counts); !status.ok())
     return status;
-  if (bridges_.empty())
-    reportStrays(counts);
+  if (!bridges_.empty())
+    return Status::success();
+  if (counts.left_out_points > 0) { // they would bend the surface that is fitted near them
+    if (const Status status = keepPart(surfaceParts(graph_), 0); !status.ok())
+      return status;
+    if (const Status status = findBoundaryLoops(*surface_, options, report_.loops); !status.ok())
+      return status;
+  }
+  reportStrays(counts);
   return Status::success();
 }
 
@@ -168,6 +192,7 @@ SpiralPlanner::bridgeGaps()
   const bool two = choice.inner;
   report_.boundaries = two ? 2 : 1;
   const std::vector<BoundaryLoop> loops = report_.loops;
+  std::vector<BoundaryLoop> bridged;
   bool kept_hole = !two;
   for (const BoundaryLoop& loop : loops) {
     if (loop.type == LoopType::Outer)
@@ -180,10 +205,16 @@ SpiralPlanner::bridgeGaps()
       return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(loop.points.front()), ", ", loop.length,
                                                " mm round: rescan it, or allow gaps to be bridged")};
     const GapFill fill = fillGap(graph_, loop.points);
+    bridged.push_back(loop);
+    bridged.back().type = LoopType::ScanGap;
     bridges_.insert(bridges_.end(), fill.points.begin(), fill.points.end());
-    report_.warnings.push_back(textOf("a gap in the scan at ", placeText(fill.centre), ", ", fill.width,
-                                      " mm wide, was bridged by a smooth patch; the points about it lie ", fill.residual,
-                                      " mm (rms) from it"));
+    report_.warnings.push_back(
+        fill.points.empty()
+            ? textOf("a gap in the scan at ", placeText(loop.points.front()), ", ", loop.length,
+                     " mm round, is too narrow to be filled: the path runs over it as it is")
+            : textOf("a gap in the scan at ", placeText(fill.centre), ", ", fill.width,
+                     " mm wide, was bridged by a smooth patch; the points about it lie ", fill.residual,
+                     " mm (rms) from it; a real hole there is ridden over like the rest"));
   }
   if (bridges_.empty())
     return Status::success();
@@ -198,9 +229,7 @@ SpiralPlanner::bridgeGaps()
   if (const Status status = findLoops(0.35, 0.4); !status.ok())
     return status;
   // The gaps that were bridged stay in the report.
-  for (const BoundaryLoop& loop : loops)
-    if (loop.type == LoopType::ScanGap)
-      report_.loops.push_back(loop);
+  report_.loops.insert(report_.loops.end(), bridged.begin(), bridged.end());
   return Status::success();
 }
 

@@ -7,6 +7,7 @@
 #include <pcl_spiral/common/stage_clock.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/surface_boundary.h>
+#include <pcl_spiral/features/surface_parts.h>
 #include <pcl_spiral/search/stray_removal.h>
 #include <pcl_spiral/toolpath/radial_line_builder.h>
 #include <pcl_spiral/toolpath/spiral_curve.h>
@@ -45,6 +46,8 @@ private:
   Status prepareSurface(std::vector<Eigen::Vector3f> points, std::vector<Eigen::Vector3f> normals);
   Status makeGraph(std::vector<Eigen::Vector3f> points, std::vector<Eigen::Vector3f> normals);
   Status keepLargestPart();
+  /** Build the graph anew of one of its parts, and of points that belong to none. */
+  Status keepPart(const SurfaceParts& parts, std::size_t part);
   Status checkScale();
   Status prepareBoundaries();
   /** Loops of the surface, while progress goes \p from one share \p to another. */
