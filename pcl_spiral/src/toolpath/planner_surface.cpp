@@ -178,8 +178,7 @@ SpiralPlanner::reportStrays(const BoundaryCounts& counts)
   if (strays_ > 0)
     message += textOf(strays_, strays_ == 1 ? " that stands alone" : " that stand alone");
   if (counts.left_out_points > 0)
-    message += textOf(strays_ > 0 ? ", " : "", counts.left_out_points, " in ", counts.left_out_parts,
-                      counts.left_out_parts == 1 ? " speck" : " specks");
+    message += textOf(strays_ > 0 ? ", " : "", counts.left_out_points, " in specks apart from it");
   report_.warnings.push_back(message);
 }
 

@@ -1,5 +1,6 @@
 #include <pcl_spiral/verify/reference_surface.h>
 
+#include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/frame.h>
 #include <pcl_spiral/features/surface_boundary.h>
 #include <pcl_spiral/search/stray_removal.h>
@@ -7,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <utility>
 
 namespace pcl_spiral {
@@ -32,16 +31,6 @@ stripOutside(const BoundaryLoop& loop, const MoveIndex& outline, const SurfaceGr
   return area;
 }
 
-template <typename... Parts>
-std::string
-text(const Parts&... parts)
-{
-  std::ostringstream stream;
-  stream << std::setprecision(3);
-  (stream << ... << parts);
-  return stream.str();
-}
-
 } // namespace
 
 Status
@@ -54,7 +43,7 @@ ReferenceSurface::build(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions
   surface_ = std::make_unique<MlsSurface>(graph_, 0, ProjectionMethod::RobustQuartic);
   warnings_.clear();
   if (strays_ > 0)
-    warnings_.push_back(text(strays_, " points of the reference stand alone off its surface and were left out"));
+    warnings_.push_back(textOf(strays_, " points of the reference stand alone off its surface and were left out"));
   if (!graph_.orientationIsClear() && !with_normals && !options.view_point)
     warnings_.push_back("the outer side of the reference could not be told from +z; the convex side was taken: give a "
                         "view point or flip the normals if the cutter comes from the other side");

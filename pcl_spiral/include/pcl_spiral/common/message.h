@@ -5,20 +5,29 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstdio>
+#include <iomanip>
 #include <sstream>
 #include <string>
+#include <type_traits>
 
 namespace pcl_spiral {
 
-/** The parts one after the other, numbers of four digits where they are no whole ones. */
+/** The parts one after the other, real numbers to four digits, whole ones and those beyond 10,000 to the last before the
+ *  point. */
 template <typename... Parts>
 std::string
 textOf(const Parts&... parts)
 {
   std::ostringstream stream;
-  stream.precision(4);
-  (stream << ... << parts);
+  const auto put = [&stream](const auto& part) {
+    if constexpr (std::is_floating_point_v<std::decay_t<decltype(part)>>)
+      stream << std::setprecision(std::abs(part) < 1e4 ? 4 : 9) << (std::abs(part) < 1e4 ? part : std::round(part));
+    else
+      stream << part;
+  };
+  (put(parts), ...);
   return stream.str();
 }
 
