@@ -18,7 +18,7 @@ level() { # FOLDER -> its height; a folder includes its own height and below
     features | surface) echo 2 ;;
     geodesic) echo 3 ;;
     toolpath | mesh) echo 4 ;;
-    verify) echo 5 ;;
+    verify | machine) echo 5 ;;
     io | visualization) echo 6 ;;
     *) echo unknown ;;
   esac

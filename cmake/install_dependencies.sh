@@ -5,7 +5,7 @@ set -euo pipefail
 
 build=(g++ cmake ninja-build ccache libpcl-dev libvtk9-dev libx11-dev libeigen3-dev libboost-dev
   libboost-program-options-dev nlohmann-json3-dev libyaml-cpp-dev)
-test=(libgtest-dev pkg-config)
+test=(libgtest-dev pkg-config linuxcnc-uspace) # linuxcnc: its interpreter rs274 runs our programs
 display=(xvfb xauth libgl1-mesa-dri) # pictures where there is no screen
 benchmark=(libbenchmark-dev)
 fuzz=(clang libclang-rt-14-dev) # libFuzzer; no test needs it

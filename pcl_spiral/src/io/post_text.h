@@ -1,0 +1,60 @@
+/** \file
+ *  What the writers of control programs share.
+ */
+#pragma once
+
+#include "byte_file.h"
+
+#include <pcl_spiral/machine/machine_program.h>
+
+#include <string>
+#include <string_view>
+
+namespace pcl_spiral {
+
+/** A program as text, built up word by word; numbers do not depend on the locale. */
+class PostText {
+public:
+  PostText(const std::string& file, int decimals) : file_(file), decimals_(decimals) {}
+
+  /** A word: \p letters and the number after them, to the program's decimals, parted from the last by a space. */
+  void word(std::string_view letters, double value);
+  /** The same to \p decimals, with a sign always where \p signs. */
+  void word(std::string_view letters, double value, int decimals, bool signs = false);
+  /** Text as it is. */
+  void
+  text(std::string_view text)
+  {
+    bytes_ += text;
+  }
+  void endLine(std::string_view end = "\n");
+  /** \throw FileError */
+  void close();
+
+private:
+  ByteFile file_;
+  int decimals_;
+  std::string bytes_;
+  bool at_start_ = true;
+};
+
+/** \p title with what could end a comment or is no plain character turned to spaces. */
+std::string commentText(const std::string& title);
+
+/** A line or two that name the machine and how it is driven. */
+std::string machineText(const MachineProgram& program);
+
+/** \throw FileError for a program without blocks */
+void requireBlocks(const std::string& file, const MachineProgram& program);
+
+/** X, Y, Z as the control takes them. */
+inline const Eigen::Vector3d&
+positionOf(const MachineProgram& program, const ProgramBlock& block)
+{
+  return program.machine.rtcp ? block.tip : block.machine;
+}
+
+/** Radians to degrees. */
+constexpr double in_degrees = 180.0 / 3.14159265358979323846;
+
+} // namespace pcl_spiral

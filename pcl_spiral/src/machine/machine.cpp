@@ -1,0 +1,72 @@
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/machine/machine.h>
+
+#include <Eigen/Geometry>
+
+namespace pcl_spiral {
+namespace {
+
+Status
+fault(const Machine& machine, const std::string& what)
+{
+  return {StatusCode::InvalidArgument, (machine.name.empty() ? std::string("machine") : machine.name) + ": " + what};
+}
+
+std::string
+rangeFault(const std::string& axis, const AxisRange& range)
+{
+  if (!(range.lower < range.upper))
+    return textOf("the lower limit of ", axis, " is not below the upper one; give limits: [lower, upper]");
+  if (!(range.largest_rate > 0.0))
+    return textOf("the largest rate of ", axis, " is ", range.largest_rate, "; it must be above 0");
+  return {};
+}
+
+std::string
+rotaryFault(const RotaryAxis& axis)
+{
+  if (axis.letter != 'A' && axis.letter != 'B' && axis.letter != 'C')
+    return textOf("a rotary axis is called ", axis.letter, "; A, B and C are known");
+  if (!axis.direction.allFinite() || !(axis.direction.norm() > 1e-9))
+    return textOf("the direction of ", axis.letter, " is ", placeText(axis.direction), "; give one such as [1, 0, 0]");
+  if (!axis.point.allFinite())
+    return textOf("the point of ", axis.letter, " is not finite; give one such as [0, 0, 0]");
+  if (!std::isfinite(axis.range.largest_rate))
+    return textOf("no largest rate of ", axis.letter, " is given; give max_rpm, such as 20");
+  if (!(axis.home >= axis.range.lower && axis.home <= axis.range.upper))
+    return textOf("home of ", axis.letter, " lies beyond its limits; give a place within them");
+  return rangeFault(std::string(1, axis.letter), axis.range);
+}
+
+} // namespace
+
+Status
+checkMachine(const Machine& machine)
+{
+  for (int i = 0; i < 3; ++i)
+    if (const std::string what = rangeFault(std::string(1, "XYZ"[i]), machine.linear[i]); !what.empty())
+      return fault(machine, what);
+  for (const RotaryAxis& axis : machine.rotary)
+    if (const std::string what = rotaryFault(axis); !what.empty())
+      return fault(machine, what);
+  const auto& [first, second] = machine.rotary;
+  if (first.letter == second.letter)
+    return fault(machine, textOf("both rotary axes are called ", first.letter, "; give each its own letter"));
+  if (first.mount == RotaryMount::Head && second.mount == RotaryMount::Table)
+    return fault(machine, textOf("the table ", second.letter, " stands behind the head ", first.letter,
+                                 "; list rotary axes in the order from the workpiece to the tool, tables first"));
+  if (!(first.direction.normalized().cross(second.direction.normalized()).norm() > 1e-3))
+    return fault(machine, textOf(first.letter, " and ", second.letter,
+                                 " turn about the same direction; two that differ are needed to tilt a tool"));
+  if (!(second.direction.normalized().cross(Eigen::Vector3d::UnitZ()).norm() > 1e-3))
+    return fault(machine, textOf(second.letter, ", the axis nearer to the tool, turns about the tool itself; list rotary "
+                                 "axes in the order from the workpiece to the tool"));
+  if (!machine.work_zero.allFinite() || !(machine.tool_length >= 0.0) || !std::isfinite(machine.tool_length))
+    return fault(machine, textOf("work_zero ", placeText(machine.work_zero), " and tool_length ", machine.tool_length,
+                                 " must be finite, the length not below 0"));
+  if (!(machine.path_tolerance >= 0.0) || !std::isfinite(machine.path_tolerance))
+    return fault(machine, textOf("path_tolerance is ", machine.path_tolerance, "; it must be 0 mm or above"));
+  return Status::success();
+}
+
+} // namespace pcl_spiral

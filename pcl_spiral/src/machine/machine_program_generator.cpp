@@ -1,0 +1,191 @@
+#include "block_times.h"
+#include "limit_check.h"
+#include "tool_leads.h"
+#include "turn_passes.h"
+
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/machine/machine_program_generator.h>
+
+#include <pcl/console/print.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double radians = 3.14159265358979323846 / 180.0;
+
+/** The direction, fixed in the workpiece, that the tool stands along at the pole. */
+Eigen::Vector3d
+upOf(const Machine& machine)
+{
+  const Eigen::Vector3d& d = machine.rotary[0].direction;
+  return std::abs(d.z()) > 0.5 ? Eigen::Vector3d(std::copysign(1.0, d.z()) * d) : Eigen::Vector3d::UnitZ();
+}
+
+/** The direction of travel at location \p i of a pass; zero where there is none. */
+Eigen::Vector3d
+travelAt(const MachineLocations& path, std::size_t i, bool ahead)
+{
+  const std::size_t to = ahead ? std::min(i + 1, path.size() - 1) : i, from = ahead ? i : i == 0 ? 0 : i - 1;
+  const Eigen::Vector3d way = path[to].pose.contact - path[from].pose.contact;
+  return way.norm() > 0.0 ? Eigen::Vector3d(way.normalized()) : way;
+}
+
+bool
+stands(const ProgramBlock& a, const ProgramBlock& b)
+{
+  return (a.tip - b.tip).norm() < 1e-9 && std::abs(a.angles.first - b.angles.first) < 1e-12 &&
+         std::abs(a.angles.second - b.angles.second) < 1e-12;
+}
+
+void
+addPass(const Kinematics& kinematics, const ToolLeads& leads, const MachineLocations& path, const TurnPass& pass,
+        std::vector<ProgramBlock>& blocks)
+{
+  const auto located = [&](std::size_t i) {
+    MachineLocation location = path[i];
+    location.angles.first += pass.shift;
+    return location;
+  };
+  const std::vector<ProgramBlock> entry = leads.entry(located(pass.first), travelAt(path, pass.first, true));
+  const bool at_top = !blocks.empty();
+  if (at_top) {
+    const std::vector<ProgramBlock> turn = leads.unwinding(blocks.back(), entry.front().angles.first);
+    blocks.insert(blocks.end(), turn.begin(), turn.end());
+  }
+  blocks.insert(blocks.end(), entry.begin(), entry.end());
+  for (std::size_t i = pass.first + 1; i <= pass.last; ++i) {
+    const MachineLocation at = located(i);
+    blocks.push_back(blockTo(kinematics, at.pose.tip, at.angles, at.arc_length, BlockSection::Cut, false));
+  }
+  const std::vector<ProgramBlock> exit = leads.exit(located(pass.last), travelAt(path, pass.last, false));
+  blocks.insert(blocks.end(), exit.begin(), exit.end());
+}
+
+void
+reportAngles(MachineProgram& program)
+{
+  ProgramReport& report = program.report;
+  bool begun = false;
+  for (std::size_t i = 1; i < program.blocks.size(); ++i) {
+    const ProgramBlock& block = program.blocks[i];
+    const RotaryAngles &to = block.angles, &from = program.blocks[i - 1].angles;
+    report.largest_turn = std::max({report.largest_turn, std::abs(to.first - from.first), std::abs(to.second - from.second)});
+    if (block.section != BlockSection::Cut)
+      continue;
+    ++report.cut_blocks;
+    report.first_travel += std::abs(to.first - from.first);
+    const auto widen = [begun](double& lowest, double& highest, double value) {
+      lowest = begun ? std::min(lowest, value) : value;
+      highest = begun ? std::max(highest, value) : value;
+    };
+    widen(report.lowest_first, report.highest_first, to.first);
+    widen(report.lowest_second, report.highest_second, to.second);
+    begun = true;
+  }
+}
+
+} // namespace
+
+void
+MachineProgramGenerator::setInputPath(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius)
+{
+  settings_.ball_radius = ball_radius;
+  poses_.clear();
+  poses_.reserve(path.size());
+  for (const ToolpathPoint& point : path) {
+    ToolPose pose;
+    pose.contact = point.getVector3fMap().cast<double>();
+    pose.normal = point.getNormalVector3fMap().cast<double>().normalized();
+    pose.axis = point.getAxisVector3fMap().cast<double>().normalized();
+    pose.tip = pose.contact + ball_radius * (pose.normal - pose.axis);
+    poses_.push_back(pose);
+  }
+}
+
+Status
+MachineProgramGenerator::check() const
+{
+  if (const Status status = checkMachine(machine_); !status.ok())
+    return status;
+  const ProgramSettings& s = settings_;
+  const auto require = [](bool holds, const char* what, double value, const char* rule) {
+    return holds ? std::string() : textOf("the ", what, " is ", value, "; ", rule);
+  };
+  for (const std::string& fault :
+       {require(s.feed > 0.0 && std::isfinite(s.feed), "feed", s.feed, "it must be above 0 mm/min"),
+        require(s.ball_radius >= 0.0 && std::isfinite(s.ball_radius), "ball radius", s.ball_radius, "it must not be below 0 mm"),
+        require(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole cone", s.pole_cone, "it must lie between 0 and 90 degrees"),
+        require(s.block.tip > 0.0 && s.block.axis > 0.0, "block tolerance", std::min(s.block.tip, s.block.axis),
+                "it must be above 0"),
+        require(s.thinning.tip >= 0.0 && s.thinning.axis >= 0.0, "thinning tolerance",
+                std::min(s.thinning.tip, s.thinning.axis), "it must not be below 0"),
+        require(s.lead_length > 0.0 && std::isfinite(s.lead_length), "lead length", s.lead_length, "it must be above 0 mm"),
+        require(s.clearance > 0.0 && std::isfinite(s.clearance), "clearance", s.clearance, "it must be above 0 mm"),
+        require(s.rapid_height > 0.0 && std::isfinite(s.rapid_height), "rapid height", s.rapid_height, "it must be above 0 mm")})
+    if (!fault.empty())
+      return {StatusCode::InvalidArgument, fault};
+  return Status::success();
+}
+
+Status
+MachineProgramGenerator::computeProgram(MachineProgram& program) const
+{
+  if (const Status status = check(); !status.ok())
+    return status;
+  const Kinematics kinematics(machine_);
+  program.machine = kinematics.machine();
+  program.feed = settings_.feed;
+  RotaryPath rotary;
+  if (const Status status = rotaryPath(kinematics, poses_,
+                                       {settings_.feed, settings_.ball_radius, settings_.pole_cone * radians}, rotary);
+      !status.ok())
+    return status;
+  const MachineLocations split = splitBlocks(kinematics, rotary.branch, rotary.locations, settings_.block);
+  const MachineLocations path = thinnedBlocks(kinematics, split, settings_.thinning);
+  program.report.branch = rotary.branch;
+  program.report.poles = rotary.poles;
+  program.report.split_blocks = split.size() - poses_.size();
+  program.report.thinned_poses = split.size() - path.size();
+
+  std::size_t failed = 0;
+  const RotaryAxis& first = kinematics.machine().rotary[0];
+  const std::vector<TurnPass> passes = turnPasses(path, first, failed);
+  if (passes.empty())
+    return {StatusCode::Failed,
+            textOf("at ", path[failed].arc_length, " mm of the path ", first.letter, " stands at ",
+                   path[failed].angles.first / radians, " degrees or whole turns from it, and cannot go on within its limits of ",
+                   first.range.lower / radians, " to ", first.range.upper / radians,
+                   " degrees; turn the part, or use a machine whose ", first.letter, " turns further")};
+  const Eigen::Vector3d up = upOf(kinematics.machine());
+  double top = path.front().pose.tip.dot(up);
+  for (const MachineLocation& location : path)
+    top = std::max(top, location.pose.tip.dot(up));
+  const ToolLeads leads(kinematics, settings_, up, top + settings_.rapid_height);
+  for (const TurnPass& pass : passes) {
+    if (!program.blocks.empty())
+      program.report.unwound_at.push_back(path[pass.first].arc_length);
+    addPass(kinematics, leads, path, pass, program.blocks);
+  }
+  program.blocks.erase(std::unique(program.blocks.begin(), program.blocks.end(), stands), program.blocks.end());
+  setBlockTimes(kinematics, settings_.feed, program);
+  reportAngles(program);
+  return checkLimits(kinematics, program.blocks);
+}
+
+void
+MachineProgramGenerator::compute(MachineProgram& program)
+{
+  program = MachineProgram();
+  status_ = computeProgram(program);
+  if (status_.ok())
+    return;
+  program = MachineProgram();
+  PCL_ERROR("[pcl_spiral::MachineProgramGenerator::compute] %s.\n", status_.message().c_str());
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,40 @@
+/** \file
+ *  How the tool comes to a path and leaves it.
+ */
+#pragma once
+
+#include <pcl_spiral/machine/machine_program_generator.h>
+
+namespace pcl_spiral {
+
+/** Blocks before and after a run of cutting, at the angles of its end. */
+class ToolLeads {
+public:
+  /** \p top: height over the workpiece's zero along \p up that is clear of everything. */
+  ToolLeads(const Kinematics& kinematics, const ProgramSettings& settings, const Eigen::Vector3d& up, double top)
+      : kinematics_(kinematics), settings_(settings), up_(up), top_(top)
+  {
+  }
+
+  /** From the top down to the path at \p at, which goes on along \p travel; the blocks end there. */
+  std::vector<ProgramBlock> entry(const MachineLocation& at, const Eigen::Vector3d& travel) const;
+  /** From the path at \p at, which came along \p travel, up to the top. */
+  std::vector<ProgramBlock> exit(const MachineLocation& at, const Eigen::Vector3d& travel) const;
+  /** At the top over \p at, in steps, until the first angle is \p to. */
+  std::vector<ProgramBlock> unwinding(const ProgramBlock& at, double to) const;
+
+private:
+  std::vector<Eigen::Vector3d> leadTips(const MachineLocation& at, const Eigen::Vector3d& inward) const;
+  std::vector<Eigen::Vector3d> climb(const Eigen::Vector3d& from, const Eigen::Vector3d& axis) const;
+
+  const Kinematics& kinematics_;
+  const ProgramSettings& settings_;
+  Eigen::Vector3d up_;
+  double top_;
+};
+
+/** The block to \p tip at \p angles. */
+ProgramBlock blockTo(const Kinematics& kinematics, const Eigen::Vector3d& tip, const RotaryAngles& angles, double arc_length,
+                     BlockSection section, bool rapid);
+
+} // namespace pcl_spiral

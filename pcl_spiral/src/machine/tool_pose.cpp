@@ -1,0 +1,33 @@
+#include <pcl_spiral/machine/tool_pose.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace pcl_spiral {
+
+double
+angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return 2.0 * std::atan2((a - b).norm(), (a + b).norm()); // Kahan
+}
+
+Eigen::Vector3d
+arcBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double t)
+{
+  const double angle = angleBetween(a, b), sine = std::sin(angle);
+  if (angle < 1e-6)
+    return (a + t * (b - a)).normalized();
+  if (sine < 1e-9)
+    return a;
+  return ((std::sin((1.0 - t) * angle) * a + std::sin(t * angle) * b) / sine).normalized();
+}
+
+ToolPose
+between(const ToolPose& a, const ToolPose& b, double t)
+{
+  return {a.tip + t * (b.tip - a.tip), arcBetween(a.axis, b.axis, t), a.contact + t * (b.contact - a.contact),
+          arcBetween(a.normal, b.normal, t)};
+}
+
+} // namespace pcl_spiral

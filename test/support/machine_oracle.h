@@ -1,0 +1,63 @@
+/** \file
+ *  Forward kinematics of five-axis machines, written apart from the library's: chains of 4x4 matrices from the frame of the
+ *  workpiece to that of the tool.
+ */
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <string>
+#include <vector>
+
+namespace pcl_spiral::test {
+
+/** One joint of a chain, at its place when every joint is at zero. */
+struct ChainRotary {
+  char letter;
+  bool table;
+  Eigen::Vector3d direction, point;
+};
+
+/** A machine as its maker would draw it. Table joints from the work outward, head joints from the slides to the tool. */
+struct MachineChain {
+  std::vector<ChainRotary> rotary; ///< from the work to the tool
+  Eigen::Vector3d work_zero = Eigen::Vector3d::Zero();
+  double tool_length = 0.0;
+};
+
+/** X Y Z in mm and angles in degrees. */
+struct AxisValues {
+  Eigen::Vector3d xyz = Eigen::Vector3d::Zero();
+  double first = 0.0, second = 0.0;
+};
+
+struct TipAndAxis {
+  Eigen::Vector3d tip, axis;
+};
+
+/** Where the tool is in the frame of the work for programmed machine coordinates: X Y Z count from the work's zero and include the tool length. */
+inline TipAndAxis
+forward(const MachineChain& chain, const AxisValues& at)
+{
+  using Pose = Eigen::Isometry3d;
+  const auto about = [](const ChainRotary& joint, double degrees) {
+    return Pose(Eigen::Translation3d(joint.point) * Eigen::AngleAxisd(degrees * M_PI / 180.0, joint.direction.normalized()) *
+                Eigen::Translation3d(-joint.point));
+  };
+  const double angles[2] = {at.first, at.second};
+  Pose work(Eigen::Translation3d(Eigen::Vector3d::Zero())); // machine <- table with the work on it
+  for (int i = 1; i >= 0; --i)
+    if (chain.rotary[i].table)
+      work = work * about(chain.rotary[i], angles[i]);
+  work = work * Eigen::Translation3d(chain.work_zero);
+  const Eigen::Vector3d length(0.0, 0.0, chain.tool_length);
+  Pose tool(Eigen::Translation3d(at.xyz + chain.work_zero + length)); // machine <- gauge point
+  for (int i = 0; i < 2; ++i)
+    if (!chain.rotary[i].table)
+      tool = tool * about(chain.rotary[i], angles[i]);
+  tool = tool * Eigen::Translation3d(-length);
+  const Pose both = work.inverse() * tool;
+  return {both.translation(), both.linear().col(2)};
+}
+
+} // namespace pcl_spiral::test

@@ -1,0 +1,144 @@
+// LinuxCNC programs: run by its own interpreter, and the canonical motions compared with the path.
+#include <pcl_spiral/io/program_writer.h>
+#include <pcl_spiral/machine/machine_program_generator.h>
+
+#include "support/dome_spiral.h"
+#include "support/scratch_folder.h"
+#include "support/test_machines.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <sstream>
+
+using namespace pcl_spiral;
+using namespace pcl_spiral::test;
+
+namespace {
+
+struct CanonicalMotion {
+  bool rapid;
+  std::array<double, 6> xyzabc;
+  double feed; ///< as the interpreter would have the speed, mm/min
+};
+
+struct CanonicalRun {
+  int code;
+  std::string messages;
+  std::vector<CanonicalMotion> motions;
+};
+
+/** Runs the interpreter; motions in order. */
+CanonicalRun
+interpret(const std::string& program, const ScratchFolder& folder)
+{
+  if (std::system("command -v rs274 >/dev/null") != 0)
+    return {-1, "LinuxCNC's rs274 is missing; run cmake/install_dependencies.sh test", {}};
+  const std::string out = folder.path("canon.txt"), err = folder.path("messages.txt");
+  CanonicalRun run;
+  run.code = std::system(("rs274 -g '" + program + "' '" + out + "' 2>'" + err + "'").c_str());
+  std::istringstream messages(readText(err));
+  for (std::string line; std::getline(messages, line);)
+    if (line.find("executing") == std::string::npos)
+      run.messages += line + '\n';
+  std::istringstream lines(readText(out));
+  double feed = 0.0;
+  for (std::string line; std::getline(lines, line);) {
+    const auto numbers = [&line](const std::string& name, int count) {
+      std::vector<double> values;
+      const std::size_t at = line.find(name + "(");
+      if (at == std::string::npos)
+        return values;
+      std::istringstream words(line.substr(at + name.size() + 1));
+      for (double value; static_cast<int>(values.size()) < count && words >> value; words.ignore(1))
+        values.push_back(value);
+      return values;
+    };
+    if (const auto rate = numbers("SET_FEED_RATE", 1); !rate.empty())
+      feed = rate[0];
+    for (const bool rapid : {true, false})
+      if (const auto v = numbers(rapid ? "STRAIGHT_TRAVERSE" : "STRAIGHT_FEED", 6); v.size() == 6)
+        run.motions.push_back({rapid, {v[0], v[1], v[2], v[3], v[4], v[5]}, feed});
+  }
+  return run;
+}
+
+double
+word(const Machine& machine, const CanonicalMotion& motion, int rotary)
+{
+  return motion.xyzabc[3 + (machine.rotary[rotary].letter - 'A')];
+}
+
+/** Tip and axis of the motion through kinematics of this test's own. */
+TipAndAxis
+where(const Machine& machine, const CanonicalMotion& motion)
+{
+  AxisValues values{{motion.xyzabc[0], motion.xyzabc[1], motion.xyzabc[2]}, word(machine, motion, 0), word(machine, motion, 1)};
+  TipAndAxis found = forward(chainOf(machine), values);
+  if (machine.rtcp)
+    found.tip = values.xyz;
+  return found;
+}
+
+void
+expectPath(const Machine& machine, const CanonicalRun& run, const MachineProgram& program, const ToolPoses& poses)
+{
+  std::size_t at = 0, poles_end = program.report.poles.empty() ? 0 : program.report.poles.back().last_pose + 1;
+  std::vector<const CanonicalMotion*> cuts;
+  for (const CanonicalMotion& motion : run.motions)
+    if (!motion.rapid)
+      cuts.push_back(&motion);
+  double tip = 0.0, axis = 0.0;
+  for (std::size_t i = poles_end; i < poses.size(); ++i) { // every pose is passed, in order
+    while (at < cuts.size()) {
+      const TipAndAxis found = where(machine, *cuts[at]);
+      const double off = (found.tip - poses[i].tip).norm(), angle = angleBetween(found.axis, poses[i].axis) * 180.0 / M_PI;
+      if (off < 1e-3 && angle < 1e-3) {
+        tip = std::max(tip, off);
+        axis = std::max(axis, angle);
+        break;
+      }
+      ++at;
+    }
+    ASSERT_LT(at, cuts.size()) << machine.name << ": pose " << i << " is not on the program's way";
+  }
+  std::printf("%s: %zu motions, tip within %.2g mm, axis within %.2g degrees\n", machine.name.c_str(), run.motions.size(), tip, axis);
+}
+
+} // namespace
+
+TEST(LinuxCNC, DomeSpiralOfHundredTurnsRuns)
+{
+  const ScratchFolder folder;
+  const ToolPoses poses = domeSpiral(400.0, 2.0, 105, 90, 8.0, 15.0);
+  for (Machine machine : testMachines())
+    for (const bool rtcp : {true, false}) {
+      if (!rtcp && machine.name != "xyzac table table")
+        continue; // four times the blocks
+      machine.rtcp = rtcp;
+      MachineProgramGenerator generator;
+      generator.setMachine(machine);
+      generator.setInputPoses(poses);
+      ProgramSettings settings;
+      settings.ball_radius = 8.0;
+      generator.setSettings(settings);
+      MachineProgram program;
+      generator.compute(program);
+      ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+      const std::string file = folder.path("dome.ngc");
+      writeLinuxCNC(file, program, {"dome (spiral)", 0.0, 0, 4});
+      const CanonicalRun run = interpret(file, folder);
+      EXPECT_EQ(run.code, 0);
+      EXPECT_EQ(run.messages, "");
+      expectPath(machine, run, program, poses);
+      double lowest = 0.0, highest = 0.0, largest = 0.0;
+      for (std::size_t i = 1; i < run.motions.size(); ++i) {
+        const double c = word(machine, run.motions[i], 0);
+        lowest = std::min(lowest, c);
+        highest = std::max(highest, c);
+        largest = std::max(largest, std::abs(c - word(machine, run.motions[i - 1], 0)));
+      }
+      EXPECT_GT(highest - lowest, 103.0 * 360.0) << "unwound, never folded";
+      EXPECT_LT(largest, 180.0);
+    }
+}
