@@ -1,0 +1,194 @@
+#include <pcl_spiral/core/cutter_profile.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+constexpr double rounding = 1e-9;        // of R: a flat smaller than this, either way, is none
+constexpr double angle_rounding = 1e-6;  // radians: axes and normals often come in single precision
+constexpr double steepest_angle = 89.9;  // degrees, of a flank
+constexpr double largest_radius = 1e6;   // mm
+
+std::string
+said(const std::string& what, double value, const std::string& remedy)
+{
+  std::ostringstream text;
+  text.precision(6);
+  text << what << ' ' << value << remedy;
+  return text.str();
+}
+
+double
+flankRadiusOf(const CutterShape& s)
+{
+  return s.radius - s.flank_length * std::sin(s.flank_angle * degree);
+}
+
+double
+flatRadiusOf(const CutterShape& s)
+{
+  return flankRadiusOf(s) - s.corner_radius * std::cos(s.flank_angle * degree);
+}
+
+} // namespace
+
+CutterShape
+CutterShape::ball(double radius, double flank_length)
+{
+  return {radius, radius, flank_length, 0.0};
+}
+
+CutterShape
+CutterShape::flatEnd(double radius, double flank_length)
+{
+  return {radius, 0.0, flank_length, 0.0};
+}
+
+CutterShape
+CutterShape::bullNose(double radius, double corner_radius, double flank_length)
+{
+  return {radius, corner_radius, flank_length, 0.0};
+}
+
+CutterShape
+CutterShape::taper(double radius, double flank_length, double flank_angle)
+{
+  return {radius, 0.0, flank_length, flank_angle};
+}
+
+CutterShape
+CutterShape::taperedBall(double radius, double flank_length, double flank_angle)
+{
+  const CutterShape cone{radius, 0.0, flank_length, flank_angle};
+  return {radius, flankRadiusOf(cone) / std::cos(flank_angle * degree), flank_length, flank_angle};
+}
+
+CutterShape
+CutterShape::taperedBullNose(double radius, double corner_radius, double flank_length, double flank_angle)
+{
+  return {radius, corner_radius, flank_length, flank_angle};
+}
+
+std::string
+faultOf(const CutterShape& s)
+{
+  if (!(s.radius > 0.0) || !(s.radius <= largest_radius))
+    return said("the cutter's radius is", s.radius, " mm; set it above 0");
+  if (!(s.flank_angle >= 0.0) || !(s.flank_angle <= steepest_angle))
+    return said("the cutter's flank angle is", s.flank_angle, " degrees; set it between 0 and 89.9");
+  if (!(s.flank_length >= 0.0) || !(s.flank_length <= largest_radius))
+    return said("the cutter's flank length is", s.flank_length, " mm; set it to 0 or more");
+  const double sine = std::sin(s.flank_angle * degree), cosine = std::cos(s.flank_angle * degree);
+  if (flankRadiusOf(s) < -rounding * s.radius)
+    return said("the flank meets the axis before its lower end: its length is", s.flank_length, " mm") +
+           said("; set it to", s.radius / sine, " mm or less, or the flank angle or radius otherwise");
+  if (!(s.corner_radius >= 0.0) || !(s.corner_radius <= largest_radius))
+    return said("the cutter's corner radius is", s.corner_radius,
+                " mm; set it to 0 or more (a tapered ball needs R > L sin alpha)");
+  if (flatRadiusOf(s) < -rounding * s.radius)
+    return said("the corner reaches across the axis: its radius is", s.corner_radius, " mm") +
+           said("; set it to", std::max(0.0, flankRadiusOf(s) / cosine), " mm (a ball end) or less");
+  return std::string();
+}
+
+CutterProfile::CutterProfile(const CutterShape& shape) : shape_(shape)
+{
+  if (const std::string fault = faultOf(shape); !fault.empty())
+    throw std::invalid_argument("CutterProfile: " + fault);
+  flank_angle_ = shape.flank_angle * degree;
+  sin_angle_ = std::sin(flank_angle_);
+  cos_angle_ = std::cos(flank_angle_);
+  flank_radius_ = std::max(0.0, flankRadiusOf(shape));
+  flat_radius_ = flatRadiusOf(shape);
+  if (flat_radius_ < rounding * shape.radius)
+    flat_radius_ = 0.0;
+  if (flank_angle_ == 0.0)
+    flank_radius_ = shape.radius;
+  corner_height_ = shape.corner_radius * (1.0 - sin_angle_);
+  top_height_ = corner_height_ + shape.flank_length * cos_angle_;
+}
+
+double
+CutterProfile::height(double l) const
+{
+  if (l <= flat_radius_)
+    return 0.0;
+  if (l < flank_radius_) {
+    const double r = shape_.corner_radius, d = std::min(l - flat_radius_, r * cos_angle_);
+    return d * d / (r + std::sqrt(r * r - d * d)); // r - sqrt(r^2 - d^2) without loss of digits
+  }
+  if (l == flank_radius_)
+    return corner_height_;
+  if (l <= shape_.radius)
+    return corner_height_ + (l - flank_radius_) * cos_angle_ / sin_angle_;
+  return std::numeric_limits<double>::infinity();
+}
+
+double
+CutterProfile::radiusAt(double height) const
+{
+  if (height < 0.0)
+    return 0.0;
+  if (height < corner_height_)
+    return std::min(flank_radius_, flat_radius_ + std::sqrt(height * (2.0 * shape_.corner_radius - height)));
+  if (height < top_height_)
+    return flank_radius_ + (height - corner_height_) * sin_angle_ / cos_angle_;
+  return shape_.radius;
+}
+
+Eigen::Vector2d
+CutterProfile::normal(double l) const
+{
+  if (l <= flat_radius_ && flat_radius_ > 0.0)
+    return {0.0, -1.0};
+  if (l <= flank_radius_ && shape_.corner_radius > 0.0) {
+    const double sine = std::min((l - flat_radius_) / shape_.corner_radius, cos_angle_);
+    return {sine, -std::sqrt(1.0 - sine * sine)};
+  }
+  return {cos_angle_, -sin_angle_};
+}
+
+CutterContact
+CutterProfile::locate(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, const Eigen::Vector3d& axis) const
+{
+  const Eigen::Vector3d across = normal - normal.dot(axis) * axis;
+  const double sine = across.norm(), cosine = normal.dot(axis);
+  const double lean = std::atan2(sine, cosine), steepest = 0.5 * M_PI - flank_angle_;
+  CutterContact contact;
+  contact.touches = lean <= steepest + angle_rounding;
+  if (!contact.touches) {
+    contact.part = CutterPart::Flank;
+    contact.distance = shape_.radius;
+    contact.height = top_height_;
+    contact.excess_angle = (lean - steepest) / degree;
+  }
+  else if (shape_.flank_length > 0.0 && lean >= steepest - angle_rounding) {
+    contact.part = CutterPart::Flank;
+    contact.distance = flank_radius_;
+    contact.height = corner_height_;
+    contact.unique = false;
+  }
+  else if (sine <= angle_rounding && flat_radius_ > 0.0) {
+    contact.part = CutterPart::Flat;
+    contact.unique = false;
+  }
+  else {
+    const double clamped = std::min(lean, steepest);
+    contact.distance = flat_radius_ + shape_.corner_radius * std::sin(clamped);
+    const double half = std::sin(0.5 * clamped);
+    contact.height = 2.0 * shape_.corner_radius * half * half;
+  }
+  const Eigen::Vector3d outward = sine > 0.0 ? Eigen::Vector3d(across / sine) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  contact.tip = point + contact.distance * outward - contact.height * axis;
+  return contact;
+}
+
+} // namespace pcl_spiral
