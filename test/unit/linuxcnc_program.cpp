@@ -116,6 +116,7 @@ TEST(LinuxCNC, DomeSpiralOfHundredTurnsRuns)
       if (!rtcp && machine.name != "xyzac table table")
         continue; // four times the blocks
       machine.rtcp = rtcp;
+      machine.retract_z = 900.0;
       MachineProgramGenerator generator;
       generator.setMachine(machine);
       generator.setInputPoses(poses);
@@ -126,7 +127,7 @@ TEST(LinuxCNC, DomeSpiralOfHundredTurnsRuns)
       generator.compute(program);
       ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
       const std::string file = folder.path("dome.ngc");
-      writeLinuxCNC(file, program, {"dome (spiral)", 0.0, 0, 4});
+      writeLinuxCNC(file, program, {"dome (spiral)", 12000.0, 0, 4});
       const CanonicalRun run = interpret(file, folder);
       EXPECT_EQ(run.code, 0);
       EXPECT_EQ(run.messages, "");

@@ -1,20 +1,7 @@
 #include "post_text.h"
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/io/program_writer.h>
-
 namespace pcl_spiral {
 namespace {
-
-void
-writeAngles(PostText& out, const MachineProgram& program, const ProgramBlock& block)
-{
-  const auto& rotary = program.machine.rotary;
-  const bool swap = rotary[0].letter > rotary[1].letter; // A before C
-  const double values[2] = {block.angles.first * in_degrees, block.angles.second * in_degrees};
-  for (int i : {swap ? 1 : 0, swap ? 0 : 1})
-    out.word(std::string_view(&rotary[i].letter, 1), values[i]);
-}
 
 void
 writeRetract(PostText& out, const Machine& machine)
@@ -32,10 +19,7 @@ writeStart(PostText& out, const MachineProgram& program, const ProgramHeader& he
   out.text("G21 G90 G17 G40 G49 G80 G94\n");
   out.word("G64 P", program.machine.path_tolerance);
   out.endLine();
-  if (header.tool > 0)
-    out.text(textOf("T", header.tool, " M6\nG43\n"));
-  if (header.spindle_speed > 0.0)
-    out.text(textOf("S", header.spindle_speed, " M3\n"));
+  writeTool(out, header, "G43\n");
   writeRetract(out, program.machine);
   out.text("G0 ");
   writeAngles(out, program, program.blocks.front());
@@ -48,7 +32,7 @@ writeStart(PostText& out, const MachineProgram& program, const ProgramHeader& he
 void
 writeLinuxCNC(const std::string& file, const MachineProgram& program, const ProgramHeader& header)
 {
-  requireBlocks(file, program);
+  requireProgram(file, program, header);
   PostText out(file, header.decimals);
   writeStart(out, program, header);
   for (const ProgramBlock& block : program.blocks) {

@@ -22,15 +22,21 @@ PostText::word(std::string_view letters, double value)
 void
 PostText::word(std::string_view letters, double value, int decimals, bool signs)
 {
+  if (!at_start_)
+    bytes_ += ' ';
+  at_start_ = false;
+  bytes_ += letters;
+  number(value, decimals, signs);
+}
+
+void
+PostText::number(double value, int decimals, bool signs)
+{
   char digits[400]; // the largest double has 309 before the point
   const char* const end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, decimals).ptr;
   std::string_view number(digits, static_cast<std::size_t>(end - digits));
   if (number[0] == '-' && number.find_first_not_of("-0.") == std::string_view::npos)
     number.remove_prefix(1); // no sign on zero
-  if (!at_start_)
-    bytes_ += ' ';
-  at_start_ = false;
-  bytes_ += letters;
   if (signs && number[0] != '-')
     bytes_ += '+';
   bytes_ += number;
@@ -56,10 +62,50 @@ PostText::close()
 }
 
 void
-requireBlocks(const std::string& file, const MachineProgram& program)
+writeAngles(PostText& out, const MachineProgram& program, const ProgramBlock& block)
+{
+  const auto& rotary = program.machine.rotary;
+  const bool swap = rotary[0].letter > rotary[1].letter; // A before C
+  const double values[2] = {block.angles.first * in_degrees, block.angles.second * in_degrees};
+  for (int i : {swap ? 1 : 0, swap ? 0 : 1})
+    out.word(std::string_view(&rotary[i].letter, 1), values[i]);
+}
+
+void
+writeTool(PostText& out, const ProgramHeader& header, std::string_view after)
+{
+  if (header.tool > 0) {
+    out.text("T" + std::to_string(header.tool) + " M6\n");
+    out.text(after);
+  }
+  if (header.spindle_speed > 0.0) {
+    out.word("S", header.spindle_speed, 0);
+    out.endLine(" M3\n");
+  }
+}
+
+void
+writeVector(PostText& out, const std::array<std::string_view, 3>& letters, const Eigen::Vector3d& v, bool signs)
+{
+  for (int i = 0; i < 3; ++i)
+    out.word(letters[i], v[i], 8, signs);
+}
+
+void
+requireProgram(const std::string& file, const MachineProgram& program, const ProgramHeader& header)
 {
   if (program.blocks.empty())
     throw FileError(file, "not written: the program has no blocks");
+  if (header.decimals < 3 || header.decimals > 6)
+    throw FileError(file, textOf("not written: ", header.decimals, " decimals were asked for; 3 to 6 can be"));
+}
+
+void
+requireRTCP(const std::string& file, const MachineProgram& program, const std::string& language)
+{
+  if (!program.machine.rtcp)
+    throw FileError(file, "not written: " + language + " takes tips and tool axes, and the machine file says rtcp: false; " +
+                              "use linuxcnc or fanuc, or rtcp: true");
 }
 
 std::string

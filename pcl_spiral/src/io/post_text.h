@@ -5,8 +5,9 @@
 
 #include "byte_file.h"
 
-#include <pcl_spiral/machine/machine_program.h>
+#include <pcl_spiral/io/program_writer.h>
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,8 @@ public:
   void word(std::string_view letters, double value);
   /** The same to \p decimals, with a sign always where \p signs. */
   void word(std::string_view letters, double value, int decimals, bool signs = false);
+  /** A number alone, to \p decimals. */
+  void number(double value, int decimals, bool signs = false);
   /** Text as it is. */
   void
   text(std::string_view text)
@@ -44,8 +47,20 @@ std::string commentText(const std::string& title);
 /** A line or two that name the machine and how it is driven. */
 std::string machineText(const MachineProgram& program);
 
-/** \throw FileError for a program without blocks */
-void requireBlocks(const std::string& file, const MachineProgram& program);
+/** The words of the two rotary axes, in degrees and by their letters' order. */
+void writeAngles(PostText& out, const MachineProgram& program, const ProgramBlock& block);
+
+/** The tool's call with \p after on lines of its own, and the spindle's start; each where the header asks for it. */
+void writeTool(PostText& out, const ProgramHeader& header, std::string_view after = "");
+
+/** Three words of a vector, such as I J K, in 8 decimals. */
+void writeVector(PostText& out, const std::array<std::string_view, 3>& letters, const Eigen::Vector3d& v, bool signs = false);
+
+/** \throw FileError for a program without blocks, or a count of decimals out of range */
+void requireProgram(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
+
+/** \throw FileError where the machine has no RTCP, which \p language needs */
+void requireRTCP(const std::string& file, const MachineProgram& program, const std::string& language);
 
 /** X, Y, Z as the control takes them. */
 inline const Eigen::Vector3d&

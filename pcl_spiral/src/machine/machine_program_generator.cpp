@@ -60,7 +60,7 @@ addPass(const Kinematics& kinematics, const ToolLeads& leads, const MachineLocat
   blocks.insert(blocks.end(), entry.begin(), entry.end());
   for (std::size_t i = pass.first + 1; i <= pass.last; ++i) {
     const MachineLocation at = located(i);
-    blocks.push_back(blockTo(kinematics, at.pose.tip, at.angles, at.arc_length, BlockSection::Cut, false));
+    blocks.push_back(blockTo(kinematics, at.pose.tip, at, BlockSection::Cut, false));
   }
   const std::vector<ProgramBlock> exit = leads.exit(located(pass.last), travelAt(path, pass.last, false));
   blocks.insert(blocks.end(), exit.begin(), exit.end());

@@ -13,17 +13,17 @@ constexpr double quarter_turn = 1.57079632679489661923;
 } // namespace
 
 ProgramBlock
-blockTo(const Kinematics& kinematics, const Eigen::Vector3d& tip, const RotaryAngles& angles, double arc_length,
-        BlockSection section, bool rapid)
+blockTo(const Kinematics& kinematics, const Eigen::Vector3d& tip, const MachineLocation& at, BlockSection section, bool rapid)
 {
   ProgramBlock block;
   block.section = section;
   block.rapid = rapid;
   block.tip = tip;
-  block.axis = kinematics.toolAxis(angles);
-  block.machine = kinematics.programmed(tip, angles);
-  block.angles = angles;
-  block.arc_length = arc_length;
+  block.axis = kinematics.toolAxis(at.angles);
+  block.normal = at.pose.normal;
+  block.machine = kinematics.programmed(tip, at.angles);
+  block.angles = at.angles;
+  block.arc_length = at.arc_length;
   return block;
 }
 
@@ -63,7 +63,7 @@ ToolLeads::entry(const MachineLocation& at, const Eigen::Vector3d& travel) const
   const std::vector<Eigen::Vector3d> way = climb(lead.front(), kinematics_.toolAxis(at.angles));
   std::vector<ProgramBlock> blocks;
   const auto add = [&](const Eigen::Vector3d& tip, BlockSection section, bool rapid) {
-    blocks.push_back(blockTo(kinematics_, tip, at.angles, at.arc_length, section, rapid));
+    blocks.push_back(blockTo(kinematics_, tip, at, section, rapid));
   };
   add(way[2], BlockSection::Position, true);
   add(way[1], BlockSection::Approach, true);
@@ -80,7 +80,7 @@ ToolLeads::exit(const MachineLocation& at, const Eigen::Vector3d& travel) const
   const std::vector<Eigen::Vector3d> lead = leadTips(at, -travel);
   std::vector<ProgramBlock> blocks;
   const auto add = [&](const Eigen::Vector3d& tip, BlockSection section, bool rapid) {
-    blocks.push_back(blockTo(kinematics_, tip, at.angles, at.arc_length, section, rapid));
+    blocks.push_back(blockTo(kinematics_, tip, at, section, rapid));
   };
   for (std::size_t i = lead.size() - 1; i-- > 0;)
     add(lead[i], BlockSection::LeadOut, false);
@@ -100,11 +100,13 @@ ToolLeads::unwinding(const ProgramBlock& at, double to) const
   const double share = std::min(1.0, 0.25 * settings_.rapid_height / std::max(distance, 1e-9));
   const double step = kinematics_.machine().rtcp ? quarter_turn : std::min(quarter_turn, 2.0 * std::acos(1.0 - share));
   const int steps = static_cast<int>(std::ceil(std::abs(to - at.angles.first) / step));
+  MachineLocation turned;
+  turned.pose.normal = at.normal;
+  turned.arc_length = at.arc_length;
   std::vector<ProgramBlock> blocks;
   for (int i = 1; i <= steps; ++i) {
-    const double first = at.angles.first + (to - at.angles.first) * i / steps;
-    blocks.push_back(
-        blockTo(kinematics_, at.tip, {first, at.angles.second}, at.arc_length, BlockSection::Unwind, true));
+    turned.angles = {at.angles.first + (to - at.angles.first) * i / steps, at.angles.second};
+    blocks.push_back(blockTo(kinematics_, at.tip, turned, BlockSection::Unwind, true));
   }
   return blocks;
 }

@@ -33,8 +33,8 @@ private:
   double top_;
 };
 
-/** The block to \p tip at \p angles. */
-ProgramBlock blockTo(const Kinematics& kinematics, const Eigen::Vector3d& tip, const RotaryAngles& angles, double arc_length,
-                     BlockSection section, bool rapid);
+/** The block to \p tip with the angles of \p at. */
+ProgramBlock blockTo(const Kinematics& kinematics, const Eigen::Vector3d& tip, const MachineLocation& at, BlockSection section,
+                     bool rapid);
 
 } // namespace pcl_spiral

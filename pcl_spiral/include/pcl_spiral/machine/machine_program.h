@@ -28,6 +28,7 @@ struct ProgramBlock {
   bool rapid = false;
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();  ///< workpiece's frame, mm
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); ///< workpiece's frame, unit
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); ///< of the surface at the contact, unit
   Eigen::Vector3d machine = Eigen::Vector3d::Zero(); ///< X, Y, Z as programmed without RTCP, mm
   RotaryAngles angles;     ///< radians
   double arc_length = 0.0; ///< of the contacts up to here, mm

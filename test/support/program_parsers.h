@@ -1,0 +1,46 @@
+/** \file
+ *  Readers of control programs, apart from the library's writers: one a language.
+ */
+#pragma once
+
+#include <Eigen/Core>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral::test {
+
+/** One move as the control would take it. */
+struct ParsedMove {
+  bool rapid = false;
+  Eigen::Vector3d xyz = Eigen::Vector3d::Zero();
+  std::map<char, double> degrees;          ///< of rotary axes, by letter
+  std::optional<Eigen::Vector3d> vector;   ///< tool axis
+  std::optional<Eigen::Vector3d> normal;
+  double minutes = 0.0;                    ///< of a feed move, from its F
+};
+
+/** A program: its moves and every line that is none. */
+struct ParsedProgram {
+  std::vector<ParsedMove> moves;
+  std::vector<std::string> others;
+
+  bool has(const std::string& line) const;
+};
+
+ParsedProgram parseFanuc(const std::string& file);   ///< reads LinuxCNC's too
+ParsedProgram parseSiemens(const std::string& file);
+ParsedProgram parseHeidenhain(const std::string& file);
+
+/** One GOTO of a CLDATA file with the FEDRAT before it. */
+struct AptMove {
+  Eigen::Vector3d tip, axis;
+  double feed;
+};
+
+/** Locations of an APT file; other statements go to \p others. */
+std::vector<AptMove> parseAPT(const std::string& file, std::vector<std::string>& others);
+
+} // namespace pcl_spiral::test
