@@ -121,18 +121,19 @@ public:
   /** Median diagonal of the blocks' boxes: far larger ones hold points far off the others. */
   float usualDiagonal() const { return usual_diagonal_; }
 
-  /** Call \p visit(block) for every block whose box is within sqrt(squared_radius) of \p query. */
-  template <typename Visit>
+  /** Call \p visit(block) for every block under boxes that all pass \p keep(box), in a fixed order. */
+  template <typename Keep, typename Visit>
   void
-  forBlocksNear(const Box& query, float squared_radius, Visit visit) const
+  forBlocks(Keep keep, Visit visit) const
   {
     const std::size_t leaves = blockCount();
     std::array<std::uint32_t, 64> stack;
     std::size_t top = 0;
-    stack[top++] = 1;
+    if (leaves > 0)
+      stack[top++] = 1;
     while (top > 0) {
       const std::uint32_t node = stack[--top];
-      if (boxes_[node].squaredDistance(query) > squared_radius)
+      if (!keep(boxes_[node]))
         continue;
       if (node >= leaves) {
         visit(node - leaves);
@@ -141,6 +142,14 @@ public:
       stack[top++] = 2 * node + 1;
       stack[top++] = 2 * node;
     }
+  }
+
+  /** Call \p visit(block) for every block whose box is within sqrt(squared_radius) of \p query. */
+  template <typename Visit>
+  void
+  forBlocksNear(const Box& query, float squared_radius, Visit visit) const
+  {
+    forBlocks([&](const Box& box) { return box.squaredDistance(query) <= squared_radius; }, visit);
   }
 
   /** The point nearest to \p query, by exact search. */

@@ -1,0 +1,170 @@
+/** \file
+ *  Five-axis gouge-free cutter locations from a cloud.
+ */
+#pragma once
+
+#include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/toolpath/cutter_locator.h>
+
+#include <pcl/pcl_base.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <memory>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A surface to locate on, and where its points stand in the cloud it was made from. */
+struct ScannedLocationSurface {
+  LocationSurface surface;
+  std::vector<std::uint32_t> source; ///< of the points given to surface.build, in the cloud
+};
+
+/** Where a cutter of any profile stands on a scan without cutting into it: for each drive point, the highest
+ * place along the axis at which a point within the cutter's reach, or the surface fitted to the points, is
+ * touched.
+ *
+ *  setInputCloud takes the scan. Points that are not finite and exact repetitions are left out. Source: Sun,
+ * Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. Lengths in mm. The output does not
+ * depend on the order of the cloud nor on the number of threads.
+ */
+template <typename PointT>
+class CutterLocation : public pcl::PCLBase<PointT> {
+public:
+  using Ptr = pcl::shared_ptr<CutterLocation>;
+  using ConstPtr = pcl::shared_ptr<const CutterLocation>;
+  using Path = pcl::PointCloud<ToolpathPoint>;
+  using Evaluation = LocationEvaluation;
+
+  /** Places, axes and, where a contact is asked for, normals. */
+  void
+  setDrivePoints(DrivePoints points)
+  {
+    drive_points_ = std::move(points);
+  }
+  const DrivePoints&
+  getDrivePoints() const
+  {
+    return drive_points_;
+  }
+  /** The same from a toolpath: its contacts, axes and normals (zero: none). */
+  void setDrivePath(const Path& path);
+
+  /** Shape of the cutter. Must be set. */
+  void
+  setCutter(const CutterShape& cutter)
+  {
+    cutter_ = cutter;
+  }
+  const CutterShape&
+  getCutter() const
+  {
+    return cutter_;
+  }
+
+  /** Evaluation::FittedSurface by default. */
+  void
+  setEvaluation(Evaluation evaluation)
+  {
+    options_.evaluation = evaluation;
+  }
+  Evaluation
+  getEvaluation() const
+  {
+    return options_.evaluation;
+  }
+
+  /** A contact touched within this, along the axis, is reached, mm; 0.01 by default. */
+  void
+  setContactTolerance(double tolerance)
+  {
+    options_.tolerance = tolerance;
+  }
+  double
+  getContactTolerance() const
+  {
+    return options_.tolerance;
+  }
+
+  /** Threads to use; 0, the default, means all. */
+  void
+  setNumberOfThreads(int threads)
+  {
+    thread_count_ = threads;
+  }
+  int
+  getNumberOfThreads() const
+  {
+    return thread_count_;
+  }
+
+  /** Called with the share done; returning false cancels. */
+  void
+  setProgressCallback(ProgressCallback callback)
+  {
+    progress_ = std::move(callback);
+  }
+
+  /** Locate on a surface made before, from the same cloud and indices: saves making it again. Null, the
+   * default: make it at every compute. \see getLocationSurface */
+  void
+  setLocationSurface(const std::shared_ptr<const ScannedLocationSurface>& surface)
+  {
+    given_surface_ = surface;
+  }
+  /** The surface of the last compute; null before. */
+  std::shared_ptr<const ScannedLocationSurface>
+  getLocationSurface() const
+  {
+    return surface_;
+  }
+
+  /** Locate. \p locations has one a drive point, in their order, cloud_index in the input cloud; it is empty
+   * on failure: no cloud, no finite point, no drive point or one that is not finite or has no axis, a setting
+   * out of range, no surface in the points (unless Evaluation::Points), or cancelled. */
+  void compute(ToolLocations& locations);
+
+  const Status&
+  getStatus() const
+  {
+    return status_;
+  }
+  /** Counts, largest values and warnings of the last compute. */
+  const LocationFigures&
+  getFigures() const
+  {
+    return figures_;
+  }
+
+private:
+  Status check() const;
+  Status run(ToolLocations& locations);
+
+  using pcl::PCLBase<PointT>::input_;
+  using pcl::PCLBase<PointT>::indices_;
+
+  DrivePoints drive_points_;
+  CutterShape cutter_;
+  LocationOptions options_;
+  int thread_count_ = 0;
+  ProgressCallback progress_;
+  std::shared_ptr<const ScannedLocationSurface> given_surface_, surface_;
+  Status status_;
+  LocationFigures figures_;
+};
+
+/** What is wrong with drive points: none, one that is not finite, one without an axis. */
+Status checkDrivePoints(const DrivePoints& drive);
+
+} // namespace pcl_spiral
+
+#include <pcl_spiral/toolpath/impl/cutter_location.hpp>
+
+namespace pcl_spiral {
+extern template class CutterLocation<pcl::PointXYZ>;
+extern template class CutterLocation<pcl::PointXYZRGB>;
+extern template class CutterLocation<pcl::PointNormal>;
+} // namespace pcl_spiral

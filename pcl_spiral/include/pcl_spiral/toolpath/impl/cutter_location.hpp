@@ -1,0 +1,87 @@
+#pragma once
+
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/search/usable_points.h>
+#include <pcl_spiral/toolpath/cutter_location.h>
+
+#include <pcl/console/print.h>
+#include <pcl/impl/pcl_base.hpp> // for point types that PCL has not compiled
+
+#include <cmath>
+
+namespace pcl_spiral {
+
+template <typename PointT>
+void
+CutterLocation<PointT>::setDrivePath(const Path& path)
+{
+  drive_points_.clear();
+  drive_points_.reserve(path.size());
+  for (const ToolpathPoint& p : path)
+    drive_points_.push_back({p.getVector3fMap().template cast<double>(),
+                             p.getAxisVector3fMap().template cast<double>(),
+                             p.getNormalVector3fMap().template cast<double>()});
+}
+
+template <typename PointT>
+Status
+CutterLocation<PointT>::check() const
+{
+  if (!input_ || input_->empty())
+    return {StatusCode::InvalidInput, "the input cloud is missing or empty; call setInputCloud with points"};
+  if (const Status status = checkIndices(indices_.get(), input_->size()); !status.ok())
+    return status;
+  if (const std::string fault = faultOf(cutter_); !fault.empty())
+    return {StatusCode::InvalidArgument, fault};
+  if (!(options_.tolerance > 0.0) || !std::isfinite(options_.tolerance))
+    return {StatusCode::InvalidArgument,
+            textOf("the contact tolerance is ", options_.tolerance, " mm; set it above 0")};
+  if (thread_count_ < 0)
+    return {StatusCode::InvalidArgument,
+            textOf("the number of threads is ", thread_count_, "; set 0 for all, or a count")};
+  return checkDrivePoints(drive_points_);
+}
+
+template <typename PointT>
+Status
+CutterLocation<PointT>::run(ToolLocations& locations)
+{
+  if (const Status status = check(); !status.ok())
+    return status;
+  const ThreadLimit limit(thread_count_);
+  surface_ = given_surface_;
+  if (!surface_) {
+    if (progress_ && !progress_(0.0, "surface"))
+      return {StatusCode::Cancelled, "cancelled"};
+    UsablePoints usable = usablePoints(*input_, indices_.get());
+    if (usable.source.empty())
+      return {StatusCode::InvalidInput, "no point of the cloud is finite; check the scan"};
+    auto made = std::make_shared<ScannedLocationSurface>();
+    made->surface.build(std::move(usable.positions));
+    made->source = std::move(usable.source);
+    surface_ = made;
+  }
+  const CutterLocator locator(surface_->surface, CutterProfile(cutter_), options_);
+  if (const Status status = locator.locate(drive_points_, progress_, locations); !status.ok())
+    return status;
+  figures_ = locator.figures(locations);
+  for (ToolLocation& location : locations)
+    if (location.state != LocationState::NoCloud)
+      location.cloud_index = surface_->source[location.cloud_index];
+  return Status::success();
+}
+
+template <typename PointT>
+void
+CutterLocation<PointT>::compute(ToolLocations& locations)
+{
+  locations.clear();
+  figures_ = LocationFigures();
+  surface_.reset();
+  status_ = run(locations);
+  if (!status_.ok() && status_.code() != StatusCode::Cancelled)
+    PCL_ERROR("[pcl_spiral::CutterLocation::compute] %s.\n", status_.message().c_str());
+}
+
+} // namespace pcl_spiral

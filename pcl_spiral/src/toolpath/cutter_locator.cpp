@@ -1,0 +1,160 @@
+#include <pcl_spiral/toolpath/cutter_locator.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr std::size_t chunk = 8192; // drive points between two reports of progress
+constexpr double rim_reach = 2.0;   // in radii: what lies lower beyond a rim would have to rise at 45 degrees
+constexpr double least_share =
+    0.2; // of the normal along the axis, when noise along the normal is taken along it
+
+} // namespace
+
+/** A drive point as the drop needs it: the axis, and the tip where the cutter touches the contact, if one is
+ * asked for. */
+struct CutterLocator::Asked {
+  Asked(const DrivePoint& drive, const CutterProfile& profile)
+      : contact(drive.asksForContact()
+                    ? profile.locate(drive.position, drive.normal.normalized(), drive.axis.normalized())
+                    : CutterContact()),
+        frame(drive.asksForContact() ? contact.tip : drive.position, drive.axis.normalized()),
+        asks(drive.asksForContact())
+  {
+  }
+  CutterContact contact;
+  AxisFrame frame;
+  bool asks;
+};
+
+CutterLocator::CutterLocator(const LocationSurface& surface, const CutterProfile& profile,
+                             const LocationOptions& options)
+    : surface_(surface), options_(options), profile_(profile), drop_(surface.obstacles(), profile),
+      rim_drop_(surface.rim(), profile), fitted_drop_(surface, profile)
+{
+}
+
+bool
+CutterLocator::trusted(const FittedContact& fitted, const DropContact& drop) const
+{
+  if (!fitted.found)
+    return false;
+  const double noise = surface_.noiseAllowance() / std::max(least_share, fitted.normal_share);
+  const double sunk = fitted.height - drop.height;
+  const double most = std::min(fitted.gap_bound, profile_.radius());
+  return sunk > -noise && sunk < most + noise;
+}
+
+void
+CutterLocator::settle(const Asked& asked, double height, ToolLocation& location) const
+{
+  location.state = LocationState::Touching;
+  if (asked.asks) {
+    location.lift = height;
+    if (!asked.contact.touches)
+      location.state = LocationState::Unreachable;
+    else if (height > options_.tolerance)
+      location.state = LocationState::Lifted;
+    else if (height < -options_.tolerance)
+      location.state = LocationState::Clear;
+    else
+      location.state = LocationState::Reached;
+    if (asked.contact.touches)
+      height = std::max(0.0, height); // never below the contact asked for
+  }
+  location.tip = asked.frame.place(Eigen::Vector2d::Zero(), height);
+  location.over_rim = rim_drop_.highest(asked.frame, height - rim_reach * profile_.radius()).found;
+}
+
+ToolLocation
+CutterLocator::resolve(const Asked& asked, const DropContact& drop, const FittedContact& fitted,
+                       const SurfaceFoot& foot) const
+{
+  ToolLocation location;
+  location.axis = asked.frame.axis;
+  if (!drop.found)
+    return location;
+  location.cloud_index = drop_.blocks().originalIndex(drop.point);
+  location.contact = drop_.blocks().position(drop.point);
+  double height = drop.height;
+  if (trusted(fitted, drop)) {
+    location.basis = LocationBasis::FittedSurface;
+    location.contact = fitted.contact;
+    location.normal = fitted.normal;
+    location.gap_bound = fitted.gap_bound;
+    location.gap = fitted.height - drop.height;
+    height = fitted.height;
+  }
+  else {
+    location.gap_bound =
+        foot.valid ? fitted_drop_.gapBound(asked.frame, foot) : std::numeric_limits<double>::infinity();
+    if (options_.evaluation != LocationEvaluation::Points && std::isfinite(location.gap_bound)) {
+      location.basis = LocationBasis::PointsAndBound;
+      location.gap = location.gap_bound;
+      height += location.gap_bound;
+    }
+  }
+  settle(asked, height, location);
+  return location;
+}
+
+void
+CutterLocator::locateSome(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const
+{
+  std::vector<Asked> asked;
+  std::vector<AxisFrame> frames;
+  std::vector<DropContact> drops(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    asked.emplace_back(drive[i], profile_);
+    frames.push_back(asked.back().frame);
+  }
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i)
+    drops[i] = drop_.highest(frames[i]);
+  std::vector<FittedContact> fitted(count);
+  if (options_.evaluation == LocationEvaluation::FittedSurface)
+    fitted_drop_.locate(frames, drops, fitted);
+  std::vector<SurfaceFoot> feet(count);
+  if (surface_
+          .hasSurface()) { // where the points decide, the surface about them tells how far a cutter may sink
+    std::vector<std::uint32_t> which;
+    std::vector<Eigen::Vector3d> queries;
+    std::vector<SurfaceFoot> found;
+    for (std::size_t i = 0; i < count; ++i)
+      if (drops[i].found && !trusted(fitted[i], drops[i])) {
+        which.push_back(static_cast<std::uint32_t>(i));
+        queries.push_back(drop_.blocks().position(drops[i].point));
+      }
+    surface_.surface().project(queries, found);
+    for (std::size_t k = 0; k < which.size(); ++k)
+      feet[which[k]] = found[k];
+  }
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i)
+    locations[i] = resolve(asked[i], drops[i], fitted[i], feet[i]);
+}
+
+Status
+CutterLocator::locate(const DrivePoints& drive, const ProgressCallback& progress,
+                      ToolLocations& locations) const
+{
+  locations.clear();
+  if (options_.evaluation != LocationEvaluation::Points && !surface_.hasSurface())
+    return {surface_.whyNone().code(),
+            surface_.whyNone().message() +
+                "; without a surface cutters can be located on the points alone (as "
+                "LocationEvaluation::Points), with no bound of how far they sink between them"};
+  locations.resize(drive.size());
+  for (std::size_t begin = 0; begin < drive.size(); begin += chunk) {
+    if (progress && !progress(static_cast<double>(begin) / static_cast<double>(drive.size()), "locations")) {
+      locations.clear();
+      return {StatusCode::Cancelled, "cancelled"};
+    }
+    locateSome(&drive[begin], std::min(chunk, drive.size() - begin), &locations[begin]);
+  }
+  return Status::success();
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,89 @@
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/toolpath/cutter_locator.h>
+
+#include <cmath>
+
+namespace pcl_spiral {
+
+LocationFigures
+CutterLocator::figures(const ToolLocations& locations) const
+{
+  LocationFigures f;
+  f.noise_allowance = surface_.noiseAllowance();
+  f.stray_points = surface_.hasSurface() ? surface_.strayPoints() : 0;
+  for (std::size_t i = 0; i < locations.size(); ++i) {
+    const ToolLocation& location = locations[i];
+    ++f.states[static_cast<std::size_t>(location.state)];
+    if (location.state == LocationState::NoCloud)
+      continue;
+    ++f.bases[static_cast<std::size_t>(location.basis)];
+    f.over_rim += location.over_rim;
+    if (location.lift > f.largest_lift) {
+      f.largest_lift = location.lift;
+      f.most_lifted = i;
+    }
+    if (location.basis == LocationBasis::FittedSurface)
+      f.largest_gap = std::max(f.largest_gap, location.gap);
+    else if (std::isfinite(location.gap_bound))
+      f.largest_gap_bound = std::max(f.largest_gap_bound, location.gap_bound);
+    else
+      ++f.unbounded;
+  }
+  const auto warn = [&](std::size_t count, const std::string& what) {
+    if (count > 0)
+      f.warnings.push_back(textOf(count, " of ", locations.size(), " locations ", what));
+  };
+  warn(f.count(LocationState::NoCloud), "have no point of the scan under the cutter: they have no height");
+  warn(f.over_rim,
+       "stand partly beyond the rim of the scan or over a gap in it, where something higher may be");
+  warn(f.unbounded, "rest on single points, and how far the cutter sinks between them has no bound");
+  warn(f.count(LocationBasis::PointsAndBound),
+       textOf("are raised by up to ", f.largest_gap_bound,
+              " mm above single points, the bound of how far the cutter would "
+              "sink between them: no fitted surface to trust was there"));
+  warn(f.count(LocationState::Unreachable), "ask for a contact that leans over the cutter's flank");
+  if (f.stray_points > 0)
+    f.warnings.push_back(textOf(f.stray_points,
+                                " points of the scan stand alone off its surface; the cutter stays off "
+                                "them as well: remove them before if they are false echoes"));
+  if (!surface_.hasSurface())
+    f.warnings.push_back("the points form no surface, so the rim of the scan is not known: " +
+                         surface_.whyNone().message());
+  return f;
+}
+
+const char*
+nameOf(LocationState state)
+{
+  switch (state) {
+  case LocationState::Touching:
+    return "touching";
+  case LocationState::Reached:
+    return "reached";
+  case LocationState::Lifted:
+    return "lifted";
+  case LocationState::Clear:
+    return "clear";
+  case LocationState::Unreachable:
+    return "unreachable";
+  case LocationState::NoCloud:
+    return "no cloud";
+  }
+  return "";
+}
+
+const char*
+nameOf(LocationBasis basis)
+{
+  switch (basis) {
+  case LocationBasis::FittedSurface:
+    return "fitted surface";
+  case LocationBasis::PointsAndBound:
+    return "points and bound";
+  case LocationBasis::Points:
+    return "points";
+  }
+  return "";
+}
+
+} // namespace pcl_spiral
