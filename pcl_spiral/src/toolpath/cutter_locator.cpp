@@ -1,3 +1,5 @@
+#include "asked_location.h"
+
 #include <pcl_spiral/toolpath/cutter_locator.h>
 
 #include <algorithm>
@@ -13,26 +15,11 @@ constexpr double least_share =
 
 } // namespace
 
-/** A drive point as the drop needs it: the axis, and the tip where the cutter touches the contact, if one is
- * asked for. */
-struct CutterLocator::Asked {
-  Asked(const DrivePoint& drive, const CutterProfile& profile)
-      : contact(drive.asksForContact()
-                    ? profile.locate(drive.position, drive.normal.normalized(), drive.axis.normalized())
-                    : CutterContact()),
-        frame(drive.asksForContact() ? contact.tip : drive.position, drive.axis.normalized()),
-        asks(drive.asksForContact())
-  {
-  }
-  CutterContact contact;
-  AxisFrame frame;
-  bool asks;
-};
-
 CutterLocator::CutterLocator(const LocationSurface& surface, const CutterProfile& profile,
                              const LocationOptions& options)
     : surface_(surface), options_(options), profile_(profile), drop_(surface.obstacles(), profile),
-      rim_drop_(surface.rim(), profile), fitted_drop_(surface, profile)
+      rim_drop_(surface.rim(), profile), fitted_drop_(surface, profile),
+      holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance)
 {
 }
 
@@ -48,7 +35,7 @@ CutterLocator::trusted(const FittedContact& fitted, const DropContact& drop) con
 }
 
 void
-CutterLocator::settle(const Asked& asked, double height, ToolLocation& location) const
+CutterLocator::settle(const AskedLocation& asked, double height, ToolLocation& location) const
 {
   location.state = LocationState::Touching;
   if (asked.asks) {
@@ -66,10 +53,11 @@ CutterLocator::settle(const Asked& asked, double height, ToolLocation& location)
   }
   location.tip = asked.frame.place(Eigen::Vector2d::Zero(), height);
   location.over_rim = rim_drop_.highest(asked.frame, height - rim_reach * profile_.radius()).found;
+  location.collision = findCollision(surface_.obstacles(), holder_, asked.frame, height, options_.tolerance);
 }
 
 ToolLocation
-CutterLocator::resolve(const Asked& asked, const DropContact& drop, const FittedContact& fitted,
+CutterLocator::resolve(const AskedLocation& asked, const DropContact& drop, const FittedContact& fitted,
                        const SurfaceFoot& foot) const
 {
   ToolLocation location;
@@ -103,7 +91,7 @@ CutterLocator::resolve(const Asked& asked, const DropContact& drop, const Fitted
 void
 CutterLocator::locateSome(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const
 {
-  std::vector<Asked> asked;
+  std::vector<AskedLocation> asked;
   std::vector<AxisFrame> frames;
   std::vector<DropContact> drops(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -152,7 +140,10 @@ CutterLocator::locate(const DrivePoints& drive, const ProgressCallback& progress
       locations.clear();
       return {StatusCode::Cancelled, "cancelled"};
     }
-    locateSome(&drive[begin], std::min(chunk, drive.size() - begin), &locations[begin]);
+    const std::size_t count = std::min(chunk, drive.size() - begin);
+    locateSome(&drive[begin], count, &locations[begin]);
+    if (options_.max_retilt > 0.0)
+      retilt(&drive[begin], count, &locations[begin]);
   }
   return Status::success();
 }

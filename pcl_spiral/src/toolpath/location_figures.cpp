@@ -18,6 +18,13 @@ CutterLocator::figures(const ToolLocations& locations) const
       continue;
     ++f.bases[static_cast<std::size_t>(location.basis)];
     f.over_rim += location.over_rim;
+    f.retilted += location.retilt > 0.0;
+    f.largest_retilt = std::max(f.largest_retilt, location.retilt);
+    f.collisions += location.collision.found();
+    if (location.collision.depth > f.deepest_collision) {
+      f.deepest_collision = location.collision.depth;
+      f.most_collided = i;
+    }
     if (location.lift > f.largest_lift) {
       f.largest_lift = location.lift;
       f.most_lifted = i;
@@ -42,6 +49,17 @@ CutterLocator::figures(const ToolLocations& locations) const
               " mm above single points, the bound of how far the cutter would "
               "sink between them: no fitted surface to trust was there"));
   warn(f.count(LocationState::Unreachable), "ask for a contact that leans over the cutter's flank");
+  if (f.collisions > 0) {
+    const HolderCollision& worst = locations[f.most_collided].collision;
+    const auto segment = static_cast<std::size_t>(worst.segment);
+    const std::string& name = options_.holder[segment].name;
+    warn(f.collisions,
+         textOf("put the holder into the scan, the deepest ", worst.depth,
+                " mm, clearance included: ", name.empty() ? textOf("segment ", segment + 1) : name,
+                " of location ", f.most_collided, " at ", placeText(worst.place),
+                "; lengthen the tool, lean the axis away, or allow it "
+                "to be tilted"));
+  }
   if (f.stray_points > 0)
     f.warnings.push_back(textOf(f.stray_points,
                                 " points of the scan stand alone off its surface; the cutter stays off "

@@ -89,6 +89,45 @@ public:
     return options_.tolerance;
   }
 
+  /** What stands on the cutter, from the top of its flank upwards: shank, extensions, chuck. None by default:
+   * no collision is looked for. Give the cutter its flank length. */
+  void
+  setHolder(std::vector<ToolSegment> segments)
+  {
+    options_.holder = std::move(segments);
+  }
+  const std::vector<ToolSegment>&
+  getHolder() const
+  {
+    return options_.holder;
+  }
+
+  /** Distance kept between holder and scan, mm; 0 by default. Less counts as a collision. */
+  void
+  setHolderClearance(double clearance)
+  {
+    options_.holder_clearance = clearance;
+  }
+  double
+  getHolderClearance() const
+  {
+    return options_.holder_clearance;
+  }
+
+  /** Largest angle by which the axis may be turned where the contact asked for is not reached or the holder
+   * collides, degrees, up to 90; 0, the default: the cutter is lifted. The least of six angles that helps is
+   * taken, each point by itself: neighbouring axes may differ by as much. */
+  void
+  setMaxRetilt(double degrees)
+  {
+    options_.max_retilt = degrees;
+  }
+  double
+  getMaxRetilt() const
+  {
+    return options_.max_retilt;
+  }
+
   /** Threads to use; 0, the default, means all. */
   void
   setNumberOfThreads(int threads)

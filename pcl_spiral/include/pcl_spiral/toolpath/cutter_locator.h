@@ -11,6 +11,8 @@
 
 namespace pcl_spiral {
 
+struct AskedLocation;
+
 /** How the height of a location is found. */
 enum class LocationEvaluation {
   FittedSurface,  ///< on the surface fitted to the points; where there is none to trust, as PointsAndBound
@@ -21,7 +23,11 @@ enum class LocationEvaluation {
 
 struct LocationOptions {
   LocationEvaluation evaluation = LocationEvaluation::FittedSurface;
-  double tolerance = 0.01; ///< mm along the axis: a contact touched within this is reached
+  double tolerance = 0.01; ///< mm along the axis: a contact touched within this is reached; and the depth in
+                           ///< shank or holder that is no collision
+  std::vector<ToolSegment> holder; ///< what stands on the cutter, from its flank's top upwards
+  double holder_clearance = 0.0;   ///< mm kept between holder and scan
+  double max_retilt = 0.0; ///< degrees the axis may turn where its contact is not reached otherwise; 0: none
 };
 
 /** Locates one cutter on one scan, as often as asked. The surface must outlive it.
@@ -38,18 +44,21 @@ public:
   LocationFigures figures(const ToolLocations& locations) const;
 
 private:
-  struct Asked;
   void locateSome(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const;
-  ToolLocation resolve(const Asked& asked, const DropContact& drop, const FittedContact& fitted,
+  ToolLocation resolve(const AskedLocation& asked, const DropContact& drop, const FittedContact& fitted,
                        const SurfaceFoot& foot) const;
-  void settle(const Asked& asked, double height, ToolLocation& location) const;
+  void settle(const AskedLocation& asked, double height, ToolLocation& location) const;
   bool trusted(const FittedContact& fitted, const DropContact& drop) const;
+  /** Whether the points let the cutter and what holds it stand at the contact asked for. */
+  bool clears(const DrivePoint& drive) const;
+  void retilt(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const;
 
   const LocationSurface& surface_;
   LocationOptions options_;
   CutterProfile profile_;
   CutterDrop drop_, rim_drop_;
   FittedDrop fitted_drop_;
+  HolderProfile holder_;
 };
 
 } // namespace pcl_spiral

@@ -3,6 +3,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/toolpath/holder_collision.h>
+
 #include <Eigen/Core>
 
 #include <array>
@@ -46,13 +48,15 @@ struct ToolLocation {
   LocationBasis basis = LocationBasis::Points;
   double lift = 0.0; ///< above the place where the cutter touches at the contact asked for; negative where it
                      ///< would have to go down to meet the scan (Clear). 0 when no contact was asked for
-  double gap = 0.0; ///< how much higher than on the points alone; slightly negative where a point stands
-                    ///< above the fitted surface by noise
+  double gap = 0.0;  ///< how much higher than on the points alone; slightly negative where a point stands
+                     ///< above the fitted surface by noise
   double gap_bound =
       0.0; ///< bound of how far the cutter sinks between the points here, see samplingGap; may be infinite
   bool over_rim = false; ///< the cutter stands partly beyond the scan's rim, or over a gap in it, where
                          ///< something higher may be
   std::uint32_t cloud_index = 0; ///< of the point that a cutter on the points alone meets first
+  double retilt = 0.0;           ///< degrees between the axis asked for and axis
+  HolderCollision collision;     ///< of shank or holder with the scan
 };
 
 using ToolLocations = std::vector<ToolLocation>;
@@ -61,7 +65,10 @@ using ToolLocations = std::vector<ToolLocation>;
 struct LocationFigures {
   std::array<std::size_t, location_states> states{};
   std::array<std::size_t, location_bases> bases{}; ///< NoCloud counts in none
-  std::size_t over_rim = 0;
+  std::size_t over_rim = 0, retilted = 0, collisions = 0;
+  double largest_retilt = 0.0; ///< degrees
+  double deepest_collision = 0.0;
+  std::size_t most_collided = 0;
   double largest_lift = 0.0;
   std::size_t most_lifted = 0;
   double largest_gap = 0.0;       ///< taken back: what the cutter would have sunk between points

@@ -37,6 +37,14 @@ CutterLocation<PointT>::check() const
   if (!(options_.tolerance > 0.0) || !std::isfinite(options_.tolerance))
     return {StatusCode::InvalidArgument,
             textOf("the contact tolerance is ", options_.tolerance, " mm; set it above 0")};
+  if (const std::string fault = faultOf(options_.holder); !fault.empty())
+    return {StatusCode::InvalidArgument, fault};
+  if (!(options_.holder_clearance >= 0.0) || !std::isfinite(options_.holder_clearance))
+    return {StatusCode::InvalidArgument,
+            textOf("the holder's clearance is ", options_.holder_clearance, " mm; set it to 0 or more")};
+  if (!(options_.max_retilt >= 0.0) || !(options_.max_retilt <= 90.0))
+    return {StatusCode::InvalidArgument,
+            textOf("the largest retilt is ", options_.max_retilt, " degrees; set it between 0 and 90")};
   if (thread_count_ < 0)
     return {StatusCode::InvalidArgument,
             textOf("the number of threads is ", thread_count_, "; set 0 for all, or a count")};
@@ -67,8 +75,10 @@ CutterLocation<PointT>::run(ToolLocations& locations)
     return status;
   figures_ = locator.figures(locations);
   for (ToolLocation& location : locations)
-    if (location.state != LocationState::NoCloud)
+    if (location.state != LocationState::NoCloud) {
       location.cloud_index = surface_->source[location.cloud_index];
+      location.collision.cloud_index = surface_->source[location.collision.cloud_index];
+    }
   return Status::success();
 }
 
