@@ -4,6 +4,7 @@
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 #include <pcl_spiral/search/neighbour_search.h>
+#include <pcl_spiral/toolpath/cutter_location.h>
 
 #include <pcl/io/pcd_io.h>
 
@@ -179,6 +180,35 @@ toolAxis(State& state, StageInput& input, int)
   count(state, spiral.size(), 2 * spiral.size() * sizeof(Eigen::Vector3d));
 }
 
+/** A tapered bull-nose on 100,000 places of the spiral (or as many as there are), leant 15 degrees; the surface made on
+ *  the way. */
+template <int radius>
+void
+cutterLocation(State& state, StageInput& input, int threads)
+{
+  const std::vector<SurfaceFoot>& feet = input.spiralFeet();
+  const std::size_t places = std::min<std::size_t>(100000, feet.size());
+  DrivePoints drive;
+  for (std::size_t k = 0; k < places; ++k) {
+    const SurfaceFoot& foot = feet[k * feet.size() / places];
+    drive.push_back({foot.position, tiltedAxis(foot.normal, foot.direction1, 15.0 * M_PI / 180.0, 0.0), foot.normal});
+  }
+  CutterLocation<pcl::PointXYZ> location;
+  location.setInputCloud(input.cloud(FileOrder::Random));
+  location.setCutter(CutterShape::taperedBullNose(radius, 0.2 * radius, 2.0 * radius, 10.0));
+  location.setDrivePoints(drive);
+  location.setNumberOfThreads(threads);
+  ToolLocations locations;
+  for (auto _ : state) {
+    location.compute(locations);
+    require(location.getStatus());
+    benchmark::DoNotOptimize(locations.data());
+  }
+  count(state, places, places * sizeof(ToolLocation));
+  state.counters["on_surface"] =
+      static_cast<double>(location.getFigures().count(LocationBasis::FittedSurface)) / static_cast<double>(places);
+}
+
 void
 writeCsv(State& state, StageInput& input, int)
 {
@@ -213,6 +243,8 @@ libraryStages()
           {"refinement", refinement},
           {"projection", projection},
           {"tool_axis", toolAxis},
+          {"cutter_location", cutterLocation<10>},
+          {"cutter_location_wide", cutterLocation<60>},
           {"write_csv", writeCsv}};
 }
 

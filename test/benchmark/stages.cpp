@@ -58,7 +58,7 @@ registerAll(const std::vector<std::size_t>& sizes)
 int
 main(int argc, char** argv)
 {
-  registerAll({10000, 86000, 200000, 500000, 2000000, 12000000});
+  registerAll({10000, 86000, 200000, 500000, 1000000, 2000000, 12000000});
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv))
     return 2;
