@@ -6,15 +6,13 @@
 #include <cstdio>
 #include <random>
 
-namespace {
-
-double
+static double
 height(double x, double y)
 {
   return 8.0 * std::sin(0.05 * x) * std::cos(0.04 * y);
 }
 
-void
+static void
 locate(const char* name, const pcl_spiral::CutterShape& cutter, pcl_spiral::CutterLocation<pcl::PointXYZ>& location)
 {
   location.setCutter(cutter);
@@ -31,16 +29,13 @@ locate(const char* name, const pcl_spiral::CutterShape& cutter, pcl_spiral::Cutt
   location.setLocationSurface(location.getLocationSurface()); // the next cutter needs no new one
 }
 
-} // namespace
-
 int
 main()
 {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> side(-100.0, 100.0);
+  std::mt19937 random(1); // 0 to 4294967295
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
   for (int i = 0; i < 40000; ++i) {
-    const double x = side(random), y = side(random);
+    const double x = random() / 21474836.48 - 100.0, y = random() / 21474836.48 - 100.0;
     cloud->emplace_back(x, y, height(x, y));
   }
   pcl_spiral::DrivePoints drive; // contacts along lines, with their normals

@@ -123,6 +123,7 @@ TEST(CutterLocation, SaysWhereTheScanEnds)
   EXPECT_FALSE(run.locations[0].over_rim);
   EXPECT_EQ(run.locations[1].state, LocationState::Reached);
   EXPECT_TRUE(run.locations[1].over_rim);
+  EXPECT_NEAR(run.locations[1].rim_clearance, 4.0 - std::sqrt(12.0), 0.15); // the rim is 2 from the axis
   EXPECT_EQ(run.locations[2].state, LocationState::NoCloud);
   EXPECT_TRUE(run.locations[2].tip.hasNaN());
   EXPECT_EQ(run.locations[3].state, LocationState::Clear);
@@ -149,6 +150,32 @@ TEST(CutterLocation, AHoleInTheScanIsNoPlaceToSinkInto)
   EXPECT_EQ(run.locations[1].state, LocationState::Touching);
   EXPECT_LT(run.locations[1].tip.z(), -2.0);
   EXPECT_TRUE(run.locations[1].over_rim);
+}
+
+// A column that no plane shows whole: round about its axis, driven from a helix with radial axes.
+TEST(CutterLocation, AColumnIsFollowedAllRound)
+{
+  const double R = 5.0;
+  const auto radius = [](double z) { return 30.0 + 4.0 * std::sin(z / 8.0); };
+  std::vector<Vector3d> points;
+  Random random(22);
+  for (int i = 0; i < 60000; ++i) {
+    const double z = random.uniform(-50.0, 50.0), a = random.uniform(0.0, 2.0 * M_PI);
+    points.emplace_back(radius(z) * std::cos(a), radius(z) * std::sin(a), z);
+  }
+  DrivePoints drive;
+  for (double z = -40.0; z <= 40.0; z += 0.05)
+    drive.push_back(
+        {{40.0 * std::cos(z), 40.0 * std::sin(z), z}, {std::cos(z), std::sin(z), 0.0}, {0, 0, 0}});
+  const Located run = located(toCloud(points), CutterShape::ball(R), drive);
+  EXPECT_EQ(run.figures.count(LocationBasis::FittedSurface), drive.size());
+  for (std::size_t i = 0; i < drive.size(); ++i) {
+    double expected = 0.0; // in the plane through the axis, the column being round across it
+    for (double d = -R; d <= R; d += 1e-3)
+      expected = std::max(expected, radius(drive[i].position.z() + d) - R + std::sqrt(R * R - d * d));
+    ASSERT_NEAR(run.locations[i].tip.head<2>().norm(), expected, 5e-4) << i; // what quadrics leave of it
+    ASSERT_NEAR(run.locations[i].tip.head<2>().normalized().dot(drive[i].axis.head<2>()), 1.0, 1e-9);
+  }
 }
 
 TEST(CutterLocation, NoPointOfTwentyFreeFormCloudsLiesInTheCutter)

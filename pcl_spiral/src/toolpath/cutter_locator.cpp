@@ -52,7 +52,9 @@ CutterLocator::settle(const AskedLocation& asked, double height, ToolLocation& l
       height = std::max(0.0, height); // never below the contact asked for
   }
   location.tip = asked.frame.place(Eigen::Vector2d::Zero(), height);
-  location.over_rim = rim_drop_.highest(asked.frame, height - rim_reach * profile_.radius()).found;
+  const DropContact rim = rim_drop_.highest(asked.frame, height - rim_reach * profile_.radius());
+  location.over_rim = rim.found;
+  location.rim_clearance = rim.found ? std::max(0.0, height - rim.height) : 0.0;
   location.collision = findCollision(surface_.obstacles(), holder_, asked.frame, height, options_.tolerance);
 }
 

@@ -17,7 +17,11 @@ CutterLocator::figures(const ToolLocations& locations) const
     if (location.state == LocationState::NoCloud)
       continue;
     ++f.bases[static_cast<std::size_t>(location.basis)];
-    f.over_rim += location.over_rim;
+    if (location.over_rim) {
+      f.least_rim_clearance =
+          f.over_rim == 0 ? location.rim_clearance : std::min(f.least_rim_clearance, location.rim_clearance);
+      ++f.over_rim;
+    }
     f.retilted += location.retilt > 0.0;
     f.largest_retilt = std::max(f.largest_retilt, location.retilt);
     f.collisions += location.collision.found();
@@ -41,8 +45,8 @@ CutterLocator::figures(const ToolLocations& locations) const
       f.warnings.push_back(textOf(count, " of ", locations.size(), " locations ", what));
   };
   warn(f.count(LocationState::NoCloud), "have no point of the scan under the cutter: they have no height");
-  warn(f.over_rim,
-       "stand partly beyond the rim of the scan or over a gap in it, where something higher may be");
+  warn(f.over_rim, textOf("stand partly beyond the rim of the scan or over a gap in it, at least ",
+                          f.least_rim_clearance, " mm above it: what is higher there is not known"));
   warn(f.unbounded, "rest on single points, and how far the cutter sinks between them has no bound");
   warn(f.count(LocationBasis::PointsAndBound),
        textOf("are raised by up to ", f.largest_gap_bound,

@@ -54,6 +54,8 @@ struct ToolLocation {
       0.0; ///< bound of how far the cutter sinks between the points here, see samplingGap; may be infinite
   bool over_rim = false; ///< the cutter stands partly beyond the scan's rim, or over a gap in it, where
                          ///< something higher may be
+  double rim_clearance =
+      0.0; ///< of the cutter above the rim there, the least; 0 where it is not over the rim
   std::uint32_t cloud_index = 0; ///< of the point that a cutter on the points alone meets first
   double retilt = 0.0;           ///< degrees between the axis asked for and axis
   HolderCollision collision;     ///< of shank or holder with the scan
@@ -66,7 +68,8 @@ struct LocationFigures {
   std::array<std::size_t, location_states> states{};
   std::array<std::size_t, location_bases> bases{}; ///< NoCloud counts in none
   std::size_t over_rim = 0, retilted = 0, collisions = 0;
-  double largest_retilt = 0.0; ///< degrees
+  double least_rim_clearance = 0.0; ///< of those over the rim
+  double largest_retilt = 0.0;      ///< degrees
   double deepest_collision = 0.0;
   std::size_t most_collided = 0;
   double largest_lift = 0.0;
