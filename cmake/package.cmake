@@ -27,6 +27,7 @@ pcl_spiral_install(pcl_spiral_visualization visualization "Pictures and viewer o
 
 install(DIRECTORY pcl_spiral/include/pcl_spiral DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY examples/machines DESTINATION ${CMAKE_INSTALL_DATADIR}/pcl_spiral)
 
 configure_package_config_file(cmake/pcl_spiral-config.cmake.in ${PROJECT_BINARY_DIR}/pcl_spiral-config.cmake
                               INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)

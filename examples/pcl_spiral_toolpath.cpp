@@ -5,6 +5,7 @@
 #include "toolpath/console.h"
 #include "toolpath/job_check.h"
 #include "toolpath/outputs.h"
+#include "toolpath/program.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/file_error.h>
@@ -15,6 +16,7 @@
 
 #include <chrono>
 #include <iostream>
+#include <optional>
 
 using namespace pcl_spiral;
 
@@ -91,7 +93,10 @@ run(const Job& job)
     requireDisplay(output);
   if (!job.verbose)
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
+  const std::optional<Machine> machine = hasProgram(job) ? std::optional(machineOf(job)) : std::nullopt;
   Result result = compute(job);
+  if (machine)
+    makeProgram(job, *machine, result);
   if (job.verify)
     verify(job, result);
   warn(job, result.scan.warnings);

@@ -4,6 +4,7 @@
 #include "terminal/terminal.h"
 
 #include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/visualization/rotary_picture.h>
 
 #include <stdlib.h>
 
@@ -33,6 +34,8 @@ captionOf(PictureKind kind)
     return "Stock left on the surface after cutting, mm; the worst place enlarged.";
   case PictureKind::Histogram:
     return "Scallop histogram: heights of the ridges between passes, mm.";
+  case PictureKind::Rotary:
+    return "Rotary axes and speed of the contact along the program.";
   }
   return "";
 }
@@ -76,6 +79,12 @@ PictureFiles::drawPath(const PictureScene& scene, bool lines)
   pictures.writeSpiral(add(PictureKind::Spiral));
   if (lines)
     pictures.writeLines(add(PictureKind::Lines));
+}
+
+void
+PictureFiles::drawProgram(const std::string& title, const MachineProgram& program)
+{
+  writeRotaryAngles(add(PictureKind::Rotary), title, program);
 }
 
 void

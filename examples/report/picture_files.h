@@ -4,13 +4,14 @@
 #pragma once
 
 #include <pcl_spiral/io/report_page.h>
+#include <pcl_spiral/machine/machine_program.h>
 #include <pcl_spiral/visualization/verification_pictures.h>
 
 #include <string>
 #include <vector>
 
 /** What a picture shows. */
-enum class PictureKind { Spiral, Lines, Deviation, Stock, Histogram };
+enum class PictureKind { Spiral, Lines, Deviation, Stock, Histogram, Rotary };
 
 /** A picture and what is put after an output's name for it: part_stock.png of part.png. */
 struct PictureName {
@@ -36,6 +37,8 @@ public:
   /** The path over the surface and, where \p lines, loops and radial lines. Errors as SpiralPictures has
    * them. */
   void drawPath(const pcl_spiral::PictureScene& scene, bool lines);
+  /** Rotary axes along a program. Errors as writeRotaryAngles has them. */
+  void drawProgram(const std::string& title, const pcl_spiral::MachineProgram& program);
   /** Deviation, stock, histogram. Errors as VerificationPictures has them. */
   void drawJudging(const pcl_spiral::VerificationScene& scene);
 

@@ -1,5 +1,6 @@
 #include "console.h"
 #include "job_check.h"
+#include "program.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
@@ -97,6 +98,8 @@ printSummary(const Job& job, const Result& result, double seconds)
   const pcl_spiral::SpiralReport& report = result.report;
   printSurface(job, report);
   printPath(job, report);
+  if (result.program)
+    printProgram(*result.program);
   std::printf("time            %s\n", duration(seconds).c_str());
   if (job.verbose)
     printStages(result, seconds);

@@ -6,11 +6,21 @@
 #include "terminal/terminal.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/io/program_writer.h>
+#include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/toolpath/spiral_settings.h>
 
 #include <set>
 #include <string>
 #include <vector>
+
+/** The program of a machine, as the user described it. */
+struct ProgramJob {
+  std::string machine_file;
+  pcl_spiral::Dialect dialect = pcl_spiral::Dialect::LinuxCNC; ///< of .nc
+  pcl_spiral::ProgramSettings settings; ///< feed and ball radius are the path's
+  pcl_spiral::ProgramHeader header;
+};
 
 /** A run as the user described it. */
 struct Job {
@@ -20,6 +30,7 @@ struct Job {
   std::vector<std::string> outputs;
   pcl_spiral::ReadOptions read;
   pcl_spiral::SpiralSettings settings;
+  ProgramJob program;
   bool verify = false; ///< judge the path by the scan
   bool verbose = false;
   bool quiet = false;

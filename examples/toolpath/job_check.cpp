@@ -1,4 +1,5 @@
 #include "job_check.h"
+#include "program.h"
 #include "terminal/file_names.h"
 
 #include <pcl_spiral/common/thread_limit.h>
@@ -60,10 +61,11 @@ checkCutter(const Job& job)
 }
 
 bool
-isWritten(const std::string& extension)
+isWritten(const std::string& file)
 {
+  const std::string extension = extensionOf(file);
   const auto& known = pcl_spiral::toolpathExtensions();
-  return extension == ".json" || extension == ".png" || extension == ".html" ||
+  return isProgram(file) || isExchange(file) || extension == ".json" || extension == ".png" || extension == ".html" ||
          std::find(known.begin(), known.end(), extension) != known.end();
 }
 
@@ -73,9 +75,9 @@ checkOutputs(const Job& job)
   if (job.outputs.empty())
     throw UsageError("no output is named; give at least one, such as -o part.csv");
   for (const std::string& file : job.outputs)
-    if (!isWritten(extensionOf(file)))
+    if (!isWritten(file))
       throw UsageError("-o " + file + ": extension '" + extensionOf(file) +
-                       "' is not known; use .csv .pcd .ply .vtp .json .html or .png");
+                       "' is not known; use .csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .json .html or .png");
   std::error_code error;
   const std::vector<std::string> files = filesOf(job);
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -93,6 +95,8 @@ std::vector<PictureName>
 picturesOf(const Job& job)
 {
   std::vector<PictureName> pictures{{PictureKind::Spiral, ""}, {PictureKind::Lines, "_lines"}};
+  if (hasProgram(job))
+    pictures.push_back({PictureKind::Rotary, "_rotary"});
   if (job.verify)
     pictures.insert(pictures.end(), {{PictureKind::Deviation, "_deviation"},
                                      {PictureKind::Stock, "_stock"},
@@ -120,4 +124,5 @@ checkJob(const Job& job)
     throw UsageError("no scan is named; give one, such as part.pcd");
   checkCutter(job);
   checkOutputs(job);
+  checkProgram(job);
 }

@@ -1,4 +1,5 @@
 #include "option_table.h"
+#include "program_options.h"
 #include "terminal/option_values.h"
 
 #include <algorithm>
@@ -71,10 +72,12 @@ files()
        {"output", "FILE",
         "what to write, by extension; give it once a file: -o part.csv -o part.vtp\n"
         ".csv .pcd .ply .vtp  the path; with --verify a .vtp has the point data Deviation and Scallop, mm\n"
+        ".ngc .nc  program of a five-axis machine; see --machine\n"
+        ".apt .cls  CLDATA    .yaml  robot frames: metres, z out of the surface, x along the travel\n"
         ".json  report: settings, loops, counts, times\n"
         ".html  report to read and print, with the pictures, in one file\n"
         ".png  the spiral on the surface; NAME_lines.png beside it shows loops and radial lines; with --verify also "
-        "NAME_deviation.png, NAME_stock.png, NAME_histogram.png",
+        "NAME_deviation.png, NAME_stock.png, NAME_histogram.png, with a program NAME_rotary.png",
         [](Job& job, const std::string& value) { job.outputs.push_back(value); }},
        {"units", "mm|m|inch", "unit of the numbers in the scan; mm by default: --units m",
         [](Job& job, const std::string& value) { job.read.unit = choiceValue<LengthUnit>("units", value); }},
@@ -181,7 +184,7 @@ editDistance(const std::string& a, const std::string& b)
 const std::vector<OptionGroup>&
 optionTable()
 {
-  static const std::vector<OptionGroup> table{files(), cutter(), spiral(), surface(), running()};
+  static const std::vector<OptionGroup> table{files(), cutter(), spiral(), surface(), programOptions(), running()};
   return table;
 }
 

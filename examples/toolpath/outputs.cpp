@@ -1,6 +1,7 @@
 #include "outputs.h"
 
 #include "job_check.h"
+#include "program.h"
 #include "terminal/file_names.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -27,6 +28,8 @@ draw(const Job& job, const Result& result, const std::string& title, PictureFile
   VerificationScene scene;
   scene.part = {title, result.scan.cloud, result.path, job.settings, result.report};
   pictures.drawPath(scene.part, true);
+  if (result.program)
+    pictures.drawProgram(title, *result.program);
   if (!result.verification)
     return;
   scene.deviation = result.heights.deviation;
@@ -53,7 +56,7 @@ writeReport(const Job& job, const Result& result, const std::string& title, Pict
     writeReportJSON(file, run, job.settings, result.report, verification);
   else
     writeReportHTML(file, {title, madeBy("pcl_spiral_toolpath"), job.command}, run, job.settings, result.report,
-                    pictures.forReport({PictureKind::Spiral, PictureKind::Lines}), verification,
+                    pictures.forReport({PictureKind::Spiral, PictureKind::Lines, PictureKind::Rotary}), verification,
                     pictures.forReport({PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram}));
 }
 
@@ -81,6 +84,8 @@ try {
         pictures.copy(picture.kind, files.temporary(i++));
     else if (isReport(output))
       reports.push_back(files.temporary(i++));
+    else if (isProgram(output) || isExchange(output))
+      writeMoves(job, result, output, files.temporary(i++));
     else
       writeToolpath(files.temporary(i++), *result.path, motion, values);
   }

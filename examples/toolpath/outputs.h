@@ -7,6 +7,7 @@
 #include "judging/judge.h"
 
 #include <pcl_spiral/io/output_files.h>
+#include <pcl_spiral/machine/machine_program.h>
 #include <pcl_spiral/toolpath/spiral_report.h>
 
 #include <optional>
@@ -19,6 +20,7 @@ struct Result {
   pcl_spiral::SpiralReport report;
   std::optional<pcl_spiral::Verification> verification; ///< where the path was judged, and then
   Heights heights;                                      ///< the values behind it
+  std::optional<pcl_spiral::MachineProgram> program;    ///< where a machine is given
 };
 
 /** Writes every file of the job, all or none; reports last, so that they tell what drawing and writing cost, which is

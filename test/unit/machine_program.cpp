@@ -141,6 +141,7 @@ TEST(MachineProgram, TurnsAreCountedOnAndBlocksStayBelowAHalfTurn)
       ASSERT_LT(std::max(std::abs(b.first - a.first), std::abs(b.second - a.second)), M_PI);
     }
     EXPECT_TRUE(report.unwound_at.empty());
+    EXPECT_LE(std::abs(program.blocks.front().angles.first), M_PI + 1e-9) << "as near to home as can be";
   }
 }
 

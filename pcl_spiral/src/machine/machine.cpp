@@ -33,12 +33,28 @@ rotaryFault(const RotaryAxis& axis)
     return textOf("the point of ", axis.letter, " is not finite; give one such as [0, 0, 0]");
   if (!std::isfinite(axis.range.largest_rate))
     return textOf("no largest rate of ", axis.letter, " is given; give max_rpm, such as 20");
+  if (const std::string what = rangeFault(std::string(1, axis.letter), axis.range); !what.empty())
+    return what;
   if (!(axis.home >= axis.range.lower && axis.home <= axis.range.upper))
     return textOf("home of ", axis.letter, " lies beyond its limits; give a place within them");
-  return rangeFault(std::string(1, axis.letter), axis.range);
+  return {};
 }
 
 } // namespace
+
+Machine
+xyzacTrunnion()
+{
+  Machine machine;
+  machine.name = "xyzac-trt";
+  machine.rotary[0].letter = 'C';
+  machine.rotary[0].direction = Eigen::Vector3d::UnitZ();
+  machine.rotary[1].letter = 'A';
+  machine.rotary[1].direction = Eigen::Vector3d::UnitX();
+  for (RotaryAxis& axis : machine.rotary)
+    axis.range.largest_rate = 30.0 * 2.0 * 3.14159265358979323846;
+  return machine;
+}
 
 Status
 checkMachine(const Machine& machine)

@@ -74,9 +74,9 @@ reportAngles(MachineProgram& program)
   for (std::size_t i = 1; i < program.blocks.size(); ++i) {
     const ProgramBlock& block = program.blocks[i];
     const RotaryAngles &to = block.angles, &from = program.blocks[i - 1].angles;
-    report.largest_turn = std::max({report.largest_turn, std::abs(to.first - from.first), std::abs(to.second - from.second)});
     if (block.section != BlockSection::Cut)
       continue;
+    report.largest_turn = std::max({report.largest_turn, std::abs(to.first - from.first), std::abs(to.second - from.second)});
     ++report.cut_blocks;
     report.first_travel += std::abs(to.first - from.first);
     const auto widen = [begun](double& lowest, double& highest, double value) {

@@ -157,6 +157,9 @@ rotaryPath(const Kinematics& kinematics, const ToolPoses& poses, const RotaryPat
     path.locations[i] = {poses[i], angles[i], i == 0 ? 0.0 : path.locations[i - 1].arc_length + step};
   }
   blendPoles(kinematics, settings, path);
+  const double begin = path.locations.front().angles.first, shift = nearestTurn(begin, kinematics.machine().rotary[0].home) - begin;
+  for (MachineLocation& location : path.locations) // where the pole's zone came first, it took turns away
+    location.angles.first += shift;
   return Status::success();
 }
 

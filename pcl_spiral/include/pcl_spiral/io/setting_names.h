@@ -4,6 +4,8 @@
 #pragma once
 
 #include <pcl_spiral/io/length_unit.h>
+#include <pcl_spiral/io/program_writer.h>
+#include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/toolpath/spiral_settings.h>
 
 #include <array>
@@ -55,6 +57,19 @@ struct ChoiceNames<LineMethod> {
       {{LineMethod::Automatic, "auto"},
        {LineMethod::Geodesic, "geodesic"},
        {LineMethod::Harmonic, "harmonic"}}};
+};
+template <>
+struct ChoiceNames<Dialect> {
+  static constexpr std::array<std::pair<Dialect, const char*>, 5> words{{{Dialect::LinuxCNC, "linuxcnc"},
+                                                                         {Dialect::Fanuc, "fanuc"},
+                                                                         {Dialect::FanucVectors, "fanuc-ijk"},
+                                                                         {Dialect::Siemens, "siemens"},
+                                                                         {Dialect::Heidenhain, "heidenhain"}}};
+};
+template <>
+struct ChoiceNames<LeadKind> {
+  static constexpr std::array<std::pair<LeadKind, const char*>, 2> words{
+      {{LeadKind::Normal, "normal"}, {LeadKind::Arc, "arc"}}};
 };
 
 /** The word for \p choice. */

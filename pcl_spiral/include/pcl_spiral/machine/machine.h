@@ -57,6 +57,9 @@ struct Machine {
   double path_tolerance = 0.01;      ///< that the control may round corners by (G64 P), mm
 };
 
+/** LinuxCNC's xyzac-trt-kins with nothing off zero: table C on trunnion A, no limits, both at up to 30 rev/min, RTCP. */
+Machine xyzacTrunnion();
+
 /** Whether the machine can be: what is wrong, the value and the remedy otherwise. */
 Status checkMachine(const Machine& machine);
 

@@ -49,7 +49,7 @@ struct ProgramReport {
   double first_travel = 0.0;       ///< sum of all turns of the first rotary axis while cutting
   double lowest_first = 0.0, highest_first = 0.0;
   double lowest_second = 0.0, highest_second = 0.0;
-  double largest_turn = 0.0;       ///< of a rotary axis in one block
+  double largest_turn = 0.0;       ///< of a rotary axis in one block of cutting
   double minutes = 0.0;            ///< without rapids
 };
 

@@ -1,0 +1,130 @@
+// Programs of machines from outside: from a scan to what LinuxCNC's interpreter runs, and what is said of wrong calls.
+#include "command_line/cap_scan.h"
+#include "command_line/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace {
+
+const std::string program = PCL_SPIRAL_TOOLPATH_PROGRAM;
+const std::string machines = PCL_SPIRAL_MACHINES_DIR;
+
+RunResult
+run(const ScratchFolder& folder, std::vector<std::string> arguments)
+{
+  writeText(folder.path("cap.xyz"), capScan(6000));
+  const std::vector<std::string> begin{"cap.xyz", "--tool-radius", "8", "--scallop", "0.1"};
+  arguments.insert(arguments.begin(), begin.begin(), begin.end());
+  return endOf(startProgram(program, arguments, folder), folder);
+}
+
+void
+expectHas(const std::string& text, const std::string& part)
+{
+  EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' in: " << text;
+}
+
+std::size_t
+linesWith(const std::string& text, const std::string& part)
+{
+  std::istringstream stream(text);
+  std::size_t count = 0;
+  for (std::string line; std::getline(stream, line);)
+    count += line.find(part) != std::string::npos;
+  return count;
+}
+
+} // namespace
+
+TEST(Program, FromAScanToWhatTheInterpreterRuns)
+{
+  const ScratchFolder folder;
+  const RunResult done = run(folder, {"-o", "part.ngc", "-o", "part.csv", "--machine", machines + "/xyzac.yaml", "--spindle", "9000"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  expectHas(done.out, "program         xyzac-trt: ");
+  expectHas(done.out, "rotary axes     C ");
+  const std::string text = readText(folder.path("part.ngc"));
+  const std::size_t rows = linesWith(readText(folder.path("part.csv")), ",") - 1;
+  EXPECT_GE(linesWith(text, "G1 X"), rows);
+  const std::string call = "cd '" + folder.root().string() + "' && rs274 -g part.ngc canon.txt 2>messages.txt";
+  ASSERT_EQ(std::system(call.c_str()), 0) << "run cmake/install_dependencies.sh test where rs274 is missing: "
+                                          << readText(folder.path("messages.txt"));
+  EXPECT_EQ(linesWith(readText(folder.path("canon.txt")), "STRAIGHT_FEED("), linesWith(text, "G1 X"));
+}
+
+TEST(Program, EveryLanguageAndExchangeFileIsWritten)
+{
+  const ScratchFolder folder;
+  for (const std::string dialect : {"linuxcnc", "fanuc", "fanuc-ijk", "siemens", "heidenhain"}) {
+    const RunResult done = run(folder, {"-o", dialect + ".nc", "--dialect", dialect, "--machine", machines + "/head_head.yaml", "--quiet"});
+    ASSERT_EQ(done.code, 0) << done.err;
+  }
+  expectHas(readText(folder.path("linuxcnc.nc")), "G93\n");
+  expectHas(readText(folder.path("fanuc.nc")), "G43.4 H1 X");
+  expectHas(readText(folder.path("fanuc-ijk.nc")), "G43.5 H1 X");
+  expectHas(readText(folder.path("siemens.nc")), "TRAORI\n");
+  expectHas(readText(folder.path("heidenhain.nc")), " M128\n");
+  const RunResult done = run(folder, {"-o", "a.apt", "-o", "b.cls", "-o", "c.yaml", "--quiet"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_EQ(readText(folder.path("a.apt")), readText(folder.path("b.cls")));
+  expectHas(readText(folder.path("a.apt")), "CUTTER/16.000000,8.000000,");
+  EXPECT_EQ(readText(folder.path("c.yaml")).rfind("- - - - {x: ", 0), 0U);
+}
+
+TEST(Program, AJobFileHoldsTheSameNames)
+{
+  const ScratchFolder folder;
+  writeText(folder.path("job.yaml"), "output: [a.nc, a.png]\nmachine: " + machines +
+                                         "/xyzbc.yaml\ndialect: fanuc\nlead-in: arc\nlead-length: 3\nthin-blocks: [0.01, 0.2]\ndecimals: 5\n");
+  const RunResult done = run(folder, {"--config", "job.yaml"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  expectHas(readText(folder.path("a.nc")), " B");
+  EXPECT_EQ(done.out.find(" 0 left out"), std::string::npos) << done.out;
+  for (const char* picture : {"a.png", "a_lines.png", "a_rotary.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder.path(picture))) << picture;
+}
+
+TEST(Program, WithoutAMachineFileTheUserIsToldWhatWasTaken)
+{
+  const ScratchFolder folder;
+  const RunResult done = run(folder, {"-o", "part.ngc"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  expectHas(done.err, "no --machine is given: the program is for LinuxCNC's xyzac-trt-kins");
+}
+
+TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
+{
+  const ScratchFolder folder;
+  const std::string machine = machines + "/xyzac.yaml";
+  const auto said = [&folder](const std::vector<std::string>& arguments, int code) {
+    const RunResult done = run(folder, arguments);
+    EXPECT_EQ(done.code, code) << done.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path("a.nc")));
+    EXPECT_FALSE(std::filesystem::exists(folder.path("a.ngc")));
+    return done.err;
+  };
+  expectHas(said({"-o", "a.nc", "--dialect", "fanuc"}, 2), "-o a.nc: no --machine is given");
+  expectHas(said({"-o", "a.nc", "--machine", machine}, 2), "no --dialect is given; it must be one of linuxcnc|fanuc|");
+  expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "okuma"}, 2), "--dialect okuma: must be one of");
+  expectHas(said({"-o", "a.ngc", "--machine", "none.yaml"}, 1), "none.yaml: there is no such machine file");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--clearance", "0"}, 2), "--clearance 0: must be above 0 mm");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--decimals", "2"}, 2), "--decimals 2: must be 3 to 6");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--thin-blocks", "1"}, 2), "--thin-blocks 1: mm of the tip and degrees");
+  expectHas(said({"-o", "a.nc", "--machine", machines + "/head_table.yaml", "--dialect", "siemens"}, 1), "rtcp: false");
+}
+
+TEST(Program, AMachineThatCannotMakeItIsNamedAndNothingIsWritten)
+{
+  const ScratchFolder folder;
+  std::string text = readText(machines + "/xyzac.yaml");
+  text.replace(text.find("[-100, 120]"), 11, "[-2, 2]");
+  writeText(folder.path("stiff.yaml"), text);
+  const RunResult done = run(folder, {"-o", "a.ngc", "-o", "a.csv", "--machine", "stiff.yaml"});
+  EXPECT_EQ(done.code, 1);
+  for (const char* part : {"stiff.yaml: block ", ": A would stand at ", "limit of ", "turn the part"})
+    expectHas(done.err, part);
+  EXPECT_FALSE(std::filesystem::exists(folder.path("a.ngc")));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv")));
+}
