@@ -13,12 +13,26 @@ constexpr double rim_reach = 2.0;   // in radii: what lies lower beyond a rim wo
 constexpr double least_share =
     0.2; // of the normal along the axis, when noise along the normal is taken along it
 
+constexpr double steep_share = 0.35; // of the normal along the axis: 70 degrees
+
+/** The cutter less \p depth along its normals; itself where nothing would be left. Its tip stands \p depth
+ * higher. */
+CutterProfile
+inner(const CutterProfile& profile, double depth)
+{
+  CutterShape shape = profile.shape();
+  shape.radius -= depth * std::cos(profile.flankAngle());
+  shape.corner_radius = std::max(0.0, shape.corner_radius - depth);
+  return faultOf(shape).empty() ? CutterProfile(shape) : profile;
+}
+
 } // namespace
 
 CutterLocator::CutterLocator(const LocationSurface& surface, const CutterProfile& profile,
                              const LocationOptions& options)
     : surface_(surface), options_(options), profile_(profile), drop_(surface.obstacles(), profile),
-      rim_drop_(surface.rim(), profile), fitted_drop_(surface, profile),
+      rim_drop_(surface.rim(), profile), inner_drop_(surface.obstacles(), inner(profile, near())),
+      fitted_drop_(surface, profile),
       holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance)
 {
 }
@@ -58,14 +72,40 @@ CutterLocator::settle(const AskedLocation& asked, double height, ToolLocation& l
   location.collision = findCollision(surface_.obstacles(), holder_, asked.frame, height, options_.tolerance);
 }
 
+bool
+CutterLocator::holds(const AskedLocation& asked) const
+{
+  const bool steep = asked.asks && asked.frame.axis.dot(asked.normal) < steep_share;
+  return steep && asked.contact.touches && !inner_drop_.highest(asked.frame, near()).found;
+}
+
+void
+CutterLocator::standOn(const AskedLocation& asked, const SurfaceFoot& foot, ToolLocation& location) const
+{
+  const double side = foot.normal.dot(asked.frame.axis) < 0.0 ? -1.0 : 1.0;
+  const double above = side * (asked.position - foot.position).dot(foot.normal);
+  const double share = side * foot.normal.dot(asked.frame.axis);
+  if (std::abs(above) > near() && share < steep_share)
+    return;
+  location.cloud_index = surface_.source(foot.nearest);
+  location.contact = foot.position;
+  location.normal = side * foot.normal;
+  location.basis = LocationBasis::AskedContact;
+  location.gap_bound = std::numeric_limits<double>::infinity();
+  settle(asked, std::abs(above) > near() ? -above / share : 0.0, location);
+}
+
 ToolLocation
 CutterLocator::resolve(const AskedLocation& asked, const DropContact& drop, const FittedContact& fitted,
                        const SurfaceFoot& foot) const
 {
   ToolLocation location;
   location.axis = asked.frame.axis;
-  if (!drop.found)
+  if (!drop.found) {
+    if (asked.asks && asked.contact.touches && surface_.hasSurface() && surface_.covers(foot))
+      standOn(asked, foot, location);
     return location;
+  }
   location.cloud_index = drop_.blocks().originalIndex(drop.point);
   location.contact = drop_.blocks().position(drop.point);
   double height = drop.height;
@@ -85,6 +125,11 @@ CutterLocator::resolve(const AskedLocation& asked, const DropContact& drop, cons
       location.gap = location.gap_bound;
       height += location.gap_bound;
     }
+  }
+  if (height > options_.tolerance && holds(asked)) {
+    location.basis = LocationBasis::AskedContact;
+    location.contact = asked.position;
+    location.gap = height = 0.0;
   }
   settle(asked, height, location);
   return location;
@@ -113,9 +158,9 @@ CutterLocator::locateSome(const DrivePoint* drive, std::size_t count, ToolLocati
     std::vector<Eigen::Vector3d> queries;
     std::vector<SurfaceFoot> found;
     for (std::size_t i = 0; i < count; ++i)
-      if (drops[i].found && !trusted(fitted[i], drops[i])) {
+      if (!drops[i].found ? asked[i].asks : !trusted(fitted[i], drops[i])) {
         which.push_back(static_cast<std::uint32_t>(i));
-        queries.push_back(drop_.blocks().position(drops[i].point));
+        queries.push_back(drops[i].found ? drop_.blocks().position(drops[i].point) : asked[i].position);
       }
     surface_.surface().project(queries, found);
     for (std::size_t k = 0; k < which.size(); ++k)

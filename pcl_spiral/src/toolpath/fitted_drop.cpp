@@ -106,7 +106,7 @@ void
 FittedDrop::step(const AxisFrame& frame, const SurfaceFoot& foot, Start& start) const
 {
   start.active = false;
-  if (!foot.valid)
+  if (!surface_.covers(foot))
     return;
   const FacingFoot facing(foot, frame.axis);
   const double spacing = surface_.surface().graph().spacing(foot.nearest);

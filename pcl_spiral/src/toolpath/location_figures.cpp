@@ -35,9 +35,9 @@ CutterLocator::figures(const ToolLocations& locations) const
     }
     if (location.basis == LocationBasis::FittedSurface)
       f.largest_gap = std::max(f.largest_gap, location.gap);
-    else if (std::isfinite(location.gap_bound))
+    else if (location.basis != LocationBasis::AskedContact && std::isfinite(location.gap_bound))
       f.largest_gap_bound = std::max(f.largest_gap_bound, location.gap_bound);
-    else
+    else if (location.basis != LocationBasis::AskedContact)
       ++f.unbounded;
   }
   const auto warn = [&](std::size_t count, const std::string& what) {
@@ -64,6 +64,14 @@ CutterLocator::figures(const ToolLocations& locations) const
                 "; lengthen the tool, lean the axis away, or allow it "
                 "to be tilted"));
   }
+  const std::size_t asked =
+      f.count(LocationState::Reached) + f.count(LocationState::Lifted) + f.count(LocationState::Clear);
+  if (asked > 0 && surface_.hasSurface() && surface_.fitNoise() > options_.tolerance)
+    f.warnings.push_back(
+        textOf("the scan's noise leaves its surface known to ", surface_.fitNoise(),
+               " mm, more than the contact tolerance of ", options_.tolerance,
+               " mm: contacts count as lifted or clear by chance; raise the tolerance to three times "
+               "that"));
   if (f.stray_points > 0)
     f.warnings.push_back(textOf(f.stray_points,
                                 " points of the scan stand alone off its surface; the cutter stays off "
@@ -104,6 +112,8 @@ nameOf(LocationBasis basis)
     return "points and bound";
   case LocationBasis::Points:
     return "points";
+  case LocationBasis::AskedContact:
+    return "asked contact";
   }
   return "";
 }

@@ -58,7 +58,8 @@ bool
 CutterLocator::clears(const DrivePoint& drive) const
 {
   const AskedLocation asked(drive, profile_);
-  return asked.contact.touches && !drop_.highest(asked.frame, options_.tolerance).found &&
+  const bool clear = !drop_.highest(asked.frame, options_.tolerance).found || holds(asked);
+  return asked.contact.touches && clear &&
          !findCollision(surface_.obstacles(), holder_, asked.frame, 0.0, options_.tolerance).found();
 }
 

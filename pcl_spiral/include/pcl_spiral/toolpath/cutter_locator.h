@@ -48,6 +48,16 @@ private:
   ToolLocation resolve(const AskedLocation& asked, const DropContact& drop, const FittedContact& fitted,
                        const SurfaceFoot& foot) const;
   void settle(const AskedLocation& asked, double height, ToolLocation& location) const;
+  /** Whether the contact asked for is steep, and no point is deeper in the cutter there than near(), along
+   * the cutter's normal. */
+  bool holds(const AskedLocation& asked) const;
+  /** How near, along a normal, the scan is where it is touched. */
+  double
+  near() const
+  {
+    return options_.tolerance + surface_.noiseAllowance();
+  }
+  void standOn(const AskedLocation& asked, const SurfaceFoot& foot, ToolLocation& location) const;
   bool trusted(const FittedContact& fitted, const DropContact& drop) const;
   /** Whether the points let the cutter and what holds it stand at the contact asked for. */
   bool clears(const DrivePoint& drive) const;
@@ -56,7 +66,7 @@ private:
   const LocationSurface& surface_;
   LocationOptions options_;
   CutterProfile profile_;
-  CutterDrop drop_, rim_drop_;
+  CutterDrop drop_, rim_drop_, inner_drop_; ///< the last with a cutter smaller by near() all round
   FittedDrop fitted_drop_;
   HolderProfile holder_;
 };

@@ -69,6 +69,20 @@ public:
   {
     return noise_allowance_;
   }
+  /** Standard deviation of the fitted surface, mm: noise sqrt(50 / (7 k)) for k evenly spread neighbours. */
+  double fitNoise() const;
+  /** Which of the points given to build is point \p i of the surface's graph. */
+  std::uint32_t
+  source(std::uint32_t i) const
+  {
+    return source_.indices[graph_.blocks().originalIndex(i)];
+  }
+  /** Whether a foot lies among the points, not over a gap between them. */
+  bool
+  covers(const SurfaceFoot& foot) const
+  {
+    return foot.valid && foot.nearest_distance <= 1.5 * coveringRadius(foot.nearest);
+  }
   /** About point \p i of the surface's graph: largest circumradius of the triangles of its own and of its
    * neighbours. No place of the surface near there is farther from the nearest point. */
   double

@@ -25,7 +25,8 @@ enum class LocationState {
   Clear, ///< the contact asked for stands off the scan by more than the tolerance; the cutter was left there
   Unreachable, ///< the surface leans over the flank at the contact; the cutter stands beside it, free of
                ///< gouge
-  NoCloud ///< no point within the cutter's radius of the axis: nothing is known, and the tip is not a number
+  NoCloud      ///< no point within the cutter's radius of the axis, nor a contact asked for on the surface:
+               ///< nothing is known, and the tip is not a number
 };
 constexpr std::size_t location_states = 6;
 
@@ -33,9 +34,12 @@ constexpr std::size_t location_states = 6;
 enum class LocationBasis {
   FittedSurface,  ///< the surface fitted to the points about the contact
   PointsAndBound, ///< the points, and the bound of how far the cutter would sink between them on top (gap)
-  Points          ///< the points alone: as published, or where there is no bound (gap_bound infinite)
+  Points,         ///< the points alone: as published, or where there is no bound (gap_bound infinite)
+  AskedContact    ///< the contact asked for, where a height along the axis says nothing: flanks along steep
+                  ///< walls, and cutters between the points. No point is deeper in the cutter, along its
+                  ///< surface's normal, than the tolerance and the noise allowance
 };
-constexpr std::size_t location_bases = 3;
+constexpr std::size_t location_bases = 4;
 
 /** A gouge-free place of the cutter. Lengths in mm, along the tool axis unless said otherwise. */
 struct ToolLocation {
