@@ -186,7 +186,7 @@ TEST(CutterLocation, NoPointOfTwentyFreeFormCloudsLiesInTheCutter)
     const double a = random.uniform(0.5, 3.0), b = random.uniform(0.5, 3.0), p = random.uniform(0.1, 0.25);
     const double q = random.uniform(0.1, 0.25), shift = random.uniform(0.0, 6.0);
     std::vector<Vector3d> points;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < 12000; ++i) {
       const double x = random.uniform(-30, 30), y = random.uniform(-30, 30);
       points.emplace_back(x, y, a * std::sin(p * x + 0.5 * q * y) + b * std::cos(q * y + shift));
     }
@@ -239,7 +239,7 @@ TEST(CutterLocation, TheTrueSurfaceIsNotCutInto)
 {
   const SurfacePtr part = quadric(90.0, -60.0, Region({circle({0, 0}, 30.0)}));
   const auto cloud = toCloud(sampleUniform(*part, 12000, 11).points);
-  const std::vector<Vector3d> dense = sampleUniform(*part, 150000, 12).points;
+  const std::vector<Vector3d> dense = sampleUniform(*part, 100000, 12).points;
   for (const CutterShape& shape : all_kinds) {
     const DrivePoints drive = drivePoints(*part, 25, 35.0, 10.0, false, 13);
     const CutterProfile cutter(shape);
