@@ -14,8 +14,8 @@ const std::string machines = PCL_SPIRAL_MACHINES_DIR;
 RunResult
 run(const ScratchFolder& folder, std::vector<std::string> arguments)
 {
-  writeText(folder.path("cap.xyz"), capScan(6000));
-  const std::vector<std::string> begin{"cap.xyz", "--tool-radius", "8", "--scallop", "0.1"};
+  writeText(folder.path("cap.xyz"), capScan(3000));
+  const std::vector<std::string> begin{"cap.xyz", "--tool-radius", "8", "--scallop", "0.2"};
   arguments.insert(arguments.begin(), begin.begin(), begin.end());
   return endOf(startProgram(program, arguments, folder), folder);
 }
