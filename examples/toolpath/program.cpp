@@ -39,15 +39,18 @@ warningsOf(const MachineProgram& program)
   const char first = program.machine.rotary[0].letter;
   std::vector<std::string> warnings;
   for (const PoleZone& zone : report.poles)
-    warnings.push_back(textOf("near the pole ", first, " would turn beyond its rate: the tool axis was blended from ", zone.begin, " to ",
-                              zone.end, " mm of the path, by up to ", zone.largest_change * degrees, " degrees"));
+    warnings.push_back(textOf(
+        "near the pole ", first, " would turn beyond its rate: the tool axis was blended from ", zone.begin,
+        " to ", zone.end, " mm of the path, by up to ", zone.largest_change * degrees, " degrees"));
   if (report.slowed_blocks > 0)
     warnings.push_back(textOf(report.slowed_blocks, " of ", report.cut_blocks,
-                              " blocks run below the feed for an axis to keep its rate, the slowest at ", 100.0 * report.least_feed_share,
-                              " % of it, at ", report.least_feed_at, " mm of the path"));
+                              " blocks run below the feed for an axis to keep its rate, the slowest at ",
+                              100.0 * report.least_feed_share, " % of it, at ", report.least_feed_at,
+                              " mm of the path"));
   if (!report.unwound_at.empty())
     warnings.push_back(textOf("the tool leaves the surface ", report.unwound_at.size(), " times for ", first,
-                              " to unwind at its limit, first at ", report.unwound_at.front(), " mm of the path"));
+                              " to unwind at its limit, first at ", report.unwound_at.front(),
+                              " mm of the path"));
   return warnings;
 }
 
@@ -81,15 +84,18 @@ checkProgram(const Job& job)
     if (!isProgram(output))
       continue;
     if (extensionOf(output) == ".nc" && job.program.machine_file.empty())
-      throw UsageError("-o " + output + ": no --machine is given; name the machine's file, such as --machine xyzac.yaml "
-                                        "(some are in examples/machines, installed in share/pcl_spiral)");
+      throw UsageError("-o " + output +
+                       ": no --machine is given; name the machine's file, such as --machine xyzac.yaml "
+                       "(some are in examples/machines, installed in share/pcl_spiral)");
     if (extensionOf(output) == ".nc" && job.given.count("dialect") == 0)
-      throw UsageError("-o " + output + ": no --dialect is given; it must be one of " + choiceList<Dialect>());
+      throw UsageError("-o " + output + ": no --dialect is given; it must be one of " +
+                       choiceList<Dialect>());
   }
   require(s.lead_length > 0.0, "lead-length", s.lead_length, "must be above 0 mm");
   require(s.clearance > 0.0, "clearance", s.clearance, "must be above 0 mm");
   require(s.rapid_height > 0.0, "rapid-height", s.rapid_height, "must be above 0 mm");
-  require(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole-cone", s.pole_cone, "must lie between 0 and 90 degrees");
+  require(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole-cone", s.pole_cone,
+          "must lie between 0 and 90 degrees");
   require(s.block.tip > 0.0, "block-tolerance", s.block.tip, "must be above 0 mm");
   require(s.block.axis > 0.0, "block-tolerance", s.block.axis * degrees, "must be above 0 degrees");
   require(s.thinning.tip >= 0.0, "thin-blocks", s.thinning.tip, "must not be below 0 mm");
@@ -107,10 +113,12 @@ machineOf(const Job& job)
     return xyzacTrunnion();
   Machine machine = readMachine(job.program.machine_file);
   const Dialect dialect = job.program.dialect;
-  const bool tips = dialect == Dialect::FanucVectors || dialect == Dialect::Siemens || dialect == Dialect::Heidenhain;
+  const bool tips =
+      dialect == Dialect::FanucVectors || dialect == Dialect::Siemens || dialect == Dialect::Heidenhain;
   if (!machine.rtcp && tips)
-    throw FileError(job.program.machine_file, "rtcp: false, and --dialect " + choiceName(dialect) +
-                                                  " takes tips and tool axes; use linuxcnc or fanuc, or rtcp: true");
+    throw FileError(job.program.machine_file,
+                    "rtcp: false, and --dialect " + choiceName(dialect) +
+                        " takes tips and tool axes; use linuxcnc or fanuc, or rtcp: true");
   return machine;
 }
 
@@ -126,10 +134,12 @@ makeProgram(const Job& job, const Machine& machine, Result& result)
   MachineProgram program;
   generator.compute(program);
   if (!generator.getStatus().ok())
-    throw FileError(job.program.machine_file.empty() ? machine.name : job.program.machine_file, generator.getStatus().message());
+    throw FileError(job.program.machine_file.empty() ? machine.name : job.program.machine_file,
+                    generator.getStatus().message());
   if (job.program.machine_file.empty())
-    result.report.warnings.push_back("no --machine is given: the program is for LinuxCNC's xyzac-trt-kins with nothing off zero, both "
-                                     "rotary axes at up to 30 rev/min, and no limits are checked");
+    result.report.warnings.push_back(
+        "no --machine is given: the program is for LinuxCNC's xyzac-trt-kins with nothing off zero, both "
+        "rotary axes at up to 30 rev/min, and no limits are checked");
   for (const std::string& warning : warningsOf(program))
     result.report.warnings.push_back(warning);
   result.program = std::move(program);
@@ -144,7 +154,8 @@ writeMoves(const Job& job, const Result& result, const std::string& output, cons
   if (extension == ".yaml")
     return writeRobotFrames(file, *result.path);
   if (isProgram(output))
-    return writeProgram(file, *result.program, extension == ".ngc" ? Dialect::LinuxCNC : job.program.dialect, header);
+    return writeProgram(file, *result.program, extension == ".ngc" ? Dialect::LinuxCNC : job.program.dialect,
+                        header);
   MachineProgramGenerator poses;
   poses.setInputPath(*result.path, job.settings.tool_radius);
   writeAPT(file, poses.getInputPoses(),
@@ -156,9 +167,11 @@ printProgram(const MachineProgram& program)
 {
   const ProgramReport& report = program.report;
   const auto& [first, second] = program.machine.rotary;
-  std::printf("program         %s: %zu blocks, %zu put in, %zu left out, %s of feed\n", program.machine.name.c_str(),
-              program.blocks.size(), report.split_blocks, report.thinned_poses, duration(60.0 * report.minutes).c_str());
-  std::printf("rotary axes     %c %.1f to %.1f degrees, %.1f turns in all; %c %.2f to %.2f degrees\n", first.letter,
-              report.lowest_first * degrees, report.highest_first * degrees, report.first_travel * degrees / 360.0, second.letter,
-              report.lowest_second * degrees, report.highest_second * degrees);
+  std::printf("program         %s: %zu blocks, %zu put in, %zu left out, %s of feed\n",
+              program.machine.name.c_str(), program.blocks.size(), report.split_blocks, report.thinned_poses,
+              duration(60.0 * report.minutes).c_str());
+  std::printf("rotary axes     %c %.1f to %.1f degrees, %.1f turns in all; %c %.2f to %.2f degrees\n",
+              first.letter, report.lowest_first * degrees, report.highest_first * degrees,
+              report.first_travel * degrees / 360.0, second.letter, report.lowest_second * degrees,
+              report.highest_second * degrees);
 }

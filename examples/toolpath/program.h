@@ -18,8 +18,8 @@ void checkProgram(const Job& job);
 /** The machine of a job that has a program. \throw pcl_spiral::FileError */
 pcl_spiral::Machine machineOf(const Job& job);
 
-/** Lays the path on \p machine; what a user should know of it goes to the report's warnings. \throw pcl_spiral::FileError where the machine
- * cannot make it */
+/** Lays the path on \p machine; what a user should know of it goes to the report's warnings. \throw
+ * pcl_spiral::FileError where the machine cannot make it */
 void makeProgram(const Job& job, const pcl_spiral::Machine& machine, Result& result);
 
 /** One output of the kinds above, into \p file. \throw pcl_spiral::FileError */

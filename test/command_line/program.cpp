@@ -1,4 +1,5 @@
-// Programs of machines from outside: from a scan to what LinuxCNC's interpreter runs, and what is said of wrong calls.
+// Programs of machines from outside: from a scan to what LinuxCNC's interpreter runs, and what is said of
+// wrong calls.
 #include "command_line/cap_scan.h"
 #include "command_line/run_program.h"
 
@@ -41,14 +42,16 @@ linesWith(const std::string& text, const std::string& part)
 TEST(Program, FromAScanToWhatTheInterpreterRuns)
 {
   const ScratchFolder folder;
-  const RunResult done = run(folder, {"-o", "part.ngc", "-o", "part.csv", "--machine", machines + "/xyzac.yaml", "--spindle", "9000"});
+  const RunResult done = run(folder, {"-o", "part.ngc", "-o", "part.csv", "--machine",
+                                      machines + "/xyzac.yaml", "--spindle", "9000"});
   ASSERT_EQ(done.code, 0) << done.err;
   expectHas(done.out, "program         xyzac-trt: ");
   expectHas(done.out, "rotary axes     C ");
   const std::string text = readText(folder.path("part.ngc"));
   const std::size_t rows = linesWith(readText(folder.path("part.csv")), ",") - 1;
   EXPECT_GE(linesWith(text, "G1 X"), rows);
-  const std::string call = "cd '" + folder.root().string() + "' && rs274 -g part.ngc canon.txt 2>messages.txt";
+  const std::string call =
+      "cd '" + folder.root().string() + "' && rs274 -g part.ngc canon.txt 2>messages.txt";
   ASSERT_EQ(std::system(call.c_str()), 0) << "run cmake/install_dependencies.sh test where rs274 is missing: "
                                           << readText(folder.path("messages.txt"));
   EXPECT_EQ(linesWith(readText(folder.path("canon.txt")), "STRAIGHT_FEED("), linesWith(text, "G1 X"));
@@ -58,7 +61,8 @@ TEST(Program, EveryLanguageAndExchangeFileIsWritten)
 {
   const ScratchFolder folder;
   for (const std::string dialect : {"linuxcnc", "fanuc", "fanuc-ijk", "siemens", "heidenhain"}) {
-    const RunResult done = run(folder, {"-o", dialect + ".nc", "--dialect", dialect, "--machine", machines + "/head_head.yaml", "--quiet"});
+    const RunResult done = run(folder, {"-o", dialect + ".nc", "--dialect", dialect, "--machine",
+                                        machines + "/head_head.yaml", "--quiet"});
     ASSERT_EQ(done.code, 0) << done.err;
   }
   expectHas(readText(folder.path("linuxcnc.nc")), "G93\n");
@@ -77,7 +81,8 @@ TEST(Program, AJobFileHoldsTheSameNames)
 {
   const ScratchFolder folder;
   writeText(folder.path("job.yaml"), "output: [a.nc, a.png]\nmachine: " + machines +
-                                         "/xyzbc.yaml\ndialect: fanuc\nlead-in: arc\nlead-length: 3\nthin-blocks: [0.01, 0.2]\ndecimals: 5\n");
+                                         "/xyzbc.yaml\ndialect: fanuc\nlead-in: arc\nlead-length: "
+                                         "3\nthin-blocks: [0.01, 0.2]\ndecimals: 5\n");
   const RunResult done = run(folder, {"--config", "job.yaml"});
   ASSERT_EQ(done.code, 0) << done.err;
   expectHas(readText(folder.path("a.nc")), " B");
@@ -106,13 +111,19 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
     return done.err;
   };
   expectHas(said({"-o", "a.nc", "--dialect", "fanuc"}, 2), "-o a.nc: no --machine is given");
-  expectHas(said({"-o", "a.nc", "--machine", machine}, 2), "no --dialect is given; it must be one of linuxcnc|fanuc|");
-  expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "okuma"}, 2), "--dialect okuma: must be one of");
+  expectHas(said({"-o", "a.nc", "--machine", machine}, 2),
+            "no --dialect is given; it must be one of linuxcnc|fanuc|");
+  expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "okuma"}, 2),
+            "--dialect okuma: must be one of");
   expectHas(said({"-o", "a.ngc", "--machine", "none.yaml"}, 1), "none.yaml: there is no such machine file");
-  expectHas(said({"-o", "a.ngc", "--machine", machine, "--clearance", "0"}, 2), "--clearance 0: must be above 0 mm");
-  expectHas(said({"-o", "a.ngc", "--machine", machine, "--decimals", "2"}, 2), "--decimals 2: must be 3 to 6");
-  expectHas(said({"-o", "a.ngc", "--machine", machine, "--thin-blocks", "1"}, 2), "--thin-blocks 1: mm of the tip and degrees");
-  expectHas(said({"-o", "a.nc", "--machine", machines + "/head_table.yaml", "--dialect", "siemens"}, 1), "rtcp: false");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--clearance", "0"}, 2),
+            "--clearance 0: must be above 0 mm");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--decimals", "2"}, 2),
+            "--decimals 2: must be 3 to 6");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--thin-blocks", "1"}, 2),
+            "--thin-blocks 1: mm of the tip and degrees");
+  expectHas(said({"-o", "a.nc", "--machine", machines + "/head_table.yaml", "--dialect", "siemens"}, 1),
+            "rtcp: false");
 }
 
 TEST(Program, AMachineThatCannotMakeItIsNamedAndNothingIsWritten)

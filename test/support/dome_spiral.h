@@ -11,10 +11,12 @@
 
 namespace pcl_spiral::test {
 
-/** \p turns turns of a ball cutter of radius \p ball, \p pitch mm apart in arc length, from the pole of a sphere of radius \p sphere down;
- * the axis leans \p tilt degrees to the side of the travel from the normal, eased in over the first \p ease mm from the pole. */
+/** \p turns turns of a ball cutter of radius \p ball, \p pitch mm apart in arc length, from the pole of a
+ * sphere of radius \p sphere down; the axis leans \p tilt degrees to the side of the travel from the normal,
+ * eased in over the first \p ease mm from the pole. */
 inline ToolPoses
-domeSpiral(double sphere, double pitch, int turns, int poses_a_turn, double ball, double tilt, double ease = 10.0)
+domeSpiral(double sphere, double pitch, int turns, int poses_a_turn, double ball, double tilt,
+           double ease = 10.0)
 {
   ToolPoses poses;
   for (int i = 0; i <= turns * poses_a_turn; ++i) {

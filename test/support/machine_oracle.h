@@ -1,6 +1,6 @@
 /** \file
- *  Forward kinematics of five-axis machines, written apart from the library's: chains of 4x4 matrices from the frame of the
- *  workpiece to that of the tool.
+ *  Forward kinematics of five-axis machines, written apart from the library's: chains of 4x4 matrices from
+ * the frame of the workpiece to that of the tool.
  */
 #pragma once
 
@@ -18,7 +18,8 @@ struct ChainRotary {
   Eigen::Vector3d direction, point;
 };
 
-/** A machine as its maker would draw it. Table joints from the work outward, head joints from the slides to the tool. */
+/** A machine as its maker would draw it. Table joints from the work outward, head joints from the slides to
+ * the tool. */
 struct MachineChain {
   std::vector<ChainRotary> rotary; ///< from the work to the tool
   Eigen::Vector3d work_zero = Eigen::Vector3d::Zero();
@@ -35,13 +36,15 @@ struct TipAndAxis {
   Eigen::Vector3d tip, axis;
 };
 
-/** Where the tool is in the frame of the work for programmed machine coordinates: X Y Z count from the work's zero and include the tool length. */
+/** Where the tool is in the frame of the work for programmed machine coordinates: X Y Z count from the work's
+ * zero and include the tool length. */
 inline TipAndAxis
 forward(const MachineChain& chain, const AxisValues& at)
 {
   using Pose = Eigen::Isometry3d;
   const auto about = [](const ChainRotary& joint, double degrees) {
-    return Pose(Eigen::Translation3d(joint.point) * Eigen::AngleAxisd(degrees * M_PI / 180.0, joint.direction.normalized()) *
+    return Pose(Eigen::Translation3d(joint.point) *
+                Eigen::AngleAxisd(degrees * M_PI / 180.0, joint.direction.normalized()) *
                 Eigen::Translation3d(-joint.point));
   };
   const double angles[2] = {at.first, at.second};

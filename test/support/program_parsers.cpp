@@ -63,7 +63,8 @@ takePlace(ParsedMove& move, const std::map<std::string, double>& words)
 }
 
 std::optional<Eigen::Vector3d>
-vectorOf(const std::map<std::string, double>& words, const std::string& x, const std::string& y, const std::string& z)
+vectorOf(const std::map<std::string, double>& words, const std::string& x, const std::string& y,
+         const std::string& z)
 {
   if (words.count(x) + words.count(y) + words.count(z) == 0)
     return std::nullopt;

@@ -16,10 +16,10 @@ namespace pcl_spiral::test {
 struct ParsedMove {
   bool rapid = false;
   Eigen::Vector3d xyz = Eigen::Vector3d::Zero();
-  std::map<char, double> degrees;          ///< of rotary axes, by letter
-  std::optional<Eigen::Vector3d> vector;   ///< tool axis
+  std::map<char, double> degrees;        ///< of rotary axes, by letter
+  std::optional<Eigen::Vector3d> vector; ///< tool axis
   std::optional<Eigen::Vector3d> normal;
-  double minutes = 0.0;                    ///< of a feed move, from its F
+  double minutes = 0.0; ///< of a feed move, from its F
 };
 
 /** A program: its moves and every line that is none. */
@@ -30,7 +30,7 @@ struct ParsedProgram {
   bool has(const std::string& line) const;
 };
 
-ParsedProgram parseFanuc(const std::string& file);   ///< reads LinuxCNC's too
+ParsedProgram parseFanuc(const std::string& file); ///< reads LinuxCNC's too
 ParsedProgram parseSiemens(const std::string& file);
 ParsedProgram parseHeidenhain(const std::string& file);
 

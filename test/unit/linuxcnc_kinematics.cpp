@@ -1,4 +1,5 @@
-// Our kinematics against LinuxCNC's own modules for trunnion tables, which are loaded here with a stand-in for their HAL.
+// Our kinematics against LinuxCNC's own modules for trunnion tables, which are loaded here with a stand-in
+// for their HAL.
 #include <pcl_spiral/machine/kinematics.h>
 #include <pcl_spiral/machine/tool_pose.h>
 
@@ -16,7 +17,7 @@
 
 namespace {
 
-std::map<std::string, double*> pins; ///< by name without the module's
+std::map<std::string, double*> pins;  ///< by name without the module's
 std::deque<std::vector<double>> room; ///< that was given to the modules
 
 void*
@@ -161,7 +162,8 @@ expectTheSame(const Machine& machine, const std::string& name, const Eigen::Vect
     const double degrees = 180.0 / M_PI;
     const EmcPosition found =
         module.forward({gauge.x(), gauge.y(), gauge.z(), angles.second * degrees, angles.first * degrees});
-    const Eigen::Vector3d back = Eigen::Vector3d(found.x, found.y, found.z - machine.tool_length) - machine.work_zero;
+    const Eigen::Vector3d back =
+        Eigen::Vector3d(found.x, found.y, found.z - machine.tool_length) - machine.work_zero;
     largest = std::max(largest, (back - tip).norm());
   }
   EXPECT_LT(largest, 1e-9);

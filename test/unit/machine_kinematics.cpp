@@ -31,7 +31,8 @@ TEST(MachineKinematics, InverseThenTheOraclesForwardGivesTipAndAxisBack)
     const Kinematics kinematics(machine);
     int reached = 0;
     for (int i = 0; i < 2000; ++i) {
-      const Eigen::Vector3d axis = Eigen::Vector3d(normal(random), normal(random), normal(random) + 1.0).normalized();
+      const Eigen::Vector3d axis =
+          Eigen::Vector3d(normal(random), normal(random), normal(random) + 1.0).normalized();
       const Eigen::Vector3d tip = 100.0 * Eigen::Vector3d(normal(random), normal(random), normal(random));
       for (Branch branch : {Branch::Larger, Branch::Smaller}) {
         const auto angles = kinematics.anglesOf(axis, branch);
@@ -55,7 +56,8 @@ TEST(MachineKinematics, BranchesAreTheTwoOfTheBook)
   const Kinematics kinematics(testMachines()[0]);
   const double a = 0.4, c = 0.9; // u = (sin c sin a, cos c sin a, cos a)
   const Eigen::Vector3d axis(std::sin(c) * std::sin(a), std::cos(c) * std::sin(a), std::cos(a));
-  const auto larger = kinematics.anglesOf(axis, Branch::Larger), smaller = kinematics.anglesOf(axis, Branch::Smaller);
+  const auto larger = kinematics.anglesOf(axis, Branch::Larger),
+             smaller = kinematics.anglesOf(axis, Branch::Smaller);
   EXPECT_NEAR(larger->second, a, 1e-12);
   EXPECT_NEAR(larger->first, c, 1e-12);
   EXPECT_NEAR(smaller->second, -a, 1e-12);
@@ -76,7 +78,8 @@ TEST(MachineKinematics, NutatingHeadsReachOnlySoFar)
 {
   const Kinematics kinematics(testMachines()[4]); // 45 degrees: a right angle is the most
   EXPECT_TRUE(kinematics.anglesOf(Eigen::Vector3d(1.0, 0.0, 0.01).normalized(), Branch::Larger).has_value());
-  EXPECT_FALSE(kinematics.anglesOf(Eigen::Vector3d(1.0, 0.0, -0.01).normalized(), Branch::Larger).has_value());
+  EXPECT_FALSE(
+      kinematics.anglesOf(Eigen::Vector3d(1.0, 0.0, -0.01).normalized(), Branch::Larger).has_value());
 }
 
 TEST(MachineKinematics, MachinesThatCannotBeAreNamed)
@@ -100,6 +103,7 @@ TEST(MachineKinematics, MachinesThatCannotBeAreNamed)
   has(said([](Machine& m) { m.rotary[0].mount = RotaryMount::Head; }), "tables first");
   has(said([](Machine& m) { m.linear[2].lower = 5.0, m.linear[2].upper = 5.0; }), "lower limit of Z");
   has(said([](Machine& m) { m.rotary[0].home = 10.0, m.rotary[0].range.upper = 1.0; }), "home of C");
-  has(said([](Machine& m) { m.rotary[0].range.largest_rate = std::numeric_limits<double>::infinity(); }), "max_rpm");
+  has(said([](Machine& m) { m.rotary[0].range.largest_rate = std::numeric_limits<double>::infinity(); }),
+      "max_rpm");
   has(said([](Machine& m) { m.tool_length = -1.0; }), "tool_length -1");
 }

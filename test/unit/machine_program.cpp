@@ -1,4 +1,5 @@
-// Programs of every kind of machine: unwinding, pole, finite axes, limits, spacing of blocks, times and leads.
+// Programs of every kind of machine: unwinding, pole, finite axes, limits, spacing of blocks, times and
+// leads.
 #include <pcl_spiral/machine/machine_program_generator.h>
 
 #include "support/dome_spiral.h"
@@ -63,18 +64,19 @@ onTheWay(const Machine& machine, const ProgramBlock& a, const ProgramBlock& b, d
 {
   const auto mix = [t](auto from, auto to) { return from + t * (to - from); };
   const Eigen::Vector3d from = machine.rtcp ? a.tip : a.machine, to = machine.rtcp ? b.tip : b.machine;
-  TipAndAxis found = forward(chainOf(machine), {from + t * (to - from), mix(a.angles.first, b.angles.first) * degrees,
-                                                mix(a.angles.second, b.angles.second) * degrees});
+  TipAndAxis found =
+      forward(chainOf(machine), {from + t * (to - from), mix(a.angles.first, b.angles.first) * degrees,
+                                 mix(a.angles.second, b.angles.second) * degrees});
   if (machine.rtcp)
     found.tip = from + t * (to - from);
   return found;
 }
 
-/** The largest share of the tolerances by which the machine leaves the poses: over dense samples of the path in order, the least over the
- * machine's way over the next \p ahead blocks. */
+/** The largest share of the tolerances by which the machine leaves the poses: over dense samples of the path
+ * in order, the least over the machine's way over the next \p ahead blocks. */
 double
-leaving(const Machine& machine, const MachineProgram& program, const ToolPoses& poses, double tip, double axis,
-        std::size_t ahead)
+leaving(const Machine& machine, const MachineProgram& program, const ToolPoses& poses, double tip,
+        double axis, std::size_t ahead)
 {
   std::vector<ProgramBlock> way;
   for (std::size_t i = 1; i < program.blocks.size(); ++i)
@@ -91,12 +93,14 @@ leaving(const Machine& machine, const MachineProgram& program, const ToolPoses& 
       double least = 1e9;
       std::size_t best = at;
       for (std::size_t k = at; k + 1 < way.size() && k < at + ahead; ++k)
-        for (double centre = 0.5, reach = 0.5; reach > 1e-4; reach *= 0.1) { // nearer and nearer to the nearest
+        for (double centre = 0.5, reach = 0.5; reach > 1e-4;
+             reach *= 0.1) { // nearer and nearer to the nearest
           const double begin = std::max(0.0, centre - reach), end = std::min(1.0, centre + reach);
           for (int j = 0; j <= 20; ++j) {
             const double t = begin + (end - begin) * j / 20.0;
             const TipAndAxis found = onTheWay(machine, way[k], way[k + 1], t);
-            const double off = std::max((found.tip - pose.tip).norm() / tip, angleBetween(found.axis, pose.axis) / axis);
+            const double off =
+                std::max((found.tip - pose.tip).norm() / tip, angleBetween(found.axis, pose.axis) / axis);
             if (off < least) {
               least = off;
               best = k;
@@ -118,7 +122,8 @@ passOverThePole(double sphere, double offset)
   for (int i = -100; i <= 100; ++i) {
     ToolPose pose;
     const double u = i * 0.5 / sphere, v = offset / sphere;
-    pose.normal = Eigen::Vector3d(std::sin(u), std::sin(v), std::sqrt(1.0 - std::pow(std::sin(u), 2) - std::pow(std::sin(v), 2)));
+    pose.normal = Eigen::Vector3d(std::sin(u), std::sin(v),
+                                  std::sqrt(1.0 - std::pow(std::sin(u), 2) - std::pow(std::sin(v), 2)));
     pose.axis = pose.normal;
     pose.contact = sphere * pose.normal;
     pose.tip = pose.contact;
@@ -132,7 +137,8 @@ passOverThePole(double sphere, double offset)
 TEST(MachineProgram, TurnsAreCountedOnAndBlocksStayBelowAHalfTurn)
 {
   for (const Machine& machine : testMachines()) {
-    const MachineProgram program = made(machine, domeSpiral(300.0, 2.0, 30, 40, 6.0, 12.0), ballSettings(6.0));
+    const MachineProgram program =
+        made(machine, domeSpiral(300.0, 2.0, 30, 40, 6.0, 12.0), ballSettings(6.0));
     const ProgramReport& report = program.report;
     EXPECT_GT(report.highest_first - report.lowest_first, 28.0 * 2.0 * M_PI) << machine.name;
     EXPECT_GT(report.first_travel, 28.0 * 2.0 * M_PI);
@@ -157,8 +163,8 @@ TEST(MachineProgram, OfTwoBranchesTheOneWithinTheLimitsIsTaken)
   EXPECT_LT(program.report.highest_second, 1e-9);
   machine.rotary[1].range.lower = -10.0 / degrees;
   const std::string message = refusal(machine, poses, ballSettings(6.0));
-  for (const char* part : {"block ", " mm of the path: A would stand at ", " degrees above its upper limit of 10 degrees",
-                           "turn the part"})
+  for (const char* part : {"block ", " mm of the path: A would stand at ",
+                           " degrees above its upper limit of 10 degrees", "turn the part"})
     expectHas(message, part);
 }
 
@@ -212,7 +218,8 @@ TEST(MachineProgram, NearThePoleTheAxisIsBlendedAndTheBallStays)
       const PoleZone& zone = program.report.poles[0];
       EXPECT_NEAR(0.5 * (zone.begin + zone.end), 50.0, 1.1);
       EXPECT_LT(zone.end - zone.begin, 4.0 * rho_min + 1.1);
-      EXPECT_LT(zone.largest_change, 2.0 * (rho_min + 1.0) / 200.0 + 1e-3) << "twice the pole angle at the zone's end";
+      EXPECT_LT(zone.largest_change, 2.0 * (rho_min + 1.0) / 200.0 + 1e-3)
+          << "twice the pole angle at the zone's end";
       std::size_t i = 0;
       for (const ProgramBlock& block : program.blocks) { // ball centres run straight on in order
         if (block.section != BlockSection::Cut)
@@ -220,7 +227,8 @@ TEST(MachineProgram, NearThePoleTheAxisIsBlendedAndTheBallStays)
         const Eigen::Vector3d centre = block.tip + ball * block.axis;
         double least = 1e9;
         for (std::size_t k = i; k + 1 < poses.size() && k < i + 3; ++k) {
-          const Eigen::Vector3d a = poses[k].tip + ball * poses[k].axis, b = poses[k + 1].tip + ball * poses[k + 1].axis;
+          const Eigen::Vector3d a = poses[k].tip + ball * poses[k].axis,
+                                b = poses[k + 1].tip + ball * poses[k + 1].axis;
           const double t = std::clamp((centre - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
           const double off = (a + t * (b - a) - centre).norm();
           if (off < least) {
@@ -372,7 +380,8 @@ TEST(MachineProgram, LeadsComeFromAboveAndArcsAreTangent)
     }
     ASSERT_TRUE(last != nullptr && cut != nullptr);
     EXPECT_LT((last->tip - poses.front().tip).norm(), 1e-9);
-    const Eigen::Vector3d in = (last->tip - before->tip).normalized(), on = (cut->tip - last->tip).normalized();
+    const Eigen::Vector3d in = (last->tip - before->tip).normalized(),
+                          on = (cut->tip - last->tip).normalized();
     EXPECT_GT(lead == LeadKind::Arc ? in.dot(on) : in.dot(-poses.front().normal), 0.998);
   }
 }

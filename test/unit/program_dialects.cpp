@@ -1,4 +1,5 @@
-// Every language of programs and paths, read back by parsers of the tests and led through kinematics of the tests.
+// Every language of programs and paths, read back by parsers of the tests and led through kinematics of the
+// tests.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
 #include <pcl_spiral/io/program_writer.h>
@@ -49,15 +50,18 @@ where(const Machine& machine, const ParsedMove& move)
   if (move.vector)
     return {move.xyz, move.vector->normalized()};
   const auto& rotary = machine.rotary;
-  TipAndAxis found = forward(chainOf(machine), {move.xyz, move.degrees.at(rotary[0].letter), move.degrees.at(rotary[1].letter)});
+  TipAndAxis found = forward(
+      chainOf(machine), {move.xyz, move.degrees.at(rotary[0].letter), move.degrees.at(rotary[1].letter)});
   if (machine.rtcp)
     found.tip = move.xyz;
   return found;
 }
 
-/** Every pose behind the pole's zone is passed in order, within 1e-3 mm and 1e-3 degree; the times are those of the program. */
+/** Every pose behind the pole's zone is passed in order, within 1e-3 mm and 1e-3 degree; the times are those
+ * of the program. */
 void
-expectPath(const Machine& machine, const ParsedProgram& parsed, const MachineProgram& program, const ToolPoses& poses)
+expectPath(const Machine& machine, const ParsedProgram& parsed, const MachineProgram& program,
+           const ToolPoses& poses)
 {
   ASSERT_EQ(parsed.moves.size(), program.blocks.size());
   std::size_t at = 0;
@@ -65,7 +69,8 @@ expectPath(const Machine& machine, const ParsedProgram& parsed, const MachinePro
   for (std::size_t i = begin; i < poses.size(); ++i) {
     for (; at < parsed.moves.size(); ++at) {
       const TipAndAxis found = where(machine, parsed.moves[at]);
-      if ((found.tip - poses[i].tip).norm() < 1e-3 && angleBetween(found.axis, poses[i].axis) < 1e-3 * M_PI / 180.0)
+      if ((found.tip - poses[i].tip).norm() < 1e-3 &&
+          angleBetween(found.axis, poses[i].axis) < 1e-3 * M_PI / 180.0)
         break;
     }
     ASSERT_LT(at, parsed.moves.size()) << machine.name << ": pose " << i << " is not on the program's way";
@@ -113,7 +118,8 @@ TEST(ProgramDialects, EveryLanguageSaysThePath)
     writeProgram(file, program, Dialect::LinuxCNC, header);
     ParsedProgram parsed = parseFanuc(file);
     expectPath(machine, parsed, program, poses);
-    for (const char* line : {"G21 G90 G17 G40 G49 G80 G94", "G64 P0.0100", "T3 M6", "G43", "S12000 M3", "G93", "G94", "M2"})
+    for (const char* line :
+         {"G21 G90 G17 G40 G49 G80 G94", "G64 P0.0100", "T3 M6", "G43", "S12000 M3", "G93", "G94", "M2"})
       EXPECT_TRUE(parsed.has(line)) << line;
     writeProgram(file, program, Dialect::Fanuc, header);
     parsed = parseFanuc(file);
@@ -122,7 +128,8 @@ TEST(ProgramDialects, EveryLanguageSaysThePath)
     EXPECT_EQ(parsed.others.back(), "%");
     EXPECT_TRUE(parsed.has("M30"));
     EXPECT_EQ(std::count_if(parsed.others.begin(), parsed.others.end(),
-                            [](const std::string& line) { return line.rfind("G43.4 H3 X", 0) == 0; }), 1);
+                            [](const std::string& line) { return line.rfind("G43.4 H3 X", 0) == 0; }),
+              1);
     writeProgram(file, program, Dialect::FanucVectors, header);
     parsed = parseFanuc(file);
     expectPath(machine, parsed, program, poses);
@@ -136,7 +143,8 @@ TEST(ProgramDialects, EveryLanguageSaysThePath)
     writeProgram(file, program, Dialect::Heidenhain, header);
     parsed = parseHeidenhain(file);
     expectPath(machine, parsed, program, poses);
-    for (const char* line : {"BEGIN PGM part MM", "TOOL CALL 3 Z S12000", "M128", "M129", "M30", "END PGM part MM"})
+    for (const char* line :
+         {"BEGIN PGM part MM", "TOOL CALL 3 Z S12000", "M128", "M129", "M30", "END PGM part MM"})
       EXPECT_TRUE(parsed.has(line)) << line;
     for (std::size_t i = 0; i < parsed.moves.size(); ++i)
       ASSERT_LT((*parsed.moves[i].normal - program.blocks[i].normal).norm(), 1e-7);
@@ -199,7 +207,8 @@ TEST(ProgramDialects, NumbersDoNotDependOnTheLocale)
   const MachineProgram program = programFor(testMachines()[0], poses);
   const auto all = [&] {
     std::string text;
-    for (Dialect dialect : {Dialect::LinuxCNC, Dialect::Fanuc, Dialect::FanucVectors, Dialect::Siemens, Dialect::Heidenhain}) {
+    for (Dialect dialect :
+         {Dialect::LinuxCNC, Dialect::Fanuc, Dialect::FanucVectors, Dialect::Siemens, Dialect::Heidenhain}) {
       writeProgram(folder.path("a.nc"), program, dialect, {"part", 12500.0, 12, 4});
       text += readText(folder.path("a.nc"));
     }
@@ -239,9 +248,14 @@ TEST(PathExchange, AptSaysTipAxisAndFeed)
   writeAPT(folder.path("a.apt"), poses, {"dome", ballCutter(ball), 12000.0, 1500.0});
   std::vector<std::string> others;
   const std::vector<AptMove> moves = parseAPT(folder.path("a.apt"), others);
-  const std::vector<std::string> expected{"PARTNO dome", "UNITS/MM", "MULTAX/ON",
-                                          "CUTTER/12.000000,6.000000,0.000000,6.000000,0.000000,0.000000,24.000000",
-                                          "SPINDL/12000.0,RPM,CLW", "SPINDL/OFF", "FINI"};
+  const std::vector<std::string> expected{
+      "PARTNO dome",
+      "UNITS/MM",
+      "MULTAX/ON",
+      "CUTTER/12.000000,6.000000,0.000000,6.000000,0.000000,0.000000,24.000000",
+      "SPINDL/12000.0,RPM,CLW",
+      "SPINDL/OFF",
+      "FINI"};
   EXPECT_EQ(others, expected);
   ASSERT_EQ(moves.size(), poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -250,7 +264,8 @@ TEST(PathExchange, AptSaysTipAxisAndFeed)
     ASSERT_NEAR(moves[i].axis.norm(), 1.0, 1e-8);
     if (i == 0)
       continue;
-    const double contact = (poses[i].contact - poses[i - 1].contact).norm(), tip = (poses[i].tip - poses[i - 1].tip).norm();
+    const double contact = (poses[i].contact - poses[i - 1].contact).norm(),
+                 tip = (poses[i].tip - poses[i - 1].tip).norm();
     ASSERT_NEAR(moves[i].feed * contact / tip / 1500.0, 1.0, 0.011) << i;
   }
 }
@@ -283,7 +298,8 @@ TEST(PathExchange, RobotFramesAreNestedFourDeep)
     ASSERT_LT((1000.0 * place - path[i].getVector3fMap().cast<double>()).norm(), 2e-6);
     ASSERT_LT(angleBetween(frame.col(2), path[i].getNormalVector3fMap().cast<double>().normalized()), 1e-6);
     if (i + 1 < path.size()) {
-      const Eigen::Vector3d travel = (path[i + 1].getVector3fMap() - path[i].getVector3fMap()).cast<double>().normalized();
+      const Eigen::Vector3d travel =
+          (path[i + 1].getVector3fMap() - path[i].getVector3fMap()).cast<double>().normalized();
       ASSERT_GT(frame.col(0).dot(travel), 0.99) << i;
       ASSERT_NEAR(frame.col(1).dot(travel), 0.0, 1e-4);
     }

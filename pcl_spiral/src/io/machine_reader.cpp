@@ -170,7 +170,8 @@ machineFrom(const std::string& file, const YAML::Node& root)
 {
   Settings settings(file, root, "a machine file");
   Machine machine;
-  const YAML::Node rotary = settings.at("rotary", "[{axis: C, mount: table, ...}, {axis: A, mount: table, ...}]");
+  const YAML::Node rotary =
+      settings.at("rotary", "[{axis: C, mount: table, ...}, {axis: A, mount: table, ...}]");
   if (!rotary.IsSequence() || rotary.size() != 2)
     settings.fail(rotary, "rotary is a list of the two rotary axes, from the workpiece to the tool");
   for (std::size_t i = 0; i < 2; ++i)

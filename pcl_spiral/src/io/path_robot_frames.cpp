@@ -11,11 +11,14 @@ namespace {
 
 using Path = pcl::PointCloud<ToolpathPoint>;
 
-/** Direction of travel at point \p i: of the next point that lies elsewhere, at the end from the one before. */
+/** Direction of travel at point \p i: of the next point that lies elsewhere, at the end from the one before.
+ */
 Eigen::Vector3d
 travelAt(const Path& path, std::size_t i)
 {
-  const auto place = [&path](std::size_t k) -> Eigen::Vector3d { return path[k].getVector3fMap().cast<double>(); };
+  const auto place = [&path](std::size_t k) -> Eigen::Vector3d {
+    return path[k].getVector3fMap().cast<double>();
+  };
   for (std::size_t k = i + 1; k < path.size(); ++k)
     if (place(k) != place(i))
       return place(k) - place(i);
@@ -56,9 +59,9 @@ writeRobotFrames(const std::string& file, const Path& path)
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Eigen::Quaterniond q = frameAt(path, i);
     const Eigen::Vector3d metres = path[i].getVector3fMap().cast<double>() / 1000.0;
-    const std::pair<const char*, double> values[] = {{"x: ", metres.x()}, {", y: ", metres.y()}, {", z: ", metres.z()},
-                                                     {", qw: ", q.w()},   {", qx: ", q.x()},     {", qy: ", q.y()},
-                                                     {", qz: ", q.z()}};
+    const std::pair<const char*, double> values[] = {
+        {"x: ", metres.x()}, {", y: ", metres.y()}, {", z: ", metres.z()}, {", qw: ", q.w()},
+        {", qx: ", q.x()},   {", qy: ", q.y()},     {", qz: ", q.z()}};
     out.text(i == 0 ? "- - - - {" : "      - {");
     for (const auto& [name, value] : values) {
       out.text(name);

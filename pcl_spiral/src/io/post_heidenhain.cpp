@@ -72,7 +72,8 @@ writeHeidenhain(const std::string& file, const MachineProgram& program, const Pr
   lines.line("; " + commentText(header.title));
   lines.line("; " + machineText(program));
   if (header.tool > 0)
-    lines.line("TOOL CALL " + std::to_string(header.tool) + " Z S" + std::to_string(std::lround(header.spindle_speed)));
+    lines.line("TOOL CALL " + std::to_string(header.tool) + " Z S" +
+               std::to_string(std::lround(header.spindle_speed)));
   if (header.spindle_speed > 0.0)
     lines.line("M3");
   writeRetract(lines, program.machine);

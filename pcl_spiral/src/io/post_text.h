@@ -18,7 +18,8 @@ class PostText {
 public:
   PostText(const std::string& file, int decimals) : file_(file), decimals_(decimals) {}
 
-  /** A word: \p letters and the number after them, to the program's decimals, parted from the last by a space. */
+  /** A word: \p letters and the number after them, to the program's decimals, parted from the last by a
+   * space. */
   void word(std::string_view letters, double value);
   /** The same to \p decimals, with a sign always where \p signs. */
   void word(std::string_view letters, double value, int decimals, bool signs = false);
@@ -50,11 +51,13 @@ std::string machineText(const MachineProgram& program);
 /** The words of the two rotary axes, in degrees and by their letters' order. */
 void writeAngles(PostText& out, const MachineProgram& program, const ProgramBlock& block);
 
-/** The tool's call with \p after on lines of its own, and the spindle's start; each where the header asks for it. */
+/** The tool's call with \p after on lines of its own, and the spindle's start; each where the header asks for
+ * it. */
 void writeTool(PostText& out, const ProgramHeader& header, std::string_view after = "");
 
 /** Three words of a vector, such as I J K, in 8 decimals. */
-void writeVector(PostText& out, const std::array<std::string_view, 3>& letters, const Eigen::Vector3d& v, bool signs = false);
+void writeVector(PostText& out, const std::array<std::string_view, 3>& letters, const Eigen::Vector3d& v,
+                 bool signs = false);
 
 /** \throw FileError for a program without blocks, or a count of decimals out of range */
 void requireProgram(const std::string& file, const MachineProgram& program, const ProgramHeader& header);

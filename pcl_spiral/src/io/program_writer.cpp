@@ -3,7 +3,8 @@
 namespace pcl_spiral {
 
 void
-writeProgram(const std::string& file, const MachineProgram& program, Dialect dialect, const ProgramHeader& header)
+writeProgram(const std::string& file, const MachineProgram& program, Dialect dialect,
+             const ProgramHeader& header)
 {
   switch (dialect) {
   case Dialect::LinuxCNC:

@@ -24,9 +24,11 @@ isWithin(const ToolPose& a, const ToolPose& b, const BlockTolerance& tolerance)
 }
 
 bool
-staysNear(const Kinematics& kinematics, const MachineLocation& a, const MachineLocation& b, const BlockTolerance& tolerance)
+staysNear(const Kinematics& kinematics, const MachineLocation& a, const MachineLocation& b,
+          const BlockTolerance& tolerance)
 {
-  if (std::max(std::abs(b.angles.first - a.angles.first), std::abs(b.angles.second - a.angles.second)) > largest_turn)
+  if (std::max(std::abs(b.angles.first - a.angles.first), std::abs(b.angles.second - a.angles.second)) >
+      largest_turn)
     return false;
   for (double t : {0.5, 0.25, 0.75})
     if (!isWithin(interpolated(kinematics, a, b, t), between(a.pose, b.pose, t), tolerance))
@@ -37,7 +39,8 @@ staysNear(const Kinematics& kinematics, const MachineLocation& a, const MachineL
 MachineLocation
 middle(const Kinematics& kinematics, Branch branch, const MachineLocation& a, const MachineLocation& b)
 {
-  MachineLocation m{between(a.pose, b.pose, 0.5), linear(a.angles, b.angles, 0.5), 0.5 * (a.arc_length + b.arc_length)};
+  MachineLocation m{between(a.pose, b.pose, 0.5), linear(a.angles, b.angles, 0.5),
+                    0.5 * (a.arc_length + b.arc_length)};
   if (const std::optional<RotaryAngles> angles = kinematics.anglesOf(m.pose.axis, branch)) {
     if (!std::isnan(angles->first))
       m.angles.first = nearestTurn(angles->first, m.angles.first);
@@ -70,8 +73,8 @@ measuredWay(const MachineLocations& path, const BlockTolerance& tolerance)
   return way;
 }
 
-/** An upper bound of the angle between tool axes at angles within \p tilt: a rotary axis moves the tool axis by its own angle
- * times the sine of the angle between the two, which for the first is the pole angle. */
+/** An upper bound of the angle between tool axes at angles within \p tilt: a rotary axis moves the tool axis
+ * by its own angle times the sine of the angle between the two, which for the first is the pole angle. */
 double
 axisBound(const RotaryAngles& a, const RotaryAngles& b, double sine)
 {
@@ -80,15 +83,18 @@ axisBound(const RotaryAngles& a, const RotaryAngles& b, double sine)
 
 /** Whether one block from \p i to \p j passes every location between within \p tolerance. */
 bool
-canSkip(const Kinematics& kinematics, const MachineLocations& path, const std::vector<double>& way, std::size_t i,
-        std::size_t j, const BlockTolerance& tolerance)
+canSkip(const Kinematics& kinematics, const MachineLocations& path, const std::vector<double>& way,
+        std::size_t i, std::size_t j, const BlockTolerance& tolerance)
 {
   const MachineLocation &a = path[i], &b = path[j];
-  if (std::max(std::abs(b.angles.first - a.angles.first), std::abs(b.angles.second - a.angles.second)) > largest_turn)
+  if (std::max(std::abs(b.angles.first - a.angles.first), std::abs(b.angles.second - a.angles.second)) >
+      largest_turn)
     return false;
-  double sine = 0.0; // the pole angle is largest at a location or changes by less than the second angle on the way
+  double sine =
+      0.0; // the pole angle is largest at a location or changes by less than the second angle on the way
   for (std::size_t k = i; k <= j; ++k)
-    sine = std::max(sine, std::sin(std::min(largest_turn, kinematics.poleAngle(path[k].pose.axis) + tolerance.axis)));
+    sine = std::max(
+        sine, std::sin(std::min(largest_turn, kinematics.poleAngle(path[k].pose.axis) + tolerance.axis)));
   for (std::size_t k = i + 1; k < j; ++k) {
     const double t = way[j] > way[i] ? (way[k] - way[i]) / (way[j] - way[i]) : 0.0;
     if ((interpolated(kinematics, a, b, t).tip - path[k].pose.tip).norm() > tolerance.tip ||
@@ -107,14 +113,16 @@ interpolated(const Kinematics& kinematics, const MachineLocation& a, const Machi
   ToolPose pose = between(a.pose, b.pose, t);
   pose.axis = kinematics.toolAxis(angles);
   if (!kinematics.machine().rtcp) {
-    const Eigen::Vector3d from = kinematics.programmed(a.pose.tip, a.angles), to = kinematics.programmed(b.pose.tip, b.angles);
+    const Eigen::Vector3d from = kinematics.programmed(a.pose.tip, a.angles),
+                          to = kinematics.programmed(b.pose.tip, b.angles);
     pose.tip = kinematics.tipOf(from + t * (to - from), angles);
   }
   return pose;
 }
 
 MachineLocations
-splitBlocks(const Kinematics& kinematics, Branch branch, const MachineLocations& path, const BlockTolerance& tolerance)
+splitBlocks(const Kinematics& kinematics, Branch branch, const MachineLocations& path,
+            const BlockTolerance& tolerance)
 {
   MachineLocations out;
   out.reserve(path.size());

@@ -8,8 +8,8 @@
 
 namespace pcl_spiral {
 
-/** Sets minutes of every feed block, at \p feed along the contacts (along the tip where the contact stands) or as long as the slowest axis
- * needs, and what that came to in the report. */
+/** Sets minutes of every feed block, at \p feed along the contacts (along the tip where the contact stands)
+ * or as long as the slowest axis needs, and what that came to in the report. */
 void setBlockTimes(const Kinematics& kinematics, double feed, MachineProgram& program);
 
 } // namespace pcl_spiral

@@ -8,7 +8,8 @@
 
 namespace pcl_spiral {
 
-/** Failed where an axis goes beyond a limit: the first block that does so, axis, value, limit and remedy, and the worst. */
+/** Failed where an axis goes beyond a limit: the first block that does so, axis, value, limit and remedy, and
+ * the worst. */
 Status checkLimits(const Kinematics& kinematics, const std::vector<ProgramBlock>& blocks);
 
 } // namespace pcl_spiral

@@ -43,8 +43,8 @@ stands(const ProgramBlock& a, const ProgramBlock& b)
 }
 
 void
-addPass(const Kinematics& kinematics, const ToolLeads& leads, const MachineLocations& path, const TurnPass& pass,
-        std::vector<ProgramBlock>& blocks)
+addPass(const Kinematics& kinematics, const ToolLeads& leads, const MachineLocations& path,
+        const TurnPass& pass, std::vector<ProgramBlock>& blocks)
 {
   const auto located = [&](std::size_t i) {
     MachineLocation location = path[i];
@@ -76,7 +76,8 @@ reportAngles(MachineProgram& program)
     const RotaryAngles &to = block.angles, &from = program.blocks[i - 1].angles;
     if (block.section != BlockSection::Cut)
       continue;
-    report.largest_turn = std::max({report.largest_turn, std::abs(to.first - from.first), std::abs(to.second - from.second)});
+    report.largest_turn =
+        std::max({report.largest_turn, std::abs(to.first - from.first), std::abs(to.second - from.second)});
     ++report.cut_blocks;
     report.first_travel += std::abs(to.first - from.first);
     const auto widen = [begun](double& lowest, double& highest, double value) {
@@ -118,15 +119,20 @@ MachineProgramGenerator::check() const
   };
   for (const std::string& fault :
        {require(s.feed > 0.0 && std::isfinite(s.feed), "feed", s.feed, "it must be above 0 mm/min"),
-        require(s.ball_radius >= 0.0 && std::isfinite(s.ball_radius), "ball radius", s.ball_radius, "it must not be below 0 mm"),
-        require(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole cone", s.pole_cone, "it must lie between 0 and 90 degrees"),
-        require(s.block.tip > 0.0 && s.block.axis > 0.0, "block tolerance", std::min(s.block.tip, s.block.axis),
-                "it must be above 0"),
+        require(s.ball_radius >= 0.0 && std::isfinite(s.ball_radius), "ball radius", s.ball_radius,
+                "it must not be below 0 mm"),
+        require(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole cone", s.pole_cone,
+                "it must lie between 0 and 90 degrees"),
+        require(s.block.tip > 0.0 && s.block.axis > 0.0, "block tolerance",
+                std::min(s.block.tip, s.block.axis), "it must be above 0"),
         require(s.thinning.tip >= 0.0 && s.thinning.axis >= 0.0, "thinning tolerance",
                 std::min(s.thinning.tip, s.thinning.axis), "it must not be below 0"),
-        require(s.lead_length > 0.0 && std::isfinite(s.lead_length), "lead length", s.lead_length, "it must be above 0 mm"),
-        require(s.clearance > 0.0 && std::isfinite(s.clearance), "clearance", s.clearance, "it must be above 0 mm"),
-        require(s.rapid_height > 0.0 && std::isfinite(s.rapid_height), "rapid height", s.rapid_height, "it must be above 0 mm")})
+        require(s.lead_length > 0.0 && std::isfinite(s.lead_length), "lead length", s.lead_length,
+                "it must be above 0 mm"),
+        require(s.clearance > 0.0 && std::isfinite(s.clearance), "clearance", s.clearance,
+                "it must be above 0 mm"),
+        require(s.rapid_height > 0.0 && std::isfinite(s.rapid_height), "rapid height", s.rapid_height,
+                "it must be above 0 mm")})
     if (!fault.empty())
       return {StatusCode::InvalidArgument, fault};
   return Status::success();
@@ -141,8 +147,8 @@ MachineProgramGenerator::computeProgram(MachineProgram& program) const
   program.machine = kinematics.machine();
   program.feed = settings_.feed;
   RotaryPath rotary;
-  if (const Status status = rotaryPath(kinematics, poses_,
-                                       {settings_.feed, settings_.ball_radius, settings_.pole_cone * radians}, rotary);
+  if (const Status status = rotaryPath(
+          kinematics, poses_, {settings_.feed, settings_.ball_radius, settings_.pole_cone * radians}, rotary);
       !status.ok())
     return status;
   const MachineLocations split = splitBlocks(kinematics, rotary.branch, rotary.locations, settings_.block);
@@ -158,7 +164,8 @@ MachineProgramGenerator::computeProgram(MachineProgram& program) const
   if (passes.empty())
     return {StatusCode::Failed,
             textOf("at ", path[failed].arc_length, " mm of the path ", first.letter, " stands at ",
-                   path[failed].angles.first / radians, " degrees or whole turns from it, and cannot go on within its limits of ",
+                   path[failed].angles.first / radians,
+                   " degrees or whole turns from it, and cannot go on within its limits of ",
                    first.range.lower / radians, " to ", first.range.upper / radians,
                    " degrees; turn the part, or use a machine whose ", first.letter, " turns further")};
   const Eigen::Vector3d up = upOf(kinematics.machine());
@@ -171,7 +178,8 @@ MachineProgramGenerator::computeProgram(MachineProgram& program) const
       program.report.unwound_at.push_back(path[pass.first].arc_length);
     addPass(kinematics, leads, path, pass, program.blocks);
   }
-  program.blocks.erase(std::unique(program.blocks.begin(), program.blocks.end(), stands), program.blocks.end());
+  program.blocks.erase(std::unique(program.blocks.begin(), program.blocks.end(), stands),
+                       program.blocks.end());
   setBlockTimes(kinematics, settings_.feed, program);
   reportAngles(program);
   return checkLimits(kinematics, program.blocks);

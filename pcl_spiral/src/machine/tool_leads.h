@@ -11,7 +11,8 @@ namespace pcl_spiral {
 class ToolLeads {
 public:
   /** \p top: height over the workpiece's zero along \p up that is clear of everything. */
-  ToolLeads(const Kinematics& kinematics, const ProgramSettings& settings, const Eigen::Vector3d& up, double top)
+  ToolLeads(const Kinematics& kinematics, const ProgramSettings& settings, const Eigen::Vector3d& up,
+            double top)
       : kinematics_(kinematics), settings_(settings), up_(up), top_(top)
   {
   }
@@ -34,7 +35,7 @@ private:
 };
 
 /** The block to \p tip with the angles of \p at. */
-ProgramBlock blockTo(const Kinematics& kinematics, const Eigen::Vector3d& tip, const MachineLocation& at, BlockSection section,
-                     bool rapid);
+ProgramBlock blockTo(const Kinematics& kinematics, const Eigen::Vector3d& tip, const MachineLocation& at,
+                     BlockSection section, bool rapid);
 
 } // namespace pcl_spiral

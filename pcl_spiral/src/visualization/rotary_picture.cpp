@@ -14,7 +14,7 @@ namespace {
 using Boxes = std::vector<std::array<Eigen::Vector2d, 2>>;
 
 constexpr double degrees = 180.0 / 3.14159265358979323846;
-constexpr double left = 150.0, right = Sheet::width - 60.0;   ///< of the charts, pixels
+constexpr double left = 150.0, right = Sheet::width - 60.0; ///< of the charts, pixels
 constexpr double lowest = 110.0, chart_height = 250.0, chart_step = 330.0;
 constexpr double number_room = 90.0, tick = axis_tick_length, line = 2.5;
 constexpr int number_size = 18, name_size = 20;
@@ -51,7 +51,8 @@ curvesOf(const MachineProgram& program)
     const bool join = before.section == BlockSection::Cut;
     if (!join)
       for (int k : {0, 1})
-        curves[k].add(before.arc_length, k == 0 ? before.angles.first * degrees / 360.0 : before.angles.second * degrees, false);
+        curves[k].add(before.arc_length,
+                      k == 0 ? before.angles.first * degrees / 360.0 : before.angles.second * degrees, false);
     curves[0].add(block.arc_length, block.angles.first * degrees / 360.0, true);
     curves[1].add(block.arc_length, block.angles.second * degrees, true);
     curves[2].add(block.arc_length, (block.arc_length - before.arc_length) / block.minutes, join);
@@ -105,7 +106,8 @@ drawn(const Curve& curve, const Scale& scale)
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (columns[c].first <= columns[c].second) {
       const double x = left + static_cast<double>(c);
-      boxes.push_back({Eigen::Vector2d(x, columns[c].first - 0.5 * line), Eigen::Vector2d(x + 1.0, columns[c].second + 0.5 * line)});
+      boxes.push_back({Eigen::Vector2d(x, columns[c].first - 0.5 * line),
+                       Eigen::Vector2d(x + 1.0, columns[c].second + 0.5 * line)});
     }
   return boxes;
 }
@@ -138,9 +140,11 @@ addPlaces(vtkRenderer* view, const MachineProgram& program, const Scale& scale)
   Boxes poles, unwinds;
   for (const PoleZone& zone : program.report.poles)
     poles.push_back({Eigen::Vector2d(scale.x(zone.begin), scale.bottom),
-                     Eigen::Vector2d(std::max(scale.x(zone.end), scale.x(zone.begin) + 3.0), scale.bottom + chart_height)});
+                     Eigen::Vector2d(std::max(scale.x(zone.end), scale.x(zone.begin) + 3.0),
+                                     scale.bottom + chart_height)});
   for (const double s : program.report.unwound_at)
-    unwinds.push_back({Eigen::Vector2d(scale.x(s), scale.bottom), Eigen::Vector2d(scale.x(s), scale.bottom + chart_height)});
+    unwinds.push_back({Eigen::Vector2d(scale.x(s), scale.bottom),
+                       Eigen::Vector2d(scale.x(s), scale.bottom + chart_height)});
   if (!poles.empty())
     addBoxes(view, poles, pole_color);
   if (!unwinds.empty())
@@ -167,14 +171,17 @@ writeRotaryAngles(const std::string& file, const std::string& title, const Machi
   std::string places;
   if (!report.poles.empty())
     places += text("; yellow: axis blended at the pole, by up to %.3g degrees",
-                   degrees * std::max_element(report.poles.begin(), report.poles.end(), [](const PoleZone& a, const PoleZone& b) {
-                               return a.largest_change < b.largest_change;
-                             })->largest_change);
+                   degrees * std::max_element(report.poles.begin(), report.poles.end(),
+                                              [](const PoleZone& a, const PoleZone& b) {
+                                                return a.largest_change < b.largest_change;
+                                              })
+                                 ->largest_change);
   if (!report.unwound_at.empty())
     places += text("; red: unwinds, %.0f times", static_cast<double>(report.unwound_at.size()));
   sheet.addTitle(title + ": rotary axes of " + program.machine.name,
-                 text("%.1f turns in all, %.3g degrees in one block at the most", report.first_travel * degrees / 360.0,
-                      report.largest_turn * degrees) + places);
+                 text("%.1f turns in all, %.3g degrees in one block at the most",
+                      report.first_travel * degrees / 360.0, report.largest_turn * degrees) +
+                     places);
   sheet.save(file);
 }
 

@@ -14,7 +14,8 @@ namespace pcl_spiral {
  *  \code
  *  name: xyzac-trt            # optional
  *  rotary:                    # from the workpiece to the tool
- *    - {axis: C, mount: table, direction: [0, 0, 1], point: [0, 0, 0], limits: unlimited, max_rpm: 20, home: 0}
+ *    - {axis: C, mount: table, direction: [0, 0, 1], point: [0, 0, 0], limits: unlimited, max_rpm: 20, home:
+ * 0}
  *    - {axis: A, mount: table, direction: [1, 0, 0], point: [0, 20, 10], limits: [-100, 50], max_rpm: 10}
  *  linear:                    # optional, each
  *    X: {limits: [-200, 200], max_feed: 12000}

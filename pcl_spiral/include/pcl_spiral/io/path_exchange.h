@@ -28,18 +28,20 @@ AptCutter ballCutter(double radius);
 
 /** What a CLDATA file says beyond its locations. */
 struct AptHeader {
-  std::string title;          ///< PARTNO
+  std::string title; ///< PARTNO
   AptCutter cutter;
   double spindle_speed = 0.0; ///< rev/min; 0: no SPINDL
   double feed = 0.0;          ///< at the contact, mm/min
 };
 
-/** APT / CLDATA: PARTNO, UNITS/MM, MULTAX/ON, CUTTER/d,r,e,f,alpha,beta,h, SPINDL, FEDRAT, GOTO/x,y,z,i,j,k of tip and unit axis, FINI. A
- * FEDRAT stands wherever the tip's speed changes by a hundredth for the contact to keep the feed. \throw FileError */
+/** APT / CLDATA: PARTNO, UNITS/MM, MULTAX/ON, CUTTER/d,r,e,f,alpha,beta,h, SPINDL, FEDRAT, GOTO/x,y,z,i,j,k
+ * of tip and unit axis, FINI. A FEDRAT stands wherever the tip's speed changes by a hundredth for the contact
+ * to keep the feed. \throw FileError */
 void writeAPT(const std::string& file, const ToolPoses& poses, const AptHeader& header);
 
-/** Robot frames as noether nests them: fragments of paths of segments of waypoints {x, y, z, qw, qx, qy, qz}, metres; one of each. z is
- * the outward normal, x the direction of travel in the surface. \throw FileError, also for a path without points */
+/** Robot frames as noether nests them: fragments of paths of segments of waypoints {x, y, z, qw, qx, qy, qz},
+ * metres; one of each. z is the outward normal, x the direction of travel in the surface. \throw FileError,
+ * also for a path without points */
 void writeRobotFrames(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
 
 } // namespace pcl_spiral

@@ -26,25 +26,26 @@ struct ProgramHeader {
   int decimals = 4;           ///< of mm and degrees, 3 to 6
 };
 
-/** A program in the language of \p dialect. Rotary axes in degrees that count on turn by turn; F, but in Heidenhain's, is inverse time
- * (G93) and stands in every G1.
- *  \throw FileError the file cannot be written, the program has no blocks, or the language takes tips and tool axes alone and the machine has no
- *  RTCP */
-void writeProgram(const std::string& file, const MachineProgram& program, Dialect dialect, const ProgramHeader& header);
+/** A program in the language of \p dialect. Rotary axes in degrees that count on turn by turn; F, but in
+ * Heidenhain's, is inverse time (G93) and stands in every G1. \throw FileError the file cannot be written,
+ * the program has no blocks, or the language takes tips and tool axes alone and the machine has no RTCP */
+void writeProgram(const std::string& file, const MachineProgram& program, Dialect dialect,
+                  const ProgramHeader& header);
 
-/** LinuxCNC: G21 G90 G64 P, G93 with an F on every G1, G94, M2. With RTCP X Y Z are the tip's, as xyzac-trt-kins and
- * xyzbc-trt-kins take them; without, the machine's. \throw FileError */
+/** LinuxCNC: G21 G90 G64 P, G93 with an F on every G1, G94, M2. With RTCP X Y Z are the tip's, as
+ * xyzac-trt-kins and xyzbc-trt-kins take them; without, the machine's. \throw FileError */
 void writeLinuxCNC(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
 
-/** Fanuc: G43.4 H (or G43.5 H where \p vectors) X Y Z with A B C or I J K, all on every line, G93, G49, M30. Without RTCP G43 H
- * and the machine's X Y Z. H is the tool's number, or 1. \throw FileError */
-void writeFanuc(const std::string& file, const MachineProgram& program, const ProgramHeader& header, bool vectors);
+/** Fanuc: G43.4 H (or G43.5 H where \p vectors) X Y Z with A B C or I J K, all on every line, G93, G49, M30.
+ * Without RTCP G43 H and the machine's X Y Z. H is the tool's number, or 1. \throw FileError */
+void writeFanuc(const std::string& file, const MachineProgram& program, const ProgramHeader& header,
+                bool vectors);
 
 /** Siemens 840D: TRAORI, ORIWKS, ORIVECT, A3= B3= C3= on every line, G93, TRAFOOF, M30. \throw FileError */
 void writeSiemens(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
 
-/** Heidenhain Klartext: M128, LN X Y Z NX NY NZ TX TY TZ, F in mm/min of the tip that gives the block its time, M129, M30.
- * \throw FileError */
+/** Heidenhain Klartext: M128, LN X Y Z NX NY NZ TX TY TZ, F in mm/min of the tip that gives the block its
+ * time, M129, M30. \throw FileError */
 void writeHeidenhain(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
 
 } // namespace pcl_spiral

@@ -13,18 +13,21 @@ struct BlockTolerance {
   double axis = 0.001; ///< radians
 };
 
-/** What the machine does at share \p t of a block: programmed axes go linearly; with RTCP these are the tip's, without it
- * the machine's own. */
-ToolPose interpolated(const Kinematics& kinematics, const MachineLocation& a, const MachineLocation& b, double t);
+/** What the machine does at share \p t of a block: programmed axes go linearly; with RTCP these are the
+ * tip's, without it the machine's own. */
+ToolPose interpolated(const Kinematics& kinematics, const MachineLocation& a, const MachineLocation& b,
+                      double t);
 
-/** Locations put in between until the machine stays within \p tolerance of the straight move and the arc of the axis, and no
- * rotary axis turns by more than a quarter turn in a block. */
+/** Locations put in between until the machine stays within \p tolerance of the straight move and the arc of
+ * the axis, and no rotary axis turns by more than a quarter turn in a block. */
 MachineLocations splitBlocks(const Kinematics& kinematics, Branch branch, const MachineLocations& path,
                              const BlockTolerance& tolerance);
 
-/** Locations left out where the machine comes within \p tolerance of each without them: tip and axis together, at the same
- * share of the way. With RTCP the tolerance holds all along the path, between its locations too; without, with that of splitBlocks
- * on top. Ends stay. A tolerance of 0 keeps all but repeated locations. */
-MachineLocations thinnedBlocks(const Kinematics& kinematics, const MachineLocations& path, const BlockTolerance& tolerance);
+/** Locations left out where the machine comes within \p tolerance of each without them: tip and axis
+ * together, at the same share of the way. With RTCP the tolerance holds all along the path, between its
+ * locations too; without, with that of splitBlocks on top. Ends stay. A tolerance of 0 keeps all but repeated
+ * locations. */
+MachineLocations thinnedBlocks(const Kinematics& kinematics, const MachineLocations& path,
+                               const BlockTolerance& tolerance);
 
 } // namespace pcl_spiral

@@ -19,20 +19,22 @@ enum class LeadKind {
 
 /** Settings of a program. */
 struct ProgramSettings {
-  double feed = 1000.0;        ///< at the contact, mm/min
-  double ball_radius = 0.0;    ///< of a ball cutter, mm: its centre stays as an axis is blended; 0: the tip stays
-  double pole_cone = 5.0;      ///< axes are blended within this angle of the pole alone, degrees
-  BlockTolerance block;        ///< that the machine keeps between poses
+  double feed = 1000.0; ///< at the contact, mm/min
+  double ball_radius =
+      0.0;                ///< of a ball cutter, mm: its centre stays as an axis is blended; 0: the tip stays
+  double pole_cone = 5.0; ///< axes are blended within this angle of the pole alone, degrees
+  BlockTolerance block;   ///< that the machine keeps between poses
   BlockTolerance thinning{0.0, 0.0}; ///< poses are left out within this; 0: none
   LeadKind lead = LeadKind::Normal;
-  double lead_length = 2.0;    ///< mm; the radius of an arc
-  double clearance = 5.0;      ///< the feed begins this far along the tool axis from the lead, mm
-  double rapid_height = 50.0;  ///< rapids cross this far above the highest tip, mm
+  double lead_length = 2.0;   ///< mm; the radius of an arc
+  double clearance = 5.0;     ///< the feed begins this far along the tool axis from the lead, mm
+  double rapid_height = 50.0; ///< rapids cross this far above the highest tip, mm
 };
 
-/** Lays a path on a machine: angles on one branch, unwound, blended at the pole; blocks split where the machine would leave the
- *  path and thinned where it would not; a finite first axis retracts, unwinds and comes back at its limit; leads; the time of every
- *  block, at the feed or as slow as the slowest axis asks; limits of every axis checked.
+/** Lays a path on a machine: angles on one branch, unwound, blended at the pole; blocks split where the
+ * machine would leave the path and thinned where it would not; a finite first axis retracts, unwinds and
+ * comes back at its limit; leads; the time of every block, at the feed or as slow as the slowest axis asks;
+ * limits of every axis checked.
  *
  *  \code
  *  MachineProgramGenerator generator;
@@ -80,8 +82,8 @@ public:
     return settings_;
   }
 
-  /** \p program is empty on failure: a machine that cannot be, a setting out of range, a tool axis out of reach, an axis beyond
-   *  its limits. */
+  /** \p program is empty on failure: a machine that cannot be, a setting out of range, a tool axis out of
+   * reach, an axis beyond its limits. */
   void compute(MachineProgram& program);
 
   const Status&
