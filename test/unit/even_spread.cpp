@@ -1,6 +1,6 @@
 // Clouds whose points lie much closer one way than the other, twice at one place, or change density at a step: what the
 // graph is built of, and that clouds spread evenly stay as they are.
-#include <pcl_spiral/search/stray_removal.h>
+#include <pcl_spiral/surface/clean_graph.h>
 
 #include "support/sampling.h"
 #include "support/surfaces.h"
@@ -40,7 +40,7 @@ Built
 built(const std::vector<Eigen::Vector3f>& points)
 {
   Built result;
-  const Status status = buildWithoutStrays(points, {}, result.graph, result.source);
+  const Status status = buildCleanGraph(points, {}, result.graph, result.source);
   EXPECT_TRUE(status.ok()) << status.message();
   return result;
 }
@@ -147,4 +147,18 @@ TEST(EvenSpread, TheOrderOfThePointsDoesNotMatter)
   ASSERT_EQ(a.source.indices.size(), b.source.indices.size());
   for (const std::uint32_t i : b.source.indices)
     EXPECT_EQ(kept.count(order[i]), 1u);
+}
+
+TEST(EvenSpread, WhichPointsOfALineStayDoesNotDependOnTheirNoise)
+{
+  constexpr double sigma = 0.02;
+  const SurfacePtr plate = flat(Region({rectangle(110.0, 90.0)}));
+  Sampled lines = sampleScanLines(*plate, 0.2, 2.0, 1, 0.1); // y equal all along a line, x nearly even
+  addNoise(lines, sigma, 3);
+  const Built result = built(floats(lines.points));
+  EXPECT_GT(result.source.surplus, lines.points.size() / 2);
+  double mean = 0.0;
+  for (std::size_t i = 0; i < result.graph.size(); ++i)
+    mean += result.graph.position(i).z() / static_cast<double>(result.graph.size());
+  EXPECT_LT(std::abs(mean), 4.0 * sigma / std::sqrt(static_cast<double>(result.graph.size())));
 }

@@ -1,4 +1,4 @@
-#include "even_spread.h"
+#include <pcl_spiral/search/even_spread.h>
 
 #include "all_neighbourhoods.h"
 #include "disc_thinning.h"
@@ -207,7 +207,7 @@ thinLines(Spread& spread)
 std::vector<float>
 gradedSpacing(const Spread& spread)
 {
-  constexpr int reach = 16, company = 3;
+  constexpr int reach = 16, company = 8;
   const std::size_t n = spread.blocks.size();
   std::vector<std::uint32_t> to(n * reach);
   std::vector<float> graded(n), way(n * reach);

@@ -7,14 +7,23 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
+
 namespace pcl_spiral {
 
 /** What one neighbourhood tells about its point. */
 struct LocalShape {
   Eigen::Vector3d normal; ///< least principal axis of the neighbours (Hoppe et al. 1992), sign arbitrary
   double radius;          ///< distance to the k-th neighbour
-  double height;          ///< distance of the point from its neighbours' plane
+  double height;          ///< of the point over its neighbours' plane, along the normal
 };
+
+/** Spacing of k evenly spread points in a disc of this radius. */
+inline double
+evenSpacing(double radius, int k)
+{
+  return radius * std::sqrt(M_PI / k);
+}
 
 LocalShape
 localShape(const Neighbourhood& near);

@@ -1,36 +1,44 @@
 #include <pcl_spiral/search/point_blocks.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 namespace pcl_spiral {
 namespace {
 
-/** A total order on positions that starts with one axis, so that equal coordinates never leave it to chance. */
+/** A total order on positions by one axis after the other, so that equal coordinates never leave it to chance. */
 struct AxisOrder {
-  int axis;
+  std::array<int, 3> axes;
   bool
   operator()(const IndexedPosition& a, const IndexedPosition& b) const
   {
     const float* p = &a.x;
     const float* q = &b.x;
-    for (int d = 0; d < 3; ++d) {
-      const int i = (axis + d) % 3;
+    for (const int i : axes)
       if (p[i] != q[i])
         return p[i] < q[i];
-    }
     return a.index < b.index;
   }
 };
+
+/** The axes by falling length of the box's sides. A scan line along which one coordinate is equal is cut along its length
+ *  then, never by height, which would put all that noise has lowered into one block. */
+std::array<int, 3>
+axesBySide(const Box& box)
+{
+  std::array<int, 3> axes{0, 1, 2};
+  std::stable_sort(axes.begin(), axes.end(),
+                   [&](int a, int b) { return box.high[a] - box.low[a] > box.high[b] - box.low[b]; });
+  return axes;
+}
 
 /** Puts the \p smaller first positions in the order of one axis before the others. Slices of equal width across the
  *  axis are counted; only the one in which the cut lies has to be looked at in order. */
 class AxisCut {
 public:
-  AxisCut(const Box& box, std::size_t count)
+  AxisCut(const Box& box, std::size_t count) : axes_(axesBySide(box)), axis_(axes_[0])
   {
-    for (int d = 1; d < 3; ++d)
-      if (box.high[d] - box.low[d] > box.high[axis_] - box.low[axis_])
-        axis_ = d;
     slices_ = static_cast<int>(std::min<std::size_t>(most_slices, std::max<std::size_t>(8, count / 8)));
     low_ = box.low[axis_];
     const float width = box.high[axis_] - low_;
@@ -49,7 +57,7 @@ public:
       before += in_slice[cut];
     IndexedPosition* const middle = split(begin, begin + count, [&](int slice) { return slice < cut; });
     IndexedPosition* const end = split(middle, begin + count, [&](int slice) { return slice == cut; });
-    std::nth_element(middle, begin + smaller, end, AxisOrder{axis_});
+    std::nth_element(middle, begin + smaller, end, AxisOrder{axes_});
   }
 
 private:
@@ -77,7 +85,8 @@ private:
     return others;
   }
 
-  int axis_ = 0;
+  std::array<int, 3> axes_;
+  int axis_;
   int slices_;
   float low_, scale_;
 };
@@ -88,7 +97,7 @@ sortNode(IndexedPosition* all, const BlockPartition& partition, std::size_t node
 {
   const std::size_t begin = partition.begin(node << level), end = partition.begin((node + 1) << level);
   if (level == 0) {
-    std::sort(all + begin, all + end, AxisOrder{0});
+    std::sort(all + begin, all + end, AxisOrder{{0, 1, 2}});
     return;
   }
   Box box;

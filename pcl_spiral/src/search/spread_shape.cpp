@@ -27,7 +27,7 @@ isLine(const Neighbourhood& near, int count)
   return solver.eigenvalues()[1] < thin * solver.eigenvalues()[2];
 }
 
-/** Whether the neighbours are no plane piece, nor a piece of a line, or the point stands off their plane. */
+/** Whether the neighbours are no plane piece, nor a piece of a line, or the point stands off their plane or line. */
 bool
 isOff(const Neighbourhood& near, double spacing)
 {
@@ -44,7 +44,7 @@ isOff(const Neighbourhood& near, double spacing)
   solver.computeDirect(moment - others * mean * mean.transpose());
   const Eigen::Vector3d& spread = solver.eigenvalues();
   if (spread[1] < thin * spread[2])
-    return false;
+    return solver.eigenvectors().col(2).cross(mean).norm() > low * spacing;
   return spread[0] > flat * flat * spread[1] || std::abs(solver.eigenvectors().col(0).dot(mean)) > low * spacing;
 }
 
@@ -66,7 +66,7 @@ spreadShape(const Neighbourhood& near)
   shape.is_double = distance(1) < nearly_one_place * shape.spacing;
   shape.line_step = 0.0f;
   for (const int count : counts)
-    if (near.size > count && isLine(near, count))
+    if (!shape.is_off && near.size > count && isLine(near, count))
       shape.line_step = std::max(shape.line_step, 2.0f * distance(count) / static_cast<float>(count));
   return shape;
 }

@@ -7,6 +7,7 @@
 
 #include "normal_orientation.h"
 #include "local_shape.h"
+#include "off_points.h"
 #include "pieces.h"
 #include "star_triangles.h"
 
@@ -21,13 +22,6 @@ namespace {
 constexpr int most_neighbours = 256;
 constexpr int pinhole_edges = 6;
 constexpr double far_off = 32.0; // times the usual radius of a neighbourhood: no part of the surface
-
-/** Spacing of k evenly spread points in a disc of this radius. */
-double
-evenSpacing(double radius, int k)
-{
-  return radius * std::sqrt(M_PI / k);
-}
 
 /** Tangent-plane coordinates of a neighbourhood, and its star. */
 class StarWorker {
@@ -124,22 +118,21 @@ enoughNeighbours(const PointBlocks& blocks, const SurfaceGraphOptions& options)
   return k;
 }
 
-/** One pass over all neighbourhoods: normals (sign arbitrary), radii, heights over the local plane, stars. */
+/** One pass over all neighbourhoods: shapes (signs of normals arbitrary) and stars. */
 StarSet
-visitAll(const PointBlocks& blocks, int k, double max_circumradius, std::vector<Eigen::Vector3f>& normals,
-         std::vector<float>& radii, std::vector<float>& heights)
+visitAll(const PointBlocks& blocks, double max_circumradius, PointShapes& shapes)
 {
   constexpr std::int64_t run = 128; // blocks that one thread takes at a time
   const auto block_count = static_cast<std::int64_t>(blocks.blockCount()), runs = (block_count + run - 1) / run;
-  normals.resize(blocks.size());
-  radii.resize(blocks.size());
-  heights.resize(blocks.size());
+  shapes.normals.resize(blocks.size());
+  shapes.radii.resize(blocks.size());
+  shapes.heights.resize(blocks.size());
   StarSet stars;
   stars.begin.assign(blocks.size() + 1, 0);
   std::vector<std::vector<std::uint32_t>> spokes(runs);
 #pragma omp parallel
   {
-    StarWorker worker(blocks, k, max_circumradius);
+    StarWorker worker(blocks, shapes.neighbours, max_circumradius);
 #pragma omp for schedule(dynamic)
     for (std::int64_t r = 0; r < runs; ++r) {
       spokes[r].reserve(6 * run * PointBlocks::block_size);
@@ -148,9 +141,9 @@ visitAll(const PointBlocks& blocks, int k, double max_circumradius, std::vector<
         for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); ++i) {
           LocalShape shape;
           worker.visit(i, shape);
-          normals[i] = shape.normal.cast<float>();
-          radii[i] = static_cast<float>(shape.radius);
-          heights[i] = static_cast<float>(shape.height);
+          shapes.normals[i] = shape.normal.cast<float>();
+          shapes.radii[i] = static_cast<float>(shape.radius);
+          shapes.heights[i] = static_cast<float>(shape.height);
           worker.append(spokes[r]);
           stars.begin[i + 1] = static_cast<std::uint32_t>(worker.spokeCount());
         }
@@ -176,36 +169,6 @@ median(std::vector<float> values)
   return values[values.size() / 2];
 }
 
-/** Points that stand alone off the surface: high over their neighbours' plane, which none of these is nearly as much.
- *  Along a crease points are high too, but in company. Those far off everything lie in the plane that they make with the
- *  rest; their neighbours are far. */
-std::vector<std::uint32_t>
-findStrays(const PointBlocks& blocks, const StarSet& stars, const std::vector<float>& heights,
-           const std::vector<float>& radii, int k)
-{
-  constexpr double over_median = 8.0, over_spacing = 0.25, company = 0.5;
-  const double usual = median(heights), far = far_off * median(radii);
-  std::vector<std::vector<std::uint32_t>> found(pieceCount(blocks.size()));
-  forPoints(blocks.size(), [&](std::uint32_t i) {
-    if (radii[i] > far) {
-      found[i / piece_size].push_back(blocks.originalIndex(i));
-      return;
-    }
-    if (heights[i] < over_median * usual || heights[i] < over_spacing * evenSpacing(radii[i], k))
-      return;
-    bool alone = true;
-    for (std::uint32_t s = stars.begin[i]; s < stars.begin[i + 1]; ++s)
-      alone = alone && heights[stars.neighbourAt(s)] < company * heights[i];
-    if (alone)
-      found[i / piece_size].push_back(blocks.originalIndex(i));
-  });
-  std::vector<std::uint32_t> strays;
-  for (const auto& part : found)
-    strays.insert(strays.end(), part.begin(), part.end());
-  std::sort(strays.begin(), strays.end());
-  return strays;
-}
-
 } // namespace
 
 double
@@ -229,11 +192,15 @@ SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
                                           std::to_string(fewest_points) + ": scan more densely or thin less"};
   blocks_ = std::move(blocks);
   neighbours_ = enoughNeighbours(blocks_, options);
-  std::vector<float> heights;
-  StarSet stars = visitAll(blocks_, neighbours_, options.max_circumradius, normals_, radii_, heights);
-  stray_points_ = findStrays(blocks_, stars, heights, radii_, neighbours_);
-  std::vector<float>().swap(heights);
-  const double usual_radius = median(radii_);
+  PointShapes shapes;
+  shapes.neighbours = neighbours_;
+  StarSet stars = visitAll(blocks_, options.max_circumradius, shapes);
+  const double usual_radius = median(shapes.radii);
+  stray_points_ = pcl_spiral::strayPoints(blocks_, stars, shapes, far_off * usual_radius);
+  doubtful_points_ = pcl_spiral::doubtfulPoints(stars, shapes);
+  normals_ = std::move(shapes.normals);
+  radii_ = std::move(shapes.radii);
+  std::vector<float>().swap(shapes.heights);
   spacing_ = evenSpacing(usual_radius, neighbours_);
   if (!(spacing_ > 0.0))
     return {StatusCode::InvalidInput, "most points of the cloud coincide: remove duplicates or check the units"};

@@ -30,6 +30,10 @@ overhang(const Points& points, const Eigen::Vector3d& centroid)
   return std::max(0.0f, nearest);
 }
 
+/** Mean of the oriented normals of the nearest few points. */
+Eigen::Vector3d
+meanNormal(const std::uint32_t* nearest, int count, const std::vector<Eigen::Vector3f>& normals);
+
 /** Foot of a query on the quadric f(u, v) = b0 + b1 u + b2 v + b3 u^2 + b4 u v + b5 v^2 over the plane across \p up,
  *  fitted to its neighbours with the weight (1 - r^2)^3, r the distance in the plane over that of the farthest.
  *  Source: Levin, The approximation power of moving least squares, 1998; weight after Wendland. */

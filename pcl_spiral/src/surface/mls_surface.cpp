@@ -18,17 +18,6 @@ constexpr double refit_distance = 0.1;       // in spacings: a foot that far fro
 constexpr double run_width = 3.0;            // of queries searched together, in radii of a neighbourhood
 constexpr double largest_overhang = 1.25;    // in spacings
 
-/** Mean of the oriented normals of the nearest few points. */
-Eigen::Vector3d
-meanNormal(const std::uint32_t* nearest, int count, const std::vector<Eigen::Vector3f>& normals)
-{
-  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-  for (int j = 0; j < count; ++j)
-    sum += normals[nearest[j]];
-  const float norm = sum.norm();
-  return norm > 0.0f ? Eigen::Vector3d((sum / norm).cast<double>()) : normals[nearest[0]].cast<double>();
-}
-
 struct NearestPoint {
   std::uint32_t index;
   float squared_distance;
@@ -65,6 +54,16 @@ endOfRun(const std::vector<IndexedPosition>& order, std::size_t begin, std::size
 }
 
 } // namespace
+
+Eigen::Vector3d
+meanNormal(const std::uint32_t* nearest, int count, const std::vector<Eigen::Vector3f>& normals)
+{
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  for (int j = 0; j < count; ++j)
+    sum += normals[nearest[j]];
+  const float norm = sum.norm();
+  return norm > 0.0f ? Eigen::Vector3d((sum / norm).cast<double>()) : normals[nearest[0]].cast<double>();
+}
 
 MlsSurface::MlsSurface(const SurfaceGraph& graph, int neighbours, ProjectionMethod method)
 : graph_(graph), method_(method), neighbours_(neighbours)

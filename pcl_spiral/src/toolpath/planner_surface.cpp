@@ -4,7 +4,7 @@
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/features/surface_boundary.h>
 #include <pcl_spiral/features/surface_parts.h>
-#include <pcl_spiral/search/stray_removal.h>
+#include <pcl_spiral/surface/clean_graph.h>
 #include <pcl_spiral/surface/gap_filling.h>
 #include <pcl_spiral/toolpath/boundary_choice.h>
 #include <pcl_spiral/toolpath/path_size.h>
@@ -50,7 +50,7 @@ SpiralPlanner::makeGraph(std::vector<Eigen::Vector3f> points, std::vector<Eigen:
   options.given_normals = std::move(normals);
   const std::size_t given = points.size();
   // With points put into gaps nothing more is left out: what was counted and told before stays true.
-  const Status built = bridges_.empty() ? buildWithoutStrays(std::move(points), std::move(options), graph_, source_)
+  const Status built = bridges_.empty() ? buildCleanGraph(std::move(points), options, graph_, source_)
                                         : graph_.build(std::move(points), options);
   if (!built.ok())
     return built;
@@ -96,12 +96,9 @@ SpiralPlanner::checkScale()
             textOf("the whole scan is ", across, " mm across, less than the tool radius ", settings_.tool_radius,
                    " mm: is the scan in metres or inches? Say its unit (--units m), or scale it to mm")};
   const double area = surfaceArea(graph_);
-  if (const Status status = checkPathSize(roughPathSize(area, settings_), area, settings_, hopeless * most_path_points);
-      !status.ok())
-    return status;
-  for (const std::string& warning : scanWarnings(*surface_, settings_))
+  for (const std::string& warning : scanWarnings(graph_, settings_))
     report_.warnings.push_back(warning);
-  return Status::success();
+  return checkPathSize(roughPathSize(area, settings_), area, settings_, hopeless * most_path_points);
 }
 
 Status

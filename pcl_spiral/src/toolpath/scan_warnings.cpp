@@ -2,16 +2,15 @@
 
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/step_over.h>
-#include <pcl_spiral/surface/noise_warning.h>
 
 namespace pcl_spiral {
 
 std::vector<std::string>
-scanWarnings(const MlsSurface& surface, const SpiralSettings& settings)
+scanWarnings(const SurfaceGraph& graph, const SpiralSettings& settings)
 {
   constexpr double smallest = 1.0, largest = 1e5; // mm across
   std::vector<std::string> warnings;
-  const double across = surface.graph().blocks().box().diagonal(), spacing = surface.graph().spacing();
+  const double across = graph.blocks().box().diagonal(), spacing = graph.spacing();
   if (across < smallest || across > largest)
     warnings.push_back(textOf("the scan is ", across, " mm across: is it in another unit? Say so (--units m), or scale it to mm"));
   if (const auto step = stepOver(settings.tool_radius, 0.0, settings.scallop_height); step && *step > 0.5 * across)
@@ -23,8 +22,6 @@ scanWarnings(const MlsSurface& surface, const SpiralSettings& settings)
                               2.0 * settings.tool_radius,
                               " mm): hollows between them that it would gouge are not seen; check the scan's unit, scan more "
                               "densely or take a larger tool"));
-  if (const auto warning = noiseWarning(surface, "scallop height", settings.scallop_height))
-    warnings.push_back(*warning);
   return warnings;
 }
 

@@ -1,6 +1,7 @@
 #include <pcl_spiral/toolpath/spiral_planner.h>
 
 #include <pcl_spiral/common/message.h>
+#include <pcl_spiral/surface/noise_warning.h>
 
 #include <cmath>
 
@@ -96,6 +97,8 @@ SpiralPlanner::prepareBoundaries()
     return status;
   if (const Status status = bridgeGaps(); !status.ok())
     return status;
+  if (const auto warning = noiseWarning(*surface_, "scallop height", settings_.scallop_height))
+    report_.warnings.push_back(*warning);
   if (!graph_.orientationIsClear() && normals_.empty())
     report_.warnings.push_back("the outer side could not be told from +z; the convex side was taken: give a view point "
                                "or flip the normals if the cutter comes from the other side");

@@ -3,7 +3,7 @@
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/frame.h>
 #include <pcl_spiral/features/surface_boundary.h>
-#include <pcl_spiral/search/stray_removal.h>
+#include <pcl_spiral/surface/clean_graph.h>
 #include <pcl_spiral/surface/noise_warning.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ Status
 ReferenceSurface::build(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions options)
 {
   const bool with_normals = !options.given_normals.empty();
-  if (const Status status = buildWithoutStrays(std::move(points), options, graph_, source_); !status.ok())
+  if (const Status status = buildCleanGraph(std::move(points), options, graph_, source_); !status.ok())
     return status;
   strays_ = source_.strays;
   surface_ = std::make_unique<MlsSurface>(graph_, 0, ProjectionMethod::RobustQuartic);

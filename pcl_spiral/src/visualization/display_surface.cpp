@@ -1,7 +1,7 @@
 #include "display_surface.h"
 
 #include <pcl_spiral/search/point_selection.h>
-#include <pcl_spiral/search/surface_graph.h>
+#include <pcl_spiral/surface/clean_graph.h>
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -21,7 +21,6 @@ namespace {
 
 constexpr std::size_t most_points =
     60000;                      ///< the part fills a million pixels at most: 4 pixels between points
-constexpr int stray_rounds = 3; ///< an outlier may hide another
 constexpr double margin = 0.03; ///< of the part's size, about the box
 constexpr double hiding_clearance = 0.01;  ///< of the part's size
 constexpr double least_mean_normal = 0.25; ///< a shorter mean of unit normals tells no side
@@ -93,16 +92,9 @@ graphOf(std::vector<Eigen::Vector3f> points, const SpiralSettings& settings)
   options.view_point = settings.view_point;
   options.flip_normals = settings.flip_normals;
   SurfaceGraph graph;
+  GraphSource source;
   // where it fails the surface stays empty, and the path is drawn alone
-  for (int round = 0; graph.build(points, options).ok() && round < stray_rounds; ++round) {
-    const std::vector<std::uint32_t>& strays = graph.strayPoints();
-    if (strays.empty())
-      break;
-    for (auto stray = strays.rbegin(); stray != strays.rend(); ++stray) {
-      points[*stray] = points.back();
-      points.pop_back();
-    }
-  }
+  (void)buildCleanGraph(std::move(points), options, graph, source);
   return graph;
 }
 

@@ -50,6 +50,8 @@ public:
   double spacing(std::size_t i) const;
   /** Points, as indices of what build was given, that stand alone off the surface: outliers to leave out. Ascending. */
   const std::vector<std::uint32_t>& strayPoints() const { return stray_points_; }
+  /** Points, in the graph's order, that may be false or lie where the surface bends: what falsePoints() looks at. */
+  const std::vector<std::uint32_t>& doubtfulPoints() const { return doubtful_points_; }
   const Triangulation& triangulation() const { return triangulation_; }
   /** Forget the triangles, the larger half of the graph's memory, when only neighbourhoods are asked for from now on. */
   void dropTriangulation() { triangulation_ = Triangulation(); }
@@ -62,7 +64,7 @@ private:
   PointBlocks blocks_;
   std::vector<Eigen::Vector3f> normals_;
   std::vector<float> radii_;
-  std::vector<std::uint32_t> stray_points_;
+  std::vector<std::uint32_t> stray_points_, doubtful_points_;
   Triangulation triangulation_;
   Eigen::Vector3d mean_normal_ = Eigen::Vector3d::Zero();
   double spacing_ = 0.0;

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/surface/mls_surface.h>
+#include <pcl_spiral/search/surface_graph.h>
 #include <pcl_spiral/toolpath/spiral_settings.h>
 
 #include <string>
@@ -14,6 +14,6 @@ namespace pcl_spiral {
 /** Warnings, with values and remedies: a size that no part has (under 1 mm or over 100 m across), turns farther apart than
  *  half the part, points farther apart than the cutter is wide, a scallop below the scan's noise. */
 std::vector<std::string>
-scanWarnings(const MlsSurface& surface, const SpiralSettings& settings);
+scanWarnings(const SurfaceGraph& graph, const SpiralSettings& settings);
 
 } // namespace pcl_spiral

@@ -8,7 +8,7 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/surface_boundary.h>
 #include <pcl_spiral/features/surface_parts.h>
-#include <pcl_spiral/search/stray_removal.h>
+#include <pcl_spiral/surface/clean_graph.h>
 #include <pcl_spiral/toolpath/radial_line_builder.h>
 #include <pcl_spiral/toolpath/spiral_curve.h>
 #include <pcl_spiral/toolpath/spiral_report.h>

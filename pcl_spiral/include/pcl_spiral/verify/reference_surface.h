@@ -5,7 +5,7 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
-#include <pcl_spiral/search/stray_removal.h>
+#include <pcl_spiral/surface/clean_graph.h>
 #include <pcl_spiral/surface/mls_surface.h>
 #include <pcl_spiral/verify/move_index.h>
 

@@ -1,5 +1,5 @@
 /** \file
- *  A subset of points that is spread evenly enough for neighbourhoods to be round. Private to search.
+ *  A subset of points that is spread evenly enough for neighbourhoods to be round.
  */
 #pragma once
 
