@@ -5,21 +5,24 @@
 #include "local_fit.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <numeric>
 
 namespace pcl_spiral {
 namespace {
 
 constexpr int fit_neighbours = 48; // without the point itself
+constexpr int fewest_for_fit = 24;
 constexpr int company = 8;         // nearest neighbours that may be off as well
 constexpr int nearest_for_normal = 12;
 constexpr double over_scatter = 6.0, over_spacing = 0.03, half = 0.5;
 
-/** Fits to the neighbours of a point, without the point. One object a thread. */
+/** Fits to the neighbours of a point that are beyond doubt, without the point. One object a thread. */
 class DeletedResidual {
 public:
-  explicit DeletedResidual(const SurfaceGraph& graph)
-  : graph_(graph), search_(graph.blocks(), std::min<int>(fit_neighbours + 1, static_cast<int>(graph.size())))
+  DeletedResidual(const SurfaceGraph& graph, const std::vector<std::uint8_t>& is_doubtful)
+  : graph_(graph), is_doubtful_(is_doubtful),
+    search_(graph.blocks(), std::min<int>(fit_neighbours + 1, static_cast<int>(graph.size())))
   {
   }
 
@@ -31,8 +34,7 @@ public:
     place.extend(graph_.blocks().point(i).data());
     search_.setRun(place);
     near_ = search_.find(graph_.position(i));
-    Neighbourhood others = near_;
-    ++others.x, ++others.y, ++others.z, ++others.squared_distance, ++others.index, --others.size;
+    const Neighbourhood others = chosen();
     const Eigen::Vector3d up = meanNormal(others.index, std::min(others.size, nearest_for_normal), graph_.normals());
     const SurfaceFoot foot = robustQuarticFoot(graph_.position(i), others, up);
     const double off = (foot.position - graph_.position(i)).norm();
@@ -47,9 +49,38 @@ public:
   }
 
 private:
+  /** The neighbours beyond doubt, or all where those are few: two false points side by side vouch for each other. */
+  Neighbourhood
+  chosen()
+  {
+    places_.clear();
+    for (int j = 1; j < near_.size; ++j)
+      if (!is_doubtful_[near_.index[j]])
+        places_.push_back(j);
+    if (static_cast<int>(places_.size()) < fewest_for_fit) {
+      places_.resize(near_.size - 1);
+      std::iota(places_.begin(), places_.end(), 1);
+    }
+    index_.clear();
+    for (auto& values : values_)
+      values.clear();
+    for (const int j : places_) {
+      index_.push_back(near_.index[j]);
+      const float of[] = {near_.x[j], near_.y[j], near_.z[j], near_.squared_distance[j]};
+      for (int d = 0; d < 4; ++d)
+        values_[d].push_back(of[d]);
+    }
+    return {static_cast<int>(places_.size()), values_[0].data(), values_[1].data(), values_[2].data(), values_[3].data(),
+            index_.data()};
+  }
+
   const SurfaceGraph& graph_;
+  const std::vector<std::uint8_t>& is_doubtful_;
   NeighbourSearch search_;
   Neighbourhood near_;
+  std::vector<int> places_;
+  std::array<std::vector<float>, 4> values_;
+  std::vector<std::uint32_t> index_;
 };
 
 bool
@@ -71,10 +102,12 @@ std::vector<std::uint32_t>
 falsePoints(const SurfaceGraph& graph)
 {
   const std::vector<std::uint32_t>& doubtful = graph.doubtfulPoints();
-  std::vector<std::uint8_t> found(doubtful.size(), 0);
+  std::vector<std::uint8_t> found(doubtful.size(), 0), is_doubtful(graph.size(), 0);
+  for (const std::uint32_t i : doubtful)
+    is_doubtful[i] = 1;
 #pragma omp parallel
   {
-    DeletedResidual residual(graph);
+    DeletedResidual residual(graph, is_doubtful);
 #pragma omp for schedule(dynamic, 16)
     for (std::int64_t d = 0; d < static_cast<std::int64_t>(doubtful.size()); ++d)
       found[d] = isFalse(doubtful[d], residual);
