@@ -101,10 +101,11 @@ private:
   leaveOutliersOut()
   {
     constexpr int rounds = 5;
+    constexpr double some = 0.001; // of the points
     for (int round = 0; round < rounds; ++round) {
       Indices off = unionOf(graph_.strayPoints(), falsePoints(graph_));
-      const bool some_before = source_.indices.size() + source_.surplus < left_out_.size();
-      if (!off.empty() || some_before)
+      const std::size_t used = source_.indices.size(), outliers = left_out_.size() - source_.surplus - used + off.size();
+      if (static_cast<double>(outliers) > some * static_cast<double>(used))
         off = unionOf(off, lonePoints(graph_));
       if (off.empty())
         break;

@@ -30,7 +30,7 @@ void
 LocationSurface::build(std::vector<Eigen::Vector3f> points)
 {
   surface_.reset();
-  surface_status_ = buildWithoutStrays(points, SurfaceGraphOptions(), graph_, source_);
+  surface_status_ = buildCleanGraph(points, SurfaceGraphOptions(), graph_, source_);
   obstacles_ = PointBlocks(std::move(points));
   rim_ = PointBlocks();
   covering_radius_.clear();

@@ -203,7 +203,7 @@ startInPlan(const MlsSurface& surface, const Polyline& rim)
       nearest = i;
     }
   }
-  if (std::sqrt(closest) > graph.spacing())
+  if (std::sqrt(closest) > graph.spacing(nearest))
     return none;
   return surface.project(best->x() * e1 + best->y() * e2 + graph.position(nearest).dot(up) * up);
 }

@@ -17,10 +17,11 @@ struct GraphSource {
   std::size_t surplus = 0;            ///< left out: much closer to others than these to the next, as along scan lines
 };
 
-/** Build \p graph of \p points less outliers: strays, false points, and where there are any of them lone points, sought anew
- *  after each removal, for an outlier may hide another, up to five times. Where points lie much closer along scan lines
- *  than the lines stand apart, nearly at one place, or beside a much sparser part, some are left out before, until
- *  neighbours lie all about each point; once more when outliers were found, which had others left out in their favour.
+/** Build \p graph of \p points less outliers: strays, false points, and where these are more than one in a thousand lone
+ *  points, sought anew after each removal, for an outlier may hide another, up to five times. Where points lie much
+ *  closer along scan lines than the lines stand apart, nearly at one place, or beside a much sparser part, some are left
+ *  out before, until neighbours lie all about each point; once more when outliers were found, which had others left out
+ *  in their favour.
  *  Fails where SurfaceGraph::build does.
  *  \sa evenSpread, SurfaceGraph::strayPoints, falsePoints, lonePoints */
 Status

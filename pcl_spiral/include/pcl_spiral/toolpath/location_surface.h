@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/search/stray_removal.h>
+#include <pcl_spiral/surface/clean_graph.h>
 #include <pcl_spiral/surface/mls_surface.h>
 
 #include <cstddef>
