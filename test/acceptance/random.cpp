@@ -81,11 +81,14 @@ checkPoints(const Path& path, Faults& faults)
   faults.atMost("steps back", static_cast<double>(back), 0.0);
 }
 
-/** Whether the points tell the surface well enough for the limits of the job to be kept, and not only aimed at. */
+/** Whether the points tell the surface well enough for the limits of the job to be kept, and not only aimed at: corners of
+ *  the outline are known to one and a half spacings, which must lie within the step-over that is left out at the rim. */
 bool
 isToldWell(const RandomCase& made)
 {
   const SpiralSettings& s = made.settings;
+  if (1.5 * made.spacing > std::sqrt(8.0 * s.tool_radius * s.scallop_height))
+    return false;
   const double sag = made.spacing * made.spacing * made.bend / 8.0;
   return made.noise == 0.0 && made.strays == 0 && made.even && sag < 0.3 * s.chord_error &&
          made.spacing * made.bend < 0.1 && s.tool_radius * made.concave < 0.5;
