@@ -90,14 +90,23 @@ checkProgram(const Job& job)
     if (extensionOf(output) == ".nc" && job.given.count("dialect") == 0)
       throw UsageError("-o " + output + ": no --dialect is given; it must be one of " +
                        choiceList<Dialect>());
+    if (extensionOf(output) == ".nc" && job.program.header.tool == 0)
+      throw UsageError("-o " + output + ": no --tool is given; the control takes the tool's length by its number: "
+                                        "--tool 3");
   }
+  const bool other_language = job.given.count("dialect") > 0 && job.program.dialect != Dialect::LinuxCNC;
+  if (other_language && std::none_of(job.outputs.begin(), job.outputs.end(),
+                                     [](const std::string& output) { return extensionOf(output) == ".nc"; }))
+    throw UsageError("--dialect " + choiceName(job.program.dialect) +
+                     ": no output is in that language; write a .nc (a .ngc is LinuxCNC's)");
   require(s.lead_length > 0.0, "lead-length", s.lead_length, "must be above 0 mm");
   require(s.clearance > 0.0, "clearance", s.clearance, "must be above 0 mm");
   require(s.rapid_height > 0.0, "rapid-height", s.rapid_height, "must be above 0 mm");
   require(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole-cone", s.pole_cone,
           "must lie between 0 and 90 degrees");
-  require(s.block.tip > 0.0, "block-tolerance", s.block.tip, "must be above 0 mm");
-  require(s.block.axis > 0.0, "block-tolerance", s.block.axis * degrees, "must be above 0 degrees");
+  require(s.block.tip >= BlockTolerance::least_tip, "block-tolerance", s.block.tip, "must be 0.0001 mm or more");
+  require(s.block.axis >= BlockTolerance::least_axis, "block-tolerance", s.block.axis * degrees,
+          "must be 0.00006 degrees or more");
   require(s.thinning.tip >= 0.0, "thin-blocks", s.thinning.tip, "must not be below 0 mm");
   require(s.thinning.axis >= 0.0, "thin-blocks", s.thinning.axis * degrees, "must not be below 0 degrees");
   const ProgramHeader& header = job.program.header;
@@ -140,6 +149,10 @@ makeProgram(const Job& job, const Machine& machine, Result& result)
     result.report.warnings.push_back(
         "no --machine is given: the program is for LinuxCNC's xyzac-trt-kins with nothing off zero, both "
         "rotary axes at up to 30 rev/min, and no limits are checked");
+  if (!machine.retract_z)
+    result.report.warnings.push_back(
+        machine.name + ": no retract_z is given, the Z of the machine that is clear of everything: the program turns the "
+        "rotary axes, and goes to its first point, from where the tool stands; start it above the part");
   for (const std::string& warning : warningsOf(program))
     result.report.warnings.push_back(warning);
   result.program = std::move(program);

@@ -62,12 +62,12 @@ TEST(Program, EveryLanguageAndExchangeFileIsWritten)
   const ScratchFolder folder;
   for (const std::string dialect : {"linuxcnc", "fanuc", "fanuc-ijk", "siemens", "heidenhain"}) {
     const RunResult done = run(folder, {"-o", dialect + ".nc", "--dialect", dialect, "--machine",
-                                        machines + "/head_head.yaml", "--quiet"});
+                                        machines + "/head_head.yaml", "--tool", "3", "--quiet"});
     ASSERT_EQ(done.code, 0) << done.err;
   }
   expectHas(readText(folder.path("linuxcnc.nc")), "G93\n");
-  expectHas(readText(folder.path("fanuc.nc")), "G43.4 H1 X");
-  expectHas(readText(folder.path("fanuc-ijk.nc")), "G43.5 H1 X");
+  expectHas(readText(folder.path("fanuc.nc")), "G43.4 H3 X");
+  expectHas(readText(folder.path("fanuc-ijk.nc")), "G43.5 H3 X");
   expectHas(readText(folder.path("siemens.nc")), "TRAORI\n");
   expectHas(readText(folder.path("heidenhain.nc")), " M128\n");
   const RunResult done = run(folder, {"-o", "a.apt", "-o", "b.cls", "-o", "c.yaml", "--quiet"});
@@ -82,7 +82,7 @@ TEST(Program, AJobFileHoldsTheSameNames)
   const ScratchFolder folder;
   writeText(folder.path("job.yaml"), "output: [a.nc, a.png]\nmachine: " + machines +
                                          "/xyzbc.yaml\ndialect: fanuc\nlead-in: arc\nlead-length: "
-                                         "3\nthin-blocks: [0.01, 0.2]\ndecimals: 5\n");
+                                         "3\nthin-blocks: [0.01, 0.2]\ndecimals: 5\ntool: 2\n");
   const RunResult done = run(folder, {"--config", "job.yaml"});
   ASSERT_EQ(done.code, 0) << done.err;
   expectHas(readText(folder.path("a.nc")), " B");
@@ -97,6 +97,8 @@ TEST(Program, WithoutAMachineFileTheUserIsToldWhatWasTaken)
   const RunResult done = run(folder, {"-o", "part.ngc"});
   ASSERT_EQ(done.code, 0) << done.err;
   expectHas(done.err, "no --machine is given: the program is for LinuxCNC's xyzac-trt-kins");
+  expectHas(done.err, "no retract_z is given");
+  expectHas(readText(folder.path("part.ngc")), "\nG43\n"); // of the tool that is loaded
 }
 
 TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
@@ -113,6 +115,10 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
   expectHas(said({"-o", "a.nc", "--dialect", "fanuc"}, 2), "-o a.nc: no --machine is given");
   expectHas(said({"-o", "a.nc", "--machine", machine}, 2),
             "no --dialect is given; it must be one of linuxcnc|fanuc|");
+  expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "fanuc"}, 2), "-o a.nc: no --tool is given");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--dialect", "siemens"}, 2),
+            "--dialect siemens: no output is in that language");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--block-tolerance", "1e-9,1e-9"}, 2), "must be 0.0001 mm");
   expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "okuma"}, 2),
             "--dialect okuma: must be one of");
   expectHas(said({"-o", "a.ngc", "--machine", "none.yaml"}, 1), "none.yaml: there is no such machine file");
@@ -122,7 +128,7 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
             "--decimals 2: must be 3 to 6");
   expectHas(said({"-o", "a.ngc", "--machine", machine, "--thin-blocks", "1"}, 2),
             "--thin-blocks 1: mm of the tip and degrees");
-  expectHas(said({"-o", "a.nc", "--machine", machines + "/head_table.yaml", "--dialect", "siemens"}, 1),
+  expectHas(said({"-o", "a.nc", "--machine", machines + "/head_table.yaml", "--dialect", "siemens", "--tool", "1"}, 1),
             "rtcp: false");
 }
 

@@ -114,4 +114,7 @@ TEST(MachineReader, WhatIsWrongIsSaidWithItsLine)
   expectHas(said(whole + "linear: {Q: {}}\n"), "'Q' is no setting of linear; there are X, Y, Z");
   expectHas(said(whole + "work_zero: 5\n"), "line 4: work_zero of a machine file cannot be read");
   expectHas(said(whole + "rtcp: perhaps\n"), "line 4: rtcp");
+  expectHas(said(whole + "linear:\n  Z: {limits: [-100, 900]}\nretract_z: -5000\n"),
+            "retract_z is -5000, beyond the limits of Z, -100 to 900");
+  expectHas(said(whole + "[1, 2]: 3\n"), "m.yaml: ");
 }

@@ -193,16 +193,17 @@ machineFrom(const std::string& file, const YAML::Node& root)
 Machine
 readMachine(const std::string& file)
 {
+  if (std::filesystem::is_directory(file))
+    throw FileError(file, "this is a folder, not a machine file");
   if (!std::filesystem::is_regular_file(file))
     throw FileError(file, "there is no such machine file");
-  YAML::Node root;
+  Machine machine;
   try {
-    root = YAML::LoadFile(file);
+    machine = machineFrom(file, YAML::LoadFile(file));
   }
   catch (const YAML::Exception& error) {
     throw FileError(file, error.what());
   }
-  Machine machine = machineFrom(file, root);
   if (machine.name.empty())
     machine.name = std::filesystem::path(file).stem().string();
   if (const Status status = checkMachine(machine); !status.ok())

@@ -17,8 +17,14 @@ writeStart(PostText& out, const MachineProgram& program, const ProgramHeader& he
 {
   out.text("(" + commentText(header.title) + ")\n(" + machineText(program) + ")\n");
   out.text("G21 G90 G17 G40 G49 G80 G94\n");
-  out.word("G64 P", program.machine.path_tolerance);
-  out.endLine();
+  if (program.machine.path_tolerance > 0.0) {
+    out.word("G64 P", program.machine.path_tolerance, 6);
+    out.endLine();
+  }
+  else
+    out.text("G61\n"); // P0 would let corners be rounded without limit
+  if (header.tool == 0)
+    out.text("G43\n"); // the length of the tool that is loaded
   writeTool(out, header, "G43\n");
   writeRetract(out, program.machine);
   out.text("G0 ");

@@ -85,6 +85,10 @@ checkMachine(const Machine& machine)
   if (!machine.work_zero.allFinite() || !(machine.tool_length >= 0.0) || !std::isfinite(machine.tool_length))
     return fault(machine, textOf("work_zero ", placeText(machine.work_zero), " and tool_length ",
                                  machine.tool_length, " must be finite, the length not below 0"));
+  const AxisRange& z = machine.linear[2];
+  if (machine.retract_z && !(*machine.retract_z >= z.lower && *machine.retract_z <= z.upper))
+    return fault(machine, textOf("retract_z is ", *machine.retract_z, ", beyond the limits of Z, ", z.lower, " to ", z.upper,
+                                 "; give a place within them that is clear of everything"));
   if (!(machine.path_tolerance >= 0.0) || !std::isfinite(machine.path_tolerance))
     return fault(machine, textOf("path_tolerance is ", machine.path_tolerance, "; it must be 0 mm or above"));
   return Status::success();

@@ -1,5 +1,6 @@
 #include <pcl_spiral/surface/false_points.h>
 
+#include <pcl_spiral/core/lanes.h>
 #include <pcl_spiral/search/neighbour_search.h>
 
 #include "local_fit.h"
@@ -70,6 +71,8 @@ private:
       for (int d = 0; d < 4; ++d)
         values_[d].push_back(of[d]);
     }
+    for (auto& values : values_)
+      values.resize((values.size() + lane_count - 1) / lane_count * lane_count, 0.0f);
     return {static_cast<int>(places_.size()), values_[0].data(), values_[1].data(), values_[2].data(), values_[3].data(),
             index_.data()};
   }

@@ -9,6 +9,7 @@ namespace pcl_spiral {
 
 /** How far a block may lead the tool off the path. */
 struct BlockTolerance {
+  static constexpr double least_tip = 1e-4, least_axis = 1e-6; ///< below, blocks would have no end
   double tip = 0.002;  ///< mm
   double axis = 0.001; ///< radians
 };
