@@ -1,0 +1,13 @@
+#include <pcl_spiral/core/profile_step.h>
+
+namespace pcl_spiral {
+
+std::optional<double>
+stepForScallop(const CutterProfile& profile, double scallop)
+{
+  if (!(scallop > 0.0))
+    return std::nullopt;
+  return 2.0 * profile.radiusAt(scallop);
+}
+
+} // namespace pcl_spiral
