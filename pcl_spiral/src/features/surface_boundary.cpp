@@ -118,7 +118,7 @@ checkOpen(const SurfaceGraph& graph, const BoundaryOptions& options, const std::
   const Eigen::Vector3d high = Eigen::Map<const Eigen::Vector3f>(box.high.data()).cast<double>();
   return {StatusCode::InvalidInput,
           textOf("the surface from ", placeText(low), " to ", placeText(high),
-                 " is closed: it has no boundary for a spiral to end at", opening,
+                 " is closed: it has no boundary for a path to begin or end at", opening,
                  "; cut the cloud down to the side to be machined")};
 }
 

@@ -1,0 +1,230 @@
+/** \file
+ *  Places and axes that drive a cutter over a scan.
+ */
+#pragma once
+
+#include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/toolpath/drive_pass.h>
+#include <pcl_spiral/toolpath/drive_settings.h>
+
+#include <pcl/pcl_base.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+namespace pcl_spiral {
+
+/** Drive points in passes over a scan, with tool axes and without normals: each is a line along which
+ * CutterLocation brings the cutter down until it touches. The spiral of SpiralToolpathGenerator is another
+ * such path: see CutterLocation::setDrivePath.
+ *
+ *  - DriveKind::Planes: the triangulated scan is cut by planes that hold the tool axis and the direction of
+ * the passes. The extent across is divided into equal steps no larger than the step-over, a plane in the
+ * middle of each. Holes longer round than eight spacings of the scan, and gaps, cut a pass in two.
+ *  - DriveKind::Helix, Rings: on the cylinder of the scan's mean radius about the axis of the drive cylinder,
+ * given or fitted. The extent along the axis is divided likewise; the helix climbs one step a turn from the
+ * middle of the first to that of the last, with a ring at both ends.
+ *  - DriveKind::Curve: a curve at equal steps of arc length.
+ *  - DriveKind::BoundaryOffset: lines of equal distance along the surface from its outer boundary. The
+ * greatest distance is divided likewise; outermost first, the boundary on their right. Where an island ends
+ * more than half a step inside its last line, one more runs half a step from its peak. A hole cuts them.
+ *
+ *  No place of the surface is farther from a pass than half a step-over, across the passes: as projected
+ * along the tool axis for planes, along the cylinder's axis, or along the surface for offsets.
+ *
+ *  setInputCloud takes the scan; points that are not finite, repetitions and outliers are left out. Source of
+ * planes and cylinder: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. Lengths
+ * in mm, angles in degrees. The output does not depend on the order of the cloud nor on the number of
+ * threads.
+ */
+template <typename PointT>
+class DrivePath : public pcl::PCLBase<PointT> {
+public:
+  using Ptr = pcl::shared_ptr<DrivePath>;
+  using ConstPtr = pcl::shared_ptr<const DrivePath>;
+  using Kind = DriveKind;
+  using AxisMode = DriveAxisMode;
+
+  /** Kind::Planes by default. */
+  void
+  setKind(DriveKind kind)
+  {
+    settings_.kind = kind;
+  }
+  DriveKind
+  getKind() const
+  {
+    return settings_.kind;
+  }
+
+  /** Largest distance of neighbouring planes, rings, turns or offsets, mm. Must be set, but for a curve. From
+   * the cutter's profile: stepForScallop. */
+  void
+  setStepOver(double step)
+  {
+    settings_.step_over = step;
+  }
+  double
+  getStepOver() const
+  {
+    return settings_.step_over;
+  }
+
+  /** Largest distance of consecutive drive points along their pass, mm; 1 by default. */
+  void
+  setPointSpacing(double spacing)
+  {
+    settings_.point_spacing = spacing;
+  }
+  double
+  getPointSpacing() const
+  {
+    return settings_.point_spacing;
+  }
+
+  /** Direction of planes' passes: degrees about the tool axis, right-handed, from X, or from Y where the axis
+   * is within 26 degrees of X. 0 by default. */
+  void
+  setPlaneDirection(double degrees)
+  {
+    settings_.plane_angle = degrees;
+    settings_.plane_direction.setZero();
+  }
+  double
+  getPlaneAngle() const
+  {
+    return settings_.plane_angle;
+  }
+  /** The same as a vector; what it has along the tool axis does not count. */
+  void
+  setPlaneDirection(const Eigen::Vector3d& along)
+  {
+    settings_.plane_direction = along;
+  }
+  /** Zero where the angle tells. */
+  const Eigen::Vector3d&
+  getPlaneDirection() const
+  {
+    return settings_.plane_direction;
+  }
+
+  /** Whether every other plane, or arc of a sector, is run backwards; true by default. */
+  void
+  setZigzag(bool zigzag)
+  {
+    settings_.zigzag = zigzag;
+  }
+  bool
+  getZigzag() const
+  {
+    return settings_.zigzag;
+  }
+
+  /** Tool axis, from the tip to the shank: of AxisMode::Fixed, and of section planes. +Z by default. */
+  void
+  setAxis(const Eigen::Vector3d& axis)
+  {
+    settings_.axis = axis;
+  }
+  const Eigen::Vector3d&
+  getAxis() const
+  {
+    return settings_.axis;
+  }
+
+  /** Axis and extent that drive helix, rings and AxisMode::Cylinder. Not set: fitted to the scan, which must
+   * be a column scanned from outside. \see findColumn */
+  void
+  setCylinder(const DriveCylinder& cylinder)
+  {
+    settings_.cylinder = cylinder;
+  }
+  const std::optional<DriveCylinder>&
+  getCylinder() const
+  {
+    return settings_.cylinder;
+  }
+
+  /** AxisMode::Cylinder by default for helix and rings, AxisMode::Fixed for the others. */
+  void
+  setAxisMode(DriveAxisMode mode)
+  {
+    settings_.axis_mode = mode;
+  }
+  DriveAxisMode
+  getAxisMode() const
+  {
+    return settings_.axisMode();
+  }
+
+  /** The curve of Kind::Curve; a closed one does not repeat its first point. Points put along it at equal arc
+   * length cut its corners. */
+  void
+  setCurve(const Polyline& curve, bool closed = false)
+  {
+    settings_.curve = curve;
+    settings_.curve_closed = closed;
+  }
+  const Polyline&
+  getCurve() const
+  {
+    return settings_.curve;
+  }
+
+  /** Threads to use; 0, the default, means all. */
+  void
+  setNumberOfThreads(int threads)
+  {
+    thread_count_ = threads;
+  }
+  int
+  getNumberOfThreads() const
+  {
+    return thread_count_;
+  }
+
+  /** Called with the share done; returning false cancels. */
+  void
+  setProgressCallback(ProgressCallback callback)
+  {
+    progress_ = std::move(callback);
+  }
+
+  /** Make the passes. \p passes is empty on failure: no cloud or fewer than 50 points, a setting out of
+   * range, a scan of the wrong shape, a path of more than 1e8 points or more than the memory there is, or
+   * cancelled. */
+  void compute(DrivePasses& passes);
+
+  const Status&
+  getStatus() const
+  {
+    return status_;
+  }
+  const DriveReport&
+  getReport() const
+  {
+    return report_;
+  }
+
+private:
+  Status run(DrivePasses& passes);
+
+  using pcl::PCLBase<PointT>::input_;
+  using pcl::PCLBase<PointT>::indices_;
+
+  DriveSettings settings_;
+  int thread_count_ = 0;
+  ProgressCallback progress_;
+  Status status_;
+  DriveReport report_;
+};
+
+} // namespace pcl_spiral
+
+#include <pcl_spiral/toolpath/impl/drive_path.hpp>
+
+namespace pcl_spiral {
+extern template class DrivePath<pcl::PointXYZ>;
+extern template class DrivePath<pcl::PointXYZRGB>;
+extern template class DrivePath<pcl::PointNormal>;
+} // namespace pcl_spiral

@@ -1,0 +1,48 @@
+/** \file
+ *  The passes of each kind, without axes yet. Private to toolpath.
+ */
+#pragma once
+
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/search/surface_graph.h>
+#include <pcl_spiral/toolpath/drive_pass.h>
+#include <pcl_spiral/toolpath/drive_settings.h>
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** An extent divided into equal steps, none larger than asked for. */
+struct EqualSteps {
+  double step = 0.0;
+  std::vector<double> middles; ///< of each step
+};
+
+EqualSteps equalSteps(double low, double high, double most);
+
+/** Refused where so many \p points, or what is made on the way to them (\p crossings of lines with edges),
+ * are too many or take more memory than there is. */
+Status checkDriveSize(double points, double crossings, const DriveSettings& settings);
+
+/** Points at equal arc length along a line, no farther apart than \p spacing; the ends of an open one are
+ * kept. */
+DrivePass passAlong(const Polyline& line, bool closed, double spacing);
+
+/** A triangulation with small flaws closed: its loops no longer than eight spacings, but for the outline of
+ * each part. */
+Triangulation withoutFlaws(const SurfaceGraph& graph);
+
+Status planSections(const SurfaceGraph& graph, const DriveSettings& settings, DrivePasses& passes,
+                    DriveReport& report);
+
+/** Helix, rings or arcs about report.column. */
+Status planRings(const DriveSettings& settings, DrivePasses& passes, DriveReport& report);
+
+Status planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, DrivePasses& passes,
+                   DriveReport& report);
+
+/** Axes of all points. \p graph may be empty for fixed axes. */
+Status setAxes(const SurfaceGraph& graph, const DriveSettings& settings, DrivePasses& passes,
+               DriveReport& report);
+
+} // namespace pcl_spiral
