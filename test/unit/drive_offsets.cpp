@@ -82,6 +82,8 @@ TEST(DriveOffsets, CoverIslandsWhereTheSurfaceParts)
                 farthest);
     // Corners: lines are mitred or round there, so corners of the outline are farther by up to sqrt 2.
     EXPECT_LT(farthest, 0.5 * std::sqrt(2.0) * run.report.step_over + 0.5);
+    const double middle = distanceFrom(run.passes, {25.0, 0.0, 0.0}, [](const Vector3d& p) { return p; });
+    EXPECT_LT(middle, 0.5 * run.report.step_over + 0.2); // 13 deep, between two lines of the larger square
     std::size_t inside_small = 0; // its inner lines, the last of them half a step or less from its middle
     for (const DrivePass& pass : run.passes)
       inside_small += std::all_of(pass.points.begin(), pass.points.end(),

@@ -76,9 +76,10 @@ TEST(DriveSections, RunOneWayWhereAsked)
   EXPECT_NEAR(run.report.length, 7 * 40.0, 5.0);
 }
 
-TEST(DriveSections, AreCutByHolesButNotByFlaws)
+TEST(DriveSections, AreCutByHolesButNotBySmallGaps)
 {
-  const SurfacePtr plate = flat(Region({rectangle(60.0, 40.0), circle({5.0, 0.0}, 8.0)}));
+  const SurfacePtr plate = flat(Region(
+      {rectangle(60.0, 40.0), circle({5.0, 0.0}, 8.0), circle({-20.0, 0.4}, 0.6)})); // points are 0.34 apart
   const Driven run =
       driven(sampleUniform(*plate, 20000, 3).points, [](Drive& drive) { drive.setStepOver(2.0); });
   std::multiset<int> at_row;
@@ -92,6 +93,22 @@ TEST(DriveSections, AreCutByHolesButNotByFlaws)
   for (std::size_t k = 0; k + 1 < run.passes.size(); ++k) // the pieces of a plane in the order of travel
     EXPECT_LT((run.passes[k + 1].points.front().position - run.passes[k].points.back().position).norm(),
               17.5);
+}
+
+TEST(DriveSections, StayWholeUnderNoiseOfTheSpacingAndSaySo)
+{
+  Sampled sampled =
+      sampleUniform(*quadric(90.0, -60.0, Region({rectangle(60.0, 60.0)})), 14000, 6); // 0.5 apart
+  const auto set = [](Drive& drive) { drive.setStepOver(1.0); };
+  const Driven clean = driven(sampled.points, set);
+  EXPECT_EQ(clean.passes.size(), 60u);
+  EXPECT_TRUE(clean.report.warnings.empty());
+  addNoise(sampled, 0.2, 7);
+  const Driven noisy = driven(sampled.points, set);
+  std::printf("  %zu passes, %zu short pieces left out\n", noisy.passes.size(), noisy.report.short_pieces);
+  EXPECT_LE(noisy.passes.size(), 66u);
+  ASSERT_EQ(noisy.report.warnings.size(), 1u);
+  EXPECT_NE(noisy.report.warnings[0].find("thin the cloud"), std::string::npos);
 }
 
 TEST(DriveSections, OfAClosedColumnAreRings)

@@ -142,14 +142,21 @@ fillAxes(DrivePass& pass, const std::uint8_t* known)
 }
 
 Status
-setSurfaceNormals(const SurfaceGraph& graph, const Pointers& points, DrivePasses& passes, DriveReport& report)
+setSurfaceNormals(const SurfaceGraph& graph, const Pointers& points, const ProgressCallback& progress,
+                  DrivePasses& passes, DriveReport& report)
 {
+  constexpr std::size_t at_a_time = 20000;
   const MlsSurface surface(graph);
-  const std::vector<SurfaceFoot> feet = feetOf(surface, points);
   std::vector<std::uint8_t> known;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    known.push_back(feet[i].valid);
-    points[i]->axis = feet[i].normal;
+  for (std::size_t first = 0; first < points.size(); first += at_a_time) {
+    if (progress && !progress(static_cast<double>(first) / static_cast<double>(points.size()), "axes"))
+      return {StatusCode::Cancelled, "cancelled"};
+    const Pointers some(points.begin() + first, points.begin() + std::min(points.size(), first + at_a_time));
+    const std::vector<SurfaceFoot> feet = feetOf(surface, some);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      known.push_back(feet[i].valid);
+      some[i]->axis = feet[i].normal;
+    }
   }
   const std::uint8_t* of_pass = known.data();
   for (DrivePass& pass : passes) {
@@ -172,7 +179,8 @@ setSurfaceNormals(const SurfaceGraph& graph, const Pointers& points, DrivePasses
 } // namespace
 
 Status
-setAxes(const SurfaceGraph& graph, const DriveSettings& settings, DrivePasses& passes, DriveReport& report)
+setAxes(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress,
+        DrivePasses& passes, DriveReport& report)
 {
   const Pointers points = pointsIn(passes);
   switch (settings.axisMode()) {
@@ -186,7 +194,7 @@ setAxes(const SurfaceGraph& graph, const DriveSettings& settings, DrivePasses& p
     setPlaneNormals(graph, points);
     return Status::success();
   case DriveAxisMode::Surface:
-    return setSurfaceNormals(graph, points, passes, report);
+    return setSurfaceNormals(graph, points, progress, passes, report);
   }
   return Status::success();
 }

@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/common/progress.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/search/surface_graph.h>
 #include <pcl_spiral/toolpath/drive_pass.h>
@@ -28,21 +29,17 @@ Status checkDriveSize(double points, double crossings, const DriveSettings& sett
  * kept. */
 DrivePass passAlong(const Polyline& line, bool closed, double spacing);
 
-/** A triangulation with small flaws closed: its loops no longer than eight spacings, but for the outline of
- * each part. */
-Triangulation withoutFlaws(const SurfaceGraph& graph);
-
 Status planSections(const SurfaceGraph& graph, const DriveSettings& settings, DrivePasses& passes,
                     DriveReport& report);
 
 /** Helix, rings or arcs about report.column. */
 Status planRings(const DriveSettings& settings, DrivePasses& passes, DriveReport& report);
 
-Status planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, DrivePasses& passes,
-                   DriveReport& report);
+Status planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress,
+                   DrivePasses& passes, DriveReport& report);
 
 /** Axes of all points. \p graph may be empty for fixed axes. */
-Status setAxes(const SurfaceGraph& graph, const DriveSettings& settings, DrivePasses& passes,
-               DriveReport& report);
+Status setAxes(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress,
+               DrivePasses& passes, DriveReport& report);
 
 } // namespace pcl_spiral

@@ -1,10 +1,11 @@
 // Lines of equal distance along the surface from its boundary.
 #include "drive_kinds.h"
+#include "drive_lines.h"
 #include "level_islands.h"
 
+#include <pcl_spiral/common/message.h>
 #include <pcl_spiral/features/surface_boundary.h>
 #include <pcl_spiral/geodesic/distance_field.h>
-#include <pcl_spiral/search/level_lines.h>
 #include <pcl_spiral/toolpath/path_size.h>
 
 #include <algorithm>
@@ -54,11 +55,13 @@ beginNextTo(const Eigen::Vector3d& place, Polyline& line)
 } // namespace
 
 Status
-planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, DrivePasses& passes,
-            DriveReport& report)
+planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress,
+            DrivePasses& passes, DriveReport& report)
 {
   std::vector<BoundaryLoop> loops;
-  if (const Status status = findBoundaryLoops(graph, BoundaryOptions(), loops); !status.ok())
+  BoundaryOptions options;
+  options.progress = [&](double share) { return !progress || progress(0.3 * share, "boundary"); };
+  if (const Status status = findBoundaryLoops(graph, options, loops); !status.ok())
     return status;
   DistanceField field;
   if (!field.compute(graph, loops.front().curve))
@@ -83,20 +86,27 @@ planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, DrivePasse
   for (const OffsetLevel& level : levels)
     distances.push_back(level.distance);
   const auto lines = levelLines(mesh, field.distances(), distances);
-  for (std::size_t k = 0; k < lines.size(); ++k)
-    for (const LevelLine& line : lines[k]) {
-      const std::uint32_t island = levels[k].island;
-      if (island != LevelIslands::none && islands.of_point[line.crossings.front().above] != island)
-        continue;
-      Polyline points = pointsOf(line, graph.blocks());
-      if (length(points, line.closed) < graph.spacing()) {
-        ++report.short_pieces;
-        continue;
-      }
-      if (line.closed && !passes.empty())
-        beginNextTo(passes.back().points.front().position, points);
-      passes.push_back(passAlong(points, line.closed, settings.point_spacing));
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    std::vector<LevelLine> wanted;
+    for (const LevelLine& line : lines[k])
+      if (levels[k].island == LevelIslands::none ||
+          islands.of_point[line.crossings.front().above] == levels[k].island)
+        wanted.push_back(line);
+    std::vector<DriveLine> pieces = joined(driveLines(wanted, graph), widest_gap * graph.spacing());
+    report.short_pieces += dropShort(pieces, graph.spacing());
+    for (DriveLine& piece : pieces) {
+      if (piece.closed && !passes.empty())
+        beginNextTo(passes.back().points.front().position, piece.points);
+      passes.push_back(passAlong(piece.points, piece.closed, settings.point_spacing));
     }
+  }
+  const auto open = static_cast<std::size_t>(
+      std::count_if(passes.begin(), passes.end(), [](const DrivePass& pass) { return !pass.closed; }));
+  if (open > 0)
+    report.warnings.push_back(textOf(open, " of ", passes.size(),
+                                     " lines are cut: by holes in the scan, or by its rim "
+                                     "where that is more jagged than half a step-over, ",
+                                     0.5 * steps.step, " mm"));
   return Status::success();
 }
 

@@ -4,6 +4,7 @@
 
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/surface/clean_graph.h>
+#include <pcl_spiral/surface/mls_surface.h>
 
 #include <Eigen/Geometry>
 
@@ -20,6 +21,15 @@ cancelled()
   return {StatusCode::Cancelled, "cancelled"};
 }
 
+/** Reports of a part of the work as a share of all of it. */
+ProgressCallback
+part(const ProgressCallback& progress, double from, double to)
+{
+  return [&progress, from, to](double share, const std::string& stage) {
+    return !progress || progress(from + share * (to - from), stage);
+  };
+}
+
 Status
 planCurve(const DriveSettings& settings, DrivePasses& passes)
 {
@@ -32,7 +42,8 @@ planCurve(const DriveSettings& settings, DrivePasses& passes)
 }
 
 Status
-planPasses(const SurfaceGraph& graph, const DriveSettings& settings, DrivePasses& passes, DriveReport& report)
+planPasses(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress,
+           DrivePasses& passes, DriveReport& report)
 {
   switch (settings.kind) {
   case DriveKind::Planes:
@@ -43,9 +54,24 @@ planPasses(const SurfaceGraph& graph, const DriveSettings& settings, DrivePasses
   case DriveKind::Curve:
     return planCurve(settings, passes);
   case DriveKind::BoundaryOffset:
-    return planOffsets(graph, settings, passes, report);
+    return planOffsets(graph, settings, progress, passes, report);
   }
   return Status::success();
+}
+
+/** Lines on the triangulation are ragged, and cut, where points scatter by much of their spacing. */
+void
+warnOfScatter(const SurfaceGraph& graph, const DriveSettings& settings, DriveReport& report)
+{
+  constexpr double much = 0.35; // of the spacing
+  if (settings.kind != DriveKind::Planes && settings.kind != DriveKind::BoundaryOffset)
+    return;
+  if (const double noise = MlsSurface(graph).noise(); noise > much * graph.spacing())
+    report.warnings.push_back(textOf("the points scatter by ", noise,
+                                     " mm about the surface, against a spacing of ", graph.spacing(),
+                                     " mm: passes are ragged, and cut where sheets overlap; thin the "
+                                     "cloud to a spacing of ",
+                                     4.0 * noise, " mm"));
 }
 
 void
@@ -97,7 +123,9 @@ planDrive(std::vector<Eigen::Vector3f> points, const DriveSettings& settings,
     if (const Status status = findColumn(graph, settings.cylinder, *report.column); !status.ok())
       return status;
   }
-  if (const Status status = planPasses(graph, settings, passes, report); !status.ok())
+  warnOfScatter(graph, settings, report);
+  if (const Status status = planPasses(graph, settings, part(progress, 0.6, 0.8), passes, report);
+      !status.ok())
     return status;
   if (passes.empty())
     return {StatusCode::Failed,
@@ -105,7 +133,7 @@ planDrive(std::vector<Eigen::Vector3f> points, const DriveSettings& settings,
                    " mm; lower the step-over, ", settings.step_over, " mm, or scan more densely")};
   if (!told(0.8, "axes"))
     return cancelled();
-  if (const Status status = setAxes(graph, settings, passes, report); !status.ok())
+  if (const Status status = setAxes(graph, settings, part(progress, 0.8, 1.0), passes, report); !status.ok())
     return status;
   measure(passes, report);
   if (!told(1.0, "axes"))

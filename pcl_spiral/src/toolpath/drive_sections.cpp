@@ -1,8 +1,8 @@
 // Sections of the surface with planes along the tool axis.
 #include "drive_kinds.h"
+#include "drive_lines.h"
 
 #include <pcl_spiral/common/message.h>
-#include <pcl_spiral/search/level_lines.h>
 #include <pcl_spiral/toolpath/path_size.h>
 
 #include <Eigen/Geometry>
@@ -31,37 +31,35 @@ frameOf(const DriveSettings& settings, const Vector3d& origin)
   return {along, axis.cross(along), origin};
 }
 
-struct Piece {
-  Polyline points;
-  bool closed;
-};
-
-/** The pieces of one plane in the order of travel: each runs along the passes, a closed one from where it
- * begins there. */
-std::vector<Piece>
-ordered(std::vector<Piece> pieces, const Vector3d& along)
+/** Lines of one plane, each along the passes. */
+void
+turnAlong(std::vector<DriveLine>& lines, const Vector3d& along)
 {
-  for (Piece& piece : pieces) {
-    if (piece.closed)
-      std::rotate(piece.points.begin(),
-                  std::min_element(piece.points.begin(), piece.points.end(),
-                                   [&](const auto& a, const auto& b) { return a.dot(along) < b.dot(along); }),
-                  piece.points.end());
-    else if (piece.points.back().dot(along) < piece.points.front().dot(along))
-      std::reverse(piece.points.begin(), piece.points.end());
-  }
-  std::stable_sort(pieces.begin(), pieces.end(), [&](const Piece& a, const Piece& b) {
-    return a.points.front().dot(along) < b.points.front().dot(along);
+  for (DriveLine& line : lines)
+    if (!line.closed && line.points.back().dot(along) < line.points.front().dot(along))
+      std::reverse(line.points.begin(), line.points.end());
+}
+
+/** In the order in which they begin; a closed one begins where it does along the passes. */
+void
+sortAlong(std::vector<DriveLine>& lines, const Vector3d& along)
+{
+  const auto isBefore = [&](const Vector3d& a, const Vector3d& b) { return a.dot(along) < b.dot(along); };
+  for (DriveLine& line : lines)
+    if (line.closed)
+      std::rotate(line.points.begin(), std::min_element(line.points.begin(), line.points.end(), isBefore),
+                  line.points.end());
+  std::stable_sort(lines.begin(), lines.end(), [&](const DriveLine& a, const DriveLine& b) {
+    return isBefore(a.points.front(), b.points.front());
   });
-  return pieces;
 }
 
 void
-turnBack(std::vector<Piece>& pieces)
+turnBack(std::vector<DriveLine>& lines)
 {
-  std::reverse(pieces.begin(), pieces.end());
-  for (Piece& piece : pieces)
-    std::reverse(piece.points.begin(), piece.points.end());
+  std::reverse(lines.begin(), lines.end());
+  for (DriveLine& line : lines)
+    std::reverse(line.points.begin(), line.points.end());
 }
 
 } // namespace
@@ -92,18 +90,14 @@ planSections(const SurfaceGraph& graph, const DriveSettings& settings, DrivePass
   report.step_over = planes.step;
   const auto lines = levelLines(mesh, distance, planes.middles);
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    std::vector<Piece> pieces;
-    for (const LevelLine& line : lines[k]) {
-      Polyline points = pointsOf(line, graph.blocks());
-      if (length(points, line.closed) < graph.spacing())
-        ++report.short_pieces;
-      else
-        pieces.push_back({std::move(points), line.closed});
-    }
-    pieces = ordered(std::move(pieces), frame.along);
+    std::vector<DriveLine> pieces = driveLines(lines[k], graph);
+    turnAlong(pieces, frame.along);
+    pieces = joined(std::move(pieces), widest_gap * graph.spacing());
+    report.short_pieces += dropShort(pieces, graph.spacing());
+    sortAlong(pieces, frame.along);
     if (settings.zigzag && k % 2 == 1)
       turnBack(pieces);
-    for (const Piece& piece : pieces)
+    for (const DriveLine& piece : pieces)
       passes.push_back(passAlong(piece.points, piece.closed, settings.point_spacing));
   }
   return Status::success();

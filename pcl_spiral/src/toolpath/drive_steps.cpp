@@ -1,4 +1,4 @@
-// What all kinds of drive paths have in common: equal steps, equal spacing, size, a surface without flaws.
+// What all kinds of drive paths have in common: equal steps, equal spacing, size.
 #include "drive_kinds.h"
 
 #include <pcl_spiral/common/available_memory.h>
@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl_spiral {
 
@@ -54,35 +53,6 @@ passAlong(const Polyline& line, bool closed, double spacing)
     pass.points.push_back(point);
   }
   return pass;
-}
-
-Triangulation
-withoutFlaws(const SurfaceGraph& graph)
-{
-  constexpr double shortest_loop = 8.0; // in spacings
-  Triangulation mesh = graph.triangulation();
-  std::vector<std::size_t> sizes;
-  const std::vector<std::uint32_t> part = mesh.parts(sizes);
-  const auto loops = mesh.boundaryLoops();
-  std::vector<double> lengths, longest(sizes.size(), 0.0);
-  for (const auto& loop : loops) {
-    double length = 0.0;
-    for (const std::uint32_t h : loop)
-      length += (graph.position(mesh.target(h)) - graph.position(mesh.origin(h))).norm();
-    lengths.push_back(length);
-    longest[part[loop.front() / 3]] = std::max(longest[part[loop.front() / 3]], length);
-  }
-  std::vector<Triangulation::Triangle> fans;
-  for (std::size_t l = 0; l < loops.size(); ++l) {
-    if (lengths[l] > shortest_loop * graph.spacing() || lengths[l] >= longest[part[loops[l].front() / 3]])
-      continue;
-    const std::uint32_t hub = mesh.origin(loops[l].front());
-    for (const std::uint32_t h : loops[l])
-      if (mesh.origin(h) != hub && mesh.target(h) != hub)
-        fans.push_back({hub, mesh.target(h), mesh.origin(h)});
-  }
-  mesh.append(fans);
-  return mesh;
 }
 
 } // namespace pcl_spiral

@@ -20,14 +20,16 @@ namespace pcl_spiral {
  *
  *  - DriveKind::Planes: the triangulated scan is cut by planes that hold the tool axis and the direction of
  * the passes. The extent across is divided into equal steps no larger than the step-over, a plane in the
- * middle of each. Holes longer round than eight spacings of the scan, and gaps, cut a pass in two.
+ * middle of each. Gaps wider than three spacings of the scan cut a pass in two. Where one part hides another
+ * from the tool, both are cut: CutterLocation then lifts the cutter from the lower onto the upper.
  *  - DriveKind::Helix, Rings: on the cylinder of the scan's mean radius about the axis of the drive cylinder,
  * given or fitted. The extent along the axis is divided likewise; the helix climbs one step a turn from the
  * middle of the first to that of the last, with a ring at both ends.
  *  - DriveKind::Curve: a curve at equal steps of arc length.
  *  - DriveKind::BoundaryOffset: lines of equal distance along the surface from its outer boundary. The
  * greatest distance is divided likewise; outermost first, the boundary on their right. Where an island ends
- * more than half a step inside its last line, one more runs half a step from its peak. A hole cuts them.
+ * more than half a step inside its last line, one more runs half a step from its peak. A hole cuts them; so
+ * does a rim more jagged than half a step, of which a warning is given.
  *
  *  No place of the surface is farther from a pass than half a step-over, across the passes: as projected
  * along the tool axis for planes, along the cylinder's axis, or along the surface for offsets.
