@@ -31,8 +31,9 @@ main(int argc, char** argv)
   for (std::size_t i = 0; i < out.size(); i += 8)
     std::printf("turn %5.2f  axis %7.4f %7.4f %7.4f  tilt %6.2f degrees\n", out[i].turn, out[i].axis_x,
                 out[i].axis_y, out[i].axis_z, std::acos(std::min(1.0f, out[i].axis_z)) * 180.0 / M_PI);
-  std::printf("%zu of %zu points limited; largest change %.3f degrees, largest rate %.3f degrees per mm\n",
-              tool_axis.getLimitedPoints(), out.size(), tool_axis.getLargestAxisChange(),
-              tool_axis.getLargestAxisRate());
+  const pcl_spiral::AxisField& field = tool_axis.getField();
+  std::printf("%zu of %zu points over %g degrees off the tilt; largest change %.3f degrees, rate %.3f a mm\n",
+              field.getDeviatingPoints(), out.size(), field.getMaxDeviation(), field.getLargestAxisChange(),
+              field.getLargestAxisRate());
   return 0;
 }

@@ -51,10 +51,11 @@ printPath(const Job& job, const pcl_spiral::SpiralReport& report)
               report.harmonic_lines ? "harmonic" : "geodesic");
   std::printf("spiral          %zu turn%s, %zu points, step-over %.4g to %.4g mm\n", report.turns,
               plural(report.turns), report.path_points, report.smallest_step_over, report.largest_step_over);
-  if (report.limited_points > 0)
-    std::printf("tool axis       tilt eased at %zu point%s by up to %.3g degrees, to turn no faster than %g degrees a mm\n",
-                report.limited_points, plural(report.limited_points), report.largest_tilt_reduction,
-                job.settings.max_axis_rate);
+  if (report.deviating_points > 0)
+    std::printf("tool axis       over %g degrees off the tilt asked for at %zu point%s, to turn smoothly; "
+                "at most %.3g degrees\n",
+                job.settings.axis_deviation, report.deviating_points, plural(report.deviating_points),
+                report.largest_axis_deviation);
   std::printf("path length     %.3f m\n", report.path_length / 1000.0);
   if (report.gap_points > 0)
     std::printf("over gaps       %.1f mm at %zu point%s: bridged, a guess from what lies round them\n", report.gap_length,

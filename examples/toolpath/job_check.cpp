@@ -54,6 +54,9 @@ checkCutter(const Job& job)
   require(std::abs(s.tilt_angle) < 90.0, "tilt", s.tilt_angle, "must lie between -90 and 90 degrees");
   require(std::abs(s.lead_angle) < 90.0, "lead", s.lead_angle, "must lie between -90 and 90 degrees");
   require(s.max_axis_rate > 0.0, "max-axis-rate", s.max_axis_rate, "must be above 0 degrees a mm");
+  require(s.axis_smoothing >= 0.0, "axis-smoothing", s.axis_smoothing, "must be above 0 mm, or 0 for none");
+  require(s.axis_deviation > 0.0 && s.axis_deviation < 90.0, "axis-deviation", s.axis_deviation,
+          "must lie between 0 and 90 degrees");
   require(s.feed > 0.0, "feed", s.feed, "must be above 0 mm/min");
   require(s.thinning >= 0.0, "thin", s.thinning, "must be above 0 mm, or 0 for none");
   require(s.threads >= 0 && s.threads <= pcl_spiral::most_threads, "threads", s.threads,

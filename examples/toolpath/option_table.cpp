@@ -108,6 +108,13 @@ cutter()
            setting("lead", "A", "lead of the axis along the feed; 0: --lead 5", &SpiralSettings::lead_angle),
            setting("max-axis-rate", "D", "largest turn of the axis, degrees a mm; 10: --max-axis-rate 4",
                    &SpiralSettings::max_axis_rate),
+           setting("axis-smoothing", "L",
+                   "smooths out of the axis what is shorter than this along the path; 50, and 0 for none: "
+                   "--axis-smoothing 20",
+                   &SpiralSettings::axis_smoothing),
+           setting("axis-deviation", "A",
+                   "smoothing stays this near the tilt asked for, in the mean over its length; 2: --axis-deviation 1",
+                   &SpiralSettings::axis_deviation),
            setting("feed", "F", "at the contact, mm/min; 1000: --feed 2500", &SpiralSettings::feed)}};
 }
 

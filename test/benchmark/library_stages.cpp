@@ -1,5 +1,6 @@
 #include "library_stages.h"
 
+#include <pcl_spiral/core/axis_field.h>
 #include <pcl_spiral/core/tool_axis.h>
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/toolpath_writer.h>
@@ -172,11 +173,10 @@ toolAxis(State& state, StageInput& input, int)
   std::vector<Eigen::Vector3d> normals;
   for (const SurfaceFoot& foot : input.spiralFeet())
     normals.push_back(foot.normal);
-  ToolAxisOptions options;
-  options.side_tilt = 15.0 * M_PI / 180.0;
-  options.max_rate = 10.0 * M_PI / 180.0;
+  constexpr double degree = M_PI / 180.0;
   for (auto _ : state)
-    benchmark::DoNotOptimize(toolAxes(spiral, normals, options));
+    benchmark::DoNotOptimize(
+        smoothAxes(spiral, tiltedAxes(spiral, normals, 15.0 * degree, 0.0), {50.0, 2.0 * degree, 10.0 * degree}));
   count(state, spiral.size(), 2 * spiral.size() * sizeof(Eigen::Vector3d));
 }
 

@@ -1,4 +1,5 @@
 // The main program from outside: exit codes, words on stderr, and the files it leaves or does not leave.
+#include <pcl_spiral/core/tool_axis.h>
 #include <pcl_spiral/io/toolpath_reader.h>
 
 #include "run_program.h"
@@ -112,7 +113,8 @@ TEST_F(CommandLine, HelpShowsEveryOptionWithAnExample)
        {"tool-radius",   "scallop", "chord-error", "max-step", "tilt",       "lead",
         "max-axis-rate", "feed",    "center",      "start",    "view-point", "boundaries",
         "direction",     "sense",   "pitch",       "lines",    "gaps",       "thin",
-        "outliers",      "units",   "columns",     "threads",  "config",     "origin"}) {
+        "outliers",      "units",   "columns",     "threads",  "config",     "origin",
+        "axis-smoothing", "axis-deviation"}) {
     std::istringstream words(result.out);
     const std::string name = std::string("--") + option;
     EXPECT_GE(std::count(std::istream_iterator<std::string>(words), {}, name), 2)
@@ -245,7 +247,7 @@ TEST_F(CommandLine, WritesEveryOutputAndSaysSo)
     EXPECT_NE(report.find(word), std::string::npos) << word;
 }
 
-TEST_F(CommandLine, SaysWhereTheTiltWasEased)
+TEST_F(CommandLine, SaysWhereTheAxisLeavesTheTilt)
 {
   const auto jsonOf = [this](const Arguments& more) {
     Arguments arguments{"-o", "a.csv", "-o", "a.json"};
@@ -253,25 +255,36 @@ TEST_F(CommandLine, SaysWhereTheTiltWasEased)
     const RunResult result = make("cap.xyz", arguments);
     EXPECT_EQ(result.code, 0) << result.err;
     const auto path = nlohmann::json::parse(readText(folder_.path("a.json"))).at("path");
-    const bool said = result.out.find("tilt eased at " + path.at("limited_points").dump() + " point") != std::string::npos;
-    EXPECT_EQ(said, path.at("limited_points").get<int>() > 0) << result.out;
+    const std::string words = "off the tilt asked for at " + path.at("deviating_points").dump() + " point";
+    const bool said = result.out.find(words) != std::string::npos;
+    EXPECT_EQ(said, path.at("deviating_points").get<int>() > 0) << result.out;
     return path;
   };
-  const auto eased = jsonOf({"--tilt", "15"});
-  std::size_t limited = 0; // as the path itself shows it
-  double largest = 0.0;
-  for (const auto& point : pcl_spiral::readToolpath(folder_.path("a.csv")).path) {
-    const double cosine = point.getAxisVector3fMap().dot(point.getNormalVector3fMap());
-    const double reduction = 15.0 - std::acos(std::min(1.0, cosine)) * 180.0 / M_PI;
-    limited += reduction > 0.05;
-    largest = std::max(largest, reduction);
+  const auto tilted = jsonOf({"--tilt", "15", "--axis-smoothing", "10", "--axis-deviation", "4"});
+  const auto path = pcl_spiral::readToolpath(folder_.path("a.csv")).path; // and as the path itself shows it
+  pcl_spiral::Polyline points;
+  std::vector<Eigen::Vector3d> normals;
+  for (const auto& point : path) {
+    points.push_back(point.getVector3fMap().cast<double>());
+    normals.push_back(point.getNormalVector3fMap().cast<double>().normalized());
   }
-  ASSERT_GT(limited, 5U);
-  EXPECT_NEAR(eased.at("limited_points").get<double>(), static_cast<double>(limited), 0.1 * limited);
-  EXPECT_NEAR(eased.at("largest_tilt_reduction").get<double>(), largest, 0.1);
-  const auto upright = jsonOf({"--tilt", "0"});
-  EXPECT_EQ(upright.at("limited_points").get<int>(), 0);
-  EXPECT_EQ(upright.at("largest_tilt_reduction").get<double>(), 0.0);
+  const auto wanted = pcl_spiral::tiltedAxes(points, normals, 15.0 * M_PI / 180.0, 0.0);
+  std::size_t off = 0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const Eigen::Vector3d axis = path[i].getAxisVector3fMap().cast<double>().normalized();
+    const double deviation = std::atan2(axis.cross(wanted[i]).norm(), axis.dot(wanted[i])) * 180.0 / M_PI;
+    off += deviation > 4.0;
+    largest = std::max(largest, deviation);
+  }
+  ASSERT_GT(off, 5U);
+  EXPECT_NEAR(tilted.at("deviating_points").get<double>(), static_cast<double>(off), 1.0 + 0.05 * off);
+  EXPECT_NEAR(tilted.at("largest_axis_deviation").get<double>(), largest, 0.3);
+  EXPECT_LE(tilted.at("largest_axis_rate").get<double>(), 10.0001);
+  const auto upright = jsonOf({"--tilt", "0", "--axis-smoothing", "0"});
+  EXPECT_EQ(upright.at("deviating_points").get<int>(), 0);
+  EXPECT_EQ(upright.at("largest_axis_deviation").get<double>(), 0.0);
+  EXPECT_NEAR(upright.at("largest_axis_lean").get<double>(), 0.0, 1e-6);
 }
 
 TEST_F(CommandLine, DropsBadPointsAndSaysHowMany)

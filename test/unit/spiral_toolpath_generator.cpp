@@ -52,6 +52,7 @@ TEST(SpiralToolpathGenerator, FromTheCentreToTheRim)
   setUp(spiral, cloud);
   spiral.setCenter({2.0, -1.0, 80.0});
   spiral.setStartPoint({0.0, -40.0, 70.0});
+  spiral.setAxisSmoothing(0.0); // the tilt to the letter
   Path path;
   spiral.compute(path);
   ASSERT_TRUE(spiral.getStatus().ok()) << spiral.getStatus().message();
@@ -132,6 +133,7 @@ TEST(SpiralToolpathGenerator, TiltIsTheUsersOwn)
     Generator spiral;
     setUp(spiral, test::toCloud(ballPoints().points));
     spiral.setTiltAngle(tilt);
+    spiral.setAxisSmoothing(0.0);
     Path path;
     spiral.compute(path);
     ASSERT_TRUE(spiral.getStatus().ok());
@@ -141,6 +143,35 @@ TEST(SpiralToolpathGenerator, TiltIsTheUsersOwn)
     const double side = std::asin(axis.dot(feed.cross(n).normalized())) * 180.0 / M_PI;
     EXPECT_NEAR(side, tilt, 0.2);
   }
+}
+
+TEST(SpiralToolpathGenerator, SmoothedAxesStayNearTheTilt)
+{
+  Generator spiral;
+  setUp(spiral, test::toCloud(ballPoints().points));
+  Path plain, smooth;
+  spiral.setAxisSmoothing(0.0);
+  spiral.compute(plain);
+  ASSERT_TRUE(spiral.getStatus().ok());
+  const double rate = spiral.getReport().largest_axis_rate;
+  EXPECT_GT(rate, 5.0) << "up to the limit at the centre";
+  spiral.setAxisSmoothing(20.0);
+  spiral.compute(smooth);
+  ASSERT_TRUE(spiral.getStatus().ok());
+  const SpiralReport& report = spiral.getReport();
+  EXPECT_LE(report.largest_axis_rate, 10.0 * 1.00001);
+  ASSERT_EQ(smooth.size(), plain.size());
+  double sum = 0.0, lean = 0.0;
+  for (std::size_t i = 0; i < smooth.size(); ++i) {
+    const Vector3d axis = smooth[i].getAxisVector3fMap().cast<double>(), n = smooth[i].getNormalVector3fMap().cast<double>();
+    EXPECT_EQ(smooth[i].getVector3fMap(), plain[i].getVector3fMap()) << "contacts are not for the axis to move";
+    sum += std::acos(std::min(1.0, axis.dot(plain[i].getAxisVector3fMap().cast<double>()))) * 180.0 / M_PI;
+    lean = std::max(lean, std::acos(std::min(1.0, axis.dot(n))) * 180.0 / M_PI);
+  }
+  EXPECT_GT(sum, 0.0);
+  EXPECT_LT(sum / static_cast<double>(smooth.size()), 2.0);
+  EXPECT_NEAR(report.largest_axis_lean, lean, 0.05);
+  EXPECT_LT(lean, 25.0);
 }
 
 TEST(SpiralToolpathGenerator, OrderThreadsAndBadPointsChangeNothing)

@@ -47,9 +47,9 @@ addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
                     words("%zu points, %.1f mm", r.gap_points, r.gap_length)});
   if (r.boundaries == 1)
     rows.push_back({"Centre", place(r.centre)});
-  if (r.limited_points > 0)
-    rows.push_back({words("Tilt eased, to turn the axis no faster than %g\u00b0 per mm", s.max_axis_rate),
-                    words("%zu points, by up to %.3g\u00b0", r.limited_points, r.largest_tilt_reduction)});
+  if (r.deviating_points > 0)
+    rows.push_back({words("Axis off the tilt asked for by more than %g\u00b0, to turn smoothly", s.axis_deviation),
+                    words("%zu points, by up to %.3g\u00b0", r.deviating_points, r.largest_axis_deviation)});
   page.addTable(rows, false);
 }
 
@@ -96,6 +96,8 @@ addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
        {"Longest linear move allowed", words("%g mm", s.max_step > 0.0 ? s.max_step : s.tool_radius)},
        {"Side tilt, lead of the axis", words("%g\u00b0, %g\u00b0", s.tilt_angle, s.lead_angle)},
        {"Largest turn of the axis", words("%g\u00b0 per mm", s.max_axis_rate)},
+       {"Axis smoothed over",
+        s.axis_smoothing > 0.0 ? words("%g mm, by up to %g\u00b0", s.axis_smoothing, s.axis_deviation) : "nothing"},
        {"Feed at the contact", words("%g mm/min", s.feed)},
        {"Centre", place(s.centre, "found")},
        {"First radial line", place(s.start_point, "found")},

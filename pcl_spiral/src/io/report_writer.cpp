@@ -33,6 +33,8 @@ settingsJson(const SpiralSettings& s)
           {"tilt", s.tilt_angle},
           {"lead", s.lead_angle},
           {"max_axis_rate", s.max_axis_rate},
+          {"axis_smoothing", s.axis_smoothing},
+          {"axis_deviation", s.axis_deviation},
           {"feed", s.feed},
           {"center", toJson(s.centre)},
           {"start", toJson(s.start_point)},
@@ -105,8 +107,10 @@ pathJson(const SpiralReport& report, double feed)
           {"largest_allowed_step", report.largest_allowed_step},
           {"largest_gap", report.largest_gap},
           {"largest_axis_change", report.largest_axis_change},
-          {"limited_points", report.limited_points},
-          {"largest_tilt_reduction", report.largest_tilt_reduction}};
+          {"largest_axis_rate", report.largest_axis_rate},
+          {"largest_axis_lean", report.largest_axis_lean},
+          {"largest_axis_deviation", report.largest_axis_deviation},
+          {"deviating_points", report.deviating_points}};
 }
 
 /** MB; null where it is not known. */

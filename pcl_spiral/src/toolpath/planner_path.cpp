@@ -2,6 +2,7 @@
 #include <pcl_spiral/toolpath/spiral_planner.h>
 
 #include <pcl_spiral/common/message.h>
+#include <pcl_spiral/core/axis_field.h>
 #include <pcl_spiral/core/self_crossing.h>
 #include <pcl_spiral/core/tool_axis.h>
 
@@ -19,6 +20,12 @@ double
 radians(double degrees)
 {
   return degrees * M_PI / 180.0;
+}
+
+double
+degrees(double radians)
+{
+  return radians * 180.0 / M_PI;
 }
 
 } // namespace
@@ -97,24 +104,34 @@ SpiralPlanner::reportGaps(const SpiralPath& path)
 Status
 SpiralPlanner::setAxes(SpiralPath& path)
 {
-  ToolAxisOptions options;
-  options.side_tilt = radians(settings_.tilt_angle);
-  options.lead = radians(settings_.lead_angle);
-  options.max_rate = radians(settings_.max_axis_rate);
-  ToolAxes axes = toolAxes(path.contacts, path.normals, options);
-  const auto count = static_cast<std::int64_t>(axes.axes.size());
-  path.axes.resize(axes.axes.size());
+  const auto wanted =
+      tiltedAxes(path.contacts, path.normals, radians(settings_.tilt_angle), radians(settings_.lead_angle));
+  const double rate = radians(settings_.max_axis_rate);
+  const SmoothAxes field = smoothAxes(path.contacts, wanted,
+                                      {settings_.axis_smoothing, radians(settings_.axis_deviation), rate});
+  const AxisLean lean = largestLean(path.normals, field.axes);
+  if (liesInSurface(lean, path.normals, wanted))
+    return {StatusCode::Failed,
+            textOf("the tool axis would lean ", degrees(lean.angle), " degrees off the surface at ",
+                   placeText(path.contacts[lean.point]), " so as to turn no faster than the largest axis rate of ",
+                   settings_.max_axis_rate, " degrees per mm: raise the rate")};
+  const auto count = static_cast<std::int64_t>(field.axes.size());
+  path.axes.resize(field.axes.size());
 #pragma omp parallel for schedule(static)
   for (std::int64_t i = 0; i < count; ++i)
-    path.axes[i] = axes.axes[i].cast<float>();
-  report_.largest_axis_change = axes.largest_change * 180.0 / M_PI;
-  report_.limited_points = axes.limited_points;
-  report_.largest_tilt_reduction = axes.largest_reduction * 180.0 / M_PI;
-  if (axes.exceeded_moves > 0)
-    report_.warnings.push_back(textOf("on ", axes.exceeded_moves, " of ", path.contacts.size() - 1,
-                                    " moves the surface alone turns the tool axis faster than the largest axis rate of ",
-                                    settings_.max_axis_rate, " degrees per mm: the axis follows the surface there; ",
-                                    "slow the feed, or smooth the scan"));
+    path.axes[i] = field.axes[i].cast<float>();
+  report_.largest_axis_change = degrees(field.largest_change);
+  report_.largest_axis_rate = degrees(field.largest_rate);
+  report_.largest_axis_deviation = degrees(field.largest_deviation);
+  report_.largest_axis_lean = degrees(lean.angle);
+  report_.deviating_points = field.deviating_points;
+  if (const std::size_t moves = movesTurningFaster(path.contacts, path.normals, rate); moves > 0)
+    report_.warnings.push_back(textOf("on ", moves, " of ", count - 1,
+                                      " moves the surface alone turns faster than the largest axis rate of ",
+                                      settings_.max_axis_rate,
+                                      " degrees per mm: the tool axis cannot follow it there and leaves the tilt "
+                                      "asked for by up to ",
+                                      report_.largest_axis_deviation, " degrees; allow a higher rate, or smooth the scan"));
   return Status::success();
 }
 

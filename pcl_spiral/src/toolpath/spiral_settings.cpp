@@ -37,6 +37,10 @@ checkSettings(const SpiralSettings& s)
     return refused("the lead angle", s.lead_angle, "it must lie between -90 and 90 degrees");
   if (!(s.max_axis_rate > 0.0))
     return refused("the largest axis rate", s.max_axis_rate, "it must be above 0 degrees per mm");
+  if (!(s.axis_smoothing >= 0.0) || !std::isfinite(s.axis_smoothing))
+    return refused("the smoothing length of the axis", s.axis_smoothing, "give a length above 0 mm, or 0 for none");
+  if (!(s.axis_deviation > 0.0) || !(s.axis_deviation < 90.0))
+    return refused("the deviation of the axis", s.axis_deviation, "it must lie between 0 and 90 degrees");
   if (!(s.feed > 0.0) || !std::isfinite(s.feed))
     return refused("the feed", s.feed, "it must be above 0 mm/min");
   if (!(s.thinning >= 0.0) || !std::isfinite(s.thinning))

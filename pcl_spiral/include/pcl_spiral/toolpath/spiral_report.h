@@ -42,8 +42,10 @@ struct SpiralReport {
   double largest_allowed_step = 0.0;
   double largest_gap = 0.0;         ///< longest linear move
   double largest_axis_change = 0.0; ///< degrees between neighbouring path points
-  std::size_t limited_points = 0;   ///< whose tilt was eased, for the axis not to turn faster than its rate
-  double largest_tilt_reduction = 0.0; ///< at any of them, degrees
+  double largest_axis_rate = 0.0;   ///< degrees per mm of path
+  double largest_axis_lean = 0.0;   ///< degrees between axis and normal
+  double largest_axis_deviation = 0.0; ///< degrees between an axis and the tilt asked for
+  std::size_t deviating_points = 0; ///< at which it is above SpiralSettings::axis_deviation
   std::vector<StageCost> stages;    ///< in the order they ran
   std::vector<std::string> warnings;
 };

@@ -42,6 +42,8 @@ struct SpiralSettings {
   double tilt_angle = 15.0;    ///< side tilt of the axis about the feed direction
   double lead_angle = 0.0;     ///< lead of the axis in the feed direction
   double max_axis_rate = 10.0; ///< largest turn of the axis per mm of path
+  double axis_smoothing = 50.0; ///< what is shorter along the path is smoothed out of the axis; 0: nothing
+  double axis_deviation = 2.0; ///< that smoothing may cause from the tilt asked for, in the mean over its length
   double feed = 1000.0;        ///< mm/min at the contact
   std::optional<Eigen::Vector3d> centre;      ///< of a surface with one boundary; absent: found
   std::optional<Eigen::Vector3d> start_point; ///< the first radial line ends nearest here; absent: found

@@ -62,6 +62,14 @@ public:
   void setMaxAxisRate(double degrees_per_mm) { settings_.max_axis_rate = degrees_per_mm; }
   double getMaxAxisRate() const { return settings_.max_axis_rate; }
 
+  /** What is shorter along the path is smoothed out of the tool axis, mm; 50 by default, 0 for none. See AxisField. */
+  void setAxisSmoothing(double length) { settings_.axis_smoothing = length; }
+  double getAxisSmoothing() const { return settings_.axis_smoothing; }
+
+  /** How far smoothing may lead from the tilt asked for, in the mean over its length, degrees; 2 by default. */
+  void setAxisDeviation(double degrees) { settings_.axis_deviation = degrees; }
+  double getAxisDeviation() const { return settings_.axis_deviation; }
+
   /** Centre of a surface with one boundary; projected onto the surface. Without it, the point whose largest geodesic
    *  distance to the rim is smallest. */
   void setCenter(const Eigen::Vector3d& centre) { settings_.centre = centre; }

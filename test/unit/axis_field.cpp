@@ -1,0 +1,415 @@
+#include <pcl_spiral/core/axis_field.h>
+#include <pcl_spiral/core/tool_axis.h>
+#include <pcl_spiral/toolpath/axis_field.h>
+
+#include <pcl/console/print.h>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace pcl_spiral;
+using Eigen::Vector3d;
+using Vectors = std::vector<Vector3d>;
+
+namespace {
+
+constexpr double degree = M_PI / 180.0;
+
+double
+angleBetween(const Vector3d& a, const Vector3d& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+struct TestPath {
+  Polyline points;
+  Vectors normals, wanted;
+};
+
+/** An Archimedean spiral of pitch 1 mm over the pole of a sphere of radius 200, its axes tilted 15 degrees. */
+TestPath
+sphereSpiral(double step, double end_radius)
+{
+  TestPath path;
+  for (double angle = 0.0, r = 0.0; r < end_radius; angle += step / std::max(r, 0.2)) {
+    r = angle / (2 * M_PI);
+    const Vector3d n = Vector3d(r * std::cos(angle), r * std::sin(angle), std::sqrt(200.0 * 200.0 - r * r)) / 200.0;
+    path.normals.push_back(n);
+    path.points.push_back(200.0 * n);
+  }
+  path.wanted = tiltedAxes(path.points, path.normals, 15 * degree, 0.0);
+  return path;
+}
+
+/** A straight path of uneven steps with axes that lean along and across it by functions of the arc length. */
+template <typename Along, typename Across>
+TestPath
+straightPath(std::size_t count, double step, Along along, Across across)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uneven(0.5, 1.5);
+  TestPath path;
+  for (double s = 0.0; path.points.size() < count; s += step * uneven(random)) {
+    path.points.emplace_back(s, 0.0, 0.0);
+    path.wanted.push_back(Vector3d(along(s), across(s), 1.0).normalized());
+    path.normals.push_back(Vector3d::UnitZ());
+  }
+  return path;
+}
+
+double
+rateExcess(const Polyline& points, const Vectors& axes, double rate)
+{
+  double worst = -1.0;
+  for (std::size_t i = 1; i < axes.size(); ++i)
+    worst = std::max(worst, angleBetween(axes[i - 1], axes[i]) - rate * (points[i] - points[i - 1]).norm());
+  return worst;
+}
+
+double
+largestAngle(const Vectors& a, const Vectors& b)
+{
+  double worst = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    worst = std::max(worst, angleBetween(a[i], b[i]));
+  return worst;
+}
+
+const AxisFieldOptions both{20.0, 3 * degree, 2 * degree};
+
+} // namespace
+
+TEST(SmoothAxes, ConstantAxesStay)
+{
+  const TestPath path = straightPath(500, 0.3, [](double) { return 0.2; }, [](double) { return -0.4; });
+  const SmoothAxes field = smoothAxes(path.points, path.wanted, both);
+  EXPECT_LT(largestAngle(field.axes, path.wanted), 1e-15);
+  EXPECT_LT(field.largest_change, 1e-15);
+  EXPECT_EQ(field.deviating_points, 0u);
+}
+
+TEST(SmoothAxes, NothingAskedNothingDone)
+{
+  const TestPath path = sphereSpiral(0.2, 5.0);
+  EXPECT_EQ(smoothAxes(path.points, path.wanted, {}).axes, path.wanted);
+  EXPECT_GT(smoothAxes(path.points, path.wanted, {}).largest_rate, 30 * degree) << "it spins at the pole";
+}
+
+TEST(SmoothAxes, AWaveKeepsTheShareOfTheory)
+{
+  // Of the least of |a - w|^2 + L^4 |a''|^2 a wave of length 2 pi l keeps 1 / (1 + (L / l)^4).
+  for (const double l : {10.0, 20.0, 40.0}) {
+    const double length = 20.0, height = 1e-3;
+    const TestPath path =
+        straightPath(8000, 0.25, [&](double s) { return height * std::sin(s / l); }, [](double) { return 0.0; });
+    const SmoothAxes field = smoothAxes(path.points, path.wanted, {length, 3 * degree, 0.0});
+    const double share = 1.0 / (1.0 + std::pow(length / l, 4));
+    for (std::size_t i = 2000; i < 6000; ++i) // away from the ends
+      ASSERT_NEAR(field.axes[i].x(), share * height * std::sin(path.points[i].x() / l), 2e-4 * height) << l;
+  }
+}
+
+TEST(SmoothAxes, NoiseFallsAsTheoryHasIt)
+{
+  // White noise of deviation sigma a step h: the kernel of the transfer 1 / (1 + (L k)^4) leaves the variance
+  // sigma^2 h times the integral of its square, 1 / (2 pi L) B, B = integral of (1 + x^4)^-2 = 3 pi / (4 sqrt 2).
+  const double length = 15.0, h = 0.1, sigma = 1 * degree;
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0.0, sigma);
+  TestPath path;
+  for (int i = 0; i < 60000; ++i) {
+    path.points.emplace_back(h * i, 0.0, 0.0);
+    path.wanted.push_back(Vector3d(noise(random), noise(random), 1.0).normalized());
+  }
+  const SmoothAxes field = smoothAxes(path.points, path.wanted, {length, 3 * degree, 0.0});
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 3000; i < 57000; ++i, count += 2)
+    sum += field.axes[i].head<2>().squaredNorm();
+  const double theory = sigma * std::sqrt(h / (2 * M_PI * length) * 3 * M_PI / (4 * std::sqrt(2.0)));
+  EXPECT_NEAR(std::sqrt(sum / static_cast<double>(count)) / theory, 1.0, 0.1) << "360 lengths of 2.5 L";
+}
+
+TEST(SmoothAxes, EndsAreNatural)
+{
+  // Straight in the arc length: neither bent nor drawn level at the ends.
+  TestPath path;
+  for (int i = 0; i <= 400; ++i) {
+    path.points.emplace_back(0.25 * i, 0.0, 0.0);
+    path.wanted.push_back(Vector3d(2e-5 * i, -4e-5 * i, 1.0).normalized());
+  }
+  for (const double length : {5.0, 50.0}) {
+    const SmoothAxes field = smoothAxes(path.points, path.wanted, {length, 3 * degree, 0.0});
+    EXPECT_LT(largestAngle(field.axes, path.wanted), 2e-6) << "straight in space is nearly so on the sphere";
+  }
+}
+
+TEST(SmoothAxes, AStepBecomesARampWithinTheRate)
+{
+  const double height = 0.5;
+  const TestPath path =
+      straightPath(1000, 0.2, [&](double s) { return s < 100.0 ? 0.0 : height; }, [](double) { return 0.0; });
+  for (const double rate : {0.3 * degree, 2 * degree}) {
+    const SmoothAxes field = smoothAxes(path.points, path.wanted, {0.0, 3 * degree, rate});
+    EXPECT_LE(rateExcess(path.points, field.axes, rate), 1e-8 * rate + 1e-12);
+    EXPECT_GT(field.largest_rate, 0.45 * rate) << "slower than it need";
+    double before = -1.0;
+    for (std::size_t i = 0; i < field.axes.size(); ++i) {
+      EXPECT_LT(std::abs(field.axes[i].y()), 1e-12);
+      EXPECT_GE(field.axes[i].x(), before - 1e-12) << "turns back";
+      before = field.axes[i].x();
+      const double off = std::abs(path.points[i].x() - 100.0);
+      if (off > 1.1 * std::atan(height) / rate) // both passes' ramps lie within
+        EXPECT_LT(angleBetween(field.axes[i], path.wanted[i]), 1e-9);
+    }
+  }
+}
+
+TEST(SmoothAxes, SameUnderRigidMotionAndFromEitherEnd)
+{
+  TestPath path = sphereSpiral(0.3, 12.0);
+  std::mt19937 random(9);
+  std::normal_distribution<double> noise(0.0, 0.02);
+  for (Vector3d& a : path.wanted)
+    a = (a + Vector3d(noise(random), noise(random), noise(random))).normalized();
+  const SmoothAxes field = smoothAxes(path.points, path.wanted, both);
+
+  const Eigen::AngleAxisd turn(2.1, Vector3d(1, -2, 0.5).normalized());
+  TestPath moved = path;
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    moved.points[i] = turn * path.points[i] + Vector3d(30, -70, 200);
+    moved.wanted[i] = turn * path.wanted[i];
+  }
+  const SmoothAxes there = smoothAxes(moved.points, moved.wanted, both);
+  for (std::size_t i = 0; i < path.points.size(); ++i)
+    ASSERT_LT((there.axes[i] - turn * field.axes[i]).norm(), 1e-9) << i;
+
+  std::reverse(path.points.begin(), path.points.end());
+  std::reverse(path.wanted.begin(), path.wanted.end());
+  const SmoothAxes back = smoothAxes(path.points, path.wanted, both);
+  for (std::size_t i = 0; i < path.points.size(); ++i)
+    ASSERT_LT((back.axes[i] - field.axes[path.points.size() - 1 - i]).norm(), 1e-9) << i;
+}
+
+TEST(SmoothAxes, ThroughThePoleWithoutASpin)
+{
+  for (const double step : {0.05, 0.2, 0.7})
+    for (const double length : {0.0, 10.0, 50.0}) {
+      const double rate = 4 * degree;
+      const TestPath path = sphereSpiral(step, 60.0);
+      const SmoothAxes field = smoothAxes(path.points, path.wanted, {length, 3 * degree, rate});
+      EXPECT_LE(rateExcess(path.points, field.axes, rate), 1e-8 * rate + 1e-12) << step << ' ' << length;
+      EXPECT_LE(field.largest_rate, rate * (1 + 1e-8));
+      EXPECT_LT(largestLean(path.normals, field.axes).angle, 25 * degree);
+      double least = 90.0, most = 0.0;
+      for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const double radius = std::hypot(path.points[i].x(), path.points[i].y());
+        const double tilt = angleBetween(field.axes[i], path.normals[i]);
+        if (radius > 8.0 && radius < 58.0) { // at radius r the tilt spins at sin(15 deg) / r: the rate at 3.7 mm
+          least = std::min(least, tilt);
+          most = std::max(most, tilt);
+        } else if (radius > 2.0 && radius < 3.5)
+          ASSERT_GT(std::sin(tilt) / radius, 0.4 * rate) << "gives away too much at " << radius;
+      }
+      EXPECT_GT(least, (15 - 3 * 1.05 - 0.3) * degree) << "smoothing takes no more tilt than allowed";
+      EXPECT_LT(most, 15.5 * degree);
+    }
+}
+
+TEST(SmoothAxes, ADentOfTheTurnsIsSmoothedAway)
+{
+  // Turns of radius 150 mm with a dent of 2 mm, 60 mm long: the feed swings by some 6 degrees, the axis with it.
+  TestPath path;
+  for (int i = 0; i < 6000; ++i) {
+    const double angle = 2 * M_PI * i / 600.0, off = std::remainder(angle - M_PI, 2 * M_PI) * 150.0 / 15.0;
+    const double r = 150.0 + 2.0 * i / 600.0 - 2.0 * std::exp(-0.5 * off * off);
+    path.normals.push_back(Vector3d(r * std::cos(angle), r * std::sin(angle), std::sqrt(9e4 - r * r)) / 300.0);
+    path.points.push_back(300.0 * path.normals.back());
+  }
+  path.wanted = tiltedAxes(path.points, path.normals, 15 * degree, 0.0);
+  const auto deepest = [&](const Vectors& axes) { // fall of the angle to the pole after what it had reached
+    double reached = 0.0, fall = 0.0;
+    for (std::size_t i = 700; i < 5300; ++i) {
+      reached = std::max(reached, angleBetween(axes[i], Vector3d::UnitZ()));
+      fall = std::max(fall, reached - angleBetween(axes[i], Vector3d::UnitZ()));
+    }
+    return fall;
+  };
+  const SmoothAxes field = smoothAxes(path.points, path.wanted, {50.0, 3 * degree, 0.0});
+  EXPECT_GT(deepest(path.wanted), 0.3 * degree);
+  EXPECT_LT(deepest(field.axes), 0.1 * deepest(path.wanted));
+  EXPECT_LT(field.deviating_points, 10u) << "but at the very ends, where a circle runs out straight";
+}
+
+TEST(SmoothAxes, PointsAtOnePlaceShareAnAxis)
+{
+  TestPath path = straightPath(200, 0.5, [](double s) { return 0.3 * std::sin(s); }, [](double) { return 0.1; });
+  for (int i = 0; i < 6; ++i) {
+    path.points.insert(path.points.begin() + 80, path.points[80]);
+    path.wanted.insert(path.wanted.begin() + 80, Vector3d(0.1 * i, 0.0, 1.0).normalized());
+  }
+  for (const double length : {0.0, 5.0}) {
+    const SmoothAxes field = smoothAxes(path.points, path.wanted, {length, 3 * degree, 3 * degree});
+    EXPECT_LE(rateExcess(path.points, field.axes, 3 * degree), 1e-9);
+    for (const Vector3d& a : field.axes)
+      ASSERT_NEAR(a.norm(), 1.0, 1e-12);
+  }
+  const Polyline place(5, Vector3d(1, 2, 3));
+  const Vectors axes(5, Vector3d::UnitX());
+  EXPECT_EQ(smoothAxes(place, axes, both).axes, axes);
+}
+
+TEST(SmoothAxes, OppositeAxesAreTurnedThroughAndSaid)
+{
+  const TestPath path = straightPath(400, 0.5, [](double) { return 0.0; }, [](double) { return 0.0; });
+  Vectors wanted = path.wanted;
+  for (std::size_t i = 200; i < wanted.size(); ++i)
+    wanted[i] = -wanted[i];
+  for (const double length : {0.0, 20.0}) {
+    const SmoothAxes field = smoothAxes(path.points, wanted, {length, 3 * degree, 2 * degree});
+    EXPECT_LE(rateExcess(path.points, field.axes, 2 * degree), 1e-9);
+    EXPECT_GT(field.deviating_points, 20u);
+    EXPECT_GT(field.largest_deviation, 45 * degree);
+    EXPECT_FALSE(liesInSurface(largestLean(wanted, wanted), wanted, wanted));
+    EXPECT_FALSE(liesInSurface(largestLean(wanted, wanted), wanted, field.axes));
+  }
+}
+
+TEST(SmoothAxes, SameBytesForAnyThreadsAndLinearTime)
+{
+  const TestPath path = sphereSpiral(0.035, 100.0);
+  ASSERT_GT(path.points.size(), 800000u);
+  const int all = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const auto start = std::chrono::steady_clock::now();
+  const SmoothAxes one = smoothAxes(path.points, path.wanted, {50.0, 3 * degree, 10 * degree});
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  for (const int threads : {2, 3}) {
+    omp_set_num_threads(threads);
+    const SmoothAxes more = smoothAxes(path.points, path.wanted, {50.0, 3 * degree, 10 * degree});
+    EXPECT_EQ(more.axes, one.axes);
+    EXPECT_EQ(more.deviating_points, one.deviating_points);
+    EXPECT_EQ(more.largest_rate, one.largest_rate);
+  }
+  omp_set_num_threads(all);
+  RecordProperty("milliseconds", static_cast<int>(1e3 * seconds.count()));
+  EXPECT_LT(seconds.count(), 30.0) << "linear in the number of points: about a second";
+}
+
+TEST(SmoothAxes, RefusesWhatCannotBe)
+{
+  const Vectors up(3, Vector3d::UnitZ());
+  const Polyline line{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  EXPECT_THROW(smoothAxes({line[0]}, up, both), std::invalid_argument);
+  EXPECT_THROW(smoothAxes(line, up, {-1.0, 0.1, 0.1}), std::invalid_argument);
+  EXPECT_THROW(smoothAxes(line, up, {1.0, 0.0, 0.1}), std::invalid_argument);
+  EXPECT_THROW(smoothAxes(line, up, {1.0, 0.1, std::nan("")}), std::invalid_argument);
+  EXPECT_TRUE(smoothAxes({}, {}, both).axes.empty());
+}
+
+namespace {
+
+pcl::PointCloud<ToolpathPoint>::Ptr
+toCloud(const TestPath& path)
+{
+  pcl::PointCloud<ToolpathPoint>::Ptr cloud(new pcl::PointCloud<ToolpathPoint>);
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    ToolpathPoint p;
+    p.getVector3fMap() = path.points[i].cast<float>();
+    p.getNormalVector3fMap() = path.normals[i].cast<float>();
+    p.getAxisVector3fMap() = path.wanted[i].cast<float>();
+    p.arc_length = static_cast<double>(i);
+    cloud->push_back(p);
+  }
+  return cloud;
+}
+
+} // namespace
+
+TEST(AxisField, SmoothsThePathAndReports)
+{
+  const TestPath path = sphereSpiral(0.4, 20.0);
+  const auto cloud = toCloud(path);
+  AxisField field;
+  EXPECT_EQ(field.getStatus().code(), StatusCode::NotComputed);
+  field.setInputPath(cloud);
+  field.setSmoothingLength(20.0);
+  field.setMaxAxisRate(6.0);
+  pcl::PointCloud<ToolpathPoint> out;
+  field.compute(out);
+  ASSERT_TRUE(field.getStatus().ok()) << field.getStatus().message();
+  ASSERT_EQ(out.size(), cloud->size());
+  EXPECT_EQ(out[7].arc_length, 7.0);
+  double largest = 0.0, lean = 0.0, change = 0.0;
+  std::size_t deviating = 0;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Vector3d axis = out[i].getAxisVector3fMap().cast<double>();
+    const double deviation = angleBetween(axis, path.wanted[i]) / degree;
+    largest = std::max(largest, deviation);
+    deviating += deviation > 2.0;
+    lean = std::max(lean, angleBetween(axis, path.normals[i]) / degree);
+    if (i > 0)
+      change = std::max(change, angleBetween(axis, out[i - 1].getAxisVector3fMap().cast<double>()) / degree);
+  }
+  EXPECT_NEAR(field.getLargestDeviation(), largest, 1e-4);
+  EXPECT_EQ(field.getDeviatingPoints(), deviating);
+  EXPECT_NEAR(field.getLargestLean(), lean, 1e-4);
+  EXPECT_NEAR(field.getLargestAxisChange(), change, 1e-4);
+  EXPECT_LE(field.getLargestAxisRate(), 6.0 * 1.00001);
+  field.compute(*cloud); // in place
+  EXPECT_EQ(cloud->back().getAxisVector3fMap(), out.back().getAxisVector3fMap());
+}
+
+TEST(AxisField, SaysWhatIsWrong)
+{
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+  AxisField field;
+  pcl::PointCloud<ToolpathPoint> out;
+  const auto said = [&](const pcl::PointCloud<ToolpathPoint>::Ptr& path) {
+    out.resize(3);
+    field.setInputPath(path);
+    field.compute(out);
+    EXPECT_TRUE(out.empty());
+    EXPECT_FALSE(field.getStatus().ok());
+    return field.getStatus().message();
+  };
+  EXPECT_NE(said(nullptr).find("setInputPath"), std::string::npos);
+  auto bad = toCloud(sphereSpiral(0.4, 3.0));
+  (*bad)[5].axis_x = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_NE(said(bad).find("point 5"), std::string::npos);
+  bad = toCloud(sphereSpiral(0.4, 3.0));
+  (*bad)[6].getAxisVector3fMap().setZero();
+  EXPECT_NE(said(bad).find("point 6 has no axis"), std::string::npos);
+  const auto good = toCloud(sphereSpiral(0.4, 3.0));
+  field.setSmoothingLength(-1.0);
+  EXPECT_NE(said(good).find("-1 mm"), std::string::npos);
+  field.setSmoothingLength(10.0);
+  field.setMaxDeviation(0.0);
+  EXPECT_NE(said(good).find("deviation is 0"), std::string::npos);
+  field.setMaxDeviation(2.0);
+  field.setMaxAxisRate(-2.0);
+  EXPECT_NE(said(good).find("-2 degrees per mm"), std::string::npos);
+}
+
+TEST(AxisField, RefusesAnAxisInTheSurface)
+{
+  // Over a fin 4 mm wide the normal leans by 150 degrees: there is no time to follow it.
+  TestPath path = straightPath(100, 0.5, [](double) { return 0.0; }, [](double) { return 0.0; });
+  for (std::size_t i = 50; i < 58; ++i)
+    path.wanted[i] = path.normals[i] = Vector3d(std::sin(150 * degree), 0.0, std::cos(150 * degree));
+  AxisField field;
+  field.setInputPath(toCloud(path));
+  pcl::PointCloud<ToolpathPoint> out;
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+  field.compute(out);
+  EXPECT_EQ(field.getStatus().code(), StatusCode::Failed);
+  EXPECT_NE(field.getStatus().message().find("raise the axis rate"), std::string::npos) << field.getStatus().message();
+  EXPECT_TRUE(out.empty());
+}
