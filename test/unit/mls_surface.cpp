@@ -103,6 +103,33 @@ TEST(MlsSurface, NoiseIsMeasuredAndAveraged)
   EXPECT_LT(std::sqrt(squares / feet.size()), 0.25 * sigma);
 }
 
+TEST(MlsSurface, FitNoiseIsThatOfTheFeet)
+{
+  using pcl_spiral::ProjectionMethod;
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> u(-100.0, 100.0);
+  std::normal_distribution<double> noise(0.0, 0.05);
+  std::vector<Eigen::Vector3f> points; // evenly spread: a square grid, every point moved by up to 0.3 of it
+  for (int i = -100; i <= 100; ++i)
+    for (int j = -100; j <= 100; ++j)
+      points.push_back(Vector3d(i + 0.003 * u(random), j + 0.003 * u(random), noise(random)).cast<float>());
+  const auto graph = graphOf(points);
+  std::vector<Vector3d> queries(5000);
+  for (auto& q : queries)
+    q = Vector3d(0.9 * u(random), 0.9 * u(random), 0.0);
+  for (const auto method :
+       {ProjectionMethod::Quadratic, ProjectionMethod::RobustQuartic, ProjectionMethod::DirectionalCentroid}) {
+    const pcl_spiral::MlsSurface surface(graph, 128, method);
+    std::vector<pcl_spiral::SurfaceFoot> feet;
+    surface.project(queries, feet);
+    double squares = 0.0;
+    for (const auto& foot : feet)
+      squares += foot.position.z() * foot.position.z();
+    EXPECT_NEAR(std::sqrt(squares / feet.size()), surface.fitNoise(), 0.06 * surface.fitNoise())
+        << static_cast<int>(method);
+  }
+}
+
 namespace {
 
 /** Waves of 0.2 mm, 15 mm long, every 1 mm a point; \p sigma of noise, and a share of echoes 0.2 to 8 mm off. */

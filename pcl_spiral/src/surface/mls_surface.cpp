@@ -136,6 +136,15 @@ MlsSurface::projectOnce(const std::vector<std::uint32_t>& which, std::vector<Sur
   return moved;
 }
 
+double
+MlsSurface::fitNoise() const
+{
+  const double factor = method_ == ProjectionMethod::Quadratic       ? 50.0 / 7.0
+                        : method_ == ProjectionMethod::RobustQuartic ? 9.46
+                                                                     : 2.08;
+  return noise_ * std::sqrt(factor / neighbours_);
+}
+
 void
 MlsSurface::project(const std::vector<Eigen::Vector3d>& queries, std::vector<SurfaceFoot>& feet) const
 {

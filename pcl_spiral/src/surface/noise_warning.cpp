@@ -2,25 +2,17 @@
 
 #include <pcl_spiral/common/message.h>
 
-#include <cmath>
-
 namespace pcl_spiral {
-
-double
-fitNoise(const MlsSurface& surface)
-{
-  return surface.noise() * std::sqrt(9.46 / surface.neighbours());
-}
 
 std::optional<std::string>
 noiseWarning(const MlsSurface& surface, const char* what, double asked)
 {
   if (!(asked > 0.0) || asked >= surface.noise())
     return std::nullopt;
-  const bool hidden = asked < 3.0 * fitNoise(surface);
+  const bool hidden = asked < 3.0 * surface.fitNoise();
   return textOf("the ", what, " asked for, ", asked, " mm, lies below the scan's own noise of ", surface.noise(),
                 " mm (standard deviation of a point); the surface fitted to ", surface.neighbours(),
-                " points at a time is known to ", fitNoise(surface),
+                " points at a time is known to ", surface.fitNoise(),
                 hidden ? " mm, and what is below three times that it cannot tell: this scan cannot show whether it was kept"
                        : " mm");
 }

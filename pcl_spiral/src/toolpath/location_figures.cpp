@@ -66,9 +66,9 @@ CutterLocator::figures(const ToolLocations& locations) const
   }
   const std::size_t asked =
       f.count(LocationState::Reached) + f.count(LocationState::Lifted) + f.count(LocationState::Clear);
-  if (asked > 0 && surface_.hasSurface() && surface_.fitNoise() > options_.tolerance)
+  if (asked > 0 && surface_.hasSurface() && surface_.surface().fitNoise() > options_.tolerance)
     f.warnings.push_back(
-        textOf("the scan's noise leaves its surface known to ", surface_.fitNoise(),
+        textOf("the scan's noise leaves its surface known to ", surface_.surface().fitNoise(),
                " mm, more than the contact tolerance of ", options_.tolerance,
                " mm: contacts count as lifted or clear by chance; raise the tolerance to three times "
                "that"));

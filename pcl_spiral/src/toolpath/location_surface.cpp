@@ -48,12 +48,6 @@ LocationSurface::build(std::vector<Eigen::Vector3f> points)
   graph_.dropTriangulation();
 }
 
-double
-LocationSurface::fitNoise() const
-{
-  return surface_->noise() * std::sqrt(50.0 / (7.0 * surface_->neighbours()));
-}
-
 void
 LocationSurface::findRim()
 {

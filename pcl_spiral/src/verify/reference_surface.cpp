@@ -118,12 +118,6 @@ ReferenceSurface::inGap(const Eigen::Vector3d& p) const
 }
 
 double
-ReferenceSurface::fitNoise() const
-{
-  return pcl_spiral::fitNoise(*surface_);
-}
-
-double
 ReferenceSurface::fitRadius() const
 {
   return graph_.spacing() * std::sqrt(surface_->neighbours() / M_PI);

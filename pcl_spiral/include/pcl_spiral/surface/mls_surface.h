@@ -62,6 +62,11 @@ public:
   int neighbours() const { return neighbours_; }
   /** Standard deviation of the points about the surface, mm (for a noiseless cloud: of what the fit leaves). */
   double noise() const { return noise_; }
+  /** Standard deviation of the surface itself, inside the rim, mm: noise() sqrt(f / k) for k evenly spread neighbours.
+   *  f follows from the weights. Quadratic: (1 - r^2)^3 and the second degree, 50 / 7. RobustQuartic: where noise hides
+   *  what the fourth degree adds, 9.46: the quartic's variance is 14.10 / k, and of the difference to the quadric, which
+   *  the fit takes by as much as it stands out, a third remains. DirectionalCentroid: exp(-4 r^2) and order zero, 2.08. */
+  double fitNoise() const;
   const SurfaceGraph& graph() const { return graph_; }
 
 private:

@@ -10,11 +10,6 @@
 
 namespace pcl_spiral {
 
-/** Standard deviation of the fitted surface itself: of its value at the middle of a neighbourhood, whose points have the
- *  weights of the fit. */
-double
-fitNoise(const MlsSurface& surface);
-
 /** A warning when \p asked, mm, lies below the standard deviation of a point; \p what it is the name of. */
 std::optional<std::string>
 noiseWarning(const MlsSurface& surface, const char* what, double asked);

@@ -69,8 +69,6 @@ public:
   {
     return noise_allowance_;
   }
-  /** Standard deviation of the fitted surface, mm: noise sqrt(50 / (7 k)) for k evenly spread neighbours. */
-  double fitNoise() const;
   /** Which of the points given to build is point \p i of the surface's graph. */
   std::uint32_t
   source(std::uint32_t i) const

@@ -44,11 +44,8 @@ public:
   /** Standard deviation of single points about the surface, mm. On a scan without noise it is what a quadric leaves of
    *  the shape: an upper bound. */
   double noise() const { return surface_->noise(); }
-  /** Standard deviation of the surface found, inside the rim, where noise hides what the fourth degree adds:
-   *  noise() sqrt(9.46 / k) for k evenly spread neighbours and the fit's weight (1 - r^2)^3. The quadric's variance is
-   *  50 / (7 k), the quartic's 14.10 / k; of their difference, which the fit takes by as much as it stands out, a third
-   *  remains. */
-  double fitNoise() const;
+  /** Standard deviation of the surface found, mm. \see MlsSurface::fitNoise */
+  double fitNoise() const { return surface_->fitNoise(); }
   /** Radius of one fit: as far as it can be trusted about its foot, mm. */
   double fitRadius() const;
 
