@@ -6,7 +6,11 @@
 #include "support/sampling.h"
 
 #include <pcl_spiral/core/cutter_profile.h>
+#include <pcl_spiral/core/swept_error.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_spiral::test {
@@ -30,6 +34,31 @@ randomCutter(Random& random)
     return CutterShape::taperedBullNose(radius, share * largest, flank, angle);
   }
   }
+}
+
+/** Depth of \p p in the cutter, its shank a cylinder without end; negative outside: least over all planes that
+ *  bound the convex body. */
+inline double
+depthOf(const Eigen::Vector3d& p, const CutterProfile& c, const CutterPlace& place)
+{
+  const double z = (p - place.tip).dot(place.axis), l = (p - place.tip - z * place.axis).norm();
+  const double a = c.flankAngle(), r = c.cornerRadius();
+  const double u = l - c.flatRadius(), v = z - r; // from the corner's middle
+  double depth = std::min({z, c.radius() - l, r - (u * std::cos(a) - v * std::sin(a))});
+  if (u > 0.0 && v < 0.0 && -v >= u * std::tan(a))
+    depth = std::min(depth, r - std::hypot(u, v));
+  return depth;
+}
+
+/** The place at share \p t of a move, tip and axis led evenly. */
+inline CutterPlace
+onTheWay(const CutterPlace& a, const CutterPlace& b, double t)
+{
+  const double turn = std::acos(std::min(1.0, a.axis.dot(b.axis)));
+  if (turn < 1e-12)
+    return {a.tip + t * (b.tip - a.tip), a.axis};
+  const Eigen::Vector3d pivot = a.axis.cross(b.axis).normalized();
+  return {a.tip + t * (b.tip - a.tip), Eigen::AngleAxisd(t * turn, pivot) * a.axis};
 }
 
 } // namespace pcl_spiral::test

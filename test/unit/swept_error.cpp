@@ -24,30 +24,6 @@ unitVector(Random& random)
   return Vector3d(random.normal(), random.normal(), random.normal()).normalized();
 }
 
-/** Depth of \p p in the cutter, its shank a cylinder without end; negative outside: least over all planes that
- *  bound the convex body. */
-double
-depthOf(const Vector3d& p, const CutterProfile& c, const CutterPlace& place)
-{
-  const double z = (p - place.tip).dot(place.axis), l = (p - place.tip - z * place.axis).norm();
-  const double a = c.flankAngle(), r = c.cornerRadius();
-  const double u = l - c.flatRadius(), v = z - r; // from the corner's middle
-  double depth = std::min({z, c.radius() - l, r - (u * std::cos(a) - v * std::sin(a))});
-  if (u > 0.0 && v < 0.0 && -v >= u * std::tan(a))
-    depth = std::min(depth, r - std::hypot(u, v));
-  return depth;
-}
-
-CutterPlace
-onTheWay(const CutterPlace& a, const CutterPlace& b, double t)
-{
-  const double turn = std::acos(std::min(1.0, a.axis.dot(b.axis)));
-  if (turn < 1e-12)
-    return {a.tip + t * (b.tip - a.tip), a.axis};
-  const Vector3d pivot = a.axis.cross(b.axis).normalized();
-  return {a.tip + t * (b.tip - a.tip), Eigen::AngleAxisd(t * turn, pivot) * a.axis};
-}
-
 /** Deepest of many points of the swept cutter that neither end covers. */
 double
 deepestByForce(Random& random, const CutterProfile& c, const CutterPlace& a, const CutterPlace& b, int samples)

@@ -43,6 +43,12 @@ public:
 
   LocationFigures figures(const ToolLocations& locations) const;
 
+  const CutterProfile&
+  profile() const
+  {
+    return profile_;
+  }
+
 private:
   void locateSome(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const;
   ToolLocation resolve(const AskedLocation& asked, const DropContact& drop, const FittedContact& fitted,

@@ -1,0 +1,213 @@
+#include "location_thinning.h"
+
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/core/swept_error.h>
+#include <pcl_spiral/toolpath/location_bisection.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace pcl_spiral {
+namespace {
+
+/** A pass that grows. */
+struct OpenPass {
+  ToolLocations locations;
+  std::vector<std::int8_t> halvings; ///< of the move that begins at each location; settled: no more are needed
+  std::vector<std::uint8_t> given;
+};
+
+constexpr std::int8_t settled = -1;
+
+/** A move that is to be judged. */
+struct OpenMove {
+  std::size_t pass = 0, from = 0;
+  double swept = 0.0; ///< sweptError
+};
+
+bool
+isKnown(const ToolLocation& location)
+{
+  return location.state != LocationState::NoCloud;
+}
+
+DrivePoint
+middleOf(const ToolLocation& a, const ToolLocation& b)
+{
+  const Eigen::Vector3d sum = a.axis + b.axis;
+  return {0.5 * (a.tip + b.tip), sum.norm() > 1e-9 ? sum : a.axis, Eigen::Vector3d::Zero()};
+}
+
+class Bisection {
+public:
+  Bisection(const CutterLocator& locator, const BisectionSettings& settings, const std::vector<ToolLocations>& passes)
+  : locator_(locator), settings_(settings)
+  {
+    for (const ToolLocations& pass : passes)
+      open_.push_back({pass, std::vector<std::int8_t>(pass.size(), 0), std::vector<std::uint8_t>(pass.size(), 1)});
+  }
+
+  Status
+  run(const ProgressCallback& progress)
+  {
+    for (int round = 0; round <= settings_.most_halvings; ++round) {
+      const double share = static_cast<double>(round) / (settings_.most_halvings + 1);
+      const ProgressCallback inside = [&](double, const std::string&) {
+        return !progress || progress(share, "bisection");
+      };
+      const std::vector<OpenMove> moves = openMoves();
+      if (moves.empty())
+        break;
+      DrivePoints middles;
+      for (const OpenMove& move : moves)
+        middles.push_back(middleOf(from(move), to(move)));
+      ToolLocations located;
+      if (const Status status = locator_.locate(middles, inside, located); !status.ok())
+        return status;
+      insert(moves, located);
+    }
+    for (OpenPass& pass : open_)
+      thin(pass);
+    return Status::success();
+  }
+
+  void
+  take(std::vector<ToolLocations>& passes, BisectionFigures& figures)
+  {
+    for (std::size_t p = 0; p < passes.size(); ++p) {
+      figures_.inserted += open_[p].locations.size() - passes[p].size();
+      passes[p] = std::move(open_[p].locations);
+    }
+    figures_.largest_error += thinned_by_;
+    figures = figures_;
+  }
+
+private:
+  const ToolLocation&
+  from(const OpenMove& move) const
+  {
+    return open_[move.pass].locations[move.from];
+  }
+  const ToolLocation&
+  to(const OpenMove& move) const
+  {
+    return open_[move.pass].locations[move.from + 1];
+  }
+
+  std::vector<OpenMove>
+  openMoves()
+  {
+    std::vector<OpenMove> moves;
+    for (std::size_t p = 0; p < open_.size(); ++p)
+      for (std::size_t i = 0; i + 1 < open_[p].locations.size(); ++i) {
+        std::int8_t& halvings = open_[p].halvings[i];
+        if (halvings == settled)
+          continue;
+        const ToolLocation &a = open_[p].locations[i], &b = open_[p].locations[i + 1];
+        if (isKnown(a) && isKnown(b)) {
+          moves.push_back({p, i, sweptError(locator_.profile(), {a.tip, a.axis}, {b.tip, b.axis})});
+          continue;
+        }
+        halvings = settled;
+        ++figures_.not_judged;
+      }
+    return moves;
+  }
+
+  /** Judge \p moves by their middles; those that err too much are halved. */
+  void
+  insert(const std::vector<OpenMove>& moves, const ToolLocations& middles)
+  {
+    std::vector<OpenPass> next(open_.size());
+    std::size_t m = 0;
+    for (std::size_t p = 0; p < open_.size(); ++p)
+      for (std::size_t i = 0; i < open_[p].locations.size(); ++i) {
+        std::int8_t halvings = open_[p].halvings[i];
+        const bool judged = m < moves.size() && moves[m].pass == p && moves[m].from == i;
+        const bool halved = judged && isHalved(moves[m], middles[m], halvings);
+        halvings = halved ? static_cast<std::int8_t>(halvings + 1) : settled;
+        next[p].locations.push_back(open_[p].locations[i]);
+        next[p].halvings.push_back(halvings);
+        next[p].given.push_back(open_[p].given[i]);
+        if (halved) {
+          next[p].locations.push_back(middles[m]);
+          next[p].halvings.push_back(halvings);
+          next[p].given.push_back(0);
+        }
+        m += judged;
+      }
+    open_ = std::move(next);
+  }
+
+  bool
+  isHalved(const OpenMove& move, const ToolLocation& middle, int halvings)
+  {
+    const Eigen::Vector3d straight = 0.5 * (from(move).tip + to(move).tip);
+    const double error = isKnown(middle) ? std::max(move.swept, leftAbove(move, middle)) : move.swept;
+    if (error > 0.5 * settings_.tolerance && isKnown(middle) && halvings < settings_.most_halvings)
+      return true;
+    figures_.unresolved += error > 0.5 * settings_.tolerance;
+    if (error > figures_.largest_error) {
+      figures_.largest_error = error;
+      figures_.worst_place = straight;
+    }
+    return false;
+  }
+
+  /** How far the cutter passes above \p middle: along the axis, or, at a wall, to the place beside where it would
+   *  not. */
+  double
+  leftAbove(const OpenMove& move, const ToolLocation& middle) const
+  {
+    const Eigen::Vector3d way = to(move).tip - from(move).tip;
+    const double above = (0.5 * (from(move).tip + to(move).tip) - middle.tip).dot(middle.axis);
+    return std::min(above, way.cross(middle.axis).norm());
+  }
+
+  /** The moves err by half the tolerance; locations put in that move the cutter by no more than the other half
+   *  go again. */
+  void
+  thin(OpenPass& pass)
+  {
+    const CutterProfile& cutter = locator_.profile();
+    std::vector<CutterPlace> places;
+    for (const ToolLocation& location : pass.locations)
+      places.push_back({location.tip, location.axis});
+    const std::vector<std::uint8_t> kept = keptPlaces(places, pass.given, std::hypot(cutter.topHeight(), cutter.radius()),
+                                                      0.5 * settings_.tolerance, thinned_by_);
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      if (kept[i])
+        pass.locations[left++] = pass.locations[i];
+    pass.locations.resize(left);
+  }
+
+  const CutterLocator& locator_;
+  BisectionSettings settings_;
+  std::vector<OpenPass> open_;
+  double thinned_by_ = 0.0;
+  BisectionFigures figures_;
+};
+
+} // namespace
+
+Status
+bisectLocations(const CutterLocator& locator, const BisectionSettings& settings, const ProgressCallback& progress,
+                std::vector<ToolLocations>& passes, BisectionFigures& figures)
+{
+  if (!(settings.tolerance > 0.0) || !std::isfinite(settings.tolerance))
+    return {StatusCode::InvalidArgument,
+            textOf("the tolerance between locations is ", settings.tolerance, " mm; set it above 0")};
+  if (settings.most_halvings < 1 || settings.most_halvings > 30)
+    return {StatusCode::InvalidArgument,
+            textOf("the limit of halvings is ", settings.most_halvings, "; set it between 1 and 30")};
+  Bisection bisection(locator, settings, passes);
+  if (const Status status = bisection.run(progress); !status.ok())
+    return status;
+  bisection.take(passes, figures);
+  return Status::success();
+}
+
+} // namespace pcl_spiral
