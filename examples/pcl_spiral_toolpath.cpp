@@ -1,11 +1,13 @@
 // From a scan to toolpath files: the main program.
 #include "judging/figures_table.h"
 #include "judging/judge.h"
+#include "program/machine_moves.h"
+#include "program/program_check.h"
+#include "terminal/terminal.h"
 #include "toolpath/command_line.h"
 #include "toolpath/console.h"
 #include "toolpath/job_check.h"
 #include "toolpath/outputs.h"
-#include "toolpath/program.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/file_error.h>
@@ -93,10 +95,11 @@ run(const Job& job)
     requireDisplay(output);
   if (!job.verbose)
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
-  const std::optional<Machine> machine = hasProgram(job) ? std::optional(machineOf(job)) : std::nullopt;
+  const std::optional<Machine> machine = hasProgram(job.program, job.outputs) ? std::optional(machineOf(job.program)) : std::nullopt;
   Result result = compute(job);
   if (machine)
-    makeProgram(job, *machine, result);
+    result.program = makeProgram(job.program, *machine, job.settings.feed, job.settings.tool_radius,
+                                 {ballPoses(*result.path, job.settings.tool_radius)}, result.report.warnings);
   if (job.verify)
     verify(job, result);
   warn(job, result.scan.warnings);

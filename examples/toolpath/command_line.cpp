@@ -1,124 +1,27 @@
 #include "command_line.h"
-#include "job_file.h"
 #include "option_table.h"
+#include "terminal/command_line.h"
 #include "terminal/file_names.h"
-
-#include <boost/program_options.hpp>
-
-#include <algorithm>
-#include <set>
-
-namespace po = boost::program_options;
-
-namespace {
-
-po::options_description
-description(const OptionGroup& group)
-{
-  constexpr unsigned int width = 110;
-  po::options_description result(group.title, width, width / 2);
-  for (const Option& option : group.options) {
-    const std::string letters = option.name == "output" ? ",o" : option.name == "help" ? ",h" : "";
-    const std::string names = option.name + letters;
-    if (option.argument.empty())
-      result.add_options()(names.c_str(), option.help.c_str());
-    else
-      result.add_options()(names.c_str(), po::value<std::string>()->value_name(option.argument),
-                           option.help.c_str());
-  }
-  return result;
-}
-
-po::options_description
-allOptions()
-{
-  po::options_description all;
-  for (const OptionGroup& group : optionTable())
-    all.add(description(group));
-  return all;
-}
-
-/** Names and values in the order given; a switch's value is "true". */
-NamedValues
-splitArguments(int argc, const char* const* argv)
-{
-  namespace style = po::command_line_style;
-  const po::options_description options = allOptions();
-  po::positional_options_description positional;
-  positional.add("scan", -1);
-  try {
-    const po::parsed_options parsed =
-        po::command_line_parser(argc, argv)
-            .options(options)
-            .positional(positional)
-            .style(style::unix_style & ~style::allow_guessing & ~style::allow_sticky)
-            .run();
-    NamedValues values;
-    for (const auto& option : parsed.options)
-      values.emplace_back(option.string_key, option.value.empty() ? "true" : option.value[0]);
-    return values;
-  }
-  catch (const po::unknown_option& error) {
-    const std::string name = error.get_option_name();
-    throw UsageError(name + " is no option" +
-                     suggestion(name.substr(std::min(name.find_first_not_of('-'), name.size()))));
-  }
-  catch (const po::error& error) {
-    throw UsageError(error.what());
-  }
-}
-
-void
-setValues(Job& job, const NamedValues& values)
-{
-  std::set<std::string> seen;
-  for (const auto& [name, value] : values) {
-    if (name == "scan" && !seen.insert(name).second)
-      throw UsageError("a second scan, " + value + ", after " + job.scan + "; write -o before every output");
-    if (name != "output" && name != "scan" && !seen.insert(name).second)
-      throw UsageError("--" + name + " is given twice");
-    findOption(name)->set(job, value);
-    job.given.insert(name);
-  }
-}
-
-bool
-holds(const NamedValues& values, const std::string& name)
-{
-  return std::any_of(values.begin(), values.end(),
-                     [&name](const auto& value) { return value.first == name; });
-}
-
-} // namespace
 
 Job
 parseCommandLine(int argc, const char* const* argv)
 {
-  const NamedValues given = splitArguments(argc, argv);
   Job job;
   job.command = commandLine(argc, argv);
-  const auto config =
-      std::find_if(given.begin(), given.end(), [](const auto& v) { return v.first == "config"; });
-  if (config != given.end()) {
-    NamedValues filed = readJobFile(config->second);
-    filed.erase(
-        std::remove_if(filed.begin(), filed.end(), [&given](const auto& v) { return holds(given, v.first); }),
-        filed.end());
-    setValues(job, filed);
-  }
-  setValues(job, given);
+  job.given = setOptions(optionTable(job), argc, argv);
   return job;
 }
 
 void
 printHelp(std::ostream& out)
 {
+  Job job;
   out << "One continuous spiral toolpath over a scanned surface, for a ball cutter.\n\n"
          "  pcl_spiral_toolpath SCAN -o OUT... --tool-radius R --scallop H [options]\n\n"
          "  pcl_spiral_toolpath part.pcd --tool-radius 10 --scallop 0.05 -o part.csv -o part.vtp -o "
          "part.png\n\n"
          "Lengths are millimetres and angles degrees. Ends with 0 when done, 1 when the data or a file "
          "fails,\n"
-         "2 when the call is wrong or an option does not fit the scan; then no output is written or changed.\n"
-      << allOptions();
+         "2 when the call is wrong or an option does not fit the scan; then no output is written or changed.\n";
+  printOptions(out, optionTable(job));
 }

@@ -1,5 +1,5 @@
 /** \file
- *  From the command line and a job file to a job.
+ *  From the command line to a job.
  */
 #pragma once
 
@@ -7,7 +7,7 @@
 
 #include <ostream>
 
-/** The job, checked as far as it can be without the scan. \throw UsageError, pcl_spiral::FileError (job file)
+/** The job as called, with what its job file says; not checked. \throw UsageError, pcl_spiral::FileError (job file)
  */
 Job parseCommandLine(int argc, const char* const* argv);
 

@@ -1,6 +1,6 @@
 #include "console.h"
 #include "job_check.h"
-#include "program.h"
+#include "program/machine_moves.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>

@@ -3,24 +3,14 @@
  */
 #pragma once
 
-#include "terminal/terminal.h"
+#include "program/program_job.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
-#include <pcl_spiral/io/program_writer.h>
-#include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/toolpath/spiral_settings.h>
 
 #include <set>
 #include <string>
 #include <vector>
-
-/** The program of a machine, as the user described it. */
-struct ProgramJob {
-  std::string machine_file;
-  pcl_spiral::Dialect dialect = pcl_spiral::Dialect::LinuxCNC; ///< of .nc
-  pcl_spiral::ProgramSettings settings; ///< feed and ball radius are the path's
-  pcl_spiral::ProgramHeader header;
-};
 
 /** A run as the user described it. */
 struct Job {

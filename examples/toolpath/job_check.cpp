@@ -1,6 +1,7 @@
 #include "job_check.h"
-#include "program.h"
+#include "program/program_check.h"
 #include "terminal/file_names.h"
+#include "terminal/terminal.h"
 
 #include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/io/toolpath_writer.h>
@@ -98,7 +99,7 @@ std::vector<PictureName>
 picturesOf(const Job& job)
 {
   std::vector<PictureName> pictures{{PictureKind::Spiral, ""}, {PictureKind::Lines, "_lines"}};
-  if (hasProgram(job))
+  if (hasProgram(job.program, job.outputs))
     pictures.push_back({PictureKind::Rotary, "_rotary"});
   if (job.verify)
     pictures.insert(pictures.end(), {{PictureKind::Deviation, "_deviation"},
@@ -127,5 +128,5 @@ checkJob(const Job& job)
     throw UsageError("no scan is named; give one, such as part.pcd");
   checkCutter(job);
   checkOutputs(job);
-  checkProgram(job);
+  checkProgram(job.program, job.outputs, job.given);
 }

@@ -1,10 +1,12 @@
 #include "outputs.h"
 
 #include "job_check.h"
-#include "program.h"
+#include "program/program_check.h"
 #include "terminal/file_names.h"
+#include "terminal/terminal.h"
 
 #include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/path_exchange.h>
 #include <pcl_spiral/io/report_writer.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
@@ -60,6 +62,22 @@ writeReport(const Job& job, const Result& result, const std::string& title, Pict
                     pictures.forReport({PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram}));
 }
 
+/** A program, CLDATA or robot frames. */
+void
+writeMoves(const Job& job, const Result& result, const std::string& title, const std::string& output,
+           const std::string& file)
+{
+  const std::string extension = extensionOf(output);
+  ProgramHeader header = job.program.header;
+  header.title = title;
+  if (extension == ".yaml")
+    return writeRobotFrames(file, *result.path);
+  if (isProgram(output))
+    return writeProgram(file, *result.program, extension == ".ngc" ? Dialect::LinuxCNC : job.program.dialect, header);
+  writeAPT(file, ballPoses(*result.path, job.settings.tool_radius),
+           {title, ballCutter(job.settings.tool_radius), header.spindle_speed, job.settings.feed});
+}
+
 } // namespace
 
 void
@@ -85,7 +103,7 @@ try {
     else if (isReport(output))
       reports.push_back(files.temporary(i++));
     else if (isProgram(output) || isExchange(output))
-      writeMoves(job, result, output, files.temporary(i++));
+      writeMoves(job, result, title, output, files.temporary(i++));
     else
       writeToolpath(files.temporary(i++), *result.path, motion, values);
   }

@@ -15,7 +15,6 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -139,18 +138,6 @@ TEST(ToolpathFiles, CsvNumbersAreThoseOfPrintf)
     same += written == expected || (std::string(expected) == "-0.000000" && written == "0.000000");
   }
   EXPECT_EQ(same, path.size());
-}
-
-TEST(ToolpathFiles, CsvOfAMillionRowsIsFast)
-{
-  const ScratchFolder folder;
-  const auto path = spiral(1000000);
-  const auto start = std::chrono::steady_clock::now();
-  writeToolpathCSV(folder.path("a.csv"), path, motion);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  RecordProperty("seconds", std::to_string(seconds));
-  std::printf("a million rows in %.2f s\n", seconds);
-  EXPECT_LT(seconds, 3.0) << "well under a second where nothing else runs";
 }
 
 TEST(ToolpathFiles, PclReadsThemBack)

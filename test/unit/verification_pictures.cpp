@@ -11,7 +11,6 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -229,14 +228,10 @@ TEST_F(VerificationPicture, AGougeAmongManyPointsStaysVisible)
   VerificationScene with = scene(200000, 500, 1000);
   with.stock[100000] = -0.02f;
   with.deviation[250000] = 0.02f;
-  const auto start = std::chrono::steady_clock::now();
   const VerificationPictures pictures(with);
   pictures.writeStock(file);
   pictures.writeDeviation(folder.path("b.png"));
   pictures.writeHistogram(folder.path("c.png"));
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::printf("200,000 reference points, 500,000 path points: three pictures in %.2f s\n", seconds);
-  EXPECT_LT(seconds, 15.0);
   EXPECT_GE(find(file, is_gouge).count, 16U);
   EXPECT_GE(find(folder.path("b.png"), is_over).count, 16U);
 }

@@ -131,8 +131,17 @@ allOf(const Polyline& points, Holds holds)
   return all;
 }
 
-/** Whether the outline follows the ring it was fitted to, and stays by it or by the points behind it: the longest edge of
- *  the ring is six spacings, and may span a notch as deep. */
+/** Whether there is no point of the cloud between two places, in their middle. */
+bool
+isOpenBetween(const SurfaceGraph& graph, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  constexpr double open = 1.2; // spacings; among points the nearest is hardly ever farther than one
+  const Eigen::Vector3d middle = 0.5 * (a + b);
+  return (graph.position(graph.blocks().nearest(middle)) - middle).norm() > open * graph.spacing();
+}
+
+/** Whether the outline follows the ring it was fitted to, and stays by it or, where the ring spans a notch, by the points
+ *  in that: the longest edge of the ring is six spacings, and may span a notch as deep. */
 bool
 staysByRing(const OutlineDraft& draft, const Outline& outline)
 {
@@ -152,6 +161,15 @@ staysByRing(const OutlineDraft& draft, const Outline& outline)
   const auto isNear = [](const NearPoints& points, const Eigen::Vector3d& p, double reach) {
     return points.any(p, reach, [&](const Eigen::Vector3d& q, std::size_t) { return (q - p).norm() < reach; });
   };
+  const auto inNotch = [&](const Eigen::Vector3d& p) {
+    if (!isNear(by_edge, p, farthest_within * spacing))
+      return false;
+    Eigen::Vector3d nearest = middles.front();
+    for (const Eigen::Vector3d& middle : middles)
+      if ((middle - p).squaredNorm() < (nearest - p).squaredNorm())
+        nearest = middle;
+    return isOpenBetween(draft.surface().graph(), p, nearest);
+  };
   const auto byRing = [&](const Eigen::Vector3d& p) {
     return by_middle.any(p, farthest * spacing + 0.5 * longest, [&](const Eigen::Vector3d&, std::size_t i) {
       const Eigen::Vector3d a = ring[i], d = ring[(i + 1) % n] - a;
@@ -160,8 +178,7 @@ staysByRing(const OutlineDraft& draft, const Outline& outline)
     });
   };
   return allOf(ring, [&](const Eigen::Vector3d& p) { return isNear(by_curve, p, farthest_of_ring * spacing); }) &&
-         allOf(outline.curve,
-               [&](const Eigen::Vector3d& p) { return byRing(p) || isNear(by_edge, p, farthest_within * spacing); }) &&
+         allOf(outline.curve, [&](const Eigen::Vector3d& p) { return byRing(p) || inNotch(p); }) &&
          outline.curve.size() * node_step * spacing < 1.3 * length(ring, true);
 }
 

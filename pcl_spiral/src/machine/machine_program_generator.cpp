@@ -1,4 +1,5 @@
 #include "block_times.h"
+#include "half_turn.h"
 #include "limit_check.h"
 #include "tool_leads.h"
 #include "turn_passes.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl_spiral {
 namespace {
@@ -25,6 +27,12 @@ upOf(const Machine& machine)
   const Eigen::Vector3d& d = machine.rotary[0].direction;
   return std::abs(d.z()) > 0.5 ? Eigen::Vector3d(std::copysign(1.0, d.z()) * d) : Eigen::Vector3d::UnitZ();
 }
+
+/** A pass on the machine, in runs that the first axis can make. */
+struct MachinePass {
+  MachineLocations path;
+  std::vector<TurnPass> turns;
+};
 
 /** The direction of travel at location \p i of a pass; zero where there is none. */
 Eigen::Vector3d
@@ -66,6 +74,49 @@ addPass(const Kinematics& kinematics, const ToolLeads& leads, const MachineLocat
   blocks.insert(blocks.end(), exit.begin(), exit.end());
 }
 
+/** Angles, blocks and runs of the pass that comes after \p before; its arc lengths and turns go on from there. */
+Status
+layPass(const Kinematics& kinematics, const ProgramSettings& settings, const ToolPoses& poses,
+        const std::vector<MachinePass>& before, MachinePass& pass, ProgramReport& report)
+{
+  RotaryPath rotary;
+  if (const Status status =
+          rotaryPath(kinematics, poses, {settings.feed, settings.ball_radius, settings.pole_cone * radians}, rotary);
+      !status.ok())
+    return status;
+  if (!before.empty()) {
+    const MachineLocation& last = before.back().path.back();
+    const double begin = rotary.locations.front().angles.first, turn = nearestTurn(begin, last.angles.first) - begin;
+    for (MachineLocation& location : rotary.locations) {
+      location.arc_length += last.arc_length;
+      location.angles.first += turn;
+    }
+    for (PoleZone& zone : rotary.poles) {
+      zone.begin += last.arc_length;
+      zone.end += last.arc_length;
+    }
+  }
+  const MachineLocations split = splitBlocks(kinematics, rotary.branch, rotary.locations, settings.block);
+  pass.path = thinnedBlocks(kinematics, split, settings.thinning);
+  if (before.empty())
+    report.branch = rotary.branch;
+  report.poles.insert(report.poles.end(), rotary.poles.begin(), rotary.poles.end());
+  report.split_blocks += split.size() - poses.size();
+  report.thinned_poses += split.size() - pass.path.size();
+
+  std::size_t failed = 0;
+  const RotaryAxis& first = kinematics.machine().rotary[0];
+  pass.turns = turnPasses(pass.path, first, failed);
+  if (pass.turns.empty())
+    return {StatusCode::Failed,
+            textOf("at ", pass.path[failed].arc_length, " mm of the path ", first.letter, " stands at ",
+                   pass.path[failed].angles.first / radians,
+                   " degrees or whole turns from it, and cannot go on within its limits of ",
+                   first.range.lower / radians, " to ", first.range.upper / radians,
+                   " degrees; turn the part, or use a machine whose ", first.letter, " turns further")};
+  return Status::success();
+}
+
 void
 reportAngles(MachineProgram& program)
 {
@@ -92,20 +143,27 @@ reportAngles(MachineProgram& program)
 
 } // namespace
 
-void
-MachineProgramGenerator::setInputPath(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius)
+ToolPoses
+ballPoses(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius)
 {
-  settings_.ball_radius = ball_radius;
-  poses_.clear();
-  poses_.reserve(path.size());
+  ToolPoses poses;
+  poses.reserve(path.size());
   for (const ToolpathPoint& point : path) {
     ToolPose pose;
     pose.contact = point.getVector3fMap().cast<double>();
     pose.normal = point.getNormalVector3fMap().cast<double>().normalized();
     pose.axis = point.getAxisVector3fMap().cast<double>().normalized();
     pose.tip = pose.contact + ball_radius * (pose.normal - pose.axis);
-    poses_.push_back(pose);
+    poses.push_back(pose);
   }
+  return poses;
+}
+
+void
+MachineProgramGenerator::setInputPath(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius)
+{
+  settings_.ball_radius = ball_radius;
+  passes_ = {ballPoses(path, ball_radius)};
 }
 
 Status
@@ -113,6 +171,8 @@ MachineProgramGenerator::check() const
 {
   if (const Status status = checkMachine(machine_); !status.ok())
     return status;
+  if (passes_.empty())
+    return {StatusCode::InvalidInput, "no path was given; call setInputPath, setInputPoses or setInputPasses"};
   const ProgramSettings& s = settings_;
   const auto require = [](bool holds, const char* what, double value, const char* rule) {
     return holds ? std::string() : textOf("the ", what, " is ", value, "; ", rule);
@@ -147,38 +207,26 @@ MachineProgramGenerator::computeProgram(MachineProgram& program) const
   const Kinematics kinematics(machine_);
   program.machine = kinematics.machine();
   program.feed = settings_.feed;
-  RotaryPath rotary;
-  if (const Status status = rotaryPath(
-          kinematics, poses_, {settings_.feed, settings_.ball_radius, settings_.pole_cone * radians}, rotary);
-      !status.ok())
-    return status;
-  const MachineLocations split = splitBlocks(kinematics, rotary.branch, rotary.locations, settings_.block);
-  const MachineLocations path = thinnedBlocks(kinematics, split, settings_.thinning);
-  program.report.branch = rotary.branch;
-  program.report.poles = rotary.poles;
-  program.report.split_blocks = split.size() - poses_.size();
-  program.report.thinned_poses = split.size() - path.size();
-
-  std::size_t failed = 0;
-  const RotaryAxis& first = kinematics.machine().rotary[0];
-  const std::vector<TurnPass> passes = turnPasses(path, first, failed);
-  if (passes.empty())
-    return {StatusCode::Failed,
-            textOf("at ", path[failed].arc_length, " mm of the path ", first.letter, " stands at ",
-                   path[failed].angles.first / radians,
-                   " degrees or whole turns from it, and cannot go on within its limits of ",
-                   first.range.lower / radians, " to ", first.range.upper / radians,
-                   " degrees; turn the part, or use a machine whose ", first.letter, " turns further")};
-  const Eigen::Vector3d up = upOf(kinematics.machine());
-  double top = path.front().pose.tip.dot(up);
-  for (const MachineLocation& location : path)
-    top = std::max(top, location.pose.tip.dot(up));
-  const ToolLeads leads(kinematics, settings_, up, top + settings_.rapid_height);
-  for (const TurnPass& pass : passes) {
-    if (!program.blocks.empty())
-      program.report.unwound_at.push_back(path[pass.first].arc_length);
-    addPass(kinematics, leads, path, pass, program.blocks);
+  std::vector<MachinePass> passes;
+  for (const ToolPoses& poses : passes_) {
+    MachinePass pass;
+    if (const Status status = layPass(kinematics, settings_, poses, passes, pass, program.report); !status.ok())
+      return passes_.size() == 1 ? status
+                                 : Status(status.code(), textOf("pass ", passes.size() + 1, ": ", status.message()));
+    passes.push_back(std::move(pass));
   }
+  const Eigen::Vector3d up = upOf(kinematics.machine());
+  double top = -std::numeric_limits<double>::infinity();
+  for (const MachinePass& pass : passes)
+    for (const MachineLocation& location : pass.path)
+      top = std::max(top, location.pose.tip.dot(up));
+  const ToolLeads leads(kinematics, settings_, up, top + settings_.rapid_height);
+  for (const MachinePass& pass : passes)
+    for (const TurnPass& turn : pass.turns) {
+      if (turn.first > 0)
+        program.report.unwound_at.push_back(pass.path[turn.first].arc_length);
+      addPass(kinematics, leads, pass.path, turn, program.blocks);
+    }
   program.blocks.erase(std::unique(program.blocks.begin(), program.blocks.end(), stands),
                        program.blocks.end());
   setBlockTimes(kinematics, settings_.feed, program);

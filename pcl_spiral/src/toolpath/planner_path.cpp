@@ -9,11 +9,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
 
 constexpr double gap_in_spacings = 2.7; // on random points one in 10^9 lies so far from the next
+constexpr double slack = 1.05;         // steps stretch a little when put on the surface
 constexpr std::size_t chunk = 1u << 16; // path points between progress reports
 
 double
@@ -71,8 +73,47 @@ SpiralPlanner::putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& p
     if (!report(0.65 + 0.25 * static_cast<double>(end) / static_cast<double>(curve.size()), "projection"))
       return {StatusCode::Cancelled, "cancelled"};
   }
+  halveStretchedSteps(path);
   path.arc_lengths = arcLengths(path.contacts); // serial: a sum whose rounding depends on its order
   return reportGaps(path);
+}
+
+/** Steps that projection stretched beyond the longest one get a point in their middle. Those beyond the slack are left for
+ *  checkPath to refuse. */
+void
+SpiralPlanner::halveStretchedSteps(SpiralPath& path)
+{
+  const double longest = report_.largest_allowed_step;
+  std::vector<std::size_t> ends; // of the steps
+  std::vector<Eigen::Vector3d> queries;
+  for (std::size_t i = 1; i < path.contacts.size(); ++i) {
+    const double step = (path.contacts[i] - path.contacts[i - 1]).norm();
+    if (step > longest && step <= slack * longest) {
+      ends.push_back(i);
+      queries.push_back(0.5 * (path.contacts[i] + path.contacts[i - 1]));
+    }
+  }
+  if (ends.empty())
+    return;
+  std::vector<SurfaceFoot> feet;
+  surface_->project(queries, feet);
+  SpiralPath halved;
+  const auto add = [&halved](const Eigen::Vector3d& contact, const Eigen::Vector3d& normal, float turn, bool over_gap) {
+    halved.contacts.push_back(contact);
+    halved.normals.push_back(normal);
+    halved.turns.push_back(turn);
+    halved.over_gap.push_back(over_gap);
+  };
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < path.contacts.size(); ++i) {
+    if (next < ends.size() && ends[next] == i) {
+      if (feet[next].valid)
+        add(feet[next].position, feet[next].normal, 0.5f * (path.turns[i - 1] + path.turns[i]), isOverGap(feet[next]));
+      ++next;
+    }
+    add(path.contacts[i], path.normals[i], path.turns[i], path.over_gap[i] != 0);
+  }
+  path = std::move(halved);
 }
 
 /** Whether there is no point of the scan near, but perhaps one that was put into a gap. */
@@ -138,7 +179,6 @@ SpiralPlanner::setAxes(SpiralPath& path)
 Status
 SpiralPlanner::checkPath(const SpiralPath& path)
 {
-  constexpr double slack = 1.05; // steps stretch a little when put on the surface
   for (std::size_t i = 1; i < path.contacts.size(); ++i) {
     const double gap = (path.contacts[i] - path.contacts[i - 1]).norm();
     report_.largest_gap = std::max(report_.largest_gap, gap);

@@ -31,6 +31,9 @@ struct ProgramSettings {
   double rapid_height = 50.0; ///< rapids cross this far above the highest tip, mm
 };
 
+/** Poses of a ball cutter along \p path. */
+ToolPoses ballPoses(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);
+
 /** Lays a path on a machine: angles on one branch, unwound, blended at the pole; blocks split where the
  * machine would leave the path and thinned where it would not; a finite first axis retracts, unwinds and
  * comes back at its limit; leads; the time of every block, at the feed or as slow as the slowest axis asks;
@@ -61,14 +64,20 @@ public:
   void
   setInputPoses(const ToolPoses& poses)
   {
-    poses_ = poses;
+    passes_ = {poses};
+  }
+  /** The same for several passes: the tool leaves the surface after each and comes down to the next. */
+  void
+  setInputPasses(const std::vector<ToolPoses>& passes)
+  {
+    passes_ = passes;
   }
   /** The poses of a ball cutter of \p ball_radius mm along \p path; sets the ball radius too. */
   void setInputPath(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);
-  const ToolPoses&
-  getInputPoses() const
+  const std::vector<ToolPoses>&
+  getInputPasses() const
   {
-    return poses_;
+    return passes_;
   }
 
   void
@@ -97,7 +106,7 @@ private:
   Status computeProgram(MachineProgram& program) const;
 
   Machine machine_;
-  ToolPoses poses_;
+  std::vector<ToolPoses> passes_;
   ProgramSettings settings_;
   Status status_;
 };

@@ -62,7 +62,7 @@ private:
 
   const std::vector<RadialLine>& lines_;
   const TurnFunction& turns_;
-  const SpiralSettings& settings_;
+  SpiralSettings settings_;
   double spacing_;
   double max_step_;
   std::vector<double> active_from_; ///< share of each line below which it is too close to its neighbours to be used

@@ -59,6 +59,7 @@ private:
   Status putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& path);
   bool isOverGap(const SurfaceFoot& foot) const;
   Status reportGaps(const SpiralPath& path);
+  void halveStretchedSteps(SpiralPath& path);
   Status setAxes(SpiralPath& path);
   Status checkPath(const SpiralPath& path);
   bool report(double share, const std::string& stage);

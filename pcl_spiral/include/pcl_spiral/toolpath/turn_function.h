@@ -61,7 +61,7 @@ private:
   double turnsNeeded(const std::vector<std::vector<Station>>& measured) const;
 
   const std::vector<RadialLine>& lines_;
-  const SpiralSettings& settings_;
+  SpiralSettings settings_;
   double spacing_;
   double max_step_;
   std::vector<std::vector<Station>> stations_;

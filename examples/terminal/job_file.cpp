@@ -1,5 +1,4 @@
 #include "job_file.h"
-#include "option_table.h"
 
 #include <pcl_spiral/io/file_error.h>
 
@@ -41,7 +40,7 @@ load(const std::string& file)
 } // namespace
 
 NamedValues
-readJobFile(const std::string& file)
+readJobFile(const std::string& file, const OptionTable& table)
 {
   const YAML::Node root = load(file);
   if (!root.IsMap())
@@ -49,8 +48,8 @@ readJobFile(const std::string& file)
   NamedValues values;
   for (const auto& entry : root) {
     const std::string name = scalar(file, entry.first);
-    if (!findOption(name) || name == "config" || name == "help" || name == "version")
-      throw UsageError(file + ": " + line(entry.first) + "'" + name + "' is no setting" + suggestion(name));
+    if (!findOption(table, name) || name == "config" || name == "help" || name == "version")
+      throw UsageError(file + ": " + line(entry.first) + "'" + name + "' is no setting" + suggestion(table, name));
     if (!entry.second.IsSequence()) {
       values.emplace_back(name, scalar(file, entry.second));
       continue;

@@ -3,6 +3,8 @@
  */
 #pragma once
 
+#include "option_table.h"
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +13,6 @@
 using NamedValues = std::vector<std::pair<std::string, std::string>>;
 
 /** The options in a YAML map of names and values. Lists become comma-separated words; a list under output
- * stands for several outputs. \throw UsageError for a name that is no option, pcl_spiral::FileError for a
+ * stands for several outputs. \throw UsageError for a name that is not in \p table, pcl_spiral::FileError for a
  * file that is no map */
-NamedValues readJobFile(const std::string& file);
+NamedValues readJobFile(const std::string& file, const OptionTable& table);

@@ -1,0 +1,82 @@
+#include "program_check.h"
+#include "terminal/file_names.h"
+#include "terminal/terminal.h"
+
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/io/setting_names.h>
+
+#include <algorithm>
+
+using namespace pcl_spiral;
+
+namespace {
+
+constexpr double degrees = 180.0 / 3.14159265358979323846;
+
+void
+require(bool holds, const std::string& option, double value, const std::string& rule)
+{
+  if (!holds)
+    throw UsageError("--" + option + " " + textOf(value) + ": " + rule);
+}
+
+} // namespace
+
+bool
+isProgram(const std::string& output)
+{
+  const std::string extension = extensionOf(output);
+  return extension == ".ngc" || extension == ".nc";
+}
+
+bool
+isExchange(const std::string& output)
+{
+  const std::string extension = extensionOf(output);
+  return extension == ".apt" || extension == ".cls" || extension == ".yaml";
+}
+
+bool
+hasProgram(const ProgramJob& program, const std::vector<std::string>& outputs)
+{
+  return !program.machine_file.empty() || std::any_of(outputs.begin(), outputs.end(), isProgram);
+}
+
+void
+checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs, const std::set<std::string>& given)
+{
+  const ProgramSettings& s = program.settings;
+  for (const std::string& output : outputs) {
+    if (!isProgram(output))
+      continue;
+    if (extensionOf(output) == ".nc" && program.machine_file.empty())
+      throw UsageError("-o " + output +
+                       ": no --machine is given; name the machine's file, such as --machine xyzac.yaml "
+                       "(some are in examples/machines, installed in share/pcl_spiral)");
+    if (extensionOf(output) == ".nc" && given.count("dialect") == 0)
+      throw UsageError("-o " + output + ": no --dialect is given; it must be one of " +
+                       choiceList<Dialect>());
+    if (extensionOf(output) == ".nc" && program.header.tool == 0)
+      throw UsageError("-o " + output + ": no --tool is given; the control takes the tool's length by its number: "
+                                        "--tool 3");
+  }
+  const bool other_language = given.count("dialect") > 0 && program.dialect != Dialect::LinuxCNC;
+  if (other_language && std::none_of(outputs.begin(), outputs.end(),
+                                     [](const std::string& output) { return extensionOf(output) == ".nc"; }))
+    throw UsageError("--dialect " + choiceName(program.dialect) +
+                     ": no output is in that language; write a .nc (a .ngc is LinuxCNC's)");
+  require(s.lead_length > 0.0, "lead-length", s.lead_length, "must be above 0 mm");
+  require(s.clearance > 0.0, "clearance", s.clearance, "must be above 0 mm");
+  require(s.rapid_height > 0.0, "rapid-height", s.rapid_height, "must be above 0 mm");
+  require(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole-cone", s.pole_cone,
+          "must lie between 0 and 90 degrees");
+  require(s.block.tip >= BlockTolerance::least_tip, "block-tolerance", s.block.tip, "must be 0.0001 mm or more");
+  require(s.block.axis >= BlockTolerance::least_axis, "block-tolerance", s.block.axis * degrees,
+          "must be 0.00006 degrees or more");
+  require(s.thinning.tip >= 0.0, "thin-blocks", s.thinning.tip, "must not be below 0 mm");
+  require(s.thinning.axis >= 0.0, "thin-blocks", s.thinning.axis * degrees, "must not be below 0 degrees");
+  const ProgramHeader& header = program.header;
+  require(header.spindle_speed >= 0.0, "spindle", header.spindle_speed, "must be above 0 rev/min");
+  require(header.tool >= 0, "tool", header.tool, "must be above 0");
+  require(header.decimals >= 3 && header.decimals <= 6, "decimals", header.decimals, "must be 3 to 6");
+}

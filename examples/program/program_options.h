@@ -1,0 +1,9 @@
+/** \file
+ *  Options for the program of a machine.
+ */
+#pragma once
+
+#include "program_job.h"
+#include "terminal/option_table.h"
+
+OptionGroup programOptions(ProgramJob& program);

@@ -1,0 +1,17 @@
+/** \file
+ *  From the command line and a job file to options set.
+ */
+#pragma once
+
+#include "option_table.h"
+
+#include <ostream>
+#include <set>
+#include <string>
+
+/** Sets the options of \p table as called; a word without a name is the option scan, and what --config names is
+ *  read as a job file, which the command line wins over. \return the names that were set. \throw UsageError,
+ *  pcl_spiral::FileError (job file) */
+std::set<std::string> setOptions(const OptionTable& table, int argc, const char* const* argv);
+
+void printOptions(std::ostream& out, const OptionTable& table);

@@ -1,0 +1,62 @@
+/** \file
+ *  Options of a program: their words, their help, and what they set.
+ */
+#pragma once
+
+#include "option_values.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/** One option, on the command line and in a job file alike. */
+struct Option {
+  std::string name;
+  std::string argument; ///< its name in the help; empty: a switch without a value
+  std::string help;
+  std::function<void(const std::string& value)> set; ///< throws UsageError
+};
+
+/** Options that belong together in the help. */
+struct OptionGroup {
+  std::string title;
+  std::vector<Option> options;
+};
+
+/** All options of a program, bound to what they set, which must outlive them. */
+using OptionTable = std::vector<OptionGroup>;
+
+/** The option of that name; null where there is none. */
+const Option* findOption(const OptionTable& table, const std::string& name);
+
+/** "; did you mean 'scallop'?" where an option's name is near; else empty. */
+std::string suggestion(const OptionTable& table, const std::string& name);
+
+/** An option for a number. */
+Option numberOption(const std::string& name, const std::string& argument, const std::string& help, double& target);
+
+/** An option for a whole number. */
+Option wholeNumberOption(const std::string& name, const std::string& argument, const std::string& help, int& target);
+
+/** An option for words, as they are. */
+Option textOption(const std::string& name, const std::string& argument, const std::string& help, std::string& target);
+
+/** An option for a place or a direction, X,Y,Z; \p target is a vector or an optional one. */
+template <typename Place>
+Option
+placeOption(const std::string& name, const std::string& help, Place& target)
+{
+  return {name, "X,Y,Z", help, [name, &target](const std::string& value) { target = placeValue(name, value); }};
+}
+
+/** An option for a choice, by its words. */
+template <typename Enum>
+Option
+choiceOption(const std::string& name, const std::string& help, Enum& target)
+{
+  return {name, pcl_spiral::choiceList<Enum>(), help,
+          [name, &target](const std::string& value) { target = choiceValue<Enum>(name, value); }};
+}
+
+/** A switch. */
+Option switchOption(const std::string& name, const std::string& help, bool& target);

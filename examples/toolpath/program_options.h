@@ -1,8 +1,0 @@
-/** \file
- *  Options for the program of a machine.
- */
-#pragma once
-
-#include "option_table.h"
-
-OptionGroup programOptions();
