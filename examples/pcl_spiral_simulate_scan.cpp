@@ -1,5 +1,5 @@
-// Simulates a line-laser scan of a tank dome: scan lines, noise, a few outliers, a shadow. The same seed
-// gives the same file.
+// Simulates a line-laser scan of a tank dome: scan lines, noise, a few outliers, a shadow; or of a column on a
+// turntable. The same seed gives the same file.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/output_files.h>
 
@@ -23,6 +23,7 @@ namespace {
 
 /** What is scanned and how; lengths in mm. */
 struct Scan {
+  std::string part = "dome";
   double radius = 300;      ///< of the tank: horizontal semi-axis of the dome, a spheroid
   double height = 156;      ///< of the dome: its vertical semi-axis
   double rim = 270;         ///< radius at which the part ends
@@ -106,17 +107,52 @@ simulate(const Scan& scan)
   return cloud;
 }
 
+/** Radius of a column with five twisted lobes and a waist: from every side a part of it hides behind another. */
+double
+columnRadius(const Scan& scan, double angle, double z)
+{
+  return scan.radius * (1 + 0.05 * std::sin(5 * angle + 2 * M_PI * z / (2.5 * scan.radius)) +
+                        0.1 * std::sin(2 * M_PI * z / (2 * scan.radius)));
+}
+
+/** The column turns before an upright line of light; a line at a time. */
+pcl::PointCloud<pcl::PointXYZ>
+simulateColumn(const Scan& scan)
+{
+  std::mt19937_64 random(scan.seed);
+  std::normal_distribution<double> noise(0, 1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  const int lines = static_cast<int>(std::ceil(2 * M_PI * scan.radius / scan.line_spacing));
+  const int points = static_cast<int>(scan.height / scan.point_spacing);
+  for (int line = 0; line < lines; ++line) {
+    const double angle = 2 * M_PI * line / lines, phase = uniform(random);
+    for (int i = 0; i < points; ++i) {
+      const double z = (i + phase) * scan.point_spacing;
+      const double error =
+          uniform(random) < scan.outliers ? strayDistance(uniform(random)) : scan.noise * noise(random);
+      const double r = columnRadius(scan, angle, z) + error;
+      cloud.emplace_back(static_cast<float>(r * std::cos(angle)), static_cast<float>(r * std::sin(angle)),
+                         static_cast<float>(z));
+    }
+  }
+  return cloud;
+}
+
 /** What is wrong with the options, or nothing. */
 std::string
 complaint(const Scan& s)
 {
+  if (s.part != "dome" && s.part != "column")
+    return "--part " + s.part + " is not known; use dome or column";
   if (!(s.radius > 0 && s.height > 0 && s.line_spacing > 0 && s.point_spacing > 0 && s.standoff > 0))
     return "radius, height, spacings and standoff must be above 0 mm";
-  if (!(s.rim > 0 && s.rim <= s.radius))
+  if (s.part == "dome" && !(s.rim > 0 && s.rim <= s.radius))
     return "--rim must be above 0 and no larger than --radius";
   if (!(s.noise >= 0 && s.shadow >= 0 && s.outliers >= 0 && s.outliers < 1))
     return "--noise and --shadow must not be negative, --outliers must be a share from 0 to 1";
-  if (s.rim / s.line_spacing * s.rim / s.point_spacing > 1e8)
+  const double across = s.part == "dome" ? s.rim : 2 * s.radius, along = s.part == "dome" ? s.rim : s.height;
+  if (across / s.line_spacing * along / s.point_spacing > 1e8)
     return "that is over 400 million points: enlarge --line-spacing or --point-spacing";
   return "";
 }
@@ -128,13 +164,14 @@ main(int argc, char** argv)
 try {
   Scan s;
   std::string file;
-  po::options_description options("Simulate a line-laser scan of a tank dome. Lengths in mm.\n"
+  po::options_description options("Simulate a line-laser scan of a tank dome, or of a column. Lengths in mm.\n"
                                   "  pcl_spiral_simulate_scan -o dome.pcd --noise 0.05\nOptions");
   auto add = options.add_options();
   add("help,h", "this text");
   add("output,o", po::value(&file)->required(), "file to write, .pcd or .ply");
-  add("radius", po::value(&s.radius)->default_value(s.radius), "radius of the tank");
-  add("height", po::value(&s.height)->default_value(s.height), "height of the whole dome");
+  add("part", po::value(&s.part)->default_value(s.part), "dome, or column: round z, with lobes, a waist and undercuts");
+  add("radius", po::value(&s.radius)->default_value(s.radius), "of the tank; mean radius of the column");
+  add("height", po::value(&s.height)->default_value(s.height), "of the whole dome; of the column");
   add("rim", po::value(&s.rim)->default_value(s.rim), "radius at which the part ends");
   add("line-spacing", po::value(&s.line_spacing)->default_value(s.line_spacing), "between scan lines");
   add("point-spacing", po::value(&s.point_spacing)->default_value(s.point_spacing),
@@ -158,7 +195,7 @@ try {
   if (!wrong.empty())
     throw po::error(wrong);
 
-  const auto cloud = simulate(s);
+  const auto cloud = s.part == "dome" ? simulate(s) : simulateColumn(s);
   if (cloud.empty()) {
     std::cerr << "the scanner saw nothing: use finer spacings\n";
     return 1;

@@ -85,6 +85,15 @@ writeTexts(const fs::path& folder)
                                   "[\"a.html\"], \"origin\": [1, 2.5, -3]}\n");
 }
 
+/** The machine files of the examples. */
+void
+copyMachines(const fs::path& folder)
+{
+  fs::create_directories(folder / "machine");
+  for (const auto& file : fs::directory_iterator(PCL_SPIRAL_MACHINES_DIR))
+    fs::copy(file.path(), folder / "machine" / file.path().filename());
+}
+
 /** Each under the byte that tells the fuzzer its format. */
 void
 writeToolpaths(const fs::path& folder)
@@ -126,5 +135,6 @@ main(int argc, char** argv)
   writeScans(folder, "rich", rich);
   writeTexts(folder);
   writeToolpaths(folder);
+  copyMachines(folder);
   return 0;
 }

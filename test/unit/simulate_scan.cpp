@@ -138,3 +138,22 @@ TEST_F(SimulateScan, refusesWhatItCannotDoAndLeavesNoFile)
 }
 
 } // namespace
+
+TEST_F(SimulateScan, ColumnHasItsRadiusAllRound)
+{
+  const double mean = 30.0;
+  const Cloud cloud =
+      scan("--part column --radius 30 --height 60 --line-spacing 1 --point-spacing 0.5 --noise 0 --outliers 0");
+  ASSERT_EQ(cloud.size(), 189U * 120U);
+  double least = 1e9, largest = 0;
+  for (const auto& p : cloud) {
+    const double angle = std::atan2(p.y, p.x), r = std::hypot(p.x, p.y);
+    const double lobes = 0.05 * std::sin(5 * angle + p.z * 2 * M_PI / 75), waist = 0.1 * std::sin(p.z * 2 * M_PI / 60);
+    ASSERT_NEAR(r, mean * (1 + lobes + waist), 1e-4);
+    least = std::min(least, r);
+    largest = std::max(largest, r);
+  }
+  EXPECT_LT(least, 0.87 * mean);
+  EXPECT_GT(largest, 1.13 * mean);
+  EXPECT_EQ(run("-o " + file("a.pcd") + " --part cone"), 2);
+}

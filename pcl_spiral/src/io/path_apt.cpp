@@ -3,6 +3,7 @@
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_spiral {
@@ -45,6 +46,19 @@ AptCutter
 ballCutter(double radius)
 {
   return {2.0 * radius, radius, 0.0, radius, 0.0, 0.0, 4.0 * radius};
+}
+
+AptCutter
+aptCutter(const CutterProfile& cutter)
+{
+  const double widening = std::tan(cutter.flankAngle());
+  return {2.0 * (cutter.flankRadius() - cutter.cornerHeight() * widening),
+          cutter.cornerRadius(),
+          cutter.flatRadius(),
+          cutter.cornerRadius(),
+          0.0,
+          cutter.shape().flank_angle,
+          std::max(cutter.topHeight(), 2.0 * cutter.radius())};
 }
 
 void

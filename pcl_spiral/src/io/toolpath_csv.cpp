@@ -37,19 +37,19 @@ writeGapMark(char* out, const pcl::PointCloud<ToolpathPoint>& path, std::size_t 
 }
 
 char*
-writeRow(char* out, const ToolpathPoint& point, const ToolpathMotion& motion)
+writeRow(char* out, const ToolpathPoint& point, std::size_t i, const ToolpathMotion& motion)
 {
-  const Eigen::Vector3d tip = toolTip(point, motion.tool_radius);
+  const Eigen::Vector3d tip = motion.tips.empty() ? toolTip(point, motion.tool_radius) : motion.tips[i];
   out = writeField<6>(out, point.turn);
   out = writeField<6>(out, point.arc_length);
-  for (int i = 0; i < 3; ++i)
-    out = writeField<6>(out, point.data[i]);
-  for (int i = 0; i < 3; ++i)
-    out = writeField<9>(out, point.data_n[i]);
-  for (int i = 0; i < 3; ++i)
-    out = writeField<6>(out, tip[i]);
-  for (int i = 0; i < 3; ++i)
-    out = writeField<9>(out, point.data_axis[i]);
+  for (int c = 0; c < 3; ++c)
+    out = writeField<6>(out, point.data[c]);
+  for (int c = 0; c < 3; ++c)
+    out = writeField<9>(out, point.data_n[c]);
+  for (int c = 0; c < 3; ++c)
+    out = writeField<6>(out, tip[c]);
+  for (int c = 0; c < 3; ++c)
+    out = writeField<9>(out, point.data_axis[c]);
   out = writeFixed<3>(out, motion.feed);
   *out++ = '\n';
   return out;
@@ -75,7 +75,7 @@ writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
         if (blocks[b].size() < size + room)
           blocks[b].resize(2 * size + room + usual_row * (last - first));
         char* const row = blocks[b].data() + size;
-        size += static_cast<std::size_t>(writeRow(writeGapMark(row, path, i), path[i], motion) - row);
+        size += static_cast<std::size_t>(writeRow(writeGapMark(row, path, i), path[i], i, motion) - row);
       }
       blocks[b].resize(size);
     }

@@ -51,7 +51,7 @@ addValues(vtkPointData* arrays, const char* name, const std::vector<Value>& valu
 }
 
 vtkSmartPointer<vtkPolyData>
-polyData(const pcl::PointCloud<ToolpathPoint>& path, double feed, const PathValues& values)
+polyData(const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion, const PathValues& values)
 {
   using P = ToolpathPoint;
   vtkNew<vtkPoints> points;
@@ -59,7 +59,12 @@ polyData(const pcl::PointCloud<ToolpathPoint>& path, double feed, const PathValu
   std::vector<vtkIdType> order(path.size());
   std::iota(order.begin(), order.end(), 0);
   vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<vtkIdType>(order.size()), order.data());
+  std::vector<std::size_t> begins{0};
+  begins.insert(begins.end(), motion.passes.begin(), motion.passes.end());
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : order.size();
+    lines->InsertNextCell(static_cast<vtkIdType>(end - begins[i]), order.data() + begins[i]);
+  }
 
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
@@ -71,8 +76,8 @@ polyData(const pcl::PointCloud<ToolpathPoint>& path, double feed, const PathValu
       pointArray<vtkFloatArray>("ToolAxis", 3, path, [](const P& p, int c) { return p.data_axis[c]; }));
   if (!values.feed.empty())
     addValues(arrays, "Feed", values.feed);
-  else if (feed > 0.0)
-    addValues(arrays, "Feed", std::vector<double>(path.size(), feed));
+  else if (motion.feed > 0.0)
+    addValues(arrays, "Feed", std::vector<double>(path.size(), motion.feed));
   arrays->AddArray(pointArray<vtkFloatArray>("Turn", 1, path, [](const P& p, int) { return p.turn; }));
   arrays->AddArray(
       pointArray<vtkDoubleArray>("ArcLength", 1, path, [](const P& p, int) { return p.arc_length; }));
@@ -106,7 +111,7 @@ writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
   const QuietVtk quiet;
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->WriteToOutputStringOn();
-  writer->SetInputData(polyData(path, motion.feed, values));
+  writer->SetInputData(polyData(path, motion, values));
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToNone();

@@ -3,6 +3,8 @@
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
+#include <stdexcept>
+
 namespace pcl_spiral {
 
 const std::vector<std::string>&
@@ -18,6 +20,9 @@ writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& pat
 {
   if (path.empty())
     throw FileError(file, "not written: the path has no points");
+  if (!motion.tips.empty() && motion.tips.size() != path.size())
+    throw std::invalid_argument(std::to_string(motion.tips.size()) + " tips for " + std::to_string(path.size()) +
+                                " path points; one a point is needed");
   const std::string extension = lowerExtension(file);
   if (extension == ".csv")
     writeToolpathCSV(file, path, motion);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/machine/tool_pose.h>
 
 #include <pcl/point_cloud.h>
@@ -25,6 +26,8 @@ struct AptCutter {
 
 /** A ball cutter as long as four times its radius. */
 AptCutter ballCutter(double radius);
+/** A cutter of any shape; its diameter is where the flank would meet the plane through the tip. */
+AptCutter aptCutter(const CutterProfile& cutter);
 
 /** What a CLDATA file says beyond its locations. */
 struct AptHeader {

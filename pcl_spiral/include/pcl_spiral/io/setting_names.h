@@ -6,6 +6,7 @@
 #include <pcl_spiral/io/length_unit.h>
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
+#include <pcl_spiral/toolpath/drive_settings.h>
 #include <pcl_spiral/toolpath/spiral_settings.h>
 
 #include <array>
@@ -70,6 +71,22 @@ template <>
 struct ChoiceNames<LeadKind> {
   static constexpr std::array<std::pair<LeadKind, const char*>, 2> words{
       {{LeadKind::Normal, "normal"}, {LeadKind::Arc, "arc"}}};
+};
+template <>
+struct ChoiceNames<DriveKind> {
+  static constexpr std::array<std::pair<DriveKind, const char*>, 5> words{{{DriveKind::Planes, "planes"},
+                                                                           {DriveKind::Helix, "helix"},
+                                                                           {DriveKind::Rings, "rings"},
+                                                                           {DriveKind::Curve, "curve"},
+                                                                           {DriveKind::BoundaryOffset, "offset"}}};
+};
+template <>
+struct ChoiceNames<DriveAxisMode> {
+  static constexpr std::array<std::pair<DriveAxisMode, const char*>, 4> words{
+      {{DriveAxisMode::Fixed, "fixed"},
+       {DriveAxisMode::Cylinder, "cylinder"},
+       {DriveAxisMode::LocalPlane, "plane"},
+       {DriveAxisMode::Surface, "surface"}}};
 };
 
 /** The word for \p choice. */

@@ -18,6 +18,8 @@ namespace pcl_spiral {
 struct ToolpathMotion {
   double tool_radius = 0.0; ///< ball radius, mm; places the tip
   double feed = 0.0;        ///< at the contact, mm/min
+  std::vector<Eigen::Vector3d> tips; ///< of a cutter that is no ball, one a point; empty: of the ball
+  std::vector<std::size_t> passes;   ///< where the second pass begins, and each further one; empty: one pass
 };
 
 /** More values of a path, one a point; empty: none. */
@@ -52,7 +54,7 @@ void writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoi
  * normal has the names that mesh viewers know; PCL reads them back as normal_x.. \throw FileError */
 void writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
 
-/** One polyline with point data Normals, ToolAxis, Feed (where one is known), Turn, ArcLength, and of \p values what is
+/** One polyline a pass, with point data Normals, ToolAxis, Feed (where one is known), Turn, ArcLength, and of \p values what is
  * given as Deviation and Scallop. \throw FileError, std::invalid_argument for values that are not one a point */
 void writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
                       const ToolpathMotion& motion, const PathValues& values = {});

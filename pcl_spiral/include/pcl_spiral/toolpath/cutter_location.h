@@ -7,6 +7,8 @@
 #include <pcl_spiral/common/progress.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/toolpath/cutter_locator.h>
+#include <pcl_spiral/toolpath/drive_pass.h>
+#include <pcl_spiral/toolpath/location_bisection.h>
 
 #include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
@@ -44,7 +46,10 @@ public:
   setDrivePoints(DrivePoints points)
   {
     drive_points_ = std::move(points);
+    pass_sizes_ = {drive_points_.size()};
   }
+  /** The same of several passes, such as those of DrivePath; the first point of a ring is repeated at its end. */
+  void setDrivePasses(const DrivePasses& passes);
   const DrivePoints&
   getDrivePoints() const
   {
@@ -128,6 +133,19 @@ public:
     return options_.max_retilt;
   }
 
+  /** Put locations between those of the drive points until no straight move of the cutter cuts deeper into the
+   * surface than this, mm, nor leaves more of it; 0, the default: none. \see bisectLocations */
+  void
+  setPathTolerance(double tolerance)
+  {
+    path_tolerance_ = tolerance;
+  }
+  double
+  getPathTolerance() const
+  {
+    return path_tolerance_;
+  }
+
   /** Threads to use; 0, the default, means all. */
   void
   setNumberOfThreads(int threads)
@@ -161,10 +179,12 @@ public:
     return surface_;
   }
 
-  /** Locate. \p locations has one a drive point, in their order, cloud_index in the input cloud; it is empty
-   * on failure: no cloud, no finite point, no drive point or one that is not finite or has no axis, a setting
+  /** Locate. \p locations has one a drive point, in their order, and with a path tolerance those put in
+   * between, cloud_index in the input cloud; it is empty on failure: no cloud, no finite point, no drive point or one that is not finite or has no axis, a setting
    * out of range, no surface in the points (unless Evaluation::Points), or cancelled. */
   void compute(ToolLocations& locations);
+  /** The same by passes. */
+  void compute(std::vector<ToolLocations>& passes);
 
   const Status&
   getStatus() const
@@ -177,15 +197,24 @@ public:
   {
     return figures_;
   }
+  /** What a path tolerance came to. */
+  const BisectionFigures&
+  getBisectionFigures() const
+  {
+    return bisection_figures_;
+  }
 
 private:
   Status check() const;
-  Status run(ToolLocations& locations);
+  Status run(std::vector<ToolLocations>& passes);
+  std::vector<ToolLocations> inPasses(const ToolLocations& locations) const;
 
   using pcl::PCLBase<PointT>::input_;
   using pcl::PCLBase<PointT>::indices_;
 
-  DrivePoints drive_points_;
+  DrivePoints drive_points_; ///< of all passes
+  std::vector<std::size_t> pass_sizes_;
+  double path_tolerance_ = 0.0;
   CutterShape cutter_;
   LocationOptions options_;
   int thread_count_ = 0;
@@ -193,6 +222,7 @@ private:
   std::shared_ptr<const ScannedLocationSurface> given_surface_, surface_;
   Status status_;
   LocationFigures figures_;
+  BisectionFigures bisection_figures_;
 };
 
 /** What is wrong with drive points: none, one that is not finite, one without an axis. */

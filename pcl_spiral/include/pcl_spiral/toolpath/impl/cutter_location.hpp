@@ -22,6 +22,21 @@ CutterLocation<PointT>::setDrivePath(const Path& path)
     drive_points_.push_back({p.getVector3fMap().template cast<double>(),
                              p.getAxisVector3fMap().template cast<double>(),
                              p.getNormalVector3fMap().template cast<double>()});
+  pass_sizes_ = {drive_points_.size()};
+}
+
+template <typename PointT>
+void
+CutterLocation<PointT>::setDrivePasses(const DrivePasses& passes)
+{
+  drive_points_.clear();
+  pass_sizes_.clear();
+  for (const DrivePass& pass : passes) {
+    drive_points_.insert(drive_points_.end(), pass.points.begin(), pass.points.end());
+    if (pass.closed && !pass.points.empty())
+      drive_points_.push_back(pass.points.front());
+    pass_sizes_.push_back(pass.points.size() + (pass.closed && !pass.points.empty()));
+  }
 }
 
 template <typename PointT>
@@ -45,6 +60,9 @@ CutterLocation<PointT>::check() const
   if (!(options_.max_retilt >= 0.0) || !(options_.max_retilt <= 90.0))
     return {StatusCode::InvalidArgument,
             textOf("the largest retilt is ", options_.max_retilt, " degrees; set it between 0 and 90")};
+  if (!(path_tolerance_ >= 0.0) || !std::isfinite(path_tolerance_))
+    return {StatusCode::InvalidArgument,
+            textOf("the path tolerance is ", path_tolerance_, " mm; set it above 0, or to 0 for none")};
   if (thread_count_ < 0)
     return {StatusCode::InvalidArgument,
             textOf("the number of threads is ", thread_count_, "; set 0 for all, or a count")};
@@ -53,7 +71,7 @@ CutterLocation<PointT>::check() const
 
 template <typename PointT>
 Status
-CutterLocation<PointT>::run(ToolLocations& locations)
+CutterLocation<PointT>::run(std::vector<ToolLocations>& passes)
 {
   if (const Status status = check(); !status.ok())
     return status;
@@ -71,25 +89,64 @@ CutterLocation<PointT>::run(ToolLocations& locations)
     surface_ = made;
   }
   const CutterLocator locator(surface_->surface, CutterProfile(cutter_), options_);
+  ToolLocations locations;
   if (const Status status = locator.locate(drive_points_, progress_, locations); !status.ok())
     return status;
+  std::vector<ToolLocations> located = inPasses(locations);
+  if (path_tolerance_ > 0.0) {
+    BisectionSettings settings;
+    settings.tolerance = path_tolerance_;
+    if (const Status status = bisectLocations(locator, settings, progress_, located, bisection_figures_);
+        !status.ok())
+      return status;
+    locations.clear();
+    for (const ToolLocations& pass : located)
+      locations.insert(locations.end(), pass.begin(), pass.end());
+  }
   figures_ = locator.figures(locations);
-  for (ToolLocation& location : locations)
-    if (location.state != LocationState::NoCloud) {
-      location.cloud_index = surface_->source[location.cloud_index];
-      location.collision.cloud_index = surface_->source[location.collision.cloud_index];
-    }
+  passes = std::move(located);
+  for (ToolLocations& pass : passes)
+    for (ToolLocation& location : pass)
+      if (location.state != LocationState::NoCloud) {
+        location.cloud_index = surface_->source[location.cloud_index];
+        location.collision.cloud_index = surface_->source[location.collision.cloud_index];
+      }
   return Status::success();
+}
+
+template <typename PointT>
+std::vector<ToolLocations>
+CutterLocation<PointT>::inPasses(const ToolLocations& locations) const
+{
+  std::vector<ToolLocations> passes;
+  auto next = locations.begin();
+  for (const std::size_t size : pass_sizes_) {
+    passes.emplace_back(next, next + static_cast<std::ptrdiff_t>(size));
+    next += static_cast<std::ptrdiff_t>(size);
+  }
+  return passes;
 }
 
 template <typename PointT>
 void
 CutterLocation<PointT>::compute(ToolLocations& locations)
 {
+  std::vector<ToolLocations> passes;
+  compute(passes);
   locations.clear();
+  for (const ToolLocations& pass : passes)
+    locations.insert(locations.end(), pass.begin(), pass.end());
+}
+
+template <typename PointT>
+void
+CutterLocation<PointT>::compute(std::vector<ToolLocations>& passes)
+{
+  passes.clear();
   figures_ = LocationFigures();
+  bisection_figures_ = BisectionFigures();
   surface_.reset();
-  status_ = run(locations);
+  status_ = run(passes);
   if (!status_.ok() && status_.code() != StatusCode::Cancelled)
     PCL_ERROR("[pcl_spiral::CutterLocation::compute] %s.\n", status_.message().c_str());
 }

@@ -1,0 +1,149 @@
+#include "command_line.h"
+#include "job_check.h"
+#include "program/program_options.h"
+#include "terminal/command_line.h"
+#include "terminal/file_names.h"
+
+#include <algorithm>
+
+using pcl_spiral::DriveAxisMode;
+
+namespace {
+
+OptionGroup
+files(Job& job)
+{
+  return {"Files",
+          {textOption("scan", "FILE",
+                      "the scan: .pcd .ply .xyz .txt .csv .asc .stl .obj; the name alone is enough: part.pcd", job.scan),
+           {"output", "FILE",
+            "what to write, by extension; give it once a file: -o part.csv -o part.ngc\n"
+            ".csv .pcd .ply .vtp  the path; Turn counts passes\n"
+            ".ngc .nc  program of a five-axis machine; see --machine\n"
+            ".apt .cls  CLDATA    .yaml  robot frames, of a single pass\n"
+            ".json  report: settings, counts, states, collisions, times\n"
+            ".png  rotary angles along the program; needs --machine",
+            [&job](const std::string& value) { job.outputs.push_back(value); }},
+           choiceOption("units", "unit of the numbers in the scan; mm by default: --units m", job.read.unit),
+           placeOption("origin", "subtracted from the scan, in its own unit: --origin 393775,3689071,0", job.read.origin),
+           {"columns", "NAMES", "columns of a text file from the left; x, y and z are taken: --columns id,x,y,z",
+            [&job](const std::string& value) { job.read.columns = listValue(value); }},
+           {"config", "FILE", "job file in YAML with these names; the command line wins: --config job.yaml",
+            [](const std::string&) {}}}};
+}
+
+/** Segments as RADIUS,LENGTH or LOWER,UPPER,LENGTH, between them a slash, from the flank upwards. */
+std::vector<pcl_spiral::ToolSegment>
+segmentsOf(const std::string& value)
+{
+  std::vector<pcl_spiral::ToolSegment> segments;
+  for (std::size_t begin = 0; begin <= value.size();) {
+    const std::size_t end = std::min(value.find('/', begin), value.size());
+    const std::vector<std::string> words = listValue(value.substr(begin, end - begin));
+    if (words.size() != 2 && words.size() != 3)
+      throw UsageError("--holder " + value +
+                       ": segments of radius,length or lower radius,upper radius,length are needed, from the flank "
+                       "upwards, such as 6,40/20,25,60");
+    const double lower = numberValue("holder", words[0]);
+    const double upper = words.size() == 3 ? numberValue("holder", words[1]) : lower;
+    segments.push_back({lower, upper, numberValue("holder", words.back()),
+                        "segment " + std::to_string(segments.size() + 1) + " of the holder"});
+    begin = end + 1;
+  }
+  return segments;
+}
+
+OptionGroup
+cutter(Job& job)
+{
+  return {"Cutter (mm, degrees): a tapered bull-nose and its special cases",
+          {numberOption("tool-radius", "R", "radius where the flank ends; needed: --tool-radius 6", job.cutter.radius),
+           numberOption("corner-radius", "r", "of the fillet; the largest there is by default, a ball: --corner-radius 1",
+                        job.cutter.corner_radius),
+           numberOption("flank-length", "L", "of the cutting flank, along it; 0: --flank-length 20",
+                        job.cutter.flank_length),
+           numberOption("flank-angle", "A", "of the flank to the axis; 0: --flank-angle 5", job.cutter.flank_angle),
+           {"holder", "SEGMENTS",
+            "what stands on the flank, upwards, each as radius,length or lower,upper,length: --holder 6,40/20,25,60",
+            [&job](const std::string& value) { job.holder = segmentsOf(value); }},
+           numberOption("holder-clearance", "L", "kept between holder and scan; 0: --holder-clearance 1",
+                        job.holder_clearance),
+           switchOption("accept-collisions", "write the path although shank or holder touch the scan",
+                        job.accept_collisions),
+           numberOption("feed", "F", "at the contact, mm/min; 1000: --feed 2500", job.feed)}};
+}
+
+OptionGroup
+path(Job& job)
+{
+  pcl_spiral::DriveSettings& s = job.drive;
+  return {"Drive path (mm, degrees)",
+          {choiceOption("drive", "planes by default: --drive helix", s.kind),
+           numberOption("step-over", "D", "largest distance of neighbouring passes; this or --scallop: --step-over 1",
+                        s.step_over),
+           numberOption("scallop", "H", "ridge left between passes on a plane; gives the step-over by the cutter's "
+                                        "profile: --scallop 0.02",
+                        job.scallop),
+           numberOption("point-spacing", "D", "largest distance of drive points along a pass; 1: --point-spacing 0.5",
+                        s.point_spacing),
+           numberOption("tolerance", "E",
+                        "locations are put between until no straight move cuts deeper or leaves more; 0.01: "
+                        "--tolerance 0.005",
+                        job.tolerance),
+           numberOption("direction", "A", "of planes' passes about the tool axis, from X; 0: --direction 45", s.plane_angle),
+           {"one-way", "", "planes all in one direction; to and fro by default",
+            [&s](const std::string& value) { s.zigzag = value != "true"; }},
+           textOption("curve", "FILE", "the curve of --drive curve: points in order, formats as for a scan: --curve c.txt",
+                      job.curve_file),
+           placeOption("axis", "tool axis, tip to shank, of --axis-mode fixed and of section planes; 0,0,1: --axis 0,1,1",
+                       s.axis),
+           {"axis-mode", pcl_spiral::choiceList<DriveAxisMode>(),
+            "where tool axes come from; cylinder for helix and rings, fixed for the others: --axis-mode surface",
+            [&s](const std::string& value) { s.axis_mode = choiceValue<DriveAxisMode>("axis-mode", value); }},
+           numberOption("max-retilt", "A",
+                        "the axis may turn so far where the cutter cannot reach or the holder collides; 0: "
+                        "--max-retilt 30",
+                        job.max_retilt)}};
+}
+
+OptionGroup
+running(Job& job)
+{
+  return {"Run",
+          {wholeNumberOption("threads", "N", "0, the default, means all; the path does not depend on it: --threads 4",
+                             job.threads),
+           switchOption("verbose", "say more", job.verbose), switchOption("quiet", "say nothing but errors", job.quiet),
+           switchOption("help", "this text", job.help), switchOption("version", "print the version", job.version)}};
+}
+
+OptionTable
+optionTable(Job& job)
+{
+  return {files(job), cutter(job), path(job), programOptions(job.program), running(job)};
+}
+
+} // namespace
+
+Job
+parseCommandLine(int argc, const char* const* argv)
+{
+  Job job;
+  job.command = commandLine(argc, argv);
+  job.given = setOptions(optionTable(job), argc, argv);
+  if (!job.help && !job.version)
+    completeJob(job);
+  return job;
+}
+
+void
+printHelp(std::ostream& out)
+{
+  Job job;
+  out << "Gouge-free locations of any cutter along planes, a helix, rings, a curve or offsets of the boundary of a\n"
+         "scanned surface, three-axis or five-axis.\n\n"
+         "  pcl_spiral_drive SCAN -o OUT... --tool-radius R --step-over D [options]\n\n"
+         "  pcl_spiral_drive column.pcd --drive helix --tool-radius 4 --step-over 0.8 --machine xyzac.yaml -o part.ngc\n\n"
+         "Lengths are millimetres and angles degrees. Ends with 0 when done, 1 when the data or a file fails,\n"
+         "2 when the call is wrong; then no output is written or changed.\n";
+  printOptions(out, optionTable(job));
+}

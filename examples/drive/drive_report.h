@@ -1,0 +1,9 @@
+/** \file
+ *  The report of a drive path.
+ */
+#pragma once
+
+#include "planning.h"
+
+/** JSON: settings, counts, states, collisions, times. \throw pcl_spiral::FileError */
+void writeDriveReport(const std::string& file, const Job& job, const Result& result);

@@ -1,0 +1,40 @@
+/** \file
+ *  What one run of pcl_spiral_drive is asked to do.
+ */
+#pragma once
+
+#include "program/program_job.h"
+
+#include <pcl_spiral/core/cutter_profile.h>
+#include <pcl_spiral/core/tool_holder.h>
+#include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/toolpath/drive_settings.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+/** A run as the user described it. Lengths mm, angles degrees. */
+struct Job {
+  std::set<std::string> given; ///< names of the options that were set, here or in a job file
+  std::string command;         ///< the call as typed
+  std::string scan;
+  std::vector<std::string> outputs;
+  pcl_spiral::ReadOptions read;
+  pcl_spiral::CutterShape cutter;
+  std::vector<pcl_spiral::ToolSegment> holder;
+  double holder_clearance = 0.0;
+  bool accept_collisions = false;
+  pcl_spiral::DriveSettings drive;
+  std::string curve_file;
+  double scallop = 0.0;     ///< in place of a step-over
+  double tolerance = 0.01;  ///< between locations
+  double max_retilt = 0.0;
+  double feed = 1000.0; ///< mm/min
+  ProgramJob program;
+  int threads = 0;
+  bool verbose = false;
+  bool quiet = false;
+  bool help = false;
+  bool version = false;
+};

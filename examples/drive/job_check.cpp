@@ -1,0 +1,131 @@
+#include "job_check.h"
+#include "program/program_check.h"
+#include "terminal/file_names.h"
+#include "terminal/terminal.h"
+
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/core/profile_step.h>
+#include <pcl_spiral/io/setting_names.h>
+#include <pcl_spiral/io/toolpath_writer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+using namespace pcl_spiral;
+
+namespace {
+
+constexpr double radians = 3.14159265358979323846 / 180.0;
+
+void
+require(bool holds, const std::string& option, double value, const std::string& rule)
+{
+  if (!holds)
+    throw UsageError("--" + option + " " + textOf(value) + ": " + rule);
+}
+
+bool
+isGiven(const Job& job, const std::string& option)
+{
+  return job.given.count(option) > 0;
+}
+
+/** Without a corner radius the cutter is a ball, or a tapered one. */
+void
+completeCutter(Job& job)
+{
+  CutterShape& c = job.cutter;
+  if (!isGiven(job, "tool-radius"))
+    throw UsageError("no --tool-radius is given; give the radius where the cutter's flank ends, in mm, such as "
+                     "--tool-radius 6");
+  if (!isGiven(job, "corner-radius")) {
+    const double angle = c.flank_angle * radians;
+    c.corner_radius = (c.radius - c.flank_length * std::sin(angle)) / std::cos(angle);
+  }
+  if (const std::string fault = faultOf(c); !fault.empty())
+    throw UsageError("the cutter of --tool-radius, --corner-radius, --flank-length and --flank-angle: " + fault);
+  if (const std::string fault = faultOf(job.holder); !fault.empty())
+    throw UsageError("--holder: " + fault);
+  require(job.holder_clearance >= 0.0, "holder-clearance", job.holder_clearance, "must not be below 0 mm");
+  if (!job.holder.empty() && !(c.flank_length > 0.0))
+    throw UsageError("--holder: give the cutter its --flank-length, above which the holder stands");
+}
+
+void
+completePath(Job& job)
+{
+  DriveSettings& d = job.drive;
+  if (isGiven(job, "step-over") && isGiven(job, "scallop"))
+    throw UsageError("--step-over and --scallop are both given; the one follows from the other, leave one out");
+  if (isGiven(job, "scallop")) {
+    require(job.scallop > 0.0 && job.scallop < job.cutter.radius, "scallop", job.scallop,
+            "must lie above 0 and below the tool radius, which is " + textOf(job.cutter.radius) + " mm");
+    const std::optional<double> step = stepForScallop(CutterProfile(job.cutter), job.scallop);
+    if (!step)
+      throw UsageError("--scallop " + textOf(job.scallop) +
+                       ": no step-over of this cutter leaves that; give a --step-over");
+    d.step_over = *step;
+  }
+  const bool is_curve = d.kind == DriveKind::Curve;
+  if (!is_curve && !isGiven(job, "step-over") && !isGiven(job, "scallop"))
+    throw UsageError("no --step-over is given; give the largest distance of neighbouring passes in mm, such as "
+                     "--step-over 1, or --scallop");
+  if (is_curve && job.curve_file.empty())
+    throw UsageError("--drive curve: no --curve is given; name a file with its points in order");
+  if (!is_curve && !job.curve_file.empty())
+    throw UsageError("--curve " + job.curve_file + ": --drive is " + choiceName(d.kind) + "; use --drive curve");
+  require(job.tolerance > 0.0, "tolerance", job.tolerance, "must be above 0 mm, such as 0.01");
+  require(job.max_retilt >= 0.0 && job.max_retilt <= 90.0, "max-retilt", job.max_retilt,
+          "must lie between 0 and 90 degrees");
+  require(job.feed > 0.0, "feed", job.feed, "must be above 0 mm/min");
+  require(job.threads >= 0 && job.threads <= most_threads, "threads", job.threads,
+          "must be above 0 and not above 256, or 0 for all");
+  if (is_curve)
+    return; // its points are read later
+  if (const Status status = checkSettings(d); !status.ok())
+    throw UsageError(status.message());
+}
+
+bool
+isWritten(const std::string& file)
+{
+  const std::string extension = extensionOf(file);
+  const auto& known = toolpathExtensions();
+  return isProgram(file) || isExchange(file) || extension == ".json" || extension == ".png" ||
+         std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+void
+checkOutputs(const Job& job)
+{
+  if (job.outputs.empty())
+    throw UsageError("no output is named; give at least one, such as -o part.csv");
+  std::error_code error;
+  for (auto file = job.outputs.begin(); file != job.outputs.end(); ++file) {
+    if (!isWritten(*file))
+      throw UsageError("-o " + *file + ": extension '" + extensionOf(*file) +
+                       "' is not known; use .csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .json or .png");
+    if (std::filesystem::equivalent(*file, job.scan, error))
+      throw UsageError("-o " + *file + ": this is the scan itself; give the output another name");
+    if (std::find(job.outputs.begin(), file, *file) != file)
+      throw UsageError("-o " + *file + ": is given twice");
+    if (extensionOf(*file) == ".png" && !hasProgram(job.program, job.outputs))
+      throw UsageError("-o " + *file + ": shows a machine's angles; give the --machine");
+  }
+}
+
+} // namespace
+
+void
+completeJob(Job& job)
+{
+  if (job.scan.empty())
+    throw UsageError("no scan is named; give one, such as part.pcd");
+  completeCutter(job);
+  completePath(job);
+  checkOutputs(job);
+  checkProgram(job.program, job.outputs, job.given);
+}

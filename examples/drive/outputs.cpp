@@ -1,0 +1,136 @@
+#include "outputs.h"
+#include "drive_report.h"
+#include "program/machine_moves.h"
+#include "program/program_check.h"
+#include "terminal/file_names.h"
+#include "terminal/terminal.h"
+
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/path_exchange.h>
+#include <pcl_spiral/io/setting_names.h>
+#include <pcl_spiral/io/toolpath_writer.h>
+#include <pcl_spiral/visualization/rotary_picture.h>
+
+#include <cstdio>
+#include <filesystem>
+
+using namespace pcl_spiral;
+
+namespace {
+
+/** All passes one after the other, the turn counting them, and the tips of a cutter of any shape. */
+pcl::PointCloud<ToolpathPoint>
+joined(const Job& job, const Result& result, ToolpathMotion& motion)
+{
+  pcl::PointCloud<ToolpathPoint> path;
+  motion.tool_radius = job.cutter.radius;
+  motion.feed = job.feed;
+  double length = 0.0;
+  for (std::size_t pass = 0; pass < result.passes.size(); ++pass) {
+    if (pass > 0)
+      motion.passes.push_back(path.size());
+    const ToolPose* before = nullptr;
+    for (const ToolPose& pose : result.passes[pass]) {
+      length += before ? (pose.contact - before->contact).norm() : 0.0;
+      before = &pose;
+      ToolpathPoint p;
+      p.getVector3fMap() = pose.contact.cast<float>();
+      p.getNormalVector3fMap() = pose.normal.cast<float>();
+      p.getAxisVector3fMap() = pose.axis.cast<float>();
+      p.arc_length = length;
+      p.turn = static_cast<float>(pass);
+      path.push_back(p);
+      motion.tips.push_back(pose.tip);
+    }
+  }
+  return path;
+}
+
+void
+writeOne(const Job& job, const Result& result, const std::string& output, const std::string& file)
+{
+  const std::string extension = extensionOf(output), title = std::filesystem::path(job.scan).filename().string();
+  ProgramHeader header = job.program.header;
+  header.title = title;
+  if (isProgram(output))
+    return writeProgram(file, *result.program, extension == ".ngc" ? Dialect::LinuxCNC : job.program.dialect, header);
+  if (extension == ".png")
+    return writeRotaryAngles(file, title, *result.program);
+  if (extension == ".json")
+    return writeDriveReport(file, job, result);
+  ToolpathMotion motion;
+  const pcl::PointCloud<ToolpathPoint> path = joined(job, result, motion);
+  if (extension == ".yaml")
+    return writeRobotFrames(file, path);
+  if (isExchange(output)) {
+    ToolPoses poses;
+    for (const ToolPoses& pass : result.passes)
+      poses.insert(poses.end(), pass.begin(), pass.end());
+    return writeAPT(file, poses, {title, aptCutter(CutterProfile(job.cutter)), header.spindle_speed, job.feed});
+  }
+  writeToolpath(file, path, motion);
+}
+
+/** CLDATA and robot frames know no way from one pass to the next. */
+void
+requireOnePass(const Result& result, const std::string& output)
+{
+  if (isExchange(output) && result.passes.size() > 1)
+    throw FileError(output, "the path has " + std::to_string(result.passes.size()) +
+                                " passes, and this format no moves between them; write a .ngc or .nc, or drive one pass "
+                                "(--drive helix, curve)");
+}
+
+} // namespace
+
+void
+writeOutputs(const Job& job, const Result& result, OutputFiles& files)
+try {
+  for (const std::string& output : job.outputs)
+    requireOnePass(result, output);
+  for (std::size_t i = 0; i < job.outputs.size(); ++i) {
+    if (cancelled())
+      throw Cancelled();
+    writeOne(job, result, job.outputs[i], files.temporary(i));
+  }
+  if (cancelled())
+    throw Cancelled();
+  files.commit();
+}
+catch (const FileError& error) {
+  throw std::runtime_error(files.asGiven(error.what()) + "; no output has been changed");
+}
+
+void
+printSummary(const Job& job, const Result& result, double seconds)
+{
+  std::size_t locations = 0;
+  for (const ToolPoses& pass : result.passes)
+    locations += pass.size();
+  std::printf("scan            %s: %zu points\n", job.scan.c_str(), result.scan.cloud->size());
+  if (result.drive.column)
+    std::printf("column          radius %.4g to %.4g mm, covered over %.0f degrees\n", result.drive.column->least_radius,
+                result.drive.column->largest_radius, result.drive.column->covered_angle);
+  std::printf("drive path      %s: %zu pass%s, %zu drive points, step-over %.4g mm\n",
+              choiceName(job.drive.kind).c_str(), result.passes.size(), result.passes.size() == 1 ? "" : "es",
+              result.drive.points, result.drive.step_over);
+  std::printf("locations       %zu, %zu of them put in between; largest error of a move %.3g mm\n", locations,
+              result.bisection.inserted, result.bisection.largest_error);
+  const LocationFigures& f = result.locations;
+  if (f.retilted > 0)
+    std::printf("axis            turned at %zu locations, by up to %.3g degrees\n", f.retilted, f.largest_retilt);
+  if (f.collisions > 0)
+    std::printf("collisions      shank or holder at %zu locations, up to %.4g mm deep\n", f.collisions,
+                f.deepest_collision);
+  std::printf("path length     %.3f m of the tip\n", result.length / 1000.0);
+  if (result.program)
+    printProgram(*result.program);
+  std::printf("time            %s\n", duration(seconds).c_str());
+  if (job.verbose)
+    for (const StageCost& stage : result.stages)
+      std::printf("  %-16s %9.2f s\n", stage.name.c_str(), stage.seconds);
+  std::printf("written        ");
+  for (const std::string& file : job.outputs)
+    std::printf(" %s", file.c_str());
+  std::printf("\n");
+}

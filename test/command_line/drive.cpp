@@ -1,0 +1,148 @@
+// pcl_spiral_drive from outside: a column by a helix, planes over a cap, and what is said of wrong calls.
+#include "command_line/cap_scan.h"
+#include "command_line/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace {
+
+const std::string program = PCL_SPIRAL_DRIVE_PROGRAM;
+const std::string machines = PCL_SPIRAL_MACHINES_DIR;
+
+/** A column of radius 20 about z with four lobes, 16 mm high, a point every mm. */
+std::string
+column()
+{
+  std::ostringstream text;
+  for (int line = 0; line < 126; ++line)
+    for (int i = 0; i < 17; ++i) {
+      const double angle = 2.0 * M_PI * line / 126.0, z = i + 0.5 * (line % 2) - 0.25;
+      const double r = 20.0 + std::sin(4.0 * angle);
+      text << r * std::cos(angle) << ' ' << r * std::sin(angle) << ' ' << z << '\n';
+    }
+  return text.str();
+}
+
+RunResult
+run(const ScratchFolder& folder, const std::vector<std::string>& arguments)
+{
+  writeText(folder.path("column.xyz"), column());
+  writeText(folder.path("cap.xyz"), capScan(3000));
+  return endOf(startProgram(program, arguments, folder), folder);
+}
+
+void
+expectHas(const std::string& text, const std::string& part)
+{
+  EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' in: " << text;
+}
+
+/** The numbers of a row of the toolpath CSV. */
+std::vector<std::vector<double>>
+rows(const std::string& csv)
+{
+  std::vector<std::vector<double>> all;
+  std::istringstream stream(csv);
+  std::string line;
+  std::getline(stream, line);
+  while (std::getline(stream, line)) {
+    std::istringstream words(line);
+    std::vector<double> row;
+    for (std::string word; std::getline(words, word, ',');)
+      row.push_back(std::stod(word));
+    all.push_back(row);
+  }
+  return all;
+}
+
+} // namespace
+
+TEST(Drive, AColumnByAHelixForAnyCutter)
+{
+  const ScratchFolder folder;
+  const RunResult done =
+      run(folder, {"column.xyz", "--drive", "helix", "--step-over", "2", "--tool-radius", "3", "--corner-radius", "0.5",
+                   "--flank-length", "10", "--point-spacing", "2", "--tolerance", "0.05", "-o", "a.csv", "-o", "a.vtp", "-o",
+                   "a.json", "-o", "a.ngc", "-o", "a.apt", "-o", "a.png", "--machine", machines + "/head_head.yaml"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  expectHas(done.out, "drive path      helix: 1 pass, ");
+  expectHas(done.out, "rotary axes     ");
+  // The axis stands out of the column, and the tip of the flat end by its contact, within the cutter.
+  for (const std::vector<double>& row : rows(readText(folder.path("a.csv")))) {
+    ASSERT_EQ(row.size(), 15U);
+    const double tip = std::hypot(row[8], row[9]);
+    ASSERT_NEAR(std::atan2(row[12], row[11]), std::atan2(row[9], row[8]), 0.02);
+    ASSERT_GT(tip, 19.0 - 0.1);
+    ASSERT_LT(tip, 21.6);
+    ASSERT_LT(std::hypot(row[8] - row[2], row[9] - row[3], row[10] - row[4]), 4.0);
+  }
+  expectHas(readText(folder.path("a.json")), "\"unresolved_moves\": 0");
+  expectHas(readText(folder.path("a.apt")), "CUTTER/6.000000,0.500000,2.500000,0.500000,0.000000,0.000000,");
+  EXPECT_TRUE(std::filesystem::exists(folder.path("a.png")));
+}
+
+TEST(Drive, PlanesAreOnePassEachAndLeaveTheSurfaceBetween)
+{
+  const ScratchFolder folder;
+  const RunResult done = run(folder, {"cap.xyz", "--tool-radius", "4", "--scallop", "0.2", "--tolerance", "0.05", "-o", "a.csv",
+                                      "-o", "a.ngc"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const auto all = rows(readText(folder.path("a.csv")));
+  std::size_t passes = 1;
+  double least = 1e9, largest = -1e9;
+  for (std::size_t i = 1; i < all.size(); ++i)
+    passes += all[i][0] != all[i - 1][0];
+  for (const auto& row : all) {
+    least = std::min(least, row[9]);
+    largest = std::max(largest, row[9]);
+  }
+  // 2 sqrt(R^2 - (R - h)^2) apart at the most
+  EXPECT_NEAR(static_cast<double>(passes), (largest - least) / (2.0 * std::sqrt(16.0 - 3.8 * 3.8)) + 1.0, 1.6);
+  const std::string call = "cd '" + folder.root().string() + "' && rs274 -g a.ngc canon.txt 2>messages.txt";
+  ASSERT_EQ(std::system(call.c_str()), 0) << readText(folder.path("messages.txt"));
+  const RunResult apt = run(folder, {"cap.xyz", "--tool-radius", "4", "--step-over", "8", "-o", "b.apt"});
+  EXPECT_EQ(apt.code, 1);
+  expectHas(apt.err, " passes, and this format no moves between them");
+  EXPECT_FALSE(std::filesystem::exists(folder.path("b.apt")));
+}
+
+TEST(Drive, AHolderThatWouldCollideIsRefused)
+{
+  const ScratchFolder folder;
+  const std::vector<std::string> call{"cap.xyz", "--tool-radius", "1", "--flank-length", "2", "--step-over", "8",
+                                      "--holder", "0.9,1/30,20", "--axis", "0.6,0,1", "-o", "a.csv"};
+  const RunResult refused = run(folder, call);
+  EXPECT_EQ(refused.code, 1);
+  expectHas(refused.err, "segment 2 of the holder would be ");
+  expectHas(refused.err, "--max-retilt");
+  EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv")));
+  std::vector<std::string> accepted = call;
+  accepted.push_back("--accept-collisions");
+  const RunResult done = run(folder, accepted);
+  EXPECT_EQ(done.code, 0) << done.err;
+  expectHas(done.out, "collisions      shank or holder at ");
+}
+
+TEST(Drive, WrongCallsAreRefused)
+{
+  const ScratchFolder folder;
+  const auto said = [&folder](const std::vector<std::string>& arguments, int code, const std::string& part) {
+    const RunResult done = run(folder, arguments);
+    EXPECT_EQ(done.code, code) << done.err;
+    expectHas(done.err, part);
+  };
+  said({"cap.xyz", "-o", "a.csv", "--step-over", "1"}, 2, "no --tool-radius is given");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3"}, 2, "no --step-over is given");
+  said({"cap.xyz", "--tool-radius", "3", "--step-over", "1"}, 2, "no output is named");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--corner-radius", "4", "--step-over", "1"}, 2, "corner");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--scallop", "0.1"}, 2, "both given");
+  said({"cap.xyz", "-o", "a.png", "--tool-radius", "3", "--step-over", "1"}, 2, "give the --machine");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--holder", "5"}, 2, "--holder 5");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--drive", "curve"}, 2, "no --curve is given");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--drive", "helix"}, 1, "cap.xyz: ");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-ove", "1"}, 2, "did you mean 'step-over'?");
+  EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv")));
+}
