@@ -86,6 +86,9 @@ path(Job& job)
                         job.scallop),
            numberOption("point-spacing", "D", "largest distance of drive points along a pass; 1: --point-spacing 0.5",
                         s.point_spacing),
+           numberOption("overrun", "L",
+                        "helix and rings go on so far beyond the ends of the column, where it leans; 0: --overrun 1.5",
+                        s.overrun),
            numberOption("tolerance", "E",
                         "locations are put between until no straight move cuts deeper or leaves more; 0.01: "
                         "--tolerance 0.005",
@@ -100,6 +103,11 @@ path(Job& job)
            {"axis-mode", pcl_spiral::choiceList<DriveAxisMode>(),
             "where tool axes come from; cylinder for helix and rings, fixed for the others: --axis-mode surface",
             [&s](const std::string& value) { s.axis_mode = choiceValue<DriveAxisMode>("axis-mode", value); }},
+           numberOption("axis-smoothing", "L",
+                        "smooths out of the axes what is shorter than this along a pass; 0, none: --axis-smoothing 20",
+                        job.axis_smoothing),
+           numberOption("max-axis-rate", "D", "largest turn of the axis, degrees a mm; 0, no limit: --max-axis-rate 4",
+                        job.max_axis_rate),
            numberOption("max-retilt", "A",
                         "the axis may turn so far where the cutter cannot reach or the holder collides; 0: "
                         "--max-retilt 30",

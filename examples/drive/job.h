@@ -30,6 +30,8 @@ struct Job {
   double scallop = 0.0;     ///< in place of a step-over
   double tolerance = 0.01;  ///< between locations
   double max_retilt = 0.0;
+  double axis_smoothing = 0.0; ///< mm along the path; 0: none
+  double max_axis_rate = 0.0;  ///< degrees a mm; 0: no limit
   double feed = 1000.0; ///< mm/min
   ProgramJob program;
   int threads = 0;

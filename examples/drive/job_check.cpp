@@ -80,6 +80,8 @@ completePath(Job& job)
   require(job.tolerance > 0.0, "tolerance", job.tolerance, "must be above 0 mm, such as 0.01");
   require(job.max_retilt >= 0.0 && job.max_retilt <= 90.0, "max-retilt", job.max_retilt,
           "must lie between 0 and 90 degrees");
+  require(job.axis_smoothing >= 0.0, "axis-smoothing", job.axis_smoothing, "must be above 0 mm, or 0 for none");
+  require(job.max_axis_rate >= 0.0, "max-axis-rate", job.max_axis_rate, "must be above 0 degrees a mm, or 0 for no limit");
   require(job.feed > 0.0, "feed", job.feed, "must be above 0 mm/min");
   require(job.threads >= 0 && job.threads <= most_threads, "threads", job.threads,
           "must be above 0 and not above 256, or 0 for all");

@@ -2,9 +2,13 @@
 #include "terminal/terminal.h"
 
 #include <pcl_spiral/common/message.h>
+#include <pcl_spiral/core/axis_field.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/toolpath/cutter_location.h>
 #include <pcl_spiral/toolpath/drive_path.h>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace pcl_spiral;
 
@@ -36,6 +40,28 @@ curveOf(const Job& job)
   return points;
 }
 
+/** Axes of each pass, smoothed along it and held to the rate. */
+void
+smooth(const Job& job, DrivePasses& passes)
+{
+  constexpr double degree = 3.14159265358979323846 / 180.0;
+  AxisFieldOptions options;
+  options.smoothing_length = job.axis_smoothing;
+  options.max_deviation = 20.0 * degree; // jumps of local planes are to go
+  options.max_rate = job.max_axis_rate * degree;
+  for (DrivePass& pass : passes) {
+    Polyline points;
+    std::vector<Eigen::Vector3d> axes;
+    for (const DrivePoint& p : pass.points) {
+      points.push_back(p.position);
+      axes.push_back(p.axis.normalized());
+    }
+    const SmoothAxes smoothed = smoothAxes(points, axes, options);
+    for (std::size_t i = 0; i < pass.points.size(); ++i)
+      pass.points[i].axis = smoothed.axes[i];
+  }
+}
+
 DrivePasses
 drivePasses(const Job& job, ProgressBar& bar, Result& result)
 {
@@ -49,6 +75,7 @@ drivePasses(const Job& job, ProgressBar& bar, Result& result)
   drive.setZigzag(s.zigzag);
   drive.setAxis(s.axis);
   drive.setAxisMode(s.axisMode());
+  drive.setOverrun(s.overrun);
   if (s.kind == DriveKind::Curve)
     drive.setCurve(curveOf(job));
   drive.setNumberOfThreads(job.threads);
@@ -57,6 +84,8 @@ drivePasses(const Job& job, ProgressBar& bar, Result& result)
   drive.compute(passes);
   require(job, drive.getStatus());
   result.drive = drive.getReport();
+  if (job.axis_smoothing > 0.0 || job.max_axis_rate > 0.0)
+    smooth(job, passes);
   return passes;
 }
 
@@ -131,12 +160,42 @@ requireNoCollision(const Job& job, const std::vector<ToolLocations>& located, co
                                "--accept-collisions to see the path all the same"));
 }
 
+/** Length at the ends of a column, along its axis, that no contact comes to; 0 where turns come as near as they are to
+ *  each other. */
+double
+lengthNotReached(const std::vector<ToolLocations>& located, const DriveColumn& column, double step_over)
+{
+  constexpr int sectors = 72;
+  const DriveCylinder& c = column.cylinder;
+  const Eigen::Vector3d e1 = referenceAcross(c.direction), e2 = c.direction.cross(e1);
+  std::vector<double> least(sectors, c.last), largest(sectors, c.first);
+  for (const ToolLocations& pass : located)
+    for (const ToolLocation& location : pass)
+      if (location.state != LocationState::NoCloud) {
+        const Eigen::Vector3d y = location.contact - c.origin;
+        const double turn = std::atan2(y.dot(e2), y.dot(e1)) / (2.0 * M_PI) + 0.5;
+        const int k = std::min(sectors - 1, static_cast<int>(turn * sectors));
+        least[k] = std::min(least[k], y.dot(c.direction));
+        largest[k] = std::max(largest[k], y.dot(c.direction));
+      }
+  double missed = 0.0;
+  for (int k = 0; k < sectors; ++k)
+    if (least[k] < largest[k]) // a sector that the scan covers
+      missed = std::max({missed, least[k] - c.first, c.last - largest[k]});
+  return missed > step_over ? missed : 0.0;
+}
+
 std::vector<std::string>
-warningsOf(const Job& job, const Result& result)
+warningsOf(const Job& job, const std::vector<ToolLocations>& located, const Result& result)
 {
   std::vector<std::string> warnings = result.scan.warnings;
   warnings.insert(warnings.end(), result.drive.warnings.begin(), result.drive.warnings.end());
   warnings.insert(warnings.end(), result.locations.warnings.begin(), result.locations.warnings.end());
+  if (job.drive.goesRound())
+    if (const double missed = lengthNotReached(located, *result.drive.column, result.drive.step_over); missed > 0.0)
+      warnings.push_back(textOf("up to ", missed, " mm at an end of the column are not cut: the surface leans there, and "
+                                "the cutter touches it beside its axis; let the path go on beyond the ends, such as "
+                                "--overrun ", std::ceil(10.0 * (job.drive.overrun + missed)) / 10.0));
   if (result.off_scan > 0)
     warnings.push_back(textOf(result.off_scan,
                               " locations have no point of the scan below the cutter and were left out; passes were cut "
@@ -171,6 +230,6 @@ plan(const Job& job)
   takePoses(located, result);
   if (result.passes.empty())
     throw FileError(job.scan, "no pass has two locations over the scan; check the drive path and the tool axis");
-  result.warnings = warningsOf(job, result);
+  result.warnings = warningsOf(job, located, result);
   return result;
 }

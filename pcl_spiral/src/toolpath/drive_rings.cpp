@@ -76,12 +76,13 @@ planRings(const DriveSettings& settings, DrivePasses& passes, DriveReport& repor
             textOf("the scan covers only ", column.covered_angle,
                    " degrees about the axis of the column, from ", column.first_angle,
                    " on: a helix would leave it in every turn; drive it by rings, which become arcs")};
-  const double height = column.cylinder.last - column.cylinder.first, around = 2.0 * M_PI * column.radius;
+  const double first = column.cylinder.first - settings.overrun, last = column.cylinder.last + settings.overrun;
+  const double height = last - first, around = 2.0 * M_PI * column.radius;
   const double lines = height / settings.step_over + 2.0;
   if (const Status status = checkDriveSize(lines * (around / settings.point_spacing + 3.0), 0.0, settings);
       !status.ok())
     return status;
-  const EqualSteps rings = equalSteps(column.cylinder.first, column.cylinder.last, settings.step_over);
+  const EqualSteps rings = equalSteps(first, last, settings.step_over);
   report.step_over = rings.step;
   if (settings.kind == DriveKind::Helix) {
     passes.push_back(helix(column, rings, settings.point_spacing));

@@ -61,6 +61,8 @@ checkSettings(const DriveSettings& s)
 {
   if (s.kind != DriveKind::Curve && !isPositive(s.step_over))
     return bad(textOf("the step-over is ", s.step_over, " mm; set it above 0"));
+  if (!(s.overrun >= 0.0) || !std::isfinite(s.overrun))
+    return bad(textOf("the overrun is ", s.overrun, " mm; set it to 0 or more"));
   if (!isPositive(s.point_spacing))
     return bad(textOf("the spacing of drive points is ", s.point_spacing, " mm; set it above 0"));
   if (s.cylinder)

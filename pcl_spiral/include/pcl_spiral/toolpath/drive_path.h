@@ -147,6 +147,20 @@ public:
     return settings_.cylinder;
   }
 
+  /** How far helix and rings go on beyond both ends of the column, mm; 0 by default. Where the surface leans along the
+   * column, a cutter of radius R touches it up to R sin(lean) away from its own axis: so much of an end is not reached
+   * without. */
+  void
+  setOverrun(double overrun)
+  {
+    settings_.overrun = overrun;
+  }
+  double
+  getOverrun() const
+  {
+    return settings_.overrun;
+  }
+
   /** AxisMode::Cylinder by default for helix and rings, AxisMode::Fixed for the others. */
   void
   setAxisMode(DriveAxisMode mode)

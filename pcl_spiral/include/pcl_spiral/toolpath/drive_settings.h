@@ -40,6 +40,7 @@ struct DriveSettings {
   bool zigzag = true;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   std::optional<DriveCylinder> cylinder;
+  double overrun = 0.0; ///< of helix and rings, beyond both ends of the column
   std::optional<DriveAxisMode> axis_mode; ///< none: Cylinder for helix and rings, Fixed for the others
   Polyline curve;
   bool curve_closed = false;
