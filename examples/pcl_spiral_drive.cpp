@@ -1,5 +1,6 @@
 // From a scan to gouge-free locations of any cutter along a drive path: planes, helix, rings, curve, offsets.
 #include "drive/command_line.h"
+#include "drive/job_check.h"
 #include "drive/outputs.h"
 #include "drive/planning.h"
 #include "program/machine_moves.h"
@@ -34,8 +35,13 @@ run(const Job& job)
   const std::optional<Machine> machine =
       hasProgram(job.program, job.outputs) ? std::optional(machineOf(job.program)) : std::nullopt;
   Result result = plan(job);
-  if (machine)
-    result.program = makeProgram(job.program, *machine, job.feed, 0.0, result.passes, result.warnings);
+  if (machine) {
+    ProgramJob program = job.program;
+    if (!isBall(job))
+      program.settings.pole_cone = 0.0; // a blended axis would lead any other cutter into the surface
+    result.program =
+        makeProgram(program, *machine, job.feed, isBall(job) ? job.cutter.radius : 0.0, result.passes, result.warnings);
+  }
   if (!job.quiet)
     for (const std::string& warning : result.warnings)
       std::cerr << "pcl_spiral_drive: warning: " << warning << '\n';

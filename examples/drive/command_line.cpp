@@ -18,9 +18,9 @@ files(Job& job)
                       "the scan: .pcd .ply .xyz .txt .csv .asc .stl .obj; the name alone is enough: part.pcd", job.scan),
            {"output", "FILE",
             "what to write, by extension; give it once a file: -o part.csv -o part.ngc\n"
-            ".csv .pcd .ply .vtp  the path; Turn counts passes\n"
+            ".csv .vtp  the path with its tips; Turn counts passes    .pcd .ply  of a ball cutter\n"
             ".ngc .nc  program of a five-axis machine; see --machine\n"
-            ".apt .cls  CLDATA    .yaml  robot frames, of a single pass\n"
+            ".apt .cls  CLDATA    .yaml  robot frames of a ball cutter; a single pass\n"
             ".json  report: settings, counts, states, collisions, times\n"
             ".png  rotary angles along the program; needs --machine",
             [&job](const std::string& value) { job.outputs.push_back(value); }},
@@ -28,8 +28,8 @@ files(Job& job)
            placeOption("origin", "subtracted from the scan, in its own unit: --origin 393775,3689071,0", job.read.origin),
            {"columns", "NAMES", "columns of a text file from the left; x, y and z are taken: --columns id,x,y,z",
             [&job](const std::string& value) { job.read.columns = listValue(value); }},
-           {"config", "FILE", "job file in YAML with these names; the command line wins: --config job.yaml",
-            [](const std::string&) {}}}};
+           textOption("config", "FILE", "job file in YAML with these names; the command line wins: --config job.yaml",
+                      job.config_file)}};
 }
 
 /** Segments as RADIUS,LENGTH or LOWER,UPPER,LENGTH, between them a slash, from the flank upwards. */
@@ -94,8 +94,7 @@ path(Job& job)
                         "--tolerance 0.005",
                         job.tolerance),
            numberOption("direction", "A", "of planes' passes about the tool axis, from X; 0: --direction 45", s.plane_angle),
-           {"one-way", "", "planes all in one direction; to and fro by default",
-            [&s](const std::string& value) { s.zigzag = value != "true"; }},
+           switchOption("one-way", "planes all in one direction; to and fro by default", job.one_way),
            textOption("curve", "FILE", "the curve of --drive curve: points in order, formats as for a scan: --curve c.txt",
                       job.curve_file),
            placeOption("axis", "tool axis, tip to shank, of --axis-mode fixed and of section planes; 0,0,1: --axis 0,1,1",
@@ -104,14 +103,11 @@ path(Job& job)
             "where tool axes come from; cylinder for helix and rings, fixed for the others: --axis-mode surface",
             [&s](const std::string& value) { s.axis_mode = choiceValue<DriveAxisMode>("axis-mode", value); }},
            numberOption("axis-smoothing", "L",
-                        "smooths out of the axes what is shorter than this along a pass; 0, none: --axis-smoothing 20",
+                        "smooths out of the axes what is shorter than this along a pass, by up to 20 degrees in the mean; 0, "
+                        "none: --axis-smoothing 20",
                         job.axis_smoothing),
            numberOption("max-axis-rate", "D", "largest turn of the axis, degrees a mm; 0, no limit: --max-axis-rate 4",
-                        job.max_axis_rate),
-           numberOption("max-retilt", "A",
-                        "the axis may turn so far where the cutter cannot reach or the holder collides; 0: "
-                        "--max-retilt 30",
-                        job.max_retilt)}};
+                        job.max_axis_rate)}};
 }
 
 OptionGroup

@@ -27,7 +27,6 @@ settingsOf(const Job& job)
           {"point_spacing", d.point_spacing},
           {"axis_mode", choiceName(d.axisMode())},
           {"tolerance", job.tolerance},
-          {"max_retilt", job.max_retilt},
           {"feed", job.feed}};
 }
 

@@ -27,9 +27,10 @@ struct Job {
   bool accept_collisions = false;
   pcl_spiral::DriveSettings drive;
   std::string curve_file;
+  std::string config_file;
   double scallop = 0.0;     ///< in place of a step-over
   double tolerance = 0.01;  ///< between locations
-  double max_retilt = 0.0;
+  bool one_way = false;
   double axis_smoothing = 0.0; ///< mm along the path; 0: none
   double max_axis_rate = 0.0;  ///< degrees a mm; 0: no limit
   double feed = 1000.0; ///< mm/min

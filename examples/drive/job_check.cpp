@@ -1,7 +1,7 @@
 #include "job_check.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
-#include "terminal/terminal.h"
+#include "terminal/option_values.h"
 
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/common/thread_limit.h>
@@ -11,21 +11,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 
 using namespace pcl_spiral;
 
 namespace {
 
+constexpr double least_tolerance = 1e-4; // mm: single precision of a scan knows no less
 constexpr double radians = 3.14159265358979323846 / 180.0;
-
-void
-require(bool holds, const std::string& option, double value, const std::string& rule)
-{
-  if (!holds)
-    throw UsageError("--" + option + " " + textOf(value) + ": " + rule);
-}
 
 bool
 isGiven(const Job& job, const std::string& option)
@@ -49,19 +42,41 @@ completeCutter(Job& job)
     throw UsageError("the cutter of --tool-radius, --corner-radius, --flank-length and --flank-angle: " + fault);
   if (const std::string fault = faultOf(job.holder); !fault.empty())
     throw UsageError("--holder: " + fault);
-  require(job.holder_clearance >= 0.0, "holder-clearance", job.holder_clearance, "must not be below 0 mm");
+  requireOption(job.holder_clearance >= 0.0, "holder-clearance", job.holder_clearance, "must not be below 0 mm");
   if (!job.holder.empty() && !(c.flank_length > 0.0))
     throw UsageError("--holder: give the cutter its --flank-length, above which the holder stands");
+}
+
+/** Options that say nothing of the path asked for. */
+void
+requireMeant(const Job& job)
+{
+  const DriveKind kind = job.drive.kind;
+  const auto require = [&](const char* option, bool meant, const std::string& remedy) {
+    if (isGiven(job, option) && !meant)
+      throw UsageError(std::string("--") + option + ": " + remedy);
+  };
+  const std::string is = "--drive is " + choiceName(kind) + ", which knows none; leave it out";
+  require("overrun", job.drive.goesRound(), is);
+  require("direction", kind == DriveKind::Planes, is);
+  require("one-way", kind == DriveKind::Planes || kind == DriveKind::Rings, is);
+  require("step-over", kind != DriveKind::Curve, is);
+  require("scallop", kind != DriveKind::Curve, is);
+  require("holder-clearance", !job.holder.empty(), "no --holder is given");
+  require("accept-collisions", !job.holder.empty(), "no --holder is given");
+  require("pole-cone", isBall(job), "axes are blended for ball cutters alone, whose middle stays where it is; leave it out");
 }
 
 void
 completePath(Job& job)
 {
   DriveSettings& d = job.drive;
+  requireMeant(job);
+  d.zigzag = !job.one_way;
   if (isGiven(job, "step-over") && isGiven(job, "scallop"))
     throw UsageError("--step-over and --scallop are both given; the one follows from the other, leave one out");
   if (isGiven(job, "scallop")) {
-    require(job.scallop > 0.0 && job.scallop < job.cutter.radius, "scallop", job.scallop,
+    requireOption(job.scallop > 0.0 && job.scallop < job.cutter.radius, "scallop", job.scallop,
             "must lie above 0 and below the tool radius, which is " + textOf(job.cutter.radius) + " mm");
     const std::optional<double> step = stepForScallop(CutterProfile(job.cutter), job.scallop);
     if (!step)
@@ -77,13 +92,11 @@ completePath(Job& job)
     throw UsageError("--drive curve: no --curve is given; name a file with its points in order");
   if (!is_curve && !job.curve_file.empty())
     throw UsageError("--curve " + job.curve_file + ": --drive is " + choiceName(d.kind) + "; use --drive curve");
-  require(job.tolerance > 0.0, "tolerance", job.tolerance, "must be above 0 mm, such as 0.01");
-  require(job.max_retilt >= 0.0 && job.max_retilt <= 90.0, "max-retilt", job.max_retilt,
-          "must lie between 0 and 90 degrees");
-  require(job.axis_smoothing >= 0.0, "axis-smoothing", job.axis_smoothing, "must be above 0 mm, or 0 for none");
-  require(job.max_axis_rate >= 0.0, "max-axis-rate", job.max_axis_rate, "must be above 0 degrees a mm, or 0 for no limit");
-  require(job.feed > 0.0, "feed", job.feed, "must be above 0 mm/min");
-  require(job.threads >= 0 && job.threads <= most_threads, "threads", job.threads,
+  requireOption(job.tolerance >= least_tolerance, "tolerance", job.tolerance, "must be 0.0001 mm or more, such as 0.01");
+  requireOption(job.axis_smoothing >= 0.0, "axis-smoothing", job.axis_smoothing, "must be above 0 mm, or 0 for none");
+  requireOption(job.max_axis_rate >= 0.0, "max-axis-rate", job.max_axis_rate, "must be above 0 degrees a mm, or 0 for no limit");
+  requireOption(job.feed > 0.0, "feed", job.feed, "must be above 0 mm/min");
+  requireOption(job.threads >= 0 && job.threads <= most_threads, "threads", job.threads,
           "must be above 0 and not above 256, or 0 for all");
   if (is_curve)
     return; // its points are read later
@@ -105,13 +118,18 @@ checkOutputs(const Job& job)
 {
   if (job.outputs.empty())
     throw UsageError("no output is named; give at least one, such as -o part.csv");
-  std::error_code error;
   for (auto file = job.outputs.begin(); file != job.outputs.end(); ++file) {
     if (!isWritten(*file))
       throw UsageError("-o " + *file + ": extension '" + extensionOf(*file) +
                        "' is not known; use .csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .json or .png");
-    if (std::filesystem::equivalent(*file, job.scan, error))
-      throw UsageError("-o " + *file + ": this is the scan itself; give the output another name");
+    requireNoInput(*file, {{"the scan", job.scan},
+                           {"the curve", job.curve_file},
+                           {"the machine's file", job.program.machine_file},
+                           {"the job file", job.config_file}});
+    if (const std::string extension = extensionOf(*file);
+        !isBall(job) && (extension == ".pcd" || extension == ".ply" || extension == ".yaml"))
+      throw UsageError("-o " + *file + ": holds contacts, from which tips follow for a ball alone; write this cutter's "
+                       "path as .csv, .vtp, .apt or a program");
     if (std::find(job.outputs.begin(), file, *file) != file)
       throw UsageError("-o " + *file + ": is given twice");
     if (extensionOf(*file) == ".png" && !hasProgram(job.program, job.outputs))
@@ -120,6 +138,13 @@ checkOutputs(const Job& job)
 }
 
 } // namespace
+
+bool
+isBall(const Job& job)
+{
+  const CutterShape& c = job.cutter;
+  return c.flank_angle == 0.0 && c.corner_radius == c.radius;
+}
 
 void
 completeJob(Job& job)

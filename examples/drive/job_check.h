@@ -5,6 +5,9 @@
 
 #include "job.h"
 
+/** Whether the cutter is a ball, whose tip follows from its contact. */
+bool isBall(const Job& job);
+
 /** Fills in what follows from other options: a ball's corner, the step-over of a scallop. \throw UsageError for a
  *  setting that is missing, out of range or contradicts another */
 void completeJob(Job& job);

@@ -1,4 +1,5 @@
 #include "planning.h"
+#include "column_ends.h"
 #include "terminal/terminal.h"
 
 #include <pcl_spiral/common/message.h>
@@ -27,7 +28,7 @@ require(const Job& job, const Status& status)
 }
 
 Polyline
-curveOf(const Job& job)
+curveOf(const Job& job, Result& result)
 {
   ReadOptions read = job.read;
   read.columns.clear();
@@ -37,29 +38,48 @@ curveOf(const Job& job)
     points.push_back(p.getVector3fMap().cast<double>());
   if (points.size() < 2)
     throw FileError(job.curve_file, "a curve needs at least two points");
+  result.warnings.insert(result.warnings.end(), curve.warnings.begin(), curve.warnings.end());
   return points;
 }
 
-/** Axes of each pass, smoothed along it and held to the rate. */
+/** A pass as its points and axes; a ring three times round, so that its middle knows no ends. */
 void
-smooth(const Job& job, DrivePasses& passes)
+unroll(const DrivePass& pass, Polyline& points, std::vector<Eigen::Vector3d>& axes)
 {
-  constexpr double degree = 3.14159265358979323846 / 180.0;
-  AxisFieldOptions options;
-  options.smoothing_length = job.axis_smoothing;
-  options.max_deviation = 20.0 * degree; // jumps of local planes are to go
-  options.max_rate = job.max_axis_rate * degree;
-  for (DrivePass& pass : passes) {
-    Polyline points;
-    std::vector<Eigen::Vector3d> axes;
+  for (int round = 0; round < (pass.closed ? 3 : 1); ++round)
     for (const DrivePoint& p : pass.points) {
       points.push_back(p.position);
       axes.push_back(p.axis.normalized());
     }
+}
+
+/** Axes of each pass, smoothed along it and held to the rate. */
+void
+smooth(const Job& job, DrivePasses& passes, std::vector<std::string>& warnings)
+{
+  constexpr double degree = 3.14159265358979323846 / 180.0;
+  constexpr double most_smoothed = 20.0, farthest = 45.0; // degrees; farther off, passes no longer cover the surface
+  AxisFieldOptions options;
+  options.smoothing_length = job.axis_smoothing;
+  options.max_deviation = most_smoothed * degree;
+  options.max_rate = job.max_axis_rate * degree;
+  double largest = 0.0;
+  for (DrivePass& pass : passes) {
+    Polyline points;
+    std::vector<Eigen::Vector3d> axes;
+    unroll(pass, points, axes);
     const SmoothAxes smoothed = smoothAxes(points, axes, options);
+    const std::size_t first = pass.closed ? pass.points.size() : 0;
     for (std::size_t i = 0; i < pass.points.size(); ++i)
-      pass.points[i].axis = smoothed.axes[i];
+      pass.points[i].axis = smoothed.axes[first + i];
+    largest = std::max(largest, smoothed.largest_deviation / degree);
   }
+  if (largest > farthest)
+    throw UsageError(textOf("--max-axis-rate ", job.max_axis_rate, ", --axis-smoothing ", job.axis_smoothing,
+                            ": axes would lean ", largest, " degrees off those asked for, and not cover the surface; raise "
+                            "the rate, or smooth over less"));
+  if (largest > 1.0)
+    warnings.push_back(textOf("smoothing and rate lead axes up to ", largest, " degrees off those asked for"));
 }
 
 DrivePasses
@@ -77,7 +97,7 @@ drivePasses(const Job& job, ProgressBar& bar, Result& result)
   drive.setAxisMode(s.axisMode());
   drive.setOverrun(s.overrun);
   if (s.kind == DriveKind::Curve)
-    drive.setCurve(curveOf(job));
+    drive.setCurve(curveOf(job, result));
   drive.setNumberOfThreads(job.threads);
   drive.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.5 * share, stage); });
   DrivePasses passes;
@@ -85,7 +105,7 @@ drivePasses(const Job& job, ProgressBar& bar, Result& result)
   require(job, drive.getStatus());
   result.drive = drive.getReport();
   if (job.axis_smoothing > 0.0 || job.max_axis_rate > 0.0)
-    smooth(job, passes);
+    smooth(job, passes, result.warnings);
   return passes;
 }
 
@@ -97,7 +117,6 @@ locate(const Job& job, const DrivePasses& passes, ProgressBar& bar, Result& resu
   location.setCutter(job.cutter);
   location.setHolder(job.holder);
   location.setHolderClearance(job.holder_clearance);
-  location.setMaxRetilt(job.max_retilt);
   location.setPathTolerance(job.tolerance);
   location.setDrivePasses(passes);
   location.setNumberOfThreads(job.threads);
@@ -111,22 +130,30 @@ locate(const Job& job, const DrivePasses& passes, ProgressBar& bar, Result& resu
   return located;
 }
 
-ToolPose
-poseOf(const ToolLocation& location)
+/** Without a fit the surface's normal is taken from the cutter, which lies against it. */
+Eigen::Vector3d
+normalAt(const CutterProfile& cutter, const ToolLocation& location)
 {
-  const bool fitted = location.normal.squaredNorm() > 0.5;
-  return {location.tip, location.axis, location.contact, fitted ? location.normal : location.axis};
+  if (location.normal.squaredNorm() > 0.5)
+    return location.normal;
+  const Eigen::Vector3d from_tip = location.contact - location.tip;
+  const Eigen::Vector3d across = from_tip - from_tip.dot(location.axis) * location.axis;
+  const double l = std::min(across.norm(), cutter.radius());
+  const Eigen::Vector2d out = cutter.normal(l);
+  const Eigen::Vector3d side = l > 0.0 ? Eigen::Vector3d(across.normalized()) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  return -(out.x() * side + out.y() * location.axis).normalized();
 }
 
 /** Passes without the locations off the scan, cut in two there. */
 void
-takePoses(const std::vector<ToolLocations>& located, Result& result)
+takePoses(const CutterProfile& cutter, const std::vector<ToolLocations>& located, Result& result)
 {
   for (const ToolLocations& pass : located) {
     ToolPoses poses;
     const auto close = [&] {
       if (poses.size() > 1)
         result.passes.push_back(poses);
+      result.off_scan += poses.size() == 1;
       poses.clear();
     };
     for (const ToolLocation& location : pass) {
@@ -137,7 +164,7 @@ takePoses(const std::vector<ToolLocations>& located, Result& result)
       }
       if (!poses.empty())
         result.length += (location.tip - poses.back().tip).norm();
-      poses.push_back(poseOf(location));
+      poses.push_back({location.tip, location.axis, location.contact, normalAt(cutter, location)});
     }
     close();
   }
@@ -156,50 +183,49 @@ requireNoCollision(const Job& job, const std::vector<ToolLocations>& located, co
                                " would be ", location.collision.depth, " mm deep in the scan at ",
                                placeText(location.collision.place), ", the tip at ", placeText(location.tip), "; at ",
                                figures.collisions,
-                               " locations in all: use a longer or slimmer tool, another axis, --max-retilt, or "
+                               " locations in all: use a longer or slimmer tool, another axis, or "
                                "--accept-collisions to see the path all the same"));
 }
 
-/** Length at the ends of a column, along its axis, that no contact comes to; 0 where turns come as near as they are to
- *  each other. */
-double
-lengthNotReached(const std::vector<ToolLocations>& located, const DriveColumn& column, double step_over)
+/** Says what of a column's ends no contact comes to. */
+void
+warnOfEnds(const Job& job, const std::vector<ToolLocations>& located, Result& result)
 {
-  constexpr int sectors = 72;
-  const DriveCylinder& c = column.cylinder;
-  const Eigen::Vector3d e1 = referenceAcross(c.direction), e2 = c.direction.cross(e1);
-  std::vector<double> least(sectors, c.last), largest(sectors, c.first);
+  ColumnEnds scan(result.drive.column->cylinder), contacts(result.drive.column->cylinder);
+  for (const pcl::PointXYZ& p : *result.scan.cloud)
+    if (p.getVector3fMap().allFinite())
+      scan.add(p.getVector3fMap().cast<double>());
   for (const ToolLocations& pass : located)
     for (const ToolLocation& location : pass)
-      if (location.state != LocationState::NoCloud) {
-        const Eigen::Vector3d y = location.contact - c.origin;
-        const double turn = std::atan2(y.dot(e2), y.dot(e1)) / (2.0 * M_PI) + 0.5;
-        const int k = std::min(sectors - 1, static_cast<int>(turn * sectors));
-        least[k] = std::min(least[k], y.dot(c.direction));
-        largest[k] = std::max(largest[k], y.dot(c.direction));
-      }
-  double missed = 0.0;
-  for (int k = 0; k < sectors; ++k)
-    if (least[k] < largest[k]) // a sector that the scan covers
-      missed = std::max({missed, least[k] - c.first, c.last - largest[k]});
-  return missed > step_over ? missed : 0.0;
+      if (location.state != LocationState::NoCloud)
+        contacts.add(location.contact);
+  const double missed = scan.missedBy(contacts);
+  if (!(missed > result.drive.step_over))
+    return;
+  const double most = job.cutter.radius + result.drive.step_over, overrun = std::min(job.drive.overrun + missed, most);
+  const bool helps = job.drive.axisMode() == DriveAxisMode::Cylinder && job.drive.overrun < most;
+  result.warnings.push_back(textOf("up to ", missed, " mm at an end of the column are not cut",
+                                   helps ? textOf("; where it leans the cutter touches it beside its axis: let the path go "
+                                                  "on beyond the ends, such as --overrun ", std::ceil(10.0 * overrun) / 10.0)
+                                         : std::string(": check the path there")));
 }
 
 std::vector<std::string>
-warningsOf(const Job& job, const std::vector<ToolLocations>& located, const Result& result)
+warningsOf(const Job& job, const Result& result)
 {
   std::vector<std::string> warnings = result.scan.warnings;
+  warnings.insert(warnings.end(), result.warnings.begin(), result.warnings.end());
   warnings.insert(warnings.end(), result.drive.warnings.begin(), result.drive.warnings.end());
   warnings.insert(warnings.end(), result.locations.warnings.begin(), result.locations.warnings.end());
-  if (job.drive.goesRound())
-    if (const double missed = lengthNotReached(located, *result.drive.column, result.drive.step_over); missed > 0.0)
-      warnings.push_back(textOf("up to ", missed, " mm at an end of the column are not cut: the surface leans there, and "
-                                "the cutter touches it beside its axis; let the path go on beyond the ends, such as "
-                                "--overrun ", std::ceil(10.0 * (job.drive.overrun + missed)) / 10.0));
   if (result.off_scan > 0)
     warnings.push_back(textOf(result.off_scan,
                               " locations have no point of the scan below the cutter and were left out; passes were cut "
                               "there"));
+  const double flat = CutterProfile(job.cutter).flatRadius();
+  if (job.scallop > 0.0 && flat > 0.0)
+    warnings.push_back(textOf("the step-over of ", job.drive.step_over, " mm leaves ridges of ", job.scallop,
+                              " mm only where the surface lies straight across the tool axis; on slopes the edge of this "
+                              "cutter leaves far higher ones: give a --step-over there"));
   if (result.bisection.unresolved > 0)
     warnings.push_back(textOf(result.bisection.unresolved, " moves are beyond the tolerance of ", job.tolerance,
                               " mm, the worst by an error of ", result.bisection.largest_error, " mm at ",
@@ -227,9 +253,11 @@ plan(const Job& job)
   clock.end("locations");
   bar.clear();
   requireNoCollision(job, located, result.locations);
-  takePoses(located, result);
+  takePoses(CutterProfile(job.cutter), located, result);
   if (result.passes.empty())
     throw FileError(job.scan, "no pass has two locations over the scan; check the drive path and the tool axis");
-  result.warnings = warningsOf(job, located, result);
+  if (job.drive.goesRound())
+    warnOfEnds(job, located, result);
+  result.warnings = warningsOf(job, result);
   return result;
 }

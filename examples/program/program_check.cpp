@@ -1,6 +1,6 @@
 #include "program_check.h"
 #include "terminal/file_names.h"
-#include "terminal/terminal.h"
+#include "terminal/option_values.h"
 
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/io/setting_names.h>
@@ -12,13 +12,6 @@ using namespace pcl_spiral;
 namespace {
 
 constexpr double degrees = 180.0 / 3.14159265358979323846;
-
-void
-require(bool holds, const std::string& option, double value, const std::string& rule)
-{
-  if (!holds)
-    throw UsageError("--" + option + " " + textOf(value) + ": " + rule);
-}
 
 } // namespace
 
@@ -65,18 +58,18 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
                                      [](const std::string& output) { return extensionOf(output) == ".nc"; }))
     throw UsageError("--dialect " + choiceName(program.dialect) +
                      ": no output is in that language; write a .nc (a .ngc is LinuxCNC's)");
-  require(s.lead_length > 0.0, "lead-length", s.lead_length, "must be above 0 mm");
-  require(s.clearance > 0.0, "clearance", s.clearance, "must be above 0 mm");
-  require(s.rapid_height > 0.0, "rapid-height", s.rapid_height, "must be above 0 mm");
-  require(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole-cone", s.pole_cone,
+  requireOption(s.lead_length > 0.0, "lead-length", s.lead_length, "must be above 0 mm");
+  requireOption(s.clearance > 0.0, "clearance", s.clearance, "must be above 0 mm");
+  requireOption(s.rapid_height > 0.0, "rapid-height", s.rapid_height, "must be above 0 mm");
+  requireOption(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole-cone", s.pole_cone,
           "must lie between 0 and 90 degrees");
-  require(s.block.tip >= BlockTolerance::least_tip, "block-tolerance", s.block.tip, "must be 0.0001 mm or more");
-  require(s.block.axis >= BlockTolerance::least_axis, "block-tolerance", s.block.axis * degrees,
+  requireOption(s.block.tip >= BlockTolerance::least_tip, "block-tolerance", s.block.tip, "must be 0.0001 mm or more");
+  requireOption(s.block.axis >= BlockTolerance::least_axis, "block-tolerance", s.block.axis * degrees,
           "must be 0.00006 degrees or more");
-  require(s.thinning.tip >= 0.0, "thin-blocks", s.thinning.tip, "must not be below 0 mm");
-  require(s.thinning.axis >= 0.0, "thin-blocks", s.thinning.axis * degrees, "must not be below 0 degrees");
+  requireOption(s.thinning.tip >= 0.0, "thin-blocks", s.thinning.tip, "must not be below 0 mm");
+  requireOption(s.thinning.axis >= 0.0, "thin-blocks", s.thinning.axis * degrees, "must not be below 0 degrees");
   const ProgramHeader& header = program.header;
-  require(header.spindle_speed >= 0.0, "spindle", header.spindle_speed, "must be above 0 rev/min");
-  require(header.tool >= 0, "tool", header.tool, "must be above 0");
-  require(header.decimals >= 3 && header.decimals <= 6, "decimals", header.decimals, "must be 3 to 6");
+  requireOption(header.spindle_speed >= 0.0, "spindle", header.spindle_speed, "must be above 0 rev/min");
+  requireOption(header.tool >= 0, "tool", header.tool, "must be above 0");
+  requireOption(header.decimals >= 3 && header.decimals <= 6, "decimals", header.decimals, "must be 3 to 6");
 }

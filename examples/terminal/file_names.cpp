@@ -1,4 +1,5 @@
 #include "file_names.h"
+#include "terminal.h"
 
 #include <algorithm>
 #include <cctype>
@@ -39,6 +40,15 @@ besideName(const std::string& file, const std::string& suffix)
 {
   const fs::path path(file);
   return (path.parent_path() / (path.stem().string() + suffix + path.extension().string())).string();
+}
+
+void
+requireNoInput(const std::string& output, const std::vector<InputName>& inputs)
+{
+  std::error_code error;
+  for (const auto& [what, file] : inputs)
+    if (!file.empty() && fs::equivalent(output, file, error))
+      throw UsageError("-o " + output + ": this is " + what + " itself; give the output another name");
 }
 
 std::string

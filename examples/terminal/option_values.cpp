@@ -1,5 +1,7 @@
 #include "option_values.h"
 
+#include <pcl_spiral/common/message.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -13,6 +15,13 @@ numberValue(const std::string& name, const std::string& value)
   if (error != std::errc() || end != value.data() + value.size() || !std::isfinite(result))
     throw UsageError("--" + name + " " + value + ": not a number; write it as 12.5");
   return result;
+}
+
+void
+requireOption(bool holds, const std::string& option, double value, const std::string& rule)
+{
+  if (!holds)
+    throw UsageError("--" + option + " " + pcl_spiral::textOf(value) + ": " + rule);
 }
 
 int

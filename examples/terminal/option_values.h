@@ -17,6 +17,9 @@
 /** 12.5 */
 double numberValue(const std::string& name, const std::string& value);
 
+/** \throw UsageError "--option value: rule" unless \p holds */
+void requireOption(bool holds, const std::string& option, double value, const std::string& rule);
+
 /** 4 */
 int wholeNumberValue(const std::string& name, const std::string& value);
 

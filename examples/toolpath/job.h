@@ -17,6 +17,7 @@ struct Job {
   std::set<std::string> given; ///< names of the options that were set, here or in a job file
   std::string command; ///< the call as typed
   std::string scan;
+  std::string config_file;
   std::vector<std::string> outputs;
   pcl_spiral::ReadOptions read;
   pcl_spiral::SpiralSettings settings;

@@ -1,7 +1,7 @@
 #include "job_check.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
-#include "terminal/terminal.h"
+#include "terminal/option_values.h"
 
 #include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/io/toolpath_writer.h>
@@ -24,13 +24,6 @@ text(double value)
 }
 
 void
-require(bool holds, const std::string& option, double value, const std::string& rule)
-{
-  if (!holds)
-    throw UsageError("--" + option + " " + text(value) + ": " + rule);
-}
-
-void
 requireGiven(const Job& job, const std::string& option, const std::string& remedy)
 {
   if (job.given.count(option) == 0)
@@ -43,24 +36,24 @@ checkCutter(const Job& job)
   const pcl_spiral::SpiralSettings& s = job.settings;
   requireGiven(job, "tool-radius", "give the radius of the ball cutter in mm, such as --tool-radius 10");
   requireGiven(job, "scallop", "give the height of the ridge left between turns in mm, such as --scallop 0.05");
-  require(s.tool_radius > 0.0, "tool-radius", s.tool_radius, "must be above 0 mm, such as 10");
-  require(s.scallop_height > 0.0, "scallop", s.scallop_height, "must be above 0 mm, such as 0.05");
-  require(s.scallop_height < s.tool_radius, "scallop", s.scallop_height,
+  requireOption(s.tool_radius > 0.0, "tool-radius", s.tool_radius, "must be above 0 mm, such as 10");
+  requireOption(s.scallop_height > 0.0, "scallop", s.scallop_height, "must be above 0 mm, such as 0.05");
+  requireOption(s.scallop_height < s.tool_radius, "scallop", s.scallop_height,
           "must be below the tool radius, which is " + text(s.tool_radius) +
               " mm; usual is a hundredth of it");
-  require(s.chord_error > 0.0, "chord-error", s.chord_error, "must be above 0 mm, such as 0.005");
-  require(s.chord_error < s.tool_radius, "chord-error", s.chord_error,
+  requireOption(s.chord_error > 0.0, "chord-error", s.chord_error, "must be above 0 mm, such as 0.005");
+  requireOption(s.chord_error < s.tool_radius, "chord-error", s.chord_error,
           "must be below the tool radius, which is " + text(s.tool_radius) + " mm");
-  require(s.max_step >= 0.0, "max-step", s.max_step, "must be above 0 mm, or 0 for the tool radius");
-  require(std::abs(s.tilt_angle) < 90.0, "tilt", s.tilt_angle, "must lie between -90 and 90 degrees");
-  require(std::abs(s.lead_angle) < 90.0, "lead", s.lead_angle, "must lie between -90 and 90 degrees");
-  require(s.max_axis_rate > 0.0, "max-axis-rate", s.max_axis_rate, "must be above 0 degrees a mm");
-  require(s.axis_smoothing >= 0.0, "axis-smoothing", s.axis_smoothing, "must be above 0 mm, or 0 for none");
-  require(s.axis_deviation > 0.0 && s.axis_deviation < 90.0, "axis-deviation", s.axis_deviation,
+  requireOption(s.max_step >= 0.0, "max-step", s.max_step, "must be above 0 mm, or 0 for the tool radius");
+  requireOption(std::abs(s.tilt_angle) < 90.0, "tilt", s.tilt_angle, "must lie between -90 and 90 degrees");
+  requireOption(std::abs(s.lead_angle) < 90.0, "lead", s.lead_angle, "must lie between -90 and 90 degrees");
+  requireOption(s.max_axis_rate > 0.0, "max-axis-rate", s.max_axis_rate, "must be above 0 degrees a mm");
+  requireOption(s.axis_smoothing >= 0.0, "axis-smoothing", s.axis_smoothing, "must be above 0 mm, or 0 for none");
+  requireOption(s.axis_deviation > 0.0 && s.axis_deviation < 90.0, "axis-deviation", s.axis_deviation,
           "must lie between 0 and 90 degrees");
-  require(s.feed > 0.0, "feed", s.feed, "must be above 0 mm/min");
-  require(s.thinning >= 0.0, "thin", s.thinning, "must be above 0 mm, or 0 for none");
-  require(s.threads >= 0 && s.threads <= pcl_spiral::most_threads, "threads", s.threads,
+  requireOption(s.feed > 0.0, "feed", s.feed, "must be above 0 mm/min");
+  requireOption(s.thinning >= 0.0, "thin", s.thinning, "must be above 0 mm, or 0 for none");
+  requireOption(s.threads >= 0 && s.threads <= pcl_spiral::most_threads, "threads", s.threads,
           "must be above 0 and not above 256, or 0 for all");
 }
 
@@ -82,11 +75,11 @@ checkOutputs(const Job& job)
     if (!isWritten(file))
       throw UsageError("-o " + file + ": extension '" + extensionOf(file) +
                        "' is not known; use .csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .json .html or .png");
-  std::error_code error;
   const std::vector<std::string> files = filesOf(job);
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (fs::equivalent(files[i], job.scan, error))
-      throw UsageError("-o " + files[i] + ": this is the scan itself; give the output another name");
+    requireNoInput(files[i], {{"the scan", job.scan},
+                              {"the machine's file", job.program.machine_file},
+                              {"the job file", job.config_file}});
     if (std::find(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(i), files[i]) !=
         files.begin() + static_cast<std::ptrdiff_t>(i))
       throw UsageError("-o " + files[i] + ": is given twice");

@@ -43,9 +43,8 @@ files(Job& job)
         [&job](const std::string& value) { job.read.origin = placeValue("origin", value); }},
        {"columns", "NAMES", "columns of a text file from the left; x, y and z are taken: --columns id,x,y,z",
         [&job](const std::string& value) { job.read.columns = listValue(value); }},
-       {"config", "FILE",
-        "job file in YAML with these names (tool-radius: 10); the command line wins: --config job.yaml",
-        [](const std::string&) {}}}};
+       textOption("config", "FILE", "job file in YAML with these names (tool-radius: 10); the command line wins: --config job.yaml",
+                  job.config_file)}};
 }
 
 OptionGroup

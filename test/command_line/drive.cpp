@@ -117,13 +117,30 @@ TEST(Drive, AHolderThatWouldCollideIsRefused)
   const RunResult refused = run(folder, call);
   EXPECT_EQ(refused.code, 1);
   expectHas(refused.err, "segment 2 of the holder would be ");
-  expectHas(refused.err, "--max-retilt");
+  expectHas(refused.err, "--accept-collisions");
   EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv")));
   std::vector<std::string> accepted = call;
   accepted.push_back("--accept-collisions");
   const RunResult done = run(folder, accepted);
   EXPECT_EQ(done.code, 0) << done.err;
   expectHas(done.out, "collisions      shank or holder at ");
+}
+
+TEST(Drive, AxesAreBlendedAtThePoleForABallAlone)
+{
+  const ScratchFolder folder;
+  const std::vector<std::string> call{"cap.xyz", "--axis-mode", "surface", "--step-over", "9", "--tool-radius", "3",
+                                      "--feed", "5000", "--tolerance", "0.05", "-o", "a.ngc", "--machine",
+                                      machines + "/xyzac.yaml"};
+  const RunResult ball = run(folder, call);
+  ASSERT_EQ(ball.code, 0) << ball.err;
+  expectHas(ball.err, "the tool axis was blended");
+  std::vector<std::string> other = call;
+  other.insert(other.end(), {"--corner-radius", "1"});
+  const RunResult bull_nose = run(folder, other);
+  ASSERT_EQ(bull_nose.code, 0) << bull_nose.err;
+  EXPECT_EQ(bull_nose.err.find("blended"), std::string::npos) << bull_nose.err;
+  expectHas(bull_nose.err, "run below the feed");
 }
 
 TEST(Drive, WrongCallsAreRefused)
@@ -143,6 +160,17 @@ TEST(Drive, WrongCallsAreRefused)
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--holder", "5"}, 2, "--holder 5");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--drive", "curve"}, 2, "no --curve is given");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--drive", "helix"}, 1, "cap.xyz: ");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--overrun", "2"}, 2, "--drive is planes");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--tolerance", "1e-7"}, 2, "0.0001 mm or more");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--holder-clearance", "2"}, 2, "no --holder");
+  for (const char* output : {"a.yaml", "a.pcd", "a.ply"})
+    said({"cap.xyz", "-o", output, "--tool-radius", "3", "--corner-radius", "1", "--step-over", "1"}, 2, "for a ball alone");
+  writeText(folder.path("job.yaml"), "tool-radius: 3\nstep-over: 1\none-way: perhaps\n");
+  said({"cap.xyz", "-o", "a.csv", "--config", "job.yaml"}, 2, "must be true or false");
+  writeText(folder.path("machine.yaml"), readText(machines + "/xyzac.yaml"));
+  said({"cap.xyz", "-o", "machine.yaml", "-o", "a.ngc", "--tool-radius", "3", "--step-over", "1", "--machine",
+        "machine.yaml"},
+       2, "this is the machine's file itself");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-ove", "1"}, 2, "did you mean 'step-over'?");
   EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv")));
 }

@@ -84,6 +84,14 @@ polyData(const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motio
   const auto over_gap = [](const P& p) { return p.over_gap != 0; };
   if (std::any_of(path.begin(), path.end(), over_gap))
     arrays->AddArray(pointArray<vtkUnsignedCharArray>("OverGap", 1, path, [](const P& p, int) { return p.over_gap; }));
+  if (!motion.tips.empty()) {
+    vtkNew<vtkDoubleArray> tips;
+    tips->SetName("Tip");
+    tips->SetNumberOfComponents(3);
+    for (const Eigen::Vector3d& tip : motion.tips)
+      tips->InsertNextTuple(tip.data());
+    arrays->AddArray(tips);
+  }
   addValues(arrays, "Deviation", values.deviation);
   addValues(arrays, "Scallop", values.scallop);
   return data;

@@ -1,12 +1,15 @@
 #include "location_thinning.h"
 
+#include <pcl_spiral/common/available_memory.h>
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/swept_error.h>
 #include <pcl_spiral/toolpath/location_bisection.h>
+#include <pcl_spiral/toolpath/path_size.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace pcl_spiral {
@@ -60,6 +63,8 @@ public:
       const std::vector<OpenMove> moves = openMoves();
       if (moves.empty())
         break;
+      if (const Status status = checkSize(moves.size()); !status.ok())
+        return status;
       DrivePoints middles;
       for (const OpenMove& move : moves)
         middles.push_back(middleOf(from(move), to(move)));
@@ -85,6 +90,23 @@ public:
   }
 
 private:
+  /** Whether a round with so many middles can be held; each may stay, beside what there is. */
+  Status
+  checkSize(std::size_t moves) const
+  {
+    std::size_t locations = moves;
+    for (const OpenPass& pass : open_)
+      locations += pass.locations.size();
+    constexpr double copies = 3.0; // the passes, those that grow out of them, the middles
+    const double bytes = copies * static_cast<double>(locations * sizeof(ToolLocation));
+    const std::optional<double> free_bytes = availableMemory();
+    if (static_cast<double>(locations) <= most_path_points && (!free_bytes || bytes <= *free_bytes))
+      return Status::success();
+    return {StatusCode::InvalidArgument,
+            textOf("a tolerance of ", settings_.tolerance, " mm between locations takes more than ", locations,
+                   " of them, ", bytes / 1e9, " GB: raise the tolerance, or space passes wider")};
+  }
+
   const ToolLocation&
   from(const OpenMove& move) const
   {
@@ -146,10 +168,11 @@ private:
   {
     const Eigen::Vector3d straight = 0.5 * (from(move).tip + to(move).tip);
     const double error = isKnown(middle) ? std::max(move.swept, leftAbove(move, middle)) : move.swept;
-    if (error > 0.5 * settings_.tolerance && isKnown(middle) && halvings < settings_.most_halvings)
+    const bool kept = error <= 0.5 * settings_.tolerance;
+    if (!kept && isKnown(middle) && halvings < settings_.most_halvings)
       return true;
-    figures_.unresolved += error > 0.5 * settings_.tolerance;
-    if (error > figures_.largest_error) {
+    figures_.unresolved += !kept;
+    if (!(error <= figures_.largest_error)) {
       figures_.largest_error = error;
       figures_.worst_place = straight;
     }

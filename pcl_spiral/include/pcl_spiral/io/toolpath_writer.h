@@ -54,7 +54,7 @@ void writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoi
  * normal has the names that mesh viewers know; PCL reads them back as normal_x.. \throw FileError */
 void writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
 
-/** One polyline a pass, with point data Normals, ToolAxis, Feed (where one is known), Turn, ArcLength, and of \p values what is
+/** One polyline a pass, with point data Normals, ToolAxis, Feed (where one is known), Turn, ArcLength, Tip (where tips are given), and of \p values what is
  * given as Deviation and Scallop. \throw FileError, std::invalid_argument for values that are not one a point */
 void writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
                       const ToolpathMotion& motion, const PathValues& values = {});

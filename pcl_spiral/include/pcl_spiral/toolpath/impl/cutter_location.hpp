@@ -89,14 +89,20 @@ CutterLocation<PointT>::run(std::vector<ToolLocations>& passes)
     surface_ = made;
   }
   const CutterLocator locator(surface_->surface, CutterProfile(cutter_), options_);
+  const bool bisected = path_tolerance_ > 0.0;
+  const auto inPart = [&](double begin, double end) { // progress of a part of the whole
+    return ProgressCallback([this, begin, end](double share, const std::string& stage) {
+      return !progress_ || progress_(begin + share * (end - begin), stage);
+    });
+  };
   ToolLocations locations;
-  if (const Status status = locator.locate(drive_points_, progress_, locations); !status.ok())
+  if (const Status status = locator.locate(drive_points_, inPart(0.0, bisected ? 0.5 : 1.0), locations); !status.ok())
     return status;
   std::vector<ToolLocations> located = inPasses(locations);
-  if (path_tolerance_ > 0.0) {
+  if (bisected) {
     BisectionSettings settings;
     settings.tolerance = path_tolerance_;
-    if (const Status status = bisectLocations(locator, settings, progress_, located, bisection_figures_);
+    if (const Status status = bisectLocations(locator, settings, inPart(0.5, 1.0), located, bisection_figures_);
         !status.ok())
       return status;
     locations.clear();

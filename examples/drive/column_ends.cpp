@@ -1,0 +1,44 @@
+#include "column_ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+using pcl_spiral::DriveCylinder;
+
+namespace {
+
+constexpr int sectors = 72;
+
+} // namespace
+
+ColumnEnds::ColumnEnds(const DriveCylinder& cylinder)
+: cylinder_(cylinder), e1_(pcl_spiral::referenceAcross(cylinder.direction)), e2_(cylinder.direction.cross(e1_)),
+  along_(sectors)
+{
+}
+
+void
+ColumnEnds::add(const Eigen::Vector3d& place)
+{
+  const Eigen::Vector3d y = place - cylinder_.origin;
+  const double turn = std::atan2(y.dot(e2_), y.dot(e1_)) / (2.0 * M_PI) + 0.5;
+  along_[std::min(sectors - 1, static_cast<int>(turn * sectors))].push_back(y.dot(cylinder_.direction));
+}
+
+double
+ColumnEnds::missedBy(ColumnEnds& inner)
+{
+  constexpr std::size_t strays = 2;
+  double missed = 0.0;
+  for (int k = 0; k < sectors; ++k) {
+    std::vector<double>&outer = along_[k], &reached = inner.along_[k];
+    if (outer.size() <= 2 * strays)
+      continue;
+    std::sort(outer.begin(), outer.end());
+    std::sort(reached.begin(), reached.end());
+    const double first = outer[strays], last = outer[outer.size() - 1 - strays];
+    missed = std::max(missed, reached.empty() ? last - first : std::max(reached.front() - first, last - reached.back()));
+  }
+  return missed;
+}
