@@ -3,6 +3,7 @@
 
 #include "support/path_checks.h"
 #include "support/removed_material.h"
+#include "support/sanitizers.h"
 
 #include <pcl_spiral/verify/deviation_estimation.h>
 #include <pcl_spiral/verify/material_removal.h>
@@ -26,7 +27,7 @@ namespace pcl_spiral::acceptance {
 
 namespace {
 
-constexpr unsigned int longest = 30; ///< s of processor time; a case that takes longer hangs
+constexpr unsigned int longest = sanitized ? 900 : 30; ///< s of processor time; a case that takes longer hangs
 
 /** What a case came to: nothing wrong, or the faults found. */
 struct Outcome {
