@@ -48,7 +48,7 @@ forward(const MachineChain& chain, const AxisValues& at)
                 Eigen::Translation3d(-joint.point));
   };
   const double angles[2] = {at.first, at.second};
-  Pose work(Eigen::Translation3d(Eigen::Vector3d::Zero())); // machine <- table with the work on it
+  Pose work = Pose::Identity(); // machine <- table with the work on it
   for (int i = 1; i >= 0; --i)
     if (chain.rotary[i].table)
       work = work * about(chain.rotary[i], angles[i]);
