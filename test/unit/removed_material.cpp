@@ -76,12 +76,12 @@ TEST(MoveTree, AgreesWithTryingEveryMove)
   Random random(1);
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < 400; ++i)
-    points.emplace_back(random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-3, 3));
+    points.push_back({random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-3, 3)});
   const MoveTree tree(points);
   int met = 0;
-  for (int k = 0; k < 2000; ++k) {
-    const Eigen::Vector3d x(random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-9, 2));
-    const Eigen::Vector3d n = Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
+  for (int k = 0; k < 2500; ++k) {
+    const Eigen::Vector3d x{random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-9, 2)};
+    const Eigen::Vector3d n = Eigen::Vector3d{random.normal(), random.normal(), random.normal()}.normalized();
     double first = 3.0, near = 1e9;
     const int pieces = k % 20 == 0 ? 2000 : 1;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {

@@ -33,7 +33,7 @@ column(const std::function<double(double, double)>& radius, double height, doubl
   for (int i = 0; i < 5000; ++i) {
     const double z = random.uniform(-0.5 * height, 0.5 * height), a = random.uniform(0.0, sector), h = 1e-5;
     Vector3d n = (place(z, a + h) - place(z, a - h)).cross(place(z + h, a) - place(z - h, a)).normalized();
-    n += noise * Vector3d(random.normal(), random.normal(), random.normal());
+    n += noise * Vector3d{random.normal(), random.normal(), random.normal()};
     cloud.points.push_back(motion * place(z, a));
     cloud.normals.push_back(motion.linear() * n.normalized());
     cloud.weights.push_back(1.0);
@@ -88,6 +88,19 @@ TEST(RevolutionAxis, OfColumnsOfManyShapes)
       EXPECT_LT(e.offset, c.most_offset) << c.name;
       EXPECT_LT(e.axis.uncertainty, 0.4) << c.name;
       EXPECT_GT(e.axis.radial, 0.7) << c.name;
+    }
+}
+
+/** Seen from far off across its axis a cylinder is a piece of a huge ring, and goes round that axis as well. */
+TEST(RevolutionAxis, ACylinderIsNoPieceOfAHugeRing)
+{
+  for (std::uint64_t seed = 1; seed <= 40; ++seed)
+    for (const double noise : {0.0, 0.01, 0.05}) {
+      const Eigen::Isometry3d motion = randomMotion(seed, 300.0);
+      const Error e =
+          errorOf(column([](double, double) { return 10.0; }, 60.0, 2.0 * M_PI, noise, motion, seed), motion);
+      EXPECT_LT(e.angle, 5e-4 + 0.05 * noise) << seed << ", noise " << noise;
+      EXPECT_LT(e.offset, 0.02 + 2.0 * noise) << seed << ", noise " << noise;
     }
 }
 

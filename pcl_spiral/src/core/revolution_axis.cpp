@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl_spiral {
 namespace {
@@ -202,6 +203,22 @@ fitFrom(const Sample& sample, Axis axis)
   return judged(sample, axis, cubic, equationsAt(sample, axis, cubic, scaleAt(sample, axis, cubic)));
 }
 
+/** That which leaves least. A cylinder goes round any far axis across its own as well, as a piece of a huge ring: of fits
+ *  that leave about as much, that which tells its direction best. */
+std::optional<Fit>
+bestOf(const std::vector<Fit>& fits)
+{
+  constexpr double as_much = 1.5, rounding = 1e-8;
+  double least = std::numeric_limits<double>::max();
+  for (const Fit& fit : fits)
+    least = std::min(least, fit.left);
+  std::optional<Fit> best;
+  for (const Fit& fit : fits)
+    if (fit.left <= as_much * least + rounding && (!best || fit.axis.uncertainty < best->axis.uncertainty))
+      best = fit;
+  return best;
+}
+
 } // namespace
 
 std::optional<RevolutionAxis>
@@ -229,12 +246,11 @@ fitRevolutionAxis(const std::vector<Vector3d>& points, const std::vector<Vector3
     sample.points.push_back((p - mean) / size);
   const Eigen::Matrix3d start = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
   const Sample some = sample.thinned(few_points);
-  std::optional<Fit> best;
-  for (int k = 0; k < 3; ++k) {
-    const auto fit = fitFrom(some, {placeBetweenNormals(some, start.col(k)), start.col(k)});
-    if (fit && (!best || fit->left < best->left))
-      best = fit;
-  }
+  std::vector<Fit> fits;
+  for (int k = 0; k < 3; ++k)
+    if (const auto fit = fitFrom(some, {placeBetweenNormals(some, start.col(k)), start.col(k)}))
+      fits.push_back(*fit);
+  std::optional<Fit> best = bestOf(fits);
   if (best)
     best = fitFrom(sample, best->end);
   if (!best)

@@ -25,8 +25,9 @@ struct RevolutionAxis {
  * x (x - c)|, 0 on any surface of revolution (Pottmann, Randrup, Rotational and helical surface approximation
  * for reverse engineering, Computing 60, 1998), and of n d less a cubic of the height along d, which holds
  * short wide columns and leaves waists free. Points far off, as on a boss, count less (Cauchy). Begun from
- * each principal axis of the normals; that which leaves the normals most nearly across it wins. Empty where
- * there are fewer than 10 points, or no end is found. */
+ * each principal axis of the normals; that which leaves least wins, and of some that leave about as much (a cylinder is a
+ * piece of a huge ring, too) that with the least uncertainty. Empty where there are fewer than 10 points, or no end is
+ * found. */
 std::optional<RevolutionAxis> fitRevolutionAxis(const std::vector<Eigen::Vector3d>& points,
                                                 const std::vector<Eigen::Vector3d>& normals,
                                                 const std::vector<double>& weights);
