@@ -3,6 +3,7 @@
 
 #include "cap_scan.h"
 #include "run_program.h"
+#include "support/sanitizers.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -164,6 +165,8 @@ TEST_F(Interruption, AskedToEndItEndsSoonAndLeavesAllAsItWas)
 
 TEST_F(Interruption, WithoutRoomNothingChanges)
 {
+  if (sanitized)
+    GTEST_SKIP() << "clang's OpenMP holds shared memory in files, which the limit cuts short";
   ASSERT_EQ(run(call(plain, "0.05")).code, 0);
   const Contents old = contents();
   std::size_t largest = 0;

@@ -268,8 +268,9 @@ TEST_F(Refusals, WarningsAboutUnitsAndNoise)
   const auto warnings = [this](const Points& points, const Arguments& arguments) {
     const RunResult result = run(points, arguments);
     EXPECT_EQ(result.code, 0) << result.err;
-    const std::string all = report().at("warnings").dump();
-    for (const auto& warning : report().at("warnings"))
+    const nlohmann::json told = report().at("warnings");
+    const std::string all = told.dump();
+    for (const auto& warning : told)
       EXPECT_NE(result.err.find(warning.get<std::string>()), std::string::npos) << "said on the terminal too: " << warning;
     return all;
   };
