@@ -271,13 +271,20 @@ evenSpread(const PointBlocks& blocks)
   for (std::size_t i = 0; i < blocks.size(); ++i)
     spread.source.push_back(blocks.originalIndex(i));
   spread.measure();
-  spread.keep(withoutLoners(spread));
-  const std::size_t on_surface = spread.source.size();
+  const std::vector<std::uint8_t> on_surface = withoutLoners(spread);
+  EvenSpread even;
+  for (std::size_t i = 0; i < on_surface.size(); ++i)
+    if (!on_surface[i])
+      even.loners.push_back(spread.source[i]);
+  spread.keep(on_surface);
   const bool lines = thinLines(spread), steps = thinSteps(spread);
   if (!lines && !steps)
     return {};
-  std::sort(spread.source.begin(), spread.source.end());
-  return {std::move(spread.source), on_surface - spread.blocks.size()};
+  even.kept = std::move(spread.source);
+  std::sort(even.kept.begin(), even.kept.end());
+  std::sort(even.loners.begin(), even.loners.end());
+  even.surplus = blocks.size() - even.kept.size() - even.loners.size();
+  return even;
 }
 
 } // namespace pcl_spiral

@@ -6,20 +6,28 @@
 namespace pcl_spiral {
 namespace {
 
-/** Whether each point belongs to a part that is more than a speck. */
-std::vector<std::uint8_t>
-inLargeParts(const Triangulation& mesh, std::size_t points)
+/** Mark the points that belong to a part of no less than the share \p speck of the triangles. */
+void
+markLargeParts(const Triangulation& mesh, double speck, std::vector<std::uint8_t>& in)
 {
-  constexpr double speck = 0.005; // of all triangles
   std::vector<std::size_t> sizes;
   const std::vector<std::uint32_t> part = mesh.parts(sizes);
   const double least = speck * static_cast<double>(mesh.triangleCount());
-  std::vector<std::uint8_t> in(points, 0);
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
     if (static_cast<double>(sizes[part[t]]) >= least)
       for (const std::uint32_t v : mesh.triangle(t))
         in[v] = 1;
-  return in;
+}
+
+std::vector<std::uint32_t>
+originalIndices(const SurfaceGraph& graph, const std::vector<std::uint8_t>& kept)
+{
+  std::vector<std::uint32_t> out;
+  for (std::size_t i = 0; i < graph.size(); ++i)
+    if (!kept[i])
+      out.push_back(graph.blocks().originalIndex(i));
+  std::sort(out.begin(), out.end());
+  return out;
 }
 
 /** Whether the point where boundary half-edge \p h begins is far from all that it shares a triangle with. Its own spacing
@@ -44,17 +52,29 @@ isTip(const SurfaceGraph& graph, std::uint32_t h)
 std::vector<std::uint32_t>
 lonePoints(const SurfaceGraph& graph)
 {
+  constexpr double speck = 0.005; // of all triangles
   const Triangulation& mesh = graph.triangulation();
-  std::vector<std::uint8_t> kept = inLargeParts(mesh, graph.size());
+  std::vector<std::uint8_t> kept(graph.size(), 0);
+  markLargeParts(mesh, speck, kept);
   for (std::uint32_t h = 0; h < mesh.halfEdgeCount(); ++h)
     if (mesh.opposite(h) == Triangulation::none && isTip(graph, h))
       kept[mesh.origin(h)] = 0;
-  std::vector<std::uint32_t> lone;
+  return originalIndices(graph, kept);
+}
+
+std::vector<std::uint32_t>
+sparseSpecks(const SurfaceGraph& graph)
+{
+  constexpr double sparse = 2.5; // times the usual spacing
+  constexpr double speck = 0.02; // of all triangles
+  const double far = sparse * graph.spacing();
+  std::vector<std::uint8_t> kept(graph.size());
   for (std::size_t i = 0; i < graph.size(); ++i)
-    if (!kept[i])
-      lone.push_back(graph.blocks().originalIndex(i));
-  std::sort(lone.begin(), lone.end());
-  return lone;
+    kept[i] = graph.spacing(i) <= far;
+  if (std::find(kept.begin(), kept.end(), 0) == kept.end())
+    return {};
+  markLargeParts(graph.triangulation(), speck, kept);
+  return originalIndices(graph, kept);
 }
 
 } // namespace pcl_spiral

@@ -70,7 +70,12 @@ public:
       if (status.ok())
         status = leaveOutliersOut();
     }
-    source_.strays = left_out_.size() - source_.surplus - source_.indices.size();
+    for (const std::uint32_t loner : loners_)
+      left_out_[loner] = 1;
+    source_.strays.clear();
+    for (std::uint32_t i = 0; i < left_out_.size(); ++i)
+      if (left_out_[i])
+        source_.strays.push_back(i);
     return status;
   }
 
@@ -88,6 +93,7 @@ private:
     if (spread.kept.size() < SurfaceGraph::fewest_points) // a strip two or three points wide is a line all along
       spread = EvenSpread();
     source_.surplus = spread.surplus;
+    loners_ = selected(spread.loners, source_.indices);
     if (!spread.kept.empty()) {
       source_.indices = selected(spread.kept, source_.indices);
       blocks = PointBlocks(selected(source_.indices, points));
@@ -103,7 +109,7 @@ private:
     constexpr int rounds = 5;
     constexpr double some = 0.001; // of the points
     for (int round = 0; round < rounds; ++round) {
-      Indices off = unionOf(graph_.strayPoints(), falsePoints(graph_));
+      Indices off = unionOf(unionOf(graph_.strayPoints(), sparseSpecks(graph_)), falsePoints(graph_));
       const std::size_t used = source_.indices.size(), outliers = left_out_.size() - source_.surplus - used + off.size();
       if (static_cast<double>(outliers) > some * static_cast<double>(used))
         off = unionOf(off, lonePoints(graph_));
@@ -142,6 +148,7 @@ private:
   SurfaceGraph& graph_;
   GraphSource& source_;
   std::vector<std::uint8_t> left_out_; ///< of the points given
+  Indices loners_;                     ///< of the last even choice: off it, but not for good
   bool any_left_out_ = false;
 };
 

@@ -114,7 +114,7 @@ planDrive(std::vector<Eigen::Vector3f> points, const DriveSettings& settings,
     if (const Status status = buildCleanGraph(std::move(points), SurfaceGraphOptions(), graph, source);
         !status.ok())
       return status;
-    report.stray_points = source.strays;
+    report.stray_points = source.strays.size();
   }
   if (!told(0.6, "passes"))
     return cancelled();

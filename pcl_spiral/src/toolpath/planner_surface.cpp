@@ -62,13 +62,13 @@ SpiralPlanner::makeGraph(std::vector<Eigen::Vector3f> points, std::vector<Eigen:
   const Box box = graph_.blocks().box();
   const Eigen::Vector3d middle = 0.5 * (Eigen::Map<const Eigen::Vector3f>(box.low.data()).cast<double>() +
                                         Eigen::Map<const Eigen::Vector3f>(box.high.data()).cast<double>());
-  if (static_cast<double>(source_.strays) > most_strays * static_cast<double>(given))
+  if (static_cast<double>(source_.strays.size()) > most_strays * static_cast<double>(given))
     return {StatusCode::InvalidInput,
-            textOf(source_.strays, " of ", given, " points stand alone, far off the densest part of the cloud, which lies about ",
+            textOf(source_.strays.size(), " of ", given, " points stand alone, far off the densest part of the cloud, which lies about ",
                    placeText(middle), ", is ", box.diagonal(), " mm across and has a point every ", graph_.spacing(),
                    " mm: the scan does not hang together; leave that part out, or thin the cloud to an even spacing "
                    "(--thin)")};
-  strays_ += source_.strays;
+  strays_ += source_.strays.size();
   if (bridges_.empty())
     report_.surplus_points += source_.surplus;
   surface_ = std::make_unique<MlsSurface>(graph_);

@@ -39,7 +39,7 @@ ReferenceSurface::build(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions
   const bool with_normals = !options.given_normals.empty();
   if (const Status status = buildCleanGraph(std::move(points), options, graph_, source_); !status.ok())
     return status;
-  strays_ = source_.strays;
+  strays_ = source_.strays.size();
   surface_ = std::make_unique<MlsSurface>(graph_, 0, ProjectionMethod::RobustQuartic);
   warnings_.clear();
   if (strays_ > 0)

@@ -12,8 +12,9 @@ namespace pcl_spiral {
 
 /** What is left of a cloud when its points are spread evenly. */
 struct EvenSpread {
-  std::vector<std::uint32_t> kept; ///< ascending indices of what the blocks were made from; empty: all
-  std::size_t surplus = 0;         ///< left out because others lie close by
+  std::vector<std::uint32_t> kept;   ///< ascending indices of what the blocks were made from; empty: all
+  std::vector<std::uint32_t> loners; ///< left out because they stand alone off the others; ascending
+  std::size_t surplus = 0;           ///< left out because others lie close by
 };
 
 /** Points to keep so that neighbours lie all about each point: of points much closer along scan lines than the lines stand

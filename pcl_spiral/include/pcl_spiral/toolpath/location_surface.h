@@ -51,7 +51,7 @@ public:
   std::size_t
   strayPoints() const
   {
-    return source_.strays;
+    return source_.strays.size();
   }
   /** Corners of the triangulation's edges that have a triangle on one side only, along loops longer than
    * eight spacings: beyond them, or in the gap they bound, nothing is known. */
