@@ -3,6 +3,7 @@
 #include "drive/job_check.h"
 #include "drive/outputs.h"
 #include "drive/planning.h"
+#include "program/free_leads.h"
 #include "program/machine_moves.h"
 #include "program/program_check.h"
 #include "report/picture_files.h"
@@ -41,6 +42,10 @@ run(const Job& job)
       program.settings.pole_cone = 0.0; // a blended axis would lead any other cutter into the surface
     result.program =
         makeProgram(program, *machine, job.feed, isBall(job) ? job.cutter.radius : 0.0, result.passes, result.warnings);
+    requireFreeLeads(job.scan, result.scan.cloud,
+                     {job.cutter, job.holder, job.holder_clearance, job.tolerance + result.locations.noise_allowance,
+                      job.threads},
+                     *result.program, program.accept_collisions, job.quiet, result.warnings);
   }
   if (!job.quiet)
     for (const std::string& warning : result.warnings)

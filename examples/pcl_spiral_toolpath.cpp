@@ -1,6 +1,7 @@
 // From a scan to toolpath files: the main program.
 #include "judging/figures_table.h"
 #include "judging/judge.h"
+#include "program/free_leads.h"
 #include "program/machine_moves.h"
 #include "program/program_check.h"
 #include "terminal/terminal.h"
@@ -86,6 +87,23 @@ verify(const Job& job, Result& result)
 }
 
 void
+layOnMachine(const Job& job, const Machine& machine, Result& result)
+{
+  constexpr double deviations = 5.0; // of the noise: no point stands further off the surface
+  StageClock clock(result.report.stages);
+  const SpiralSettings& s = job.settings;
+  result.program = makeProgram(job.program, machine, s.feed, s.tool_radius, {ballPoses(*result.path, s.tool_radius)},
+                               result.report.warnings);
+  LedTool tool;
+  tool.cutter = CutterShape::ball(s.tool_radius);
+  tool.tolerance = s.chord_error + deviations * result.report.noise;
+  tool.threads = s.threads;
+  requireFreeLeads(job.scan, result.scan.cloud, tool, *result.program, job.program.accept_collisions, job.quiet,
+                   result.report.warnings);
+  clock.end("machine");
+}
+
+void
 run(const Job& job)
 {
   const auto start = std::chrono::steady_clock::now();
@@ -98,8 +116,7 @@ run(const Job& job)
   const std::optional<Machine> machine = hasProgram(job.program, job.outputs) ? std::optional(machineOf(job.program)) : std::nullopt;
   Result result = compute(job);
   if (machine)
-    result.program = makeProgram(job.program, *machine, job.settings.feed, job.settings.tool_radius,
-                                 {ballPoses(*result.path, job.settings.tool_radius)}, result.report.warnings);
+    layOnMachine(job, *machine, result);
   if (job.verify)
     verify(job, result);
   warn(job, result.scan.warnings);

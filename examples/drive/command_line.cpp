@@ -28,6 +28,10 @@ files(Job& job)
            placeOption("origin", "subtracted from the scan, in its own unit: --origin 393775,3689071,0", job.read.origin),
            {"columns", "NAMES", "columns of a text file from the left; x, y and z are taken: --columns id,x,y,z",
             [&job](const std::string& value) { job.read.columns = listValue(value); }},
+           switchOption("leave-out-strays",
+                        "leave out points off the scanned surface, false echoes as a rule; the cutter stays above every point "
+                        "otherwise",
+                        job.leave_out_strays),
            textOption("config", "FILE", "job file in YAML with these names; the command line wins: --config job.yaml",
                       job.config_file)}};
 }
@@ -68,8 +72,6 @@ cutter(Job& job)
             [&job](const std::string& value) { job.holder = segmentsOf(value); }},
            numberOption("holder-clearance", "L", "kept between holder and scan; 0: --holder-clearance 1",
                         job.holder_clearance),
-           switchOption("accept-collisions", "write the path although shank or holder touch the scan",
-                        job.accept_collisions),
            numberOption("feed", "F", "at the contact, mm/min; 1000: --feed 2500", job.feed)}};
 }
 
@@ -97,6 +99,10 @@ path(Job& job)
            switchOption("one-way", "planes all in one direction; to and fro by default", job.one_way),
            textOption("curve", "FILE", "the curve of --drive curve: points in order, formats as for a scan: --curve c.txt",
                       job.curve_file),
+           placeOption("column-axis", "direction of the axis that helix and rings go round; found from the scan by default: "
+                                      "--column-axis 0,0,1",
+                       job.column_axis),
+           placeOption("column-centre", "a place on it; 0,0,0: --column-centre 20,5,0", job.column_centre),
            placeOption("axis", "tool axis, tip to shank, of --axis-mode fixed and of section planes; 0,0,1: --axis 0,1,1",
                        s.axis),
            {"axis-mode", pcl_spiral::choiceList<DriveAxisMode>(),

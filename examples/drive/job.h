@@ -10,6 +10,7 @@
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/toolpath/drive_settings.h>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,9 +25,11 @@ struct Job {
   pcl_spiral::CutterShape cutter;
   std::vector<pcl_spiral::ToolSegment> holder;
   double holder_clearance = 0.0;
-  bool accept_collisions = false;
+  bool leave_out_strays = false;
   pcl_spiral::DriveSettings drive;
   std::string curve_file;
+  std::optional<Eigen::Vector3d> column_axis;              ///< direction; found from the scan where none is given
+  Eigen::Vector3d column_centre = Eigen::Vector3d::Zero(); ///< a place on it
   std::string config_file;
   double scallop = 0.0;     ///< in place of a step-over
   double tolerance = 0.01;  ///< between locations

@@ -5,11 +5,15 @@
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/axis_field.h>
 #include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/surface/stray_removal.h>
 #include <pcl_spiral/toolpath/cutter_location.h>
 #include <pcl_spiral/toolpath/drive_path.h>
 
+#include <pcl/common/point_tests.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace pcl_spiral;
 
@@ -82,6 +86,42 @@ smooth(const Job& job, DrivePasses& passes, std::vector<std::string>& warnings)
     warnings.push_back(textOf("smoothing and rate lead axes up to ", largest, " degrees off those asked for"));
 }
 
+/** The scan less the points off its surface, which are told. */
+void
+leaveOutStrays(const Job& job, Result& result)
+{
+  StrayRemoval<pcl::PointXYZ> removal(true);
+  removal.setInputCloud(result.scan.cloud);
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr kept(new pcl::PointCloud<pcl::PointXYZ>);
+  removal.filter(*kept);
+  require(job, removal.getStatus());
+  if (const pcl::IndicesConstPtr removed = removal.getRemovedIndices(); !removed->empty())
+    result.warnings.push_back(textOf(removed->size(), " of ", result.scan.cloud->size(),
+                                     " points, off the scanned surface, were left out (--leave-out-strays), the first at ",
+                                     placeText((*result.scan.cloud)[removed->front()].getVector3fMap().cast<double>()),
+                                     ": see that nothing stands there"));
+  result.scan.cloud = kept;
+}
+
+/** The column's axis as given, as long as the scan. */
+DriveCylinder
+givenColumn(const Job& job, const Result& result)
+{
+  DriveCylinder column;
+  column.direction = job.column_axis->normalized();
+  column.origin = job.column_centre;
+  column.first = std::numeric_limits<double>::infinity();
+  column.last = -column.first;
+  for (const pcl::PointXYZ& p : *result.scan.cloud) {
+    if (!pcl::isFinite(p))
+      continue;
+    const double along = (p.getVector3fMap().cast<double>() - column.origin).dot(column.direction);
+    column.first = std::min(column.first, along);
+    column.last = std::max(column.last, along);
+  }
+  return column;
+}
+
 DrivePasses
 drivePasses(const Job& job, ProgressBar& bar, Result& result)
 {
@@ -96,6 +136,8 @@ drivePasses(const Job& job, ProgressBar& bar, Result& result)
   drive.setAxis(s.axis);
   drive.setAxisMode(s.axisMode());
   drive.setOverrun(s.overrun);
+  if (job.column_axis)
+    drive.setCylinder(givenColumn(job, result));
   if (s.kind == DriveKind::Curve)
     drive.setCurve(curveOf(job, result));
   drive.setNumberOfThreads(job.threads);
@@ -173,7 +215,7 @@ takePoses(const CutterProfile& cutter, const std::vector<ToolLocations>& located
 void
 requireNoCollision(const Job& job, const std::vector<ToolLocations>& located, const LocationFigures& figures)
 {
-  if (figures.collisions == 0 || job.accept_collisions)
+  if (figures.collisions == 0 || job.program.accept_collisions)
     return;
   for (const ToolLocations& pass : located)
     for (const ToolLocation& location : pass)
@@ -247,6 +289,11 @@ plan(const Job& job)
   clock.end("reading");
   if (cancelled())
     throw Cancelled();
+  if (job.leave_out_strays) {
+    bar.update(0.0, "strays");
+    leaveOutStrays(job, result);
+    clock.end("strays");
+  }
   const DrivePasses passes = drivePasses(job, bar, result);
   clock.end("drive path");
   const std::vector<ToolLocations> located = locate(job, passes, bar, result);

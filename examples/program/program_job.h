@@ -13,4 +13,5 @@ struct ProgramJob {
   pcl_spiral::Dialect dialect = pcl_spiral::Dialect::LinuxCNC; ///< of .nc
   pcl_spiral::ProgramSettings settings; ///< feed and ball radius are the path's
   pcl_spiral::ProgramHeader header;
+  bool accept_collisions = false; ///< of what holds the cutter, and of the tool off its path
 };

@@ -37,6 +37,9 @@ programOptions(ProgramJob& program)
                     settings.clearance),
        numberOption("rapid-height", "L", "rapids cross so far above the highest tip; 50: --rapid-height 100",
                     settings.rapid_height),
+       switchOption("accept-collisions",
+                    "write what is asked although the tool would touch the scan on its way to the path, or its holder would",
+                    program.accept_collisions),
        numberOption("pole-cone", "A",
                     "axes are blended within this angle of the rotary axis's own direction, where it would turn too "
                     "fast; 5: --pole-cone 2",

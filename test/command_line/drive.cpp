@@ -126,6 +126,59 @@ TEST(Drive, AHolderThatWouldCollideIsRefused)
   expectHas(done.out, "collisions      shank or holder at ");
 }
 
+/** Its normals stand four ways: no axis can be told from them. */
+TEST(Drive, ASquareColumnGoesRoundTheAxisGiven)
+{
+  const ScratchFolder folder;
+  std::ostringstream text; // 20 mm wide with edges of radius 3, about (5, 7), 16 mm high
+  for (int line = 0; line < 140; ++line)
+    for (int i = 0; i < 33; ++i) {
+      const double angle = 2.0 * M_PI * line / 140.0, c = std::cos(angle), s = std::sin(angle);
+      double r = 7.0; // out to where the distance from the inner square is the edge's radius
+      for (int step = 0; step < 60; ++step)
+        r += 3.0 - std::hypot(std::max(0.0, r * std::abs(c) - 7.0), std::max(0.0, r * std::abs(s) - 7.0));
+      text << 5.0 + r * c << ' ' << 7.0 + r * s << ' ' << 0.5 * i + 0.25 * (line % 2) << '\n';
+    }
+  writeText(folder.path("square.xyz"), text.str());
+  const std::vector<std::string> call{"square.xyz", "--drive", "helix", "--step-over", "2", "--tool-radius", "3",
+                                      "--tolerance", "0.05", "-o", "a.csv"};
+  const RunResult refused = endOf(startProgram(program, call, folder), folder);
+  EXPECT_EQ(refused.code, 1);
+  expectHas(refused.err, "--column-axis");
+  std::vector<std::string> given = call;
+  given.insert(given.end(), {"--column-axis", "0,0,2", "--column-centre", "5,7,0"});
+  const RunResult done = endOf(startProgram(program, given, folder), folder);
+  ASSERT_EQ(done.code, 0) << done.err;
+  for (const std::vector<double>& row : rows(readText(folder.path("a.csv")))) {
+    const double x = row[2] - 5.0, y = row[3] - 7.0, angle = std::atan2(row[12], row[11]);
+    const double out = std::hypot(std::max(0.0, std::abs(x) - 7.0), std::max(0.0, std::abs(y) - 7.0));
+    ASSERT_NEAR(out, 3.0, 0.05) << "contacts lie on the column";
+    ASSERT_NEAR(std::cos(angle) * (row[9] - 7.0) - std::sin(angle) * (row[8] - 5.0), 0.0, 0.02) << "axes meet that given";
+    ASSERT_NEAR(row[13], 0.0, 1e-6);
+  }
+}
+
+TEST(Drive, StraysAreClimbedOverOrLeftOut)
+{
+  const ScratchFolder folder;
+  writeText(folder.path("strays.xyz"), capScan(6000) + "3 4 9\n-12 5 7\n20 -9 6\n");
+  const auto highest = [&](const std::vector<std::string>& more, RunResult& done) {
+    std::vector<std::string> call{"strays.xyz", "--tool-radius", "4", "--step-over", "2", "--tolerance", "0.1", "-o", "a.csv"};
+    call.insert(call.end(), more.begin(), more.end());
+    done = endOf(startProgram(program, call, folder), folder);
+    double z = -1e9;
+    for (const auto& row : rows(readText(folder.path("a.csv"))))
+      z = std::max(z, row[10]);
+    return z;
+  };
+  RunResult kept, left_out;
+  EXPECT_GT(highest({}, kept), 8.5);
+  expectHas(kept.err, "3 points of the scan stand alone off its surface");
+  expectHas(kept.err, "--leave-out-strays");
+  EXPECT_LT(highest({"--leave-out-strays"}, left_out), 0.1);
+  expectHas(left_out.err, "3 of 6003 points, off the scanned surface, were left out (--leave-out-strays), the first at (3, 4, 9)");
+}
+
 TEST(Drive, AxesAreBlendedAtThePoleForABallAlone)
 {
   const ScratchFolder folder;

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
 #include <sstream>
 
 namespace {
@@ -130,6 +132,50 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
             "--thin-blocks 1: mm of the tip and degrees");
   expectHas(said({"-o", "a.nc", "--machine", machines + "/head_table.yaml", "--dialect", "siemens", "--tool", "1"}, 1),
             "rtcp: false");
+}
+
+/** Across the well the tool's axis, near the normal, points at the other side. */
+TEST(Program, LeadsIntoTheOtherSideOfAWellAreRefused)
+{
+  const ScratchFolder folder;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::ostringstream well; // half an ellipsoid from inside, 60 mm deep and 40 across
+  for (int i = 0; i < 9000; ++i) {
+    const double z = -60.0 + 50.0 * unit(random), angle = 2.0 * M_PI * unit(random);
+    const double r = 20.0 * std::sqrt(1.0 - z * z / 3600.0);
+    well << r * std::cos(angle) << ' ' << r * std::sin(angle) << ' ' << z << '\n';
+  }
+  writeText(folder.path("well.xyz"), well.str());
+  const auto made = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> call{"well.xyz", "--tool-radius", "5", "--scallop", "0.2", "-o", "part.ngc", "--machine",
+                                  machines + "/head_head.yaml"};
+    call.insert(call.end(), more.begin(), more.end());
+    return endOf(startProgram(program, call, folder), folder);
+  };
+  const RunResult refused = made({});
+  EXPECT_EQ(refused.code, 1);
+  expectHas(refused.err, "the cutter, or a shank as wide above it, would be ");
+  expectHas(refused.err, " mm deep in the scan ");
+  expectHas(refused.err, "--accept-collisions");
+  EXPECT_FALSE(std::filesystem::exists(folder.path("part.ngc")));
+  const RunResult accepted = made({"--accept-collisions"});
+  EXPECT_EQ(accepted.code, 0) << accepted.err;
+  expectHas(accepted.err, "warning: the cutter, or a shank as wide above it, would be ");
+}
+
+TEST(Program, OnlyStraysInTheWayOfLeadsAreAWarning)
+{
+  const ScratchFolder folder;
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  std::ostringstream echoes; // in the sky over the cap
+  for (int i = 0; i < 150; ++i)
+    echoes << 40.0 * unit(random) << ' ' << 40.0 * unit(random) << ' ' << 25.0 + 15.0 * unit(random) << '\n';
+  writeText(folder.path("echoes.xyz"), capScan(20000) + echoes.str());
+  const RunResult done = endOf(startProgram(program, {"echoes.xyz", "--tool-radius", "8", "--scallop", "0.2", "-o", "part.ngc"}, folder), folder);
+  EXPECT_EQ(done.code, 0) << done.err;
+  expectHas(done.err, "only strays, points off the scanned surface, stand there");
 }
 
 TEST(Program, AMachineThatCannotMakeItIsNamedAndNothingIsWritten)

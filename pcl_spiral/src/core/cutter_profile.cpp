@@ -191,4 +191,13 @@ CutterProfile::locate(const Eigen::Vector3d& point, const Eigen::Vector3d& norma
   return contact;
 }
 
+CutterProfile
+insetCutter(const CutterProfile& profile, double depth)
+{
+  CutterShape shape = profile.shape();
+  shape.radius -= depth * std::cos(profile.flankAngle());
+  shape.corner_radius = std::max(0.0, shape.corner_radius - depth);
+  return faultOf(shape).empty() ? CutterProfile(shape) : profile;
+}
+
 } // namespace pcl_spiral

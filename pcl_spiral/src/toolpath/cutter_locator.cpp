@@ -15,23 +15,12 @@ constexpr double least_share =
 
 constexpr double steep_share = 0.35; // of the normal along the axis: 70 degrees
 
-/** The cutter less \p depth along its normals; itself where nothing would be left. Its tip stands \p depth
- * higher. */
-CutterProfile
-inner(const CutterProfile& profile, double depth)
-{
-  CutterShape shape = profile.shape();
-  shape.radius -= depth * std::cos(profile.flankAngle());
-  shape.corner_radius = std::max(0.0, shape.corner_radius - depth);
-  return faultOf(shape).empty() ? CutterProfile(shape) : profile;
-}
-
 } // namespace
 
 CutterLocator::CutterLocator(const LocationSurface& surface, const CutterProfile& profile,
                              const LocationOptions& options)
     : surface_(surface), options_(options), profile_(profile), drop_(surface.obstacles(), profile),
-      rim_drop_(surface.rim(), profile), inner_drop_(surface.obstacles(), inner(profile, near())),
+      rim_drop_(surface.rim(), profile), inner_drop_(surface.obstacles(), insetCutter(profile, near())),
       fitted_drop_(surface, profile),
       holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance)
 {

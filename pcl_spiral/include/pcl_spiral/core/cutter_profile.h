@@ -98,4 +98,9 @@ private:
   double flank_radius_, flat_radius_, corner_height_, top_height_;
 };
 
+/** The cutter less \p depth along its normals: a point inside it is deeper than that inside the whole one. Its tip stands
+ *  \p depth above the tip of the whole one. The cutter itself where nothing would be left. */
+CutterProfile
+insetCutter(const CutterProfile& profile, double depth);
+
 } // namespace pcl_spiral

@@ -1,0 +1,30 @@
+/** \file
+ *  Programs whose tool comes to the path and leaves it clear of the scan.
+ */
+#pragma once
+
+#include "program_job.h"
+
+#include <pcl_spiral/core/cutter_profile.h>
+#include <pcl_spiral/core/tool_holder.h>
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <string>
+#include <vector>
+
+/** What is led through the air, and by how much it may touch. Lengths in mm. */
+struct LedTool {
+  pcl_spiral::CutterShape cutter;
+  std::vector<pcl_spiral::ToolSegment> holder;
+  double holder_clearance = 0.0;
+  double tolerance = 0.05;
+  int threads = 0;
+};
+
+/** Looks at the moves of \p program that do not cut. Where only strays of the scan are in their way, or collisions are
+ *  accepted, that goes to \p warnings. \p scan_name is for messages. \throw pcl_spiral::FileError, Cancelled */
+void requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
+                      const LedTool& tool, const pcl_spiral::MachineProgram& program, bool accepted, bool quiet,
+                      std::vector<std::string>& warnings);

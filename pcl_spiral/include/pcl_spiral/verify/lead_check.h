@@ -1,0 +1,143 @@
+/** \file
+ *  Whether a tool comes to its path and leaves it without cutting into the scan.
+ */
+#pragma once
+
+#include <pcl_spiral/verify/lead_collisions.h>
+
+#include <pcl/pcl_base.h>
+#include <pcl/point_types.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Looks at what a program does beside cutting: approaches, leads, retracts, turns at the top. The path itself is for
+ *  CutterLocation, or for DeviationEstimation and MaterialRemoval.
+ *
+ *  setInputCloud takes the scan, in the workpiece's frame of the program; every point counts, strays as well
+ *  (\see StrayRemoval), so add what else stands on the table. Lengths in mm. The result does not depend on the order of the
+ *  points nor on the number of threads.
+ *  \code
+ *  LeadCheck<pcl::PointXYZ> check;
+ *  check.setInputCloud(scan);
+ *  check.setCutter(CutterShape::ball(5.0));
+ *  check.compute(program);
+ *  if (!check.getStatus().ok()) ...            // could not be looked at
+ *  if (check.getFigures().collided > 0) ...    // check.getFigures().deepest says where
+ *  \endcode */
+template <typename PointT>
+class LeadCheck : public pcl::PCLBase<PointT> {
+public:
+  using Ptr = pcl::shared_ptr<LeadCheck>;
+  using ConstPtr = pcl::shared_ptr<const LeadCheck>;
+
+  /** Shape of the cutter. Must be set. A shank as wide as the cutter is supposed above it. */
+  void
+  setCutter(const CutterShape& cutter)
+  {
+    cutter_ = cutter;
+  }
+  const CutterShape&
+  getCutter() const
+  {
+    return cutter_;
+  }
+
+  /** What stands on the cutter, from the top of its flank upwards. None by default. */
+  void
+  setHolder(std::vector<ToolSegment> segments)
+  {
+    holder_ = std::move(segments);
+  }
+  const std::vector<ToolSegment>&
+  getHolder() const
+  {
+    return holder_;
+  }
+
+  /** Distance kept between holder and scan; 0 by default. */
+  void
+  setHolderClearance(double clearance)
+  {
+    holder_clearance_ = clearance;
+  }
+  double
+  getHolderClearance() const
+  {
+    return holder_clearance_;
+  }
+
+  /** How deep a point may be in the tool; 0.05 by default. Give what the path itself may have: its chord error and five
+   *  standard deviations of the scan's noise, for leads end on the path. */
+  void
+  setTolerance(double tolerance)
+  {
+    tolerance_ = tolerance;
+  }
+  double
+  getTolerance() const
+  {
+    return tolerance_;
+  }
+
+  /** Threads to use; 0, the default, means all. */
+  void
+  setNumberOfThreads(int threads)
+  {
+    thread_count_ = threads;
+  }
+  int
+  getNumberOfThreads() const
+  {
+    return thread_count_;
+  }
+
+  /** Called with the share done; returning false cancels. */
+  void
+  setProgressCallback(ProgressCallback callback)
+  {
+    progress_ = std::move(callback);
+  }
+
+  /** Look at \p program. Fails without a cloud or a cutter, on settings that cannot be, or when cancelled. */
+  void compute(const MachineProgram& program);
+
+  const Status&
+  getStatus() const
+  {
+    return status_;
+  }
+  const LeadFigures&
+  getFigures() const
+  {
+    return figures_;
+  }
+
+private:
+  Status check() const;
+
+  using pcl::PCLBase<PointT>::input_;
+  using pcl::PCLBase<PointT>::indices_;
+
+  CutterShape cutter_;
+  std::vector<ToolSegment> holder_;
+  double holder_clearance_ = 0.0;
+  double tolerance_ = 0.05;
+  int thread_count_ = 0;
+  ProgressCallback progress_;
+  Status status_;
+  LeadFigures figures_;
+};
+
+} // namespace pcl_spiral
+
+#include <pcl_spiral/verify/impl/lead_check.hpp>
+
+namespace pcl_spiral {
+extern template class LeadCheck<pcl::PointXYZ>;
+extern template class LeadCheck<pcl::PointXYZRGB>;
+extern template class LeadCheck<pcl::PointNormal>;
+} // namespace pcl_spiral

@@ -1,0 +1,233 @@
+// Moves off the path against a scan: a wall beside the path by hand, any scene by brute force through the oracle's kinematics.
+#include <pcl_spiral/machine/machine_program_generator.h>
+#include <pcl_spiral/verify/lead_check.h>
+
+#include "support/dome_spiral.h"
+#include "support/test_machines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+using namespace pcl_spiral;
+using namespace pcl_spiral::test;
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+constexpr double degrees = 180.0 / M_PI;
+
+MachineProgram
+made(const Machine& machine, const std::vector<ToolPoses>& passes, const ProgramSettings& settings)
+{
+  MachineProgramGenerator generator;
+  generator.setMachine(machine);
+  generator.setInputPasses(passes);
+  generator.setSettings(settings);
+  MachineProgram program;
+  generator.compute(program);
+  EXPECT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+  return program;
+}
+
+LeadFigures
+figures(const Cloud::ConstPtr& cloud, const CutterShape& cutter, const MachineProgram& program, double tolerance,
+        const std::vector<ToolSegment>& holder = {}, int threads = 0)
+{
+  LeadCheck<pcl::PointXYZ> check;
+  check.setInputCloud(cloud);
+  check.setCutter(cutter);
+  check.setHolder(holder);
+  check.setTolerance(tolerance);
+  check.setNumberOfThreads(threads);
+  check.compute(program);
+  EXPECT_TRUE(check.getStatus().ok()) << check.getStatus().message();
+  return check.getFigures();
+}
+
+/** The machine at share \p t of a move, through the oracle's kinematics. */
+TipAndAxis
+onTheWay(const Machine& machine, const ProgramBlock& a, const ProgramBlock& b, double t)
+{
+  const auto mix = [t](const auto& from, const auto& to) { return from + t * (to - from); };
+  const Eigen::Vector3d from = machine.rtcp ? a.tip : a.machine, to = machine.rtcp ? b.tip : b.machine;
+  TipAndAxis found =
+      forward(chainOf(machine), {from + t * (to - from), mix(a.angles.first, b.angles.first) * degrees,
+                                 mix(a.angles.second, b.angles.second) * degrees});
+  if (machine.rtcp)
+    found.tip = from + t * (to - from);
+  return found;
+}
+
+/** How much higher along its axis the cutter less \p inset would have to stand on the move to \p block, at most. */
+double
+bruteDepth(const Cloud& cloud, const CutterShape& shape, double inset, const MachineProgram& program, std::size_t block)
+{
+  const CutterProfile cutter = insetCutter(CutterProfile(shape), inset);
+  const ProgramBlock &a = program.blocks[block - 1], &b = program.blocks[block];
+  const int samples = 1 + static_cast<int>(std::ceil((b.tip - a.tip).norm() / 0.05 +
+                                                     std::abs(b.angles.first - a.angles.first) / 0.002 +
+                                                     std::abs(b.angles.second - a.angles.second) / 0.002));
+  double deepest = 0.0;
+  for (int s = 0; s <= samples; ++s) {
+    const TipAndAxis tool = onTheWay(program.machine, a, b, static_cast<double>(s) / samples);
+    for (const pcl::PointXYZ& point : cloud) {
+      const Eigen::Vector3d way = point.getVector3fMap().cast<double>() - tool.tip - inset * tool.axis;
+      const double along = way.dot(tool.axis), across = (way - along * tool.axis).norm();
+      if (across <= cutter.radius())
+        deepest = std::max(deepest, along - cutter.height(across));
+    }
+  }
+  return deepest;
+}
+
+/** A path along -x over the floor z = 0 that begins at x = 0; the axis stands up, so tip and contact are one. */
+ToolPoses
+overTheFloor()
+{
+  ToolPoses poses;
+  for (int i = 0; i <= 10; ++i) {
+    ToolPose pose;
+    pose.contact = {-1.0 * i, 0.0, 0.0};
+    pose.tip = pose.contact;
+    pose.normal = pose.axis = Eigen::Vector3d::UnitZ();
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+/** A wall at \p x, 20 mm high, over a floor. */
+Cloud::Ptr
+floorAndWall(float x)
+{
+  Cloud::Ptr cloud(new Cloud);
+  for (int i = -40; i <= 40; ++i)
+    for (int k = 0; k <= 40; ++k) {
+      cloud->push_back({x, 0.25f * static_cast<float>(i), 0.5f * static_cast<float>(k)});
+      cloud->push_back({x - 0.5f * static_cast<float>(k), 0.25f * static_cast<float>(i), 0.0f});
+    }
+  return cloud;
+}
+
+} // namespace
+
+TEST(LeadCheck, AnArcAsWideAsTheRoomBeforeAWallIsFree)
+{
+  constexpr double ball = 3.0, tolerance = 0.02;
+  const Machine machine = testMachines().front();
+  for (const double lead : {1.0, 2.0, 4.0})
+    for (const double room : {-0.5, -0.05, 0.05, 0.5}) {
+      ProgramSettings settings;
+      settings.ball_radius = ball;
+      settings.lead = LeadKind::Arc;
+      settings.lead_length = lead;
+      const MachineProgram program = made(machine, {overTheFloor()}, settings);
+      const LeadFigures found =
+          figures(floorAndWall(static_cast<float>(ball + lead + room)), CutterShape::ball(ball), program, tolerance);
+      EXPECT_EQ(found.collided > 0, room < 0.0) << lead << " and " << room;
+      if (room > 0.0)
+        continue;
+      EXPECT_NEAR(found.deepest.place.x(), ball + lead + room, 1e-5);
+      EXPECT_EQ(found.deepest.segment, -1);
+      const BlockSection section = program.blocks[found.deepest.block].section;
+      EXPECT_EQ(found.deepest.section, section);
+      EXPECT_TRUE(section == BlockSection::LeadIn || section == BlockSection::Approach);
+    }
+}
+
+TEST(LeadCheck, AHolderMeetsTheWallThatTheCutterPasses)
+{
+  const MachineProgram program = made(testMachines().front(), {overTheFloor()}, ProgramSettings());
+  const CutterShape cutter = CutterShape::ball(3.0, 5.0);
+  const auto cloud = floorAndWall(6.0f);
+  EXPECT_EQ(figures(cloud, cutter, program, 0.01).collided, 0U);
+  EXPECT_EQ(figures(cloud, cutter, program, 0.01, {ToolSegment::cylinder(5.9, 30.0, "chuck")}).collided, 0U);
+  const LeadFigures found = figures(
+      cloud, cutter, program, 0.01, {ToolSegment::cylinder(3.0, 4.0, "shank"), ToolSegment::cylinder(6.5, 30.0, "chuck")});
+  EXPECT_GT(found.collided, 0U);
+  EXPECT_EQ(found.deepest.segment, 1);
+  EXPECT_NEAR(found.deepest.depth, 0.5, 1e-5) << "out through the side";
+}
+
+/** Points above the dome, where leads and rapids of a tilted spiral pass. */
+TEST(LeadCheck, FindsWhatDenseSamplesOfTheMachineFind)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const ToolPoses spiral = domeSpiral(80.0, 2.0, 8, 60, 4.0, 25.0);
+  const std::vector<ToolPoses> passes{ToolPoses(spiral.begin(), spiral.begin() + 200),
+                                      ToolPoses(spiral.begin() + 260, spiral.end())};
+  std::size_t hits = 0, free = 0;
+  for (Machine machine : testMachines())
+    for (const bool rtcp : {true, false})
+      for (const CutterShape& cutter :
+           {CutterShape::ball(4.0, 10.0), CutterShape::flatEnd(4.0), CutterShape::taperedBullNose(6.0, 1.0, 12.0, 10.0)}) {
+        machine.rtcp = rtcp;
+        ProgramSettings settings;
+        settings.ball_radius = 4.0;
+        settings.lead = hits % 2 == 0 ? LeadKind::Normal : LeadKind::Arc;
+        settings.rapid_height = 20.0;
+        const MachineProgram program = made(machine, passes, settings);
+        Cloud::Ptr cloud(new Cloud);
+        for (int i = 0; i < 12; ++i)
+          cloud->push_back({static_cast<float>(40.0 * unit(random)), static_cast<float>(40.0 * unit(random)),
+                            static_cast<float>(12.0 + 14.0 * unit(random))});
+        constexpr double tolerance = 0.2;
+        const LeadFigures found = figures(cloud, cutter, program, tolerance);
+        std::size_t moves = 0, surely = 0, perhaps = 0;
+        double deepest = 0.0;
+        for (std::size_t i = 1; i < program.blocks.size(); ++i) {
+          if (program.blocks[i].section == BlockSection::Cut)
+            continue;
+          ++moves;
+          // Between the places looked at a point may be deeper by half the tolerance.
+          surely += bruteDepth(*cloud, cutter, 1.5 * tolerance, program, i) > 0.0;
+          const double depth = bruteDepth(*cloud, cutter, tolerance, program, i);
+          perhaps += depth > 0.0;
+          deepest = std::max(deepest, depth);
+        }
+        EXPECT_EQ(found.moves, moves);
+        EXPECT_GE(found.collided, surely) << machine.name << (rtcp ? " rtcp " : " ") << found.collided;
+        EXPECT_LE(found.collided, perhaps + 1) << machine.name << ": dense samples may just miss one";
+        EXPECT_LE(found.deepest.depth, deepest + 0.1) << machine.name;
+        hits += surely > 0;
+        free += perhaps == 0;
+        const LeadFigures one = figures(cloud, cutter, program, tolerance, {}, 1);
+        EXPECT_EQ(one.collided, found.collided);
+        EXPECT_EQ(one.deepest.depth, found.deepest.depth);
+        EXPECT_EQ(one.deepest.block, found.deepest.block);
+      }
+  EXPECT_GT(hits, 5U);
+  EXPECT_GT(free, 2U);
+}
+
+TEST(LeadCheck, RefusesWhatCannotBe)
+{
+  const MachineProgram program = made(testMachines().front(), {overTheFloor()}, ProgramSettings());
+  const auto message = [&](const std::function<void(LeadCheck<pcl::PointXYZ>&)>& spoil) {
+    LeadCheck<pcl::PointXYZ> check;
+    check.setInputCloud(floorAndWall(9.0f));
+    check.setCutter(CutterShape::ball(3.0));
+    spoil(check);
+    check.compute(program);
+    EXPECT_FALSE(check.getStatus().ok());
+    EXPECT_EQ(check.getFigures().moves, 0U);
+    return check.getStatus().message();
+  };
+  using Check = LeadCheck<pcl::PointXYZ>;
+  const auto expectHas = [](const std::string& text, const char* part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  expectHas(message([](Check& c) { c.setInputCloud(Cloud::Ptr(new Cloud)); }), "empty");
+  expectHas(message([](Check& c) { c.setIndices(pcl::IndicesPtr(new pcl::Indices{100000})); }), "index 100000");
+  expectHas(message([](Check& c) { c.setCutter(CutterShape()); }), "radius");
+  expectHas(message([](Check& c) { c.setTolerance(0.0); }), "tolerance is 0");
+  expectHas(message([](Check& c) { c.setHolder({ToolSegment::cylinder(-1.0, 5.0, "shank")}); }), "shank");
+  expectHas(message([](Check& c) { c.setHolderClearance(-2.0); }), "clearance is -2");
+  expectHas(message([](Check& c) { c.setNumberOfThreads(-1); }), "threads is -1");
+  expectHas(message([](Check& c) { c.setProgressCallback([](double, const std::string&) { return false; }); }), "cancelled");
+}
