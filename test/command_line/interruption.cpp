@@ -153,7 +153,7 @@ TEST_F(Interruption, AskedToEndItEndsSoonAndLeavesAllAsItWas)
   const Contents old = contents();
   writeText(folder_.path("cap.xyz"), capScan(60000));
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    const pid_t process = startProgram(program, call(plain, "0.0005"), folder_);
+    const pid_t process = startProgram(program, call(plain, "0.00001"), folder_);
     ASSERT_TRUE(waitUntilCaught(process, signal));
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     ASSERT_EQ(::kill(process, signal), 0);
