@@ -244,6 +244,43 @@ TEST(MlsSurface, ScanLinesFarApart)
   }
 }
 
+/** Beside a rim the quartic has two or three lines on one side: what it says of the bending across them is rounding. */
+TEST(MlsSurface, TheQuarticDoesNotBendAcrossFewScanLines)
+{
+  const double radius = 2000.0;
+  const Vector3d away(-750.0, 990.0, 1240.0); // where coordinates are rounded to 6e-5
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> u(-0.1, 0.1);
+  for (const double across : {1.0, 2.0, 3.0, 3.7, 4.3, 5.0}) {
+    std::vector<Eigen::Vector3f> points;
+    const Eigen::Quaterniond turn = Eigen::Quaterniond(0.8, 0.3, -0.4, across / 5.0).normalized();
+    for (double y = -30.0; y <= 30.0; y += across)
+      for (double x = -40.0; x <= 40.0; x += 1.0) {
+        const double along = x + u(random);
+        const Vector3d p(along, y, std::sqrt(radius * radius - along * along - y * y) - radius);
+        points.push_back((away + turn * p).cast<float>());
+      }
+    const auto graph = graphOf(points);
+    const pcl_spiral::MlsSurface surface(graph, 0, pcl_spiral::ProjectionMethod::RobustQuartic);
+    std::vector<Vector3d> queries;
+    for (std::size_t i = 0; i < graph.size(); ++i)
+      queries.push_back(graph.position(i));
+    std::vector<pcl_spiral::SurfaceFoot> feet;
+    surface.project(queries, feet);
+    double worst = 0.0;
+    std::size_t valid = 0;
+    for (const pcl_spiral::SurfaceFoot& foot : feet) {
+      if (!foot.valid)
+        continue;
+      ++valid;
+      for (const double curvature : {foot.curvature1, foot.curvature2})
+        worst = std::max(worst, std::abs(std::abs(curvature) - 1.0 / radius));
+    }
+    EXPECT_GT(valid, feet.size() / 2);
+    EXPECT_LT(worst, 20.0 / radius) << "1/mm, lines " << across << " mm apart"; // 0.01; a step of 2 mm takes 0.02 mm off
+  }
+}
+
 TEST(MlsSurface, SameBytesForAnyThreads)
 {
   const auto graph = graphOf(cap(20000, 100.0, 0.01, 6));

@@ -16,6 +16,8 @@ constexpr double farthest = 4.0; // in standard deviations: a point farther off 
 constexpr double mad_of_normal = 1.4826; // standard deviation over the median deviation, normal distribution
 constexpr double most_noise = 1.0; // of the quartic's height, in that of a point: beside a rim the quadric is surer
 
+constexpr double most_bending_noise = 1000.0; // of the quartic's second derivatives, in the quadric's: on few scan lines
+
 using Terms = Eigen::Matrix<double, quartic_terms, 1>; // of 1, u, v, u^2, u v, v^2, ..., v^4
 using Values = Eigen::ArrayXd; // one a neighbour
 
@@ -101,7 +103,7 @@ public:
     quadratic_ = padded(equations.solve<quadratic_terms>(right.head<quadratic_terms>()));
     quartic_ = quadratic_;
     gain_ = 0.0;
-    has_quartic_ = false;
+    has_quartic_ = bends_ = false;
     if (equations.determined() == quartic_terms) {
       // How much each neighbour's height moves the height at the origin.
       const Terms high = equations.solve<quartic_terms>(Terms::Unit(0));
@@ -110,6 +112,7 @@ public:
         const Terms low = padded(equations.solve<quadratic_terms>(Vector6d::Unit(0)));
         quartic_ = equations.solve<quartic_terms>(right);
         gain_ = (weight_ * at(high - low)).matrix().squaredNorm();
+        bends_ = bendsAreTold(equations);
       }
     }
     off_ = height_ - at(quartic_);
@@ -156,10 +159,25 @@ public:
     const double correction = quartic_[0] - quadratic_[0], noise = scatter();
     const double variance = gain_ * noise * noise;
     const double share = correction != 0.0 ? std::max(0.0, 1.0 - variance / (correction * correction)) : 0.0;
-    return (quadratic_ + share * (quartic_ - quadratic_)).head<quadratic_terms>();
+    Vector6d shape = (quadratic_ + share * (quartic_ - quadratic_)).head<quadratic_terms>();
+    if (!bends_)
+      shape.tail<3>() = quadratic_.segment<3>(3);
+    return shape;
   }
 
 private:
+  /** Whether the quartic tells the second derivatives not much worse than the quadric does. The variance of a term for unit
+   *  noise is no more than its place on the diagonal of the inverse, the weights being below 1. */
+  static bool
+  bendsAreTold(const NormalEquations<quartic_terms>& equations)
+  {
+    for (const int k : {3, 4, 5})
+      if (!(equations.solve<quartic_terms>(Terms::Unit(k))[k] <
+            most_bending_noise * equations.solve<quadratic_terms>(Vector6d::Unit(k))[k]))
+        return false;
+    return true;
+  }
+
   /** Where u^p v^q stands among the terms. */
   static constexpr int
   term(int p, int q)
@@ -192,6 +210,7 @@ private:
   Eigen::Array<double, Eigen::Dynamic, 2 * degree + 1> powers_; ///< of v
   Terms quadratic_, quartic_;
   bool has_quartic_ = false;
+  bool bends_ = false; ///< the quartic has second derivatives to be trusted
   double gain_ = 0.0; ///< variance of the correction for unit noise
 };
 
