@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace {
 
@@ -32,6 +34,29 @@ TEST(SelfCrossing, FindsThePointThatLeavesItsTurn)
   const auto found = pcl_spiral::firstSelfCrossing(path, {path.size(), Eigen::Vector3d::UnitZ()});
   ASSERT_TRUE(found);
   EXPECT_NEAR(static_cast<double>(*found), 1999.5, 1.0);
+}
+
+TEST(SelfCrossing, ALongSearchIsEndedOnTheWay)
+{
+  pcl_spiral::Polyline zigzag;
+  for (int i = 0; i < 300000; ++i)
+    zigzag.push_back({i % 2 == 0 ? 0.0 : 1.0, 1e-2 * i, 0.0});
+  zigzag.push_back({0.5, 2990.0, 0.0}); // back over what comes last
+  const std::vector<Eigen::Vector3d> normals(zigzag.size(), Eigen::Vector3d::UnitZ());
+  std::vector<double> shares;
+  const auto all = [&](double share) {
+    shares.push_back(share);
+    return true;
+  };
+  const auto found = pcl_spiral::firstSelfCrossing(zigzag, normals, 0.0, all);
+  ASSERT_TRUE(found);
+  EXPECT_GT(*found, 290000U);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GE(shares.size(), 4U);
+  EXPECT_LE(shares.back(), 1.0);
+  int asked = 0;
+  EXPECT_FALSE(pcl_spiral::firstSelfCrossing(zigzag, normals, 0.0, [&](double) { return ++asked < 3; }));
+  EXPECT_EQ(asked, 3);
 }
 
 TEST(SelfCrossing, ShortPathsAndRepeatedPoints)

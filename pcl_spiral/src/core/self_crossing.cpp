@@ -15,6 +15,7 @@ constexpr double width_in_mean =
 constexpr double most_cells_along = 16.0;
 constexpr double margin_in_width = 0.1; // segments that cross may lie so far over each other
 constexpr double margin_in_slack = 4.0;
+constexpr std::int64_t chunk = 1 << 16; // segments between two questions whether to go on
 
 /** The segments of a path by the cells that their boxes touch. Cells share buckets, by a hash; a segment of
  * another cell in a bucket does no harm. About eighteen bytes a segment. */
@@ -107,7 +108,8 @@ cross(const Polyline& p, std::size_t i, std::size_t j, const Eigen::Vector3d& n,
 } // namespace
 
 std::optional<std::size_t>
-firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& normals, double slack)
+firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& normals, double slack,
+                  const std::function<bool(double)>& go_on)
 {
   if (path.size() < 4)
     return std::nullopt;
@@ -125,17 +127,22 @@ firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& norm
   const double margin = margin_in_slack * slack + margin_in_width * width;
   const SegmentCells cells(path, width);
   auto first = std::numeric_limits<std::int64_t>::max();
-#pragma omp parallel for schedule(dynamic, 4096) reduction(min : first)
-  for (std::int64_t i = 0; i < segments; ++i) {
-    if (i >= first)
-      continue;
-    const Eigen::Vector3d start = path[i], along = path[i + 1] - start, left = normals[i].cross(along);
-    cells.visitNear(i, margin, [&](std::size_t j) {
-      // Hardly any has its ends on either side.
-      if (left.dot(path[j] - start) * left.dot(path[j + 1] - start) < 0.0 &&
-          cross(path, i, j, normals[i], slack))
-        first = i;
-    });
+  for (std::int64_t begin = 0; begin < segments && first > segments; begin += chunk) {
+    if (go_on && !go_on(static_cast<double>(begin) / static_cast<double>(segments)))
+      return std::nullopt;
+    const std::int64_t end = std::min(begin + chunk, segments);
+#pragma omp parallel for schedule(dynamic, 1024) reduction(min : first)
+    for (std::int64_t i = begin; i < end; ++i) {
+      if (i >= first)
+        continue;
+      const Eigen::Vector3d start = path[i], along = path[i + 1] - start, left = normals[i].cross(along);
+      cells.visitNear(i, margin, [&](std::size_t j) {
+        // Hardly any has its ends on either side.
+        if (left.dot(path[j] - start) * left.dot(path[j + 1] - start) < 0.0 &&
+            cross(path, i, j, normals[i], slack))
+          first = i;
+      });
+    }
   }
   return first < segments ? std::optional<std::size_t>(static_cast<std::size_t>(first)) : std::nullopt;
 }

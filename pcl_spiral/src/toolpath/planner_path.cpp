@@ -192,7 +192,15 @@ SpiralPlanner::checkPath(const SpiralPath& path)
   report_.path_points = path.contacts.size();
   report_.path_length = path.arc_lengths.back();
   // Turns that are not in order cross somewhere: each goes once round.
-  if (const auto crossing = firstSelfCrossing(path.contacts, path.normals, settings_.chord_error))
+  bool cancelled = false;
+  const auto go_on = [&](double share) {
+    cancelled = !report(0.96 + 0.04 * share, "crossings");
+    return !cancelled;
+  };
+  const auto crossing = firstSelfCrossing(path.contacts, path.normals, settings_.chord_error, go_on);
+  if (cancelled)
+    return {StatusCode::Cancelled, "cancelled"};
+  if (crossing)
     return {StatusCode::Failed,
             textOf("the path crosses itself at ", placeText(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
                  ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
