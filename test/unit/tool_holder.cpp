@@ -221,4 +221,9 @@ TEST(ToolHolder, AFlankThatIsLeantOverIsTiltedUntilItTouches)
   location.compute(found);
   EXPECT_EQ(found[0].state, LocationState::Reached);
   EXPECT_NEAR(found[0].retilt, 10.0, 1e-9); // 8.8 are needed, in steps of a sixth of 20
+  location.setDrivePoints({{Vector3d::Zero(), steep, Vector3d::Zero()}});
+  location.compute(found);
+  EXPECT_TRUE(found.empty());
+  EXPECT_NE(location.getStatus().message().find("no drive point asks for one"), std::string::npos)
+      << location.getStatus().message();
 }

@@ -121,7 +121,8 @@ public:
 
   /** Largest angle by which the axis may be turned where the contact asked for is not reached or the holder
    * collides, degrees, up to 90; 0, the default: the cutter is lifted. The least of six angles that helps is
-   * taken, each point by itself: neighbouring axes may differ by as much. */
+   * taken, each point by itself: neighbouring axes may differ by as much. Drive points must ask for contacts: refused
+   * where none has a normal. */
   void
   setMaxRetilt(double degrees)
   {

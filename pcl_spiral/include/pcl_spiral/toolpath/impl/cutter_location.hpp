@@ -8,6 +8,7 @@
 #include <pcl/console/print.h>
 #include <pcl/impl/pcl_base.hpp> // for point types that PCL has not compiled
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_spiral {
@@ -66,6 +67,12 @@ CutterLocation<PointT>::check() const
   if (thread_count_ < 0)
     return {StatusCode::InvalidArgument,
             textOf("the number of threads is ", thread_count_, "; set 0 for all, or a count")};
+  const bool asked = std::any_of(drive_points_.begin(), drive_points_.end(),
+                                 [](const DrivePoint& p) { return p.normal.squaredNorm() > 0.0; });
+  if (options_.max_retilt > 0.0 && !drive_points_.empty() && !asked)
+    return {StatusCode::InvalidArgument,
+            textOf("axes may turn by ", options_.max_retilt, " degrees for contacts to be reached, but no drive point "
+                   "asks for one: give drive points their normals, or set the largest retilt to 0")};
   return checkDrivePoints(drive_points_);
 }
 
