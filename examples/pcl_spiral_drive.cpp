@@ -42,7 +42,7 @@ run(const Job& job)
       program.settings.pole_cone = 0.0; // a blended axis would lead any other cutter into the surface
     result.program =
         makeProgram(program, *machine, job.feed, isBall(job) ? job.cutter.radius : 0.0, result.passes, result.warnings);
-    requireFreeLeads(job.scan, result.scan.cloud,
+    requireFreeLeads(job.scan, result.whole_scan,
                      {job.cutter, job.holder, job.holder_clearance, job.tolerance + result.locations.noise_allowance,
                       job.threads},
                      *result.program, program.accept_collisions, job.quiet, result.warnings);

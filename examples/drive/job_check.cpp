@@ -65,8 +65,8 @@ requireMeant(const Job& job)
   };
   const std::string is = "--drive is " + choiceName(kind) + ", which knows none; leave it out";
   require("overrun", job.drive.goesRound(), is);
-  require("column-axis", usesColumn(job), is);
-  require("column-centre", job.column_axis.has_value(), "no --column-axis is given");
+  require("column-axis", usesColumn(job), is + " (or give --axis-mode cylinder)");
+  require("column-centre", job.column_axis.has_value(), "no --column-axis is given; give the direction, too");
   require("direction", kind == DriveKind::Planes, is);
   require("one-way", kind == DriveKind::Planes || kind == DriveKind::Rings, is);
   require("step-over", kind != DriveKind::Curve, is);
@@ -104,7 +104,7 @@ completePath(Job& job)
     throw UsageError("--curve " + job.curve_file + ": --drive is " + choiceName(d.kind) + "; use --drive curve");
   requireOption(job.tolerance >= least_tolerance, "tolerance", job.tolerance, "must be 0.0001 mm or more, such as 0.01");
   if (job.column_axis && !(job.column_axis->norm() > 0.0))
-    throw UsageError("--column-axis 0,0,0: is no direction, such as 0,0,1");
+    throw UsageError("--column-axis: is no direction, such as 0,0,1");
   requireOption(job.axis_smoothing >= 0.0, "axis-smoothing", job.axis_smoothing, "must be above 0 mm, or 0 for none");
   requireOption(job.max_axis_rate >= 0.0, "max-axis-rate", job.max_axis_rate, "must be above 0 degrees a mm, or 0 for no limit");
   requireOption(job.feed > 0.0, "feed", job.feed, "must be above 0 mm/min");

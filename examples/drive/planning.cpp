@@ -9,11 +9,8 @@
 #include <pcl_spiral/toolpath/cutter_location.h>
 #include <pcl_spiral/toolpath/drive_path.h>
 
-#include <pcl/common/point_tests.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 using namespace pcl_spiral;
 
@@ -90,36 +87,19 @@ smooth(const Job& job, DrivePasses& passes, std::vector<std::string>& warnings)
 void
 leaveOutStrays(const Job& job, Result& result)
 {
-  StrayRemoval<pcl::PointXYZ> removal(true);
+  StrayRemoval<pcl::PointXYZ> removal;
   removal.setInputCloud(result.scan.cloud);
   const pcl::PointCloud<pcl::PointXYZ>::Ptr kept(new pcl::PointCloud<pcl::PointXYZ>);
   removal.filter(*kept);
   require(job, removal.getStatus());
-  if (const pcl::IndicesConstPtr removed = removal.getRemovedIndices(); !removed->empty())
-    result.warnings.push_back(textOf(removed->size(), " of ", result.scan.cloud->size(),
-                                     " points, off the scanned surface, were left out (--leave-out-strays), the first at ",
-                                     placeText((*result.scan.cloud)[removed->front()].getVector3fMap().cast<double>()),
-                                     ": see that nothing stands there"));
+  const StrayFigures& f = removal.getFigures();
+  if (f.strays > 0)
+    result.warnings.push_back(textOf(f.strays, " of ", result.scan.cloud->size(),
+                                     " points, off the scanned surface, were left out (--leave-out-strays), the largest "
+                                     "group of them ", f.largest_group, " at ", placeText(f.largest_group_place),
+                                     f.largest_group > 3 ? ": so many together are no false echo; see what stands there"
+                                                         : ""));
   result.scan.cloud = kept;
-}
-
-/** The column's axis as given, as long as the scan. */
-DriveCylinder
-givenColumn(const Job& job, const Result& result)
-{
-  DriveCylinder column;
-  column.direction = job.column_axis->normalized();
-  column.origin = job.column_centre;
-  column.first = std::numeric_limits<double>::infinity();
-  column.last = -column.first;
-  for (const pcl::PointXYZ& p : *result.scan.cloud) {
-    if (!pcl::isFinite(p))
-      continue;
-    const double along = (p.getVector3fMap().cast<double>() - column.origin).dot(column.direction);
-    column.first = std::min(column.first, along);
-    column.last = std::max(column.last, along);
-  }
-  return column;
 }
 
 DrivePasses
@@ -137,7 +117,7 @@ drivePasses(const Job& job, ProgressBar& bar, Result& result)
   drive.setAxisMode(s.axisMode());
   drive.setOverrun(s.overrun);
   if (job.column_axis)
-    drive.setCylinder(givenColumn(job, result));
+    drive.setCylinder({job.column_centre, *job.column_axis});
   if (s.kind == DriveKind::Curve)
     drive.setCurve(curveOf(job, result));
   drive.setNumberOfThreads(job.threads);
@@ -286,6 +266,7 @@ plan(const Job& job)
   Result result;
   StageClock clock(result.stages);
   result.scan = readCloud(job.scan, job.read);
+  result.whole_scan = result.scan.cloud;
   clock.end("reading");
   if (cancelled())
     throw Cancelled();

@@ -17,6 +17,7 @@
 /** All that a run came to. */
 struct Result {
   pcl_spiral::Scan scan;
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole_scan; ///< with the strays that were left out
   pcl_spiral::DriveReport drive;
   pcl_spiral::LocationFigures locations;
   pcl_spiral::BisectionFigures bisection;

@@ -33,8 +33,9 @@ std::string
 textOfCollision(const LedTool& tool, const LeadFigures& figures)
 {
   const LeadCollision& deepest = figures.deepest;
-  const std::string what =
-      deepest.segment < 0 ? "the cutter, or a shank as wide above it," : tool.holder[static_cast<std::size_t>(deepest.segment)].name;
+  const std::string what = deepest.part == ToolPart::Cutter  ? "the cutter"
+                           : deepest.part == ToolPart::Shank ? "a shank as wide as the cutter"
+                                                             : tool.holder[static_cast<std::size_t>(deepest.segment)].name;
   return textOf(what, " would be ", deepest.depth, " mm deep in the scan ", wayOf(deepest.section), ", at ",
                 placeText(deepest.place), ", the tip at ", placeText(deepest.tip), "; ", figures.collided, " of ",
                 figures.moves, " moves off the path do so");
@@ -63,11 +64,14 @@ figuresOf(const std::string& scan_name, const pcl::PointCloud<pcl::PointXYZ>::Co
   return check.getFigures();
 }
 
-/** The points that belong to the scanned surface; null where none can be told from the others. */
+/** The points but for those off the scanned surface that stand alone, as false echoes do; null where there are none, or none
+ *  can be told from the others. */
 pcl::IndicesPtr
-withoutStrays(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan)
+withoutEchoes(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan)
 {
+  constexpr std::size_t most_together = 3;
   StrayRemoval<pcl::PointXYZ> removal;
+  removal.setLargestGroup(most_together);
   removal.setInputCloud(scan);
   const pcl::IndicesPtr kept = pcl::make_shared<pcl::Indices>();
   removal.filter(*kept);
@@ -85,11 +89,11 @@ requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointX
   if (all.collided == 0)
     return;
   LeadFigures figures = all;
-  if (const pcl::IndicesPtr kept = withoutStrays(scan))
+  if (const pcl::IndicesPtr kept = withoutEchoes(scan))
     figures = figuresOf(scan_name, scan, kept, tool, program, bar);
   if (figures.collided == 0) {
     warnings.push_back(textOfCollision(tool, all) +
-                       ": only strays, points off the scanned surface, stand there; see that nothing else does");
+                       ": only single points off the scanned surface, false echoes as a rule, stand there; see that nothing else does");
     return;
   }
   if (accepted) {
@@ -97,6 +101,6 @@ requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointX
     return;
   }
   throw FileError(scan_name, textOfCollision(tool, figures) +
-                                 ": lean the tool axis another way, take another --lead-in or --lead-length or a "
-                                 "slimmer tool, or --accept-collisions to see the program all the same");
+                                 ": lean the tool axis another way, take another --lead-in or --lead-length, a "
+                                 "slimmer or longer tool, or --accept-collisions to see the program all the same");
 }

@@ -23,8 +23,8 @@ struct LedTool {
   int threads = 0;
 };
 
-/** Looks at the moves of \p program that do not cut. Where only strays of the scan are in their way, or collisions are
- *  accepted, that goes to \p warnings. \p scan_name is for messages. \throw pcl_spiral::FileError, Cancelled */
+/** Looks at the moves of \p program that do not cut. Where only single points off the scan's surface are in their way, or
+ *  collisions are accepted, that goes to \p warnings. \p scan_name is for messages. \throw pcl_spiral::FileError, Cancelled */
 void requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
                       const LedTool& tool, const pcl_spiral::MachineProgram& program, bool accepted, bool quiet,
                       std::vector<std::string>& warnings);

@@ -122,4 +122,6 @@ checkJob(const Job& job)
   checkCutter(job);
   checkOutputs(job);
   checkProgram(job.program, job.outputs, job.given);
+  if (job.given.count("accept-collisions") > 0 && !hasProgram(job.program, job.outputs))
+    throw UsageError("--accept-collisions: no program is asked for, and it is its leads that are looked at; leave it out");
 }

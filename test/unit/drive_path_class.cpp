@@ -178,7 +178,7 @@ TEST(DrivePath, RefusesWhatCannotBe)
     };
   };
   refused(column, rings({{0, 0, 0}, {0, 0, 0}, 0.0, 1.0}), "no length");
-  refused(column, rings({{0, 0, 0}, {0, 0, 1}, 5.0, 5.0}), "last beyond the first");
+  refused(column, rings({{0, 0, 0}, {0, 0, 1}, 5.0, 4.0}), "last beyond the first");
   refused(column, rings({{0, 0, 0}, {0, 0, 1}, 50.0, 60.0}), "no point of the scan");
   Drive empty;
   DrivePasses passes(3);

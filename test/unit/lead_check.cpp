@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <random>
 
 using namespace pcl_spiral;
@@ -63,23 +64,33 @@ onTheWay(const Machine& machine, const ProgramBlock& a, const ProgramBlock& b, d
   return found;
 }
 
-/** How much higher along its axis the cutter less \p inset would have to stand on the move to \p block, at most. */
-double
-bruteDepth(const Cloud& cloud, const CutterShape& shape, double inset, const MachineProgram& program, std::size_t block)
+/** How deep the deepest point is, on the move to \p block, in the cutter less \p inset or in the shank above it, along the
+ *  axis or across it; and in the holder. */
+struct BruteDepth {
+  double cutter = 0.0, holder = 0.0;
+};
+
+BruteDepth
+bruteDepth(const Cloud& cloud, const CutterShape& shape, double inset, const HolderProfile& holder,
+           const MachineProgram& program, std::size_t block)
 {
   const CutterProfile cutter = insetCutter(CutterProfile(shape), inset);
   const ProgramBlock &a = program.blocks[block - 1], &b = program.blocks[block];
   const int samples = 1 + static_cast<int>(std::ceil((b.tip - a.tip).norm() / 0.05 +
                                                      std::abs(b.angles.first - a.angles.first) / 0.002 +
                                                      std::abs(b.angles.second - a.angles.second) / 0.002));
-  double deepest = 0.0;
+  BruteDepth deepest;
   for (int s = 0; s <= samples; ++s) {
     const TipAndAxis tool = onTheWay(program.machine, a, b, static_cast<double>(s) / samples);
     for (const pcl::PointXYZ& point : cloud) {
-      const Eigen::Vector3d way = point.getVector3fMap().cast<double>() - tool.tip - inset * tool.axis;
-      const double along = way.dot(tool.axis), across = (way - along * tool.axis).norm();
+      const Eigen::Vector3d way = point.getVector3fMap().cast<double>() - tool.tip;
+      const double along = way.dot(tool.axis), across = (way - along * tool.axis).norm(), up = along - inset;
       if (across <= cutter.radius())
-        deepest = std::max(deepest, along - cutter.height(across));
+        deepest.cutter =
+            std::max(deepest.cutter, std::min(up - cutter.height(across), cutter.radiusAt(up) - across));
+      double depth = 0.0;
+      if (!holder.empty() && holder.inside(across, along, depth) >= 0)
+        deepest.holder = std::max(deepest.holder, depth);
     }
   }
   return deepest;
@@ -133,6 +144,8 @@ TEST(LeadCheck, AnArcAsWideAsTheRoomBeforeAWallIsFree)
         continue;
       EXPECT_NEAR(found.deepest.place.x(), ball + lead + room, 1e-5);
       EXPECT_EQ(found.deepest.segment, -1);
+      EXPECT_NE(found.deepest.part, ToolPart::Holder);
+      EXPECT_NEAR(found.deepest.depth, -room, 1e-5) << "the way out is sideways";
       const BlockSection section = program.blocks[found.deepest.block].section;
       EXPECT_EQ(found.deepest.section, section);
       EXPECT_TRUE(section == BlockSection::LeadIn || section == BlockSection::Approach);
@@ -153,7 +166,25 @@ TEST(LeadCheck, AHolderMeetsTheWallThatTheCutterPasses)
   EXPECT_NEAR(found.deepest.depth, 0.5, 1e-5) << "out through the side";
 }
 
-/** Points above the dome, where leads and rapids of a tilted spiral pass. */
+/** A nut comes straight down past a ledge: at both ends of the move it is free. */
+TEST(LeadCheck, AHolderDoesNotJumpOverALedge)
+{
+  Cloud::Ptr cloud(new Cloud);
+  for (int i = 0; i <= 40; ++i)
+    for (int k = -20; k <= 20; ++k)
+      cloud->push_back({10.0f + 0.5f * static_cast<float>(i), 0.5f * static_cast<float>(k), 60.0f});
+  ProgramSettings settings;
+  settings.rapid_height = 45.0;
+  const MachineProgram program = made(testMachines().front(), {overTheFloor()}, settings);
+  const CutterShape cutter = CutterShape::ball(4.0, 16.0);
+  EXPECT_EQ(figures(cloud, cutter, program, 0.02).collided, 0U);
+  const LeadFigures found = figures(cloud, cutter, program, 0.02, {ToolSegment::cylinder(15.0, 10.0, "nut")});
+  EXPECT_GT(found.collided, 0U);
+  EXPECT_EQ(found.deepest.part, ToolPart::Holder);
+  EXPECT_NEAR(found.deepest.depth, 5.0, 0.06) << "15 less 10, or half of the nut's length";
+}
+
+/** Points above the dome, where leads and rapids of a tilted spiral pass, and as high as the shank and the holder. */
 TEST(LeadCheck, FindsWhatDenseSamplesOfTheMachineFind)
 {
   std::mt19937 random(5);
@@ -161,7 +192,8 @@ TEST(LeadCheck, FindsWhatDenseSamplesOfTheMachineFind)
   const ToolPoses spiral = domeSpiral(80.0, 2.0, 8, 60, 4.0, 25.0);
   const std::vector<ToolPoses> passes{ToolPoses(spiral.begin(), spiral.begin() + 200),
                                       ToolPoses(spiral.begin() + 260, spiral.end())};
-  std::size_t hits = 0, free = 0;
+  constexpr double tolerance = 0.2;
+  std::size_t hits = 0, holder_hits = 0, free = 0;
   for (Machine machine : testMachines())
     for (const bool rtcp : {true, false})
       for (const CutterShape& cutter :
@@ -172,12 +204,17 @@ TEST(LeadCheck, FindsWhatDenseSamplesOfTheMachineFind)
         settings.lead = hits % 2 == 0 ? LeadKind::Normal : LeadKind::Arc;
         settings.rapid_height = 20.0;
         const MachineProgram program = made(machine, passes, settings);
+        const bool high = (hits + free) % 2 == 0;
+        std::vector<ToolSegment> segments;
+        if (cutter.flank_length > 0.0)
+          segments = {{4.0, 7.0, 12.0, "shank"}, ToolSegment::cylinder(12.0, 15.0, "chuck")};
+        const CutterProfile profile(cutter);
+        const HolderProfile holder(segments, profile.topHeight(), profile.radius(), 0.0);
         Cloud::Ptr cloud(new Cloud);
         for (int i = 0; i < 12; ++i)
           cloud->push_back({static_cast<float>(40.0 * unit(random)), static_cast<float>(40.0 * unit(random)),
-                            static_cast<float>(12.0 + 14.0 * unit(random))});
-        constexpr double tolerance = 0.2;
-        const LeadFigures found = figures(cloud, cutter, program, tolerance);
+                            static_cast<float>(high ? 90.0 + 70.0 * unit(random) : 12.0 + 14.0 * unit(random))});
+        const LeadFigures found = figures(cloud, cutter, program, tolerance, segments);
         std::size_t moves = 0, surely = 0, perhaps = 0;
         double deepest = 0.0;
         for (std::size_t i = 1; i < program.blocks.size(); ++i) {
@@ -185,23 +222,26 @@ TEST(LeadCheck, FindsWhatDenseSamplesOfTheMachineFind)
             continue;
           ++moves;
           // Between the places looked at a point may be deeper by half the tolerance.
-          surely += bruteDepth(*cloud, cutter, 1.5 * tolerance, program, i) > 0.0;
-          const double depth = bruteDepth(*cloud, cutter, tolerance, program, i);
-          perhaps += depth > 0.0;
-          deepest = std::max(deepest, depth);
+          const BruteDepth more = bruteDepth(*cloud, cutter, 1.5 * tolerance, holder, program, i),
+                           about = bruteDepth(*cloud, cutter, 0.8 * tolerance, holder, program, i);
+          surely += more.cutter > 0.0 || more.holder > 1.5 * tolerance;
+          perhaps += about.cutter > 0.0 || about.holder > 0.8 * tolerance;
+          holder_hits += more.holder > 1.5 * tolerance && !(more.cutter > 0.0);
+          deepest = std::max({deepest, about.cutter + tolerance, about.holder});
         }
         EXPECT_EQ(found.moves, moves);
         EXPECT_GE(found.collided, surely) << machine.name << (rtcp ? " rtcp " : " ") << found.collided;
-        EXPECT_LE(found.collided, perhaps + 1) << machine.name << ": dense samples may just miss one";
-        EXPECT_LE(found.deepest.depth, deepest + 0.1) << machine.name;
+        EXPECT_LE(found.collided, perhaps) << machine.name;
+        EXPECT_LE(found.deepest.depth, deepest + 0.3) << machine.name;
         hits += surely > 0;
         free += perhaps == 0;
-        const LeadFigures one = figures(cloud, cutter, program, tolerance, {}, 1);
+        const LeadFigures one = figures(cloud, cutter, program, tolerance, segments, 1);
         EXPECT_EQ(one.collided, found.collided);
         EXPECT_EQ(one.deepest.depth, found.deepest.depth);
         EXPECT_EQ(one.deepest.block, found.deepest.block);
       }
   EXPECT_GT(hits, 5U);
+  EXPECT_GT(holder_hits, 5U);
   EXPECT_GT(free, 2U);
 }
 
@@ -223,6 +263,13 @@ TEST(LeadCheck, RefusesWhatCannotBe)
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
   expectHas(message([](Check& c) { c.setInputCloud(Cloud::Ptr(new Cloud)); }), "empty");
+  expectHas(message([](Check& c) {
+              const float nan = std::numeric_limits<float>::quiet_NaN();
+              Cloud::Ptr none(new Cloud);
+              none->push_back({nan, nan, nan});
+              c.setInputCloud(none);
+            }),
+            "no point of the cloud is finite");
   expectHas(message([](Check& c) { c.setIndices(pcl::IndicesPtr(new pcl::Indices{100000})); }), "index 100000");
   expectHas(message([](Check& c) { c.setCutter(CutterShape()); }), "radius");
   expectHas(message([](Check& c) { c.setTolerance(0.0); }), "tolerance is 0");
@@ -230,4 +277,11 @@ TEST(LeadCheck, RefusesWhatCannotBe)
   expectHas(message([](Check& c) { c.setHolderClearance(-2.0); }), "clearance is -2");
   expectHas(message([](Check& c) { c.setNumberOfThreads(-1); }), "threads is -1");
   expectHas(message([](Check& c) { c.setProgressCallback([](double, const std::string&) { return false; }); }), "cancelled");
+  Check check;
+  check.setInputCloud(floorAndWall(9.0f));
+  check.setCutter(CutterShape::ball(3.0));
+  MachineProgram nothing;
+  nothing.machine = testMachines().front();
+  check.compute(nothing);
+  expectHas(check.getStatus().message(), "no moves");
 }

@@ -130,6 +130,50 @@ TEST(StrayRemoval, TakesSparseEchoesHighOverACap)
     }
 }
 
+/** Echoes stand alone; ten points within 4 mm are a thing. */
+TEST(StrayRemoval, GroupsStayWhereAsked)
+{
+  constexpr std::size_t together = 10;
+  const auto cloud = scan();
+  std::mt19937 random(9);
+  std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+  for (std::size_t i = 0; i < together; ++i)
+    cloud->push_back({10.0f + 2.0f * unit(random), -5.0f + 2.0f * unit(random), 14.0f + 0.5f * unit(random)});
+  StrayRemoval<pcl::PointXYZ> all;
+  const pcl::Indices without = kept(all, cloud);
+  const auto isThing = [](auto i) { return static_cast<std::size_t>(i) >= honest + strays; };
+  EXPECT_EQ(std::count_if(without.begin(), without.end(), isThing), 0);
+  EXPECT_GE(all.getFigures().largest_group, together);
+  EXPECT_LT((all.getFigures().largest_group_place - Eigen::Vector3d(10, -5, 14)).norm(), 2.0);
+  EXPECT_EQ(all.getFigures().strays, cloud->size() - without.size());
+  StrayRemoval<pcl::PointXYZ> echoes;
+  echoes.setLargestGroup(3);
+  const pcl::Indices with = kept(echoes, cloud);
+  EXPECT_EQ(std::count_if(with.begin(), with.end(), isThing), static_cast<std::ptrdiff_t>(together));
+  EXPECT_GE(echoes.getFigures().kept_strays, together);
+  EXPECT_LT(with.size(), without.size() + together + 10);
+}
+
+TEST(StrayRemoval, AFailureLeavesNothingBehind)
+{
+  StrayRemoval<pcl::PointXYZ> removal(true);
+  pcl::PointCloud<pcl::PointXYZ> out;
+  removal.setInputCloud(scan());
+  removal.filter(out);
+  EXPECT_TRUE(removal.getStatus().ok());
+  removal.setInputCloud(nullptr);
+  removal.filter(out);
+  EXPECT_FALSE(removal.getStatus().ok());
+  pcl::PointCloud<pcl::PointXYZ>::Ptr few(new pcl::PointCloud<pcl::PointXYZ>);
+  few->push_back({1.0f, 2.0f, 3.0f});
+  removal.setInputCloud(few);
+  removal.setKeepOrganized(true);
+  removal.filter(out);
+  EXPECT_FALSE(removal.getStatus().ok());
+  ASSERT_EQ(out.size(), 1U);
+  EXPECT_FALSE(pcl::isFinite(out[0]));
+}
+
 TEST(StrayRemoval, SaysWhyPointsAreNoSurface)
 {
   pcl::PointCloud<pcl::PointXYZ>::Ptr few(new pcl::PointCloud<pcl::PointXYZ>);

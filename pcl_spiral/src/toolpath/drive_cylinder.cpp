@@ -95,13 +95,14 @@ bool
 measure(const SurfaceGraph& graph, DriveColumn& column)
 {
   DriveCylinder& c = column.cylinder;
+  const bool whole_scan = c.first == c.last;
   double low = 1e300, high = -1e300, radius = 0.0, whole = 0.0;
   column.least_radius = 1e300;
   column.largest_radius = 0.0;
   for (std::size_t i = 0; i < graph.size(); ++i) {
     const Eigen::Vector3d x = graph.position(i) - c.origin;
     const double along = x.dot(c.direction), r = x.cross(c.direction).norm(), area = areaAt(graph, i);
-    if (!column.fitted && (along < c.first || along > c.last))
+    if (!whole_scan && (along < c.first || along > c.last))
       continue;
     low = std::min(low, along);
     high = std::max(high, along);
@@ -113,7 +114,7 @@ measure(const SurfaceGraph& graph, DriveColumn& column)
   if (!(whole > 0.0))
     return false;
   column.radius = radius / whole;
-  if (column.fitted) {
+  if (whole_scan) {
     c.first = low;
     c.last = high;
   }
@@ -175,9 +176,10 @@ checkCylinder(const DriveCylinder& c)
             "the drive cylinder is not finite; set its origin, direction and ends"};
   if (!(c.direction.norm() > 1e-9))
     return {StatusCode::InvalidArgument, "the axis of the drive cylinder has no length; set its direction"};
-  if (!(c.last > c.first))
-    return {StatusCode::InvalidArgument, textOf("the drive cylinder runs from ", c.first, " to ", c.last,
-                                                " mm along its axis; set the last beyond the first")};
+  if (c.last < c.first)
+    return {StatusCode::InvalidArgument,
+            textOf("the drive cylinder runs from ", c.first, " to ", c.last,
+                   " mm along its axis; set the last beyond the first, or both to 0 for the whole scan")};
   return Status::success();
 }
 

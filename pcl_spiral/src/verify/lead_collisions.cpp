@@ -5,6 +5,7 @@
 #include <pcl_spiral/toolpath/holder_collision.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int most_halvings = 16;
+constexpr double most_turn = 0.5;         // radians of a rotary axis, which may come back to where it was
+constexpr double least_holder_step = 0.1; // mm between two looks at a holder
 constexpr std::size_t chunk = 256; // moves between two reports of progress
 
 /** The machine where a block ends. */
@@ -27,12 +30,20 @@ endOf(const ProgramBlock& block)
   return location;
 }
 
+/** How far two shanks of \p radius, side by side, may stand apart to leave a wedge no deeper than \p depth between them. */
+double
+stepForWedge(double radius, double depth)
+{
+  return depth < radius ? 2.0 * std::sqrt(depth * (2.0 * radius - depth)) : 2.0 * radius;
+}
+
 class LeadSearch {
 public:
   LeadSearch(const PointBlocks& points, const CutterProfile& cutter, const HolderProfile& holder,
              const MachineProgram& program, double tolerance)
-  : kinematics_(program.machine), points_(points), cutter_(cutter), holder_(holder), program_(program),
-    drop_(points, insetCutter(cutter, tolerance)), tolerance_(tolerance)
+  : kinematics_(program.machine), points_(points), cutter_(cutter), inset_(insetCutter(cutter, tolerance)),
+    holder_(holder), program_(program), drop_(points, inset_), tolerance_(tolerance),
+    shank_step_(stepForWedge(cutter.radius(), 0.5 * tolerance)), holder_step_(std::max(tolerance, least_holder_step))
   {
   }
 
@@ -56,9 +67,9 @@ private:
   lookBetween(const MachineLocation& from, const MachineLocation& to, double a, const ToolPose& at_a, double b,
               const ToolPose& at_b, int halvings, LeadCollision& deepest) const
   {
-    const double error = sweptError(cutter_, {at_a.tip, at_a.axis}, {at_b.tip, at_b.axis});
-    const bool turns_far = at_a.axis.dot(at_b.axis) < 0.9;
-    if (halvings < most_halvings && (error > 0.5 * tolerance_ || turns_far)) {
+    const double turn = std::max(std::abs(to.angles.first - from.angles.first),
+                                 std::abs(to.angles.second - from.angles.second));
+    if (halvings < most_halvings && ((b - a) * turn > most_turn || !isNear(at_a, at_b))) {
       const double middle = 0.5 * (a + b);
       const ToolPose at_middle = interpolated(kinematics_, from, to, middle);
       lookBetween(from, to, a, at_a, middle, at_middle, halvings + 1, deepest);
@@ -68,33 +79,70 @@ private:
     lookAt(at_b, deepest);
   }
 
+  /** Whether nothing that is too deep between two places is free at both. Along the axis the cutter and its shank cover
+   *  all between them; a place of the holder must be near one where it was looked at. */
+  bool
+  isNear(const ToolPose& a, const ToolPose& b) const
+  {
+    const Eigen::Vector3d way = b.tip - a.tip;
+    const double turn = angleBetween(a.axis, b.axis), aside = (way - way.dot(a.axis) * a.axis).norm();
+    if (sweptError(cutter_, {a.tip, a.axis}, {b.tip, b.axis}) > 0.5 * tolerance_ ||
+        aside + turn * farthestFrom(a.tip) > shank_step_)
+      return false;
+    return holder_.empty() || way.norm() + turn * holder_.top() <= holder_step_;
+  }
+
+  /** Distance of the scan's farthest corner, up to where the shank matters. */
+  double
+  farthestFrom(const Eigen::Vector3d& place) const
+  {
+    const Box& box = points_.box();
+    Eigen::Vector3d way;
+    for (int d = 0; d < 3; ++d)
+      way[d] = std::max(std::abs(place[d] - box.low[d]), std::abs(place[d] - box.high[d]));
+    return way.norm();
+  }
+
   void
   lookAt(const ToolPose& pose, LeadCollision& deepest) const
   {
     const AxisFrame frame(pose.tip, pose.axis);
-    const DropContact drop = drop_.highest(frame, tolerance_ + deepest.depth);
-    if (drop.found) {
-      deepest.segment = -1;
-      deepest.depth = drop.height - tolerance_;
-      deepest.place = points_.position(drop.point);
-      deepest.tip = pose.tip;
-    }
+    drop_.visitAbove(frame, tolerance_, [&](std::uint32_t i, double tip) {
+      if (!(tip > tolerance_))
+        return;
+      const Eigen::Vector3d p = points_.position(i);
+      const double along = frame.along(p), l = frame.across(p).norm();
+      const double aside = inset_.radiusAt(along - tolerance_) - l;
+      const double depth = std::min(tip - tolerance_, aside) + tolerance_;
+      if (depth > std::max(tolerance_, deepest.depth)) {
+        deepest.part = along > cutter_.topHeight() ? ToolPart::Shank : ToolPart::Cutter;
+        set(depth, p, pose, deepest);
+      }
+    });
     const HolderCollision held = findCollision(points_, holder_, frame, 0.0, std::max(tolerance_, deepest.depth));
     if (held.found()) {
+      deepest.part = ToolPart::Holder;
       deepest.segment = held.segment;
-      deepest.depth = held.depth;
-      deepest.place = held.place;
-      deepest.tip = pose.tip;
+      set(held.depth, held.place, pose, deepest);
     }
+  }
+
+  static void
+  set(double depth, const Eigen::Vector3d& place, const ToolPose& pose, LeadCollision& deepest)
+  {
+    deepest.depth = depth;
+    deepest.place = place;
+    deepest.tip = pose.tip;
   }
 
   Kinematics kinematics_;
   const PointBlocks& points_;
   const CutterProfile& cutter_;
+  CutterProfile inset_;
   const HolderProfile& holder_;
   const MachineProgram& program_;
   CutterDrop drop_;
-  double tolerance_;
+  double tolerance_, shank_step_, holder_step_;
 };
 
 } // namespace
@@ -107,6 +155,8 @@ findLeadCollisions(const PointBlocks& points, const CutterProfile& cutter, const
   figures = LeadFigures();
   if (const Status status = checkMachine(program.machine); !status.ok())
     return status;
+  if (program.blocks.empty())
+    return {StatusCode::InvalidInput, "the program has no moves; make it before, by MachineProgramGenerator"};
   std::vector<std::size_t> moves;
   for (std::size_t i = 1; i < program.blocks.size(); ++i)
     if (program.blocks[i].section != BlockSection::Cut)

@@ -8,7 +8,22 @@
 #include <pcl/filters/filter_indices.h>
 #include <pcl/point_types.h>
 
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
 namespace pcl_spiral {
+
+/** What a removal came to: points, lengths in mm. */
+struct StrayFigures {
+  std::size_t strays = 0;        ///< left out; finite ones
+  std::size_t nonfinite = 0;     ///< left out as well
+  std::size_t kept_strays = 0;   ///< off the surface too, but in a group larger than asked for
+  std::size_t largest_group = 0; ///< of the strays, those kept with them: linked by steps of three spacings
+  Eigen::Vector3d largest_group_place = Eigen::Vector3d::Zero(); ///< its middle
+};
 
 /** Leaves out strays: false echoes, points that stand alone, specks apart from the surface. Points that are not finite go
  *  too. Points of the surface stay, however close they stand.
@@ -19,7 +34,7 @@ namespace pcl_spiral {
  *  StrayRemoval<pcl::PointXYZ> removal(true); // keeps what it removed
  *  removal.setInputCloud(scan);
  *  removal.filter(*cloud);
- *  if (!removal.getStatus().ok()) ...         // and the output is empty
+ *  if (!removal.getStatus().ok()) ...         // and the output is empty, or all not-a-number where it is organized
  *  \endcode
  *  setNegative turns the choice round, setKeepOrganized is that of pcl::FilterIndices. The choice does not depend on the
  *  order of the points nor on the number of threads.
@@ -35,20 +50,50 @@ public:
     this->filter_name_ = "StrayRemoval";
   }
 
+  /** Strays that hang together in groups of more points than this stay: a false echo is alone, a screw or a clamp is not.
+   *  0, the default: all go. */
+  void
+  setLargestGroup(std::size_t points)
+  {
+    largest_group_ = points;
+  }
+  std::size_t
+  getLargestGroup() const
+  {
+    return largest_group_;
+  }
+
+  /** Forgets the last outcome. */
+  void
+  setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
+  {
+    status_ = Status();
+    figures_ = StrayFigures();
+    pcl::FilterIndices<PointT>::setInputCloud(cloud);
+  }
+
   /** Of the last call of filter: what is wrong with the points where they form no surface. */
   const Status&
   getStatus() const
   {
     return status_;
   }
+  const StrayFigures&
+  getFigures() const
+  {
+    return figures_;
+  }
 
 protected:
   void applyFilter(pcl::Indices& indices) override;
 
 private:
-  Status choose(pcl::Indices& kept, pcl::Indices& removed) const;
+  Status choose(pcl::Indices& kept, pcl::Indices& removed);
+  std::vector<std::array<float, 3>> placesToLeaveOut(const std::vector<Eigen::Vector3f>& strays, double reach);
 
+  std::size_t largest_group_ = 0;
   Status status_;
+  StrayFigures figures_;
 };
 
 } // namespace pcl_spiral

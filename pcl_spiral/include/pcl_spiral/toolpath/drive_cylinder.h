@@ -12,7 +12,7 @@
 
 namespace pcl_spiral {
 
-/** A piece of an axis. Lengths in mm. */
+/** A piece of an axis. Lengths in mm. With first = last, as by default, it is as long as the scan. */
 struct DriveCylinder {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< any point of the axis
   Eigen::Vector3d direction =

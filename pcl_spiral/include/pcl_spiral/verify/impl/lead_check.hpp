@@ -9,6 +9,7 @@
 #include <pcl/impl/pcl_base.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace pcl_spiral {
 
@@ -42,10 +43,12 @@ LeadCheck<PointT>::compute(const MachineProgram& program)
   status_ = check();
   if (status_.ok()) {
     const ThreadLimit limit(thread_count_);
-    const PointBlocks points(usablePoints(*input_, indices_.get()).positions);
+    std::vector<Eigen::Vector3f> points = usablePoints(*input_, indices_.get()).positions;
     const CutterProfile cutter(cutter_);
     const HolderProfile holder(holder_, cutter.topHeight(), cutter.radius(), holder_clearance_);
-    status_ = findLeadCollisions(points, cutter, holder, program, tolerance_, progress_, figures_);
+    status_ = points.empty() ? Status(StatusCode::InvalidInput, "no point of the cloud is finite; check the scan")
+                             : findLeadCollisions(PointBlocks(std::move(points)), cutter, holder, program, tolerance_,
+                                                  progress_, figures_);
   }
   if (!status_.ok() && status_.code() != StatusCode::Cancelled)
     PCL_ERROR("[pcl_spiral::LeadCheck::compute] %s\n", status_.message().c_str());

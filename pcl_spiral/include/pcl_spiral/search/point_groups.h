@@ -1,0 +1,18 @@
+/** \file
+ *  Points that hang together.
+ */
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** The group of each point, numbered from 0 in the order of their first points: points of a group are linked by steps of no
+ *  more than \p reach. */
+std::vector<std::uint32_t>
+pointGroups(const std::vector<Eigen::Vector3f>& points, double reach);
+
+} // namespace pcl_spiral
