@@ -18,7 +18,8 @@ std::vector<std::uint32_t>
 lonePoints(const SurfaceGraph& graph);
 
 /** Points 2.5 usual spacings or more from their neighbours that belong to no triangle, or to none of a part of 0.02 of the
- *  triangles or more: echoes high off the surface, whose nearest neighbours are each other. None of an evenly spread scan,
+ *  triangles or more: echoes high off the surface, whose nearest neighbours are each other; and tips of long spikes: points of
+ *  the rim five spacings or more from all they share a triangle with, none of which is sparse. None of an evenly spread scan,
  *  nor of one with a sparser part, which is larger. Original indices, ascending. */
 std::vector<std::uint32_t>
 sparseSpecks(const SurfaceGraph& graph);
