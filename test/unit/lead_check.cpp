@@ -3,6 +3,7 @@
 #include <pcl_spiral/verify/lead_check.h>
 
 #include "support/dome_spiral.h"
+#include "support/machine_way.h"
 #include "support/test_machines.h"
 
 #include <gtest/gtest.h>
@@ -19,8 +20,6 @@ using namespace pcl_spiral::test;
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-
-constexpr double degrees = 180.0 / M_PI;
 
 MachineProgram
 made(const Machine& machine, const std::vector<ToolPoses>& passes, const ProgramSettings& settings)
@@ -48,20 +47,6 @@ figures(const Cloud::ConstPtr& cloud, const CutterShape& cutter, const MachinePr
   check.compute(program);
   EXPECT_TRUE(check.getStatus().ok()) << check.getStatus().message();
   return check.getFigures();
-}
-
-/** The machine at share \p t of a move, through the oracle's kinematics. */
-TipAndAxis
-onTheWay(const Machine& machine, const ProgramBlock& a, const ProgramBlock& b, double t)
-{
-  const auto mix = [t](const auto& from, const auto& to) { return from + t * (to - from); };
-  const Eigen::Vector3d from = machine.rtcp ? a.tip : a.machine, to = machine.rtcp ? b.tip : b.machine;
-  TipAndAxis found =
-      forward(chainOf(machine), {from + t * (to - from), mix(a.angles.first, b.angles.first) * degrees,
-                                 mix(a.angles.second, b.angles.second) * degrees});
-  if (machine.rtcp)
-    found.tip = from + t * (to - from);
-  return found;
 }
 
 /** How deep the deepest point is, on the move to \p block, in the cutter less \p inset or in the shank above it, along the

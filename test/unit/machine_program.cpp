@@ -3,6 +3,7 @@
 #include <pcl_spiral/machine/machine_program_generator.h>
 
 #include "support/dome_spiral.h"
+#include "support/machine_way.h"
 #include "support/test_machines.h"
 
 #include <gtest/gtest.h>
@@ -56,20 +57,6 @@ void
 expectHas(const std::string& text, const std::string& part)
 {
   EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' in: " << text;
-}
-
-/** Where the machine is at share \p t of the way from \p a to \p b, through the oracle's kinematics. */
-TipAndAxis
-onTheWay(const Machine& machine, const ProgramBlock& a, const ProgramBlock& b, double t)
-{
-  const auto mix = [t](auto from, auto to) { return from + t * (to - from); };
-  const Eigen::Vector3d from = machine.rtcp ? a.tip : a.machine, to = machine.rtcp ? b.tip : b.machine;
-  TipAndAxis found =
-      forward(chainOf(machine), {from + t * (to - from), mix(a.angles.first, b.angles.first) * degrees,
-                                 mix(a.angles.second, b.angles.second) * degrees});
-  if (machine.rtcp)
-    found.tip = from + t * (to - from);
-  return found;
 }
 
 /** The largest share of the tolerances by which the machine leaves the poses: over dense samples of the path

@@ -214,7 +214,8 @@ bestOf(const std::vector<Fit>& fits)
     least = std::min(least, fit.left);
   std::optional<Fit> best;
   for (const Fit& fit : fits)
-    if (fit.left <= as_much * least + rounding && (!best || !(fit.axis.uncertainty >= best->axis.uncertainty)))
+    if (fit.left <= as_much * least + rounding && !std::isnan(fit.axis.uncertainty) &&
+        (!best || fit.axis.uncertainty < best->axis.uncertainty))
       best = fit;
   return best;
 }
