@@ -2,6 +2,7 @@
 
 #include "all_neighbourhoods.h"
 #include "disc_thinning.h"
+#include "own_frame.h"
 #include "spread_shape.h"
 
 #include <Eigen/Eigenvalues>
@@ -267,9 +268,10 @@ evenSpread(const PointBlocks& blocks)
 {
   if (blocks.size() <= SpreadShape::neighbours || !(blocks.usualDiagonal() > 0.0f) || !looksUneven(blocks))
     return {};
-  Spread spread{blocks, {}, {}};
+  // Blocks, and the order in which points are thinned, go with the part, not with the axes it happens to lie along.
+  Spread spread{PointBlocks(inOwnFrame(blocks.points())), {}, {}};
   for (std::size_t i = 0; i < blocks.size(); ++i)
-    spread.source.push_back(blocks.originalIndex(i));
+    spread.source.push_back(blocks.originalIndex(spread.blocks.originalIndex(i)));
   spread.measure();
   const std::vector<std::uint8_t> on_surface = withoutLoners(spread);
   EvenSpread even;

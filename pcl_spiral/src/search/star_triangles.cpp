@@ -3,6 +3,7 @@
 #include "pieces.h"
 
 #include <algorithm>
+#include <limits>
 #include <unordered_set>
 
 namespace pcl_spiral {
@@ -87,12 +88,16 @@ compact(const StarSet& stars, std::vector<std::uint32_t>& half_edge, std::vector
 struct Candidate {
   Triangle corners;
   int votes;
+  float size; ///< its sides, squared
 };
 
-/** Triangles that not all agree on, each named by the smallest corner that has it; those with most votes first. */
+/** Triangles that not all agree on, each named by the smallest corner that has it; those with most votes first, then the
+ *  smallest. */
 std::vector<Candidate>
-disputedTriangles(const StarSet& stars, const std::vector<std::uint32_t>& half_edge)
+disputedTriangles(const std::vector<Eigen::Vector3f>& points, const StarSet& stars,
+                  const std::vector<std::uint32_t>& half_edge)
 {
+  const auto squared = [&](std::uint32_t a, std::uint32_t b) { return (points[a] - points[b]).squaredNorm(); };
   std::vector<std::vector<Candidate>> found(pieceCount(stars.size()));
   forPoints(stars.size(), [&](std::uint32_t v) {
     for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
@@ -101,14 +106,15 @@ disputedTriangles(const StarSet& stars, const std::vector<std::uint32_t>& half_e
       const std::uint32_t a = stars.neighbourAt(slot), b = stars.neighbourAt(stars.slotAfter(v, slot));
       const bool in_a = stars.slotOf(a, b, v) != none, in_b = stars.slotOf(b, v, a) != none;
       if (!(in_a && a < v) && !(in_b && b < v))
-        found[v / piece_size].push_back({{v, a, b}, 1 + in_a + in_b});
+        found[v / piece_size].push_back({{v, a, b}, 1 + in_a + in_b, squared(v, a) + squared(a, b) + squared(b, v)});
     }
   });
   std::vector<Candidate> disputed;
   for (const auto& part : found)
     disputed.insert(disputed.end(), part.begin(), part.end());
-  std::stable_sort(disputed.begin(), disputed.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.votes > b.votes; });
+  std::stable_sort(disputed.begin(), disputed.end(), [](const Candidate& a, const Candidate& b) {
+    return a.votes > b.votes || (a.votes == b.votes && a.size < b.size);
+  });
   return disputed;
 }
 
@@ -125,7 +131,7 @@ settle(const std::vector<Candidate>& candidates, const Triangulation& mesh)
     return taken.count(key(from, to)) == 0;
   };
   std::vector<Triangle> accepted;
-  for (const auto& [t, votes] : candidates) {
+  for (const auto& [t, votes, size] : candidates) {
     if (!isFree(t[0], t[1]) || !isFree(t[1], t[2]) || !isFree(t[2], t[0]))
       continue;
     for (int i = 0; i < 3; ++i)
@@ -135,15 +141,34 @@ settle(const std::vector<Candidate>& candidates, const Triangulation& mesh)
   return accepted;
 }
 
+/** The entry of a closed loop from which the others are nearest, all in all. */
+std::size_t
+mostCentral(const std::vector<Eigen::Vector3f>& points, const Triangulation& mesh, const std::vector<std::uint32_t>& loop)
+{
+  std::size_t best = 0;
+  float least = std::numeric_limits<float>::max();
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    float sum = 0.0f;
+    for (const std::uint32_t h : loop)
+      sum += (points[mesh.origin(h)] - points[mesh.origin(loop[i])]).squaredNorm();
+    if (sum < least) {
+      least = sum;
+      best = i;
+    }
+  }
+  return best;
+}
+
 /** Triangles for the short closed loops of free half-edges that disagreement leaves behind. */
 std::vector<Triangle>
-pinholeTriangles(const Triangulation& mesh, int pinhole_edges)
+pinholeTriangles(const std::vector<Eigen::Vector3f>& points, const Triangulation& mesh, int pinhole_edges)
 {
   std::vector<Triangle> triangles;
-  for (const auto& loop : mesh.boundaryLoops()) {
+  for (auto& loop : mesh.boundaryLoops()) {
     const int m = static_cast<int>(loop.size());
     if (m < 3 || m > pinhole_edges)
       continue;
+    std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(mostCentral(points, mesh, loop)), loop.end());
     // The hole lies on the right of the loop's half-edges: go round it backwards, as a fan about its first point.
     for (int i = 1; i + 1 < m; ++i)
       triangles.push_back({mesh.origin(loop[0]), mesh.origin(loop[i + 1]), mesh.origin(loop[i])});
@@ -154,7 +179,7 @@ pinholeTriangles(const Triangulation& mesh, int pinhole_edges)
 } // namespace
 
 Triangulation
-triangulate(const StarSet& stars, int pinhole_edges)
+triangulate(const std::vector<Eigen::Vector3f>& points, const StarSet& stars, int pinhole_edges)
 {
   std::size_t count = 0;
   std::vector<std::uint32_t> half_edge = agreedHalfEdges(stars, count);
@@ -166,11 +191,11 @@ triangulate(const StarSet& stars, int pinhole_edges)
   opposite.reserve(3 * room);
   opposite.resize(3 * count, none);
   joinAgreed(stars, half_edge, triangles, opposite);
-  const std::vector<Candidate> disputed = disputedTriangles(stars, half_edge);
+  const std::vector<Candidate> disputed = disputedTriangles(points, stars, half_edge);
   compact(stars, half_edge, outgoing_begin);
   Triangulation mesh(std::move(triangles), std::move(opposite), std::move(outgoing_begin), std::move(half_edge));
   mesh.append(settle(disputed, mesh));
-  mesh.append(pinholeTriangles(mesh, pinhole_edges));
+  mesh.append(pinholeTriangles(points, mesh, pinhole_edges));
   return mesh;
 }
 

@@ -7,12 +7,16 @@
 
 #include <pcl_spiral/search/triangulation.h>
 
+#include <Eigen/Core>
+
+#include <vector>
+
 namespace pcl_spiral {
 
 /** Triangles all three of whose corners have them in their stars; then, where half-edges are still free, those that two
- *  corners have and those that one has; then the pinholes left by disagreement, of at most \p pinhole_edges edges,
- *  closed. */
+ *  corners have and those that one has, those of the shortest sides first; then the pinholes left by disagreement, of at
+ *  most \p pinhole_edges edges, closed. The order of the \p points decides nothing. */
 Triangulation
-triangulate(const StarSet& stars, int pinhole_edges);
+triangulate(const std::vector<Eigen::Vector3f>& points, const StarSet& stars, int pinhole_edges);
 
 } // namespace pcl_spiral

@@ -217,7 +217,7 @@ SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
     part += area * normals_[i].cast<double>().homogeneous();
   });
   mean_normal_ = sum.head<3>() / sum.w();
-  triangulation_ = triangulate(stars, pinhole_edges);
+  triangulation_ = triangulate(blocks_.points(), stars, pinhole_edges);
   return Status::success();
 }
 
