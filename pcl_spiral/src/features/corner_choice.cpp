@@ -1,6 +1,7 @@
 #include "corner_choice.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -138,13 +139,10 @@ moveCorner(const OutlineDraft& was, OutlineDraft& split, std::size_t s)
   return false;
 }
 
-/** Put a corner at the sharpest bend of a side where it explains the points better, or move one there; whether one was. */
+/** Put a corner at a bend of side \p s where it explains the points better, or move one there; whether one was. */
 bool
-addMissedCorner(OutlineDraft& draft, std::size_t s)
+addMissedCorner(OutlineDraft& draft, std::size_t s, std::size_t node, double turn)
 {
-  const auto [node, turn] = sharpestBend(draft.sides[s].side);
-  if (std::abs(turn) < least_corner)
-    return false;
   OutlineDraft split = draft;
   split.split(s, node, turn);
   if (split.corners.size() == draft.corners.size() ||
@@ -157,14 +155,29 @@ addMissedCorner(OutlineDraft& draft, std::size_t s)
   return true;
 }
 
+/** Add corners where sides bend, the sharpest bend first: side by side, they would be others on a mirrored part. */
 bool
 addMissedCorners(OutlineDraft& draft)
 {
   constexpr int most = 20;
   int added = 0;
-  for (std::size_t s = 0; s < draft.corners.size(); ++s)
-    while (added < most && s < draft.corners.size() && addMissedCorner(draft, s))
+  std::vector<std::uint8_t> settled(draft.corners.size(), 0);
+  while (added < most) {
+    std::size_t side = settled.size();
+    std::pair<std::size_t, double> sharpest{0, 0.0};
+    for (std::size_t s = 0; s < settled.size(); ++s)
+      if (const auto bend = sharpestBend(draft.sides[s].side); !settled[s] && std::abs(bend.second) > std::abs(sharpest.second)) {
+        sharpest = bend;
+        side = s;
+      }
+    if (std::abs(sharpest.second) < least_corner)
+      break;
+    settled[side] = 1;
+    if (addMissedCorner(draft, side, sharpest.first, sharpest.second)) {
+      settled.assign(draft.corners.size(), 0);
       ++added;
+    }
+  }
   return added > 0;
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <queue>
 #include <unordered_set>
 #include <utility>
 
@@ -14,26 +15,39 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double depth = 4.5; // of the strip along the ring, spacings
-constexpr double reach = 6.0; // spacings from a point of the ring: its edges are up to six long
+constexpr double reach = 7.0; // spacings along the triangles from a point of the ring: its edges are up to six long
 
 /** A point of the cloud, and the entry of the ring it was reached from. */
 using Reached = std::pair<std::uint32_t, std::size_t>;
 
+/** Points about the ring, each from the entry to which the way along the triangles is shortest, nearest first. */
 std::vector<Reached>
 reachedFrom(const SurfaceGraph& graph, const Ring& ring)
 {
+  struct Way {
+    double length;
+    std::uint32_t point;
+    std::size_t from;
+    bool operator<(const Way& other) const { return length > other.length; }
+  };
   const Triangulation& mesh = graph.triangulation();
-  const double farthest = reach * graph.spacing();
-  std::unordered_set<std::uint32_t> known(ring.begin(), ring.end());
-  std::vector<Reached> reached;
+  std::priority_queue<Way> open;
   for (std::size_t i = 0; i < ring.size(); ++i)
-    reached.emplace_back(ring[i], i);
-  for (std::size_t next = 0; next < reached.size(); ++next) {
-    const auto [v, from] = reached[next];
-    for (std::size_t i = mesh.outgoingBegin(v); i < mesh.outgoingBegin(v + 1); ++i)
-      for (const std::uint32_t w : mesh.triangle(mesh.outgoing(i) / 3))
-        if ((graph.position(w) - graph.position(ring[from])).norm() < farthest && known.insert(w).second)
-          reached.emplace_back(w, from);
+    open.push({0.0, ring[i], i});
+  std::unordered_set<std::uint32_t> known;
+  std::vector<Reached> reached;
+  while (!open.empty()) {
+    const Way way = open.top();
+    open.pop();
+    if (!known.insert(way.point).second)
+      continue;
+    reached.emplace_back(way.point, way.from);
+    for (std::size_t i = mesh.outgoingBegin(way.point); i < mesh.outgoingBegin(way.point + 1); ++i)
+      for (const std::uint32_t w : mesh.triangle(mesh.outgoing(i) / 3)) {
+        const double length = way.length + (graph.position(w) - graph.position(way.point)).norm();
+        if (length < reach * graph.spacing() && known.count(w) == 0)
+          open.push({length, w, way.from});
+      }
   }
   return reached;
 }

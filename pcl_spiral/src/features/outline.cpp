@@ -105,11 +105,24 @@ fallBack(const MlsSurface& surface, OutlineSide& side)
   });
 }
 
+/** The side after the corner nearest to where the ring begins: the next along the ring would be another on a mirrored part. */
+std::size_t
+firstSide(const OutlineDraft& draft)
+{
+  const auto distance = [&](const Corner& corner) { return (corner.position - draft.points().front()).squaredNorm(); };
+  const auto nearest = std::min_element(draft.corners.begin(), draft.corners.end(), [&](const Corner& a, const Corner& b) {
+    return distance(a) < distance(b);
+  });
+  return static_cast<std::size_t>(nearest - draft.corners.begin());
+}
+
 Outline
 assembled(const OutlineDraft& draft)
 {
   Outline outline;
-  for (std::size_t s = 0; s < draft.sides.size(); ++s) {
+  const std::size_t count = draft.sides.size(), first = firstSide(draft);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t s = (first + k) % count;
     OutlineSide side = draft.corners.empty() ? draft.sides[s].side : draft.trimmed(s);
     fallBack(draft.surface(), side);
     if (!side.closed)

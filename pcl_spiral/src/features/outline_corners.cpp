@@ -153,6 +153,18 @@ rolledOut(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::V
 
 namespace {
 
+/** The entry from \p from to \p to that lies farthest off the chord between the entries beside them. */
+std::size_t
+farthestOut(const std::vector<Eigen::Vector2d>& line, std::size_t from, std::size_t to)
+{
+  const Eigen::Vector2d a = line[from - 1], chord = line[to + 1] - a, across(-chord.y(), chord.x());
+  std::size_t farthest = from;
+  for (std::size_t i = from; i <= to; ++i)
+    if (std::abs((line[i] - a).dot(across)) > std::abs((line[farthest] - a).dot(across)))
+      farthest = i;
+  return farthest;
+}
+
 /** Corners among all of the points given. */
 std::vector<CornerCandidate>
 cornersAmong(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals, double spacing)
@@ -162,9 +174,11 @@ cornersAmong(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen
   std::vector<double> at(line.size(), 0.0);
   for (std::size_t i = 1; i < line.size(); ++i)
     at[i] = at[i - 1] + (line[i] - line[i - 1]).norm();
-  // A first chain begins at an arbitrary point; a second one at a break of the first, well away from its ends.
+  // A first chain begins at an arbitrary point; a second one at a break of the first, as far from its ends as there is one.
   const std::vector<std::size_t> first = cheapestBreaks(line, at, 0, 2 * n, spacing);
-  const std::size_t begin = *std::lower_bound(first.begin(), first.end(), n / 2);
+  const std::size_t begin = *std::min_element(first.begin(), first.end(), [&](std::size_t a, std::size_t b) {
+    return std::abs(at[a] - at[n]) < std::abs(at[b] - at[n]);
+  });
   const std::vector<std::size_t> breaks = cheapestBreaks(line, at, begin, begin + n, spacing);
   // Pieces too short to have a direction are passed over: what counts is how their neighbours meet.
   struct Run {
@@ -180,9 +194,10 @@ cornersAmong(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const Run &before = runs[r == 0 ? runs.size() - 1 : r - 1], &after = runs[r];
     const double angle = turn(before.piece.last_heading + (r == 0 ? round : 0.0), after.piece.first_heading);
-    const std::size_t between = (after.from + n - before.to % n) % n; // points of the short pieces passed over
+    const std::size_t short_pieces = (after.from + n - before.to % n) % n; // their points
+    const std::size_t from = n + before.to % n;
     if (std::abs(angle) > least_turn)
-      corners.push_back({(before.to + between / 2) % n, angle});
+      corners.push_back({farthestOut(line, from, from + short_pieces) % n, angle});
   }
   const auto byPoint = [](const auto& a, const auto& b) { return a.point < b.point; };
   std::sort(corners.begin(), corners.end(), byPoint);
@@ -200,10 +215,22 @@ pointsToSeekAmong(const std::vector<double>& at, double spacing)
   constexpr double densest = 4.0; // points a spacing
   const std::size_t count = at.size() - 1;
   const bool dense = static_cast<double>(count) > densest * at.back() / spacing;
+  // Either way from the first to half of the way round, so that a mirrored line is sought alike.
   std::vector<std::size_t> sought{0};
-  for (std::size_t i = 1; i < count; ++i)
-    if (!dense || at[i] - at[sought.back()] >= spacing / densest)
-      sought.push_back(i);
+  double last = 0.0;
+  const auto seek = [&](std::size_t i) {
+    if (dense && std::abs(at[i] - last) < spacing / densest)
+      return;
+    sought.push_back(i);
+    last = at[i];
+  };
+  std::size_t half = 1;
+  for (; half < count && at[half] <= 0.5 * at.back(); ++half)
+    seek(half);
+  last = at.back();
+  for (std::size_t i = count; i-- > half;)
+    seek(i);
+  std::sort(sought.begin(), sought.end());
   return sought;
 }
 

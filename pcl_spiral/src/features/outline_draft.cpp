@@ -56,18 +56,30 @@ OutlineDraft::pointsBetween(std::size_t from, std::size_t to) const
   return result;
 }
 
-/** Points of the edge from one point of the ring to another, and some way beyond, mm (before, if negative). */
+/** Points of the edge once round, from a point of the ring. */
 std::vector<ExpectedPoint>
-OutlineDraft::edgeBetween(std::size_t from, std::size_t to, double beyond_from, double beyond_to) const
+OutlineDraft::edgeFrom(std::size_t from) const
+{
+  std::vector<ExpectedPoint> result;
+  for (const EdgePoint& p : edge_) {
+    const double share = (p.place - at_[from]) / at_.back();
+    result.push_back({p.position, share - std::floor(share)});
+  }
+  return result;
+}
+
+/** Points of the edge from one point of the ring to another, and \p beyond past either, mm: where the ends lie so close that
+ *  the stretches past them overlap, a point is expected at both. */
+std::vector<ExpectedPoint>
+OutlineDraft::edgeBetween(std::size_t from, std::size_t to, double beyond) const
 {
   const double whole = at_.back();
   const double span = to > from ? at_[to] - at_[from] : at_[to] + whole - at_[from];
-  const double begin = at_[from] - beyond_from, run = std::min(span + beyond_from + beyond_to, whole);
   std::vector<ExpectedPoint> result;
   for (const EdgePoint& p : edge_) {
-    const double past = p.place - begin - whole * std::floor((p.place - begin) / whole);
-    if (past <= run)
-      result.push_back({p.position, std::clamp((past - beyond_from) / span, 0.0, 1.0)});
+    const double first = p.place - at_[from] + beyond;
+    for (double past = first - whole * std::floor(first / whole); past <= span + 2.0 * beyond; past += whole)
+      result.push_back({p.position, std::clamp((past - beyond) / span, 0.0, 1.0)});
   }
   return result;
 }
@@ -90,7 +102,7 @@ OutlineDraft::firstFit(std::size_t c) const
   Polyline nodes;
   std::copy_if(start.nodes.begin(), start.nodes.end(), std::back_inserter(nodes), clear);
   std::vector<ExpectedPoint> points;
-  for (const ExpectedPoint& p : edgeBetween(a.point, b.point, 0.0, 0.0))
+  for (const ExpectedPoint& p : edgeBetween(a.point, b.point, 0.0))
     if (clear(p.position))
       points.push_back(p);
   if (nodes.size() >= 5)
@@ -118,7 +130,7 @@ OutlineDraft::fitBetween(std::size_t from, std::size_t to, OutlineSide start) co
            footOn(after, p, 0, reach).offset >= footOn(start, p, last, reach).offset;
   };
   std::vector<ExpectedPoint> points;
-  for (const ExpectedPoint& p : edgeBetween(a.point, b.point, beyond * spacing_, beyond * spacing_))
+  for (const ExpectedPoint& p : edgeBetween(a.point, b.point, beyond * spacing_))
     if (own(p.position))
       points.push_back(p);
   return fitSide(surface_, spacing_, std::move(start), std::move(points));
@@ -170,7 +182,7 @@ void
 OutlineDraft::fitClosed()
 {
   corners.clear();
-  sides.assign(1, fitSide(surface_, spacing_, smoothSide(points_, true, spacing_), edgeBetween(0, 0, 0.0, 0.0)));
+  sides.assign(1, fitSide(surface_, spacing_, smoothSide(points_, true, spacing_), edgeFrom(0)));
 }
 
 FittedSide
@@ -179,8 +191,7 @@ OutlineDraft::merged(std::size_t c) const
   Polyline line = trimmed(preceding(c)).nodes;
   if (corners.size() == 1) {
     line.pop_back();
-    return fitSide(surface_, spacing_, smoothSide(line, true, spacing_),
-                   edgeBetween(corners[c].point, corners[c].point, 0.0, 0.0));
+    return fitSide(surface_, spacing_, smoothSide(line, true, spacing_), edgeFrom(corners[c].point));
   }
   const Polyline rest = trimmed(c).nodes;
   line.insert(line.end(), rest.begin() + 1, rest.end());

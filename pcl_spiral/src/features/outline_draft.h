@@ -56,7 +56,8 @@ public:
 
 private:
   Polyline pointsBetween(std::size_t from, std::size_t to) const;
-  std::vector<ExpectedPoint> edgeBetween(std::size_t from, std::size_t to, double beyond_from, double beyond_to) const;
+  std::vector<ExpectedPoint> edgeFrom(std::size_t from) const;
+  std::vector<ExpectedPoint> edgeBetween(std::size_t from, std::size_t to, double beyond) const;
   FittedSide firstFit(std::size_t c) const;
   FittedSide fitBetween(std::size_t from, std::size_t to, OutlineSide start) const;
   std::size_t nearestPoint(const Eigen::Vector3d& p, std::size_t about, std::size_t window) const;

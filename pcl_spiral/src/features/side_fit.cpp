@@ -91,13 +91,19 @@ footOn(const OutlineSide& side, const Eigen::Vector3d& point, std::ptrdiff_t exp
       best = node;
     }
   }
-  // The segment after the nearest node, or the one before when the foot falls behind the node.
+  // The segment after the nearest node or the one before, whichever is nearer; beyond the ends of an open side, prolonged.
   const bool has_next = side.closed || best + 1 < m, has_last = side.closed || best > 0;
   std::ptrdiff_t a = has_next ? best : best - 1;
   double f = shareOf(point, side.nodes[a], side.nodes[wrapped(a + 1)]);
-  if (has_next && has_last && f < 0.0) {
-    a = wrapped(best - 1);
-    f = std::min(1.0, shareOf(point, side.nodes[a], side.nodes[best]));
+  if (has_next && has_last) {
+    const std::ptrdiff_t last = wrapped(best - 1), next = wrapped(best + 1);
+    const double after = std::max(0.0, f), before = std::min(1.0, shareOf(point, side.nodes[last], side.nodes[best]));
+    const auto squared = [&](std::ptrdiff_t from, std::ptrdiff_t to, double share) {
+      return (side.nodes[from] + share * (side.nodes[to] - side.nodes[from]) - point).squaredNorm();
+    };
+    const bool is_after = squared(best, next, after) < squared(last, best, before);
+    a = is_after ? best : last;
+    f = is_after ? after : before;
   }
   const std::ptrdiff_t b = wrapped(a + 1);
   SideFoot foot;
