@@ -85,7 +85,10 @@ makeCentreDisc(const SurfaceGraph& graph, std::uint32_t triangle, HarmonicDomain
 {
   const Triangulation& mesh = graph.triangulation();
   const auto& corner = mesh.triangle(triangle);
-  const double radius = disc_in_spacings * std::max(graph.spacing(), graph.spacing(corner[0]));
+  double spacing = graph.spacing();
+  for (const std::uint32_t v : corner)
+    spacing = std::max(spacing, graph.spacing(v));
+  const double radius = disc_in_spacings * spacing;
   domain.disc = pointsWithin(graph, triangle, domain.centre, radius);
   domain.in_disc.assign(graph.size(), 0);
   for (const std::uint32_t v : domain.disc)

@@ -139,6 +139,9 @@ SpiralCurve::loopKnots(const ClosedLoop& loop, double turn) const
   for (const std::size_t c : loop.corners)
     corner[c] = 1;
   const bool clockwise = drawnClockwise(settings_);
+  const auto feedStep = [&](std::size_t line) {
+    return turns_.feedStepAt(line % n, loop.at_rim ? lines_[line % n].length() : 0.0);
+  };
   std::vector<Knot> knots;
   for (std::size_t step = 0; step <= m; ++step) {
     const std::size_t k = clockwise ? m - step : step; // m is the first point again, a whole lap on
@@ -151,7 +154,7 @@ SpiralCurve::loopKnots(const ClosedLoop& loop, double turn) const
     const double f = width > 0.0 ? (share - loop.line_shares[line]) / width : 0.0;
     const double delta = lines_[line].turn_share + f * (next - lines_[line].turn_share);
     knots.push_back({loop.points[k % m], turn + (clockwise ? 1.0 - delta : delta),
-                     turns_.feedStepAt(line, loop.at_rim ? lines_[line].length() : 0.0),
+                     (1.0 - f) * feedStep(line) + f * feedStep(line + 1),
                      corner[k % m] != 0 || step == 0 || step == m, false});
   }
   return knots;
