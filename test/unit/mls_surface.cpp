@@ -244,7 +244,8 @@ TEST(MlsSurface, ScanLinesFarApart)
   }
 }
 
-/** Beside a rim the quartic has two or three lines on one side: what it says of the bending across them is rounding. */
+/** Beside a rim the quartic has two or three lines on one side: what it says of the slope and the bending across them is
+ *  rounding. */
 TEST(MlsSurface, TheQuarticDoesNotBendAcrossFewScanLines)
 {
   const double radius = 2000.0;
@@ -267,17 +268,20 @@ TEST(MlsSurface, TheQuarticDoesNotBendAcrossFewScanLines)
       queries.push_back(graph.position(i));
     std::vector<pcl_spiral::SurfaceFoot> feet;
     surface.project(queries, feet);
-    double worst = 0.0;
+    const Vector3d centre = away + turn * Vector3d(0.0, 0.0, -radius);
+    double worst = 0.0, steepest = 0.0;
     std::size_t valid = 0;
     for (const pcl_spiral::SurfaceFoot& foot : feet) {
       if (!foot.valid)
         continue;
       ++valid;
+      steepest = std::max(steepest, foot.normal.cross((foot.position - centre).normalized()).norm());
       for (const double curvature : {foot.curvature1, foot.curvature2})
         worst = std::max(worst, std::abs(std::abs(curvature) - 1.0 / radius));
     }
     EXPECT_GT(valid, feet.size() / 2);
     EXPECT_LT(worst, 20.0 / radius) << "1/mm, lines " << across << " mm apart"; // 0.01; a step of 2 mm takes 0.02 mm off
+    EXPECT_LT(steepest, 1e-3) << "rad, lines " << across << " mm apart";
   }
 }
 

@@ -15,8 +15,7 @@ constexpr int degree = 4, quadratic_terms = 6, quartic_terms = 15;
 constexpr double farthest = 4.0; // in standard deviations: a point farther off is no part of the surface
 constexpr double mad_of_normal = 1.4826; // standard deviation over the median deviation, normal distribution
 constexpr double most_noise = 1.0; // of the quartic's height, in that of a point: beside a rim the quadric is surer
-
-constexpr double most_bending_noise = 1000.0; // of the quartic's second derivatives, in the quadric's: on few scan lines
+constexpr double most_bending_noise = 1000.0; // of the quartic's derivatives, in the quadric's: on few scan lines
 
 using Terms = Eigen::Matrix<double, quartic_terms, 1>; // of 1, u, v, u^2, u v, v^2, ..., v^4
 using Values = Eigen::ArrayXd; // one a neighbour
@@ -161,17 +160,17 @@ public:
     const double share = correction != 0.0 ? std::max(0.0, 1.0 - variance / (correction * correction)) : 0.0;
     Vector6d shape = (quadratic_ + share * (quartic_ - quadratic_)).head<quadratic_terms>();
     if (!bends_)
-      shape.tail<3>() = quadratic_.segment<3>(3);
+      shape.tail<5>() = quadratic_.segment<5>(1);
     return shape;
   }
 
 private:
-  /** Whether the quartic tells the second derivatives not much worse than the quadric does. The variance of a term for unit
+  /** Whether the quartic tells the first and second derivatives not much worse than the quadric. The variance of a term for unit
    *  noise is no more than its place on the diagonal of the inverse, the weights being below 1. */
   static bool
   bendsAreTold(const NormalEquations<quartic_terms>& equations)
   {
-    for (const int k : {3, 4, 5})
+    for (int k = 1; k < quadratic_terms; ++k)
       if (!(equations.solve<quartic_terms>(Terms::Unit(k))[k] <
             most_bending_noise * equations.solve<quadratic_terms>(Vector6d::Unit(k))[k]))
         return false;
@@ -210,7 +209,7 @@ private:
   Eigen::Array<double, Eigen::Dynamic, 2 * degree + 1> powers_; ///< of v
   Terms quadratic_, quartic_;
   bool has_quartic_ = false;
-  bool bends_ = false; ///< the quartic has second derivatives to be trusted
+  bool bends_ = false; ///< the quartic has derivatives to be trusted
   double gain_ = 0.0; ///< variance of the correction for unit noise
 };
 
