@@ -16,6 +16,8 @@ namespace {
 constexpr int most_rounds = 7;            // of halving the gaps between lines
 constexpr double closest_in_spacings = 0.75; // lines at the rim
 constexpr double largest_jump = 1.0;      // spacings between a line and what its neighbours foretell
+constexpr double clear_of_rim = 3.0;      // spacings: a centre closer to it is to blame where no lines are found
+constexpr double narrowest = 1.5;         // spacings from the middle of a surface to its rim: three points across or fewer
 constexpr double foreseeable = 0.5;       // spacings it may have been off in a gap twice as wide to start from that
 
 /** Where line 0 ends: nearest to the user's point; else the corner, else the rim point, farthest from \p centre. */
@@ -226,12 +228,10 @@ offSurface(const RadialLineRequest& request)
                  " mm) of the cloud, inside its rim and out of its holes, or none")};
 }
 
-/** What is amiss where no lines were found: a centre by the rim, or a surface too narrow for one clear of it. Ok where it is
- *  neither. */
+/** Refuse a centre less than \p least spacings from the rim, or the surface too narrow for one clear of it. */
 Status
-checkClearance(const RadialLineRequest& request, const Eigen::Vector3d& centre)
+checkClearance(const RadialLineRequest& request, const Eigen::Vector3d& centre, double least)
 {
-  constexpr double least = 3.0; // spacings
   const double spacing = request.surface.graph().spacing();
   double clear = std::numeric_limits<double>::max();
   for (const Eigen::Vector3d& p : request.rim.curve)
@@ -262,8 +262,9 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
       return offSurface(request);
     centre = SurfaceCentre{foot.position, std::nullopt};
   }
-  else
-    centre = balancedCentre(request.surface, request.rim.curve);
+  else if ((centre = balancedCentre(request.surface, request.rim.curve)))
+    if (const Status clearance = checkClearance(request, centre->position, narrowest); !clearance.ok())
+      return clearance;
 
   if (request.method != LineMethod::Harmonic && centre) {
     const Status status = geodesicLines(request, *centre, set);
@@ -277,7 +278,7 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
     return {StatusCode::Failed, "no centre was found on the surface: give one"};
   const Status status = linesByMethod(request, *centre, true, set);
   if (!status.ok() && status.code() != StatusCode::Cancelled)
-    if (const Status clearance = checkClearance(request, centre->position); !clearance.ok())
+    if (const Status clearance = checkClearance(request, centre->position, clear_of_rim); !clearance.ok())
       return clearance;
   if (status.ok() || set.why_harmonic.empty() || status.code() == StatusCode::Cancelled)
     return {blame(request, status.code()), status.message()};
