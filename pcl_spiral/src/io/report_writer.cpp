@@ -104,6 +104,7 @@ pathJson(const SpiralReport& report, double feed)
           {"machining_minutes", feed > 0.0 ? Json(report.path_length / feed) : Json()},
           {"smallest_step_over", report.smallest_step_over},
           {"largest_step_over", report.largest_step_over},
+          {"corner_ridge", report.corner_ridge},
           {"largest_allowed_step", report.largest_allowed_step},
           {"largest_gap", report.largest_gap},
           {"largest_axis_change", report.largest_axis_change},

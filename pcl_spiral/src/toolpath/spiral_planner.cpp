@@ -3,6 +3,7 @@
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/surface/noise_warning.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_spiral {
@@ -12,6 +13,24 @@ SpiralPlanner::SpiralPlanner(const SpiralSettings& settings, ProgressCallback pr
 : settings_(settings), progress_(std::move(progress)), report_(report), clock_(clock)
 {
 }
+
+namespace {
+
+/** Of ridges that rise higher at corners than asked for; empty where they do not. */
+std::string
+cornerWarning(const CornerRidge& ridge, const SpiralSettings& settings)
+{
+  constexpr double much = 1.05; // times the scallop height
+  const double height = settings.scallop_height;
+  if (ridge.height <= much * height)
+    return {};
+  return textOf("turns lie farther apart at corners of the outline than along its sides: about ", placeText(ridge.at),
+                ridge.height < settings.tool_radius ? textOf(" ridges rise to ", ridge.height, " mm") : " material is left uncut",
+                ", where the scallop height is ", height, " mm; for corners within it ask for ",
+                height * height / std::min(ridge.height, settings.tool_radius), " mm");
+}
+
+} // namespace
 
 bool
 SpiralPlanner::report(double share, const std::string& stage)
@@ -70,6 +89,10 @@ SpiralPlanner::makeCurve(bool two, std::vector<SpiralPoint>& curve)
   curve = spiral.sample();
   report_.smallest_step_over = turns.smallestStepOver();
   report_.largest_step_over = turns.largestStepOver();
+  const CornerRidge ridge = turns.highestCornerRidge();
+  report_.corner_ridge = ridge.height;
+  if (const std::string warning = cornerWarning(ridge, settings_); !warning.empty())
+    report_.warnings.push_back(warning);
   report_.largest_allowed_step = spiral.largestAllowedStep();
   return Status::success();
 }

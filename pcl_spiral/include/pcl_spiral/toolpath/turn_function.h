@@ -13,6 +13,12 @@
 
 namespace pcl_spiral {
 
+/** The highest ridge that turns leave at corners. */
+struct CornerRidge {
+  double height = 0.0; ///< mm; the tool radius where material is left uncut; 0 without corners
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+};
+
 /** T_i(s) = integral over arc length of cos psi / l, for every radial line i.
  *
  *  l is the exact step-over for the normal curvature across the feed, psi the angle between the line and the normal of
@@ -41,6 +47,11 @@ public:
 
   /** How large the spiral of these turns becomes: points by the surface's own curvature, and knots. */
   PathSize pathSize() const;
+
+  /** Turns that lie l apart along both sides of a corner lie farther apart at it: on the corner's line, which makes the
+   *  angle alpha with either side, their tips are p = l / sin alpha apart, and the place farthest from both turns lies
+   *  d = p sin alpha / (1 + sin alpha) from the tip of one and from the sides of the other. */
+  CornerRidge highestCornerRidge() const;
 
   double smallestStepOver() const { return smallest_step_over_; }
   double largestStepOver() const { return largest_step_over_; }
