@@ -60,4 +60,8 @@ int judgeTime(const Options& options);
  *  cases that do not, and how many ended in what. */
 int judgeRandom(const Options& options);
 
+/** Random cases moved, mirrored, scaled with all lengths, shuffled, and worked on by other numbers of threads: each comes
+ *  out alike. */
+int judgeProperties(const Options& options);
+
 } // namespace pcl_spiral::acceptance

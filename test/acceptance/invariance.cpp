@@ -1,45 +1,25 @@
 #include "cases.h"
+#include "path_match.h"
 #include "table.h"
 
-#include "support/checked_path.h"
-#include "support/move_tree.h"
-
-#include <algorithm>
-#include <cstring>
+#include <cmath>
 
 namespace pcl_spiral::acceptance {
 
 namespace {
 
-/** The point of \p a farthest from the polyline \p b. */
-test::Place
-farthest(const test::CheckedPath& a, const test::CheckedPath& b)
-{
-  const test::MoveTree tree(b.contacts);
-  test::Place place;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double d = tree.nearest(a.contacts[i]).first;
-    if (d > place.value)
-      place = {d, a.contacts[i], 0.0, a.turn(i), i};
-  }
-  return place;
-}
-
 void
-comparePaths(const std::string& what, const test::CheckedPath& expected, const Run& other,
-             const Eigen::Affine3d& back, Table& table)
+comparePaths(const std::string& what, const Path& expected, const Run& other, const Eigen::Affine3d& back, Table& table)
 {
   table.holds(what + ": a path is made", other.status.ok(), other.status.message());
-  if (other.path.empty() || expected.size() == 0)
+  if (other.path.empty() || expected.empty())
     return;
-  test::CheckedPath path = test::fromToolpath(other.path);
-  for (Eigen::Vector3d& p : path.contacts)
-    p = back * p;
-  table.note(what + ": points", static_cast<double>(path.size()), "");
-  table.atMost(what + ": off the first path", farthest(path, expected), 1e-3);
-  table.atMost(what + ": first path off it", farthest(expected, path), 1e-3);
-  table.atMost(what + ": start", (path.contacts.front() - expected.contacts.front()).norm(), 1e-3);
-  table.atMost(what + ": end", (path.contacts.back() - expected.contacts.back()).norm(), 1e-3);
+  const PathMatch match = matched(mapped(other.path, back), expected);
+  table.note(what + ": points", static_cast<double>(other.path.size()), "");
+  table.atMost(what + ": off the first path", match.off, 1e-3);
+  table.atMost(what + ": first path off it", match.missed, 1e-3);
+  table.atMost(what + ": start", match.start, 1e-3);
+  table.atMost(what + ": end", match.end, 1e-3);
 }
 
 /** The job on its points under a similarity: all lengths are scaled with them, and a mirrored part is gone
@@ -60,20 +40,6 @@ runMapped(const Job& job, const std::vector<Eigen::Vector3d>& points, const Eige
              determinant > 0.0 ? SpiralSense::CounterClockwise : SpiralSense::Clockwise);
 }
 
-/** Every field the same to the bit. */
-bool
-sameBytes(const Path& a, const Path& b)
-{
-  const auto same = [](const ToolpathPoint& p, const ToolpathPoint& q) {
-    return std::memcmp(p.data, q.data, 3 * sizeof(float)) == 0 &&
-           std::memcmp(p.normal, q.normal, 3 * sizeof(float)) == 0 &&
-           std::memcmp(p.axis, q.axis, 3 * sizeof(float)) == 0 &&
-           std::memcmp(&p.arc_length, &q.arc_length, sizeof(double)) == 0 &&
-           std::memcmp(&p.turn, &q.turn, sizeof(float)) == 0;
-  };
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), same);
-}
-
 } // namespace
 
 int
@@ -84,7 +50,7 @@ judgeInvariance(const Job& job, const Options& options)
   const Eigen::Vector3d view(0.0, 0.0, 1e4), start = job.surface->outlines().front().front();
   const Run first = run(job, test::toCloud(points), options.threads, &view, &start);
   table.holds("a path is made", first.status.ok(), first.status.message());
-  const test::CheckedPath expected = test::fromToolpath(first.path);
+  const Path& expected = first.path;
   table.note("points", static_cast<double>(expected.size()), "");
 
   for (const int threads : {1, 2, 3}) {

@@ -34,6 +34,7 @@ cases()
   all["field"] = judgeField;
   all["time"] = judgeTime;
   all["random"] = judgeRandom;
+  all["properties"] = judgeProperties;
   return all;
 }
 

@@ -1,39 +1,20 @@
-#include "cases.h"
-#include "random_case.h"
+#include "case_series.h"
 
 #include "support/path_checks.h"
 #include "support/removed_material.h"
-#include "support/sanitizers.h"
 
 #include <pcl_spiral/verify/deviation_estimation.h>
 #include <pcl_spiral/verify/material_removal.h>
 
-#include <pcl/console/print.h>
-
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <chrono>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <map>
 #include <sstream>
 
 namespace pcl_spiral::acceptance {
 
 namespace {
 
-constexpr unsigned int longest = sanitized ? 900 : 30; ///< s of processor time; a case that takes longer hangs
-
-/** What a case came to: nothing wrong, or the faults found. */
-struct Outcome {
-  std::string kind; ///< "path", or the reason of the refusal with its numbers left out
-  std::string faults;
-};
+constexpr unsigned int longest = 30; ///< s
 
 /** Collects what does not hold. */
 class Faults {
@@ -113,6 +94,13 @@ isToldWell(const RandomCase& made)
          made.spacing * made.bend < 0.1 && s.tool_radius * made.concave < 0.5;
 }
 
+/** The ridges that the settings allow and those foretold at corners, which may be left uncut. */
+double
+highestRidge(const SpiralSettings& s, const SpiralReport& report)
+{
+  return report.corner_ridge < s.tool_radius ? 1.05 * std::max(s.scallop_height, report.corner_ridge) : 1e9;
+}
+
 void
 checkAgainstSurface(const RandomCase& made, const Path& path, const SpiralReport& report, Faults& faults)
 {
@@ -136,7 +124,7 @@ checkAgainstSurface(const RandomCase& made, const Path& path, const SpiralReport
   settings.samples = 1500;
   settings.threads = 1;
   const test::RemovalFigures left = test::removedMaterial(*made.surface, back, settings);
-  faults.atMost("scallop p99.9", left.ridge.p999, 1.05 * s.scallop_height + s.chord_error + rounding);
+  faults.atMost("scallop p99.9", left.ridge.p999, highestRidge(s, report) + s.chord_error + rounding);
   faults.atMost("uncut share", left.ridge.uncut_share, 0.0);
   faults.atMost("gouge", left.gouge.value, 1.2 * s.chord_error + sag + rounding);
 }
@@ -155,7 +143,7 @@ judgeBy(Judge& judge, const RandomCase& made, const Path::ConstPtr& path, pcl::P
 
 /** The path by our own judges, which know the scan alone. */
 void
-checkByScan(const RandomCase& made, const Path::ConstPtr& path, Faults& faults)
+checkByScan(const RandomCase& made, const Path::ConstPtr& path, const SpiralReport& report, Faults& faults)
 {
   const SpiralSettings& s = made.settings;
   pcl::PointCloud<pcl::PointXYZI> values;
@@ -181,20 +169,8 @@ checkByScan(const RandomCase& made, const Path::ConstPtr& path, Faults& faults)
   }
   const RemovalFigures& r = removal.getFigures();
   faults.atMost("judged uncut share", r.scallop.uncutShare(), 0.0);
-  faults.atMost("judged scallop p99.9", r.scallop.p999, r.limit + known + 3.0 * made.noise);
-}
-
-/** Digits left out, so that refusals of one kind are counted together; the first clause alone. */
-std::string
-reasonOf(const std::string& message)
-{
-  std::string reason;
-  for (const char c : message.substr(0, message.find_first_of(";:")))
-    if (!std::isdigit(static_cast<unsigned char>(c)))
-      reason += c;
-    else if (reason.empty() || reason.back() != '#')
-      reason += '#';
-  return "refused: " + reason.substr(0, 90);
+  const double limit = std::max(r.limit, highestRidge(s, report) + s.chord_error);
+  faults.atMost("judged scallop p99.9", r.scallop.p999, limit + known + 3.0 * made.noise);
 }
 
 Outcome
@@ -215,46 +191,8 @@ outcomeOf(const RandomCase& made)
     return {"path", "success without a path"};
   checkPoints(*path, faults);
   checkAgainstSurface(made, *path, generator.getReport(), faults);
-  checkByScan(made, path, faults);
+  checkByScan(made, path, generator.getReport(), faults);
   return {"path", faults.text()};
-}
-
-/** In a process of its own, so that a crash or a hang is an outcome like others. */
-Outcome
-isolated(std::uint64_t seed, std::uint64_t index)
-{
-  std::array<int, 2> pipe{};
-  if (::pipe(pipe.data()) != 0)
-    return {"path", "no pipe"};
-  std::fflush(stdout);
-  const pid_t child = ::fork();
-  if (child == 0) {
-    ::close(pipe[0]);
-    const rlimit seconds{longest, longest};
-    ::setrlimit(RLIMIT_CPU, &seconds);
-    ::alarm(20 * longest); // asleep for good
-    std::string told;
-    try {
-      const Outcome outcome = outcomeOf(randomCase(seed, index));
-      told = outcome.kind + '\n' + outcome.faults;
-    }
-    catch (const std::exception& error) {
-      told = std::string("exception\n") + error.what();
-    }
-    ::_exit(::write(pipe[1], told.data(), told.size()) == static_cast<ssize_t>(told.size()) ? 0 : 3);
-  }
-  ::close(pipe[1]);
-  std::string told;
-  std::array<char, 4096> piece{};
-  for (ssize_t n; (n = ::read(pipe[0], piece.data(), piece.size())) > 0;)
-    told.append(piece.data(), static_cast<std::size_t>(n));
-  ::close(pipe[0]);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  if (WIFSIGNALED(status))
-    return {WTERMSIG(status) == SIGALRM || WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL ? "hang" : "crash", std::string(::strsignal(WTERMSIG(status)))};
-  const std::size_t end = told.find('\n');
-  return {told.substr(0, end), end == std::string::npos ? "nothing told" : told.substr(end + 1)};
 }
 
 } // namespace
@@ -262,25 +200,7 @@ isolated(std::uint64_t seed, std::uint64_t index)
 int
 judgeRandom(const Options& options)
 {
-  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  std::map<std::string, int> kinds;
-  int faulty = 0;
-  const auto from = std::chrono::steady_clock::now();
-  for (std::uint64_t i = options.first; i < options.first + options.count; ++i) {
-    const Outcome outcome = isolated(options.seed, i);
-    ++kinds[outcome.kind];
-    if (outcome.faults.empty())
-      continue;
-    ++faulty;
-    std::printf("  case %llu: %s\n    %s: %s\n", static_cast<unsigned long long>(i),
-                randomCase(options.seed, i).name.c_str(), outcome.kind.c_str(), outcome.faults.c_str());
-  }
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - from;
-  std::printf("random, seed %llu: %llu cases in %.1f s\n", static_cast<unsigned long long>(options.seed),
-              static_cast<unsigned long long>(options.count), took.count());
-  for (const auto& [kind, count] : kinds)
-    std::printf("  %5d  %s\n", count, kind.c_str());
-  return faulty;
+  return judgeSeries("random", options, longest, outcomeOf);
 }
 
 } // namespace pcl_spiral::acceptance

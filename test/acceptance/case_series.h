@@ -1,0 +1,28 @@
+/** \file
+ *  Random cases one after the other, each in a process of its own, so that a crash or a hang is an outcome like others.
+ */
+#pragma once
+
+#include "cases.h"
+#include "random_case.h"
+
+#include <functional>
+#include <string>
+
+namespace pcl_spiral::acceptance {
+
+/** What a case came to: nothing wrong, or the faults found. */
+struct Outcome {
+  std::string kind; ///< "path", or the reason of the refusal with its numbers left out
+  std::string faults;
+};
+
+/** Numbers left out, so that refusals of one kind are counted together; the first clause alone. */
+std::string reasonOf(const std::string& message);
+
+/** Judge the cases that \p options name; prints those with faults, and how many ended in what.
+ *  \p longest: s of processor time; a case that takes longer hangs. Returns how many have faults. */
+int judgeSeries(const std::string& name, const Options& options, unsigned int longest,
+                const std::function<Outcome(const RandomCase&)>& judge);
+
+} // namespace pcl_spiral::acceptance

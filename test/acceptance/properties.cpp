@@ -1,0 +1,139 @@
+#include "case_series.h"
+#include "path_match.h"
+
+#include "support/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace pcl_spiral::acceptance {
+
+namespace {
+
+constexpr unsigned int longest = 200; ///< s
+
+/** A run of the planner on a case. */
+struct Made {
+  Path path;
+  Status status;
+};
+
+Made
+made(const Cloud::ConstPtr& cloud, const SpiralSettings& settings)
+{
+  Generator generator;
+  generator.setInputCloud(cloud);
+  generator.setSettings(settings);
+  Made result;
+  generator.compute(result.path);
+  result.status = generator.getStatus();
+  return result;
+}
+
+Cloud::Ptr
+mapped(const Cloud& cloud, const Eigen::Affine3d& map)
+{
+  const Cloud::Ptr result(new Cloud(cloud));
+  for (pcl::PointXYZ& p : *result)
+    p.getVector3fMap() = (map * p.getVector3fMap().cast<double>()).cast<float>();
+  return result;
+}
+
+/** The settings for the part under a similarity: lengths are scaled with it, and a mirrored part is gone round the other
+ *  way, the axis tilted to the other side of the feed. */
+SpiralSettings
+mapped(const SpiralSettings& settings, const Eigen::Affine3d& map)
+{
+  const double determinant = map.linear().determinant(), scale = std::cbrt(std::abs(determinant));
+  SpiralSettings s = settings;
+  for (double* length :
+       {&s.tool_radius, &s.scallop_height, &s.chord_error, &s.max_step, &s.axis_smoothing, &s.thinning, &s.feed})
+    *length *= scale;
+  s.max_axis_rate /= scale;
+  for (std::optional<Eigen::Vector3d>* place : {&s.centre, &s.start_point, &s.view_point})
+    if (*place)
+      **place = map * **place;
+  if (determinant >= 0.0)
+    return s;
+  s.tilt_angle = -s.tilt_angle; // about the feed, to its right
+  s.sense = s.sense == SpiralSense::Clockwise ? SpiralSense::CounterClockwise : SpiralSense::Clockwise;
+  return s;
+}
+
+Cloud::Ptr
+reordered(const Cloud& cloud, std::uint64_t seed)
+{
+  const Cloud::Ptr result(new Cloud);
+  for (const std::size_t i : test::shuffled(cloud.size(), seed))
+    result->push_back(cloud[i]);
+  return result;
+}
+
+/** A part, moved: \p exact where its coordinates in single precision are moved without rounding. Rounded anew, a scan
+ *  is another one by a little, and now and then a point or a corner is taken the other way. */
+struct Motion {
+  std::string name;
+  Eigen::Affine3d map;
+  bool exact;
+};
+
+/** What is wrong with \p other, made where the part was moved to; empty when nothing is. */
+std::string
+difference(const Motion& motion, const Made& first, const Made& other, double spacing)
+{
+  const double tolerance = motion.exact ? 0.02 : 0.1; // spacings; axes a spacing of path apart may differ by ten degrees
+  std::ostringstream text;
+  if (first.status.code() != other.status.code() || reasonOf(first.status.message()) != reasonOf(other.status.message()))
+    text << motion.name << ": " << (other.status.ok() ? "a path" : other.status.message()) << " instead of "
+         << (first.status.ok() ? "a path" : first.status.message()) << "; ";
+  else if (first.status.ok()) {
+    const PathMatch m = matched(acceptance::mapped(other.path, motion.map.inverse()), first.path);
+    const double off = std::max({m.off.value, m.missed.value, m.start, m.end}) / spacing;
+    if (off > tolerance || m.axis > 10.0 * tolerance)
+      text << motion.name << ": off by " << off << " spacings, axis by " << m.axis << " degrees; ";
+  }
+  return text.str();
+}
+
+Outcome
+outcomeOf(const RandomCase& random)
+{
+  SpiralSettings settings = random.settings;
+  settings.thinning = 0.0; // voxels lie along the axes
+  if (!settings.start_point) // the rim point farthest off is one of several on round parts
+    settings.start_point = random.motion * random.surface->outlines().front().front();
+  const Made first = made(random.cloud, settings);
+  std::string faults;
+  for (const int threads : {2, 3}) {
+    SpiralSettings shared = settings;
+    shared.threads = threads;
+    const Made again = made(random.cloud, shared);
+    if (again.status.message() != first.status.message() || !sameBytes(first.path, again.path))
+      faults += std::to_string(threads) + " threads: other bytes; ";
+  }
+  const std::uint64_t seed = random.cloud->size();
+  const Eigen::Affine3d same = Eigen::Affine3d::Identity(), moved(test::randomMotion(seed, 50.0 * random.spacing));
+  faults += difference({"shuffled", same, true}, first, made(reordered(*random.cloud, seed), settings), random.spacing);
+  Eigen::Matrix3d quarter;
+  quarter << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  for (const Motion& motion : {Motion{"turned by 90 degrees", Eigen::Affine3d(quarter), true},
+                               {"mirrored", same * Eigen::Scaling(-1.0, 1.0, 1.0), true},
+                               {"a 64th", same * Eigen::Scaling(1.0 / 64), true},
+                               {"moved", moved, false},
+                               {"mirrored and moved", moved * Eigen::Scaling(1.0, 1.0, -1.0), false},
+                               {"forty times", moved * Eigen::Scaling(40.0), false}})
+    faults += difference(motion, first, made(mapped(*random.cloud, motion.map), mapped(settings, motion.map)),
+                         random.spacing);
+  return {first.status.ok() ? "path" : reasonOf(first.status.message()), faults};
+}
+
+} // namespace
+
+int
+judgeProperties(const Options& options)
+{
+  return judgeSeries("properties", options, longest, outcomeOf);
+}
+
+} // namespace pcl_spiral::acceptance
