@@ -17,7 +17,7 @@ farthest(const test::CheckedPath& a, const test::MoveTree& b)
   test::Place place;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double d = b.nearest(a.contacts[i]).first;
-    if (d > place.value)
+    if (!(d <= place.value)) // no number is the farthest of all
       place = {d, a.contacts[i], 0.0, a.turn(i), i};
   }
   return place;
@@ -83,7 +83,8 @@ matched(const Path& a, const Path& b)
   std::size_t from = 0;
   for (const ToolpathPoint& p : a) {
     const Eigen::Vector3d axis = axisAt(b, p.arc_length / a.back().arc_length, from);
-    match.axis = std::max(match.axis, degreesBetween(p.getAxisVector3fMap().cast<double>(), axis));
+    const double angle = degreesBetween(p.getAxisVector3fMap().cast<double>(), axis);
+    match.axis = angle <= match.axis ? match.axis : angle;
   }
   return match;
 }

@@ -3,7 +3,6 @@
 
 #include "support/sampling.h"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -89,9 +88,9 @@ difference(const Motion& motion, const Made& first, const Made& other, double sp
          << (first.status.ok() ? "a path" : first.status.message()) << "; ";
   else if (first.status.ok()) {
     const PathMatch m = matched(acceptance::mapped(other.path, motion.map.inverse()), first.path);
-    const double off = std::max({m.off.value, m.missed.value, m.start, m.end}) / spacing;
-    if (off > tolerance || m.axis > 10.0 * tolerance)
-      text << motion.name << ": off by " << off << " spacings, axis by " << m.axis << " degrees; ";
+    const Eigen::Array4d off = Eigen::Array4d(m.off.value, m.missed.value, m.start, m.end) / spacing;
+    if (!(off <= tolerance).all() || !(m.axis <= 10.0 * tolerance))
+      text << motion.name << ": off by " << off.transpose() << " spacings, axis by " << m.axis << " degrees; ";
   }
   return text.str();
 }

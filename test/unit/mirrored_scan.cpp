@@ -80,6 +80,7 @@ TEST(MirroredScan, HasTheSameTriangles)
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     const Sampled scan = noisy(quadric(90.0, -70.0, Region({circle({0, 0}, 40.0, 512)})), 0.3, seed);
     const auto expected = triangles(built(mapped(scan, Matrix3d::Identity())));
+    ASSERT_GT(expected.size(), scan.points.size());
     for (const Matrix3d& map : exactMaps())
       EXPECT_TRUE(triangles(built(mapped(scan, map))) == expected) << "seed " << seed << ", map\n" << map;
   }
@@ -119,6 +120,7 @@ TEST(MirroredScan, HasTheSameOutline)
       const Sampled scan = noisy(ball(150.0, regions[r]), 0.15, seed);
       const Built first = built(mapped(scan, Matrix3d::Identity()));
       const BoundaryLoop expected = rimOf(first);
+      ASSERT_GT(expected.curve.size(), 100u);
       const double tolerance = 5e-3 * first.graph.spacing();
       for (const Matrix3d& map : exactMaps()) {
         const BoundaryLoop rim = rimOf(built(mapped(scan, map)));

@@ -1,7 +1,7 @@
 #include "corner_choice.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -161,22 +161,23 @@ addMissedCorners(OutlineDraft& draft)
 {
   constexpr int most = 20;
   int added = 0;
-  std::vector<std::uint8_t> settled(draft.corners.size(), 0);
+  std::vector<Polyline> tried; // sides
   while (added < most) {
-    std::size_t side = settled.size();
+    std::size_t side = 0;
     std::pair<std::size_t, double> sharpest{0, 0.0};
-    for (std::size_t s = 0; s < settled.size(); ++s)
-      if (const auto bend = sharpestBend(draft.sides[s].side); !settled[s] && std::abs(bend.second) > std::abs(sharpest.second)) {
+    for (std::size_t s = 0; s < draft.corners.size(); ++s) {
+      const OutlineSide& own = draft.sides[s].side;
+      if (std::find(tried.begin(), tried.end(), own.nodes) != tried.end())
+        continue;
+      if (const auto bend = sharpestBend(own); std::abs(bend.second) > std::abs(sharpest.second)) {
         sharpest = bend;
         side = s;
       }
+    }
     if (std::abs(sharpest.second) < least_corner)
       break;
-    settled[side] = 1;
-    if (addMissedCorner(draft, side, sharpest.first, sharpest.second)) {
-      settled.assign(draft.corners.size(), 0);
-      ++added;
-    }
+    tried.push_back(draft.sides[side].side.nodes);
+    added += addMissedCorner(draft, side, sharpest.first, sharpest.second);
   }
   return added > 0;
 }

@@ -176,9 +176,8 @@ cornersAmong(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen
     at[i] = at[i - 1] + (line[i] - line[i - 1]).norm();
   // A first chain begins at an arbitrary point; a second one at a break of the first, as far from its ends as there is one.
   const std::vector<std::size_t> first = cheapestBreaks(line, at, 0, 2 * n, spacing);
-  const std::size_t begin = *std::min_element(first.begin(), first.end(), [&](std::size_t a, std::size_t b) {
-    return std::abs(at[a] - at[n]) < std::abs(at[b] - at[n]);
-  });
+  const auto nearer = [&](std::size_t a, std::size_t b) { return std::abs(at[a] - at[n]) < std::abs(at[b] - at[n]); };
+  const std::size_t begin = first.size() > 2 ? *std::min_element(first.begin() + 1, first.end() - 1, nearer) : n;
   const std::vector<std::size_t> breaks = cheapestBreaks(line, at, begin, begin + n, spacing);
   // Pieces too short to have a direction are passed over: what counts is how their neighbours meet.
   struct Run {

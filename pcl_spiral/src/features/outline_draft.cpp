@@ -75,6 +75,7 @@ OutlineDraft::edgeBetween(std::size_t from, std::size_t to, double beyond) const
 {
   const double whole = at_.back();
   const double span = to > from ? at_[to] - at_[from] : at_[to] + whole - at_[from];
+  beyond = std::min(beyond, 0.5 * whole);
   std::vector<ExpectedPoint> result;
   for (const EdgePoint& p : edge_) {
     const double first = p.place - at_[from] + beyond;

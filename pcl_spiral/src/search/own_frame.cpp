@@ -1,5 +1,7 @@
 #include "own_frame.h"
 
+#include "pieces.h"
+
 #include <Eigen/Eigenvalues>
 
 namespace pcl_spiral {
@@ -7,26 +9,24 @@ namespace pcl_spiral {
 std::vector<Eigen::Vector3f>
 inOwnFrame(const std::vector<Eigen::Vector3f>& points)
 {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3f& p : points)
-    mean += p.cast<double>();
-  mean /= static_cast<double>(points.size());
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-  for (const Eigen::Vector3f& p : points) {
-    const Eigen::Vector3d d = p.cast<double>() - mean;
-    second += d * d.transpose();
-  }
-  Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(second).eigenvectors().rowwise().reverse();
-  Eigen::Array3d third = Eigen::Array3d::Zero();
-  for (const Eigen::Vector3f& p : points)
-    third += (axes.transpose() * (p.cast<double>() - mean)).array().cube();
-  for (int i = 0; i < 3; ++i)
-    if (third[i] < 0.0)
-      axes.col(i) *= -1.0;
-  std::vector<Eigen::Vector3f> own;
-  own.reserve(points.size());
-  for (const Eigen::Vector3f& p : points)
-    own.emplace_back((axes.transpose() * (p.cast<double>() - mean)).cast<float>());
+  using Eigen::Array3d, Eigen::Matrix3d, Eigen::Vector3d;
+  const std::size_t n = points.size();
+  const Vector3d sum = sumOverPoints(n, Vector3d(Vector3d::Zero()),
+                                     [&](std::uint32_t i, Vector3d& part) { part += points[i].cast<double>(); });
+  const Vector3d mean = sum / static_cast<double>(n);
+  const Matrix3d second = sumOverPoints(n, Matrix3d(Matrix3d::Zero()), [&](std::uint32_t i, Matrix3d& part) {
+    const Vector3d d = points[i].cast<double>() - mean;
+    part += d * d.transpose();
+  });
+  Matrix3d axes = Eigen::SelfAdjointEigenSolver<Matrix3d>(second).eigenvectors().rowwise().reverse();
+  const Array3d third = sumOverPoints(n, Array3d(Array3d::Zero()), [&](std::uint32_t i, Array3d& part) {
+    part += (axes.transpose() * (points[i].cast<double>() - mean)).array().cube();
+  });
+  for (int k = 0; k < 3; ++k)
+    if (third[k] < 0.0)
+      axes.col(k) *= -1.0;
+  std::vector<Eigen::Vector3f> own(n);
+  forPoints(n, [&](std::uint32_t i) { own[i] = (axes.transpose() * (points[i].cast<double>() - mean)).cast<float>(); });
   return own;
 }
 

@@ -14,8 +14,8 @@
 namespace pcl_spiral {
 
 /** Triangles all three of whose corners have them in their stars; then, where half-edges are still free, those that two
- *  corners have and those that one has, those of the shortest sides first; then the pinholes left by disagreement, of at
- *  most \p pinhole_edges edges, closed. The order of the \p points decides nothing. */
+ *  corners have and those that one has, the smallest first; then the pinholes left by disagreement, of at
+ *  most \p pinhole_edges edges, closed. The order of the \p points decides only between triangles of equal size. */
 Triangulation
 triangulate(const std::vector<Eigen::Vector3f>& points, const StarSet& stars, int pinhole_edges);
 

@@ -15,7 +15,7 @@ constexpr int degree = 4, quadratic_terms = 6, quartic_terms = 15;
 constexpr double farthest = 4.0; // in standard deviations: a point farther off is no part of the surface
 constexpr double mad_of_normal = 1.4826; // standard deviation over the median deviation, normal distribution
 constexpr double most_noise = 1.0; // of the quartic's height, in that of a point: beside a rim the quadric is surer
-constexpr double most_bending_noise = 1000.0; // of the quartic's derivatives, in the quadric's: on few scan lines
+constexpr double most_derivative_noise = 1000.0; // of the quartic's derivatives, in the quadric's: on few scan lines
 
 using Terms = Eigen::Matrix<double, quartic_terms, 1>; // of 1, u, v, u^2, u v, v^2, ..., v^4
 using Values = Eigen::ArrayXd; // one a neighbour
@@ -102,7 +102,7 @@ public:
     quadratic_ = padded(equations.solve<quadratic_terms>(right.head<quadratic_terms>()));
     quartic_ = quadratic_;
     gain_ = 0.0;
-    has_quartic_ = bends_ = false;
+    has_quartic_ = derivatives_told_ = false;
     if (equations.determined() == quartic_terms) {
       // How much each neighbour's height moves the height at the origin.
       const Terms high = equations.solve<quartic_terms>(Terms::Unit(0));
@@ -111,7 +111,7 @@ public:
         const Terms low = padded(equations.solve<quadratic_terms>(Vector6d::Unit(0)));
         quartic_ = equations.solve<quartic_terms>(right);
         gain_ = (weight_ * at(high - low)).matrix().squaredNorm();
-        bends_ = bendsAreTold(equations);
+        derivatives_told_ = derivativesAreTold(equations);
       }
     }
     off_ = height_ - at(quartic_);
@@ -159,7 +159,7 @@ public:
     const double variance = gain_ * noise * noise;
     const double share = correction != 0.0 ? std::max(0.0, 1.0 - variance / (correction * correction)) : 0.0;
     Vector6d shape = (quadratic_ + share * (quartic_ - quadratic_)).head<quadratic_terms>();
-    if (!bends_)
+    if (!derivatives_told_)
       shape.tail<5>() = quadratic_.segment<5>(1);
     return shape;
   }
@@ -168,11 +168,11 @@ private:
   /** Whether the quartic tells the first and second derivatives not much worse than the quadric. The variance of a term for unit
    *  noise is no more than its place on the diagonal of the inverse, the weights being below 1. */
   static bool
-  bendsAreTold(const NormalEquations<quartic_terms>& equations)
+  derivativesAreTold(const NormalEquations<quartic_terms>& equations)
   {
     for (int k = 1; k < quadratic_terms; ++k)
       if (!(equations.solve<quartic_terms>(Terms::Unit(k))[k] <
-            most_bending_noise * equations.solve<quadratic_terms>(Vector6d::Unit(k))[k]))
+            most_derivative_noise * equations.solve<quadratic_terms>(Vector6d::Unit(k))[k]))
         return false;
     return true;
   }
@@ -209,7 +209,7 @@ private:
   Eigen::Array<double, Eigen::Dynamic, 2 * degree + 1> powers_; ///< of v
   Terms quadratic_, quartic_;
   bool has_quartic_ = false;
-  bool bends_ = false; ///< the quartic has derivatives to be trusted
+  bool derivatives_told_ = false; ///< by the quartic
   double gain_ = 0.0; ///< variance of the correction for unit noise
 };
 

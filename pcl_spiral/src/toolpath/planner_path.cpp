@@ -63,9 +63,9 @@ SpiralPlanner::putOnSurface(const std::vector<SpiralPoint>& curve, SpiralPath& p
       const SurfaceFoot& foot = feet[first_bad];
       const SpiralPoint& asked = curve[begin + first_bad];
       if (!foot.valid)
-        return {StatusCode::Failed, textOf("the path leaves the scanned surface at ", placeText(asked.position), " in turn ",
-                                         asked.turn, ": the scan has a gap or a ragged rim there; scan it again, more densely, or cut "
-                                                     "the ragged part away")};
+        return {StatusCode::Failed,
+                textOf("the path leaves the scanned surface at ", placeText(asked.position), " in turn ", asked.turn,
+                       ": the scan has a gap or a ragged rim there; scan it again, more densely, or cut the ragged part away")};
       return {StatusCode::Failed,
               textOf("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ", placeText(foot.position),
                    ", tighter than the tool radius ", settings_.tool_radius,

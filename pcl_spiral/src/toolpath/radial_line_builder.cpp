@@ -262,7 +262,9 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
       return offSurface(request);
     centre = SurfaceCentre{foot.position, std::nullopt};
   }
-  else if ((centre = balancedCentre(request.surface, request.rim.curve)))
+  else
+    centre = balancedCentre(request.surface, request.rim.curve);
+  if (centre && !request.centre && !request.inner)
     if (const Status clearance = checkClearance(request, centre->position, narrowest); !clearance.ok())
       return clearance;
 

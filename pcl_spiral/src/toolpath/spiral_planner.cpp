@@ -24,10 +24,12 @@ cornerWarning(const CornerRidge& ridge, const SpiralSettings& settings)
   const double height = settings.scallop_height;
   if (ridge.height <= much * height)
     return {};
-  return textOf("turns lie farther apart at corners of the outline than along its sides: about ", placeText(ridge.at),
-                ridge.height < settings.tool_radius ? textOf(" ridges rise to ", ridge.height, " mm") : " material is left uncut",
-                ", where the scallop height is ", height, " mm; for corners within it ask for ",
-                height * height / std::min(ridge.height, settings.tool_radius), " mm");
+  const std::string left = ridge.height < settings.tool_radius
+                               ? textOf("ridges rise to ", ridge.height, " mm, above the scallop height of ", height, " mm")
+                               : "material is left uncut";
+  return textOf("towards the corner of the outline at ", placeText(ridge.corner),
+                " turns lie farther apart than along its sides: ", left, "; a path for a scallop height of ", ridge.remedy,
+                " mm, longer, leaves about ", height, " mm there");
 }
 
 } // namespace

@@ -39,7 +39,8 @@ struct SpiralReport {
   double gap_length = 0.0;          ///< of the path between them
   double smallest_step_over = 0.0;
   double largest_step_over = 0.0;
-  double corner_ridge = 0.0;        ///< height foretold of the highest ridge at corners; 0 without corners
+  double corner_ridge = 0.0;        ///< height foretold of ridges at corners, where above the scallop height; else 0; the
+                                    ///< tool radius where material is left uncut
   double largest_allowed_step = 0.0;
   double largest_gap = 0.0;         ///< longest linear move
   double largest_axis_change = 0.0; ///< degrees between neighbouring path points

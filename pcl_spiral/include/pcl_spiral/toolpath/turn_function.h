@@ -15,8 +15,10 @@ namespace pcl_spiral {
 
 /** The highest ridge that turns leave at corners. */
 struct CornerRidge {
-  double height = 0.0; ///< mm; the tool radius where material is left uncut; 0 without corners
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  double height = 0.0;   ///< mm; the tool radius where material is left uncut; 0 without corners
+  double widening = 1.0; ///< how much farther apart the turns seem there than the step-over
+  double remedy = 0.0;   ///< mm: the scallop height whose turns leave ridges of the one asked for
+  Eigen::Vector3d corner = Eigen::Vector3d::Zero(); ///< of the outline
 };
 
 /** T_i(s) = integral over arc length of cos psi / l, for every radial line i.
@@ -48,9 +50,11 @@ public:
   /** How large the spiral of these turns becomes: points by the surface's own curvature, and knots. */
   PathSize pathSize() const;
 
-  /** Turns that lie l apart along both sides of a corner lie farther apart at it: on the corner's line, which makes the
-   *  angle alpha with either side, their tips are p = l / sin alpha apart, and the place farthest from both turns lies
-   *  d = p sin alpha / (1 + sin alpha) from the tip of one and from the sides of the other. */
+  /** Turns that lie l apart along the sides of a corner lie farther apart at it. Their tips are p apart along the corner's
+   *  line, which makes angles alpha1 and alpha2 with the sides. The place farthest from both turns lies on the bisector of
+   *  the outer one, t from its tip and as far from the inner tip as from the outer's sides: t sin a = |t - p| with
+   *  a = (alpha1 + alpha2) / 2, the line being b = (alpha1 - alpha2) / 2 off the bisector. Turns closer to the centre than
+   *  one step-over are not looked at. */
   CornerRidge highestCornerRidge() const;
 
   double smallestStepOver() const { return smallest_step_over_; }
