@@ -20,7 +20,8 @@ RimCurve::at(double s) const
   return (1.0 - f) * points_[k] + f * points_[(k + 1) % points_.size()];
 }
 
-/** Turn the loop so that it starts at its place nearest to \p start: a vertex close by, or a new one. */
+/** Turn the loop so that it starts at its place nearest to \p start: with a corner close by, another vertex moved there, or a
+ *  new one. */
 void
 RimCurve::startAt(const BoundaryLoop& loop, const Eigen::Vector3d& start)
 {
@@ -37,14 +38,15 @@ RimCurve::startAt(const BoundaryLoop& loop, const Eigen::Vector3d& start)
       best_f = f;
     }
   }
-  constexpr double close = 0.2; // of a segment: the vertex itself is taken
+  constexpr double close = 0.2; // of a segment
+  const Eigen::Vector3d place = (1.0 - best_f) * c[segment] + best_f * c[(segment + 1) % c.size()];
   if (best_f > 1.0 - close) {
     segment = (segment + 1) % c.size();
     best_f = 0.0;
   }
   const bool new_vertex = best_f >= close;
   if (new_vertex)
-    points_.push_back((1.0 - best_f) * c[segment] + best_f * c[(segment + 1) % c.size()]);
+    points_.push_back(place);
   const std::size_t first = new_vertex ? segment + 1 : segment;
   std::vector<std::uint8_t> corner(c.size(), 0);
   for (const std::size_t k : loop.corners)
@@ -55,6 +57,8 @@ RimCurve::startAt(const BoundaryLoop& loop, const Eigen::Vector3d& start)
       corners_.push_back(points_.size());
     points_.push_back(c[k]);
   }
+  if (!new_vertex && !corner[first])
+    points_.front() = place;
 }
 
 } // namespace pcl_spiral
