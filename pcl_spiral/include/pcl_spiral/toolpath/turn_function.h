@@ -52,9 +52,9 @@ public:
 
   /** Turns that lie l apart along the sides of a corner lie farther apart at it. Their tips are p apart along the corner's
    *  line, which makes angles alpha1 and alpha2 with the sides. The place farthest from both turns lies on the bisector of
-   *  the outer one, t from its tip and as far from the inner tip as from the outer's sides: t sin a = |t - p| with
-   *  a = (alpha1 + alpha2) / 2, the line being b = (alpha1 - alpha2) / 2 off the bisector. Turns closer to the centre than
-   *  one step-over are not looked at. */
+   *  the outer one, t from its tip, as far from the inner tip as from the outer's sides: with a = (alpha1 + alpha2) / 2, and
+   *  the line b = (alpha1 - alpha2) / 2 off the bisector, (t sin a)^2 = t^2 - 2 t p cos b + p^2. The first turn is not looked
+   *  at. */
   CornerRidge highestCornerRidge() const;
 
   double smallestStepOver() const { return smallest_step_over_; }
