@@ -1,0 +1,108 @@
+/** \file
+ *  What a point of a toolpath holds, for any point type.
+ */
+#pragma once
+
+#include <pcl/impl/point_types.hpp>
+#include <pcl/register_point_struct.h>
+#include <pcl/type_traits.h>
+
+#include <Eigen/Core>
+
+#include <type_traits>
+
+// The names by which the fields are found. A point type that has one declares it again, which does no harm.
+namespace pcl::fields {
+struct x;
+struct y;
+struct z;
+struct normal_x;
+struct normal_y;
+struct normal_z;
+struct axis_x;
+struct axis_y;
+struct axis_z;
+struct arc_length;
+struct turn;
+struct over_gap;
+} // namespace pcl::fields
+
+namespace pcl_spiral {
+
+/** Whether the registered point type has the field, such as pcl::fields::turn. */
+template <typename PointT, typename Field>
+constexpr bool has_toolpath_field = pcl::traits::has_field<PointT, Field>::value;
+
+/** Write a number to the field of that name, converted as static_cast does; nothing without that field. */
+template <typename Field, typename PointT, typename Number>
+void
+setFieldIfPresent(PointT& point, Number value)
+{
+  if constexpr (has_toolpath_field<PointT, Field>) {
+    using Type = typename pcl::traits::datatype<PointT, Field>::type;
+    static_assert(std::is_arithmetic_v<Type>,
+                  "a toolpath writes numbers: register this field as a number, not as an array, or "
+                  "specialise pcl_spiral::ToolpathFields for the point type");
+    pcl::setFieldValue(point, pcl::traits::offset<PointT, Field>::value, static_cast<Type>(value));
+  }
+}
+
+/** How one point of a toolpath is written to a point of the user's type.
+ *
+ *  As it stands it fills the fields that the type has registered by these names, and leaves every other
+ *  member alone. In POINT_CLOUD_REGISTER_POINT_STRUCT the name is the third of each triple.
+ *
+ *  | field | holds |
+ *  |---|---|
+ *  | x y z | the cutter contact, mm; the type must have them |
+ *  | normal_x normal_y normal_z | unit normal of the surface, out of the material |
+ *  | axis_x axis_y axis_z | unit tool axis, from the tip to the shank |
+ *  | arc_length | length of the path up to here, mm; on a path of 10 km a float is off by 0.5 mm |
+ *  | turn | count of turns, with the fraction |
+ *  | over_gap | 1 where the scan has a gap that was bridged, else 0 |
+ *
+ *  A field may be of any number type. For a type with other names, or that keeps something else, specialise
+ *  the struct before the type is used as an output:
+ *  \code
+ *  template <> struct pcl_spiral::ToolpathFields<Station> {
+ *    static void set(Station& station, const Eigen::Vector3d& contact, const Eigen::Vector3d&,
+ *                    const Eigen::Vector3f& axis, double arc_length, float, bool)
+ *    {
+ *      station.contact = contact;
+ *      station.tool = axis;
+ *      station.metres = 0.001 * arc_length;
+ *    }
+ *  };
+ *  \endcode
+ *  It is called by several threads at once, each for a point of its own.
+ */
+template <typename PointT>
+struct ToolpathFields {
+  /** \param[out] point made by its default constructor before
+   *  \param[in] contact,normal,axis,arc_length,turn,over_gap see the table */
+  static void
+  set(PointT& point, const Eigen::Vector3d& contact, const Eigen::Vector3d& normal,
+      const Eigen::Vector3f& axis, double arc_length, float turn, bool over_gap)
+  {
+    namespace fields = pcl::fields;
+    static_assert(has_toolpath_field<PointT, fields::x> && has_toolpath_field<PointT, fields::y> &&
+                      has_toolpath_field<PointT, fields::z>,
+                  "a point of a toolpath needs the registered fields x, y and z: name them in "
+                  "POINT_CLOUD_REGISTER_POINT_STRUCT, or specialise pcl_spiral::ToolpathFields for the point "
+                  "type");
+    setFieldIfPresent<fields::x>(point, contact.x());
+    setFieldIfPresent<fields::y>(point, contact.y());
+    setFieldIfPresent<fields::z>(point, contact.z());
+    setFieldIfPresent<fields::normal_x>(point, normal.x());
+    setFieldIfPresent<fields::normal_y>(point, normal.y());
+    setFieldIfPresent<fields::normal_z>(point, normal.z());
+    setFieldIfPresent<fields::axis_x>(point, axis.x());
+    setFieldIfPresent<fields::axis_y>(point, axis.y());
+    setFieldIfPresent<fields::axis_z>(point, axis.z());
+    setFieldIfPresent<fields::arc_length>(point, arc_length);
+    setFieldIfPresent<fields::turn>(point, turn);
+    setFieldIfPresent<fields::over_gap>(point, over_gap);
+  }
+};
+
+} // namespace pcl_spiral
