@@ -4,6 +4,7 @@
 #include "program/free_leads.h"
 #include "program/machine_moves.h"
 #include "program/program_check.h"
+#include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 #include "toolpath/command_line.h"
 #include "toolpath/console.h"
@@ -36,6 +37,42 @@ warn(const Job& job, const std::vector<std::string>& warnings)
       std::cerr << "pcl_spiral_toolpath: warning: " << warning << '\n';
 }
 
+void
+require(const Job& job, const Status& status)
+{
+  if (status.code() == StatusCode::Cancelled || cancelled())
+    throw Cancelled();
+  if (status.code() == StatusCode::InvalidArgument)
+    throw UsageError(job.scan + ": " + inOptions(status.message()));
+  if (!status.ok())
+    throw FileError(job.scan, inOptions(status.message()));
+}
+
+/** Whether the planner's surface has all points that a path is to be judged by: none was filtered out. */
+bool
+judgedByTheSameSurface(const SpiralSettings& settings)
+{
+  return settings.thinning == 0.0 && settings.outlier_neighbours == 0;
+}
+
+/** The surface that the planner and the judge share. */
+Surface::ConstPtr
+surfaceOf(const Job& job, const Scan& scan, ProgressBar& bar)
+{
+  ScannedSurface<pcl::PointXYZ> scanned;
+  scanned.setInputCloud(scan.cloud);
+  if (job.settings.view_point)
+    scanned.setViewPoint(*job.settings.view_point);
+  scanned.setFlipNormals(job.settings.flip_normals);
+  scanned.setLargestPart(job.settings.largest_part);
+  scanned.setNumberOfThreads(job.settings.threads);
+  scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.25 * share, stage); });
+  Surface::ConstPtr surface;
+  scanned.compute(surface);
+  require(job, scanned.getStatus());
+  return surface;
+}
+
 Result
 compute(const Job& job)
 {
@@ -48,21 +85,24 @@ compute(const Job& job)
   clock.end("reading");
   if (cancelled())
     throw Cancelled();
+  if (job.verify && judgedByTheSameSurface(job.settings)) {
+    result.surface = surfaceOf(job, result.scan, bar);
+    clock.end("surface");
+  }
   SpiralToolpathGenerator<pcl::PointXYZ> generator;
   generator.setInputCloud(result.scan.cloud);
+  if (result.surface)
+    generator.setInputSurface(result.surface);
   generator.setSettings(job.settings);
   generator.setProgressCallback(
       [&bar](double share, const std::string& stage) { return bar.update(share, stage); });
   generator.compute(*result.path);
   bar.clear();
-  const Status& status = generator.getStatus();
-  if (status.code() == StatusCode::Cancelled || cancelled())
-    throw Cancelled();
-  if (status.code() == StatusCode::InvalidArgument)
-    throw UsageError(job.scan + ": " + status.message());
-  if (!status.ok())
-    throw FileError(job.scan, status.message());
+  require(job, generator.getStatus());
   result.report = generator.getReport();
+  result.report.warnings = inOptions(result.report.warnings);
+  if (result.surface)
+    result.report.passes = result.surface->counts().passes;
   result.report.stages.insert(result.report.stages.begin(), stages.begin(), stages.end());
   return result;
 }
@@ -72,17 +112,18 @@ verify(const Job& job, Result& result)
 {
   ProgressBar bar(job.quiet);
   const SpiralSettings& s = job.settings;
-  const JudgeSettings settings{s.tool_radius, s.scallop_height, s.chord_error, s.view_point, s.flip_normals, s.threads};
-  std::shared_ptr<const ScannedReference> surface;
+  const JudgeSettings settings{s.tool_radius, s.scallop_height, s.chord_error, s.view_point, s.flip_normals, s.threads,
+                               result.surface};
+  std::shared_ptr<const ReferenceSurface> reference;
   Verification verification;
   const Status status = judgePath(result.scan.cloud, result.path, settings,
                                   [&bar](double share, const std::string& stage) { return bar.update(share, stage); },
-                                  surface, verification, result.heights);
+                                  reference, verification, result.heights);
   bar.clear();
   if (cancelled())
     throw Cancelled();
   if (!status.ok())
-    throw FileError(job.scan, "the path was made but could not be judged: " + status.message());
+    throw FileError(job.scan, "the path was made but could not be judged: " + inOptions(status.message()));
   result.verification = std::move(verification);
 }
 

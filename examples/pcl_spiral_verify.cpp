@@ -1,6 +1,7 @@
 // Toolpath files judged by the raw scan.
 #include "judging/figures_table.h"
 #include "judging/tip_check.h"
+#include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 #include "verify/outputs.h"
 #include "verify/verify_job.h"
@@ -28,9 +29,9 @@ warn(const VerifyJob& job, const std::vector<std::string>& warnings)
       std::cerr << "pcl_spiral_verify: warning: " << warning << '\n';
 }
 
-/** \p surface is that of the scan, made for the first path. */
+/** \p reference is the fit to the scan, made for the first path. */
 JudgedPath
-judge(const VerifyJob& job, const Scan& scan, const std::string& file, std::shared_ptr<const ScannedReference>& surface)
+judge(const VerifyJob& job, const Scan& scan, const std::string& file, std::shared_ptr<const ReferenceSurface>& reference)
 {
   JudgedPath judged;
   ToolpathFile read = readToolpath(file);
@@ -42,12 +43,12 @@ judge(const VerifyJob& job, const Scan& scan, const std::string& file, std::shar
   ProgressBar bar(job.quiet);
   const Status status = judgePath(scan.cloud, judged.path, job.settings,
                                   [&](double share, const std::string& stage) { return bar.update(share, stage); },
-                                  surface, judged.verification, judged.heights);
+                                  reference, judged.verification, judged.heights);
   bar.clear();
   if (cancelled())
     throw Cancelled();
   if (!status.ok())
-    throw FileError(file, status.message());
+    throw FileError(file, inOptions(status.message()));
   judged.verification.broken = brokenLimits(job.limits, judged.verification);
   judged.verification.unproven = unprovenLimits(job.limits, judged.verification);
   return judged;
@@ -61,15 +62,15 @@ run(const VerifyJob& job)
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
   const Scan scan = readCloud(job.scan, job.read);
   warn(job, scan.warnings);
-  std::shared_ptr<const ScannedReference> surface;
+  std::shared_ptr<const ReferenceSurface> reference;
   bool all_hold = true;
   for (const std::string& file : job.paths) {
-    const JudgedPath judged = judge(job, scan, file, surface);
+    const JudgedPath judged = judge(job, scan, file, reference);
     all_hold = all_hold && judged.verification.broken.empty();
     if (!job.quiet)
       printFigures(judged.verification);
     warn(job, warningsOf(judged.verification));
-    outputs.take(scan, surface->surface, judged);
+    outputs.take(scan, *reference, judged);
   }
   outputs.finish(scan);
   return all_hold;

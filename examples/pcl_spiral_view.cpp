@@ -1,5 +1,6 @@
 // A toolpath on its scan, in a window.
 #include "judging/judged_scene.h"
+#include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 #include "view/view_job.h"
 
@@ -39,7 +40,7 @@ judgedScene(const ViewJob& job)
     for (const std::string& warning : scan.warnings)
       std::cerr << "pcl_spiral_view: warning: " << warning << '\n';
   const auto path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(readToolpath(job.path).path);
-  std::shared_ptr<const ScannedReference> surface;
+  std::shared_ptr<const ReferenceSurface> reference;
   Verification verification;
   verification.path = job.path;
   Heights heights;
@@ -47,14 +48,14 @@ judgedScene(const ViewJob& job)
   const auto judge = job.settings.tool_radius > 0.0 ? judgePath : judgeDeviation;
   const Status status = judge(
       scan.cloud, path, job.settings,
-      [&](double share, const std::string& stage) { return bar.update(share, stage); }, surface, verification,
+      [&](double share, const std::string& stage) { return bar.update(share, stage); }, reference, verification,
       heights);
   bar.clear();
   if (cancelled())
     throw std::runtime_error("cancelled");
   if (!status.ok())
-    throw FileError(job.path, status.message());
-  return judgedScene(scan.cloud, path, job.settings, surface->surface, verification, heights);
+    throw FileError(job.path, inOptions(status.message()));
+  return judgedScene(scan.cloud, path, job.settings, *reference, verification, heights);
 }
 
 void

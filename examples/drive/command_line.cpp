@@ -120,8 +120,7 @@ OptionGroup
 running(Job& job)
 {
   return {"Run",
-          {wholeNumberOption("threads", "N", "0, the default, means all; the path does not depend on it: --threads 4",
-                             job.threads),
+          {threadsOption("the path does not depend on it", job.threads),
            switchOption("verbose", "say more", job.verbose), switchOption("quiet", "say nothing but errors", job.quiet),
            switchOption("help", "this text", job.help), switchOption("version", "print the version", job.version)}};
 }

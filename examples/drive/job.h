@@ -38,7 +38,7 @@ struct Job {
   double max_axis_rate = 0.0;  ///< degrees a mm; 0: no limit
   double feed = 1000.0; ///< mm/min
   ProgramJob program;
-  int threads = 0;
+  unsigned int threads = 0;
   bool verbose = false;
   bool quiet = false;
   bool help = false;

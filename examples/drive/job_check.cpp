@@ -108,8 +108,6 @@ completePath(Job& job)
   requireOption(job.axis_smoothing >= 0.0, "axis-smoothing", job.axis_smoothing, "must be above 0 mm, or 0 for none");
   requireOption(job.max_axis_rate >= 0.0, "max-axis-rate", job.max_axis_rate, "must be above 0 degrees a mm, or 0 for no limit");
   requireOption(job.feed > 0.0, "feed", job.feed, "must be above 0 mm/min");
-  requireOption(job.threads >= 0 && job.threads <= most_threads, "threads", job.threads,
-          "must be above 0 and not above 256, or 0 for all");
   if (is_curve)
     return; // its points are read later
   if (const Status status = checkSettings(d); !status.ok())

@@ -1,5 +1,6 @@
 #include "planning.h"
 #include "column_ends.h"
+#include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 
 #include <pcl_spiral/common/message.h>
@@ -23,9 +24,9 @@ require(const Job& job, const Status& status)
   if (status.code() == StatusCode::Cancelled || cancelled())
     throw Cancelled();
   if (status.code() == StatusCode::InvalidArgument)
-    throw UsageError(job.scan + ": " + status.message());
+    throw UsageError(job.scan + ": " + inOptions(status.message()));
   if (!status.ok())
-    throw FileError(job.scan, status.message());
+    throw FileError(job.scan, inOptions(status.message()));
 }
 
 Polyline
@@ -102,12 +103,30 @@ leaveOutStrays(const Job& job, Result& result)
   result.scan.cloud = kept;
 }
 
+/** The surface that the drive path and the locations share; null where the points form none. */
+Surface::ConstPtr
+surfaceOf(const Job& job, ProgressBar& bar, Result& result)
+{
+  ScannedSurface<pcl::PointXYZ> scanned;
+  scanned.setInputCloud(result.scan.cloud);
+  scanned.setStrict(false); // what is rough is driven on all the same, with a warning
+  scanned.setQuiet(true);
+  scanned.setNumberOfThreads(job.threads);
+  scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.3 * share, stage); });
+  Surface::ConstPtr surface;
+  scanned.compute(surface);
+  if (scanned.getStatus().code() == StatusCode::Cancelled)
+    throw Cancelled();
+  return surface;
+}
+
 DrivePasses
-drivePasses(const Job& job, ProgressBar& bar, Result& result)
+drivePasses(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, Result& result)
 {
   DrivePath<pcl::PointXYZ> drive;
   const DriveSettings& s = job.drive;
   drive.setInputCloud(result.scan.cloud);
+  drive.setInputSurface(surface); // null: it says what is wrong
   drive.setKind(s.kind);
   drive.setStepOver(s.step_over);
   drive.setPointSpacing(s.point_spacing);
@@ -132,10 +151,11 @@ drivePasses(const Job& job, ProgressBar& bar, Result& result)
 }
 
 std::vector<ToolLocations>
-locate(const Job& job, const DrivePasses& passes, ProgressBar& bar, Result& result)
+locate(const Job& job, const Surface::ConstPtr& surface, const DrivePasses& passes, ProgressBar& bar, Result& result)
 {
   CutterLocation<pcl::PointXYZ> location;
   location.setInputCloud(result.scan.cloud);
+  location.setInputSurface(surface);
   location.setCutter(job.cutter);
   location.setHolder(job.holder);
   location.setHolderClearance(job.holder_clearance);
@@ -275,9 +295,11 @@ plan(const Job& job)
     leaveOutStrays(job, result);
     clock.end("strays");
   }
-  const DrivePasses passes = drivePasses(job, bar, result);
+  const Surface::ConstPtr surface = surfaceOf(job, bar, result);
+  clock.end("surface");
+  const DrivePasses passes = drivePasses(job, surface, bar, result);
   clock.end("drive path");
-  const std::vector<ToolLocations> located = locate(job, passes, bar, result);
+  const std::vector<ToolLocations> located = locate(job, surface, passes, bar, result);
   clock.end("locations");
   bar.clear();
   requireNoCollision(job, located, result.locations);
@@ -286,6 +308,6 @@ plan(const Job& job)
     throw FileError(job.scan, "no pass has two locations over the scan; check the drive path and the tool axis");
   if (job.drive.goesRound())
     warnOfEnds(job, located, result);
-  result.warnings = warningsOf(job, result);
+  result.warnings = inOptions(warningsOf(job, result));
   return result;
 }

@@ -1,5 +1,7 @@
 #include "judge.h"
 
+#include "terminal/setter_names.h"
+
 #include <pcl_spiral/verify/material_removal.h>
 
 #include <pcl/kdtree/kdtree_flann.h>
@@ -18,10 +20,14 @@ prepare(Judge& judge, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
         const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings)
 {
   judge.setInputCloud(scan);
+  if (settings.surface)
+    judge.setInputSurface(settings.surface);
   judge.setInputToolpath(path);
   judge.setChordError(settings.chord_error);
-  judge.setFlipNormals(settings.flip_normals);
   judge.setNumberOfThreads(settings.threads);
+  if (settings.surface)
+    return; // oriented already
+  judge.setFlipNormals(settings.flip_normals);
   if (settings.view_point)
     judge.setViewPoint(*settings.view_point);
 }
@@ -62,20 +68,21 @@ ridgesAlong(const pcl::PointCloud<ToolpathPoint>& path, const pcl::PointCloud<pc
 Status
 judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
                const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
-               const ProgressCallback& progress, std::shared_ptr<const ScannedReference>& surface,
+               const ProgressCallback& progress, std::shared_ptr<const ReferenceSurface>& reference,
                Verification& verification, Heights& heights)
 {
   pcl::PointCloud<pcl::PointXYZI> values;
   DeviationEstimation<pcl::PointXYZ> deviation;
   prepare(deviation, scan, path, settings);
-  deviation.setReferenceSurface(surface);
+  deviation.setReferenceSurface(reference);
   deviation.setProgressCallback(
       [&](double share, const std::string&) { return progress(share, "deviation"); });
   deviation.compute(values);
   if (deviation.getStatus().ok()) {
-    surface = deviation.getReferenceSurface();
+    reference = deviation.getReferenceSurface();
     heights.deviation = intensities(values);
     verification.deviation = deviation.getFigures();
+    verification.deviation.warnings = inOptions(verification.deviation.warnings);
   }
   return deviation.getStatus();
 }
@@ -83,20 +90,20 @@ judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
 Status
 judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
           const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
-          const ProgressCallback& progress, std::shared_ptr<const ScannedReference>& surface,
+          const ProgressCallback& progress, std::shared_ptr<const ReferenceSurface>& reference,
           Verification& verification, Heights& heights)
 {
   const auto start = std::chrono::steady_clock::now();
   const Status status = judgeDeviation(
       scan, path, settings,
-      [&](double share, const std::string& stage) { return progress(0.3 * share, stage); }, surface,
+      [&](double share, const std::string& stage) { return progress(0.3 * share, stage); }, reference,
       verification, heights);
   if (!status.ok())
     return status;
   pcl::PointCloud<pcl::PointXYZI> values;
   MaterialRemoval<pcl::PointXYZ> removal;
   prepare(removal, scan, path, settings);
-  removal.setReferenceSurface(surface);
+  removal.setReferenceSurface(reference);
   removal.setToolRadius(settings.tool_radius);
   removal.setScallopHeight(settings.scallop_height);
   removal.setProgressCallback(
@@ -105,6 +112,7 @@ judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
   heights.stock = intensities(values);
   heights.ridges = removal.getRidgeHeights();
   verification.removal = removal.getFigures();
+  verification.removal.warnings = inOptions(verification.removal.warnings);
   if (removal.getStatus().ok())
     heights.scallop = ridgesAlong(*path, scan, heights);
   verification.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

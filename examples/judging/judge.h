@@ -12,7 +12,8 @@ struct JudgeSettings {
   double tool_radius = 0.0, scallop_height = 0.0, chord_error = 0.0; ///< mm
   std::optional<Eigen::Vector3d> view_point;
   bool flip_normals = false;
-  int threads = 0;
+  unsigned int threads = 0;
+  pcl_spiral::Surface::ConstPtr surface; ///< of the scan, where one was made already; null: it is made
 };
 
 /** Values behind the figures, mm; see DeviationEstimation and MaterialRemoval. */
@@ -22,18 +23,18 @@ struct Heights {
   std::vector<float> stock, ridges; ///< one a point of the scan
 };
 
-/** How far \p path stands off \p scan, without a cutter: the figures of deviation alone. \p surface is that
- * of the scan, made where it is null. Fails as DeviationEstimation does. */
+/** How far \p path stands off \p scan, without a cutter: the figures of deviation alone. \p reference is
+ * the fit to the scan, made where it is null. Fails as DeviationEstimation does. */
 pcl_spiral::Status judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
                                   const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path,
                                   const JudgeSettings& settings, const pcl_spiral::ProgressCallback& progress,
-                                  std::shared_ptr<const pcl_spiral::ScannedReference>& surface,
+                                  std::shared_ptr<const pcl_spiral::ReferenceSurface>& reference,
                                   pcl_spiral::Verification& verification, Heights& heights);
 
-/** The figures of \p path against \p scan. \p surface is that of the scan, made where it is null and kept for
- * the next path. Fails as DeviationEstimation and MaterialRemoval do. */
+/** The figures of \p path against \p scan. \p reference is the fit to the scan, made where it is null and
+ * kept for the next path. Fails as DeviationEstimation and MaterialRemoval do. */
 pcl_spiral::Status judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
                              const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path,
                              const JudgeSettings& settings, const pcl_spiral::ProgressCallback& progress,
-                             std::shared_ptr<const pcl_spiral::ScannedReference>& surface,
+                             std::shared_ptr<const pcl_spiral::ReferenceSurface>& reference,
                              pcl_spiral::Verification& verification, Heights& heights);

@@ -1,5 +1,6 @@
 #include "judge_options.h"
 
+#include "terminal/option_table.h"
 #include "terminal/option_values.h"
 
 namespace po = boost::program_options;
@@ -87,13 +88,12 @@ cutterOptions(const po::variables_map& given)
   read("scallop", settings.scallop_height);
   read("chord-error", settings.chord_error);
   if (given.count("threads") > 0)
-    settings.threads = wholeNumberValue("threads", text("threads"));
+    threadsOption("", settings.threads).set(text("threads"));
   const bool radius_given = given.count("tool-radius") > 0;
   require(!radius_given || settings.tool_radius > 0.0, "--tool-radius must be above 0 mm, such as 10");
   require(settings.scallop_height > 0.0 && (!radius_given || settings.scallop_height < settings.tool_radius),
           "--scallop must be above 0 mm and below the tool radius, such as 0.05");
   require(settings.chord_error > 0.0, "--chord-error must be above 0 mm, such as 0.005");
-  require(settings.threads >= 0, "--threads must be above 0, or 0 for all");
   return settings;
 }
 

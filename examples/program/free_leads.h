@@ -20,7 +20,7 @@ struct LedTool {
   std::vector<pcl_spiral::ToolSegment> holder;
   double holder_clearance = 0.0;
   double tolerance = 0.05;
-  int threads = 0;
+  unsigned int threads = 0;
 };
 
 /** Looks at the moves of \p program that do not cut. Where only single points off the scan's surface are in their way, or

@@ -1,5 +1,7 @@
 #include "option_table.h"
 
+#include <pcl_spiral/common/thread_limit.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -62,6 +64,17 @@ Option
 wholeNumberOption(const std::string& name, const std::string& argument, const std::string& help, int& target)
 {
   return {name, argument, help, [name, &target](const std::string& value) { target = wholeNumberValue(name, value); }};
+}
+
+Option
+threadsOption(const std::string& why, unsigned int& target)
+{
+  return {"threads", "N", "0, the default, means all; " + why + ": --threads 4", [&target](const std::string& value) {
+            const int threads = wholeNumberValue("threads", value);
+            requireOption(threads >= 0 && threads <= static_cast<int>(pcl_spiral::most_threads), "threads", threads,
+                          "must be above 0 and not above 256, or 0 for all");
+            target = static_cast<unsigned int>(threads);
+          }};
 }
 
 Option

@@ -38,6 +38,9 @@ Option numberOption(const std::string& name, const std::string& argument, const 
 /** An option for a whole number. */
 Option wholeNumberOption(const std::string& name, const std::string& argument, const std::string& help, int& target);
 
+/** The option --threads; \p why says what does not depend on it. */
+Option threadsOption(const std::string& why, unsigned int& target);
+
 /** An option for words, as they are. */
 Option textOption(const std::string& name, const std::string& argument, const std::string& help, std::string& target);
 

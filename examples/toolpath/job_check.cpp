@@ -3,7 +3,6 @@
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
 
-#include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
@@ -53,8 +52,6 @@ checkCutter(const Job& job)
           "must lie between 0 and 90 degrees");
   requireOption(s.feed > 0.0, "feed", s.feed, "must be above 0 mm/min");
   requireOption(s.thinning >= 0.0, "thin", s.thinning, "must be above 0 mm, or 0 for none");
-  requireOption(s.threads >= 0 && s.threads <= pcl_spiral::most_threads, "threads", s.threads,
-          "must be above 0 and not above 256, or 0 for all");
 }
 
 bool

@@ -99,8 +99,7 @@ OptionGroup
 running(Job& job)
 {
   return {"Run",
-          {wholeNumberOption("threads", "N", "0, the default, means all; the path does not depend on it: --threads 4",
-                             job.settings.threads),
+          {threadsOption("the path does not depend on it", job.settings.threads),
            switchOption("verify", "judge the path by the scan: deviation, scallop, gouge; adds about as much time again", job.verify),
            switchOption("verbose", "say more: what each stage cost", job.verbose),
            switchOption("quiet", "say nothing but errors", job.quiet),

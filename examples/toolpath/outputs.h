@@ -18,6 +18,7 @@ struct Result {
   pcl::PointCloud<pcl_spiral::ToolpathPoint>::Ptr path =
       pcl::make_shared<pcl::PointCloud<pcl_spiral::ToolpathPoint>>();
   pcl_spiral::SpiralReport report;
+  pcl_spiral::Surface::ConstPtr surface; ///< of the scan, where planner and judge share one
   std::optional<pcl_spiral::Verification> verification; ///< where the path was judged, and then
   Heights heights;                                      ///< the values behind it
   std::optional<pcl_spiral::MachineProgram> program;    ///< where a machine is given

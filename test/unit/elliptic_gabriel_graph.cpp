@@ -31,7 +31,7 @@ graphOf(const Cloud::ConstPtr& cloud, double alpha, int k, double max_edge = 0.0
   EllipticGabrielGraph<pcl::PointXYZ> egg;
   egg.setInputCloud(cloud);
   egg.setAlpha(alpha);
-  egg.setNumberOfCandidates(k);
+  egg.setKSearch(k);
   egg.setMaxEdgeLength(max_edge);
   egg.setNumberOfThreads(threads);
   NeighbourLists graph;
@@ -176,7 +176,7 @@ TEST(EllipticGabrielGraph, NormalsKeepTheSidesOfAThinWallApart)
   egg.setInputNormals(normals);
   egg.setMaxNormalAngle(60.0);
   egg.setMaxEdgeLength(0.0);
-  egg.setNumberOfCandidates(80);
+  egg.setKSearch(80);
   NeighbourLists graph;
   egg.compute(graph);
   ASSERT_TRUE(egg.getStatus().ok());
@@ -236,9 +236,9 @@ TEST(EllipticGabrielGraph, SaysWhatIsWrong)
     EXPECT_EQ(code(), StatusCode::InvalidArgument);
   }
   egg.setAlpha(0.75);
-  egg.setNumberOfCandidates(0);
+  egg.setKSearch(0);
   EXPECT_EQ(code(), StatusCode::InvalidArgument);
-  egg.setNumberOfCandidates(32);
+  egg.setKSearch(32);
   egg.setMaxNormalAngle(60);
   EXPECT_EQ(code(), StatusCode::InvalidInput) << "no normals";
   egg.setMaxNormalAngle(0);

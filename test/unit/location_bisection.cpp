@@ -81,19 +81,23 @@ deepestOnTheWay(const std::vector<Vector3d>& points, const CutterProfile& cutter
   return deepest;
 }
 
+Surface::ConstPtr
+surfaceOf(const std::vector<Vector3d>& points)
+{
+  ScannedSurface<pcl::PointXYZ> scanned;
+  scanned.setInputCloud(toCloud(points));
+  Surface::ConstPtr surface;
+  scanned.compute(surface);
+  return surface;
+}
+
 } // namespace
 
 TEST(LocationBisection, TheSweptCutterKeepsTheTolerance)
 {
   std::vector<Vector3d> points = waves(1);
   std::sort(points.begin(), points.end(), [](const Vector3d& a, const Vector3d& b) { return a.x() < b.x(); });
-  LocationSurface surface;
-  surface.build([&points] {
-    std::vector<Eigen::Vector3f> single;
-    for (const Vector3d& p : points)
-      single.push_back(p.cast<float>());
-    return single;
-  }());
+  const LocationSurface surface(surfaceOf(points));
   const double sampling = 0.002; // what the fitted surface is off the waves
   for (const CutterShape& shape : all_kinds) {
     const CutterProfile cutter(shape);
@@ -124,11 +128,7 @@ TEST(LocationBisection, TheSweptCutterKeepsTheTolerance)
 
 TEST(LocationBisection, KeepsWhatItIsGivenAndEndsAtTheLimit)
 {
-  LocationSurface surface;
-  std::vector<Eigen::Vector3f> single;
-  for (const Vector3d& p : waves(2))
-    single.push_back(p.cast<float>());
-  surface.build(std::move(single));
+  const LocationSurface surface(surfaceOf(waves(2)));
   const CutterLocator locator(surface, CutterProfile(CutterShape::ball(4.0)), {});
   std::vector<ToolLocations> passes(1), tight;
   DrivePoints drive = lines()[0];
@@ -153,11 +153,7 @@ TEST(LocationBisection, KeepsWhatItIsGivenAndEndsAtTheLimit)
 
 TEST(LocationBisection, RefusesAndCancels)
 {
-  LocationSurface surface;
-  std::vector<Eigen::Vector3f> single;
-  for (const Vector3d& p : waves(3))
-    single.push_back(p.cast<float>());
-  surface.build(std::move(single));
+  const LocationSurface surface(surfaceOf(waves(3)));
   const CutterLocator locator(surface, CutterProfile(CutterShape::ball(4.0)), {});
   std::vector<ToolLocations> passes(1);
   ASSERT_TRUE(locator.locate(lines()[0], {}, passes[0]).ok());

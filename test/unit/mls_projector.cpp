@@ -206,9 +206,9 @@ TEST(MLSProjector, RefusesWithAReason)
     p.x = std::numeric_limits<float>::quiet_NaN();
   refused(StatusCode::InvalidInput);
   projector.setInputCloud(test::toCloud(test::sampleUniform(*test::ball(150.0, square), 1000, 14).points));
-  projector.setNeighbours(3);
+  projector.setKSearch(3);
   refused(StatusCode::InvalidArgument);
-  projector.setNeighbours(0);
+  projector.setKSearch(0);
   projector.setIndices(pcl::IndicesPtr(new pcl::Indices{1, 2, 5000}));
   refused(StatusCode::InvalidInput);
 }

@@ -85,7 +85,7 @@ TEST(RadialLines, RadiiOfADisc)
   auto loops = radial.getLoops();
   loops[0].curve = test::ring(60.0, 720); // the true outline
   loops[0].corners.clear();
-  radial.setLoops(loops);
+  radial.setBoundaryLoops(loops);
   radial.setCenter({0, 0, 0});
   radial.setStartPoint({70, 0, 0});
   radial.compute(lines);
@@ -243,7 +243,7 @@ TEST(RadialLines, RefusesWithNoLines)
     return [&circle, change](Lines& r) {
       BoundaryLoop loop = circle;
       change(loop);
-      r.setLoops({loop});
+      r.setBoundaryLoops({loop});
     };
   };
   refused(with([](BoundaryLoop& l) { std::reverse(l.curve.begin(), l.curve.end()); }), input, "on its right");

@@ -122,13 +122,14 @@ TEST(SurfacePreparation, CountsEveryPointAndKeepsItsIndex)
   Normals normals;
   preparation.compute(out, normals);
   ASSERT_TRUE(preparation.getStatus().ok()) << preparation.getStatus().message();
-  const PreparationCounts& counts = preparation.getCounts();
+  const SurfaceCounts& counts = preparation.getCounts();
   EXPECT_EQ(counts.input, 6043u);
   EXPECT_EQ(counts.nonfinite, 2u);
   EXPECT_EQ(counts.duplicate, 40u);
   EXPECT_EQ(counts.outlier, 1u);
   EXPECT_GT(counts.thinned, 0u);
-  EXPECT_EQ(counts.nonfinite + counts.duplicate + counts.outlier + counts.thinned + counts.used,
+  EXPECT_EQ(counts.nonfinite + counts.duplicate + counts.outlier + counts.thinned + counts.surplus + counts.isolated +
+                counts.speck + counts.other_part + counts.used,
             counts.input);
   ASSERT_EQ(out.size(), counts.used);
   ASSERT_EQ(normals.size(), counts.used);
@@ -167,7 +168,7 @@ TEST(SurfacePreparation, NormalsAreThoseOfTheSurface)
   preparation.setFlipNormals(false);
   preparation.setViewPoint(Eigen::Vector3d(0, 0, -500)); // the scanner was inside
   EXPECT_GT(worstCosine(-1.0), std::cos(8.0 * M_PI / 180.0));
-  EXPECT_EQ(preparation.getSurfaceGraph().size(), out.size());
+  EXPECT_EQ(preparation.getSurface()->size(), out.size());
 }
 
 TEST(SurfacePreparation, SpatialOrderWhateverTheInputOrder)
@@ -239,7 +240,7 @@ TEST(SurfacePreparation, SaysWhatIsWrong)
   EXPECT_EQ(codeOf(cloud, [](Preparation& p) { p.setThinning(1e-6); }), argument);
   EXPECT_EQ(codeOf(cloud, [](Preparation& p) { p.setOutlierRemoval(-1); }), argument);
   EXPECT_EQ(codeOf(cloud, [](Preparation& p) { p.setOutlierRemoval(8, 0.0); }), argument);
-  EXPECT_EQ(codeOf(cloud, [](Preparation& p) { p.setNumberOfNeighbours(2); }), argument);
+  EXPECT_EQ(codeOf(cloud, [](Preparation& p) { p.setKSearch(2); }), argument);
   EXPECT_EQ(codeOf(cloud, [](Preparation& p) { p.setIndices(pcl::IndicesPtr(new pcl::Indices{500})); }),
             input);
 }

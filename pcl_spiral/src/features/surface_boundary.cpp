@@ -193,7 +193,7 @@ fitLoops(const MlsSurface& surface, const BoundaryOptions& options, const std::v
       return {StatusCode::InvalidInput,
               textOf("the points of the boundary at ", placeText(graph.position(ring.front())), " lie ", apart,
                      " mm apart, ", apart / graph.spacing(), " times as far as points of the scan usually do (",
-                     graph.spacing(), " mm): the scan is far denser elsewhere; thin it to an even spacing (--thin ", apart,
+                     graph.spacing(), " mm): the scan is far denser elsewhere; thin it to an even spacing (setThinning ", apart,
                      "), or leave the dense part out")};
     else
       loops.push_back(loopOf(graph, surface, ring, goOn));
@@ -264,6 +264,17 @@ findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std
     loops.clear();
   if (counts)
     *counts = found;
+  return status;
+}
+
+Status
+findBoundaryLoops(const Surface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
+                  BoundaryCounts* counts)
+{
+  const Status status = findBoundaryLoops(surface.fit(), options, loops, counts);
+  for (BoundaryLoop& loop : loops)
+    for (std::uint32_t& index : loop.indices)
+      index = surface.sourceOfOriginal(index);
   return status;
 }
 

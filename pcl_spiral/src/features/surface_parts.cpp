@@ -31,6 +31,28 @@ surfaceParts(const SurfaceGraph& graph)
   return result;
 }
 
+bool
+isSpeck(const SurfacePart& part, const SurfacePart& first, std::size_t all_triangles, double share)
+{
+  return static_cast<double>(part.triangles) <= share * static_cast<double>(all_triangles) && part.area <= 2.0 * first.area;
+}
+
+OtherParts
+otherParts(const std::vector<SurfacePart>& parts, double share)
+{
+  constexpr double specks_together = 10.0; // of the largest one
+  if (parts.size() < 2)
+    return OtherParts::None;
+  std::size_t all = 0;
+  for (const SurfacePart& part : parts)
+    all += part.triangles;
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    if (!isSpeck(parts[i], parts[0], all, share))
+      return OtherParts::TooLarge;
+  const auto left_out = static_cast<double>(all - parts[0].triangles);
+  return left_out > specks_together * share * static_cast<double>(all) ? OtherParts::TooMany : OtherParts::Specks;
+}
+
 std::string
 partsText(const std::vector<SurfacePart>& parts)
 {

@@ -62,6 +62,7 @@ public:
   build(std::vector<Eigen::Vector3f> points)
   {
     left_out_.assign(points.size(), 0);
+    source_ = GraphSource();
     Status status = buildEvenly(points);
     if (status.ok())
       status = leaveOutliersOut();
@@ -100,6 +101,7 @@ private:
     }
     else
       std::vector<Eigen::Vector3f>().swap(points);
+    ++source_.passes;
     return graph_.build(std::move(blocks), ownOptions());
   }
 
@@ -131,6 +133,7 @@ private:
     std::vector<Eigen::Vector3f> points = firstOrder(graph_.blocks());
     removeAll(off, points);
     removeAll(off, source_.indices);
+    ++source_.passes;
     return graph_.build(std::move(points), ownOptions());
   }
 

@@ -59,6 +59,7 @@ CutterLocator::settle(const AskedLocation& asked, double height, ToolLocation& l
   location.over_rim = rim.found;
   location.rim_clearance = rim.found ? std::max(0.0, height - rim.height) : 0.0;
   location.collision = findCollision(surface_.obstacles(), holder_, asked.frame, height, options_.tolerance);
+  location.collision.cloud_index = surface_.cloudIndex(location.collision.cloud_index);
 }
 
 bool
@@ -76,7 +77,7 @@ CutterLocator::standOn(const AskedLocation& asked, const SurfaceFoot& foot, Tool
   const double share = side * foot.normal.dot(asked.frame.axis);
   if (std::abs(above) > near() && share < steep_share)
     return;
-  location.cloud_index = surface_.source(foot.nearest);
+  location.cloud_index = surface_.cloudIndexOnSurface(foot.nearest);
   location.contact = foot.position;
   location.normal = side * foot.normal;
   location.basis = LocationBasis::AskedContact;
@@ -95,7 +96,7 @@ CutterLocator::resolve(const AskedLocation& asked, const DropContact& drop, cons
       standOn(asked, foot, location);
     return location;
   }
-  location.cloud_index = drop_.blocks().originalIndex(drop.point);
+  location.cloud_index = surface_.cloudIndex(drop_.blocks().originalIndex(drop.point));
   location.contact = drop_.blocks().position(drop.point);
   double height = drop.height;
   if (trusted(fitted, drop)) {

@@ -32,7 +32,7 @@ noColumn(const std::string& why)
 {
   return {StatusCode::InvalidInput, "the scan is not shaped like a column: " + why +
                                         "; leave out what does not belong to the column, give its axis "
-                                        "(setCylinder, --column-axis and --column-centre), or drive it by planes"};
+                                        "(setCylinder), or drive it by planes"};
 }
 
 /** Share of the area that faces along the axis rather than out of it. */

@@ -3,7 +3,6 @@
 #include "drive_kinds.h"
 
 #include <pcl_spiral/common/message.h>
-#include <pcl_spiral/surface/clean_graph.h>
 #include <pcl_spiral/surface/mls_surface.h>
 
 #include <Eigen/Geometry>
@@ -19,15 +18,6 @@ Status
 cancelled()
 {
   return {StatusCode::Cancelled, "cancelled"};
-}
-
-/** Reports of a part of the work as a share of all of it. */
-ProgressCallback
-part(const ProgressCallback& progress, double from, double to)
-{
-  return [&progress, from, to](double share, const std::string& stage) {
-    return !progress || progress(from + share * (to - from), stage);
-  };
 }
 
 Status
@@ -61,17 +51,17 @@ planPasses(const SurfaceGraph& graph, const DriveSettings& settings, const Progr
 
 /** Lines on the triangulation are ragged, and cut, where points scatter by much of their spacing. */
 void
-warnOfScatter(const SurfaceGraph& graph, const DriveSettings& settings, DriveReport& report)
+warnOfScatter(const Surface& surface, const DriveSettings& settings, DriveReport& report)
 {
   constexpr double much = 0.35; // of the spacing
   if (settings.kind != DriveKind::Planes && settings.kind != DriveKind::BoundaryOffset)
     return;
-  if (const double noise = MlsSurface(graph).noise(); noise > much * graph.spacing())
+  if (const double noise = surface.noise(); noise > much * surface.spacing())
     report.warnings.push_back(textOf("the points scatter by ", noise,
-                                     " mm about the surface, against a spacing of ", graph.spacing(),
+                                     " mm about the surface, against a spacing of ", surface.spacing(),
                                      " mm: passes are ragged, and cut where sheets overlap; thin the "
                                      "cloud to a spacing of ",
-                                     4.0 * noise, " mm"));
+                                     4.0 * noise, " mm (setThinning)"));
 }
 
 void
@@ -95,45 +85,36 @@ measure(const DrivePasses& passes, DriveReport& report)
 } // namespace
 
 Status
-planDrive(std::vector<Eigen::Vector3f> points, const DriveSettings& settings,
-          const ProgressCallback& progress, DrivePasses& passes, DriveReport& report)
+planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const ProgressCallback& progress,
+          DrivePasses& passes, DriveReport& report)
 {
   const auto told = [&](double share, const char* stage) { return !progress || progress(share, stage); };
   if (const Status status = checkSettings(settings); !status.ok())
     return status;
-  if (points.size() < SurfaceGraph::fewest_points)
-    return {StatusCode::InvalidInput,
-            textOf("the cloud has ", points.size(), " usable points; a surface needs at least ",
-                   SurfaceGraph::fewest_points, ": scan more densely or thin less")};
-  if (!told(0.0, "surface"))
+  const SurfaceGraph none;
+  const SurfaceGraph& graph = surface ? surface->graph() : none;
+  if (surface)
+    report.stray_points = surface->counts().isolated + surface->counts().speck;
+  if (!told(0.0, "passes"))
     return cancelled();
   const bool round = settings.goesRound() || settings.axisMode() == DriveAxisMode::Cylinder;
-  SurfaceGraph graph;
-  if (settings.kind != DriveKind::Curve || settings.axisMode() != DriveAxisMode::Fixed) {
-    GraphSource source;
-    if (const Status status = buildCleanGraph(std::move(points), SurfaceGraphOptions(), graph, source);
-        !status.ok())
-      return status;
-    report.stray_points = source.strays.size();
-  }
-  if (!told(0.6, "passes"))
-    return cancelled();
   if (round) {
     report.column.emplace();
     if (const Status status = findColumn(graph, settings.cylinder, *report.column); !status.ok())
       return status;
   }
-  warnOfScatter(graph, settings, report);
-  if (const Status status = planPasses(graph, settings, part(progress, 0.6, 0.8), passes, report);
+  if (surface)
+    warnOfScatter(*surface, settings, report);
+  if (const Status status = planPasses(graph, settings, partOf(progress, 0.0, 0.5), passes, report);
       !status.ok())
     return status;
   if (passes.empty())
     return {StatusCode::Failed,
             textOf("no line of the scan is longer than its spacing, ", graph.spacing(),
                    " mm; lower the step-over, ", settings.step_over, " mm, or scan more densely")};
-  if (!told(0.8, "axes"))
+  if (!told(0.5, "axes"))
     return cancelled();
-  if (const Status status = setAxes(graph, settings, part(progress, 0.8, 1.0), passes, report); !status.ok())
+  if (const Status status = setAxes(graph, settings, partOf(progress, 0.5, 1.0), passes, report); !status.ok())
     return status;
   measure(passes, report);
   if (!told(1.0, "axes"))

@@ -105,8 +105,10 @@ LineSource::refine(const Polyline& rim_places, std::vector<Polyline>& starts, co
       options.levels.insert(options.levels.begin(), 32);
     refineGeodesics(request_.surface, options, geodesics);
     for (std::size_t j = 0; j < which.size(); ++j) {
-      if (!geodesics[j].left_surface)
+      if (!geodesics[j].left_surface) {
         lines[which[j]].feet = std::move(geodesics[j].feet);
+        lines[which[j]].unsettled = geodesics[j].converged ? 0.0 : geodesics[j].largest_move;
+      }
       else if (!from_guess)
         return failedAt(geodesics[j].left_at, "the shortest line leaves the surface");
     }

@@ -75,8 +75,7 @@ CutterLocator::figures(const ToolLocations& locations) const
   if (f.stray_points > 0)
     f.warnings.push_back(textOf(f.stray_points,
                                 " points of the scan stand alone off its surface; the cutter stays off "
-                                "them as well: remove them before if they are false echoes (StrayRemoval, "
-                                "--leave-out-strays)"));
+                                "them as well: remove them before if they are false echoes (StrayRemoval)"));
   if (!surface_.hasSurface())
     f.warnings.push_back("the points form no surface, so the rim of the scan is not known: " +
                          surface_.whyNone().message());

@@ -26,18 +26,31 @@ circumradius(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
 
 } // namespace
 
-void
-LocationSurface::build(std::vector<Eigen::Vector3f> points)
+LocationSurface::LocationSurface(std::vector<Eigen::Vector3f> points, std::vector<std::uint32_t> source,
+                                 Surface::ConstPtr surface, Status why_none)
+: obstacles_(std::move(points)), source_(std::move(source)), surface_(std::move(surface)),
+  surface_status_(std::move(why_none))
 {
-  surface_.reset();
-  surface_status_ = buildCleanGraph(points, SurfaceGraphOptions(), graph_, source_);
+  measure();
+}
+
+LocationSurface::LocationSurface(const Surface::ConstPtr& surface) : surface_(surface), surface_status_(Status::success())
+{
+  std::vector<Eigen::Vector3f> points = surface->graph().blocks().points();
+  for (std::size_t i = 0; i < surface->size(); ++i)
+    source_.push_back(surface->sourceIndex(i));
+  const LeftOutPoints& left_out = surface->leftOut();
+  points.insert(points.end(), left_out.positions.begin(), left_out.positions.end());
+  source_.insert(source_.end(), left_out.indices.begin(), left_out.indices.end());
   obstacles_ = PointBlocks(std::move(points));
-  rim_ = PointBlocks();
-  covering_radius_.clear();
-  noise_allowance_ = 0.0;
-  if (!surface_status_.ok())
+  measure();
+}
+
+void
+LocationSurface::measure()
+{
+  if (!surface_)
     return;
-  surface_ = std::make_unique<MlsSurface>(graph_);
   double magnitude = 0.0;
   for (int d = 0; d < 3; ++d)
     magnitude =
@@ -45,21 +58,22 @@ LocationSurface::build(std::vector<Eigen::Vector3f> points)
   noise_allowance_ = standard_deviations * surface_->noise() + rounding * magnitude;
   findRim();
   findCoveringRadii();
-  graph_.dropTriangulation();
+  dropTriangulation(surface_);
 }
 
 void
 LocationSurface::findRim()
 {
-  const Triangulation& mesh = graph_.triangulation();
+  const SurfaceGraph& graph = surface_->graph();
+  const Triangulation& mesh = graph.triangulation();
   std::vector<Eigen::Vector3f> corners;
   for (const std::vector<std::uint32_t>& loop : mesh.boundaryLoops()) {
     double length = 0.0;
     for (const std::uint32_t h : loop)
-      length += (graph_.position(mesh.target(h)) - graph_.position(mesh.origin(h))).norm();
-    if (length > shortest_rim * graph_.spacing())
+      length += (graph.position(mesh.target(h)) - graph.position(mesh.origin(h))).norm();
+    if (length > shortest_rim * graph.spacing())
       for (const std::uint32_t h : loop)
-        corners.push_back(graph_.blocks().point(mesh.origin(h)));
+        corners.push_back(graph.blocks().point(mesh.origin(h)));
   }
   rim_ = PointBlocks(std::move(corners));
 }
@@ -67,12 +81,13 @@ LocationSurface::findRim()
 void
 LocationSurface::findCoveringRadii()
 {
-  const Triangulation& mesh = graph_.triangulation();
-  std::vector<float> own(graph_.size(), static_cast<float>(graph_.spacing()));
+  const SurfaceGraph& graph = surface_->graph();
+  const Triangulation& mesh = graph.triangulation();
+  std::vector<float> own(graph.size(), static_cast<float>(graph.spacing()));
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
     const auto& corner = mesh.triangle(t);
     const auto radius = static_cast<float>(
-        circumradius(graph_.position(corner[0]), graph_.position(corner[1]), graph_.position(corner[2])));
+        circumradius(graph.position(corner[0]), graph.position(corner[1]), graph.position(corner[2])));
     for (const std::uint32_t c : corner)
       own[c] = std::max(own[c], radius);
   }

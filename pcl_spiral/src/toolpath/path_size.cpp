@@ -73,7 +73,7 @@ checkPathSize(const PathSize& size, double area, const SpiralSettings& settings,
                                      : textOf(", of which ", *memory / 1e9, " GB are free");
   return {StatusCode::InvalidArgument,
           asked + limit +
-              textOf("; is the scan in another unit than mm (--units)? Otherwise raise the scallop height (",
+              textOf("; is the scan in another unit than mm? Otherwise raise the scallop height (",
                    settings.scallop_height, " mm), the chord error (", settings.chord_error, " mm) or the longest move (",
                    settings.max_step > 0.0 ? settings.max_step : settings.tool_radius, " mm), or take a larger tool (radius ",
                    settings.tool_radius, " mm)")};

@@ -161,6 +161,7 @@ linesByMethod(const RadialLineRequest& request, const SurfaceCentre& found, bool
   shareOutTurns(request, lines);
   set.lines = std::move(lines);
   set.centre = centre;
+  set.centre_settled = found.settled;
   set.harmonic = harmonic;
   set.rim = rim.points();
   set.rim_corners = rim.corners();
@@ -255,12 +256,12 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
 {
   std::optional<SurfaceCentre> centre;
   if (request.inner)
-    centre = SurfaceCentre{meanOf(request.inner->curve), std::nullopt};
+    centre = SurfaceCentre{meanOf(request.inner->curve), std::nullopt, true};
   else if (request.centre) {
     const SurfaceFoot foot = request.surface.project(*request.centre);
     if (!foot.valid)
       return offSurface(request);
-    centre = SurfaceCentre{foot.position, std::nullopt};
+    centre = SurfaceCentre{foot.position, std::nullopt, true};
   }
   else
     centre = balancedCentre(request.surface, request.rim.curve);

@@ -12,7 +12,7 @@ scanWarnings(const SurfaceGraph& graph, const SpiralSettings& settings)
   std::vector<std::string> warnings;
   const double across = graph.blocks().box().diagonal(), spacing = graph.spacing();
   if (across < smallest || across > largest)
-    warnings.push_back(textOf("the scan is ", across, " mm across: is it in another unit? Say so (--units m), or scale it to mm"));
+    warnings.push_back(textOf("the scan is ", across, " mm across: is it in another unit? Scale it to mm"));
   if (const auto step = stepOver(settings.tool_radius, 0.0, settings.scallop_height); step && *step > 0.5 * across)
     warnings.push_back(textOf("turns would lie ", *step, " mm apart on a scan only ", across,
                               " mm across, so that it is one turn or two: check the scan's unit, the tool radius (",

@@ -269,6 +269,7 @@ balancedCentre(const MlsSurface& surface, const Polyline& rim)
   Fan fan;
   double share = 1.0, last_step = std::numeric_limits<double>::max(); // of the way, less where rounds go to and fro
   double drift = std::numeric_limits<double>::max();                 // of the centre since the field was computed
+  bool at_rest = false;
   for (int round = 0; round < most_rounds; ++round) {
     if (!followCentre(surface, foot.position, sample, start, fan, drift))
       return std::nullopt;
@@ -287,12 +288,13 @@ balancedCentre(const MlsSurface& surface, const Polyline& rim)
     const double moved = (next.position - foot.position).norm();
     foot = next;
     drift += moved;
-    if (moved < settled * spacing)
+    at_rest = moved < settled * spacing;
+    if (at_rest)
       break;
   }
   if (drift > farthest_drift * start.spacing() && !start.setCentre(foot.position))
     return std::nullopt;
-  return SurfaceCentre{foot.position, std::move(start)};
+  return SurfaceCentre{foot.position, std::move(start), at_rest};
 }
 
 std::optional<Eigen::Vector3d>

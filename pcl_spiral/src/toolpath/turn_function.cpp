@@ -147,7 +147,7 @@ std::optional<TurnFunction::Station>
 TurnFunction::stationAt(std::size_t line, std::size_t station, bool with_contours) const
 {
   const auto& feet = lines_[line].feet;
-  const SurfaceFoot& foot = feet[station];
+  const SurfaceFoot& foot = footAt(line, station);
   const Eigen::Vector3d chord =
       feet[std::min(station + 1, feet.size() - 1)].position - feet[station > 0 ? station - 1 : 0].position;
   const Eigen::Vector3d tangent = (chord - chord.dot(foot.normal) * foot.normal).normalized();
@@ -240,17 +240,38 @@ TurnFunction::turnsNeeded(const std::vector<std::vector<Station>>& measured) con
   return needed;
 }
 
+const SurfaceFoot&
+TurnFunction::footAt(std::size_t line, std::size_t station) const
+{
+  const auto& feet = lines_[line].feet;
+  const bool beyond = !feet[station].valid && (station == 0 || station + 1 == feet.size());
+  return feet[!beyond ? station : station == 0 ? 1 : station - 1];
+}
+
+Status
+TurnFunction::checkFeet() const
+{
+  const double steepest = -1.0 / settings_.tool_radius;
+  for (std::size_t i = 0; i < lines_.size(); ++i)
+    for (std::size_t k = 0; k < lines_[i].feet.size(); ++k) {
+      const SurfaceFoot& foot = footAt(i, k);
+      if (!foot.valid)
+        return {StatusCode::Failed, textOf("radial line ", i, " leaves the scanned surface at ", placeText(foot.position),
+                                           ": scan the surface there, or leave the line out")};
+      if (foot.curvature2 <= steepest)
+        return {StatusCode::Failed, textOf("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ",
+                                           placeText(foot.position), ", tighter than the tool radius ",
+                                           settings_.tool_radius, " mm: the cutter would gouge; use a smaller tool")};
+    }
+  return Status::success();
+}
+
 Status
 TurnFunction::compute()
 {
   const auto n = static_cast<std::int64_t>(lines_.size());
-  const double steepest = -1.0 / settings_.tool_radius;
-  for (const RadialLine& line : lines_)
-    for (const SurfaceFoot& foot : line.feet)
-      if (foot.valid && foot.curvature2 <= steepest)
-        return {StatusCode::Failed, textOf("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ",
-                                         placeText(foot.position), ", tighter than the tool radius ",
-                                         settings_.tool_radius, " mm: the cutter would gouge; use a smaller tool")};
+  if (const Status status = checkFeet(); !status.ok())
+    return status;
   const auto measure = [&](bool across_feed, std::vector<std::vector<Station>>& measured) {
     measured = stations_;
     bool fits = true;
@@ -287,8 +308,8 @@ TurnFunction::compute()
       stations_[i][k].feed_step = measured[i][k].feed_step;
   smallest_step_over_ = std::numeric_limits<double>::max();
   for (std::int64_t i = 0; i < n; ++i)
-    for (const SurfaceFoot& foot : lines_[i].feet)
-      for (const double curvature : {foot.curvature1, foot.curvature2})
+    for (std::size_t k = 0; k < lines_[i].feet.size(); ++k)
+      for (const double curvature : {footAt(i, k).curvature1, footAt(i, k).curvature2})
         if (const auto step = stepOver(settings_.tool_radius, curvature, settings_.scallop_height)) {
           smallest_step_over_ = std::min(smallest_step_over_, *step);
           largest_step_over_ = std::max(largest_step_over_, *step);

@@ -3,7 +3,6 @@
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/frame.h>
 #include <pcl_spiral/features/surface_boundary.h>
-#include <pcl_spiral/surface/clean_graph.h>
 #include <pcl_spiral/surface/noise_warning.h>
 
 #include <algorithm>
@@ -33,33 +32,21 @@ stripOutside(const BoundaryLoop& loop, const MoveIndex& outline, const SurfaceGr
 
 } // namespace
 
-Status
-ReferenceSurface::build(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions options)
+ReferenceSurface::ReferenceSurface(Surface::ConstPtr surface)
+: scanned_(std::move(surface)), surface_(scanned_->graph(), 0, ProjectionMethod::RobustQuartic)
 {
-  const bool with_normals = !options.given_normals.empty();
-  if (const Status status = buildCleanGraph(std::move(points), options, graph_, source_); !status.ok())
-    return status;
-  strays_ = source_.strays.size();
-  surface_ = std::make_unique<MlsSurface>(graph_, 0, ProjectionMethod::RobustQuartic);
-  warnings_.clear();
-  if (strays_ > 0)
-    warnings_.push_back(textOf(strays_, " points of the reference stand alone off its surface and were left out"));
-  if (!graph_.orientationIsClear() && !with_normals && !options.view_point)
+  if (strayPoints() > 0)
+    warnings_.push_back(textOf(strayPoints(), " points of the reference stand alone off its surface and were left out"));
+  if (!scanned_->sideIsClear())
     warnings_.push_back("the outer side of the reference could not be told from +z; the convex side was taken: give a "
-                        "view point or flip the normals if the cutter comes from the other side");
+                        "view point (setViewPoint) or flip the normals (setFlipNormals) if the cutter comes from the other side");
   findRim();
-  return Status::success();
 }
 
 void
 ReferenceSurface::findRim()
 {
-  loops_.clear();
-  rims_.clear();
-  rim_index_.clear();
-  gaps_.clear();
-  rim_length_ = rim_strip_ = 0.0;
-  if (const Status status = findBoundaryLoops(graph_, BoundaryOptions(), loops_); !status.ok()) {
+  if (const Status status = findBoundaryLoops(*scanned_, BoundaryOptions(), loops_); !status.ok()) {
     warnings_.push_back("the rim of the reference was not found, so no band is set apart there: " + status.message());
     return;
   }
@@ -77,7 +64,7 @@ ReferenceSurface::findRim()
   std::size_t k = 0;
   for (const BoundaryLoop& loop : loops_)
     if (loop.type != LoopType::ScanGap)
-      rim_strip_ += stripOutside(loop, *rim_index_[k++], graph_);
+      rim_strip_ += stripOutside(loop, *rim_index_[k++], graph());
 }
 
 void
@@ -88,7 +75,7 @@ ReferenceSurface::addGap(const BoundaryLoop& loop)
   gap.centre.setZero();
   for (const Eigen::Vector3d& p : loop.points) {
     gap.centre += p / static_cast<double>(loop.points.size());
-    normal += graph_.normal(graph_.blocks().nearest(p));
+    normal += graph().normal(graph().blocks().nearest(p));
   }
   tangentFrame(normal.normalized(), gap.e1, gap.e2);
   for (const Eigen::Vector3d& p : loop.points) {
@@ -120,7 +107,7 @@ ReferenceSurface::inGap(const Eigen::Vector3d& p) const
 double
 ReferenceSurface::fitRadius() const
 {
-  return graph_.spacing() * std::sqrt(surface_->neighbours() / M_PI);
+  return graph().spacing() * std::sqrt(surface_.neighbours() / M_PI);
 }
 
 double

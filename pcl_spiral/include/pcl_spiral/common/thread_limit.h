@@ -10,14 +10,16 @@
 namespace pcl_spiral {
 
 /** More are never started: where the system refuses one, OpenMP ends the program. */
-constexpr int most_threads = 256;
+constexpr unsigned int most_threads = 256;
 
-/** Parallel loops started in this thread use \p threads threads while the object lives; 0 means all. */
+/** Parallel loops started in this thread use \p threads threads while the object lives; 0 means all processors, as in PCL
+ *  (omp_get_num_procs). */
 class ThreadLimit {
 public:
-  explicit ThreadLimit(int threads) : before_(omp_get_max_threads())
+  explicit ThreadLimit(unsigned int threads) : before_(omp_get_max_threads())
   {
-    omp_set_num_threads(std::min(threads > 0 ? threads : omp_get_num_procs(), most_threads));
+    const auto processors = static_cast<unsigned int>(omp_get_num_procs());
+    omp_set_num_threads(static_cast<int>(std::min(threads > 0 ? threads : processors, most_threads)));
   }
   ~ThreadLimit() { omp_set_num_threads(before_); }
   ThreadLimit(const ThreadLimit&) = delete;

@@ -6,7 +6,7 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
 #include <pcl_spiral/features/surface_boundary.h>
-#include <pcl_spiral/search/usable_points.h>
+#include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
@@ -20,20 +20,14 @@ namespace pcl_spiral {
  *  gaps, the free half-edges of local Delaunay stars are linked; see findBoundaryLoops. The walk is there to be chosen.
  *  Which points are of the boundary is found from the stars too, or given by setBoundaryPoints, as
  *  CentroidBoundaryEstimation and pcl::BoundaryEstimation tell it. Lengths in the cloud's unit, mm.
- *  Points that are not finite and repeated points are dropped; with setIndices only those points take part.
+ *  Takes a cloud or a surface, see SurfaceInput. Normals say from which side loops run counter-clockwise.
  */
 template <typename PointT, typename PointNT = pcl::Normal>
-class BoundaryLoops : public pcl::PCLBase<PointT> {
+class BoundaryLoops : public SurfaceInput<pcl::PCLBase<PointT>, PointT, PointNT> {
 public:
   using Ptr = pcl::shared_ptr<BoundaryLoops>;
   using ConstPtr = pcl::shared_ptr<const BoundaryLoops>;
-  using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
   using BoundaryPointsConstPtr = pcl::PointCloud<pcl::Boundary>::ConstPtr;
-
-  /** Normals out of the material, one a point of the input: they say from which side loops run counter-clockwise.
-   *  Without them the side facing +z is taken. */
-  void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
-  NormalsConstPtr getInputNormals() const { return normals_; }
 
   /** Which points are of the boundary, a flag a point of the input: those of CentroidBoundaryEstimation, of
    *  pcl::BoundaryEstimation, or the user's own. Linking half-edges, loops of which less than half the points are marked
@@ -60,28 +54,24 @@ public:
   double getLargestGap() const { return options_.largest_gap; }
 
   /** Largest circle free of points that still counts as surface: its radius in spacings; 3 by default. */
-  void setAlpha(double spacings) { alpha_ = spacings; }
-  double getAlpha() const { return alpha_; }
+  void setAlpha(double spacings) { this->scanned_.setAlpha(spacings); }
+  double getAlpha() const { return this->scanned_.getAlpha(); }
 
-  /** Find the loops, the outer one first; indices are those of the input cloud. \p loops is empty on failure. */
+  /** Called with the share done; returning false cancels. */
+  void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
+
+  /** Find the loops, the outer one first; indices are those of the cloud. \p loops is empty on failure. */
   void compute(std::vector<BoundaryLoop>& loops);
 
-  const Status& getStatus() const { return status_; }
   /** What the last compute left out. */
   const BoundaryCounts& getCounts() const { return counts_; }
 
 private:
-  Status check() const;
-  Status buildGraph(const UsablePoints& usable, SurfaceGraph& graph) const;
+  Status run(std::vector<BoundaryLoop>& loops);
 
-  using pcl::PCLBase<PointT>::input_;
-  using pcl::PCLBase<PointT>::indices_;
-
-  NormalsConstPtr normals_;
   BoundaryPointsConstPtr boundary_points_;
   BoundaryOptions options_;
-  double alpha_ = 3.0;
-  Status status_;
+  ProgressCallback progress_;
   BoundaryCounts counts_;
 };
 

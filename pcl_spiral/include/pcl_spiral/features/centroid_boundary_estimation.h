@@ -12,6 +12,22 @@
 #include <vector>
 
 namespace pcl_spiral {
+namespace detail {
+
+/** Tell a base class that has setNumberOfThreads. */
+template <typename BaseT>
+auto
+setThreadsOfBase(BaseT& base, unsigned int threads, int) -> decltype(base.BaseT::setNumberOfThreads(threads))
+{
+  base.BaseT::setNumberOfThreads(threads);
+}
+template <typename BaseT>
+void
+setThreadsOfBase(BaseT&, unsigned int, long)
+{
+}
+
+} // namespace detail
 
 /** Boundary points by how far a point is from the centroid of its neighbours, by the largest gap around it,
  * or both.
@@ -82,13 +98,15 @@ public:
   }
 
   /** Threads to use; 0, the default, means all. The output does not depend on it. The search method must
-   * allow queries at the same time, as those of PCL do. */
+   * allow queries at the same time, as those of PCL do. Newer PCL (2026) has this method in the base class: it is told the
+   * same number. */
   void
-  setNumberOfThreads(int threads)
+  setNumberOfThreads(unsigned int threads = 0)
   {
     thread_count_ = threads;
+    detail::setThreadsOfBase(static_cast<Base&>(*this), threads, 0);
   }
-  int
+  unsigned int
   getNumberOfThreads() const
   {
     return thread_count_;
@@ -150,7 +168,7 @@ private:
   BoundaryCriterion criterion_ = BoundaryCriterion::Combined;
   double offset_threshold_ = 0.31;
   double mu_ = 1.0;
-  int thread_count_ = 0;
+  unsigned int thread_count_ = 0;
   bool rebuild_search_ = false;
   std::vector<float> scores_, offsets_, gaps_;
   Status status_;

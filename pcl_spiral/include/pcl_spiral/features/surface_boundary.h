@@ -5,8 +5,10 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
+#include <pcl_spiral/features/surface_parts.h>
 #include <pcl_spiral/search/surface_graph.h>
 #include <pcl_spiral/surface/mls_surface.h>
+#include <pcl_spiral/surface/surface.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -34,7 +36,7 @@ struct BoundaryOptions {
   double largest_gap = 15.0;       ///< across, in spacings: with no length set, a hole no larger is a gap in the data
   double shortest_loop = 8.0;      ///< in spacings: a shorter loop, or a thinner one than such a circle, is a flaw of
                                    ///< the triangulation, and left out
-  double largest_left_out = 0.02;  ///< share of the triangles a further part may have and still be left out; all of them
+  double largest_left_out = largest_speck;///< share of the triangles a further part may have and still be left out; all of them
                                    ///< together, ten times that
   std::function<bool(double)> progress; ///< called with the share done; false cancels
 };
@@ -56,6 +58,11 @@ struct BoundaryCounts {
  */
 Status
 findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
+                  BoundaryCounts* counts = nullptr);
+
+/** The same; indices are those of the cloud the surface was made of. */
+Status
+findBoundaryLoops(const Surface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
                   BoundaryCounts* counts = nullptr);
 
 /** The same with a surface made for the purpose. */

@@ -5,6 +5,7 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/geodesic/shortest_paths.h>
+#include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
@@ -21,20 +22,15 @@ namespace pcl_spiral {
  *  Source and targets are positions on the surface, or points of the cloud. Each path is at equal spacing, on the
  *  fitted surface, its ends exactly where they were given; lengths are those of a smooth curve. Millimetres.
  *  Source: Wu et al. 2025, equations 1-7, with the boundary conditions and the iteration of refineGeodesics.
- *  Points that are not finite, and all but one of coincident points, are left out.
+ *  Takes a cloud or a surface, see SurfaceInput; paths do not depend on the side, only the normals along them. Indices of
+ *  points need the cloud.
  */
 template <typename PointT, typename PointNT = pcl::Normal>
-class GeodesicPath : public pcl::PCLBase<PointT> {
+class GeodesicPath : public SurfaceInput<pcl::PCLBase<PointT>, PointT, PointNT> {
 public:
   using Ptr = pcl::shared_ptr<GeodesicPath>;
   using ConstPtr = pcl::shared_ptr<const GeodesicPath>;
   using PointCloud = pcl::PointCloud<PointT>;
-  using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
-
-  /** Oriented normals of the input, one a point: they tell the outer side. Without them the mean normal faces +z.
-   *  The paths do not depend on it, only the normals along them. */
-  void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
-  NormalsConstPtr getInputNormals() const { return normals_; }
 
   /** Where all paths start. Must be set: a position, or an index into the input cloud. */
   void setSourcePoint(const Eigen::Vector3d& source) { source_ = {source, false, 0}; }
@@ -64,13 +60,11 @@ public:
   void setMaximumIterations(int iterations) { options_.max_iterations = iterations; }
   int getMaximumIterations() const { return options_.max_iterations; }
 
-  /** Neighbours in one surface fit; 0, the default: as many as the noise asks for. */
-  void setFitNeighbours(int neighbours) { fit_neighbours_ = neighbours; }
-  int getFitNeighbours() const { return fit_neighbours_; }
-
-  /** Threads to use; 0, the default, means all. The output does not depend on it. */
-  void setNumberOfThreads(int threads) { thread_count_ = threads; }
-  int getNumberOfThreads() const { return thread_count_; }
+  /** Neighbours in one surface fit, 6 or more; 0, the default: as many as the noise asks for. */
+  void setKSearch(int neighbours) { fit_neighbours_ = neighbours; }
+  int getKSearch() const { return fit_neighbours_; }
+  /** The former name. */
+  [[deprecated("setKSearch")]] void setFitNeighbours(int neighbours) { setKSearch(neighbours); }
 
   /** Find the paths, in the order of the targets. On failure (see getStatus) those not found are empty, or all. */
   void compute(std::vector<PointCloud>& paths);
@@ -80,7 +74,6 @@ public:
   const std::vector<double>& getLengths() const { return lengths_; }
   /** The paths with normals and curvatures, as they were refined: those that left the surface too, up to there. */
   const std::vector<GeodesicLine>& getLines() const { return lines_; }
-  const Status& getStatus() const { return status_; }
 
 private:
   /** A position, or the point of the cloud at an index. */
@@ -92,22 +85,16 @@ private:
   Status check() const;
   Status checkPlace(const Place& place, const std::string& name) const;
   Eigen::Vector3d positionOf(const Place& place) const;
-  Status buildGraph(SurfaceGraph& graph) const;
   Status run();
 
   using pcl::PCLBase<PointT>::input_;
-  using pcl::PCLBase<PointT>::indices_;
-
-  NormalsConstPtr normals_;
   Place source_;
   std::vector<Place> targets_;
   GeodesicStart start_ = GeodesicStart::Field;
   RefinementOptions options_;
   int fit_neighbours_ = 0;
-  int thread_count_ = 0;
   std::vector<GeodesicLine> lines_;
   std::vector<double> lengths_;
-  Status status_;
 };
 
 } // namespace pcl_spiral

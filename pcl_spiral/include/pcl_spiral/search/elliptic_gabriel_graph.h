@@ -40,14 +40,20 @@ public:
 
   /** Nearest neighbours tried for each point; 32 by default. */
   void
-  setNumberOfCandidates(int k)
+  setKSearch(int k)
   {
     options_.candidates = k;
   }
   int
-  getNumberOfCandidates() const
+  getKSearch() const
   {
     return options_.candidates;
+  }
+  /** The former name. */
+  [[deprecated("setKSearch")]] void
+  setNumberOfCandidates(int k)
+  {
+    setKSearch(k);
   }
 
   /** Longest edge in local spacings; 3.5 by default, 0 for any. It keeps the graph from bridging holes. */
@@ -89,11 +95,11 @@ public:
 
   /** Threads to use; 0, the default, means all. The output does not depend on it. */
   void
-  setNumberOfThreads(int threads)
+  setNumberOfThreads(unsigned int threads = 0)
   {
     options_.threads = threads;
   }
-  int
+  unsigned int
   getNumberOfThreads() const
   {
     return options_.threads;

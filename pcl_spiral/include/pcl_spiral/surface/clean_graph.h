@@ -14,6 +14,7 @@ namespace pcl_spiral {
 struct GraphSource {
   std::vector<std::uint32_t> indices; ///< of each point of the graph, by its original index there
   std::vector<std::uint32_t> strays;  ///< left out: off the surface, or apart from it; ascending
+  int passes = 0;                     ///< over all neighbourhoods: graphs that were built
   std::size_t surplus = 0;            ///< left out: much closer to others than these to the next, as along scan lines
 };
 

@@ -1,159 +1,114 @@
 /** \file
- *  From a raw scan to the cloud every other stage works on.
+ *  From a raw scan to the points and normals of its surface, as a filter.
  */
 #pragma once
 
-#include <pcl_spiral/common/status.h>
-#include <pcl_spiral/search/surface_graph.h>
+#include <pcl_spiral/surface/scanned_surface.h>
 
-#include <pcl/pcl_base.h>
+#include <pcl/filters/filter.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
 namespace pcl_spiral {
 
-/** Where the points of a scan went. input is the sum of the others. */
-struct PreparationCounts {
-  std::size_t input = 0;
-  std::size_t nonfinite = 0; ///< NaN or infinite
-  std::size_t duplicate = 0; ///< at the same place as an earlier point
-  std::size_t outlier = 0;   ///< dropped by the statistical filter
-  std::size_t thinned = 0;   ///< dropped by the voxel grid
-  std::size_t used = 0;
-};
+/** The former name. */
+using PreparationCounts = SurfaceCounts;
 
-/** Drops what is no surface point, thins if asked, puts the rest in spatial order and finds oriented normals.
+/** ScannedSurface as a pcl::Filter: leaves out what is no point of the surface, thins if asked, puts the rest in spatial
+ *  order, and finds oriented normals.
  *
- *  Points that are not finite and exact repetitions are always dropped; statistical outliers and surplus
- * points when asked. Points are kept as they are, never moved, so that every one has an index in the input
- * (getSourceIndices). Normals are those of SurfaceGraph: PCA, out of the material, the side the cutter is on.
- * The input is never changed. The output does not depend on the number of threads. */
+ *  Points are kept as they are, never moved, so that every one has an index in the input (getSourceIndices); what was left
+ *  out is in getRemovedIndices where the constructor was told to keep it. The output does not depend on the number of threads.
+ *  \code
+ *  SurfacePreparation<pcl::PointXYZ> preparation;
+ *  preparation.setInputCloud(scan);
+ *  preparation.filter(*clean);              // or compute(*clean, *normals)
+ *  if (!preparation.getStatus().ok()) ...   // and the output is empty
+ *  \endcode
+ */
 template <typename PointT>
-class SurfacePreparation : public pcl::PCLBase<PointT> {
+class SurfacePreparation : public pcl::Filter<PointT> {
 public:
   using Ptr = pcl::shared_ptr<SurfacePreparation>;
   using ConstPtr = pcl::shared_ptr<const SurfacePreparation>;
   using PointCloud = pcl::PointCloud<PointT>;
 
-  /** Fewest points a surface can be made of. */
-  static constexpr std::size_t minimum_points = 50;
+  /** \p extract_removed_indices: whether getRemovedIndices is to have the points left out. */
+  explicit SurfacePreparation(bool extract_removed_indices = false) : pcl::Filter<PointT>(extract_removed_indices)
+  {
+    this->filter_name_ = "SurfacePreparation";
+  }
 
-  /** Drop points whose mean distance to their \p neighbours nearest is more than \p deviations standard
-   * deviations above the mean, as pcl::StatisticalOutlierRemoval. 0 neighbours, the default, is off. */
+  /** Forgets the last outcome. */
+  void
+  setInputCloud(const typename PointCloud::ConstPtr& cloud) override
+  {
+    pcl::Filter<PointT>::setInputCloud(cloud);
+    forget();
+  }
+
+  /** \see ScannedSurface::setOutlierRemoval */
   void
   setOutlierRemoval(int neighbours, double deviations = 3.0)
   {
-    outlier_neighbours_ = neighbours;
-    outlier_deviations_ = deviations;
+    scanned_.setOutlierRemoval(neighbours, deviations);
   }
-  int
-  getOutlierNeighbours() const
-  {
-    return outlier_neighbours_;
-  }
-  double
-  getOutlierDeviations() const
-  {
-    return outlier_deviations_;
-  }
+  int getOutlierNeighbours() const { return scanned_.getOutlierNeighbours(); }
+  double getOutlierDeviations() const { return scanned_.getOutlierDeviations(); }
 
-  /** Keep one point of each voxel of this edge, mm: the one nearest to the voxel's centroid. 0, the default,
-   * is off. */
-  void
-  setThinning(double voxel_edge)
-  {
-    thinning_ = voxel_edge;
-  }
-  double
-  getThinning() const
-  {
-    return thinning_;
-  }
+  /** \see ScannedSurface::setThinning */
+  void setThinning(double voxel_edge) { scanned_.setThinning(voxel_edge); }
+  double getThinning() const { return scanned_.getThinning(); }
 
-  /** Where the scanner stood: normals face it. Without it they face +z as a whole. */
-  void
-  setViewPoint(const Eigen::Vector3d& point)
-  {
-    graph_options_.view_point = point;
-  }
-  const std::optional<Eigen::Vector3d>&
-  getViewPoint() const
-  {
-    return graph_options_.view_point;
-  }
-  void
-  clearViewPoint()
-  {
-    graph_options_.view_point.reset();
-  }
+  /** \see ScannedSurface::setLargestPart */
+  void setLargestPart(bool alone) { scanned_.setLargestPart(alone); }
+  bool getLargestPart() const { return scanned_.getLargestPart(); }
 
-  /** Turn all normals to the other side. */
-  void
-  setFlipNormals(bool flip)
-  {
-    graph_options_.flip_normals = flip;
-  }
-  bool
-  getFlipNormals() const
-  {
-    return graph_options_.flip_normals;
-  }
+  /** \see ScannedSurface::setViewPoint */
+  void setViewPoint(const Eigen::Vector3d& point) { scanned_.setViewPoint(point); }
+  const std::optional<Eigen::Vector3d>& getViewPoint() const { return scanned_.getViewPoint(); }
+  void clearViewPoint() { scanned_.clearViewPoint(); }
 
-  /** Neighbours of a point to start with; 32 by default. */
-  void
-  setNumberOfNeighbours(int neighbours)
-  {
-    graph_options_.neighbours = neighbours;
-  }
-  int
-  getNumberOfNeighbours() const
-  {
-    return graph_options_.neighbours;
-  }
+  /** \see ScannedSurface::setFlipNormals */
+  void setFlipNormals(bool flip) { scanned_.setFlipNormals(flip); }
+  bool getFlipNormals() const { return scanned_.getFlipNormals(); }
 
-  /** Prepare the input (its indices, when set). \p cloud has the points kept, in spatial order; \p normals
-   * one unit normal a point. Both are empty on failure: no cloud, a setting or index out of range, no finite
-   * point, fewer than 50 points left, or no surface in them. */
+  /** \see ScannedSurface::setKSearch */
+  void setKSearch(int neighbours) { scanned_.setKSearch(neighbours); }
+  int getKSearch() const { return scanned_.getKSearch(); }
+  /** The former name. */
+  [[deprecated("setKSearch")]] void setNumberOfNeighbours(int neighbours) { setKSearch(neighbours); }
+
+  /** \see ScannedSurface::setStrict */
+  void setStrict(bool strict) { scanned_.setStrict(strict); }
+  bool getStrict() const { return scanned_.getStrict(); }
+
+  /** Threads to use; 0, the default, means all. */
+  void setNumberOfThreads(unsigned int threads = 0) { scanned_.setNumberOfThreads(threads); }
+  unsigned int getNumberOfThreads() const { return scanned_.getNumberOfThreads(); }
+
+  /** filter with one unit normal a point beside: \p cloud has the points kept, in spatial order. Both are empty on failure,
+   *  see ScannedSurface::compute. */
   void compute(PointCloud& cloud, pcl::PointCloud<pcl::Normal>& normals);
 
-  const Status&
-  getStatus() const
-  {
-    return status_;
-  }
-  const PreparationCounts&
-  getCounts() const
-  {
-    return counts_;
-  }
+  const Status& getStatus() const { return status_; }
+  const SurfaceCounts& getCounts() const { return counts_; }
   /** Index in the input of each output point. */
-  const std::vector<std::uint32_t>&
-  getSourceIndices() const
-  {
-    return source_indices_;
-  }
-  /** Order, normals, spacing and triangulation found on the way, for the stages that follow. */
-  const SurfaceGraph&
-  getSurfaceGraph() const
-  {
-    return graph_;
-  }
+  const std::vector<std::uint32_t>& getSourceIndices() const { return source_indices_; }
+  /** The surface of the last run, for the stages that follow (setInputSurface); null before and on failure. */
+  Surface::ConstPtr getSurface() const { return surface_; }
+
+protected:
+  void applyFilter(PointCloud& output) override;
 
 private:
-  Status check() const;
-  Status select();
+  void forget();
 
-  using pcl::PCLBase<PointT>::input_;
-  using pcl::PCLBase<PointT>::indices_;
-
-  int outlier_neighbours_ = 0;
-  double outlier_deviations_ = 3.0;
-  double thinning_ = 0.0;
-  SurfaceGraphOptions graph_options_;
+  ScannedSurface<PointT> scanned_;
+  Surface::ConstPtr surface_;
   Status status_;
-  PreparationCounts counts_;
+  SurfaceCounts counts_;
   std::vector<std::uint32_t> source_indices_;
-  SurfaceGraph graph_;
 };
 
 } // namespace pcl_spiral

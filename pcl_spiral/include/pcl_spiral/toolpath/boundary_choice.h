@@ -17,9 +17,9 @@ struct BoundaryChoice {
   const BoundaryLoop* inner = nullptr; ///< null with one boundary
 };
 
-/** Choose the outer loop, and the longest inner one where two boundaries are asked for, or where Automatic finds a
- *  single real hole. Fails without an outer loop, when two are asked for and there is no hole, and when Automatic finds
- *  several holes, which it names. */
+/** Choose the outer loop; where two boundaries are asked for the longest other loop, whatever its size; where Automatic finds
+ *  a single real hole (LoopType::Inner), that. Fails without an outer loop, when two are asked for and there is no hole, and
+ *  when Automatic finds several holes, which it names. */
 Status
 chooseBoundaries(const std::vector<BoundaryLoop>& loops, BoundaryMode mode, BoundaryChoice& choice);
 

@@ -6,6 +6,7 @@
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/common/progress.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/surface/surface_input.h>
 #include <pcl_spiral/toolpath/cutter_locator.h>
 #include <pcl_spiral/toolpath/drive_pass.h>
 #include <pcl_spiral/toolpath/location_bisection.h>
@@ -19,23 +20,19 @@
 
 namespace pcl_spiral {
 
-/** A surface to locate on, and where its points stand in the cloud it was made from. */
-struct ScannedLocationSurface {
-  LocationSurface surface;
-  std::vector<std::uint32_t> source; ///< of the points given to surface.build, in the cloud
-};
-
 /** Where a cutter of any profile stands on a scan without cutting into it: for each drive point, the highest
  * place along the axis at which a point within the cutter's reach, or the surface fitted to the points, is
  * touched.
  *
- *  setInputCloud takes the scan. Points that are not finite and exact repetitions are left out. Source: Sun,
- * Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. Lengths in mm. The output does not
- * depend on the order of the cloud nor on the number of threads.
+ *  Takes a cloud or a surface, see SurfaceInput. The cutter stays off every finite point, those left out of the surface too.
+ *  A cloud of which no surface can be made may still be located on by its points (Evaluation::Points).
+ *  Source: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. Lengths in mm. The output does not
+ *  depend on the order of the cloud nor on the number of threads.
  */
 template <typename PointT>
-class CutterLocation : public pcl::PCLBase<PointT> {
+class CutterLocation : public SurfaceInput<pcl::PCLBase<PointT>, PointT> {
 public:
+  CutterLocation() { this->scanned_.setStrict(false); } // a rough surface is located on all the same
   using Ptr = pcl::shared_ptr<CutterLocation>;
   using ConstPtr = pcl::shared_ptr<const CutterLocation>;
   using Path = pcl::PointCloud<ToolpathPoint>;
@@ -147,18 +144,6 @@ public:
     return path_tolerance_;
   }
 
-  /** Threads to use; 0, the default, means all. */
-  void
-  setNumberOfThreads(int threads)
-  {
-    thread_count_ = threads;
-  }
-  int
-  getNumberOfThreads() const
-  {
-    return thread_count_;
-  }
-
   /** Called with the share done; returning false cancels. */
   void
   setProgressCallback(ProgressCallback callback)
@@ -166,18 +151,31 @@ public:
     progress_ = std::move(callback);
   }
 
-  /** Locate on a surface made before, from the same cloud and indices: saves making it again. Null, the
-   * default: make it at every compute. \see getLocationSurface */
+  /** Locate on what the last compute of an object made of the same cloud or surface: saves making obstacles, fit and rim
+   * again. Null, the default: make it at every compute. setInputCloud and setInputSurface forget it. */
   void
-  setLocationSurface(const std::shared_ptr<const ScannedLocationSurface>& surface)
+  setLocationSurface(const std::shared_ptr<const LocationSurface>& surface)
   {
-    given_surface_ = surface;
+    given_location_ = surface;
   }
-  /** The surface of the last compute; null before. */
-  std::shared_ptr<const ScannedLocationSurface>
+  /** What the last compute located on; null before. */
+  std::shared_ptr<const LocationSurface>
   getLocationSurface() const
   {
-    return surface_;
+    return location_surface_;
+  }
+  void
+  setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
+  {
+    SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputCloud(cloud);
+    given_location_.reset();
+  }
+  /** \see SurfaceInput::setInputSurface */
+  void
+  setInputSurface(const Surface::ConstPtr& surface)
+  {
+    SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputSurface(surface);
+    given_location_.reset();
   }
 
   /** Locate. \p locations has one a drive point, in their order, and with a path tolerance those put in
@@ -187,11 +185,6 @@ public:
   /** The same by passes. */
   void compute(std::vector<ToolLocations>& passes);
 
-  const Status&
-  getStatus() const
-  {
-    return status_;
-  }
   /** Counts, largest values and warnings of the last compute. */
   const LocationFigures&
   getFigures() const
@@ -207,21 +200,17 @@ public:
 
 private:
   Status check() const;
+  Status makeLocationSurface();
   Status run(std::vector<ToolLocations>& passes);
   std::vector<ToolLocations> inPasses(const ToolLocations& locations) const;
-
-  using pcl::PCLBase<PointT>::input_;
-  using pcl::PCLBase<PointT>::indices_;
 
   DrivePoints drive_points_; ///< of all passes
   std::vector<std::size_t> pass_sizes_;
   double path_tolerance_ = 0.0;
   CutterShape cutter_;
   LocationOptions options_;
-  int thread_count_ = 0;
   ProgressCallback progress_;
-  std::shared_ptr<const ScannedLocationSurface> given_surface_, surface_;
-  Status status_;
+  std::shared_ptr<const LocationSurface> given_location_, location_surface_;
   LocationFigures figures_;
   BisectionFigures bisection_figures_;
 };

@@ -5,6 +5,7 @@
 
 #include <pcl_spiral/common/progress.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/surface/surface_input.h>
 #include <pcl_spiral/toolpath/drive_pass.h>
 #include <pcl_spiral/toolpath/drive_settings.h>
 
@@ -34,14 +35,16 @@ namespace pcl_spiral {
  *  No place of the surface is farther from a pass than half a step-over, across the passes: as projected
  * along the tool axis for planes, along the cylinder's axis, or along the surface for offsets.
  *
- *  setInputCloud takes the scan; points that are not finite, repetitions and outliers are left out. Source of
+ *  Takes a cloud or a surface, see SurfaceInput; a curve whose axis is fixed needs neither. Source of
  * planes and cylinder: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. Lengths
  * in mm, angles in degrees. The output does not depend on the order of the cloud nor on the number of
  * threads.
  */
 template <typename PointT>
-class DrivePath : public pcl::PCLBase<PointT> {
+class DrivePath : public SurfaceInput<pcl::PCLBase<PointT>, PointT> {
 public:
+  DrivePath() { this->scanned_.setStrict(false); } // a rough surface is driven on all the same, with a warning
+
   using Ptr = pcl::shared_ptr<DrivePath>;
   using ConstPtr = pcl::shared_ptr<const DrivePath>;
   using Kind = DriveKind;
@@ -187,18 +190,6 @@ public:
     return settings_.curve;
   }
 
-  /** Threads to use; 0, the default, means all. */
-  void
-  setNumberOfThreads(int threads)
-  {
-    thread_count_ = threads;
-  }
-  int
-  getNumberOfThreads() const
-  {
-    return thread_count_;
-  }
-
   /** Called with the share done; returning false cancels. */
   void
   setProgressCallback(ProgressCallback callback)
@@ -211,11 +202,6 @@ public:
    * cancelled. */
   void compute(DrivePasses& passes);
 
-  const Status&
-  getStatus() const
-  {
-    return status_;
-  }
   const DriveReport&
   getReport() const
   {
@@ -225,13 +211,8 @@ public:
 private:
   Status run(DrivePasses& passes);
 
-  using pcl::PCLBase<PointT>::input_;
-  using pcl::PCLBase<PointT>::indices_;
-
   DriveSettings settings_;
-  int thread_count_ = 0;
   ProgressCallback progress_;
-  Status status_;
   DriveReport report_;
 };
 

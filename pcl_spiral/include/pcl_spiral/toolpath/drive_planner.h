@@ -5,6 +5,7 @@
 
 #include <pcl_spiral/common/progress.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/surface/surface.h>
 #include <pcl_spiral/toolpath/drive_pass.h>
 #include <pcl_spiral/toolpath/drive_settings.h>
 
@@ -12,8 +13,7 @@
 
 namespace pcl_spiral {
 
-/** Passes over the surface of finite, different \p points, as DrivePath describes them. */
-Status planDrive(std::vector<Eigen::Vector3f> points, const DriveSettings& settings,
-                 const ProgressCallback& progress, DrivePasses& passes, DriveReport& report);
+/** Passes over \p surface, as DrivePath describes them; null where DriveSettings::needsSurface() is false. */
+Status planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const ProgressCallback& progress, DrivePasses& passes, DriveReport& report);
 
 } // namespace pcl_spiral

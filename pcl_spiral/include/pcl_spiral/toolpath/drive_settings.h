@@ -55,6 +55,12 @@ struct DriveSettings {
   {
     return axis_mode.value_or(goesRound() ? DriveAxisMode::Cylinder : DriveAxisMode::Fixed);
   }
+  /** A curve whose axis is fixed is taken as it is. */
+  bool
+  needsSurface() const
+  {
+    return kind != DriveKind::Curve || axisMode() != DriveAxisMode::Fixed;
+  }
 };
 
 /** What is wrong with settings; ok where nothing is. */

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/surface/clean_graph.h>
 #include <pcl_spiral/surface/mls_surface.h>
+#include <pcl_spiral/surface/surface.h>
 
 #include <cstddef>
 #include <memory>
@@ -18,13 +18,14 @@ namespace pcl_spiral {
  * mm. */
 class LocationSurface {
 public:
-  LocationSurface() = default;
-  LocationSurface(const LocationSurface&) = delete; // the fits refer to the graph
+  /** Obstacles are finite and different \p points; \p surface is made of them, or null where they form none: then \p why_none
+   * says why. \p source is the index of each point in its cloud; empty: all of it, in order. */
+  LocationSurface(std::vector<Eigen::Vector3f> points, std::vector<std::uint32_t> source, Surface::ConstPtr surface,
+                  Status why_none);
+  /** Obstacles are the points of \p surface and those that were left out of it. */
+  explicit LocationSurface(const Surface::ConstPtr& surface);
+  LocationSurface(const LocationSurface&) = delete; // shared
   LocationSurface& operator=(const LocationSurface&) = delete;
-
-  /** Make it of finite, different \p points. Where they form no surface, hasSurface() is false and whyNone()
-   * says why. */
-  void build(std::vector<Eigen::Vector3f> points);
 
   /** Every point, those off the surface too. */
   const PointBlocks&
@@ -45,13 +46,13 @@ public:
   const MlsSurface&
   surface() const
   {
-    return *surface_;
+    return surface_->fit();
   }
   /** Points left out of the surface, not of the obstacles: alone off it. */
   std::size_t
   strayPoints() const
   {
-    return source_.strays.size();
+    return surface_->counts().isolated + surface_->counts().speck;
   }
   /** Corners of the triangulation's edges that have a triangle on one side only, along loops longer than
    * eight spacings: beyond them, or in the gap they bound, nothing is known. */
@@ -69,11 +70,17 @@ public:
   {
     return noise_allowance_;
   }
-  /** Which of the points given to build is point \p i of the surface's graph. */
+  /** Index in the cloud of point \p i of the surface. */
   std::uint32_t
-  source(std::uint32_t i) const
+  cloudIndexOnSurface(std::uint32_t i) const
   {
-    return source_.indices[graph_.blocks().originalIndex(i)];
+    return surface_->sourceIndex(i);
+  }
+  /** Index in the cloud of obstacle \p i, by its original index among obstacles(). */
+  std::uint32_t
+  cloudIndex(std::uint32_t i) const
+  {
+    return source_.empty() ? i : source_[i];
   }
   /** Whether a foot lies among the points, not over a gap between them. */
   bool
@@ -90,14 +97,14 @@ public:
   }
 
 private:
+  void measure();
   void findRim();
   void findCoveringRadii();
 
   PointBlocks obstacles_, rim_;
-  SurfaceGraph graph_;
-  GraphSource source_;
+  std::vector<std::uint32_t> source_;
+  Surface::ConstPtr surface_;
   Status surface_status_;
-  std::unique_ptr<MlsSurface> surface_;
   std::vector<float> covering_radius_;
   double noise_allowance_ = 0.0;
 };

@@ -20,6 +20,7 @@ struct RadialLine {
   bool corner = false;            ///< ends on a corner of the rim: turns keep their corner here
   int level = 0;                  ///< round in which it was added: coarse lines are level 0
   double deviation = 0.0;         ///< largest distance of the curve from the points it was fitted to
+  double unsettled = 0.0;         ///< sideways move that the last iteration of a geodesic still asked for; 0 where it settled
 
   double length() const { return curve.length(); }
   double stationSpacing() const { return length() / static_cast<double>(feet.size() - 1); }

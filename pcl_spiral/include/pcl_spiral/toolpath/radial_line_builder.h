@@ -40,6 +40,7 @@ struct RadialLineSet {
   Polyline inner;                                   ///< closed, from line 0's start; empty with one boundary
   std::vector<std::size_t> inner_corners;
   double largest_interpolation_error = 0.0;         ///< measured between neighbouring lines, mm
+  bool centre_settled = true;                       ///< the search for the centre ended where it asked for no further move
 };
 
 /** Make the lines: coarse ones evenly along the rim and on each of its corners, then one in the middle of every gap

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/surface/surface_input.h>
 #include <pcl_spiral/toolpath/radial_line_builder.h>
 
 #include <pcl/pcl_base.h>
@@ -21,29 +22,26 @@ namespace pcl_spiral {
  *  is drawn on. They are cubic B-splines that never cross, with one on every corner of the rim; see buildRadialLines.
  *
  *  Lines are geodesics, or gradient lines of a harmonic function where geodesics merge or leave the surface. Holes that
- *  are no boundary (ScanGap loops) are not bridged here: geodesics do not cross them.
+ *  are no boundary (ScanGap loops) are not bridged here: geodesics do not cross them; GapBridging comes before.
  *  Source: Wu, Chai, Bo, Liu, Wang, China Mechanical Engineering 36(4), 2025, 697-702, section 1. Millimetres.
- *  Points that are not finite and exact repetitions are left out. The output does not depend on the order of the cloud
- *  nor on the number of threads.
+ *  Takes a cloud or a surface, see SurfaceInput. Lines run counter-clockwise along the rim, seen from the side normals show.
+ *  The output does not depend on the order of the cloud nor on the number of threads.
  */
 template <typename PointT, typename PointNT = pcl::Normal>
-class RadialLines : public pcl::PCLBase<PointT> {
+class RadialLines : public SurfaceInput<pcl::PCLBase<PointT>, PointT, PointNT> {
 public:
   using Ptr = pcl::shared_ptr<RadialLines>;
   using ConstPtr = pcl::shared_ptr<const RadialLines>;
-  using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
-
-  /** Oriented normals of the input, one a point, out of the material. Without them the mean normal faces +z. Lines run
-   *  counter-clockwise along the rim, seen from their side. */
-  void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
-  NormalsConstPtr getInputNormals() const { return normals_; }
 
   /** The boundaries, as BoundaryLoops or findBoundaryLoops give them: the surface lies on the left of each. Without
    *  them, or with none, they are found. */
-  void setLoops(const std::vector<BoundaryLoop>& loops) { given_loops_ = loops; }
+  void setBoundaryLoops(const std::vector<BoundaryLoop>& loops) { given_loops_ = loops; }
+  const std::vector<BoundaryLoop>& getBoundaryLoops() const { return given_loops_; }
+  /** The former name. */
+  [[deprecated("setBoundaryLoops")]] void setLoops(const std::vector<BoundaryLoop>& loops) { setBoundaryLoops(loops); }
 
-  /** Where lines start on a surface with one boundary: within three spacings of it. Without it, the point whose largest
-   *  geodesic distance to the rim is smallest. */
+  /** Where lines start on a surface with one boundary: within three spacings of it. Without it, a balanced one, which
+   *  makes few turns and stays clear of the rim (balancedCentre). */
   void setCenter(const Eigen::Vector3d& center) { center_ = center; }
   void clearCenter() { center_.reset(); }
 
@@ -69,18 +67,15 @@ public:
   void setFitTolerance(double tolerance) { fit_tolerance_ = tolerance; }
   double getFitTolerance() const { return fit_tolerance_; }
 
-  /** Threads to use; 0, the default, means all. */
-  void setNumberOfThreads(int threads) { thread_count_ = threads; }
-  int getNumberOfThreads() const { return thread_count_; }
-
   /** Called with the share done; returning false cancels. */
-  void setProgressCallback(std::function<bool(double)> callback) { progress_ = std::move(callback); }
+  void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
   /** Make the lines. \p lines is empty on failure: no cloud, settings or indices out of range, no surface in the points,
    *  loops that do not belong to it, a centre off it, or lines that cannot be found; getStatus says which and where. */
   void compute(std::vector<RadialLine>& lines);
+  /** The same with the boundaries from line 0 on and their corners: what SpiralToolpathGenerator::setRadialLines takes. */
+  void compute(RadialLineSet& set);
 
-  const Status& getStatus() const { return status_; }
   /** Where the lines of the last compute start; with two boundaries the mean of the inner loop. */
   const Eigen::Vector3d& getCenter() const { return set_.centre; }
   /** Whether the lines of the last compute are those of the harmonic function, and if it was the fallback, why. */
@@ -91,6 +86,9 @@ public:
   /** The boundaries of the last compute, closed, from the end of line 0, and from its start (empty with one boundary). */
   const Polyline& getRim() const { return set_.rim; }
   const Polyline& getInner() const { return set_.inner; }
+  /** Entries of getRim() and getInner() at which they turn sharply. */
+  const std::vector<std::size_t>& getRimCorners() const { return set_.rim_corners; }
+  const std::vector<std::size_t>& getInnerCorners() const { return set_.inner_corners; }
   /** The loops the lines were made from: those given, or those found. */
   const std::vector<BoundaryLoop>& getLoops() const { return loops_; }
 
@@ -98,19 +96,13 @@ private:
   Status check() const;
   Status run();
 
-  using pcl::PCLBase<PointT>::input_;
-  using pcl::PCLBase<PointT>::indices_;
-
-  NormalsConstPtr normals_;
   std::vector<BoundaryLoop> given_loops_;
   std::optional<Eigen::Vector3d> center_, start_point_;
   LineMethod method_ = LineMethod::Automatic;
   BoundaryMode mode_ = BoundaryMode::Automatic;
   double tolerance_ = 0.05;
   double fit_tolerance_ = 1e-3;
-  int thread_count_ = 0;
-  std::function<bool(double)> progress_;
-  Status status_;
+  ProgressCallback progress_;
   std::vector<BoundaryLoop> loops_;
   RadialLineSet set_; ///< its lines are moved to the output
 };

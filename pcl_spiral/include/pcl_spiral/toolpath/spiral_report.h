@@ -25,13 +25,19 @@ struct SpiralReport {
   std::size_t left_out_points = 0;  ///< in them
   std::size_t used_points = 0;
   double spacing = 0.0;             ///< median distance of neighbouring points
+  int passes = 0;                   ///< over all neighbourhoods, that the surface took; 0: it was given
   double noise = 0.0;               ///< standard deviation of the points about the fitted surface
   int projection_neighbours = 0;    ///< neighbours in one surface fit
   std::vector<BoundaryLoop> loops;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< of the spiral, one boundary only
   std::size_t boundaries = 0;       ///< 1 or 2
+  bool centre_settled = true;       ///< the search for the centre ended at rest
   bool harmonic_lines = false;      ///< the fallback made the lines
   std::vector<Polyline> radial_lines;
+  std::size_t unsettled_lines = 0;  ///< geodesics whose last iteration still asked for a move
+  double largest_unsettled = 0.0;   ///< the largest of these moves, sideways
+  double line_error = 0.0;          ///< of a turn between neighbouring lines, measured
+  double line_tolerance = 0.0;      ///< asked of it
   std::size_t turns = 0;            ///< of the path, with those along the rim and the inner loop
   std::size_t path_points = 0;
   double path_length = 0.0;

@@ -33,6 +33,12 @@ enum class LineMethod {
   Harmonic
 };
 
+/** How the whole path is made. */
+enum class SpiralMethod {
+  Radial,   ///< turns between radial lines, every step of the published method mended or replaced
+  Published ///< the published chain (Wu et al. 2025), to compare with: slower, coarser, for simple outlines alone
+};
+
 /** Settings of a spiral toolpath. Lengths in mm, angles in degrees. */
 struct SpiralSettings {
   double tool_radius = 0.0;    ///< ball radius; must be set
@@ -53,13 +59,14 @@ struct SpiralSettings {
   SpiralDirection direction = SpiralDirection::Outward;
   SpiralSense sense = SpiralSense::CounterClockwise;
   Pitch pitch = Pitch::AcrossFeed;
+  SpiralMethod method = SpiralMethod::Radial;
   GapHandling gaps = GapHandling::Bridge;
   LineMethod lines = LineMethod::Automatic;
   bool largest_part = false;        ///< of several separate parts keep the one of the largest area alone
   double thinning = 0.0;            ///< voxel edge of the thinning filter; 0: none
   int outlier_neighbours = 0;       ///< neighbours of the statistical outlier filter; 0: none
   double outlier_deviations = 3.0;  ///< its threshold in standard deviations
-  int threads = 0;                  ///< 0: all
+  unsigned int threads = 0;         ///< 0: all
 };
 
 } // namespace pcl_spiral

@@ -4,7 +4,11 @@
 #pragma once
 
 #include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/common/stage_clock.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/spiral/spiral_path.h>
+#include <pcl_spiral/spiral/spiral_turns.h>
+#include <pcl_spiral/surface/surface_input.h>
 #include <pcl_spiral/toolpath/spiral_report.h>
 #include <pcl_spiral/toolpath/spiral_settings.h>
 
@@ -16,23 +20,31 @@ namespace pcl_spiral {
 
 /** One continuous spiral over a scanned surface with one boundary (a dome) or two (an annulus).
  *
- *  Chains every stage: surface preparation, boundary loops, radial lines, turns, projection, tool axis. Give it a
- *  cloud and three lengths: tool radius, scallop height, chord error, all in the unit of the cloud (mm).
+ *  Chains every stage: ScannedSurface, BoundaryLoops, GapBridging, RadialLines, turns (makeTurns), projection
+ *  (putOnSurface), tool axis (setToolAxes). Give it a cloud and three lengths: tool radius, scallop height, chord error, all in
+ *  the unit of the cloud (mm). What is given beside the cloud is taken instead of being made: a surface (setInputSurface),
+ *  loops (setBoundaryLoops), radial lines (setRadialLines); by hand and in one call give the same bytes.
  *  Source: Wu, Chai, Bo, Liu, Wang, China Mechanical Engineering 36(4), 2025, 697-702, with corrected equations.
  *
+ *  \p PointOutT: ToolpathPoint, or any type of which ToolpathFields fills what it has.
  *  On failure the output is empty and getStatus says why. The input cloud is never changed.
  *  The same input gives the same bytes for any number of threads.
  */
 template <typename PointInT, typename PointNT = pcl::Normal, typename PointOutT = ToolpathPoint>
-class SpiralToolpathGenerator : public pcl::PCLBase<PointInT> {
+class SpiralToolpathGenerator : public SurfaceInput<pcl::PCLBase<PointInT>, PointInT, PointNT> {
 public:
   using Ptr = pcl::shared_ptr<SpiralToolpathGenerator>;
   using ConstPtr = pcl::shared_ptr<const SpiralToolpathGenerator>;
-  using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
 
-  /** Oriented normals of the input, one a point, out of the material. Without them the class finds its own. */
-  void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
-  NormalsConstPtr getInputNormals() const { return normals_; }
+  /** Boundaries of the surface, as BoundaryLoops or GapBridging give them. None, the default: they are found. */
+  void setBoundaryLoops(const std::vector<BoundaryLoop>& loops) { given_loops_ = loops; }
+  const std::vector<BoundaryLoop>& getBoundaryLoops() const { return given_loops_; }
+
+  /** Lines to draw the spiral on, as RadialLines gives them, or a user's own: then no boundaries are looked for, and gaps of
+   *  the surface are not bridged. Settings of lines, centre and boundaries play no part. \see checkLines */
+  void setRadialLines(const RadialLineSet& lines) { given_lines_ = lines; }
+  const std::optional<RadialLineSet>& getRadialLines() const { return given_lines_; }
+  void clearRadialLines() { given_lines_.reset(); }
 
   /** Radius of the ball cutter, mm. Must be set, above the scallop height. */
   void setToolRadius(double radius) { settings_.tool_radius = radius; }
@@ -70,8 +82,9 @@ public:
   void setAxisDeviation(double degrees) { settings_.axis_deviation = degrees; }
   double getAxisDeviation() const { return settings_.axis_deviation; }
 
-  /** Centre of a surface with one boundary; projected onto the surface. Without it, the point whose largest geodesic
-   *  distance to the rim is smallest. */
+  /** Centre of a surface with one boundary; projected onto the surface. Without it, a balanced one: the point x with the
+   *  least max d / sqrt(min d) of the distances d to the rim along the surface (balancedCentre), which makes few turns and
+   *  stays clear of the rim. */
   void setCenter(const Eigen::Vector3d& centre) { settings_.centre = centre; }
   const std::optional<Eigen::Vector3d>& getCenter() const { return settings_.centre; }
   void clearCenter() { settings_.centre.reset(); }
@@ -80,6 +93,20 @@ public:
   void setStartPoint(const Eigen::Vector3d& point) { settings_.start_point = point; }
   const std::optional<Eigen::Vector3d>& getStartPoint() const { return settings_.start_point; }
   void clearStartPoint() { settings_.start_point.reset(); }
+
+  /** Keep one point of each voxel of this edge, mm; 0, the default: all. \see ScannedSurface::setThinning */
+  void setThinning(double voxel_edge) { settings_.thinning = voxel_edge; }
+  double getThinning() const { return settings_.thinning; }
+
+  /** Drop statistical outliers; 0 neighbours, the default: none. \see ScannedSurface::setOutlierRemoval */
+  void
+  setOutlierRemoval(int neighbours, double deviations = 3.0)
+  {
+    settings_.outlier_neighbours = neighbours;
+    settings_.outlier_deviations = deviations;
+  }
+  int getOutlierNeighbours() const { return settings_.outlier_neighbours; }
+  double getOutlierDeviations() const { return settings_.outlier_deviations; }
 
   /** Where the scanner stood: normals face it. */
   void setViewPoint(const Eigen::Vector3d& point) { settings_.view_point = point; }
@@ -110,8 +137,8 @@ public:
   bool getFlipNormals() const { return settings_.flip_normals; }
 
   /** Threads to use; 0, the default, means all. The output does not depend on it. */
-  void setNumberOfThreads(int threads) { settings_.threads = threads; }
-  int getNumberOfThreads() const { return settings_.threads; }
+  void setNumberOfThreads(unsigned int threads = 0) { settings_.threads = threads; }
+  unsigned int getNumberOfThreads() const { return settings_.threads; }
 
   /** Called with the share done; returning false cancels. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
@@ -119,18 +146,20 @@ public:
   /** Make the toolpath. \p path is empty on failure; see getStatus. */
   void compute(pcl::PointCloud<PointOutT>& path);
 
-  const Status& getStatus() const { return status_; }
   /** Loops, lines, counts, times and warnings of the last compute. */
   const SpiralReport& getReport() const { return report_; }
 
 private:
-  /** Finite, different points of the input and their normals, in an order that does not depend on the input's. */
-  Status collect(std::vector<Eigen::Vector3f>& points, std::vector<Eigen::Vector3f>& normals);
+  Status makeSurface(Surface::ConstPtr& surface);
+  Status makeLoops(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops);
+  Status makeLines(const Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, RadialLineSet& lines);
+  Status makeCurve(Surface::ConstPtr& surface, StageClock& clock, SpiralTurns& turns);
+  Status run(StageClock& clock, SpiralPath& path);
 
-  NormalsConstPtr normals_;
+  std::vector<BoundaryLoop> given_loops_;
+  std::optional<RadialLineSet> given_lines_;
   SpiralSettings settings_;
   ProgressCallback progress_;
-  Status status_;
   SpiralReport report_;
 };
 

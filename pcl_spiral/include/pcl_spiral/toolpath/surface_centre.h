@@ -15,6 +15,7 @@ namespace pcl_spiral {
 struct SurfaceCentre {
   Eigen::Vector3d position;
   std::optional<StartLines> lines;
+  bool settled = true; ///< the last round hardly moved it
 };
 
 /** The point x of the surface with the least max d / sqrt(min d) of the distances d along the surface to the rim, maxima

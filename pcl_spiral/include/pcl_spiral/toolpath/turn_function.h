@@ -35,7 +35,8 @@ public:
   /** \p spacing of the cloud: contour directions are taken over at least twice that. The lines must outlive this. */
   TurnFunction(const std::vector<RadialLine>& lines, const SpiralSettings& settings, double spacing);
 
-  /** Ok, or where the cutter does not fit. */
+  /** Ok, or where the cutter does not fit, or a line has left the surface (a foot between its ends that is not valid). At
+   *  an end that lies a little beyond the surface the foot next to it tells the curvature. */
   Status compute();
 
   /** Smallest whole number of turns that keeps every pitch within the step-over. */
@@ -67,6 +68,8 @@ private:
     double feed_step = 0.0; ///< mm
   };
 
+  const SurfaceFoot& footAt(std::size_t line, std::size_t station) const;
+  Status checkFeet() const;
   double arcLengthAtShare(std::size_t line, double share) const;
   Eigen::Vector3d positionOn(std::size_t line, double share) const;
   std::optional<Eigen::Vector3d> contourDirection(std::size_t line, std::size_t station, int side) const;

@@ -85,11 +85,11 @@ public:
 
   /** Threads to use; 0, the default, means all. */
   void
-  setNumberOfThreads(int threads)
+  setNumberOfThreads(unsigned int threads = 0)
   {
     thread_count_ = threads;
   }
-  int
+  unsigned int
   getNumberOfThreads() const
   {
     return thread_count_;
@@ -126,7 +126,7 @@ private:
   std::vector<ToolSegment> holder_;
   double holder_clearance_ = 0.0;
   double tolerance_ = 0.05;
-  int thread_count_ = 0;
+  unsigned int thread_count_ = 0;
   ProgressCallback progress_;
   Status status_;
   LeadFigures figures_;

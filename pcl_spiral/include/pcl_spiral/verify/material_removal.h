@@ -33,7 +33,8 @@ public:
   void setReach(double reach) { reach_ = reach; }
   double getReach() const { return reach_; }
 
-  /** Measure. \p output has a point for each of the input (of its indices, when set), in their order: its
+  /** Measure. \p output has a point for each of the input (of its indices, when set), or with a surface and no cloud for each of
+   * the cloud that the surface was made of (its place is NaN too where it was left out), in their order: its
    * place, and the stock as intensity, negative for a gouge, the reach where uncut, NaN where the point is no
    * part of the surface (not finite, a repetition, an outlier). Empty on failure: no or unfit reference or
    * toolpath, a setting out of range, or cancelled. */

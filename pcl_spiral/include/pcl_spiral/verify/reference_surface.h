@@ -5,8 +5,8 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
-#include <pcl_spiral/surface/clean_graph.h>
 #include <pcl_spiral/surface/mls_surface.h>
+#include <pcl_spiral/surface/surface.h>
 #include <pcl_spiral/verify/move_index.h>
 
 #include <cstddef>
@@ -23,29 +23,26 @@ namespace pcl_spiral {
  *  Every figure is measured against this surface, not against single points, so the noise of a single point,
  * noise(), is averaged: what remains in the surface is fitNoise(), and no figure is better known than that.
  * Where a planner worked on the same scan, the part of its error that comes from the scan's noise is common
- * to both and does not show; a second scan shows it. Memory: 180 bytes a point, 250 while it is made.
+ * to both and does not show; a second scan shows it.
  */
 class ReferenceSurface {
 public:
-  ReferenceSurface() = default;
-  ReferenceSurface(const ReferenceSurface&) = delete; // the fits refer to the graph
+  /** Fit \p surface, which stays shared. Boundaries that cannot be found leave it without a rim and with a warning. */
+  explicit ReferenceSurface(Surface::ConstPtr surface);
+  ReferenceSurface(const ReferenceSurface&) = delete; // the index of the rim refers to it
   ReferenceSurface& operator=(const ReferenceSurface&) = delete;
 
-  /** Make the surface of finite, different \p points. Points that stand alone off it are left out; boundaries
-   * that cannot be found leave it without a rim and with a warning. Fails where SurfaceGraph does. */
-  Status build(std::vector<Eigen::Vector3f> points, SurfaceGraphOptions options);
-
-  const SurfaceGraph& graph() const { return graph_; }
-  const MlsSurface& surface() const { return *surface_; }
-  /** Which of the points given to build is point \p i of the graph. */
-  std::uint32_t source(std::size_t i) const { return source_.indices[graph_.blocks().originalIndex(i)]; }
-  std::size_t strayPoints() const { return strays_; }
+  const Surface& scanned() const { return *scanned_; }
+  const SurfaceGraph& graph() const { return scanned_->graph(); }
+  const MlsSurface& surface() const { return surface_; }
+  /** Points of the scan that stand alone off the surface, or in specks apart from it. */
+  std::size_t strayPoints() const { return scanned_->counts().isolated + scanned_->counts().speck; }
 
   /** Standard deviation of single points about the surface, mm. On a scan without noise it is what a quadric leaves of
    *  the shape: an upper bound. */
-  double noise() const { return surface_->noise(); }
+  double noise() const { return surface_.noise(); }
   /** Standard deviation of the surface found, mm. \see MlsSurface::fitNoise */
-  double fitNoise() const { return surface_->fitNoise(); }
+  double fitNoise() const { return surface_.fitNoise(); }
   /** Radius of one fit: as far as it can be trusted about its foot, mm. */
   double fitRadius() const;
 
@@ -71,10 +68,8 @@ private:
   void findRim();
   void addGap(const BoundaryLoop& loop);
 
-  SurfaceGraph graph_;
-  std::unique_ptr<MlsSurface> surface_;
-  GraphSource source_;
-  std::size_t strays_ = 0;
+  Surface::ConstPtr scanned_;
+  MlsSurface surface_;
   std::vector<BoundaryLoop> loops_;
   std::vector<Polyline> rims_; ///< closed: the first point comes again
   std::vector<std::unique_ptr<MoveIndex>> rim_index_;

@@ -1,54 +1,34 @@
 #pragma once
 
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/features/boundary_loops.h>
-
-#include <pcl/common/point_tests.h>
-#include <pcl/console/print.h>
-#include <pcl/impl/pcl_base.hpp> // for point types that PCL has not compiled
-
-#include <string>
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
 
 namespace pcl_spiral {
 
 template <typename PointT, typename PointNT>
 Status
-BoundaryLoops<PointT, PointNT>::check() const
+BoundaryLoops<PointT, PointNT>::run(std::vector<BoundaryLoop>& loops)
 {
-  if (!input_ || input_->empty())
-    return {StatusCode::InvalidInput, "the input cloud is missing or empty; call setInputCloud with points"};
-  if (!(alpha_ >= 1.0))
-    return {StatusCode::InvalidArgument, "alpha is " + std::to_string(alpha_) +
-                                             " spacings; below 1 the surface falls apart; 3 is usual"};
-  if (normals_ && normals_->size() != input_->size())
-    return {StatusCode::InvalidInput, "there are " + std::to_string(normals_->size()) + " normals for " +
-                                          std::to_string(input_->size()) +
-                                          " points; call setInputNormals with one a point"};
-  if (boundary_points_ && boundary_points_->size() != input_->size())
-    return {StatusCode::InvalidInput, "there are " + std::to_string(boundary_points_->size()) + " boundary flags for " +
-                                          std::to_string(input_->size()) +
-                                          " points; call setBoundaryPoints with one a point, of the whole input"};
-  return checkIndices(indices_.get(), input_->size());
-}
-
-template <typename PointT, typename PointNT>
-Status
-BoundaryLoops<PointT, PointNT>::buildGraph(const UsablePoints& usable, SurfaceGraph& graph) const
-{
-  SurfaceGraphOptions options;
-  options.max_circumradius = alpha_;
-  Status status = graph.build(usable.positions, options);
-  if (!status.ok() || !normals_)
+  const ThreadLimit limit(this->getNumberOfThreads());
+  Surface::ConstPtr surface;
+  if (const Status status = this->prepareSurface(surface, partOf(progress_, 0.0, 0.6)); !status.ok())
     return status;
-  double agreement = 0.0;
-  for (std::size_t i = 0; i < graph.size(); ++i) {
-    const PointNT& given = (*normals_)[usable.source[graph.blocks().originalIndex(i)]];
-    if (pcl::isNormalFinite(given))
-      agreement += graph.normal(i).dot(given.getNormalVector3fMap().template cast<double>());
+  BoundaryOptions options = options_;
+  options.progress = partOf(progress_, 0.6, 1.0, "boundaries");
+  if (boundary_points_) {
+    if (boundary_points_->size() != surface->inputSize())
+      return {StatusCode::InvalidInput, textOf("there are ", boundary_points_->size(), " boundary flags for ",
+                                               surface->inputSize(),
+                                               " points: call setBoundaryPoints with one a point, of the whole cloud")};
+    options.marked.resize(surface->size());
+    for (std::size_t i = 0; i < surface->size(); ++i) {
+      const std::uint32_t original = surface->graph().blocks().originalIndex(i), in_cloud = surface->sourceIndex(i);
+      options.marked[original] = in_cloud == Surface::no_source ? 0 : (*boundary_points_)[in_cloud].boundary_point;
+    }
   }
-  if (agreement >= 0.0)
-    return status;
-  options.flip_normals = true;
-  return graph.build(usable.positions, options);
+  return findBoundaryLoops(*surface, options, loops, &counts_);
 }
 
 template <typename PointT, typename PointNT>
@@ -57,25 +37,10 @@ BoundaryLoops<PointT, PointNT>::compute(std::vector<BoundaryLoop>& loops)
 {
   loops.clear();
   counts_ = BoundaryCounts();
-  status_ = check();
-  UsablePoints usable;
-  SurfaceGraph graph;
-  if (status_.ok()) {
-    usable = usablePoints(*input_, indices_.get());
-    status_ = buildGraph(usable, graph);
-  }
-  if (status_.ok()) {
-    BoundaryOptions options = options_;
-    if (boundary_points_)
-      for (const std::uint32_t i : usable.source)
-        options.marked.push_back((*boundary_points_)[i].boundary_point);
-    status_ = findBoundaryLoops(graph, options, loops, &counts_);
-  }
-  if (!status_.ok())
-    PCL_ERROR("[pcl_spiral::BoundaryLoops::compute] %s.\n", status_.message().c_str());
-  for (BoundaryLoop& loop : loops)
-    for (std::uint32_t& index : loop.indices)
-      index = usable.source[index];
+  this->status_ = run(loops);
+  if (!this->status_.ok())
+    loops.clear();
+  this->tellFailure("BoundaryLoops");
 }
 
 } // namespace pcl_spiral

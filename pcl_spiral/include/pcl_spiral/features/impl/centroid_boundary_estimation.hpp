@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/core/frame.h>
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 #include <pcl_spiral/search/impl/pcl_search.hpp>
@@ -9,8 +10,6 @@
 #include <pcl/console/print.h>
 #include <pcl/features/impl/boundary.hpp>
 #include <pcl/impl/pcl_base.hpp>
-
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +63,7 @@ CentroidBoundaryEstimation<PointInT, PointNT, PointOutT>::check() const
     return {StatusCode::InvalidArgument, "the thresholds are " + std::to_string(offset_threshold_) +
                                              " (offset) and " + std::to_string(angle_threshold_) +
                                              " (angle, radians); set both above 0"};
-  if (const Status status = checkIndices(indices_.get(), input_->size()); !status.ok())
+  if (const Status status = checkIndices(Base::fake_indices_ ? nullptr : indices_.get(), input_->size()); !status.ok())
     return status;
   if (std::none_of(input_->begin(), input_->end(), [](const PointInT& p) { return pcl::isXYZFinite(p); }))
     return {StatusCode::InvalidInput, "no point of the input cloud is finite; check the file it came from"};
@@ -136,9 +135,9 @@ CentroidBoundaryEstimation<PointInT, PointNT, PointOutT>::computeFeature(PointCl
   const auto count = static_cast<std::ptrdiff_t>(indices_->size());
   scores_.assign(indices_->size(), nan);
   offsets_ = gaps_ = scores_;
-  const int threads = thread_count_ > 0 ? thread_count_ : omp_get_max_threads();
+  const ThreadLimit limit(thread_count_);
   bool all_evaluated = true;
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1024) reduction(&& : all_evaluated)
+#pragma omp parallel for schedule(dynamic, 1024) reduction(&& : all_evaluated)
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     const auto at = static_cast<std::size_t>(i);
     BoundaryEvidence evidence;

@@ -2,7 +2,7 @@
 
 #include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/geodesic/geodesic_path.h>
-#include <pcl_spiral/search/usable_points.h>
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
@@ -10,6 +10,7 @@
 #include <pcl/type_traits.h>
 
 #include <limits>
+#include <optional>
 
 namespace pcl_spiral {
 
@@ -37,9 +38,10 @@ GeodesicPath<PointT, PointNT>::checkPlace(const Place& place, const std::string&
 {
   if (!place.by_index && !place.position.allFinite())
     return {StatusCode::InvalidArgument, "the " + name + " is not set, or not finite; give a position on the surface"};
-  if (place.by_index && static_cast<std::size_t>(place.index) >= input_->size())
+  if (place.by_index && (!input_ || static_cast<std::size_t>(place.index) >= input_->size()))
     return {StatusCode::InvalidArgument, "the index of the " + name + ", " + std::to_string(place.index) +
-                                             ", is outside the cloud of " + std::to_string(input_->size()) + " points"};
+                                             ", is outside the cloud of " +
+                                             std::to_string(input_ ? input_->size() : 0) + " points"};
   if (place.by_index && !pcl::isXYZFinite((*input_)[place.index]))
     return {StatusCode::InvalidArgument,
             "the " + name + ", point " + std::to_string(place.index) + " of the cloud, is not finite; choose another"};
@@ -50,16 +52,9 @@ template <typename PointT, typename PointNT>
 Status
 GeodesicPath<PointT, PointNT>::check() const
 {
-  if (!input_ || input_->empty())
-    return {StatusCode::InvalidInput, "the input cloud is missing or empty; call setInputCloud with points"};
-  if (const Status status = checkIndices(indices_.get(), input_->size()); !status.ok())
-    return status;
-  if (normals_ && normals_->size() != input_->size())
-    return {StatusCode::InvalidInput, "there are " + std::to_string(normals_->size()) + " normals for " +
-                                          std::to_string(input_->size()) + " points; give one a point"};
   if (fit_neighbours_ != 0 && fit_neighbours_ < 6)
     return {StatusCode::InvalidArgument, "a fit has " + std::to_string(fit_neighbours_) +
-                                             " neighbours; set 6 or more, better 32, or 0 to have them chosen"};
+                                             " neighbours; set 6 or more (setKSearch), better 32, or 0 to have them chosen"};
   if (targets_.empty())
     return {StatusCode::InvalidArgument, "there are no targets; call setTargetPoints or setTargetIndices"};
   Status status = checkPlace(source_, "source");
@@ -78,40 +73,21 @@ GeodesicPath<PointT, PointNT>::positionOf(const Place& place) const
 
 template <typename PointT, typename PointNT>
 Status
-GeodesicPath<PointT, PointNT>::buildGraph(SurfaceGraph& graph) const
-{
-  const UsablePoints usable = usablePoints(*input_, indices_.get());
-  SurfaceGraphOptions options;
-  Status status = graph.build(usable.positions, options);
-  if (!status.ok() || !normals_)
-    return status;
-  double agreement = 0.0;
-  for (std::size_t i = 0; i < graph.size(); ++i) {
-    const auto given = (*normals_)[usable.source[graph.blocks().originalIndex(i)]].getNormalVector3fMap();
-    if (given.allFinite())
-      agreement += graph.normals()[i].dot(given) > 0.0f ? 1.0 : -1.0;
-  }
-  options.flip_normals = true;
-  return agreement < 0.0 ? graph.build(usable.positions, options) : status;
-}
-
-template <typename PointT, typename PointNT>
-Status
 GeodesicPath<PointT, PointNT>::run()
 {
-  Status status = check();
-  if (!status.ok())
+  const ThreadLimit limit(this->getNumberOfThreads());
+  if (const Status status = check(); !status.ok())
     return status;
-  const ThreadLimit limit(thread_count_);
-  SurfaceGraph graph;
-  status = buildGraph(graph);
-  if (!status.ok())
+  Surface::ConstPtr surface;
+  if (const Status status = this->prepareSurface(surface); !status.ok())
     return status;
   Polyline targets;
   for (const Place& target : targets_)
     targets.push_back(positionOf(target));
-  const MlsSurface surface(graph, fit_neighbours_);
-  status = shortestPaths(surface, positionOf(source_), targets, start_, options_, lines_);
+  std::optional<MlsSurface> own_fit;
+  if (fit_neighbours_ > 0)
+    own_fit.emplace(surface->graph(), fit_neighbours_);
+  const Status status = shortestPaths(own_fit ? *own_fit : surface->fit(), positionOf(source_), targets, start_, options_, lines_);
   for (const GeodesicLine& line : lines_)
     lengths_.push_back(line.points.empty() || line.left_surface ? std::numeric_limits<double>::quiet_NaN()
                                                                 : line.length);
@@ -124,9 +100,8 @@ GeodesicPath<PointT, PointNT>::compute(std::vector<Polyline>& paths)
 {
   lines_.clear();
   lengths_.clear();
-  status_ = run();
-  if (!status_.ok())
-    PCL_ERROR("[pcl_spiral::GeodesicPath::compute] %s.\n", status_.message().c_str());
+  this->status_ = run();
+  this->tellFailure("GeodesicPath");
   paths.assign(targets_.size(), Polyline());
   for (std::size_t i = 0; i < lines_.size(); ++i)
     if (!lines_[i].left_surface)

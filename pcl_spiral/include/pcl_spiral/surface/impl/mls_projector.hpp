@@ -1,16 +1,16 @@
 #pragma once
 
-#include <pcl_spiral/search/usable_points.h>
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/surface/mls_projector.h>
 
-#include <pcl/common/point_tests.h>
-#include <pcl/console/print.h>
-#include <pcl/impl/pcl_base.hpp> // for point types that PCL has not compiled
+#include <pcl/surface/impl/processing.hpp>
 #include <pcl/type_traits.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <string>
 
 namespace pcl_spiral {
 namespace detail {
@@ -36,78 +36,93 @@ setFoot(PointT& point, const SurfaceFoot& foot)
   }
 }
 
-/** The foot seen from the other side of the surface. */
-inline SurfaceFoot
-reversed(SurfaceFoot foot)
-{
-  foot.direction1 = foot.normal.cross(foot.direction1);
-  foot.normal = -foot.normal;
-  std::swap(foot.curvature1, foot.curvature2);
-  foot.curvature1 = -foot.curvature1;
-  foot.curvature2 = -foot.curvature2;
-  return foot;
-}
-
 } // namespace detail
+
+template <typename PointInT, typename PointOutT>
+void
+MLSProjector<PointInT, PointOutT>::setPolynomialOrder(int order)
+{
+  order_ = order;
+  if (order == 0 || order == 2)
+    method_ = order == 0 ? Method::DirectionalCentroid : Method::Quadratic;
+}
 
 template <typename PointInT, typename PointOutT>
 Status
 MLSProjector<PointInT, PointOutT>::check() const
 {
-  if (!input_ || input_->empty())
-    return {StatusCode::InvalidInput, "the surface cloud is missing or empty; call setInputCloud with points"};
   if (queries_ && queries_->empty())
-    return {StatusCode::InvalidInput, "the query cloud is empty; give it points, or none to project the input"};
+    return {StatusCode::InvalidInput, "the query cloud is empty: give it points, or none to project the input"};
   if (neighbours_ != 0 && neighbours_ < 6)
-    return {StatusCode::InvalidArgument, "the number of neighbours is " + std::to_string(neighbours_) +
-                                             "; set it to 6 or more, or 0 to follow the noise"};
-  if (normals_ && normals_->size() != input_->size())
-    return {StatusCode::InvalidInput, "there are " + std::to_string(normals_->size()) + " normals for " +
-                                          std::to_string(input_->size()) + " points; give one a point"};
-  return checkIndices(indices_.get(), input_->size());
+    return {StatusCode::InvalidArgument, textOf("the number of neighbours is ", neighbours_,
+                                                ": set 6 or more (setKSearch), or 0 to follow the noise")};
+  if (!(search_radius_ >= 0.0) || !std::isfinite(search_radius_) || (search_radius_ > 0.0 && neighbours_ > 0))
+    return {StatusCode::InvalidArgument,
+            textOf("the search radius is ", search_radius_, " mm and k is ", neighbours_,
+                   ": set one of them above 0 and the other to 0 (setSearchRadius, setKSearch)")};
+  if (order_ != 0 && order_ != 2)
+    return {StatusCode::InvalidArgument, textOf("the polynomial order is ", order_,
+                                                ": set 2 for a quadric or 0 for the directional centroid (setPolynomialOrder)")};
+  if (search_)
+    return {StatusCode::InvalidArgument, "a search method was set, but neighbours are found by a search of the projector's "
+                                         "own: leave setSearchMethod out, or set it to null"};
+  return Status::success();
+}
+
+template <typename PointInT, typename PointOutT>
+typename MLSProjector<PointInT, PointOutT>::PointCloudInConstPtr
+MLSProjector<PointInT, PointOutT>::wholeQueryCloud() const
+{
+  return queries_ ? queries_ : this->input_ && !this->givenIndices() ? this->input_ : nullptr;
 }
 
 template <typename PointInT, typename PointOutT>
 std::vector<Eigen::Vector3d>
-MLSProjector<PointInT, PointOutT>::queryPoints() const
+MLSProjector<PointInT, PointOutT>::queryPoints(const Surface& surface) const
 {
-  const PointCloudIn& cloud = queries_ ? *queries_ : *input_;
   std::vector<Eigen::Vector3d> points;
-  if (queries_ || !indices_)
-    for (const PointInT& p : cloud)
+  if (const auto cloud = wholeQueryCloud())
+    for (const PointInT& p : *cloud)
       points.push_back(p.getVector3fMap().template cast<double>());
+  else if (this->input_)
+    for (const auto i : *this->indices_)
+      points.push_back((*this->input_)[i].getVector3fMap().template cast<double>());
   else
-    for (const auto i : *indices_)
-      points.push_back(cloud[i].getVector3fMap().template cast<double>());
+    for (std::size_t i = 0; i < surface.size(); ++i)
+      points.push_back(surface.position(i));
   return points;
 }
 
 template <typename PointInT, typename PointOutT>
 Status
-MLSProjector<PointInT, PointOutT>::findSide(const SurfaceGraph& graph, const std::vector<std::uint32_t>& source,
-                                            bool& flip) const
+MLSProjector<PointInT, PointOutT>::run(std::vector<SurfaceFoot>& feet)
 {
-  flip = false;
-  if (!normals_)
-    return Status::success();
-  std::size_t same = 0, other = 0;
-  for (std::size_t i = 0; i < graph.size(); ++i) {
-    const auto& given = (*normals_)[source[graph.blocks().originalIndex(i)]];
-    const float dot = graph.normals()[i].dot(given.getNormalVector3fMap());
-    same += dot > 0.0f;
-    other += dot < 0.0f;
+  constexpr double fewest = 6.0;
+  const ThreadLimit limit(this->getNumberOfThreads());
+  if (const Status status = check(); !status.ok())
+    return status;
+  Surface::ConstPtr surface;
+  if (const Status status = this->prepareSurface(surface); !status.ok())
+    return status;
+  int neighbours = neighbours_;
+  if (search_radius_ > 0.0) {
+    const double radius = search_radius_ / surface->spacing(), inside = std::round(M_PI * radius * radius);
+    if (inside < fewest)
+      return {StatusCode::InvalidArgument,
+              textOf("the search radius is ", search_radius_, " mm, where points lie ", surface->spacing(),
+                     " mm apart: set it to ", 2.0 * surface->spacing(), " mm or more (setSearchRadius)")};
+    neighbours = static_cast<int>(std::min(inside, static_cast<double>(surface->size())));
   }
-  flip = other > same;
-  if (std::max(same, other) > 0 && 9 * std::min(same, other) <= std::max(same, other))
-    return Status::success();
-  return {StatusCode::InvalidInput, "the input normals have no common side: " + std::to_string(same) +
-                                        " point to one, " + std::to_string(other) +
-                                        " to the other; orient them, or give none"};
+  const MlsSurface fit(surface->graph(), neighbours, method_);
+  fit.project(queryPoints(*surface), feet);
+  noise_ = fit.noise();
+  neighbours_used_ = fit.neighbours();
+  return Status::success();
 }
 
 template <typename PointInT, typename PointOutT>
 void
-MLSProjector<PointInT, PointOutT>::write(const std::vector<SurfaceFoot>& feet, bool flip, PointCloudOut& output)
+MLSProjector<PointInT, PointOutT>::write(const std::vector<SurfaceFoot>& feet, PointCloudOut& output)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   SurfaceFoot nowhere;
@@ -115,23 +130,25 @@ MLSProjector<PointInT, PointOutT>::write(const std::vector<SurfaceFoot>& feet, b
   nowhere.normal.setConstant(nan);
   nowhere.direction1.setConstant(nan);
   nowhere.curvature1 = nowhere.curvature2 = nan;
-  output.clear();
-  output.header = queries_ ? queries_->header : input_->header;
-  output.resize(feet.size());
-  output.is_dense = true;
+  PointCloudOut made;
+  if (queries_ || this->input_)
+    made.header = queries_ ? queries_->header : this->input_->header;
+  made.resize(feet.size());
+  made.is_dense = true;
   for (std::size_t i = 0; i < feet.size(); ++i) {
-    const SurfaceFoot foot = !feet[i].valid ? nowhere : flip ? detail::reversed(feet[i]) : feet[i];
-    detail::setFoot(output[i], foot);
+    const SurfaceFoot& foot = feet[i].valid ? feet[i] : nowhere;
+    detail::setFoot(made[i], foot);
     valid_.push_back(feet[i].valid);
-    output.is_dense = output.is_dense && feet[i].valid;
+    made.is_dense = made.is_dense && feet[i].valid;
     larger_curvature_.push_back(foot.curvature1);
     smaller_curvature_.push_back(foot.curvature2);
   }
-  const PointCloudIn& cloud = queries_ ? *queries_ : *input_;
-  if (feet.size() == cloud.size() && cloud.width * cloud.height == cloud.size()) {
-    output.width = cloud.width;
-    output.height = cloud.height;
+  const auto cloud = wholeQueryCloud();
+  if (cloud && cloud->width * cloud->height == feet.size()) {
+    made.width = cloud->width;
+    made.height = cloud->height;
   }
+  output = std::move(made); // which may be the cloud that was projected
 }
 
 template <typename PointInT, typename PointOutT>
@@ -143,27 +160,14 @@ MLSProjector<PointInT, PointOutT>::compute(PointCloudOut& output)
   smaller_curvature_.clear();
   noise_ = 0.0;
   neighbours_used_ = 0;
-  SurfaceGraph graph;
-  UsablePoints usable;
-  bool flip = false;
-  status_ = check();
-  if (status_.ok()) {
-    usable = usablePoints(*input_, indices_.get());
-    status_ = graph.build(std::move(usable.positions), {});
-  }
-  if (status_.ok())
-    status_ = findSide(graph, usable.source, flip);
-  if (!status_.ok()) {
-    PCL_ERROR("[pcl_spiral::MLSProjector::compute] %s.\n", status_.message().c_str());
+  std::vector<SurfaceFoot> feet;
+  this->status_ = run(feet);
+  if (!this->status_.ok()) {
+    this->tellFailure("MLSProjector");
     output.clear();
     return;
   }
-  const MlsSurface surface(graph, neighbours_, method_);
-  std::vector<SurfaceFoot> feet;
-  surface.project(queryPoints(), feet);
-  noise_ = surface.noise();
-  neighbours_used_ = surface.neighbours();
-  write(feet, flip, output);
+  write(feet, output);
 }
 
 } // namespace pcl_spiral

@@ -2,11 +2,8 @@
 
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/common/thread_limit.h>
-#include <pcl_spiral/search/usable_points.h>
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/toolpath/cutter_location.h>
-
-#include <pcl/console/print.h>
-#include <pcl/impl/pcl_base.hpp> // for point types that PCL has not compiled
 
 #include <algorithm>
 #include <cmath>
@@ -44,10 +41,6 @@ template <typename PointT>
 Status
 CutterLocation<PointT>::check() const
 {
-  if (!input_ || input_->empty())
-    return {StatusCode::InvalidInput, "the input cloud is missing or empty; call setInputCloud with points"};
-  if (const Status status = checkIndices(indices_.get(), input_->size()); !status.ok())
-    return status;
   if (const std::string fault = faultOf(cutter_); !fault.empty())
     return {StatusCode::InvalidArgument, fault};
   if (!(options_.tolerance > 0.0) || !std::isfinite(options_.tolerance))
@@ -64,9 +57,6 @@ CutterLocation<PointT>::check() const
   if (!(path_tolerance_ >= 0.0) || !std::isfinite(path_tolerance_))
     return {StatusCode::InvalidArgument,
             textOf("the path tolerance is ", path_tolerance_, " mm; set it above 0, or to 0 for none")};
-  if (thread_count_ < 0)
-    return {StatusCode::InvalidArgument,
-            textOf("the number of threads is ", thread_count_, "; set 0 for all, or a count")};
   const bool asked = std::any_of(drive_points_.begin(), drive_points_.end(),
                                  [](const DrivePoint& p) { return p.normal.squaredNorm() > 0.0; });
   if (options_.max_retilt > 0.0 && !drive_points_.empty() && !asked)
@@ -78,38 +68,55 @@ CutterLocation<PointT>::check() const
 
 template <typename PointT>
 Status
+CutterLocation<PointT>::makeLocationSurface()
+{
+  location_surface_ = given_location_;
+  if (location_surface_)
+    return Status::success();
+  if (progress_ && !progress_(0.0, "surface"))
+    return {StatusCode::Cancelled, "cancelled"};
+  Surface::ConstPtr surface;
+  const Status made = this->prepareSurface(surface);
+  if (surface && surface->counts().guessed > 0)
+    return {StatusCode::InvalidInput,
+            textOf("the surface has ", surface->counts().guessed, " points that were put into gaps, where nothing is known: give "
+                   "the surface as it was before GapBridging")};
+  if (this->given_surface_) {
+    if (made.ok())
+      location_surface_ = std::make_shared<LocationSurface>(surface);
+    return made;
+  }
+  if (!this->input_ || this->input_->empty())
+    return made;
+  if (const Status status = checkIndices(this->givenIndices().get(), this->input_->size()); !status.ok())
+    return status;
+  UsablePoints usable = usablePoints(*this->input_, this->givenIndices().get());
+  if (usable.source.empty())
+    return made;
+  location_surface_ = std::make_shared<LocationSurface>(std::move(usable.positions), std::move(usable.source),
+                                                         std::move(surface), made);
+  return Status::success();
+}
+
+template <typename PointT>
+Status
 CutterLocation<PointT>::run(std::vector<ToolLocations>& passes)
 {
+  const ThreadLimit limit(this->getNumberOfThreads());
   if (const Status status = check(); !status.ok())
     return status;
-  const ThreadLimit limit(thread_count_);
-  surface_ = given_surface_;
-  if (!surface_) {
-    if (progress_ && !progress_(0.0, "surface"))
-      return {StatusCode::Cancelled, "cancelled"};
-    UsablePoints usable = usablePoints(*input_, indices_.get());
-    if (usable.source.empty())
-      return {StatusCode::InvalidInput, "no point of the cloud is finite; check the scan"};
-    auto made = std::make_shared<ScannedLocationSurface>();
-    made->surface.build(std::move(usable.positions));
-    made->source = std::move(usable.source);
-    surface_ = made;
-  }
-  const CutterLocator locator(surface_->surface, CutterProfile(cutter_), options_);
+  if (const Status status = makeLocationSurface(); !status.ok())
+    return status;
+  const CutterLocator locator(*location_surface_, CutterProfile(cutter_), options_);
   const bool bisected = path_tolerance_ > 0.0;
-  const auto inPart = [&](double begin, double end) { // progress of a part of the whole
-    return ProgressCallback([this, begin, end](double share, const std::string& stage) {
-      return !progress_ || progress_(begin + share * (end - begin), stage);
-    });
-  };
   ToolLocations locations;
-  if (const Status status = locator.locate(drive_points_, inPart(0.0, bisected ? 0.5 : 1.0), locations); !status.ok())
+  if (const Status status = locator.locate(drive_points_, partOf(progress_, 0.0, bisected ? 0.5 : 1.0), locations); !status.ok())
     return status;
   std::vector<ToolLocations> located = inPasses(locations);
   if (bisected) {
     BisectionSettings settings;
     settings.tolerance = path_tolerance_;
-    if (const Status status = bisectLocations(locator, settings, inPart(0.5, 1.0), located, bisection_figures_);
+    if (const Status status = bisectLocations(locator, settings, partOf(progress_, 0.5, 1.0), located, bisection_figures_);
         !status.ok())
       return status;
     locations.clear();
@@ -118,12 +125,6 @@ CutterLocation<PointT>::run(std::vector<ToolLocations>& passes)
   }
   figures_ = locator.figures(locations);
   passes = std::move(located);
-  for (ToolLocations& pass : passes)
-    for (ToolLocation& location : pass)
-      if (location.state != LocationState::NoCloud) {
-        location.cloud_index = surface_->source[location.cloud_index];
-        location.collision.cloud_index = surface_->source[location.collision.cloud_index];
-      }
   return Status::success();
 }
 
@@ -158,10 +159,9 @@ CutterLocation<PointT>::compute(std::vector<ToolLocations>& passes)
   passes.clear();
   figures_ = LocationFigures();
   bisection_figures_ = BisectionFigures();
-  surface_.reset();
-  status_ = run(passes);
-  if (!status_.ok() && status_.code() != StatusCode::Cancelled)
-    PCL_ERROR("[pcl_spiral::CutterLocation::compute] %s.\n", status_.message().c_str());
+  location_surface_.reset();
+  this->status_ = run(passes);
+  this->tellFailure("CutterLocation");
 }
 
 } // namespace pcl_spiral

@@ -1,57 +1,160 @@
 /** \file
- *  SpiralToolpathGenerator: the PCL side. The work is SpiralPlanner's.
+ *  SpiralToolpathGenerator: the chain of stages.
  */
 #pragma once
 
+#include <pcl_spiral/common/message.h>
 #include <pcl_spiral/common/thread_limit.h>
-#include <pcl_spiral/search/usable_points.h>
-#include <pcl_spiral/toolpath/spiral_planner.h>
+#include <pcl_spiral/common/toolpath_fields.h>
+#include <pcl_spiral/features/boundary_loops.h>
+#include <pcl_spiral/spiral/settings_check.h>
+#include <pcl_spiral/spiral/spiral_reports.h>
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
+#include <pcl_spiral/toolpath/path_size.h>
+#include <pcl_spiral/toolpath/radial_lines.h>
 #include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
 
-#include <pcl/console/print.h>
-#include <pcl/impl/pcl_base.hpp>
-
 #include <cstdint>
+#include <utility>
 
 namespace pcl_spiral {
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
-SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::collect(std::vector<Eigen::Vector3f>& points,
-                                                               std::vector<Eigen::Vector3f>& normals)
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeSurface(Surface::ConstPtr& surface)
 {
-  if (!this->input_)
-    return {StatusCode::InvalidInput, "no input cloud: call setInputCloud"};
-  const auto& cloud = *this->input_;
-  if (cloud.empty())
-    return {StatusCode::InvalidInput, "the input cloud is empty: check the file or the filters before this one"};
-  if (normals_ && normals_->size() != cloud.size())
-    return {StatusCode::InvalidArgument, "the cloud has " + std::to_string(cloud.size()) + " points but " +
-                                             std::to_string(normals_->size()) + " normals were given; one a point"};
-  if (const Status status = checkIndices(this->indices_.get(), cloud.size()); !status.ok())
+  SurfaceSettings asked = this->scanned_.getSettings();
+  asked.view_point = settings_.view_point;
+  asked.flip_normals = settings_.flip_normals;
+  asked.largest_part = settings_.largest_part;
+  asked.thinning = settings_.thinning;
+  asked.outlier_neighbours = settings_.outlier_neighbours;
+  asked.outlier_deviations = settings_.outlier_deviations;
+  this->scanned_.setSettings(asked);
+  this->scanned_.setNumberOfThreads(settings_.threads);
+  if (const Status status = this->prepareSurface(surface, partOf(progress_, 0.0, 0.25)); !status.ok())
     return status;
-  UsablePoints usable = usablePoints(cloud, this->indices_.get());
-  report_.input_points = usable.asked_for;
-  report_.nonfinite_points = usable.nonfinite;
-  report_.duplicate_points = usable.duplicates;
-  if (settings_.outlier_neighbours > 0)
-    report_.outlier_points =
-        usable.keep(statisticalInliers(usable.positions, settings_.outlier_neighbours, settings_.outlier_deviations));
-  if (settings_.thinning > 0.0) {
-    const auto kept = voxelRepresentatives(usable.positions, settings_.thinning);
-    if (kept.empty() && !usable.source.empty())
-      return {StatusCode::InvalidArgument, "the thinning edge " + std::to_string(settings_.thinning) +
-                                               " mm is too small for the size of the cloud: raise it, or check the units"};
-    usable.keep(kept);
+  reportSurface(*surface, !this->given_surface_, report_);
+  return checkScale(*surface, settings_, report_.warnings);
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLoops(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops)
+{
+  loops = given_loops_;
+  if (loops.empty()) {
+    BoundaryLoops<PointInT, PointNT> boundaries;
+    boundaries.setInputSurface(surface);
+    boundaries.setNumberOfThreads(settings_.threads);
+    boundaries.setProgressCallback(partOf(progress_, 0.1, 0.35)); // begins where its own surface would be made
+    boundaries.setQuiet(true);
+    boundaries.compute(loops);
+    if (!boundaries.getStatus().ok())
+      return boundaries.getStatus();
   }
-  if (normals_)
-    normals = normalsOf(*normals_, usable.source);
-  points = std::move(usable.positions);
-  report_.used_points = points.size();
-  if (points.empty())
-    return {StatusCode::InvalidInput, "none of the " + std::to_string(report_.input_points) +
-                                          " points is finite: check the scan or the file's columns"};
+  BridgedSurface bridged;
+  if (const Status status = bridgeGaps(std::move(surface), loops, settings_.boundary_mode, settings_.gaps,
+                                       partOf(progress_, 0.35, 0.4), bridged);
+      !status.ok())
+    return status;
+  reportLoops(bridged, settings_, report_);
+  surface = std::move(bridged.surface);
+  loops = std::move(bridged.loops);
   return Status::success();
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLines(const Surface::ConstPtr& surface,
+                                                                 const std::vector<BoundaryLoop>& loops, RadialLineSet& lines)
+{
+  RadialLines<PointInT, PointNT> radial;
+  radial.setInputSurface(surface);
+  radial.setBoundaryLoops(loops);
+  if (settings_.centre)
+    radial.setCenter(*settings_.centre);
+  if (settings_.start_point)
+    radial.setStartPoint(*settings_.start_point);
+  radial.setLineMethod(settings_.lines);
+  radial.setTolerance(lineTolerance(settings_));
+  radial.setFitTolerance(lineFitTolerance(settings_));
+  radial.setNumberOfThreads(settings_.threads);
+  radial.setProgressCallback(partOf(progress_, 0.2, 0.6));
+  radial.setQuiet(true);
+  radial.compute(lines);
+  return radial.getStatus();
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstPtr& surface, StageClock& clock,
+                                                                 SpiralTurns& turns)
+{
+  RadialLineSet lines;
+  if (given_lines_) {
+    if (const Status status = checkLines(*given_lines_, surface->spacing()); !status.ok())
+      return status;
+    report_.loops = given_loops_;
+  }
+  else {
+    std::vector<BoundaryLoop> loops;
+    if (const Status status = makeLoops(surface, loops); !status.ok())
+      return status;
+    clock.end("boundaries");
+    if (const Status status = makeLines(surface, loops, lines); !status.ok())
+      return status;
+  }
+  const RadialLineSet& used = given_lines_ ? *given_lines_ : lines;
+  reportLines(used, settings_, report_);
+  const double area = surfaceArea(surface->graph());
+  dropTriangulation(surface); // the projection looks at neighbourhoods alone
+  clock.end("radial lines");
+  if (progress_ && !progress_(0.6, "spiral"))
+    return {StatusCode::Cancelled, "cancelled"};
+  const Status status = makeTurns(used, surface->spacing(), area, settings_, turns);
+  reportTurns(turns, report_);
+  clock.end("spiral");
+  return status;
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, SpiralPath& path)
+{
+  if (const Status status = checkSettings(settings_); !status.ok())
+    return status;
+  const ThreadLimit limit(settings_.threads);
+  Surface::ConstPtr surface;
+  if (const Status status = makeSurface(surface); !status.ok())
+    return status;
+  clock.end("surface");
+  GapFigures gaps;
+  {
+    SpiralTurns turns;
+    if (const Status status = makeCurve(surface, clock, turns); !status.ok())
+      return status;
+    if (const Status status = putOnSurface(turns.curve, *surface, settings_, turns.largest_allowed_step,
+                                           partOf(progress_, 0.65, 0.9), path, gaps);
+        !status.ok())
+      return status;
+  }
+  surface.reset();
+  clock.end("projection");
+  const Status cancelled(StatusCode::Cancelled, "cancelled");
+  if (progress_ && !progress_(0.9, "tool axis"))
+    return cancelled;
+  AxisFigures axes;
+  if (const Status status = setToolAxes(settings_, path, axes, report_.warnings); !status.ok())
+    return status;
+  PathFigures figures;
+  const Status checked =
+      checkPath(path, settings_, report_.largest_allowed_step, partOf(progress_, 0.96, 1.0), figures);
+  reportPath(gaps, axes, figures, report_);
+  clock.end("tool axis");
+  if (checked.ok() && progress_ && !progress_(1.0, "done"))
+    return cancelled;
+  return checked;
 }
 
 template <typename PointInT, typename PointNT, typename PointOutT>
@@ -60,34 +163,21 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::compute(pcl::PointCloud<P
 {
   path.clear();
   report_ = SpiralReport();
-  status_ = checkSettings(settings_);
-  const ThreadLimit limit(settings_.threads);
   StageClock clock(report_.stages);
-  std::vector<Eigen::Vector3f> points, normals;
-  if (status_.ok())
-    status_ = collect(points, normals);
-  clock.end("points");
   SpiralPath spiral;
-  if (status_.ok())
-    status_ = SpiralPlanner(settings_, progress_, report_, clock).plan(std::move(points), std::move(normals), spiral);
-  if (!status_.ok()) {
-    if (status_.code() != StatusCode::Cancelled)
-      PCL_ERROR("[pcl_spiral::SpiralToolpathGenerator::compute] %s\n", status_.message().c_str());
+  this->status_ = run(clock, spiral);
+  this->tellFailure("SpiralToolpathGenerator");
+  if (!this->status_.ok())
     return;
-  }
+  const ThreadLimit limit(settings_.threads);
   path.resize(spiral.contacts.size());
   const auto count = static_cast<std::int64_t>(path.size());
 #pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < count; ++i) {
-    PointOutT& p = path[i];
-    p.getVector3fMap() = spiral.contacts[i].template cast<float>();
-    p.getNormalVector3fMap() = spiral.normals[i].template cast<float>();
-    p.getAxisVector3fMap() = spiral.axes[i];
-    p.arc_length = spiral.arc_lengths[i];
-    p.turn = spiral.turns[i];
-    p.over_gap = spiral.over_gap[i];
-  }
-  path.header = this->input_->header;
+  for (std::int64_t i = 0; i < count; ++i)
+    ToolpathFields<PointOutT>::set(path[i], spiral.contacts[i], spiral.normals[i], spiral.axes[i], spiral.arc_lengths[i],
+                                   spiral.turns[i], spiral.over_gap[i] != 0);
+  if (this->input_)
+    path.header = this->input_->header;
   path.is_dense = true;
   clock.end("path");
 }

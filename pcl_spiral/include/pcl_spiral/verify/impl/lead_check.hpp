@@ -19,7 +19,7 @@ LeadCheck<PointT>::check() const
 {
   if (!input_ || input_->empty())
     return {StatusCode::InvalidInput, "the input cloud is missing or empty; call setInputCloud with points"};
-  if (const Status status = checkIndices(indices_.get(), input_->size()); !status.ok())
+  if (const Status status = checkIndices(this->fake_indices_ ? nullptr : indices_.get(), input_->size()); !status.ok())
     return status;
   for (const std::string& fault : {faultOf(cutter_), faultOf(holder_)})
     if (!fault.empty())
@@ -29,9 +29,6 @@ LeadCheck<PointT>::check() const
             textOf("the holder's clearance is ", holder_clearance_, " mm; set it to 0 or more")};
   if (!(tolerance_ > 0.0) || !std::isfinite(tolerance_))
     return {StatusCode::InvalidArgument, textOf("the tolerance is ", tolerance_, " mm; set it above 0")};
-  if (thread_count_ < 0)
-    return {StatusCode::InvalidArgument,
-            textOf("the number of threads is ", thread_count_, "; set 0 for all, or a count")};
   return Status::success();
 }
 

@@ -12,30 +12,35 @@ void
 MaterialRemoval<PointT>::write(const RemovalHeights& heights, pcl::PointCloud<pcl::PointXYZI>& output)
 {
   constexpr float none = std::numeric_limits<float>::quiet_NaN();
-  const auto& cloud = *this->input_;
-  std::vector<float> stock(cloud.size(), none), ridge(cloud.size(), none);
+  const Surface& surface = this->reference_->scanned();
+  const std::size_t size = this->input_ ? this->input_->size() : surface.inputSize();
+  std::vector<float> stock(size, none), ridge(size, none);
+  std::vector<Eigen::Vector3f> places(this->input_ ? 0 : size, Eigen::Vector3f::Constant(none));
   for (std::size_t i = 0; i < heights.stock.size(); ++i) {
-    const std::uint32_t at = this->surface_->cloudIndex(i);
-    if (at >= cloud.size()) // the surface given is another cloud's
+    const std::uint32_t at = surface.sourceIndex(i);
+    if (at >= size) // put into a gap, or the surface given is another cloud's
       continue;
     stock[at] = heights.stock[i];
     ridge[at] = heights.ridge[i];
+    if (!this->input_)
+      places[at] = surface.graph().blocks().point(i);
   }
   const auto add = [&](std::size_t i) {
     pcl::PointXYZI point;
-    point.getVector3fMap() = cloud[i].getVector3fMap();
+    point.getVector3fMap() = this->input_ ? Eigen::Vector3f((*this->input_)[i].getVector3fMap()) : places[i];
     point.intensity = stock[i];
     output.push_back(point);
     ridge_heights_.push_back(ridge[i]);
   };
-  if (this->indices_)
+  if (this->input_ && this->givenIndices())
     for (const auto i : *this->indices_)
       add(static_cast<std::size_t>(i));
   else
-    for (std::size_t i = 0; i < cloud.size(); ++i)
+    for (std::size_t i = 0; i < size; ++i)
       add(i);
-  output.header = cloud.header;
-  output.is_dense = cloud.is_dense;
+  if (this->input_)
+    output.header = this->input_->header;
+  output.is_dense = this->input_ && this->input_->is_dense;
 }
 
 template <typename PointT>
@@ -45,21 +50,19 @@ MaterialRemoval<PointT>::compute(pcl::PointCloud<pcl::PointXYZI>& output)
   output.clear();
   ridge_heights_.clear();
   figures_ = RemovalFigures();
-  const ThreadLimit limit(this->thread_count_);
+  const ThreadLimit limit(this->getNumberOfThreads());
   CutterPath path;
   RemovalHeights heights;
   this->status_ = this->prepare(path);
   if (this->status_.ok()) {
     const BallSweep ball(path.contacts, path.normals, tool_radius_);
     const RemovalSettings settings{tool_radius_, scallop_height_, this->chord_error_, reach_};
-    this->status_ = measureRemovedMaterial(this->surface_->surface, path, ball, settings, this->progress_, heights,
+    this->status_ = measureRemovedMaterial(*this->reference_, path, ball, settings, this->progress_, heights,
                                            figures_);
   }
-  if (!this->status_.ok()) {
-    if (this->status_.code() != StatusCode::Cancelled)
-      PCL_ERROR("[pcl_spiral::MaterialRemoval::compute] %s\n", this->status_.message().c_str());
+  this->tellFailure("MaterialRemoval");
+  if (!this->status_.ok())
     return;
-  }
   write(heights, output);
 }
 

@@ -1,7 +1,9 @@
-#include <pcl_spiral/toolpath/spiral_planner.h>
+#include <pcl_spiral/spiral/settings_check.h>
 
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/toolpath/path_size.h>
+#include <pcl_spiral/toolpath/scan_warnings.h>
 
 #include <cmath>
 
@@ -48,12 +50,28 @@ checkSettings(const SpiralSettings& s)
   if (s.outlier_neighbours < 0 || !(s.outlier_deviations > 0.0))
     return refused("the outlier filter's neighbours", s.outlier_neighbours,
                    "give a count of 0 (none) or more, and a threshold above 0 standard deviations");
-  if (s.threads < 0 || s.threads > most_threads)
+  if (s.threads > most_threads)
     return refused("the number of threads", s.threads, "give 0 for all, or a count up to 256");
   for (const auto* point : {&s.centre, &s.start_point, &s.view_point})
     if (*point && !(*point)->allFinite())
       return refused("a given point", placeText(**point), "its coordinates must be finite");
   return Status::success();
+}
+
+Status
+checkScale(const Surface& surface, const SpiralSettings& settings, std::vector<std::string>& warnings)
+{
+  constexpr double hopeless = 10.0; // times the most path points that the area alone may ask for
+  const SurfaceGraph& graph = surface.graph();
+  const double across = graph.blocks().box().diagonal();
+  if (across < settings.tool_radius)
+    return {StatusCode::InvalidInput,
+            textOf("the whole scan is ", across, " mm across, less than the tool radius ", settings.tool_radius,
+                   " mm: is the scan in metres or inches? Scale it to mm")};
+  const double area = surfaceArea(graph);
+  for (const std::string& warning : scanWarnings(graph, settings))
+    warnings.push_back(warning);
+  return checkPathSize(roughPathSize(area, settings), area, settings, hopeless * most_path_points);
 }
 
 } // namespace pcl_spiral

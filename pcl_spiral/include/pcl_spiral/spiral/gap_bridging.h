@@ -1,0 +1,95 @@
+/** \file
+ *  Gaps of a scan bridged by smooth patches.
+ */
+#pragma once
+
+#include <pcl_spiral/features/boundary_loop.h>
+#include <pcl_spiral/surface/surface_input.h>
+#include <pcl_spiral/toolpath/spiral_settings.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A gap, and what was put into it. */
+struct BridgedGap {
+  BoundaryLoop loop;       ///< the gap's boundary, of type ScanGap
+  std::size_t points = 0;  ///< put into it; 0 where it is too narrow to be filled and paths run over it as it is
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double width = 0.0;      ///< its largest extent, mm
+  double residual = 0.0;   ///< rms distance of the points about it from the patch, mm
+};
+
+/** A surface with its gaps bridged, and what was guessed for that. */
+struct BridgedSurface {
+  Surface::ConstPtr surface;       ///< the one given where there is nothing to bridge
+  std::vector<BoundaryLoop> loops; ///< the rim (Outer), the hole that is kept if any (Inner), gaps that were not filled (ScanGap)
+  std::vector<BridgedGap> gaps;
+  std::vector<std::string> warnings; ///< one a gap
+};
+
+/** Bridge all holes of a surface but the one that BoundaryMode keeps as second boundary. \p surface is given up before a new
+ *  one is made. Fails where chooseBoundaries does, and on a gap with GapHandling::Refuse. */
+Status
+bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, BoundaryMode mode, GapHandling handling,
+           const ProgressCallback& progress, BridgedSurface& bridged);
+
+/** Bridges gaps in the data: every hole that is no boundary of the part is filled with points of a bicubic patch fitted to the
+ *  surface about it, and the boundaries are found again. What was put in is a guess: Surface::isGuessed tells it, and
+ *  paths over it are marked.
+ *
+ *  Takes a cloud or a surface, see SurfaceInput, and its loops; gives a new surface and its loops for RadialLines and
+ *  SpiralToolpathGenerator. Where there is nothing to bridge both are those given. Lengths in mm.
+ */
+template <typename PointT, typename PointNT = pcl::Normal>
+class GapBridging : public SurfaceInput<pcl::PCLBase<PointT>, PointT, PointNT> {
+public:
+  using Ptr = pcl::shared_ptr<GapBridging>;
+  using ConstPtr = pcl::shared_ptr<const GapBridging>;
+
+  /** The surface's loops, as BoundaryLoops gives them. None, the default: they are found. */
+  void setBoundaryLoops(const std::vector<BoundaryLoop>& loops) { given_loops_ = loops; }
+  const std::vector<BoundaryLoop>& getBoundaryLoops() const { return given_loops_; }
+
+  /** Which hole is a boundary of the part and stays: Automatic (the default) a single real one, TwoBoundaries the longest,
+   *  OneBoundary none. */
+  void setBoundaryMode(BoundaryMode mode) { mode_ = mode; }
+  BoundaryMode getBoundaryMode() const { return mode_; }
+
+  /** Bridge gaps, the default, or refuse a surface that has some. */
+  void setGapHandling(GapHandling handling) { handling_ = handling; }
+  GapHandling getGapHandling() const { return handling_; }
+
+  /** Called with the share done; returning false cancels. */
+  void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
+
+  /** Bridge. On failure \p surface is null and \p loops is empty; see getStatus. */
+  void compute(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops);
+  /** The same with what was guessed, by value. */
+  void compute(BridgedSurface& bridged);
+
+  /** What the last compute put into each gap. */
+  const std::vector<BridgedGap>& getGaps() const { return gaps_; }
+  const std::vector<std::string>& getWarnings() const { return warnings_; }
+
+private:
+  Status run(BridgedSurface& bridged);
+
+  std::vector<BoundaryLoop> given_loops_;
+  BoundaryMode mode_ = BoundaryMode::Automatic;
+  GapHandling handling_ = GapHandling::Bridge;
+  ProgressCallback progress_;
+  std::vector<BridgedGap> gaps_;
+  std::vector<std::string> warnings_;
+};
+
+} // namespace pcl_spiral
+
+#include <pcl_spiral/spiral/impl/gap_bridging.hpp>
+
+namespace pcl_spiral {
+extern template class GapBridging<pcl::PointXYZ>;
+extern template class GapBridging<pcl::PointXYZRGB>;
+extern template class GapBridging<pcl::PointNormal>;
+} // namespace pcl_spiral

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/features/surface_boundary.h>
+#include <pcl_spiral/spiral/gap_bridging.h>
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
+
+#include <utility>
+
+namespace pcl_spiral {
+
+template <typename PointT, typename PointNT>
+Status
+GapBridging<PointT, PointNT>::run(BridgedSurface& bridged)
+{
+  const ThreadLimit limit(this->getNumberOfThreads());
+  Surface::ConstPtr surface;
+  if (const Status status = this->prepareSurface(surface, partOf(progress_, 0.0, 0.5)); !status.ok())
+    return status;
+  std::vector<BoundaryLoop> loops = given_loops_;
+  BoundaryOptions options;
+  options.progress = partOf(progress_, 0.5, 0.75, "boundaries");
+  if (loops.empty())
+    if (const Status status = findBoundaryLoops(*surface, options, loops); !status.ok())
+      return status;
+  return bridgeGaps(std::move(surface), loops, mode_, handling_, partOf(progress_, 0.75, 1.0), bridged);
+}
+
+template <typename PointT, typename PointNT>
+void
+GapBridging<PointT, PointNT>::compute(BridgedSurface& bridged)
+{
+  bridged = BridgedSurface();
+  this->status_ = run(bridged);
+  if (!this->status_.ok())
+    bridged = BridgedSurface();
+  this->tellFailure("GapBridging");
+  gaps_ = bridged.gaps;
+  warnings_ = bridged.warnings;
+}
+
+template <typename PointT, typename PointNT>
+void
+GapBridging<PointT, PointNT>::compute(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops)
+{
+  BridgedSurface bridged;
+  compute(bridged);
+  surface = bridged.surface;
+  loops = std::move(bridged.loops);
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,39 @@
+/** \file
+ *  What each stage adds to the report of a spiral.
+ */
+#pragma once
+
+#include <pcl_spiral/spiral/gap_bridging.h>
+#include <pcl_spiral/spiral/spiral_path.h>
+#include <pcl_spiral/spiral/spiral_turns.h>
+#include <pcl_spiral/toolpath/spiral_report.h>
+
+namespace pcl_spiral {
+
+/** Allowed error of a turn between radial lines, mm: a fiftieth of the step-over on a plane. */
+double
+lineTolerance(const SpiralSettings& settings);
+
+/** Allowed distance of a radial line's B-spline from its points, mm. */
+double
+lineFitTolerance(const SpiralSettings& settings);
+
+/** Points, spacing, noise and warnings of the surface; \p made: for this path, rather than given. */
+void
+reportSurface(const Surface& surface, bool made, SpiralReport& report);
+
+/** Loops and bridged gaps, and what the scan's noise means for the scallop height. */
+void
+reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, SpiralReport& report);
+
+/** Lines, with warnings of what did not settle. */
+void
+reportLines(const RadialLineSet& lines, const SpiralSettings& settings, SpiralReport& report);
+
+void
+reportTurns(const SpiralTurns& turns, SpiralReport& report);
+
+void
+reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& path, SpiralReport& report);
+
+} // namespace pcl_spiral

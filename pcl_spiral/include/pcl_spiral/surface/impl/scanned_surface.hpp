@@ -1,0 +1,154 @@
+#pragma once
+
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/search/usable_points.h>
+#include <pcl_spiral/surface/scanned_surface.h>
+
+#include <pcl/console/print.h>
+#include <pcl/impl/pcl_base.hpp> // for point types that PCL has not compiled
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pcl_spiral {
+
+template <typename PointT, typename PointNT>
+Status
+ScannedSurface<PointT, PointNT>::check() const
+{
+  if (!this->input_ || this->input_->empty())
+    return {StatusCode::InvalidInput, "the input cloud is missing or empty: call setInputCloud with points"};
+  const std::size_t size = this->input_->size();
+  if (normals_ && normals_->size() != size)
+    return {StatusCode::InvalidInput, textOf("there are ", normals_->size(), " normals for ", size,
+                                             " points: call setInputNormals with one a point, or with none")};
+  if (settings_.outlier_neighbours < 0 || !(settings_.outlier_deviations > 0.0))
+    return {StatusCode::InvalidArgument,
+            textOf("outlier removal by ", settings_.outlier_neighbours, " neighbours and ", settings_.outlier_deviations,
+                   " standard deviations: give 1 or more neighbours (0: none), and deviations above 0")};
+  if (!(settings_.thinning >= 0.0) || !std::isfinite(settings_.thinning))
+    return {StatusCode::InvalidArgument,
+            textOf("the thinning edge is ", settings_.thinning, " mm: give a length above 0, or 0 for none")};
+  if (settings_.neighbours < 8)
+    return {StatusCode::InvalidArgument,
+            textOf("k is ", settings_.neighbours, " neighbours: set 8 or more (setKSearch); 32 is recommended")};
+  if (!(settings_.alpha >= 1.0))
+    return {StatusCode::InvalidArgument,
+            textOf("alpha is ", settings_.alpha, " spacings: below 1 the surface falls apart; 3 is usual")};
+  if (settings_.view_point && !settings_.view_point->allFinite())
+    return {StatusCode::InvalidArgument, "the view point is not finite: give the place where the scanner stood"};
+  return checkIndices(givenIndices(), size);
+}
+
+/** The statistical filter and thinning, with what they drop. */
+template <typename PointT, typename PointNT>
+Status
+ScannedSurface<PointT, PointNT>::filter(UsablePoints& usable, SurfaceCounts& counts, std::vector<std::uint32_t>& dropped,
+                                        std::vector<LeftOut>& why) const
+{
+  const auto keep = [&](const std::vector<std::uint32_t>& kept, LeftOut reason) {
+    std::size_t next = 0;
+    for (std::uint32_t i = 0; i < usable.source.size(); ++i)
+      if (next < kept.size() && kept[next] == i)
+        ++next;
+      else {
+        dropped.push_back(usable.source[i]);
+        why.push_back(reason);
+      }
+    return usable.keep(kept);
+  };
+  if (settings_.outlier_neighbours > 0)
+    counts.outlier = keep(
+        statisticalInliers(usable.positions, settings_.outlier_neighbours, settings_.outlier_deviations), LeftOut::Outlier);
+  if (settings_.thinning > 0.0) {
+    const std::vector<std::uint32_t> kept = voxelRepresentatives(usable.positions, settings_.thinning);
+    if (kept.empty() && !usable.source.empty())
+      return {StatusCode::InvalidArgument,
+              textOf("the thinning edge ", settings_.thinning,
+                     " mm is too small for the size of the cloud: raise it, or check the units")};
+    counts.thinned = keep(kept, LeftOut::Thinned);
+  }
+  return Status::success();
+}
+
+template <typename PointT, typename PointNT>
+void
+ScannedSurface<PointT, PointNT>::addLeftOut(const std::vector<std::uint32_t>& indices, const std::vector<LeftOut>& why,
+                                            LeftOutPoints& points) const
+{
+  std::vector<std::size_t> order(indices.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return indices[a] < indices[b]; });
+  for (const std::size_t i : order) {
+    points.positions.push_back((*this->input_)[indices[i]].getVector3fMap());
+    points.indices.push_back(indices[i]);
+    points.why.push_back(why[i]);
+  }
+}
+
+template <typename PointT, typename PointNT>
+Status
+ScannedSurface<PointT, PointNT>::run(Surface::ConstPtr& surface)
+{
+  const ThreadLimit limit(thread_count_);
+  if (const Status status = check(); !status.ok())
+    return status;
+  const auto going = [&](double share) { return !progress_ || progress_(share, "surface"); };
+  const Status cancelled(StatusCode::Cancelled, "cancelled");
+  if (!going(0.0))
+    return cancelled;
+  UsablePoints usable = usablePoints(*this->input_, givenIndices());
+  SurfaceCounts counts;
+  counts.input = usable.asked_for;
+  counts.nonfinite = usable.nonfinite;
+  counts.duplicate = usable.duplicates;
+  if (usable.source.empty())
+    return {StatusCode::InvalidInput, textOf("none of the ", counts.input,
+                                             " points is finite: check the scan, or the columns of its file")};
+  std::vector<std::uint32_t> dropped; // indices in the cloud
+  std::vector<LeftOut> reasons;
+  if (const Status status = filter(usable, counts, dropped, reasons); !status.ok())
+    return status;
+  if (!going(0.1))
+    return cancelled;
+  SurfacePoints points;
+  if (normals_)
+    points.normals = normalsOf(*normals_, usable.source);
+  points.positions = std::move(usable.positions);
+  const bool all = usable.source.size() == this->input_->size() && !givenIndices();
+  if (all)
+    std::vector<std::uint32_t>().swap(usable.source);
+  points.source = usable.source;
+  Surface::Parts parts;
+  std::vector<std::int8_t> why;
+  if (const Status status = makeSurface(std::move(points), settings_, counts, parts, why); !status.ok())
+    return status;
+  for (std::uint32_t i = 0; i < why.size(); ++i)
+    if (why[i] >= 0) {
+      dropped.push_back(all ? i : usable.source[i]);
+      reasons.push_back(static_cast<LeftOut>(why[i]));
+    }
+  addLeftOut(dropped, reasons, parts.left_out);
+  parts.input_size = this->input_->size();
+  const auto made = std::make_shared<Surface>(std::move(parts));
+  if (const Status status = settings_.strict ? checkSingleSheet(*made) : Status::success(); !status.ok())
+    return status;
+  if (!going(1.0))
+    return cancelled;
+  surface = made;
+  return Status::success();
+}
+
+template <typename PointT, typename PointNT>
+void
+ScannedSurface<PointT, PointNT>::compute(Surface::ConstPtr& surface)
+{
+  surface.reset();
+  status_ = run(surface);
+  if (!quiet_ && !status_.ok() && status_.code() != StatusCode::Cancelled)
+    PCL_ERROR("[pcl_spiral::ScannedSurface::compute] %s\n", status_.message().c_str());
+}
+
+} // namespace pcl_spiral

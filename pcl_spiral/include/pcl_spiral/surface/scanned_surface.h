@@ -1,0 +1,133 @@
+/** \file
+ *  From a scan to the surface that every stage works on.
+ */
+#pragma once
+
+#include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/surface/surface.h>
+
+#include <pcl/pcl_base.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+namespace pcl_spiral {
+
+struct UsablePoints;
+
+/** Cleans, orients and thins a scan, and keeps its largest part: the one place where that is done.
+ *
+ *  Left out are points that are not finite and exact repetitions, always; statistical outliers and thinned points, when
+ *  asked; points that stand alone off the surface, specks apart from it, and where points lie much closer one way than the
+ *  other, the surplus. Points are never moved. Normals are found by PCA and oriented out of the material, the side the cutter
+ *  is on: the side the input normals face as a whole, else the view point, else +z, else the convex side (with a warning).
+ *
+ *  setIndices: only those points take part; the others neither serve as support nor are left out. Stages make the same surface
+ *  by the same rules from a cloud given to them; make it once and hand it to all (setInputSurface) to spare the time.
+ *  The result does not depend on the order of the cloud nor on the number of threads. Lengths in mm.
+ *  \code
+ *  pcl_spiral::ScannedSurface<pcl::PointXYZ> scanned;
+ *  scanned.setInputCloud(scan);
+ *  pcl_spiral::Surface::ConstPtr surface;
+ *  scanned.compute(surface); // null on failure: scanned.getStatus() says why
+ *  \endcode
+ */
+template <typename PointT, typename PointNT = pcl::Normal>
+class ScannedSurface : public pcl::PCLBase<PointT> {
+public:
+  using Ptr = pcl::shared_ptr<ScannedSurface>;
+  using ConstPtr = pcl::shared_ptr<const ScannedSurface>;
+  using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
+
+  /** Normals of the input, one a point, out of the material: they tell the side alone. Null, the default: none. */
+  void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
+  NormalsConstPtr getInputNormals() const { return normals_; }
+
+  /** Where the scanner stood: normals face it. Without it they face +z as a whole. */
+  void setViewPoint(const Eigen::Vector3d& point) { settings_.view_point = point; }
+  const std::optional<Eigen::Vector3d>& getViewPoint() const { return settings_.view_point; }
+  void clearViewPoint() { settings_.view_point.reset(); }
+
+  /** Turn all normals to the other side. */
+  void setFlipNormals(bool flip) { settings_.flip_normals = flip; }
+  bool getFlipNormals() const { return settings_.flip_normals; }
+
+  /** Of several separate parts keep the one of the largest area alone. Without it, the default, all stay, and stages that
+   *  need a single part refuse the surface; specks go either way. */
+  void setLargestPart(bool alone) { settings_.largest_part = alone; }
+  bool getLargestPart() const { return settings_.largest_part; }
+
+  /** Keep one point of each voxel of this edge, the one nearest to the voxel's centroid; 0, the default: all. */
+  void setThinning(double voxel_edge) { settings_.thinning = voxel_edge; }
+  double getThinning() const { return settings_.thinning; }
+
+  /** Drop points whose mean distance to their \p neighbours nearest is more than \p deviations standard deviations above
+   *  the mean, as pcl::StatisticalOutlierRemoval. 0 neighbours, the default: none. */
+  void
+  setOutlierRemoval(int neighbours, double deviations = 3.0)
+  {
+    settings_.outlier_neighbours = neighbours;
+    settings_.outlier_deviations = deviations;
+  }
+  int getOutlierNeighbours() const { return settings_.outlier_neighbours; }
+  double getOutlierDeviations() const { return settings_.outlier_deviations; }
+
+  /** Neighbours of a point to start with, 8 or more; 32 by default, doubled as long as scan lines stand too far apart. */
+  void setKSearch(int neighbours) { settings_.neighbours = neighbours; }
+  int getKSearch() const { return settings_.neighbours; }
+
+  /** Largest circle free of points that still counts as surface: its radius in spacings, 1 or more; 3 by default. */
+  void setAlpha(double spacings) { settings_.alpha = spacings; }
+  double getAlpha() const { return settings_.alpha; }
+
+  /** Refuse what is no single sheet (points that scatter by more than 0.35 spacings about their fit) or hangs together badly
+   *  (more than a tenth of the points alone); true by default. */
+  void setStrict(bool strict) { settings_.strict = strict; }
+  bool getStrict() const { return settings_.strict; }
+
+  /** All of the above at once. */
+  void setSettings(const SurfaceSettings& settings) { settings_ = settings; }
+  const SurfaceSettings& getSettings() const { return settings_; }
+
+  /** Threads to use; 0, the default, means all. The output does not depend on it. */
+  void setNumberOfThreads(unsigned int threads = 0) { thread_count_ = threads; }
+  unsigned int getNumberOfThreads() const { return thread_count_; }
+
+  /** Whether compute leaves the console alone where it fails; false by default. The status is the same. */
+  void setQuiet(bool quiet) { quiet_ = quiet; }
+  bool getQuiet() const { return quiet_; }
+
+  /** Called with the share done; returning false cancels. */
+  void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
+
+  /** Make the surface. \p surface is null on failure: no cloud, no finite point, a setting or index out of range, normals of
+   *  another number, fewer than 50 points left, no surface in them, no single sheet, or cancelled. */
+  void compute(Surface::ConstPtr& surface);
+
+  const Status& getStatus() const { return status_; }
+
+private:
+  Status check() const;
+  Status filter(UsablePoints& usable, SurfaceCounts& counts, std::vector<std::uint32_t>& dropped,
+                std::vector<LeftOut>& why) const;
+  Status run(Surface::ConstPtr& surface);
+  void addLeftOut(const std::vector<std::uint32_t>& indices, const std::vector<LeftOut>& why, LeftOutPoints& points) const;
+  const pcl::Indices* givenIndices() const { return this->fake_indices_ ? nullptr : this->indices_.get(); }
+
+  NormalsConstPtr normals_;
+  SurfaceSettings settings_;
+  unsigned int thread_count_ = 0;
+  bool quiet_ = false;
+  ProgressCallback progress_;
+  Status status_;
+};
+
+} // namespace pcl_spiral
+
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
+
+namespace pcl_spiral {
+extern template class ScannedSurface<pcl::PointXYZ>;
+extern template class ScannedSurface<pcl::PointXYZRGB>;
+extern template class ScannedSurface<pcl::PointXYZI>;
+extern template class ScannedSurface<pcl::PointNormal>;
+} // namespace pcl_spiral

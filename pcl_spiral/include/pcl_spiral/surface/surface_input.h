@@ -1,0 +1,103 @@
+/** \file
+ *  What the stages that work on a surface have in common: where it comes from.
+ */
+#pragma once
+
+#include <pcl_spiral/surface/scanned_surface.h>
+
+#include <pcl/console/print.h>
+
+#include <string>
+
+namespace pcl_spiral {
+
+/** Takes a cloud, of which ScannedSurface makes the surface at every compute, or a Surface that is there already. What is set
+ *  last counts: setInputCloud forgets the surface.
+ *
+ *  Base of BoundaryLoops, GapBridging, GeodesicPath, RadialLines, MLSProjector, SpiralToolpathGenerator, CutterLocation,
+ *  DrivePath and of the classes that judge. \p BaseT is the PCL class that each stands in for.
+ *  setIndices: only those points of the cloud take part, as in ScannedSurface.
+ */
+template <typename BaseT, typename PointT, typename PointNT = pcl::Normal>
+class SurfaceInput : public BaseT {
+public:
+  using CloudConstPtr = typename pcl::PointCloud<PointT>::ConstPtr;
+  using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
+
+  void
+  setInputCloud(const CloudConstPtr& cloud) override
+  {
+    BaseT::setInputCloud(cloud);
+    given_surface_.reset();
+  }
+
+  /** Work on this surface, made by ScannedSurface or by another stage. The settings below that belong to making it must be
+   *  at their defaults, or as the surface was made. */
+  void setInputSurface(const Surface::ConstPtr& surface) { given_surface_ = surface; }
+  Surface::ConstPtr getInputSurface() const { return given_surface_; }
+
+  /** Normals of the input cloud, one a point, out of the material: they tell the side alone. Without them the view point
+   *  tells it, or +z. \see ScannedSurface */
+  void setInputNormals(const NormalsConstPtr& normals) { scanned_.setInputNormals(normals); }
+  NormalsConstPtr getInputNormals() const { return scanned_.getInputNormals(); }
+
+  /** Where the scanner stood: normals face it. Without it they face +z as a whole. */
+  void setViewPoint(const Eigen::Vector3d& point) { scanned_.setViewPoint(point); }
+  const std::optional<Eigen::Vector3d>& getViewPoint() const { return scanned_.getViewPoint(); }
+  void clearViewPoint() { scanned_.clearViewPoint(); }
+
+  /** Turn all normals to the other side. */
+  void setFlipNormals(bool flip) { scanned_.setFlipNormals(flip); }
+  bool getFlipNormals() const { return scanned_.getFlipNormals(); }
+
+  /** Threads to use; 0, the default, means all. The output does not depend on it. */
+  void setNumberOfThreads(unsigned int threads = 0) { scanned_.setNumberOfThreads(threads); }
+  unsigned int getNumberOfThreads() const { return scanned_.getNumberOfThreads(); }
+
+  /** Whether compute leaves the console alone where it fails; false by default. The status is the same. */
+  void setQuiet(bool quiet) { quiet_ = quiet; }
+  bool getQuiet() const { return quiet_; }
+
+  /** Outcome of the last compute. */
+  const Status& getStatus() const { return status_; }
+
+protected:
+  /** The surface given, or one made of the cloud; \p progress of the latter. */
+  Status
+  prepareSurface(Surface::ConstPtr& surface, const ProgressCallback& progress = {})
+  {
+    if (given_surface_) {
+      const std::string setter = scanned_.getInputNormals()
+                                     ? "setInputNormals"
+                                     : disagreement(scanned_.getSettings(), given_surface_->settings());
+      surface = given_surface_;
+      return setter.empty() ? Status::success()
+                            : Status(StatusCode::InvalidArgument,
+                                     setter + " was called beside setInputSurface, and the surface was made otherwise: call "
+                                              "it on the ScannedSurface, or give a cloud instead of a surface");
+    }
+    scanned_.setInputCloud(this->input_);
+    scanned_.setIndices(givenIndices());
+    scanned_.setProgressCallback(progress);
+    scanned_.setQuiet(true);
+    scanned_.compute(surface);
+    return scanned_.getStatus();
+  }
+
+  /** What failed in the last compute of \p name, on the console; nothing of what was cancelled. */
+  void
+  tellFailure(const char* name) const
+  {
+    if (!quiet_ && !status_.ok() && status_.code() != StatusCode::Cancelled)
+      PCL_ERROR("[pcl_spiral::%s::compute] %s\n", name, status_.message().c_str());
+  }
+
+  pcl::IndicesPtr givenIndices() const { return this->fake_indices_ ? nullptr : this->indices_; }
+
+  ScannedSurface<PointT, PointNT> scanned_; ///< its settings are the stage's
+  Surface::ConstPtr given_surface_;
+  bool quiet_ = false;
+  Status status_;
+};
+
+} // namespace pcl_spiral

@@ -1,0 +1,71 @@
+#include <pcl_spiral/spiral/spiral_turns.h>
+
+#include <pcl_spiral/common/message.h>
+
+#include <algorithm>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr std::size_t fewest_lines = 3;
+constexpr double farthest_end = 3.0; // spacings between a line's end and the rim
+
+template <typename... Parts>
+Status
+refused(std::size_t line, const Parts&... parts)
+{
+  return {StatusCode::InvalidInput, textOf("radial line ", line, parts...)};
+}
+
+Status
+checkLine(const RadialLineSet& set, std::size_t i)
+{
+  const RadialLine& line = set.lines[i];
+  if (line.feet.size() < 3 || line.feet.size() != set.lines[0].feet.size())
+    return refused(i, " has ", line.feet.size(), " feet and the first line ", set.lines[0].feet.size(),
+                   ": give all lines as many, three at least, at equal arc length");
+  for (std::size_t k = 0; k < line.feet.size(); ++k) {
+    const SurfaceFoot& foot = line.feet[k];
+    if (!foot.position.allFinite() || !foot.normal.allFinite())
+      return refused(i, ": foot ", k, " is not finite");
+    if (!foot.valid && k > 0 && k + 1 < line.feet.size())
+      return refused(i, " leaves the scanned surface at ", placeText(foot.position), ": put its points on the surface "
+                     "(MLSProjector), or end it there");
+  }
+  if (!(line.length() > 0.0))
+    return refused(i, " has no curve: fit one through its feet (fitBSpline)");
+  const double before = i > 0 ? set.lines[i - 1].rim_share : -1.0, turned = i > 0 ? set.lines[i - 1].turn_share : -1.0;
+  if (!(line.rim_share > before) || !(line.rim_share < 1.0) || !(line.turn_share > turned) || !(line.turn_share < 1.0) ||
+      (i == 0 && (line.rim_share != 0.0 || line.turn_share != 0.0)))
+    return refused(i, " has the shares ", line.rim_share, " of the rim and ", line.turn_share,
+                   " of a turn: both rise from 0 at the first line to below 1 at the last");
+  return Status::success();
+}
+
+} // namespace
+
+Status
+checkLines(const RadialLineSet& set, double spacing)
+{
+  if (set.lines.size() < fewest_lines)
+    return {StatusCode::InvalidInput, textOf("there are ", set.lines.size(), " radial lines: a spiral needs three at least, ",
+                                             "better a hundred")};
+  if (set.rim.size() < 3)
+    return {StatusCode::InvalidInput, "the radial lines come without a rim: give the closed outline that they end on"};
+  for (std::size_t i = 0; i < set.lines.size(); ++i)
+    if (const Status status = checkLine(set, i); !status.ok())
+      return status;
+  for (const auto& [loop, corners] : {std::pair(&set.rim, &set.rim_corners), std::pair(&set.inner, &set.inner_corners)})
+    for (const std::size_t corner : *corners)
+      if (corner >= loop->size())
+        return {StatusCode::InvalidInput, textOf("the radial lines name corner ", corner, " of a boundary of ", loop->size(),
+                                                 " points")};
+  const double off = (set.lines[0].feet.back().position - set.rim.front()).norm();
+  if (!(off <= farthest_end * spacing))
+    return {StatusCode::InvalidInput,
+            textOf("the first radial line ends ", off, " mm from where the rim begins, ", placeText(set.rim.front()),
+                   ": turn the rim's points so that it begins there")};
+  return Status::success();
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,209 @@
+#include <pcl_spiral/spiral/spiral_path.h>
+
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/core/axis_field.h>
+#include <pcl_spiral/core/self_crossing.h>
+#include <pcl_spiral/core/tool_axis.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double gap_in_spacings = 2.7; // on random points one in 10^9 lies so far from the next
+constexpr double slack = 1.05;         // steps stretch a little when put on the surface
+constexpr std::size_t chunk = 1u << 16; // path points between progress reports
+
+double
+radians(double degrees)
+{
+  return degrees * M_PI / 180.0;
+}
+
+double
+degrees(double radians)
+{
+  return radians * 180.0 / M_PI;
+}
+
+/** Whether there is no point of the scan near, but perhaps one that was put into a gap. */
+bool
+isOverGap(const SurfaceFoot& foot, const Surface& surface)
+{
+  return foot.nearest_distance > gap_in_spacings * surface.graph().spacing(foot.nearest) || surface.isGuessed(foot.nearest);
+}
+
+/** Steps that projection stretched beyond the longest one get a point in their middle. Those beyond the slack are left for
+ *  checkPath to refuse. */
+void
+halveStretchedSteps(const Surface& surface, double longest, SpiralPath& path)
+{
+  std::vector<std::size_t> ends; // of the steps
+  std::vector<Eigen::Vector3d> queries;
+  for (std::size_t i = 1; i < path.contacts.size(); ++i) {
+    const double step = (path.contacts[i] - path.contacts[i - 1]).norm();
+    if (step > longest && step <= slack * longest) {
+      ends.push_back(i);
+      queries.push_back(0.5 * (path.contacts[i] + path.contacts[i - 1]));
+    }
+  }
+  if (ends.empty())
+    return;
+  std::vector<SurfaceFoot> feet;
+  surface.fit().project(queries, feet);
+  SpiralPath halved;
+  const auto add = [&halved](const Eigen::Vector3d& contact, const Eigen::Vector3d& normal, float turn, bool over_gap) {
+    halved.contacts.push_back(contact);
+    halved.normals.push_back(normal);
+    halved.turns.push_back(turn);
+    halved.over_gap.push_back(over_gap);
+  };
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < path.contacts.size(); ++i) {
+    if (next < ends.size() && ends[next] == i) {
+      if (feet[next].valid)
+        add(feet[next].position, feet[next].normal, 0.5f * (path.turns[i - 1] + path.turns[i]), isOverGap(feet[next], surface));
+      ++next;
+    }
+    add(path.contacts[i], path.normals[i], path.turns[i], path.over_gap[i] != 0);
+  }
+  path = std::move(halved);
+}
+
+Status
+measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& figures)
+{
+  figures = GapFigures();
+  for (std::size_t i = 0; i < path.contacts.size(); ++i) {
+    figures.points += path.over_gap[i];
+    if (i > 0 && (path.over_gap[i - 1] || path.over_gap[i]))
+      figures.length += path.arc_lengths[i] - path.arc_lengths[i - 1];
+    if (path.over_gap[i] && settings.gaps == GapHandling::Refuse)
+      return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(path.contacts[i]),
+                                               ": no point of it lies near the path there; scan it again, or allow gaps to "
+                                               "be bridged (setGapHandling)")};
+  }
+  return Status::success();
+}
+
+} // namespace
+
+Status
+putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings,
+             double longest_step, const ProgressCallback& progress, SpiralPath& path, GapFigures& figures)
+{
+  const double hollowest = -1.0 / settings.tool_radius;
+  path.contacts.resize(curve.size());
+  path.normals.resize(curve.size());
+  path.turns.resize(curve.size());
+  path.over_gap.resize(curve.size());
+  std::vector<Eigen::Vector3d> queries;
+  std::vector<SurfaceFoot> feet;
+  for (std::size_t begin = 0; begin < curve.size(); begin += chunk) {
+    const std::size_t end = std::min(curve.size(), begin + chunk);
+    const auto count = static_cast<std::int64_t>(end - begin);
+    queries.resize(end - begin);
+    for (std::int64_t i = 0; i < count; ++i)
+      queries[i] = curve[begin + i].position;
+    surface.fit().project(queries, feet);
+    std::int64_t first_bad = count;
+#pragma omp parallel for schedule(static) reduction(min : first_bad)
+    for (std::int64_t i = 0; i < count; ++i) {
+      if (!feet[i].valid || feet[i].curvature2 <= hollowest)
+        first_bad = std::min(first_bad, i);
+      path.contacts[begin + i] = feet[i].position;
+      path.normals[begin + i] = feet[i].normal;
+      path.over_gap[begin + i] = isOverGap(feet[i], surface);
+      path.turns[begin + i] = static_cast<float>(curve[begin + i].turn);
+    }
+    if (first_bad < count) {
+      const SurfaceFoot& foot = feet[first_bad];
+      const SpiralPoint& asked = curve[begin + first_bad];
+      if (!foot.valid)
+        return {StatusCode::Failed,
+                textOf("the path leaves the scanned surface at ", placeText(asked.position), " in turn ", asked.turn,
+                       ": the scan has a gap or a ragged rim there; scan it again, more densely, or cut the ragged part away")};
+      return {StatusCode::Failed,
+              textOf("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ", placeText(foot.position),
+                   ", tighter than the tool radius ", settings.tool_radius,
+                   " mm: the cutter would gouge; use a smaller tool")};
+    }
+    if (progress && !progress(static_cast<double>(end) / static_cast<double>(curve.size()), "projection"))
+      return {StatusCode::Cancelled, "cancelled"};
+  }
+  halveStretchedSteps(surface, longest_step, path);
+  path.arc_lengths = arcLengths(path.contacts); // serial: a sum whose rounding depends on its order
+  return measureGaps(path, settings, figures);
+}
+
+Status
+setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, std::vector<std::string>& warnings)
+{
+  const auto wanted =
+      tiltedAxes(path.contacts, path.normals, radians(settings.tilt_angle), radians(settings.lead_angle));
+  const double rate = radians(settings.max_axis_rate);
+  const SmoothAxes field = smoothAxes(path.contacts, wanted,
+                                      {settings.axis_smoothing, radians(settings.axis_deviation), rate});
+  const AxisLean lean = largestLean(path.normals, field.axes);
+  if (liesInSurface(lean, path.normals, wanted))
+    return {StatusCode::Failed,
+            textOf("the tool axis would lean ", degrees(lean.angle), " degrees off the surface at ",
+                   placeText(path.contacts[lean.point]), " so as to turn no faster than the largest axis rate of ",
+                   settings.max_axis_rate, " degrees per mm: raise the rate")};
+  const auto count = static_cast<std::int64_t>(field.axes.size());
+  path.axes.resize(field.axes.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i)
+    path.axes[i] = field.axes[i].cast<float>();
+  figures.largest_change = degrees(field.largest_change);
+  figures.largest_rate = degrees(field.largest_rate);
+  figures.largest_deviation = degrees(field.largest_deviation);
+  figures.largest_lean = degrees(lean.angle);
+  figures.deviating_points = field.deviating_points;
+  if (const std::size_t moves = movesTurningFaster(path.contacts, path.normals, rate); moves > 0)
+    warnings.push_back(textOf("on ", moves, " of ", count - 1,
+                                      " moves the surface alone turns faster than the largest axis rate of ",
+                                      settings.max_axis_rate,
+                                      " degrees per mm: the tool axis cannot follow it there and leaves the tilt "
+                                      "asked for by up to ",
+                                      figures.largest_deviation, " degrees; allow a higher rate, or smooth the scan"));
+  return Status::success();
+}
+
+Status
+checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest_step, const ProgressCallback& progress,
+          PathFigures& figures)
+{
+  figures = PathFigures();
+  for (std::size_t i = 1; i < path.contacts.size(); ++i) {
+    const double gap = (path.contacts[i] - path.contacts[i - 1]).norm();
+    figures.largest_gap = std::max(figures.largest_gap, gap);
+    if (!(gap <= slack * longest_step))
+      return {StatusCode::Failed,
+              textOf("the path jumps by ", gap, " mm at ", placeText(path.contacts[i]), " in turn ", path.turns[i],
+                   ", above the longest step ", longest_step,
+                   " mm: the surface is too rough or too sparse there; scan more densely or raise the longest step")};
+  }
+  figures.turns = static_cast<std::size_t>(std::lround(std::abs(path.turns.back() - path.turns.front())));
+  figures.points = path.contacts.size();
+  figures.length = path.arc_lengths.back();
+  // Turns that are not in order cross somewhere: each goes once round.
+  bool cancelled = false;
+  const auto go_on = [&](double share) {
+    cancelled = progress && !progress(share, "crossings");
+    return !cancelled;
+  };
+  const auto crossing = firstSelfCrossing(path.contacts, path.normals, settings.chord_error, go_on);
+  if (cancelled)
+    return {StatusCode::Cancelled, "cancelled"};
+  if (crossing)
+    return {StatusCode::Failed,
+            textOf("the path crosses itself at ", placeText(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
+                 ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
+  return Status::success();
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,126 @@
+#include <pcl_spiral/spiral/spiral_reports.h>
+
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/surface/noise_warning.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+
+double
+lineTolerance(const SpiralSettings& settings)
+{
+  return 0.02 * std::sqrt(8.0 * settings.scallop_height * settings.tool_radius);
+}
+
+double
+lineFitTolerance(const SpiralSettings& settings)
+{
+  return 0.2 * settings.chord_error;
+}
+
+void
+reportSurface(const Surface& surface, bool made, SpiralReport& report)
+{
+  const SurfaceCounts& counts = surface.counts();
+  report.input_points = counts.input;
+  report.nonfinite_points = counts.nonfinite;
+  report.duplicate_points = counts.duplicate;
+  report.surplus_points = counts.surplus;
+  report.outlier_points = counts.outlier + counts.isolated + counts.speck;
+  report.left_out_parts = counts.separate_parts;
+  report.left_out_points = counts.other_part;
+  report.used_points = counts.used;
+  report.passes = made ? counts.passes : 0;
+  report.spacing = surface.spacing();
+  report.noise = surface.noise();
+  report.projection_neighbours = surface.fit().neighbours();
+  report.warnings = surface.warnings();
+}
+
+void
+reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, SpiralReport& report)
+{
+  report.loops = bridged.loops;
+  for (const BridgedGap& gap : bridged.gaps)
+    if (gap.points > 0) // those that were not filled are among the loops
+      report.loops.push_back(gap.loop);
+  report.boundaries = 1;
+  for (const BoundaryLoop& loop : bridged.loops)
+    if (loop.type == LoopType::Inner)
+      report.boundaries = 2;
+  const Surface& surface = *bridged.surface;
+  report.spacing = surface.spacing();
+  report.noise = surface.noise();
+  report.projection_neighbours = surface.fit().neighbours();
+  report.warnings.insert(report.warnings.end(), bridged.warnings.begin(), bridged.warnings.end());
+  if (const auto warning = noiseWarning(surface.fit(), "scallop height", settings.scallop_height))
+    report.warnings.push_back(*warning);
+}
+
+void
+reportLines(const RadialLineSet& lines, const SpiralSettings& settings, SpiralReport& report)
+{
+  report.boundaries = lines.inner.empty() ? 1 : 2;
+  report.centre = lines.centre;
+  report.centre_settled = lines.centre_settled;
+  report.harmonic_lines = lines.harmonic;
+  report.line_error = lines.largest_interpolation_error;
+  report.line_tolerance = lineTolerance(settings);
+  for (const RadialLine& line : lines.lines) {
+    Polyline points;
+    for (std::size_t k = 0; k < line.feet.size(); k += 4)
+      points.push_back(line.feet[k].position);
+    report.radial_lines.push_back(std::move(points));
+    report.unsettled_lines += line.unsettled > 0.0;
+    report.largest_unsettled = std::max(report.largest_unsettled, line.unsettled);
+  }
+  if (lines.harmonic && settings.lines == LineMethod::Automatic && !lines.why_harmonic.empty())
+    report.warnings.push_back("harmonic radial lines were used: " + lines.why_harmonic);
+  if (!lines.centre_settled)
+    report.warnings.push_back(textOf("the search for the centre did not come to rest; it is taken at ",
+                                     placeText(lines.centre), ": look whether turns close round it well, or give a centre "
+                                     "(setCenter)"));
+  // A line that is a little off still lies on the surface and in order: turns are as far apart there as elsewhere.
+  if (report.largest_unsettled > report.line_tolerance)
+    report.warnings.push_back(textOf(report.unsettled_lines, " of ", lines.lines.size(),
+                                     " radial lines did not settle: the last step still moved one by ",
+                                     report.largest_unsettled, " mm sideways, where ", report.line_tolerance,
+                                     " mm are allowed; harmonic lines need no settling (setLineMethod)"));
+  if (report.line_error > report.line_tolerance)
+    report.warnings.push_back(textOf("turns between radial lines are known to ", report.line_error, " mm, where ",
+                                     report.line_tolerance, " mm are allowed: lines cannot stand closer than the points of "
+                                     "the scan let them; scan more densely, or check the scallops (pcl_spiral_verify)"));
+}
+
+void
+reportTurns(const SpiralTurns& turns, SpiralReport& report)
+{
+  report.smallest_step_over = turns.smallest_step_over;
+  report.largest_step_over = turns.largest_step_over;
+  report.largest_allowed_step = turns.largest_allowed_step;
+  report.corner_ridge = turns.corner_ridge.height;
+  report.warnings.insert(report.warnings.end(), turns.warnings.begin(), turns.warnings.end());
+}
+
+void
+reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& path, SpiralReport& report)
+{
+  report.gap_points = gaps.points;
+  report.gap_length = gaps.length;
+  if (gaps.points > 0)
+    report.warnings.push_back(textOf(gaps.points, " path points, ", gaps.length,
+                                     " mm, lie over gaps of the scan, where the surface is a guess; they are marked"));
+  report.largest_axis_change = axes.largest_change;
+  report.largest_axis_rate = axes.largest_rate;
+  report.largest_axis_deviation = axes.largest_deviation;
+  report.largest_axis_lean = axes.largest_lean;
+  report.deviating_points = axes.deviating_points;
+  report.turns = path.turns;
+  report.path_points = path.points;
+  report.path_length = path.length;
+  report.largest_gap = path.largest_gap;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,50 @@
+#include <pcl_spiral/spiral/spiral_turns.h>
+
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/toolpath/path_size.h>
+
+namespace pcl_spiral {
+namespace {
+
+/** Of ridges that rise higher at corners than asked for; empty where they do not. */
+std::string
+cornerWarning(const CornerRidge& ridge, const SpiralSettings& settings)
+{
+  constexpr double much = 1.05; // times the scallop height
+  const double height = settings.scallop_height;
+  if (ridge.height <= much * height)
+    return {};
+  const std::string left = ridge.height < settings.tool_radius
+                               ? textOf("ridges rise to ", ridge.height, " mm, above the scallop height of ", height, " mm")
+                               : "material is left uncut";
+  return textOf("towards the corner of the outline at ", placeText(ridge.corner),
+                " turns lie farther apart than along its sides: ", left, "; a path for a scallop height of ", ridge.remedy,
+                " mm, longer, leaves about ", height, " mm there");
+}
+
+} // namespace
+
+Status
+makeTurns(const RadialLineSet& lines, double spacing, double area, const SpiralSettings& settings, SpiralTurns& turns)
+{
+  turns = SpiralTurns();
+  TurnFunction function(lines.lines, settings, spacing);
+  if (const Status status = function.compute(); !status.ok())
+    return status;
+  if (const Status status = checkPathSize(function.pathSize(), area, settings); !status.ok())
+    return status;
+  SpiralCurve spiral(lines.lines, function, settings, spacing);
+  spiral.setRim(lines.rim, lines.rim_corners);
+  if (!lines.inner.empty())
+    spiral.setInner(lines.inner, lines.inner_corners);
+  turns.curve = spiral.sample();
+  turns.smallest_step_over = function.smallestStepOver();
+  turns.largest_step_over = function.largestStepOver();
+  turns.largest_allowed_step = spiral.largestAllowedStep();
+  turns.corner_ridge = function.highestCornerRidge();
+  if (const std::string warning = cornerWarning(turns.corner_ridge, settings); !warning.empty())
+    turns.warnings.push_back(warning);
+  return Status::success();
+}
+
+} // namespace pcl_spiral

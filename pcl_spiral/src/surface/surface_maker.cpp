@@ -1,0 +1,262 @@
+// From clean points to a Surface.
+#include <pcl_spiral/surface/surface.h>
+
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/features/surface_parts.h>
+#include <pcl_spiral/surface/clean_graph.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double most_isolated = 0.1; // of all points: more are no outliers
+
+SurfaceGraphOptions
+graphOptions(const SurfaceSettings& settings)
+{
+  SurfaceGraphOptions options;
+  options.neighbours = settings.neighbours;
+  options.max_circumradius = settings.alpha;
+  options.view_point = settings.view_point;
+  options.flip_normals = settings.flip_normals;
+  return options;
+}
+
+Eigen::Vector3d
+middleOf(const Box& box)
+{
+  return 0.5 * (Eigen::Map<const Eigen::Vector3f>(box.low.data()).cast<double>() +
+                Eigen::Map<const Eigen::Vector3f>(box.high.data()).cast<double>());
+}
+
+const char*
+plural(std::size_t count, const char* one, const char* more)
+{
+  return count == 1 ? one : more;
+}
+
+/** What makeSurface works on. */
+class SurfaceMaker {
+public:
+  SurfaceMaker(const SurfaceSettings& settings, Surface::Parts& parts, std::vector<std::int8_t>& why)
+  : settings_(settings), parts_(parts), why_(why)
+  {
+  }
+
+  Status
+  make(SurfacePoints points)
+  {
+    given_ = points.positions.size();
+    parts_.source = std::move(points.source);
+    normals_ = std::move(points.normals);
+    if (const Status status = build(std::move(points.positions)); !status.ok())
+      return status;
+    if (settings_.largest_part)
+      if (const Status status = keepLargestPart(); !status.ok())
+        return status;
+    if (const Status status = leaveSpecksOut(); !status.ok())
+      return status;
+    finish();
+    return Status::success();
+  }
+
+private:
+  /** Build the graph of points whose place among those given is place_. */
+  Status
+  build(std::vector<Eigen::Vector3f> points)
+  {
+    SurfaceGraphOptions options = graphOptions(settings_);
+    options.given_normals = normals_;
+    GraphSource source;
+    const std::size_t given = points.size();
+    if (const Status status = buildCleanGraph(std::move(points), options, parts_.graph, source); !status.ok())
+      return status;
+    parts_.counts.passes += source.passes;
+    parts_.counts.isolated += source.strays.size();
+    parts_.counts.surplus += source.surplus;
+    if (settings_.strict && static_cast<double>(source.strays.size()) > most_isolated * static_cast<double>(given))
+      return doesNotHangTogether(source.strays.size(), given);
+    if (source.indices.size() == given)
+      return Status::success();
+    for (std::uint32_t i = 0; i < given; ++i)
+      mark(i, LeftOut::Surplus); // until found among those kept, or isolated
+    for (const std::uint32_t i : source.strays)
+      mark(i, LeftOut::Isolated);
+    for (const std::uint32_t i : source.indices)
+      why_[placeOf(i)] = -1;
+    keepOf(source.indices);
+    return Status::success();
+  }
+
+  /** Where point \p i of those in use stands among those given. */
+  std::uint32_t placeOf(std::uint32_t i) const { return place_.empty() ? i : place_[i]; }
+
+  void
+  mark(std::uint32_t i, LeftOut reason)
+  {
+    why_.resize(given_, -1);
+    why_[placeOf(i)] = static_cast<std::int8_t>(reason);
+  }
+
+  /** Of the points in use those of \p kept alone, in that order. */
+  void
+  keepOf(const std::vector<std::uint32_t>& kept)
+  {
+    const auto select = [&](auto& values) {
+      std::remove_reference_t<decltype(values)> some(kept.size());
+      std::transform(kept.begin(), kept.end(), some.begin(), [&](std::uint32_t i) { return values[i]; });
+      values = std::move(some);
+    };
+    for (std::vector<std::uint32_t>* indices : {&place_, &parts_.source})
+      if (indices->empty())
+        *indices = kept;
+      else
+        select(*indices);
+    if (!normals_.empty())
+      select(normals_);
+  }
+
+  Status
+  doesNotHangTogether(std::size_t alone, std::size_t given) const
+  {
+    const Box box = parts_.graph.blocks().box();
+    return {StatusCode::InvalidInput,
+            textOf(alone, " of ", given, " points stand alone, far off the densest part of the cloud, which lies about ",
+                   placeText(middleOf(box)), ", is ", box.diagonal(), " mm across and has a point every ",
+                   parts_.graph.spacing(), " mm: the scan does not hang together; leave that part out, or thin the cloud to "
+                   "an even spacing (setThinning)")};
+  }
+
+  Status
+  keepLargestPart()
+  {
+    SurfaceParts found = surfaceParts(parts_.graph);
+    if (found.parts.size() < 2)
+      return Status::success();
+    const auto largest = std::max_element(found.parts.begin(), found.parts.end(),
+                                          [](const SurfacePart& a, const SurfacePart& b) { return a.area < b.area; });
+    const auto kept = static_cast<std::size_t>(largest - found.parts.begin());
+    const std::vector<std::uint8_t> apart = apartFrom(parts_.graph, found, kept);
+    const SurfacePart part = *largest;
+    found.parts.erase(largest);
+    parts_.counts.separate_parts = found.parts.size();
+    parts_.counts.other_part = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
+    parts_.warnings.push_back(textOf("of ", found.parts.size() + 1, " separate parts the largest was kept, ",
+                                     partsText({part}), "; left out with ", parts_.counts.other_part,
+                                     " points: ", partsText(found.parts)));
+    return keepPart(apart, LeftOut::OtherPart);
+  }
+
+  Status
+  leaveSpecksOut()
+  {
+    std::vector<std::size_t> sizes;
+    parts_.graph.triangulation().parts(sizes);
+    if (sizes.size() < 2)
+      return Status::success();
+    const SurfaceParts found = surfaceParts(parts_.graph);
+    if (otherParts(found.parts, largest_speck) != OtherParts::Specks)
+      return Status::success(); // the stages that need a single part refuse it
+    const std::vector<std::uint8_t> apart = apartFrom(parts_.graph, found, 0);
+    parts_.counts.speck = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
+    return parts_.counts.speck > 0 ? keepPart(apart, LeftOut::Speck) : Status::success();
+  }
+
+  /** Build again of the points that are not \p apart, one of the graph each. */
+  Status
+  keepPart(const std::vector<std::uint8_t>& apart, LeftOut reason)
+  {
+    const SurfaceGraph& graph = parts_.graph;
+    std::vector<Eigen::Vector3f> points;
+    std::vector<std::uint32_t> kept;
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+      const std::uint32_t original = graph.blocks().originalIndex(i);
+      if (apart[i]) {
+        mark(original, reason);
+        continue;
+      }
+      points.push_back(graph.blocks().point(i));
+      kept.push_back(original);
+    }
+    keepOf(kept);
+    return build(std::move(points));
+  }
+
+  void
+  finish()
+  {
+    SurfaceCounts& counts = parts_.counts;
+    counts.used = parts_.graph.size();
+    parts_.settings = settings_;
+    parts_.side_is_clear = parts_.graph.orientationIsClear();
+    if (counts.surplus > 0)
+      parts_.warnings.push_back(textOf(counts.surplus, " points were left out where they lie much closer together than to "
+                                       "the next scan line or the sparser part beside them: the path follows the others, ",
+                                       parts_.graph.spacing(), " mm apart"));
+    if (const std::size_t off = counts.isolated + counts.speck; off > 0) {
+      std::string message = textOf(off, plural(off, " point", " points"), " off the surface ", plural(off, "was", "were"),
+                                   " left out: ");
+      if (counts.isolated > 0)
+        message += textOf(counts.isolated, plural(counts.isolated, " that stands alone", " that stand alone"));
+      if (counts.speck > 0)
+        message += textOf(counts.isolated > 0 ? ", " : "", counts.speck, " in specks apart from it");
+      parts_.warnings.push_back(message);
+    }
+    if (!parts_.side_is_clear)
+      parts_.warnings.push_back("the outer side could not be told from +z; the convex side was taken: give a view point "
+                                "(setViewPoint) or flip the normals (setFlipNormals) if the cutter comes from the other side");
+  }
+
+  const SurfaceSettings& settings_;
+  Surface::Parts& parts_;
+  std::vector<std::int8_t>& why_;
+  std::size_t given_ = 0;
+  std::vector<std::uint32_t> place_; ///< of the points in use, among those given; empty: all of them, in order
+  std::vector<Eigen::Vector3f> normals_;
+};
+
+} // namespace
+
+Status
+makeSurface(SurfacePoints points, const SurfaceSettings& settings, const SurfaceCounts& counts, Surface::Parts& parts,
+            std::vector<std::int8_t>& why)
+{
+  parts = Surface::Parts();
+  parts.counts = counts;
+  return SurfaceMaker(settings, parts, why).make(std::move(points));
+}
+
+Status
+addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges, Surface::ConstPtr& result)
+{
+  Surface::Parts parts;
+  parts.settings = surface->settings();
+  parts.counts = surface->counts();
+  parts.left_out = surface->leftOut();
+  parts.input_size = surface->inputSize();
+  parts.side_is_clear = surface->sideIsClear();
+  parts.warnings = surface->warnings();
+  SurfaceGraphOptions options = graphOptions(parts.settings);
+  options.flip_normals = false; // the side is that of the surface given
+  options.given_normals = surface->graph().normals();
+  options.given_normals.resize(surface->size() + bridges.size(), Eigen::Vector3f::Zero());
+  std::vector<Eigen::Vector3f> points = surface->graph().blocks().points();
+  for (std::size_t i = 0; i < surface->size(); ++i)
+    parts.source.push_back(surface->sourceIndex(i));
+  surface.reset();
+  // Nothing more is left out: what was counted before stays true.
+  points.insert(points.end(), bridges.begin(), bridges.end());
+  parts.source.resize(points.size(), Surface::no_source);
+  parts.counts.guessed += bridges.size();
+  if (const Status status = parts.graph.build(std::move(points), options); !status.ok())
+    return status;
+  ++parts.counts.passes;
+  const bool strict = parts.settings.strict;
+  result = std::make_shared<Surface>(std::move(parts));
+  return strict ? checkSingleSheet(*result) : Status::success();
+}
+
+} // namespace pcl_spiral
