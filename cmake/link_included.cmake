@@ -3,7 +3,7 @@ function(pcl_spiral_link_included target source)
   target_link_libraries(${target} PRIVATE pcl_spiral)
   set(pairs "pcl_spiral/io/:pcl_spiral_io" "pcl_spiral/visualization/:pcl_spiral_visualization" "pcl/io/:pcl_io"
             "boost/program_options:Boost::program_options" "yaml-cpp/:yaml-cpp"
-            "vtkXML:VTK::IOXML")
+            "vtkXML:VTK::IOXML" "pcl_spiral/visualization/add_toolpath.h:pcl_visualization")
   foreach(pair IN LISTS pairs)
     string(REGEX MATCH "^([^:]*):(.*)$" pair "${pair}")
     file(STRINGS ${source} found REGEX "#include *<${CMAKE_MATCH_1}" LIMIT_COUNT 1)

@@ -13,7 +13,6 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t most_lines = 150; ///< more would run together
-constexpr Color outer_color{0.80, 0.11, 0.13}, inner_color{0.93, 0.48, 0.05}, gap_color{0.75, 0.15, 0.70};
 constexpr Color line_color{0.05, 0.05, 0.08}, centre_color{0.10, 0.30, 0.90};
 
 /** The cloud's points coloured by height, in a size that leaves gaps between them. */
@@ -45,7 +44,8 @@ curves(const SpiralReport& report, LoopType type)
 void
 addLoops(PartView& view, const SpiralReport& report, std::vector<LegendEntry>& legend)
 {
-  const auto add = [&](LoopType type, const Color& color, const std::string& name) {
+  const auto add = [&](LoopType type, const std::string& name) {
+    const Color color = loopColor(type);
     const std::vector<Polyline> loops = curves(report, type);
     if (loops.empty())
       return;
@@ -59,9 +59,9 @@ addLoops(PartView& view, const SpiralReport& report, std::vector<LegendEntry>& l
                                               text(", the longest %.0f mm", longest),
                       color});
   };
-  add(LoopType::Outer, outer_color, "outer rim");
-  add(LoopType::Inner, inner_color, "inner loop");
-  add(LoopType::ScanGap, gap_color, "scan gap");
+  add(LoopType::Outer, "outer rim");
+  add(LoopType::Inner, "inner loop");
+  add(LoopType::ScanGap, "scan gap");
 }
 
 void

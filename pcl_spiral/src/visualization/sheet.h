@@ -3,6 +3,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/visualization/loop_color.h>
+
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkScalarsToColors.h>
@@ -15,8 +17,6 @@
 #include <vector>
 
 namespace pcl_spiral {
-
-using Color = std::array<double, 3>;
 
 constexpr Color ink{0.13, 0.15, 0.19};
 
