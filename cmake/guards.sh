@@ -54,4 +54,19 @@ fault "flags that break PCL's ABI, the same bytes everywhere, or the compile tim
 fault "pragmas that break the same bytes everywhere" \
   "$(grep -rnE 'pragma.*(fast-math|Ofast|march=)|attribute.*(fast-math|Ofast)' $library examples || true)"
 
+# Doxygen takes any word after \\p; the declaration that follows has to know it.
+wrong_names() {
+  find $library/include -name '*.h' -print0 | xargs -0 perl -0777 -ne '
+    my $line = 1;
+    for my $block (split m{/\*\*}) {
+      my ($words, $declaration) = split m{\*/}, $block, 2;
+      $declaration =~ s/(;|(?<!= )\{).*//s if defined $declaration;
+      for my $name ($words =~ /\\p\s+(\w+)/g) {
+        print "$ARGV:$line: \\p $name\n" unless ($declaration // $name) =~ /\b$name\b/;
+      }
+      $line += $block =~ tr/\n//;
+    }'
+}
+fault "names that are not in the declaration under the comment" "$(wrong_names)"
+
 exit $faults

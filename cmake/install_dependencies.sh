@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing: as root, through sudo, or by saying which they are.
-# Usage: install_dependencies.sh [build] [test] [display] [benchmark] [fuzz]     (build alone when nothing is named)
+# Usage: install_dependencies.sh [build] [test] [display] [benchmark] [fuzz] [doc]
+# (build alone when nothing is named)
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache libpcl-dev libvtk9-dev libx11-dev libeigen3-dev libboost-dev
@@ -9,6 +10,7 @@ test=(libgtest-dev pkg-config linuxcnc-uspace) # linuxcnc: its interpreter rs274
 display=(xvfb xauth libgl1-mesa-dri) # pictures where there is no screen
 benchmark=(libbenchmark-dev)
 fuzz=(clang libclang-rt-14-dev) # libFuzzer; no test needs it
+doc=(doxygen)
 
 wanted=()
 for group in "${@:-build}"; do
@@ -18,7 +20,8 @@ for group in "${@:-build}"; do
     display) wanted+=("${display[@]}") ;;
     benchmark) wanted+=("${benchmark[@]}") ;;
     fuzz) wanted+=("${fuzz[@]}") ;;
-    *) echo "unknown group '$group': name build, test, display, benchmark or fuzz" >&2; exit 2 ;;
+    doc) wanted+=("${doc[@]}") ;;
+    *) echo "unknown group '$group': name build, test, display, benchmark, fuzz or doc" >&2; exit 2 ;;
   esac
 done
 

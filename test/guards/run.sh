@@ -39,4 +39,6 @@ plant CMakeLists.txt 'add_compile_options(-march=native)'
 plant pcl_spiral/CMakeLists.txt 'target_compile_options(pcl_spiral PRIVATE -ffast-math)'
 plant cmake/planted.cmake 'add_compile_definitions(PCL_NO_PRECOMPILE)'
 plant pcl_spiral/src/core/polyline.cpp '#pragma GCC optimize("fast-math")'
+plant $headers/common/progress.h '/** Of \p shares in the work. */
+double percentOf(double share);'
 exit $missed

@@ -19,11 +19,12 @@ struct BoundaryEvidence {
 /** Evidence from neighbours in the tangent plane of a point.
  *
  *  The offset is the lambda of Wu et al. 2025, equation 1, made dimensionless by the radius of the
- * neighbourhood; on an even cloud it is 0 inside, 4 / (3 pi) = 0.424 on a straight edge, 0.60 at a corner of
- * 90 degrees, 0.20 at one of 270. The gap is that of pcl::BoundaryEstimation. \param offsets of the
- * neighbours from the point, in the tangent plane; those at the point itself do not count. \param radius of
- * the neighbourhood, above 0. With no neighbour away from the point: offset 0, gap 2 pi. \p angles is working
- * memory. */
+ *  neighbourhood; on an even cloud it is 0 inside, 4 / (3 pi) = 0.424 on a straight edge, 0.60 at a corner of
+ *  90 degrees, 0.20 at one of 270. The gap is that of pcl::BoundaryEstimation. With no neighbour away from
+ *  the point: offset 0, gap 2 pi.
+ *  \param offsets of the neighbours from the point, in the tangent plane; those at the point do not count
+ *  \param radius of the neighbourhood, above 0
+ *  \param angles working memory */
 BoundaryEvidence boundaryEvidence(const std::vector<Eigen::Vector2d>& offsets, double radius,
                                   std::vector<double>& angles);
 

@@ -26,8 +26,10 @@ struct GabrielOptions {
  * candidates of the other (0.1 % on a random plane at 32). Points on the ellipsoid do not block; repeated
  * points are joined. With normals and an angle, points on the other side of the angle neither join nor block:
  * a thin wall's two sides do not see each other. The local spacing is that of the candidates spread evenly
- * over a disc. \param points finite. \param normals unit and consistently oriented, one a point; may be empty
- * when max_normal_angle is 0. Deterministic; options must be in range. */
+ * over a disc. Deterministic.
+ *  \param points finite
+ *  \param normals unit and consistently oriented, one a point; may be empty when max_normal_angle is 0
+ *  \param options in range */
 NeighbourLists ellipticGabrielEdges(const std::vector<Eigen::Vector3f>& points,
                                     const std::vector<Eigen::Vector3f>& normals,
                                     const GabrielOptions& options);

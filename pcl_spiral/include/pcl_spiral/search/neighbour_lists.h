@@ -47,7 +47,8 @@ public:
   NeighbourLists() = default;
 
   /** The symmetric graph of directed edges: both directions of each, every neighbour once.
-   *  \param edges pairs of different points below \p point_count, in any order. */
+   *  \param point_count of the graph
+   *  \param edges pairs of different points below \p point_count, in any order */
   NeighbourLists(std::size_t point_count, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges);
 
   std::size_t

@@ -36,8 +36,7 @@ public:
   void locate(const std::vector<AxisFrame>& frames, const std::vector<DropContact>& drops,
               std::vector<FittedContact>& contacts) const;
 
-  /** How far the cutter may sink between the points that meet \p contact of the surface, as seen in \p frame.
-   */
+  /** How far the cutter may sink between the points round \p foot, where it touches, as seen in \p frame. */
   double gapBound(const AxisFrame& frame, const SurfaceFoot& foot) const;
 
 private:

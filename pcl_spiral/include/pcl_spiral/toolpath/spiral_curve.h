@@ -23,11 +23,12 @@ struct SpiralPoint {
  */
 class SpiralCurve {
 public:
-  /** \p rim and \p inner are closed and start at line 0; \p inner is empty for a surface with one boundary. */
   SpiralCurve(const std::vector<RadialLine>& lines, const TurnFunction& turns, const SpiralSettings& settings,
               double spacing);
 
+  /** The outer rim, closed, from line 0 on, and which of its entries are corners. */
   void setRim(Polyline rim, std::vector<std::size_t> corners);
+  /** The inner loop in the same way; without it the surface has one boundary. */
   void setInner(Polyline inner, std::vector<std::size_t> corners);
 
   /** Points along the whole spiral, no farther apart than the chord error and the longest step allow. */

@@ -1,0 +1,18 @@
+# Documents a source tree as HTML, and fails where Doxygen has a warning.
+# Usage: cmake -DSOURCE_DIR=... -DOUTPUT_DIR=... [-DPROJECT_VERSION=... -DPROJECT_DESCRIPTION=...] -P make_doc.cmake
+set(PROJECT_NAME pcl_spiral)
+find_program(DOXYGEN doxygen REQUIRED)
+file(MAKE_DIRECTORY ${OUTPUT_DIR})
+configure_file(${CMAKE_CURRENT_LIST_DIR}/Doxyfile.in ${OUTPUT_DIR}/Doxyfile @ONLY)
+set(warnings_file ${OUTPUT_DIR}/warnings.txt)
+file(REMOVE ${warnings_file})
+execute_process(COMMAND ${DOXYGEN} ${OUTPUT_DIR}/Doxyfile WORKING_DIRECTORY ${OUTPUT_DIR} RESULT_VARIABLE code)
+set(warnings "")
+if(EXISTS ${warnings_file})
+  file(READ ${warnings_file} warnings)
+endif()
+if(NOT code EQUAL 0 OR NOT warnings STREQUAL "")
+  message("${warnings}")
+  message(FATAL_ERROR "Doxygen ended with code ${code}; mend what it warns of (also in ${warnings_file})")
+endif()
+message(STATUS "Documentation: ${OUTPUT_DIR}/html/index.html")
