@@ -1,7 +1,7 @@
 # Links a program of one source file to the libraries whose headers it includes.
 function(pcl_spiral_link_included target source)
   target_link_libraries(${target} PRIVATE pcl_spiral)
-  set(pairs "pcl_spiral/io/:pcl_spiral_io" "pcl_spiral/visualization/:pcl_spiral_visualization" "pcl/io/:pcl_io"
+  set(pairs "pcl_spiral/io/:pcl_spiral_io" "pcl_spiral/visualization/:pcl_spiral_visualization" "pcl/io/:pcl_io" "pcl/surface/:pcl_surface"
             "boost/program_options:Boost::program_options" "yaml-cpp/:yaml-cpp"
             "vtkXML:VTK::IOXML" "pcl_spiral/visualization/add_toolpath.h:pcl_visualization")
   foreach(pair IN LISTS pairs)

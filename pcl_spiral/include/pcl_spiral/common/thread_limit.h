@@ -12,7 +12,7 @@ namespace pcl_spiral {
 /** More are never started: where the system refuses one, OpenMP ends the program. */
 constexpr unsigned int most_threads = 256;
 
-/** Parallel loops started in this thread use \p threads threads while the object lives; 0 means all processors, as in PCL
+/** Parallel loops started in this thread use a number of threads while the object lives; 0 means all processors, as in PCL
  *  (omp_get_num_procs). */
 class ThreadLimit {
 public:

@@ -1,0 +1,501 @@
+// Every class used again: clouds of other sizes, other point types, indices, no cloud at all. Never an answer of before.
+#include "support/sampling.h"
+#include "support/surfaces.h"
+
+#include <pcl_spiral/features/boundary_loops.h>
+#include <pcl_spiral/features/centroid_boundary_estimation.h>
+#include <pcl_spiral/geodesic/geodesic_path.h>
+#include <pcl_spiral/search/elliptic_gabriel_graph.h>
+#include <pcl_spiral/spiral/gap_bridging.h>
+#include <pcl_spiral/surface/mls_projector.h>
+#include <pcl_spiral/surface/stray_removal.h>
+#include <pcl_spiral/surface/surface_preparation.h>
+#include <pcl_spiral/toolpath/cutter_location.h>
+#include <pcl_spiral/toolpath/drive_path.h>
+#include <pcl_spiral/toolpath/radial_lines.h>
+#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/verify/deviation_estimation.h>
+#include <pcl_spiral/verify/lead_check.h>
+#include <pcl_spiral/verify/material_removal.h>
+
+#include <pcl/common/io.h>
+#include <pcl/console/print.h>
+#include <pcl/features/normal_3d.h>
+
+#include <gtest/gtest.h>
+
+using namespace pcl_spiral;
+using Eigen::Vector3d;
+using Values = std::vector<double>; // what a run gave, in numbers that do not name points by index
+
+namespace {
+
+constexpr double a = 80.0, b = 45.0;
+
+std::vector<Vector3d>
+dome(std::size_t count, std::uint64_t seed)
+{
+  return test::sampleUniform(*test::spheroidCap(a, b), count, seed).points;
+}
+
+/** A path over the dome, to be judged: a ring of contacts. */
+pcl::PointCloud<ToolpathPoint>::Ptr
+ring()
+{
+  pcl::PointCloud<ToolpathPoint>::Ptr path(new pcl::PointCloud<ToolpathPoint>);
+  for (int i = 0; i < 200; ++i) {
+    const double angle = 2.0 * M_PI * i / 199, r = 40.0, z = b * std::sqrt(1.0 - r * r / (a * a));
+    const Vector3d p(r * std::cos(angle), r * std::sin(angle), z), n = Vector3d(p.x() / (a * a), p.y() / (a * a), z / (b * b));
+    ToolpathPoint point;
+    point.getVector3fMap() = p.cast<float>();
+    point.getNormalVector3fMap() = point.getAxisVector3fMap() = n.normalized().cast<float>();
+    point.arc_length = 40.0 * angle;
+    path->push_back(point);
+  }
+  return path;
+}
+
+template <typename Points>
+void
+addPoints(const Points& points, Values& values)
+{
+  for (const auto& p : points)
+    values.insert(values.end(), {p.x, p.y, p.z});
+}
+
+void
+addLine(const Polyline& line, Values& values)
+{
+  for (const Vector3d& p : line)
+    values.insert(values.end(), {p.x(), p.y(), p.z()});
+}
+
+// One adaptor a class: give takes a cloud, run computes and gives numbers; none on failure.
+
+template <typename PointT>
+struct Scanned : ScannedSurface<PointT> {
+  Values
+  run()
+  {
+    Surface::ConstPtr surface;
+    this->compute(surface);
+    Values values;
+    for (std::size_t i = 0; surface && i < surface->size(); ++i)
+      for (const double value : {surface->position(i).x(), surface->position(i).y(), surface->normal(i).z()})
+        values.push_back(value);
+    return values;
+  }
+};
+
+template <typename PointT>
+struct Prepared : SurfacePreparation<PointT> {
+  Values
+  run()
+  {
+    pcl::PointCloud<PointT> cloud;
+    this->filter(cloud);
+    Values values;
+    addPoints(cloud, values);
+    return values;
+  }
+};
+
+template <typename PointT>
+struct Removal : StrayRemoval<PointT> {
+  Values
+  run()
+  {
+    pcl::PointCloud<PointT> cloud;
+    this->filter(cloud);
+    Values values;
+    addPoints(cloud, values);
+    return values;
+  }
+};
+
+template <typename PointT>
+struct Graph : EllipticGabrielGraph<PointT> {
+  Values
+  run()
+  {
+    NeighbourLists lists;
+    this->compute(lists);
+    Values values;
+    if (this->getStatus().ok())
+      values.push_back(static_cast<double>(lists.edgeCount()));
+    return values;
+  }
+};
+
+template <typename PointT>
+struct Loops : BoundaryLoops<PointT> {
+  Values
+  run()
+  {
+    std::vector<BoundaryLoop> loops;
+    this->compute(loops);
+    Values values;
+    for (const BoundaryLoop& loop : loops)
+      addLine(loop.curve, values);
+    return values;
+  }
+};
+
+template <typename PointT>
+struct Bridged : GapBridging<PointT> {
+  Values
+  run()
+  {
+    Surface::ConstPtr surface;
+    std::vector<BoundaryLoop> loops;
+    this->compute(surface, loops);
+    Values values;
+    for (const BoundaryLoop& loop : loops)
+      addLine(loop.curve, values);
+    return values;
+  }
+};
+
+template <typename PointT>
+struct Geodesic : GeodesicPath<PointT> {
+  Geodesic()
+  {
+    this->setSourcePoint({0.0, 0.0, b});
+    this->setTargetPoints({Vector3d(40.0, 0.0, b * std::sqrt(1.0 - 0.25))});
+  }
+  Values
+  run()
+  {
+    std::vector<Polyline> paths;
+    this->compute(paths);
+    Values values;
+    for (const Polyline& path : paths)
+      addLine(path, values);
+    return values;
+  }
+};
+
+template <typename PointT>
+struct Lines : RadialLines<PointT> {
+  Values
+  run()
+  {
+    RadialLineSet set;
+    this->compute(set);
+    Values values;
+    for (const RadialLine& line : set.lines)
+      values.push_back(line.length());
+    addLine(set.rim, values);
+    return values;
+  }
+};
+
+template <typename PointT>
+struct Projected : MLSProjector<PointT, pcl::PointNormal> {
+  Projected()
+  {
+    typename pcl::PointCloud<PointT>::Ptr queries(new pcl::PointCloud<PointT>);
+    PointT p;
+    p.x = 10.0f, p.y = 5.0f, p.z = static_cast<float>(b);
+    queries->push_back(p);
+    this->setQueryCloud(queries);
+  }
+  Values
+  run()
+  {
+    pcl::PointCloud<pcl::PointNormal> feet;
+    this->process(feet);
+    Values values;
+    addPoints(feet, values);
+    return values;
+  }
+};
+
+template <typename PointT>
+struct Spiral : SpiralToolpathGenerator<PointT> {
+  Spiral()
+  {
+    this->setToolRadius(8.0);
+    this->setScallopHeight(0.2);
+    this->setChordError(0.05);
+  }
+  Values
+  run()
+  {
+    pcl::PointCloud<ToolpathPoint> path;
+    this->compute(path);
+    Values values;
+    addPoints(path, values);
+    return values;
+  }
+};
+
+template <typename PointT>
+struct Located : CutterLocation<PointT> {
+  Located()
+  {
+    this->setCutter(CutterShape::ball(5.0));
+    this->setDrivePath(*ring());
+  }
+  Values
+  run()
+  {
+    ToolLocations locations;
+    this->compute(locations);
+    Values values;
+    for (const ToolLocation& location : locations)
+      values.push_back(location.tip.z());
+    return values;
+  }
+};
+
+template <typename PointT>
+struct Driven : DrivePath<PointT> {
+  Driven() { this->setStepOver(5.0); }
+  Values
+  run()
+  {
+    DrivePasses passes;
+    this->compute(passes);
+    Values values;
+    for (const DrivePass& pass : passes)
+      for (const DrivePoint& point : pass.points)
+        values.push_back(point.position.z());
+    return values;
+  }
+};
+
+template <typename PointT>
+struct Deviation : DeviationEstimation<PointT> {
+  Deviation() { this->setInputToolpath(ring()); }
+  Values
+  run()
+  {
+    pcl::PointCloud<pcl::PointXYZI> out;
+    this->compute(out);
+    Values values;
+    for (const auto& p : out)
+      values.push_back(p.intensity);
+    return values;
+  }
+};
+
+template <typename PointT>
+struct Removed : MaterialRemoval<PointT> {
+  Removed()
+  {
+    this->setInputToolpath(ring());
+    this->setToolRadius(5.0);
+    this->setScallopHeight(0.1);
+  }
+  Values
+  run()
+  {
+    pcl::PointCloud<pcl::PointXYZI> out;
+    this->compute(out);
+    return out.empty() ? Values() : Values{this->getFigures().area, this->getFigures().path_length};
+  }
+};
+
+template <typename PointT>
+struct Leads : LeadCheck<PointT> {
+  Leads() { this->setCutter(CutterShape::ball(5.0)); }
+  Values
+  run()
+  {
+    this->compute(MachineProgram());
+    return this->getStatus().ok() ? Values{static_cast<double>(this->getFigures().collided)} : Values();
+  }
+};
+
+template <typename PointT>
+struct Flags : CentroidBoundaryEstimation<PointT, pcl::Normal> {
+  Flags() { this->setKSearch(32); }
+  Values
+  run()
+  {
+    if (this->getInputCloud() && !this->getInputCloud()->empty()) {
+      pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
+      for (const PointT& p : *this->getInputCloud())
+        normals->push_back(pcl::Normal(p.x, p.y, p.z));
+      this->setInputNormals(normals);
+    }
+    pcl::PointCloud<pcl::Boundary> out;
+    this->compute(out);
+    Values values;
+    for (const pcl::Boundary& flag : out)
+      values.push_back(flag.boundary_point);
+    return values;
+  }
+};
+
+template <typename PointT>
+typename pcl::PointCloud<PointT>::Ptr
+cloudOf(const std::vector<Vector3d>& points)
+{
+  typename pcl::PointCloud<PointT>::Ptr cloud(new pcl::PointCloud<PointT>);
+  pcl::copyPointCloud(*test::toCloud(points), *cloud);
+  return cloud;
+}
+
+template <template <typename> class Stage, typename PointT>
+Values
+fresh(const std::vector<Vector3d>& points)
+{
+  Stage<PointT> stage;
+  stage.setInputCloud(cloudOf<PointT>(points));
+  return stage.run();
+}
+
+template <template <typename> class Stage>
+void
+checkReuse(const char* name)
+{
+  SCOPED_TRACE(name);
+  using Point = pcl::PointXYZ;
+  const auto large = dome(6000, 1), small = dome(2500, 2);
+  const Values of_large = fresh<Stage, Point>(large), of_small = fresh<Stage, Point>(small);
+  ASSERT_FALSE(of_large.empty());
+  ASSERT_FALSE(of_small.empty());
+  Stage<Point> stage;
+  const auto run = [&](const pcl::PointCloud<Point>::ConstPtr& cloud) {
+    stage.setInputCloud(cloud);
+    return stage.run();
+  };
+  const pcl::PointCloud<Point>::ConstPtr none, empty(new pcl::PointCloud<Point>);
+  EXPECT_EQ(run(cloudOf<Point>(large)), of_large);
+  EXPECT_EQ(run(cloudOf<Point>(small)), of_small) << "a second, smaller cloud";
+  EXPECT_EQ(run(cloudOf<Point>(large)), of_large) << "a third, larger cloud";
+  EXPECT_TRUE(run(empty).empty());
+  EXPECT_FALSE(stage.getStatus().ok());
+  EXPECT_TRUE(run(none).empty());
+  EXPECT_FALSE(stage.getStatus().ok());
+  EXPECT_EQ(run(cloudOf<Point>(small)), of_small) << "after a failure";
+
+  // The points of a larger cloud that are those of the small one.
+  std::vector<Vector3d> both = large;
+  both.insert(both.end(), small.begin(), small.end());
+  pcl::IndicesPtr indices(new pcl::Indices);
+  for (std::size_t i = 0; i < small.size(); ++i)
+    indices->push_back(static_cast<pcl::index_t>(large.size() + i));
+  Stage<Point> chosen;
+  chosen.setInputCloud(cloudOf<Point>(both));
+  chosen.setIndices(indices);
+  if (std::string(name) != "CentroidBoundaryEstimation") // where the others serve as support, as PCL has it
+    EXPECT_EQ(chosen.run(), of_small) << "by indices";
+  else
+    EXPECT_EQ(chosen.run().size(), small.size());
+  chosen.setIndices(pcl::IndicesPtr(new pcl::Indices{static_cast<pcl::index_t>(both.size())}));
+  EXPECT_TRUE(chosen.run().empty()) << "an index outside the cloud";
+  EXPECT_FALSE(chosen.getStatus().ok());
+
+  EXPECT_EQ((fresh<Stage, pcl::PointXYZRGB>(large)), of_large);
+  EXPECT_EQ((fresh<Stage, pcl::PointNormal>(large)), of_large);
+}
+
+class ReusedStages : public testing::Test {
+protected:
+  ReusedStages() { pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); }
+};
+
+} // namespace
+
+TEST_F(ReusedStages, Surface) { checkReuse<Scanned>("ScannedSurface"); }
+TEST_F(ReusedStages, Filters)
+{
+  checkReuse<Prepared>("SurfacePreparation");
+  checkReuse<Removal>("StrayRemoval");
+}
+TEST_F(ReusedStages, Boundaries)
+{
+  checkReuse<Flags>("CentroidBoundaryEstimation");
+  checkReuse<Loops>("BoundaryLoops");
+  checkReuse<Bridged>("GapBridging");
+}
+TEST_F(ReusedStages, Graph) { checkReuse<Graph>("EllipticGabrielGraph"); }
+TEST_F(ReusedStages, Geodesics) { checkReuse<Geodesic>("GeodesicPath"); }
+TEST_F(ReusedStages, Projector) { checkReuse<Projected>("MLSProjector"); }
+TEST_F(ReusedStages, Spiral)
+{
+  checkReuse<Lines>("RadialLines");
+  checkReuse<Spiral>("SpiralToolpathGenerator");
+}
+TEST_F(ReusedStages, Cutter)
+{
+  checkReuse<Located>("CutterLocation");
+  checkReuse<Driven>("DrivePath");
+  checkReuse<Leads>("LeadCheck");
+}
+TEST_F(ReusedStages, Judges)
+{
+  checkReuse<Deviation>("DeviationEstimation");
+  checkReuse<Removed>("MaterialRemoval");
+}
+
+TEST_F(ReusedStages, ThroughPclsBases)
+{
+  const auto cloud = cloudOf<pcl::PointXYZ>(dome(6000, 1));
+  pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
+  for (const auto& p : *cloud)
+    normals->push_back(pcl::Normal(p.x, p.y, p.z));
+  CentroidBoundaryEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+  estimation.setInputNormals(normals);
+  pcl::Feature<pcl::PointXYZ, pcl::Boundary>& feature = estimation;
+  feature.setInputCloud(cloud);
+  feature.setKSearch(32);
+  pcl::PointCloud<pcl::Boundary> flags;
+  feature.compute(flags);
+  EXPECT_EQ(flags.size(), cloud->size());
+
+  MLSProjector<pcl::PointXYZ, pcl::PointNormal> projector;
+  pcl::CloudSurfaceProcessing<pcl::PointXYZ, pcl::PointNormal>& processing = projector;
+  pcl::PointCloud<pcl::PointNormal> feet;
+  processing.process(feet);
+  EXPECT_TRUE(feet.empty());
+  EXPECT_FALSE(projector.getStatus().ok()) << "no cloud, and no crash";
+  processing.setInputCloud(cloud);
+  processing.process(feet);
+  ASSERT_EQ(feet.size(), cloud->size());
+  EXPECT_TRUE(feet.is_dense);
+
+  SurfacePreparation<pcl::PointXYZ> preparation(true);
+  StrayRemoval<pcl::PointXYZ> removal(true);
+  cloud->emplace_back(0.0f, 0.0f, 300.0f);
+  for (pcl::Filter<pcl::PointXYZ>* filter : {static_cast<pcl::Filter<pcl::PointXYZ>*>(&preparation),
+                                             static_cast<pcl::Filter<pcl::PointXYZ>*>(&removal)}) {
+    pcl::PointCloud<pcl::PointXYZ> kept;
+    filter->setInputCloud(cloud);
+    filter->filter(kept);
+    EXPECT_EQ(kept.size() + filter->getRemovedIndices()->size(), cloud->size());
+    ASSERT_FALSE(filter->getRemovedIndices()->empty());
+    EXPECT_EQ(filter->getRemovedIndices()->back(), 6000);
+  }
+}
+
+TEST_F(ReusedStages, SettingsOfMovingLeastSquaresAreTakenOrRefused)
+{
+  const auto cloud = cloudOf<pcl::PointXYZ>(dome(6000, 1));
+  pcl::PointCloud<pcl::PointNormal> feet;
+  using Projector = MLSProjector<pcl::PointXYZ, pcl::PointNormal>;
+  const auto outcome = [&](auto change) {
+    Projector projector;
+    projector.setInputCloud(cloud);
+    change(projector);
+    projector.process(feet);
+    return projector.getStatus();
+  };
+  EXPECT_TRUE(outcome([](Projector& p) { p.setSearchRadius(6.0); }).ok());
+  EXPECT_TRUE(outcome([](Projector& p) { p.setPolynomialOrder(0); }).ok());
+  const Status order = outcome([](Projector& p) { p.setPolynomialOrder(3); });
+  EXPECT_NE(order.message().find("setPolynomialOrder"), std::string::npos) << order.message();
+  const Status search = outcome([](Projector& p) { p.setSearchMethod(pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>()); });
+  EXPECT_NE(search.message().find("setSearchMethod"), std::string::npos) << search.message();
+  const Status radius = outcome([](Projector& p) { p.setSearchRadius(1e-3); });
+  EXPECT_NE(radius.message().find("setSearchRadius"), std::string::npos) << radius.message();
+  Projector projector;
+  projector.setInputCloud(cloud);
+  projector.setSearchRadius(6.0);
+  projector.process(feet);
+  const double spacing = a * std::sqrt(M_PI / 6000.0); // about
+  EXPECT_NEAR(projector.getNeighboursUsed(), M_PI * 36.0 / (spacing * spacing), 0.35 * projector.getNeighboursUsed());
+}
