@@ -124,6 +124,8 @@ verify(const Job& job, Result& result)
     throw Cancelled();
   if (!status.ok())
     throw FileError(job.scan, "the path was made but could not be judged: " + inOptions(status.message()));
+  if (!result.surface)
+    result.report.passes += reference->scanned().counts().passes;
   result.verification = std::move(verification);
 }
 

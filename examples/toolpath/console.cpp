@@ -89,6 +89,8 @@ printStages(const Result& result, double seconds)
     rest -= result.verification->seconds;
   }
   printStage("the rest", std::max(0.0, rest), seconds);
+  std::printf("  %d pass%s over all neighbourhoods%s\n", result.report.passes, result.report.passes == 1 ? "" : "es",
+              result.surface ? ", whose surface planner and judge share" : "");
 }
 
 } // namespace
