@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <random>
 
@@ -239,19 +238,33 @@ TEST(Pictures, StartAndEndAreMarkedAndWhatThePartHidesIsARing)
   }
 }
 
+/** Bytes of the picture of the spiral under \p title. */
+std::string
+pictureTitled(const std::string& title)
+{
+  const ScratchFolder folder;
+  PictureScene titled = scene();
+  titled.title = title;
+  SpiralPictures(titled).writeSpiral(folder.path("a.png"));
+  return readText(folder.path("a.png"));
+}
+
 TEST(Pictures, AreTheSameEveryTime)
 {
   if (!displayProblem().empty())
     GTEST_SKIP() << "no display here";
-  const ScratchFolder folder;
-  for (const char* name : {"a.png", "b.png"})
-    SpiralPictures(scene()).writeSpiral(folder.path(name));
-  const auto bytes = [&folder](const char* name) {
-    std::ifstream file(folder.path(name), std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  };
-  EXPECT_GT(bytes("a.png").size(), 10000U);
-  EXPECT_TRUE(bytes("a.png") == bytes("b.png"));
+  const std::string bytes = pictureTitled("paraboloid");
+  EXPECT_GT(bytes.size(), 10000U);
+  EXPECT_TRUE(bytes == pictureTitled("paraboloid"));
+}
+
+TEST(Pictures, ATitleThatIsNoTextIsDrawnWithSignsInPlaceOfItsBytes)
+{
+  if (!displayProblem().empty())
+    GTEST_SKIP() << "no display here";
+  const std::string bytes = pictureTitled("sc\xFF\xC3\x01n");
+  EXPECT_TRUE(bytes == pictureTitled("sc???n"));
+  EXPECT_FALSE(bytes == pictureTitled("scn"));
 }
 
 TEST(Pictures, WithoutADisplayTheRemedyIsNamed)

@@ -2,11 +2,12 @@
 
 #include "byte_file.h"
 
+#include <pcl_spiral/common/readable_text.h>
+
 #include <vtkBase64Utilities.h>
 
 #include <algorithm>
 #include <cstdarg>
-#include <cstdint>
 #include <cstdio>
 
 namespace pcl_spiral {
@@ -44,32 +45,6 @@ pre { background: #f2f4f6; padding: 10px 14px; white-space: pre-wrap; overflow-w
   * { -webkit-print-color-adjust: exact; print-color-adjust: exact; }
 }
 )";
-
-/** Length in bytes of the character that begins at \p at: well-formed UTF-8 (RFC 3629) of a character that
- * XML allows; 0: none begins there. */
-std::size_t
-characterLength(const std::string& text, std::size_t at)
-{
-  const auto byte = [&](std::size_t k) {
-    return at + k < text.size() ? static_cast<unsigned char>(text[at + k]) : static_cast<unsigned char>(0);
-  };
-  const unsigned char first = byte(0);
-  if (first < 0x80)
-    return first >= 0x20 || first == '\t' || first == '\n' ? 1 : 0;
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  std::uint32_t code = first & (0xFF >> (length + 1));
-  for (std::size_t k = 1; k < length; ++k) {
-    if ((byte(k) & 0xC0) != 0x80)
-      return 0;
-    code = code << 6 | (byte(k) & 0x3F);
-  }
-  const std::uint32_t least = length == 2 ? 0x80 : length == 3 ? 0x800 : 0x10000;
-  const bool surrogate = code >= 0xD800 && code < 0xE000;
-  return first < 0xC0 || first > 0xF4 || code < least || code > 0x10FFFF || surrogate ||
-                 (code & 0xFFFE) == 0xFFFE
-             ? 0
-             : length;
-}
 
 std::string
 base64(const std::string& bytes)
@@ -187,12 +162,8 @@ std::string
 escaped(const std::string& text)
 {
   std::string result;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = characterLength(text, at);
-    const char c = text[at];
-    if (length == 0)
-      result += "\xEF\xBF\xBD";
-    else if (c == '&')
+  for (const char c : readableText(text))
+    if (c == '&')
       result += "&amp;";
     else if (c == '<')
       result += "&lt;";
@@ -201,9 +172,7 @@ escaped(const std::string& text)
     else if (c == '"')
       result += "&quot;";
     else
-      result += text.substr(at, length);
-    at += std::max<std::size_t>(1, length);
-  }
+      result += c;
   return result;
 }
 

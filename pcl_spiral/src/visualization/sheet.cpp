@@ -1,5 +1,6 @@
 #include "sheet.h"
 
+#include <pcl_spiral/common/readable_text.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/visualization/pictures.h>
 
@@ -33,6 +34,14 @@ style(vtkTextProperty* text, int size, bool bold = false)
   text->SetBold(bold);
   text->SetItalic(false);
   text->SetShadow(false);
+}
+
+/** Where bytes are no text, as a file's name may be, VTK 9.1 draws no word and VTK 9.3 throws. Their font has no
+ *  sign for U+FFFD. */
+std::string
+drawable(const std::string& text)
+{
+  return readableText(text, "?");
 }
 
 /** Decimals that tell the five labels of a colour bar apart, and one more. */
@@ -157,7 +166,7 @@ addText(vtkRenderer* view, const std::string& text, int x, int y, int size, bool
   vtkNew<vtkTextActor> actor;
   actor->GetTextProperty()->SetBackgroundColor(view->GetBackground());
   actor->GetTextProperty()->SetBackgroundOpacity(0.85);
-  actor->SetInput(text.c_str());
+  actor->SetInput(drawable(text).c_str());
   actor->SetPosition(x, y);
   style(actor->GetTextProperty(), size, bold);
   view->AddActor(actor);
@@ -167,7 +176,7 @@ void
 addCentredText(vtkRenderer* view, const std::string& text, const Eigen::Vector2d& middle, int size)
 {
   vtkNew<vtkTextActor> actor;
-  actor->SetInput(text.c_str());
+  actor->SetInput(drawable(text).c_str());
   actor->SetPosition(middle.x(), middle.y());
   style(actor->GetTextProperty(), size);
   actor->GetTextProperty()->SetJustificationToCentered();

@@ -1,5 +1,6 @@
 #include "viewer_window.h"
 
+#include <pcl_spiral/common/readable_text.h>
 #include <pcl_spiral/visualization/pictures.h>
 
 #include <vtkCallbackCommand.h>
@@ -29,7 +30,7 @@ ViewerWindow::ViewerWindow(const DisplaySurface& surface, const std::string& nam
   const int* const screen = window_->GetScreenSize();
   window_->SetSize(std::min(widest, static_cast<int>(screen_share * screen[0])),
                    std::min(highest, static_cast<int>(screen_share * screen[1])));
-  window_->SetWindowName(name.c_str());
+  window_->SetWindowName(readableText(name, "?").c_str());
   window_->SetMultiSamples(4);
   window_->SetNumberOfLayers(2);
   for (vtkRenderer* const renderer : {view_.Get(), side_.Get(), overlay_.Get(), words_.Get()}) {
