@@ -405,6 +405,16 @@ TEST_F(Viewer, WithoutStockTheRemedyIsShown)
   }
 }
 
+TEST_F(Viewer, RunsOnWhenAnotherIsGone)
+{
+  SpiralViewer& viewer = shared();
+  open(scene(1000, 3, 20)).reset();
+  int asked = 0;
+  viewer.setCloseRequest([&] { return ++asked == 3; });
+  viewer.run();
+  EXPECT_EQ(asked, 3);
+}
+
 TEST_F(Viewer, ClosesByKeyAndOnRequest)
 {
   SpiralViewer& viewer = shared();

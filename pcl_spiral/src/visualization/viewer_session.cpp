@@ -44,6 +44,15 @@ ViewerSession::ViewerSession(VerificationScene given)
   show();
 }
 
+ViewerSession::~ViewerSession()
+{
+  // VTK 9.3 keeps a list of all interactors, works on each of them, and takes out those alone that are done: one
+  // deleted before would be called for the events of the next window
+  interactor->Disable();
+  interactor->SetDone(true);
+  interactor->ProcessEvents();
+}
+
 void
 ViewerSession::fill()
 {

@@ -25,6 +25,9 @@ namespace pcl_spiral {
 class ViewerSession {
 public:
   explicit ViewerSession(VerificationScene scene);
+  ~ViewerSession();
+  ViewerSession(const ViewerSession&) = delete;
+  ViewerSession& operator=(const ViewerSession&) = delete;
 
   void press(const std::string& key);
   void click(int x, int y);
