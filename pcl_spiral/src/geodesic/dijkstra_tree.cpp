@@ -13,12 +13,47 @@ bool
 DijkstraTree::compute(const SurfaceGraph& graph, const Eigen::Vector3d& source)
 {
   graph_ = &graph;
+  edges_ = nullptr;
   source_ = source;
+  return search();
+}
+
+bool
+DijkstraTree::compute(const SurfaceGraph& graph, const NeighbourLists& edges, const Eigen::Vector3d& source)
+{
+  graph_ = &graph;
+  edges_ = &edges;
+  source_ = source;
+  return search();
+}
+
+bool
+DijkstraTree::hasEdges(std::uint32_t v) const
+{
+  return edges_ ? (*edges_)[v].size() > 0 : hasTriangles(graph_->triangulation(), v);
+}
+
+/** Call \p visit(j) for every point j that an edge joins to \p v. */
+template <typename Visit>
+void
+DijkstraTree::forEdges(std::uint32_t v, Visit visit) const
+{
+  if (!edges_) {
+    forNeighbours(graph_->triangulation(), v, visit);
+    return;
+  }
+  for (const std::uint32_t j : (*edges_)[v])
+    visit(j);
+}
+
+bool
+DijkstraTree::search()
+{
+  const SurfaceGraph& graph = *graph_;
   distances_.assign(graph.size(), unreached);
   before_.assign(graph.size(), Triangulation::none);
-  const Triangulation& mesh = graph.triangulation();
   const std::uint32_t nearest =
-      nearestPoint(graph, source, reachOf(graph), [&](std::uint32_t i) { return hasTriangles(mesh, i); });
+      nearestPoint(graph, source_, reachOf(graph), [&](std::uint32_t i) { return hasEdges(i); });
   if (nearest == Triangulation::none)
     return false;
   using Entry = std::pair<double, std::uint32_t>;
@@ -31,17 +66,17 @@ DijkstraTree::compute(const SurfaceGraph& graph, const Eigen::Vector3d& source)
     }
   };
   const auto straight = [&](std::uint32_t j) {
-    reach(j, (graph.position(j) - source).norm(), Triangulation::none);
+    reach(j, (graph.position(j) - source_).norm(), Triangulation::none);
   };
   straight(nearest);
-  forNeighbours(mesh, nearest, straight);
+  forEdges(nearest, straight);
   while (!queue.empty()) {
     const auto [distance, v] = queue.top();
     queue.pop();
     if (distance > distances_[v])
       continue;
     const Eigen::Vector3d from = graph.position(v);
-    forNeighbours(mesh, v, [&, distance = distance, v = v](std::uint32_t j) {
+    forEdges(v, [&, distance = distance, v = v](std::uint32_t j) {
       reach(j, distance + (graph.position(j) - from).norm(), v);
     });
   }
@@ -59,7 +94,7 @@ DijkstraTree::path(const Eigen::Vector3d& to) const
   const auto through = [&](std::uint32_t j) { return distances_[j] + (graph_->position(j) - to).norm(); };
   std::uint32_t last = nearest;
   bool beside_source = before_[nearest] == Triangulation::none;
-  forNeighbours(graph_->triangulation(), nearest, [&](std::uint32_t j) {
+  forEdges(nearest, [&](std::uint32_t j) {
     if (through(j) < through(last))
       last = j;
     beside_source = beside_source && before_[j] == Triangulation::none;
