@@ -10,17 +10,26 @@ namespace {
 
 /** Curvature along a direction of the tangent plane. */
 struct Section {
+  Eigen::Vector2d along; ///< to the neighbour
   double angle, curvature;
+  double weight = 0.0;
 };
 
-/** The angle each section stands for, as a share of the whole: sections are in order of their angles. */
+/** The area of the triangle between each section and the next counts for both. \return the sum of the weights. */
 double
-weight(const std::vector<Section>& sections, std::size_t j)
+weigh(std::vector<Section>& sections)
 {
-  const std::size_t n = sections.size();
-  const double before = j > 0 ? sections[j - 1].angle : sections[n - 1].angle - 2.0 * M_PI;
-  const double after = j + 1 < n ? sections[j + 1].angle : sections[0].angle + 2.0 * M_PI;
-  return (after - before) / (4.0 * M_PI);
+  double whole = 0.0;
+  for (std::size_t j = 0; j < sections.size(); ++j) {
+    Section &a = sections[j], &b = sections[(j + 1) % sections.size()];
+    const double twice = a.along.x() * b.along.y() - a.along.y() * b.along.x(); // not positive across half a turn
+    if (twice <= 0.0)
+      continue;
+    a.weight += twice;
+    b.weight += twice;
+    whole += 2.0 * twice;
+  }
+  return whole;
 }
 
 } // namespace
@@ -33,17 +42,18 @@ taubinCurvatures(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, co
   std::vector<Section> sections;
   for (const Eigen::Vector3d& p : neighbours) {
     const Eigen::Vector3d d = p - point;
-    const double x = d.dot(e1), y = d.dot(e2);
-    if (x != 0.0 || y != 0.0)
-      sections.push_back({std::atan2(y, x), -2.0 * normal.dot(d) / d.squaredNorm()});
+    const Eigen::Vector2d along(d.dot(e1), d.dot(e2));
+    if (!along.isZero(0.0))
+      sections.push_back({along, std::atan2(along.y(), along.x()), -2.0 * normal.dot(d) / d.squaredNorm()});
   }
-  if (sections.size() < 3)
-    return std::nullopt;
   std::sort(sections.begin(), sections.end(), [](const Section& a, const Section& b) { return a.angle < b.angle; });
+  const double whole = weigh(sections);
+  if (sections.size() < 3 || !(whole > 0.0))
+    return std::nullopt;
   double m11 = 0.0, m12 = 0.0, m22 = 0.0; // of M
-  for (std::size_t j = 0; j < sections.size(); ++j) {
-    const double c = std::cos(sections[j].angle), s = std::sin(sections[j].angle);
-    const double weighted = weight(sections, j) * sections[j].curvature;
+  for (const Section& section : sections) {
+    const double c = std::cos(section.angle), s = std::sin(section.angle);
+    const double weighted = section.weight / whole * section.curvature;
     m11 += weighted * c * c;
     m12 += weighted * c * s;
     m22 += weighted * s * s;

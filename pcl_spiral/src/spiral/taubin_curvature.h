@@ -23,10 +23,10 @@ struct PrincipalCurvatures {
  *  from a polyhedral approximation": along T_j = (p_j - p) made tangential, unit,
  *    kappa_j = 2 N . (p_j - p) / |p_j - p|^2,   M = sum_j w_j kappa_j T_j T_j^T,   sum w_j = 1,
  *  and of the two eigenvalues m1, m2 of M in the tangent plane k1 = 3 m1 - m2, k2 = 3 m2 - m1. The sign is turned round:
- *  Taubin's curvature is positive where the surface bends towards N. His weights are areas of triangles; a cloud has none,
- *  so w_j is the angle that T_j stands for, half of the way to the directions on either side: the trapezoid rule of the
- *  integral over directions that M stands for.
- *  Nothing with fewer than three directions. */
+ *  Taubin's curvature is positive where the surface bends towards N. His w_j is the area of the triangles at the edge to p_j,
+ *  over all; here those are the triangles between p and two neighbours next to each other about N, none across half a turn
+ *  or more.
+ *  Nothing with fewer than three neighbours, or without area. */
 std::optional<PrincipalCurvatures>
 taubinCurvatures(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, const Polyline& neighbours);
 
