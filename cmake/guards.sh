@@ -46,6 +46,9 @@ done
 fault "newer PCL base classes have members of these names; choose others" \
   "$(grep -rnE '\b(threads_|chunk_size_)\b' $library --include='*.h' --include='*.hpp' --include='*.cpp' || true)"
 
+fault "messages of the library name setters, never a program's options" \
+  "$(grep -rnE '"[^"]*--[a-z]' $library --include='*.h' --include='*.hpp' --include='*.cpp' || true)"
+
 flags='-march=native|-mavx|-ffast-math|-Ofast|PCL_NO_PRECOMPILE'
 fault "flags that break PCL's ABI, the same bytes everywhere, or the compile time" \
   "$(find . -name 'build*' -prune -o -path ./.git -prune -o -type f \

@@ -7,6 +7,7 @@
 #include "program/machine_moves.h"
 #include "program/program_check.h"
 #include "report/picture_files.h"
+#include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 
 #include <pcl_spiral/io/output_files.h>
@@ -77,7 +78,7 @@ main(int argc, char** argv)
     return bad_usage;
   }
   catch (const std::exception& error) {
-    std::cerr << "pcl_spiral_drive: " << error.what() << '\n';
+    std::cerr << "pcl_spiral_drive: " << inOptions(error.what()) << '\n';
     return failed_on_data;
   }
 }

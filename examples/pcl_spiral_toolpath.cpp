@@ -82,6 +82,7 @@ compute(const Job& job)
   std::vector<StageCost> stages;
   StageClock clock(stages);
   result.scan = readCloud(job.scan, job.read);
+  result.scan.warnings = inOptions(result.scan.warnings);
   clock.end("reading");
   if (cancelled())
     throw Cancelled();
@@ -196,7 +197,7 @@ main(int argc, char** argv)
     return bad_usage;
   }
   catch (const std::exception& error) {
-    std::cerr << "pcl_spiral_toolpath: " << error.what() << '\n';
+    std::cerr << "pcl_spiral_toolpath: " << inOptions(error.what()) << '\n';
     return failed_on_data;
   }
 }

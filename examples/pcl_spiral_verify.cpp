@@ -60,7 +60,8 @@ run(const VerifyJob& job)
 {
   VerifyOutputs outputs(job);
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
-  const Scan scan = readCloud(job.scan, job.read);
+  Scan scan = readCloud(job.scan, job.read);
+  scan.warnings = inOptions(scan.warnings);
   warn(job, scan.warnings);
   std::shared_ptr<const ReferenceSurface> reference;
   bool all_hold = true;
@@ -97,7 +98,7 @@ main(int argc, char** argv)
     return bad_usage;
   }
   catch (const std::exception& error) {
-    std::cerr << "pcl_spiral_verify: " << error.what() << '\n';
+    std::cerr << "pcl_spiral_verify: " << inOptions(error.what()) << '\n';
     return failed;
   }
 }

@@ -38,7 +38,7 @@ judgedScene(const ViewJob& job)
   const Scan scan = readCloud(job.scan, job.read);
   if (!job.quiet)
     for (const std::string& warning : scan.warnings)
-      std::cerr << "pcl_spiral_view: warning: " << warning << '\n';
+      std::cerr << "pcl_spiral_view: warning: " << inOptions(warning) << '\n';
   const auto path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(readToolpath(job.path).path);
   std::shared_ptr<const ReferenceSurface> reference;
   Verification verification;
@@ -91,7 +91,7 @@ main(int argc, char** argv)
     return bad_usage;
   }
   catch (const std::exception& error) {
-    std::cerr << "pcl_spiral_view: " << error.what() << '\n';
+    std::cerr << "pcl_spiral_view: " << inOptions(error.what()) << '\n';
     return failed;
   }
 }

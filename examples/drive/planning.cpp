@@ -286,6 +286,7 @@ plan(const Job& job)
   Result result;
   StageClock clock(result.stages);
   result.scan = readCloud(job.scan, job.read);
+  result.scan.warnings = inOptions(result.scan.warnings);
   result.whole_scan = result.scan.cloud;
   clock.end("reading");
   if (cancelled())

@@ -6,7 +6,7 @@
 namespace {
 
 /** Longer names stand before names that they begin with. */
-constexpr std::array<std::pair<const char*, const char*>, 19> words{{
+constexpr std::array<std::pair<const char*, const char*>, 22> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
@@ -26,6 +26,9 @@ constexpr std::array<std::pair<const char*, const char*>, 19> words{{
     {"Scale it to mm", "Say its unit (--units m), or scale it to mm"},
     {"in another unit than mm?", "in another unit than mm (--units)?"},
     {"setNumberOfThreads", "--threads"},
+    {"ReadOptions::columns", "--columns"},
+    {"ReadOptions::origin", "--origin X,Y,Z"},
+    {"ReadOptions::unit", "--units m, --units inch"},
 }};
 
 } // namespace

@@ -35,6 +35,7 @@ plant pcl_spiral/src/toolpath/planted.cpp '#include "pcl_spiral/io/toolpath_writ
 plant $headers/utils/planted.h '#pragma once'
 plant $headers/common/status.h 'struct Planted { int threads_ = 0; };'
 plant $headers/toolpath/spiral_settings.h 'struct Planted { int chunk_size_ = 0; };'
+plant pcl_spiral/src/core/polyline.cpp 'const char* const planted = "thin it (--thin)";'
 plant CMakeLists.txt 'add_compile_options(-march=native)'
 plant pcl_spiral/CMakeLists.txt 'target_compile_options(pcl_spiral PRIVATE -ffast-math)'
 plant cmake/planted.cmake 'add_compile_definitions(PCL_NO_PRECOMPILE)'

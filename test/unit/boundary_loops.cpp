@@ -503,7 +503,7 @@ TEST(BoundaryLoops, RefusesARimOfFarSparserPoints)
   };
   const Loops result = loopsOf(graded(1.06));
   EXPECT_EQ(result.status.code(), StatusCode::InvalidInput);
-  for (const char* words : {"boundary at (", "mm apart", "times as far as", "--thin"})
+  for (const char* words : {"boundary at (", "mm apart", "times as far as", "setThinning"})
     EXPECT_NE(result.status.message().find(words), std::string::npos) << result.status.message();
   EXPECT_TRUE(result.loops.empty());
 }

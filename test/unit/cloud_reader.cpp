@@ -171,7 +171,7 @@ TEST_F(CloudReader, TinyPartsHintAtTheUnit)
 {
   const Scan scan = readCloud(text("a.xyz", "0 0 0\n0.5 0 0\n0 0.5 0\n"));
   ASSERT_EQ(scan.warnings.size(), 1U);
-  EXPECT_NE(scan.warnings[0].find("--units m"), std::string::npos);
+  EXPECT_NE(scan.warnings[0].find("ReadOptions::unit"), std::string::npos);
 }
 
 TEST_F(CloudReader, KeepsNotANumberPoints)

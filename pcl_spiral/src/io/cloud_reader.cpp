@@ -65,11 +65,11 @@ warningsFor(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& cloud
   if (rounding > noticed_rounding)
     warnings.push_back(file + ": coordinates reach " + inMillimetres(largest) +
                        ", where single precision rounds them by up to " + inMillimetres(rounding) +
-                       "; subtract a point near the part with --origin X,Y,Z");
+                       "; subtract a point near the part (ReadOptions::origin)");
   const double size = (high - low).norm();
   if (largest > 0.0 && size < smallest_likely_size)
     warnings.push_back(file + ": the part is " + inMillimetres(size) +
-                       " across; if the scan is in metres or inches, say so with --units m or --units inch");
+                       " across; if the scan is in metres or inches, say so (ReadOptions::unit)");
   return warnings;
 }
 
@@ -92,7 +92,7 @@ readCloud(const std::string& file, const ReadOptions& options)
     throw FileError(file, "extension '" + extension +
                               "' is not known for a scan; use .pcd .ply .xyz .txt .csv .asc .stl or .obj");
   if (!options.columns.empty() && !isText(extension))
-    throw FileError(file, "columns can be named for text files alone; leave --columns out");
+    throw FileError(file, "columns can be named for text files alone; leave ReadOptions::columns out");
   const PointTable table = readTable(file, extension, options.columns);
 
   Scan scan;

@@ -139,18 +139,18 @@ private:
       names_ = unquoted(words_);
     if (words_.size() < wanted_.size())
       throw FileError(file_, atLine(number, std::to_string(words_.size()) + " column(s), where " +
-                                                joined(wanted_) + " are needed; see --columns"));
+                                                joined(wanted_) + " are needed; see ReadOptions::columns"));
     if (names_.empty())
       names_ = wanted_;
     if (header && !named_by_user_ && find(names_, wanted_[0]) == names_.size())
       throw FileError(file_, atLine(number, quoted(words_[0]) + " is neither a number nor a heading with " +
-                                                joined(wanted_) + "; name the columns with --columns"));
+                                                joined(wanted_) + "; name the columns (ReadOptions::columns)"));
     positions_ = columnsOf(file_, names_, wanted_);
     width_ = words_.size();
     const std::size_t last = *std::max_element(positions_.begin(), positions_.end());
     if (last >= width_)
       throw FileError(file_, atLine(number, std::to_string(width_) + " columns, where column " +
-                                                std::to_string(last + 1) + " is asked for; see --columns"));
+                                                std::to_string(last + 1) + " is asked for; see ReadOptions::columns"));
     table_.resize(wanted_.size());
   }
 

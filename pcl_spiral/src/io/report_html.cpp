@@ -166,7 +166,7 @@ writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles&
   else
     html.addStatement(
         Tone::Neutral, "Not judged",
-        {"--verify, or pcl_spiral_verify, measures deviation, scallop and gouge against the scan"});
+        {"pcl_spiral_verify measures deviation, scallop and gouge against the scan"});
   html.addPart("Path and surface");
   for (const ReportPicture& picture : pictures)
     html.addPicture(picture);
