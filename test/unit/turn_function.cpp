@@ -93,6 +93,28 @@ TEST(TurnFunction, SphereOutsideAndInside)
   }
 }
 
+TEST(TurnFunction, EvenStepsAreTakenAsTheyAre)
+{
+  const double length = 75.0, step_over = 1.7, step = 0.9;
+  auto lines = meridians(60.0, length, 48, true);
+  lines[5].feet[64].curvature2 = -1.0; // the cutter does not fit: not looked at
+  SpiralSettings settings = cutter(8.0, 0.02);
+  settings.pitch = Pitch::AlongLine;
+  TurnFunction turns(lines, settings, 0.5);
+  turns.setEvenSteps(step_over, step);
+  const Status status = turns.compute();
+  ASSERT_TRUE(status.ok()) << status.message();
+  EXPECT_EQ(turns.turns(), static_cast<std::size_t>(std::ceil(length / step_over)));
+  EXPECT_EQ(turns.smallestStepOver(), step_over);
+  EXPECT_EQ(turns.largestStepOver(), step_over);
+  for (std::size_t i = 0; i < lines.size(); i += 5)
+    for (double tau = 0.0; tau <= static_cast<double>(turns.turns()); tau += 3.7) {
+      const double s = lines[i].length() * tau / static_cast<double>(turns.turns());
+      EXPECT_NEAR(turns.arcLengthAt(i, tau), s, 1e-9 * length); // (17)-(19) with the same step-over everywhere
+      EXPECT_DOUBLE_EQ(turns.feedStepAt(i, s), step);
+    }
+}
+
 TEST(TurnFunction, SquareSavesTheRootOfTwo)
 {
   const double half = 100.0;

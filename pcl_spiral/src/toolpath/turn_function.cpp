@@ -42,6 +42,13 @@ TurnFunction::TurnFunction(const std::vector<RadialLine>& lines, const SpiralSet
     stations_.emplace_back(line.feet.size());
 }
 
+void
+TurnFunction::setEvenSteps(double step_over, double step)
+{
+  even_step_over_ = step_over;
+  max_step_ = step;
+}
+
 double
 TurnFunction::shareAt(std::size_t i, double s) const
 {
@@ -163,10 +170,14 @@ TurnFunction::stationAt(std::size_t line, std::size_t station, bool with_contour
   result.feed_step = max_step_;
   const double radius = settings_.tool_radius;
   for (const Eigen::Vector3d& direction : across) { // both sides of a corner: the closer pitch counts
+    const double cos_psi = std::max(steepest_cosine, std::abs(tangent.dot(direction)));
+    if (even_step_over_ > 0.0) {
+      result.rate = std::max(result.rate, cos_psi / even_step_over_);
+      continue;
+    }
     const auto step = stepOver(radius, foot.normalCurvature(direction), settings_.scallop_height);
     if (!step)
       return std::nullopt;
-    const double cos_psi = std::max(steepest_cosine, std::abs(tangent.dot(direction)));
     result.rate = std::max(result.rate, cos_psi / (reserve * *step));
     const double along_feed = foot.normalCurvature(direction.cross(foot.normal));
     result.feed_step = std::min(
@@ -258,12 +269,28 @@ TurnFunction::checkFeet() const
       if (!foot.valid)
         return {StatusCode::Failed, textOf("radial line ", i, " leaves the scanned surface at ", placeText(foot.position),
                                            ": scan the surface there, or leave the line out")};
-      if (foot.curvature2 <= steepest)
+      if (!(even_step_over_ > 0.0) && foot.curvature2 <= steepest)
         return {StatusCode::Failed, textOf("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ",
                                            placeText(foot.position), ", tighter than the tool radius ",
                                            settings_.tool_radius, " mm: the cutter would gouge; use a smaller tool")};
     }
   return Status::success();
+}
+
+void
+TurnFunction::findStepOvers()
+{
+  smallest_step_over_ = largest_step_over_ = even_step_over_;
+  if (even_step_over_ > 0.0)
+    return;
+  smallest_step_over_ = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < lines_.size(); ++i)
+    for (std::size_t k = 0; k < lines_[i].feet.size(); ++k)
+      for (const double curvature : {footAt(i, k).curvature1, footAt(i, k).curvature2})
+        if (const auto step = stepOver(settings_.tool_radius, curvature, settings_.scallop_height)) {
+          smallest_step_over_ = std::min(smallest_step_over_, *step);
+          largest_step_over_ = std::max(largest_step_over_, *step);
+        }
 }
 
 Status
@@ -306,14 +333,7 @@ TurnFunction::compute()
   for (std::int64_t i = 0; i < n; ++i)
     for (std::size_t k = 0; k < measured[i].size(); ++k)
       stations_[i][k].feed_step = measured[i][k].feed_step;
-  smallest_step_over_ = std::numeric_limits<double>::max();
-  for (std::int64_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < lines_[i].feet.size(); ++k)
-      for (const double curvature : {footAt(i, k).curvature1, footAt(i, k).curvature2})
-        if (const auto step = stepOver(settings_.tool_radius, curvature, settings_.scallop_height)) {
-          smallest_step_over_ = std::min(smallest_step_over_, *step);
-          largest_step_over_ = std::max(largest_step_over_, *step);
-        }
+  findStepOvers();
   return Status::success();
 }
 

@@ -35,6 +35,11 @@ public:
   /** \p spacing of the cloud: contour directions are taken over at least twice that. The lines must outlive this. */
   TurnFunction(const std::vector<RadialLine>& lines, const SpiralSettings& settings, double spacing);
 
+  /** One \p step_over and one longest linear move \p step everywhere, mm, instead of those that the curvature and the chord
+   *  error ask for; then it is not looked at whether the cutter fits. For lengths that were found by other rules, as those
+   *  of Wu et al. 2025, equations (13)-(16). */
+  void setEvenSteps(double step_over, double step);
+
   /** Ok, or where the cutter does not fit, or a line has left the surface (a foot between its ends that is not valid). At
    *  an end that lies a little beyond the surface the foot next to it tells the curvature. */
   Status compute();
@@ -69,19 +74,21 @@ private:
   };
 
   const SurfaceFoot& footAt(std::size_t line, std::size_t station) const;
-  Status checkFeet() const;
   double arcLengthAtShare(std::size_t line, double share) const;
   Eigen::Vector3d positionOn(std::size_t line, double share) const;
   std::optional<Eigen::Vector3d> contourDirection(std::size_t line, std::size_t station, int side) const;
+  Status checkFeet() const;
   std::optional<Station> stationAt(std::size_t line, std::size_t station, bool with_contours) const;
   void smoothRates();
   void integrate(std::size_t line);
+  void findStepOvers();
   double turnsNeeded(const std::vector<std::vector<Station>>& measured) const;
 
   const std::vector<RadialLine>& lines_;
   SpiralSettings settings_;
   double spacing_;
   double max_step_;
+  double even_step_over_ = 0.0; ///< 0: by curvature, and so are feed steps
   std::vector<std::vector<Station>> stations_;
   std::size_t turns_ = 0;
   double smallest_step_over_ = 0.0, largest_step_over_ = 0.0;
