@@ -15,8 +15,8 @@
 
 namespace pcl_spiral::test {
 
-/** Points of \p surface at random, each farther than \p apart from those kept before; \p tries per point that would fit
- *  side by side. */
+/** Points of \p surface at random, each farther than \p apart from those kept before; \p tries per point that
+ * would fit side by side. */
 inline std::vector<Eigen::Vector3d>
 evenPoints(const AnalyticSurface& surface, double apart, double tries, std::uint64_t seed)
 {

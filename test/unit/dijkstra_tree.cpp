@@ -17,8 +17,8 @@ using Eigen::Vector3d;
 
 class OverGabrielEdges : public ::testing::Test {
 protected:
-  const SurfaceGraph graph_ =
-      test::graphOf(test::sampleUniform(*test::flat(test::Region({test::rectangle(200, 200)})), 20000, 7).points);
+  const SurfaceGraph graph_ = test::graphOf(
+      test::sampleUniform(*test::flat(test::Region({test::rectangle(200, 200)})), 20000, 7).points);
   const NeighbourLists edges_ = ellipticGabrielEdges(graph_.blocks().points(), {}, GabrielOptions());
 };
 

@@ -27,7 +27,8 @@ leastOfAll(const Polyline& seeds, const Polyline& candidates)
         least = std::min(least, matchingCost(seeds, candidates, partners));
       return;
     }
-    for (std::size_t k = from; k <= std::min(from + 4 * candidates.size() / seeds.size(), partners.front() + candidates.size());
+    for (std::size_t k = from;
+         k <= std::min(from + 4 * candidates.size() / seeds.size(), partners.front() + candidates.size());
          ++k) {
       partners.push_back(k);
       extend(k);
@@ -79,7 +80,8 @@ TEST(LoopMatching, OffCentreRingsKeepOrder)
     const std::size_t next = i + 1 < seeds.size() ? partners[i + 1] : partners[0] + 256;
     longest = std::max(longest, static_cast<double>(next - partners[i]) / 4.0);
   }
-  EXPECT_LT((candidates[partners[0] % 256] - Vector3d(80, 0, 0)).norm(), 1.0);  // nearest to the seed on the axis
+  EXPECT_LT((candidates[partners[0] % 256] - Vector3d(80, 0, 0)).norm(),
+            1.0); // nearest to the seed on the axis
   EXPECT_LT((candidates[partners[32] % 256] - Vector3d(20, 0, 0)).norm(), 1.0); // and on the far side of it
   EXPECT_LT(longest, 2.0);
 }

@@ -1,4 +1,5 @@
-// Boundaries as published: flags by equation (1) against a search of all pairs, walks that close and walks that end.
+// Boundaries as published: flags by equation (1) against a search of all pairs, walks that close and walks
+// that end.
 #include "spiral/published_loops.h"
 #include "support/even_cloud.h"
 #include "support/sampling.h"
@@ -15,7 +16,8 @@ namespace {
 using namespace pcl_spiral;
 using Eigen::Vector3d;
 
-/** Flags by the equation itself: the tangential distance of each point from the mean of its nearest others. */
+/** Flags by the equation itself: the tangential distance of each point from the mean of its nearest others.
+ */
 std::vector<std::uint8_t>
 flagsByAllPairs(const SurfaceGraph& graph, int neighbours, double threshold)
 {
@@ -26,7 +28,8 @@ flagsByAllPairs(const SurfaceGraph& graph, int neighbours, double threshold)
     const Vector3d p = graph.position(i);
     const auto distance = [&](std::size_t j) { return (graph.position(j) - p).norm(); };
     std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
     Vector3d offset = -p;
     for (int k = 1; k <= neighbours; ++k)
       offset += graph.position(order[k]) / neighbours;
@@ -87,7 +90,8 @@ TEST(PublishedLoops, WalkEndsAtACornerSharperThanItsTurn)
 
 TEST(PublishedLoops, WalkLosesItselfInTheBandOfARandomCloud)
 {
-  const SurfaceGraph graph = test::graphOf(test::sampleUniform(*test::spheroidCap(200.0, 100.0), 20000, 3).points);
+  const SurfaceGraph graph =
+      test::graphOf(test::sampleUniform(*test::spheroidCap(200.0, 100.0), 20000, 3).points);
   std::vector<BoundaryLoop> loops;
   const Status status = publishedLoops(graph, {}, loops);
   EXPECT_EQ(status.code(), StatusCode::Failed);

@@ -1,4 +1,5 @@
-// Equation (12) on surfaces of known curvature: even fans of neighbours, then the Gabriel neighbours of clouds.
+// Equation (12) on surfaces of known curvature: even fans of neighbours, then the Gabriel neighbours of
+// clouds.
 #include "spiral/taubin_curvature.h"
 #include "support/even_cloud.h"
 #include "support/surfaces.h"
@@ -16,7 +17,8 @@ namespace {
 using namespace pcl_spiral;
 using Eigen::Vector3d;
 
-/** Points of a surface round one of its points, \p reach away in the tangent plane, in even directions from \p first. */
+/** Points of a surface round one of its points, \p reach away in the tangent plane, in even directions from
+ * \p first. */
 Polyline
 fan(const test::AnalyticSurface& surface, const Vector3d& centre, double reach, int count, double first)
 {
@@ -37,11 +39,13 @@ TEST(TaubinCurvature, SphereIsExactFromAnyNeighboursInTheMean)
     const Vector3d n = Vector3d(random.normal(), random.normal(), random.normal()).normalized();
     Polyline neighbours;
     for (int k = 0; k < 6; ++k)
-      neighbours.push_back(radius * (n + 0.1 * Vector3d(random.normal(), random.normal(), random.normal())).normalized());
+      neighbours.push_back(
+          radius * (n + 0.1 * Vector3d(random.normal(), random.normal(), random.normal())).normalized());
     const auto outside = taubinCurvatures(radius * n, n, neighbours);
     const auto inside = taubinCurvatures(radius * n, -n, neighbours); // seen from within: hollow
     ASSERT_TRUE(outside && inside);
-    EXPECT_NEAR(0.5 * (outside->larger + outside->smaller), 1.0 / radius, 1e-12); // every section has the same curvature
+    EXPECT_NEAR(0.5 * (outside->larger + outside->smaller), 1.0 / radius,
+                1e-12); // every section has the same curvature
     EXPECT_NEAR(0.5 * (inside->larger + inside->smaller), -1.0 / radius, 1e-12);
     EXPECT_GE(outside->larger, outside->smaller);
     EXPECT_NEAR(outside->direction.dot(n), 0.0, 1e-12);
@@ -65,7 +69,8 @@ TEST(TaubinCurvature, EvenFansGiveTheCurvaturesAndTheirDirection)
     const auto [smallest, largest] = c.surface.principalCurvatures(c.at);
     for (const int count : {5, 6, 8, 13})
       for (const double first : {0.0, 0.4}) {
-        const auto found = taubinCurvatures(c.at, c.surface.normal(c.at), fan(c.surface, c.at, 0.2, count, first));
+        const auto found =
+            taubinCurvatures(c.at, c.surface.normal(c.at), fan(c.surface, c.at, 0.2, count, first));
         ASSERT_TRUE(found);
         EXPECT_NEAR(found->larger, largest, 1e-5);
         EXPECT_NEAR(found->smaller, smallest, 1e-5);
@@ -85,9 +90,10 @@ TEST(TaubinCurvature, GabrielNeighboursOfClouds)
     double bound; ///< of the median error of either curvature, 1/mm
   };
   const double k = 1.0 / 50.0;
-  for (const Case& c : {Case{"sphere", test::ball(50.0, test::Region({test::circle({0, 0}, 30.0)})), 0.5 * k},
-                        Case{"cylinder", test::cylinder(50.0, test::Region({test::rectangle(60, 60)})), 0.5 * k},
-                        Case{"plane", test::flat(test::Region({test::rectangle(60, 60)})), 1e-6}}) {
+  for (const Case& c :
+       {Case{"sphere", test::ball(50.0, test::Region({test::circle({0, 0}, 30.0)})), 0.5 * k},
+        Case{"cylinder", test::cylinder(50.0, test::Region({test::rectangle(60, 60)})), 0.5 * k},
+        Case{"plane", test::flat(test::Region({test::rectangle(60, 60)})), 1e-6}}) {
     const SurfaceGraph graph = test::graphOf(test::evenPoints(*c.surface, 0.5, 10.0, 5));
     const NeighbourLists edges = ellipticGabrielEdges(graph.blocks().points(), {}, GabrielOptions());
     std::vector<double> errors, middle;
@@ -104,8 +110,8 @@ TEST(TaubinCurvature, GabrielNeighboursOfClouds)
     std::nth_element(errors.begin(), errors.begin() + errors.size() / 2, errors.end());
     std::nth_element(middle.begin(), middle.begin() + middle.size() / 2, middle.end());
     std::printf("  %s: median error %.5f, largest %.5f, of the sum in the median %.6f (%zu points)\n", c.name,
-                errors[errors.size() / 2], *std::max_element(errors.begin(), errors.end()), middle[middle.size() / 2],
-                errors.size());
+                errors[errors.size() / 2], *std::max_element(errors.begin(), errors.end()),
+                middle[middle.size() / 2], errors.size());
     EXPECT_LT(errors[errors.size() / 2], c.bound);
     EXPECT_LT(std::abs(middle[middle.size() / 2]), 0.05 * k);
   }

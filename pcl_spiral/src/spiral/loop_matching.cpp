@@ -15,8 +15,8 @@ constexpr double widest_way = 4.0; // to the next partner, in even ones
 class Matching {
 public:
   Matching(const Polyline& seeds, const Polyline& candidates)
-  : n_(seeds.size()), m_(candidates.size()), even_(static_cast<double>(m_) / static_cast<double>(n_)),
-    widest_(std::min(m_, static_cast<std::size_t>(std::ceil(widest_way * even_)))), lengths_(n_ * m_)
+      : n_(seeds.size()), m_(candidates.size()), even_(static_cast<double>(m_) / static_cast<double>(n_)),
+        widest_(std::min(m_, static_cast<std::size_t>(std::ceil(widest_way * even_)))), lengths_(n_ * m_)
   {
     double whole = 0.0;
     for (std::size_t i = 0; i < n_; ++i)
@@ -26,7 +26,11 @@ public:
       length *= whole > 0.0 ? static_cast<double>(lengths_.size()) / whole : 0.0;
   }
 
-  double length(std::size_t i, std::size_t partner) const { return lengths_[i * m_ + partner % m_]; }
+  double
+  length(std::size_t i, std::size_t partner) const
+  {
+    return lengths_[i * m_ + partner % m_];
+  }
   double
   spacing(std::size_t way) const
   {
@@ -34,7 +38,8 @@ public:
     return off * off;
   }
 
-  /** Least cost with seed 0 at candidate \p first; the ways from one partner to the next into \p ways, unless null. */
+  /** Least cost with seed 0 at candidate \p first; the ways from one partner to the next into \p ways, unless
+   * null. */
   double
   best(std::size_t first, std::vector<std::size_t>* ways) const
   {

@@ -18,11 +18,12 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t segments = 128;      // of a line
-constexpr std::size_t matched_seeds = 64, matched_candidates = 256; // of rim and inner loop; lines between follow
-constexpr double wave_in_spacings = 8.0;   // that Taubin smoothing halves
-constexpr double wave_in_segments = 4.0;   // the same, at least
-constexpr double fit_share = 0.2;          // of the chord error: the B-spline's tolerance
+constexpr std::size_t segments = 128; // of a line
+constexpr std::size_t matched_seeds = 64,
+                      matched_candidates = 256; // of rim and inner loop; lines between follow
+constexpr double wave_in_spacings = 8.0;        // that Taubin smoothing halves
+constexpr double wave_in_segments = 4.0;        // the same, at least
+constexpr double fit_share = 0.2;               // of the chord error: the B-spline's tolerance
 
 /** Where a line begins and ends, in order along the rim. */
 struct Ends {
@@ -58,7 +59,8 @@ partnersOn(const BoundaryLoop& inner, const RimCurve& rim, std::size_t count)
     const double at = static_cast<double>(i * matched_seeds) / static_cast<double>(count);
     const auto k = static_cast<std::size_t>(at);
     const double f = at - static_cast<double>(k);
-    const double place = (1.0 - f) * static_cast<double>(partner[k]) + f * static_cast<double>(partner[k + 1]);
+    const double place =
+        (1.0 - f) * static_cast<double>(partner[k]) + f * static_cast<double>(partner[k + 1]);
     partners.push_back(loop.at(loop.length() * std::fmod(place / matched_candidates, 1.0)));
   }
   return partners;
@@ -91,8 +93,8 @@ shortestWays(const PublishedLineRequest& request, const NeighbourLists& edges, c
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (lines[i].points.size() < 2)
       return {StatusCode::Failed, textOf("no way over the edges of the elliptic Gabriel graph leads from ",
-                                         placeText(ends.starts[i]), " to the rim at ", placeText(ends.ends[i]),
-                                         ": the scan falls apart between them")};
+                                         placeText(ends.starts[i]), " to the rim at ",
+                                         placeText(ends.ends[i]), ": the scan falls apart between them")};
   return Status::success();
 }
 
@@ -107,9 +109,10 @@ refine(const PublishedLineRequest& request, std::vector<GeodesicLine>& lines, Pu
   refineGeodesics(request.surface, options, lines);
   for (const GeodesicLine& line : lines) {
     if (line.left_surface)
-      return {StatusCode::Failed, textOf("the shortest line from ", placeText(line.points.front()), " to the rim at ",
-                                         placeText(line.points.back()), " leaves the surface at ", placeText(line.left_at),
-                                         ": a re-entrant outline or a gap in the scan")};
+      return {StatusCode::Failed,
+              textOf("the shortest line from ", placeText(line.points.front()), " to the rim at ",
+                     placeText(line.points.back()), " leaves the surface at ", placeText(line.left_at),
+                     ": a re-entrant outline or a gap in the scan")};
     figures.unsettled += !line.converged;
     figures.largest_move = std::max(figures.largest_move, line.largest_move);
   }
@@ -149,7 +152,8 @@ smooth(const PublishedLineRequest& request, std::vector<GeodesicLine>& lines)
   return Status::success();
 }
 
-/** Equation (12) at the point of the cloud nearest to a foot; flat where that has fewer than three neighbours. */
+/** Equation (12) at the point of the cloud nearest to a foot; flat where that has fewer than three
+ * neighbours. */
 void
 setCurvatures(const SurfaceGraph& graph, const NeighbourLists& edges, SurfaceFoot& foot)
 {
@@ -157,6 +161,19 @@ setCurvatures(const SurfaceGraph& graph, const NeighbourLists& edges, SurfaceFoo
   foot.curvature1 = k.larger;
   foot.curvature2 = k.smaller;
   foot.direction1 = k.direction;
+}
+
+/** Lines 0, 2^k, 2 2^k, ... come first, then those half-way between, and so on: the spiral leaves the later
+ * ones out near the centre, where lines stand closer together than they are known. */
+int
+levelOf(std::size_t line, std::size_t count)
+{
+  constexpr std::size_t first_round = 16; // lines, at least
+  int level = 0;
+  for (std::size_t stride = 1; count / (2 * stride) >= first_round; stride *= 2)
+    if (line % (2 * stride) != 0)
+      ++level;
+  return level;
 }
 
 Status
@@ -182,6 +199,7 @@ fit(const PublishedLineRequest& request, const NeighbourLists& edges, std::vecto
       line.deviation = fitted->max_deviation;
     }
     line.rim_share = line.turn_share = static_cast<double>(i) / static_cast<double>(count);
+    line.level = levelOf(i, lines.size());
   }
   for (const RadialLine& line : lines)
     if (!(line.length() > 0.0))

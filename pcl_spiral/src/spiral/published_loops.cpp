@@ -54,14 +54,16 @@ centroidFlags(const SurfaceGraph& graph, int neighbours, double offset_threshold
     for (std::int64_t b = 0; b < count; ++b) {
       search.setRun(blocks.blockBox(b));
       for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); ++i)
-        flags[blocks.originalIndex(i)] = test.isOnBoundary(i, search.find(blocks.position(i)), offset_threshold);
+        flags[blocks.originalIndex(i)] =
+            test.isOnBoundary(i, search.find(blocks.position(i)), offset_threshold);
     }
   }
   return flags;
 }
 
 Status
-publishedLoops(const SurfaceGraph& graph, const PublishedLoopOptions& options, std::vector<BoundaryLoop>& loops)
+publishedLoops(const SurfaceGraph& graph, const PublishedLoopOptions& options,
+               std::vector<BoundaryLoop>& loops)
 {
   BoundaryOptions boundary;
   boundary.method = LoopMethod::Walk;
