@@ -43,6 +43,7 @@ settingsJson(const SpiralSettings& s)
           {"boundaries", choiceName(s.boundary_mode)},
           {"direction", choiceName(s.direction)},
           {"sense", choiceName(s.sense)},
+          {"method", choiceName(s.method)},
           {"pitch", choiceName(s.pitch)},
           {"lines", choiceName(s.lines)},
           {"largest", s.largest_part},

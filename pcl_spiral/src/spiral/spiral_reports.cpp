@@ -123,4 +123,33 @@ reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& p
   report.largest_gap = path.largest_gap;
 }
 
+void
+reportPublished(const Surface& surface, const SpiralSettings& settings, PublishedResult& published, SpiralReport& report,
+                SpiralPath& path)
+{
+  const PublishedFigures& figures = published.figures;
+  reportLines(published.lines, settings, report);
+  report.loops = std::move(published.loops);
+  report.unsettled_lines = figures.unsettled_lines;
+  report.largest_unsettled = figures.largest_line_move;
+  report.smallest_step_over = report.largest_step_over = figures.step_over;
+  report.largest_allowed_step = figures.step;
+  report.largest_gap = figures.longest_move;
+  report.largest_axis_change = figures.largest_axis_change;
+  report.turns = static_cast<std::size_t>(std::lround(std::abs(published.turns.back() - published.turns.front())));
+  report.path_points = published.contacts.size();
+  report.path_length = published.arc_lengths.back();
+  report.warnings.insert(report.warnings.end(), published.warnings.begin(), published.warnings.end());
+  path.over_gap.assign(published.contacts.size(), 0);
+  for (std::size_t i = 0; surface.counts().guessed > 0 && i < path.over_gap.size(); ++i) {
+    path.over_gap[i] = surface.isGuessed(surface.graph().blocks().nearest(published.contacts[i]));
+    report.gap_points += path.over_gap[i];
+  }
+  path.contacts = std::move(published.contacts);
+  path.normals = std::move(published.normals);
+  path.axes = std::move(published.axes);
+  path.arc_lengths = std::move(published.arc_lengths);
+  path.turns = std::move(published.turns);
+}
+
 } // namespace pcl_spiral

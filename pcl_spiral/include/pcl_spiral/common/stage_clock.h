@@ -35,6 +35,8 @@ public:
 
   /** The stage that ran until now was \p name; the next one begins. */
   void end(const std::string& name);
+  /** The next stage begins now; what ran until now is told elsewhere. */
+  void restart() { begin_ = std::chrono::steady_clock::now(); }
 
 private:
   std::vector<StageCost>& stages_;

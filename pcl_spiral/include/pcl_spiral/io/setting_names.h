@@ -60,6 +60,11 @@ struct ChoiceNames<LineMethod> {
        {LineMethod::Harmonic, "harmonic"}}};
 };
 template <>
+struct ChoiceNames<SpiralMethod> {
+  static constexpr std::array<std::pair<SpiralMethod, const char*>, 2> words{
+      {{SpiralMethod::Radial, "radial"}, {SpiralMethod::Published, "published"}}};
+};
+template <>
 struct ChoiceNames<Dialect> {
   static constexpr std::array<std::pair<Dialect, const char*>, 5> words{{{Dialect::LinuxCNC, "linuxcnc"},
                                                                          {Dialect::Fanuc, "fanuc"},

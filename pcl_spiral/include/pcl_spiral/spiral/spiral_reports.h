@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/spiral/gap_bridging.h>
+#include <pcl_spiral/spiral/published_spiral.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 #include <pcl_spiral/spiral/spiral_turns.h>
 #include <pcl_spiral/toolpath/spiral_report.h>
@@ -35,5 +36,10 @@ reportTurns(const SpiralTurns& turns, SpiralReport& report);
 
 void
 reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& path, SpiralReport& report);
+
+/** What the published chain came to on \p surface; its arrays become those of \p path. */
+void
+reportPublished(const Surface& surface, const SpiralSettings& settings, PublishedResult& published, SpiralReport& report,
+                SpiralPath& path);
 
 } // namespace pcl_spiral

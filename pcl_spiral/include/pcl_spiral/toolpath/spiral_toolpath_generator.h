@@ -117,22 +117,32 @@ public:
   void setSettings(const SpiralSettings& settings) { settings_ = settings; }
   const SpiralSettings& getSettings() const { return settings_; }
 
+  /** How the whole path is made; Radial by default. With Published boundaries that are given take the place of the walk. */
+  void setMethod(SpiralMethod method) { settings_.method = method; }
+  SpiralMethod getMethod() const { return settings_.method; }
+  /** How many boundaries the spiral runs between; Automatic by default: two where there is a single real hole. */
   void setBoundaryMode(BoundaryMode mode) { settings_.boundary_mode = mode; }
   BoundaryMode getBoundaryMode() const { return settings_.boundary_mode; }
+  /** Which way the spiral travels; Outward by default. */
   void setDirection(SpiralDirection direction) { settings_.direction = direction; }
   SpiralDirection getDirection() const { return settings_.direction; }
+  /** Which way the cutter travels round, seen from outside the material; CounterClockwise by default. */
   void setSense(SpiralSense sense) { settings_.sense = sense; }
   SpiralSense getSense() const { return settings_.sense; }
+  /** Along what the distance of turns is measured; AcrossFeed by default. */
   void setPitch(Pitch pitch) { settings_.pitch = pitch; }
   Pitch getPitch() const { return settings_.pitch; }
+  /** What to do with holes in the data; Bridge by default. */
   void setGapHandling(GapHandling gaps) { settings_.gaps = gaps; }
   GapHandling getGapHandling() const { return settings_.gaps; }
+  /** How radial lines are found; Automatic by default. */
   void setLineMethod(LineMethod method) { settings_.lines = method; }
   LineMethod getLineMethod() const { return settings_.lines; }
   /** Of several separate parts keep the one of the largest area alone, and say what was left out; without it, the default,
    *  several parts are refused. */
   void setLargestPart(bool alone) { settings_.largest_part = alone; }
   bool getLargestPart() const { return settings_.largest_part; }
+  /** Turn all normals to the other side. */
   void setFlipNormals(bool flip) { settings_.flip_normals = flip; }
   bool getFlipNormals() const { return settings_.flip_normals; }
 
@@ -154,6 +164,7 @@ private:
   Status makeLoops(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops);
   Status makeLines(const Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, RadialLineSet& lines);
   Status makeCurve(Surface::ConstPtr& surface, StageClock& clock, SpiralTurns& turns);
+  Status makePublished(const Surface& surface, StageClock& clock, SpiralPath& path);
   Status run(StageClock& clock, SpiralPath& path);
 
   std::vector<BoundaryLoop> given_loops_;

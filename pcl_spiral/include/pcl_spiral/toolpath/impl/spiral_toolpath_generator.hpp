@@ -120,6 +120,27 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePublished(const Surface& surface, StageClock& clock,
+                                                                     SpiralPath& path)
+{
+  if (given_lines_)
+    return {StatusCode::InvalidArgument, "radial lines were given, but the published method makes its own: call "
+                                         "clearRadialLines, or setMethod with another method"};
+  PublishedResult published;
+  const ProgressCallback progress = partOf(progress_, 0.25, 1.0);
+  const Status status = given_loops_.empty()
+                            ? planPublished(surface.graph(), settings_, progress, published)
+                            : planPublishedWithin(surface.graph(), given_loops_, settings_, progress, published);
+  for (const StageCost& stage : published.stages)
+    report_.stages.push_back(stage);
+  clock.restart();
+  if (status.ok())
+    reportPublished(surface, settings_, published, report_, path);
+  return status;
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
 SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, SpiralPath& path)
 {
   if (const Status status = checkSettings(settings_); !status.ok())
@@ -129,6 +150,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
   if (const Status status = makeSurface(surface); !status.ok())
     return status;
   clock.end("surface");
+  if (settings_.method == SpiralMethod::Published)
+    return makePublished(*surface, clock, path);
   GapFigures gaps;
   {
     SpiralTurns turns;
