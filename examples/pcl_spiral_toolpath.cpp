@@ -103,7 +103,7 @@ compute(const Job& job)
   result.report = generator.getReport();
   result.report.warnings = inOptions(result.report.warnings);
   if (result.surface)
-    result.report.passes = result.surface->counts().passes;
+    result.report.passes += result.surface->counts().passes;
   result.report.stages.insert(result.report.stages.begin(), stages.begin(), stages.end());
   return result;
 }

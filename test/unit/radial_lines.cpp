@@ -235,7 +235,7 @@ TEST(RadialLines, RefusesWithNoLines)
   refused([](Lines& r) { r.setInputNormals(test::toNormals({Vector3d(0, 0, 1)})); }, input, "normals");
   refused([](Lines& r) { r.setIndices(pcl::make_shared<pcl::Indices>(pcl::Indices{0, 3000})); }, input, "3000");
   refused([](Lines& r) { r.setBoundaryMode(BoundaryMode::TwoBoundaries); }, argument, "two boundaries");
-  refused([](Lines& r) { r.setProgressCallback([](double) { return false; }); }, StatusCode::Cancelled, "cancelled");
+  refused([](Lines& r) { r.setProgressCallback([](double, const std::string&) { return false; }); }, StatusCode::Cancelled, "cancelled");
 
   BoundaryLoop circle;
   circle.curve = circle.points = test::ring(60.0, 200);

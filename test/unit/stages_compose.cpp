@@ -3,6 +3,7 @@
 #include "support/scratch_folder.h"
 #include "support/surfaces.h"
 
+#include <pcl_spiral/core/bspline_fit.h>
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 #include <pcl_spiral/io/cloud_reader.h>

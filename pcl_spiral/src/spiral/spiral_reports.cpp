@@ -46,6 +46,7 @@ reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, Spira
   for (const BridgedGap& gap : bridged.gaps)
     if (gap.points > 0) // those that were not filled are among the loops
       report.loops.push_back(gap.loop);
+  report.passes += report.loops.size() > bridged.loops.size(); // the surface was made again, with the points put in
   report.boundaries = 1;
   for (const BoundaryLoop& loop : bridged.loops)
     if (loop.type == LoopType::Inner)

@@ -149,7 +149,10 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
   Surface::ConstPtr surface;
   if (const Status status = makeSurface(surface); !status.ok())
     return status;
-  clock.end("surface");
+  if (this->given_surface_)
+    clock.restart();
+  else
+    clock.end("surface");
   if (settings_.method == SpiralMethod::Published)
     return makePublished(*surface, clock, path);
   GapFigures gaps;
