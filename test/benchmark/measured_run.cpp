@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/common/stage_clock.h>
 #include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 #include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
@@ -103,6 +104,17 @@ measureOurs(const RunCase& run, const std::string& scan, const std::string& csv,
   generator.setNumberOfThreads(threads);
   pcl::PointCloud<ToolpathPoint> path;
   generator.compute(path);
+  std::string walk;
+  if (!generator.getStatus().ok() && run.settings.method == SpiralMethod::Published) {
+    walk = generator.getStatus().message();
+    BoundaryLoops<pcl::PointXYZ> boundaries;
+    boundaries.setInputCloud(read.cloud);
+    boundaries.setNumberOfThreads(threads);
+    std::vector<BoundaryLoop> loops;
+    boundaries.compute(loops);
+    generator.setBoundaryLoops(loops);
+    generator.compute(path);
+  }
   if (!generator.getStatus().ok())
     throw std::runtime_error(run.name + ": " + generator.getStatus().message());
   const std::vector<StageCost>& computed = generator.getReport().stages;
@@ -122,6 +134,7 @@ measureOurs(const RunCase& run, const std::string& scan, const std::string& csv,
             {"before_mb", megabytes(before)},
             {"bytes_a_cloud_point", own / static_cast<double>(read.cloud->size())},
             {"csv_crc", checksum(csv)},
+            {"walk", walk.empty() ? Json() : Json(walk)},
             {"stages", stagesJson(stages)}};
   json.update(pathJson(run, generator.getReport(), path));
   return json;

@@ -38,7 +38,8 @@ rawDome(const std::string& name)
 const std::vector<std::string>&
 caseNames()
 {
-  static const std::vector<std::string> names{"dome", "dome200k", "freeform", "dome12"};
+  static const std::vector<std::string> names{"dome",   "dome200k",           "freeform",
+                                              "dome12", "dome200k_published", "freeform_published"};
   return names;
 }
 
@@ -52,6 +53,11 @@ runCase(const std::string& name, double scallop)
     chosen = dome(name, 200000);
   else if (name == "freeform")
     chosen = {name, {test::freeform(), 86000}, {}, false};
+  else if (name == "dome200k_published" || name == "freeform_published") {
+    chosen = runCase(name.substr(0, name.find('_')), scallop);
+    chosen.name = name;
+    chosen.settings.method = SpiralMethod::Published;
+  }
   else if (name == "dome12")
     chosen = rawDome(name);
   else

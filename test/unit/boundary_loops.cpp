@@ -501,11 +501,23 @@ TEST(BoundaryLoops, RefusesARimOfFarSparserPoints)
       }
     return toCloud(points);
   };
-  const Loops result = loopsOf(graded(1.06));
+  const auto cloud = graded(1.06);
+  const Loops result = loopsOf(cloud);
   EXPECT_EQ(result.status.code(), StatusCode::InvalidInput);
-  for (const char* words : {"boundary at (", "mm apart", "times as far as", "setThinning"})
+  for (const char* words : {"stand alone", "does not hang together", "setThinning"})
     EXPECT_NE(result.status.message().find(words), std::string::npos) << result.status.message();
   EXPECT_TRUE(result.loops.empty());
+  // The same of a graph that nothing was left out of.
+  std::vector<Eigen::Vector3f> points;
+  for (const auto& p : *cloud)
+    points.push_back(p.getVector3fMap());
+  SurfaceGraph graph;
+  ASSERT_TRUE(graph.build(points, {}).ok());
+  std::vector<BoundaryLoop> loops;
+  const Status raw = findBoundaryLoops(graph, BoundaryOptions(), loops);
+  EXPECT_EQ(raw.code(), StatusCode::InvalidInput);
+  for (const char* words : {"boundary at (", "mm apart", "times as far as", "setThinning"})
+    EXPECT_NE(raw.message().find(words), std::string::npos) << raw.message();
 }
 
 } // namespace

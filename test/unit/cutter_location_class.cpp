@@ -109,7 +109,7 @@ TEST(CutterLocation, PathsCloudsAndSettingsThatCannotBeAreNamed)
     l.setDrivePoints({{{1, 2, 3}, up, up}, {{1, nan, 3}, up, up}});
   });
   fails("tolerance is -1 mm", [](Location& l) { l.setContactTolerance(-1.0); });
-  fails("threads is -1", [](Location& l) { l.setNumberOfThreads(-1); });
+  fails("threads is 4294967295", [](Location& l) { l.setNumberOfThreads(-1); });
   fails("cancelled", [](Location& l) {
     l.setProgressCallback([](double, const std::string& s) { return s != "locations"; });
   });

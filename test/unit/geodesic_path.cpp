@@ -261,7 +261,7 @@ TEST_F(OnSaddle, SaysWhatIsWrong)
   nothing->resize(100, pcl::PointXYZ(std::nanf(""), 0, 0));
   geodesic_.setInputCloud(nothing);
   geodesic_.setSourcePoint(Vector3d(0, 0, 0));
-  fails(StatusCode::InvalidInput, "usable points");
+  fails(StatusCode::InvalidInput, "is finite");
 }
 
 TEST(GeodesicPath, KeepsThePathsThatAreThereAndNamesTheOther)

@@ -260,7 +260,7 @@ TEST(LeadCheck, RefusesWhatCannotBe)
   expectHas(message([](Check& c) { c.setTolerance(0.0); }), "tolerance is 0");
   expectHas(message([](Check& c) { c.setHolder({ToolSegment::cylinder(-1.0, 5.0, "shank")}); }), "shank");
   expectHas(message([](Check& c) { c.setHolderClearance(-2.0); }), "clearance is -2");
-  expectHas(message([](Check& c) { c.setNumberOfThreads(-1); }), "threads is -1");
+  expectHas(message([](Check& c) { c.setNumberOfThreads(-1); }), "threads is 4294967295");
   expectHas(message([](Check& c) { c.setProgressCallback([](double, const std::string&) { return false; }); }), "cancelled");
   Check check;
   check.setInputCloud(floorAndWall(9.0f));

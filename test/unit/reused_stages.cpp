@@ -1,10 +1,12 @@
 // Every class used again: clouds of other sizes, other point types, indices, no cloud at all. Never an answer of before.
 #include "support/sampling.h"
 #include "support/surfaces.h"
+#include "support/test_machines.h"
 
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 #include <pcl_spiral/geodesic/geodesic_path.h>
+#include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
 #include <pcl_spiral/surface/mls_projector.h>
@@ -303,8 +305,18 @@ struct Leads : LeadCheck<PointT> {
   Values
   run()
   {
-    this->compute(MachineProgram());
-    return this->getStatus().ok() ? Values{static_cast<double>(this->getFigures().collided)} : Values();
+    ToolPoses poses; // a line over the top
+    for (int i = 0; i <= 10; ++i) {
+      const Vector3d place(2.0 * i - 10.0, 0.0, b + 1.0);
+      poses.push_back({place, Vector3d::UnitZ(), place, Vector3d::UnitZ()});
+    }
+    MachineProgramGenerator generator;
+    generator.setMachine(test::testMachines().front());
+    generator.setInputPasses({poses});
+    MachineProgram program;
+    generator.compute(program);
+    this->compute(program);
+    return this->getStatus().ok() ? Values{static_cast<double>(this->getFigures().moves)} : Values();
   }
 };
 
@@ -496,6 +508,9 @@ TEST_F(ReusedStages, SettingsOfMovingLeastSquaresAreTakenOrRefused)
   projector.setInputCloud(cloud);
   projector.setSearchRadius(6.0);
   projector.process(feet);
-  const double spacing = a * std::sqrt(M_PI / 6000.0); // about
-  EXPECT_NEAR(projector.getNeighboursUsed(), M_PI * 36.0 / (spacing * spacing), 0.35 * projector.getNeighboursUsed());
+  ScannedSurface<pcl::PointXYZ> scanned;
+  scanned.setInputCloud(cloud);
+  Surface::ConstPtr surface;
+  scanned.compute(surface);
+  EXPECT_NEAR(projector.getNeighboursUsed(), M_PI * 36.0 / (surface->spacing() * surface->spacing()), 0.5);
 }

@@ -124,6 +124,26 @@ TEST(ScanGaps, ARealHoleIsRiddenOverWhenOneBoundaryIsAskedFor)
     ASSERT_EQ(p.over_gap, 0);
 }
 
+TEST(ScanGaps, TheLongestHoleIsTheSecondBoundaryWhereTwoAreAskedFor)
+{
+  // 38 mm round, a tenth of the rim: a gap by itself, a boundary where the user says so.
+  const std::vector<Gap> holes{spot(5.0, -4.0, 6.0), spot(30.0, 20.0, 3.0)};
+  auto generator = generatorFor(holes, 0.0);
+  generator.setBoundaryMode(BoundaryMode::TwoBoundaries);
+  Path path;
+  generator.compute(path);
+  ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+  EXPECT_EQ(generator.getReport().boundaries, 2u);
+  double nearest = 1e9;
+  std::size_t over_other = 0;
+  for (const ToolpathPoint& p : path) {
+    nearest = std::min(nearest, std::hypot(p.x - 5.0, p.y + 4.0));
+    over_other += std::hypot(p.x - 30.0, p.y - 20.0) < 1.5;
+  }
+  EXPECT_NEAR(nearest, 6.0, 0.5 * spacing) << "round the hole, and not over it";
+  EXPECT_GT(over_other, 0u) << "the shorter one is bridged";
+}
+
 TEST(ScanGaps, AreRefusedWithTheirPlaceWhenAskedFor)
 {
   auto generator = generatorFor(spots, 0.0);

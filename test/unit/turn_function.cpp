@@ -61,6 +61,29 @@ expectEven(const TurnFunction& turns, double length, double step, std::size_t li
     }
 }
 
+TEST(TurnFunction, AFootThatIsNotValidTellsNothing)
+{
+  auto lines = meridians(100.0, 60.0, 48, false);
+  for (RadialLine& line : lines)
+    for (SurfaceFoot& foot : line.feet)
+      foot.valid = true;
+  const SpiralSettings settings = cutter(5.0, 0.05);
+  TurnFunction whole(lines, settings, 0.5);
+  ASSERT_TRUE(whole.compute().ok());
+  // At its end a line may lie a little beyond the surface: nothing of what the foot there holds is used.
+  SurfaceFoot& end = lines[7].feet.back();
+  end.valid = false;
+  end.curvature1 = end.curvature2 = -1.0;
+  TurnFunction beyond(lines, settings, 0.5);
+  ASSERT_TRUE(beyond.compute().ok());
+  EXPECT_EQ(beyond.turns(), whole.turns());
+  EXPECT_NEAR(beyond.smallestStepOver(), whole.smallestStepOver(), 1e-12);
+  lines[9].feet[20].valid = false;
+  const Status status = TurnFunction(lines, settings, 0.5).compute();
+  EXPECT_EQ(status.code(), StatusCode::Failed);
+  EXPECT_NE(status.message().find("radial line 9 leaves the scanned surface"), std::string::npos) << status.message();
+}
+
 TEST(TurnFunction, EvenOnAPlaneDisc)
 {
   const auto lines = test::straightLines(from_origin, test::ring(100.0, 64));

@@ -3,6 +3,9 @@
  */
 #pragma once
 
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/status.h>
+
 #include <omp.h>
 
 #include <algorithm>
@@ -11,6 +14,16 @@ namespace pcl_spiral {
 
 /** More are never started: where the system refuses one, OpenMP ends the program. */
 constexpr unsigned int most_threads = 256;
+
+/** Ok, or a number of threads that nobody means, such as -1 turned into an unsigned number. */
+inline Status
+checkThreads(unsigned int threads)
+{
+  if (threads <= most_threads)
+    return Status::success();
+  return {StatusCode::InvalidArgument, textOf("the number of threads is ", threads, ": set 0 for all, or a count up to ",
+                                              most_threads, " (setNumberOfThreads)")};
+}
 
 /** Parallel loops started in this thread use a number of threads while the object lives; 0 means all processors, as in PCL
  *  (omp_get_num_procs). */

@@ -79,8 +79,9 @@ public:
   void setAlpha(double spacings) { settings_.alpha = spacings; }
   double getAlpha() const { return settings_.alpha; }
 
-  /** Refuse what is no single sheet (points that scatter by more than 0.35 spacings about their fit) or hangs together badly
-   *  (more than a tenth of the points alone); true by default. */
+  /** Refuse what is no single sheet (points that scatter by more than 0.35 spacings about their fit), hangs together badly
+   *  (more than a tenth of the points alone), or has normals without a common side (more than a tenth disagree); true by
+   *  default. */
   void setStrict(bool strict) { settings_.strict = strict; }
   bool getStrict() const { return settings_.strict; }
 
@@ -110,6 +111,7 @@ private:
   Status filter(UsablePoints& usable, SurfaceCounts& counts, std::vector<std::uint32_t>& dropped,
                 std::vector<LeftOut>& why) const;
   Status run(Surface::ConstPtr& surface);
+  Status checkSide(const Surface& surface) const;
   void addLeftOut(const std::vector<std::uint32_t>& indices, const std::vector<LeftOut>& why, LeftOutPoints& points) const;
   const pcl::Indices* givenIndices() const { return this->fake_indices_ ? nullptr : this->indices_.get(); }
 

@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/surface/scanned_surface.h>
 
 #include <pcl/console/print.h>
@@ -62,10 +63,22 @@ public:
   const Status& getStatus() const { return status_; }
 
 protected:
+  /** Ok, or there is neither surface nor cloud, or a number of threads that nobody means: for stages whose own settings are
+   *  looked at before the surface is made. */
+  Status
+  checkInput() const
+  {
+    if (!given_surface_ && (!this->input_ || this->input_->empty()))
+      return {StatusCode::InvalidInput, "the input cloud is missing or empty: call setInputCloud with points, or setInputSurface"};
+    return checkThreads(getNumberOfThreads());
+  }
+
   /** The surface given, or one made of the cloud; \p progress of the latter. */
   Status
   prepareSurface(Surface::ConstPtr& surface, const ProgressCallback& progress = {})
   {
+    if (const Status status = checkInput(); !status.ok())
+      return status;
     if (given_surface_) {
       const std::string setter = scanned_.getInputNormals()
                                      ? "setInputNormals"

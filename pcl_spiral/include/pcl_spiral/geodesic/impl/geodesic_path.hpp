@@ -76,6 +76,8 @@ Status
 GeodesicPath<PointT, PointNT>::run()
 {
   const ThreadLimit limit(this->getNumberOfThreads());
+  if (const Status status = this->checkInput(); !status.ok())
+    return status;
   if (const Status status = check(); !status.ok())
     return status;
   Surface::ConstPtr surface;

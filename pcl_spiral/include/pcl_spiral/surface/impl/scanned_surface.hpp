@@ -24,6 +24,8 @@ ScannedSurface<PointT, PointNT>::check() const
   if (normals_ && normals_->size() != size)
     return {StatusCode::InvalidInput, textOf("there are ", normals_->size(), " normals for ", size,
                                              " points: call setInputNormals with one a point, or with none")};
+  if (const Status status = checkThreads(thread_count_); !status.ok())
+    return status;
   if (settings_.outlier_neighbours < 0 || !(settings_.outlier_deviations > 0.0))
     return {StatusCode::InvalidArgument,
             textOf("outlier removal by ", settings_.outlier_neighbours, " neighbours and ", settings_.outlier_deviations,
@@ -135,10 +137,31 @@ ScannedSurface<PointT, PointNT>::run(Surface::ConstPtr& surface)
   const auto made = std::make_shared<Surface>(std::move(parts));
   if (const Status status = settings_.strict ? checkSingleSheet(*made) : Status::success(); !status.ok())
     return status;
+  if (const Status status = checkSide(*made); !status.ok())
+    return status;
   if (!going(1.0))
     return cancelled;
   surface = made;
   return Status::success();
+}
+
+/** When strict: the input normals tell a side only if nine in ten agree on it. */
+template <typename PointT, typename PointNT>
+Status
+ScannedSurface<PointT, PointNT>::checkSide(const Surface& surface) const
+{
+  if (!normals_ || !settings_.strict)
+    return Status::success();
+  std::size_t same = 0, other = 0;
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    const float dot = surface.graph().normals()[i].dot((*normals_)[surface.sourceIndex(i)].getNormalVector3fMap());
+    same += dot > 0.0f;
+    other += dot < 0.0f;
+  }
+  if (9 * std::min(same, other) <= std::max(same, other))
+    return Status::success();
+  return {StatusCode::InvalidInput, textOf("the input normals have no common side: ", same, " point to one, ", other,
+                                           " to the other: orient them, or give none (setInputNormals)")};
 }
 
 template <typename PointT, typename PointNT>

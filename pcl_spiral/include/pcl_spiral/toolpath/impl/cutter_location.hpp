@@ -76,6 +76,8 @@ CutterLocation<PointT>::makeLocationSurface()
   if (progress_ && !progress_(0.0, "surface"))
     return {StatusCode::Cancelled, "cancelled"};
   Surface::ConstPtr surface;
+  if (const Status status = this->checkInput(); !status.ok())
+    return status;
   const Status made = this->prepareSurface(surface);
   if (surface && surface->counts().guessed > 0)
     return {StatusCode::InvalidInput,
@@ -86,8 +88,6 @@ CutterLocation<PointT>::makeLocationSurface()
       location_surface_ = std::make_shared<LocationSurface>(surface);
     return made;
   }
-  if (!this->input_ || this->input_->empty())
-    return made;
   if (const Status status = checkIndices(this->givenIndices().get(), this->input_->size()); !status.ok())
     return status;
   UsablePoints usable = usablePoints(*this->input_, this->givenIndices().get());

@@ -12,6 +12,9 @@ Status
 DrivePath<PointT>::run(DrivePasses& passes)
 {
   const ThreadLimit limit(this->getNumberOfThreads());
+  if (settings_.needsSurface())
+    if (const Status status = this->checkInput(); !status.ok())
+      return status;
   if (const Status status = checkSettings(settings_); !status.ok())
     return status;
   Surface::ConstPtr surface;

@@ -29,7 +29,7 @@ LeadCheck<PointT>::check() const
             textOf("the holder's clearance is ", holder_clearance_, " mm; set it to 0 or more")};
   if (!(tolerance_ > 0.0) || !std::isfinite(tolerance_))
     return {StatusCode::InvalidArgument, textOf("the tolerance is ", tolerance_, " mm; set it above 0")};
-  return Status::success();
+  return checkThreads(thread_count_);
 }
 
 template <typename PointT>
