@@ -1,0 +1,55 @@
+// A raw scan of a dome made into a surface once; two stages work on it, and it tells what was left out and why.
+#include <pcl_spiral/features/boundary_loops.h>
+#include <pcl_spiral/surface/mls_projector.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <random>
+
+int
+main()
+{
+  pcl::PointCloud<pcl::PointXYZ>::Ptr scan(new pcl::PointCloud<pcl::PointXYZ>);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> side(-80.0f, 80.0f);
+  for (int i = 0; i < 20000; ++i) {
+    const float x = side(random), y = side(random), z = std::sqrt(200.0f * 200.0f - x * x - y * y);
+    scan->emplace_back(x, y, z);
+    if (i % 500 == 0)
+      scan->emplace_back(x, y, z); // a repetition
+    if (i % 1000 == 0)
+      scan->emplace_back(x, y, std::numeric_limits<float>::quiet_NaN());
+    if (i % 2000 == 0)
+      scan->emplace_back(x, y, z + 10.0f); // a false echo
+  }
+
+  pcl_spiral::ScannedSurface<pcl::PointXYZ> scanned;
+  scanned.setInputCloud(scan);
+  scanned.setViewPoint(Eigen::Vector3d(0.0, 0.0, 1000.0)); // where the scanner stood
+  pcl_spiral::Surface::ConstPtr surface;
+  scanned.compute(surface);
+  if (!surface)
+    return 1; // it has said why, as scanned.getStatus() does
+
+  const pcl_spiral::SurfaceCounts& counts = surface->counts();
+  std::printf("%zu points: %zu not finite, %zu repeated, %zu isolated, %zu in specks, %zu surplus, %zu used\n", counts.input,
+              counts.nonfinite, counts.duplicate, counts.isolated, counts.speck, counts.surplus, counts.used);
+  for (const Eigen::Vector3f& place : surface->leftOut().positions)
+    std::printf("  left out: (%.1f, %.1f, %.1f)\n", place.x(), place.y(), place.z());
+  std::printf("spacing %.3f mm, noise %.5f mm\n", surface->spacing(), surface->noise());
+
+  pcl_spiral::BoundaryLoops<pcl::PointXYZ> boundaries;
+  boundaries.setInputSurface(surface);
+  std::vector<pcl_spiral::BoundaryLoop> loops;
+  boundaries.compute(loops);
+
+  pcl_spiral::MLSProjector<pcl::PointXYZ, pcl::PointNormal> projector; // of the surface's own points, without a query
+  projector.setInputSurface(surface);
+  pcl::PointCloud<pcl::PointNormal> feet;
+  projector.compute(feet);
+  if (loops.empty() || feet.empty())
+    return 1;
+  std::printf("rim of %.2f mm; the first point's curvature is 1 / %.2f mm\n", loops.front().length, 1.0 / feet[0].curvature);
+  return 0;
+}
