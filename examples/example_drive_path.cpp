@@ -45,8 +45,7 @@ main()
   Cloud::Ptr column(new Cloud), plate(new Cloud);
   for (int i = 0; i < 40000; ++i) {
     const double a = random() / 683565275.6, z = random() / 71582788.3 - 30.0, r = 18.0 + 0.008 * z * z;
-    column->emplace_back(r * std::cos(a), 0.8 * r * std::sin(a) - 0.6 * z,
-                         0.6 * r * std::sin(a) + 0.8 * z); // leaning
+    column->emplace_back(r * std::cos(a), 0.8 * r * std::sin(a) - 0.6 * z, 0.6 * r * std::sin(a) + 0.8 * z); // leaning
     const double x = 1.5 * z, y = random() / 47721858.8 - 45.0;
     plate->emplace_back(x, y, 4.0 * std::sin(0.08 * x) * std::cos(0.06 * y));
   }
