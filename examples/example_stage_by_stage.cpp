@@ -13,13 +13,13 @@ using Point = pcl::PointXYZ;
 int
 main()
 {
-  pcl::PointCloud<Point>::Ptr scan(new pcl::PointCloud<Point>); // a dome of 120 mm, with a gap in the data
+  pcl::PointCloud<Point>::Ptr scan(new pcl::PointCloud<Point>); // a dome of 120 mm, with echoes and a gap in the data
   std::mt19937 random(1);
   std::uniform_real_distribution<float> side(-60.0f, 60.0f);
-  while (scan->size() < 20000) {
-    const float x = side(random), y = side(random);
-    if (std::hypot(x, y) < 60.0f && std::hypot(x - 25.0f, y) > 4.0f)
-      scan->emplace_back(x, y, std::sqrt(100.0f * 100.0f - x * x - y * y));
+  while (scan->size() < 8000) {
+    const float x = side(random), y = side(random), echo = scan->size() % 200 == 0 ? 6.0f : 0.0f;
+    if (std::hypot(x, y) < 60.0f && std::hypot(x - 25.0f, y) > 7.0f)
+      scan->emplace_back(x, y, std::sqrt(100.0f * 100.0f - x * x - y * y) + echo);
   }
 
   pcl_spiral::ScannedSurface<Point> scanned; // clean, oriented, triangulated: made once, shared by all stages
@@ -33,7 +33,7 @@ main()
   boundaries.setInputSurface(surface);
   std::vector<pcl_spiral::BoundaryLoop> loops;
   boundaries.compute(loops);
-  std::printf("%zu points, noise %.4f mm, %zu loops\n", surface->size(), surface->noise(), loops.size());
+  std::printf("%zu points of %zu, %zu loops\n", surface->size(), surface->inputSize(), loops.size());
 
   pcl_spiral::GapBridging<Point> bridging; // a new surface, with patches over the gaps
   bridging.setInputSurface(surface);
@@ -53,8 +53,8 @@ main()
   spiral.setInputSurface(surface);
   spiral.setBoundaryLoops(loops);
   spiral.setRadialLines(lines);
-  spiral.setToolRadius(6.0);     // mm
-  spiral.setScallopHeight(0.05); // mm
+  spiral.setToolRadius(6.0);    // mm
+  spiral.setScallopHeight(0.1); // mm
   pcl::PointCloud<pcl_spiral::ToolpathPoint> path;
   spiral.compute(path);
   std::printf("%zu turns, %.2f m\n", spiral.getReport().turns, spiral.getReport().path_length / 1000.0);
