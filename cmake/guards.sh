@@ -57,6 +57,36 @@ fault "flags that break PCL's ABI, the same bytes everywhere, or the compile tim
 fault "pragmas that break the same bytes everywhere" \
   "$(grep -rnE 'pragma.*(fast-math|Ofast|march=)|attribute.*(fast-math|Ofast)' $library examples || true)"
 
+# Examples are to be read at a glance; the whole chain of stages takes a few lines more, the program of all pictures twice.
+long_examples() {
+  local file most
+  for file in examples/example_*.cpp; do
+    case "$file" in
+      */example_stage_by_stage.cpp) most=70 ;;
+      */example_stage_pictures.cpp) most=110 ;;
+      *) most=59 ;;
+    esac
+    awk -v most="$most" 'END { if (NR > most) print FILENAME ": " NR " lines, allowed are " most }' "$file"
+  done
+}
+fault "examples that are too long" "$(long_examples)"
+
+# The code on the pages is tried by a build: each line of it stands in an example.
+untried_lines() {
+  find $library/doc -name '*.md' -print0 | xargs -0 -r perl -e '
+    my %tried;
+    for my $example (glob "examples/*.cpp") {
+      open my $file, "<", $example or die;
+      s/^\s+|\s+$//g, $tried{$_} = 1 while <$file>;
+    }
+    while (<>) {
+      if (/^```/) { $code = /^```cpp/; next }
+      s/^\s+|\s+$//g;
+      print "$ARGV: $_\n" if $code && $_ ne "" && !$tried{$_};
+    }'
+}
+fault "lines of code that are in no example" "$(untried_lines)"
+
 # Doxygen takes any word after \\p; the declaration that follows has to know it.
 wrong_names() {
   find $library/include -name '*.h' -print0 | xargs -0 perl -0777 -ne '

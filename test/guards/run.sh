@@ -42,4 +42,9 @@ plant cmake/planted.cmake 'add_compile_definitions(PCL_NO_PRECOMPILE)'
 plant pcl_spiral/src/core/polyline.cpp '#pragma GCC optimize("fast-math")'
 plant $headers/common/progress.h '/** Of \p shares in the work. */
 double percentOf(double share);'
+plant examples/example_step_over.cpp "$(yes '// more' | head -n 60)"
+plant examples/example_stage_by_stage.cpp "$(yes '// more' | head -n 20)"
+plant pcl_spiral/doc/stage_by_stage.md '```cpp
+surface->noSuchFunction();
+```'
 exit $missed
