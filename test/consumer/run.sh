@@ -34,17 +34,24 @@ run_toolpath() { # PROGRAM: the README's program makes a path of the simulated s
   [ "$(wc -l <"$scratch/path.csv")" -gt 1000 ] || fail "'$1' wrote no path"
 }
 
+run_stages() { # PROGRAM: the path made stage by stage says how many turns it has
+  "$1" >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "'$1' fails"; }
+  grep -qE '^[1-9][0-9]+ turns, ' "$scratch/log" || { cat "$scratch/log"; fail "'$1' names no turns"; }
+}
+
 run_all() { # PREFIX
   "$1/bin/pcl_spiral_simulate_scan" -o "$scratch/dome.pcd" --line-spacing 4 --point-spacing 3 ||
     fail "the installed program fails in '$1'"
   run_toolpath "$1/bin/cxx_only"
   run_toolpath "$1/bin/by_pkg_config"
   "$1/bin/c_and_cxx" || fail "c_and_cxx fails in '$1'"
+  run_stages "$1/bin/stages"
 }
 
 cmake --install "$build" --prefix "$first" >/dev/null
 make_program cxx_only "$first" "$scratch/cxx_only"
 make_program c_and_cxx "$first" "$scratch/c_and_cxx"
+make_program stages "$first" "$scratch/stages"
 make_by_pkg_config cxx_only "$first"
 run_all "$first"
 # With a sanitizer clang links whatever is named (--no-as-needed), and keeps the names of sources for its reports.
