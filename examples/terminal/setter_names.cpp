@@ -6,7 +6,7 @@
 namespace {
 
 /** Longer names stand before names that they begin with. */
-constexpr std::array<std::pair<const char*, const char*>, 22> words{{
+constexpr std::array<std::pair<const char*, const char*>, 23> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
@@ -22,6 +22,7 @@ constexpr std::array<std::pair<const char*, const char*>, 22> words{{
     {"setScallopHeight", "--scallop"},
     {"setChordError", "--chord-error"},
     {"setCylinder", "--column-axis and --column-centre"},
+    {"MaterialRemoval", "--verify"},
     {"StrayRemoval", "--leave-out-strays"},
     {"Scale it to mm", "Say its unit (--units m), or scale it to mm"},
     {"in another unit than mm?", "in another unit than mm (--units)?"},

@@ -92,7 +92,7 @@ reportLines(const RadialLineSet& lines, const SpiralSettings& settings, SpiralRe
   if (report.line_error > report.line_tolerance)
     report.warnings.push_back(textOf("turns between radial lines are known to ", report.line_error, " mm, where ",
                                      report.line_tolerance, " mm are allowed: lines cannot stand closer than the points of "
-                                     "the scan let them; scan more densely, or check the scallops (pcl_spiral_verify)"));
+                                     "the scan let them; scan more densely, or check the scallops (MaterialRemoval)"));
 }
 
 void

@@ -4,6 +4,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cstdint>
+
 namespace pcl_spiral {
 namespace {
 
@@ -23,12 +26,27 @@ distanceToCloud(const SurfaceGraph& graph, const Eigen::Vector3d& p)
   return (graph.position(graph.blocks().nearest(p)) - p).norm();
 }
 
+/** The first point that is not finite or away from the cloud; their number where there is none. */
+std::size_t
+firstAway(const SurfaceGraph& graph, const Polyline& line)
+{
+  const auto count = static_cast<std::int64_t>(line.size());
+  std::int64_t first = count;
+#pragma omp parallel for schedule(static) reduction(min : first)
+  for (std::int64_t i = 0; i < count; ++i)
+    if (!line[i].allFinite() || distanceToCloud(graph, line[i]) > farthest * graph.spacing())
+      first = std::min(first, i);
+  return static_cast<std::size_t>(first);
+}
+
 /** Whether most of the loop's segments have more of the cloud on their left than on their right. */
 bool
 surfaceOnLeft(const SurfaceGraph& graph, const Polyline& curve)
 {
+  constexpr std::size_t votes = 256; // of a curve: plenty to tell
+  const std::size_t stride = std::max<std::size_t>(1, curve.size() / votes);
   double left_length = 0.0, right_length = 0.0;
-  for (std::size_t k = 0; k < curve.size(); ++k) {
+  for (std::size_t k = 0; k < curve.size(); k += stride) {
     const Eigen::Vector3d along = curve[(k + 1) % curve.size()] - curve[k];
     const Eigen::Vector3d middle = curve[k] + 0.5 * along;
     const std::uint32_t near = graph.blocks().nearest(middle);
@@ -53,10 +71,10 @@ checkLoops(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& loops)
       return refused(i, " has ", loop.curve.size(), " curve points and ", loop.points.size(),
                      " of the cloud's: both are needed, as BoundaryLoops gives them");
     for (const Polyline* line : {&loop.curve, &loop.points})
-      for (const Eigen::Vector3d& p : *line) {
+      if (const std::size_t at = firstAway(graph, *line); at < line->size()) {
+        const Eigen::Vector3d& p = (*line)[at];
         const double distance = p.allFinite() ? distanceToCloud(graph, p) : 0.0;
-        if (!p.allFinite() || distance > farthest * graph.spacing())
-          return refused(i, " has a point ", placeText(p), " that is not finite or ", distance,
+        return refused(i, " has a point ", placeText(p), " that is not finite or ", distance,
                          " mm from the cloud: give loops of this very cloud, or none to have them found");
       }
     for (const std::size_t corner : loop.corners)
