@@ -78,6 +78,8 @@ printStage(const std::string& name, double seconds, double whole, const pcl_spir
 void
 printStages(const Result& result, double seconds)
 {
+  std::printf("neighbourhoods  %d pass%s over all of them%s\n", result.report.passes, result.report.passes == 1 ? "" : "es",
+              result.surface ? "; planner and judge share the surface" : "");
   std::printf("  %-16s %9s %7s %9s %9s\n", "stage", "s", "%", "MB", "peak MB");
   double rest = seconds;
   for (const pcl_spiral::StageCost& stage : result.report.stages) {
@@ -89,8 +91,6 @@ printStages(const Result& result, double seconds)
     rest -= result.verification->seconds;
   }
   printStage("the rest", std::max(0.0, rest), seconds);
-  std::printf("  %d pass%s over all neighbourhoods%s\n", result.report.passes, result.report.passes == 1 ? "" : "es",
-              result.surface ? ", whose surface planner and judge share" : "");
 }
 
 } // namespace

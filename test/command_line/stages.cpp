@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json; // keeps the order of the file
 using Names = std::vector<std::string>;
 
-const Names chain{"reading", "points", "surface", "boundaries", "radial lines", "spiral", "projection", "tool axis", "path",
+const Names chain{"reading", "surface", "boundaries", "radial lines", "spiral", "projection", "tool axis", "path",
                   "writing"};
 
 struct MadeRun {
