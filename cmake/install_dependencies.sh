@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing: as root, through sudo, or by saying which they are.
-# Usage: install_dependencies.sh [build] [test] [display] [benchmark] [fuzz] [doc]
+# Usage: install_dependencies.sh [build] [test] [display] [benchmark] [fuzz] [doc] [releases]
 # (build alone when nothing is named)
 set -euo pipefail
 
@@ -9,8 +9,9 @@ build=(g++ cmake ninja-build ccache libpcl-dev libvtk9-dev libx11-dev libeigen3-
 test=(libgtest-dev pkg-config linuxcnc-uspace) # linuxcnc: its interpreter rs274 runs our programs
 display=(xvfb xauth libgl1-mesa-dri) # pictures where there is no screen
 benchmark=(libbenchmark-dev)
-fuzz=(clang libclang-rt-14-dev) # libFuzzer; no test needs it
+fuzz=(clang libclang-rt-dev) # libFuzzer; no test needs it
 doc=(doxygen)
+releases=(debootstrap git) # tests on bare Debian releases
 
 wanted=()
 for group in "${@:-build}"; do
@@ -21,7 +22,8 @@ for group in "${@:-build}"; do
     benchmark) wanted+=("${benchmark[@]}") ;;
     fuzz) wanted+=("${fuzz[@]}") ;;
     doc) wanted+=("${doc[@]}") ;;
-    *) echo "unknown group '$group': name build, test, display, benchmark, fuzz or doc" >&2; exit 2 ;;
+    releases) wanted+=("${releases[@]}") ;;
+    *) echo "unknown group '$group': name build, test, display, benchmark, fuzz, doc or releases" >&2; exit 2 ;;
   esac
 done
 
