@@ -10,7 +10,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double farthest = 4.0; // spacings from a loop to the cloud
+constexpr double farthest = 4.0; // spacings from a loop to the cloud, those of the points there
 constexpr double aside = 1.5;    // spacings to either side at which the surface is looked for
 
 template <typename... Parts>
@@ -26,6 +26,14 @@ distanceToCloud(const SurfaceGraph& graph, const Eigen::Vector3d& p)
   return (graph.position(graph.blocks().nearest(p)) - p).norm();
 }
 
+/** Whether \p p belongs to another cloud: spacings count as they are there, where a scan is sparser too. */
+bool
+isAway(const SurfaceGraph& graph, const Eigen::Vector3d& p)
+{
+  const std::uint32_t near = graph.blocks().nearest(p);
+  return (graph.position(near) - p).norm() > farthest * std::max(graph.spacing(), graph.spacing(near));
+}
+
 /** The first point that is not finite or away from the cloud; their number where there is none. */
 std::size_t
 firstAway(const SurfaceGraph& graph, const Polyline& line)
@@ -34,7 +42,7 @@ firstAway(const SurfaceGraph& graph, const Polyline& line)
   std::int64_t first = count;
 #pragma omp parallel for schedule(static) reduction(min : first)
   for (std::int64_t i = 0; i < count; ++i)
-    if (!line[i].allFinite() || distanceToCloud(graph, line[i]) > farthest * graph.spacing())
+    if (!line[i].allFinite() || isAway(graph, line[i]))
       first = std::min(first, i);
   return static_cast<std::size_t>(first);
 }
