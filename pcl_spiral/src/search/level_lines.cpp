@@ -148,6 +148,19 @@ levelLines(const Triangulation& mesh, const std::vector<double>& values, const s
   return lines;
 }
 
+std::vector<LevelLine>
+levelLines(const Triangulation& mesh, const std::vector<double>& values, double level,
+           const std::vector<std::uint32_t>& triangles)
+{
+  std::vector<std::uint32_t> crossed;
+  for (const std::uint32_t t : triangles)
+    forLevels(mesh, values, {level}, t, [&](std::size_t first, std::size_t end) {
+      if (end > first)
+        crossed.push_back(t);
+    });
+  return LevelTracer(mesh, values, level, crossed.data(), crossed.data() + crossed.size()).lines();
+}
+
 Polyline
 pointsOf(const LevelLine& line, const PointBlocks& points)
 {

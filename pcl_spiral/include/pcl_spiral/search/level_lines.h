@@ -34,6 +34,10 @@ struct LevelLine {
 std::vector<std::vector<LevelLine>> levelLines(const Triangulation& mesh, const std::vector<double>& values,
                                                const std::vector<double>& levels);
 
+/** The lines of one \p level through some of the \p triangles alone, given ascending; lines that leave them are open there. */
+std::vector<LevelLine> levelLines(const Triangulation& mesh, const std::vector<double>& values, double level,
+                                  const std::vector<std::uint32_t>& triangles);
+
 /** The line in space. */
 Polyline pointsOf(const LevelLine& line, const PointBlocks& points);
 

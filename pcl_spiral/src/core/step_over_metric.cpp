@@ -1,0 +1,35 @@
+#include <pcl_spiral/core/step_over_metric.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double least_share = 0.05; // of 1 / R
+
+} // namespace
+
+double
+longestStepOver(const StepOverMetric& metric)
+{
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(metric.matrix(), Eigen::EigenvaluesOnly);
+  return 1.0 / std::sqrt(std::max(solver.eigenvalues()[0], 1e-12));
+}
+
+StepOverMetric
+stepOverMetric(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction1, double k1, double k2, double radius,
+               double scallop_height)
+{
+  const double flat = 1.0 / radius;
+  const Eigen::Vector3d direction2 = normal.cross(direction1);
+  const double g1 = std::max(k1 + flat, least_share * flat), g2 = std::max(k2 + flat, least_share * flat);
+  const Eigen::Matrix3d g = g1 * direction1 * direction1.transpose() + g2 * direction2 * direction2.transpose() +
+                            flat * normal * normal.transpose();
+  return StepOverMetric(Eigen::Matrix3d(g / (8.0 * scallop_height * (1.0 - 0.5 * scallop_height / radius))));
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,242 @@
+#include "bridges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double turn_radius = 0.25;   // of a bridge's corners, step-overs
+constexpr double half_gap = 0.04;      // between its two lines
+constexpr double beside_reach = 0.6;   // two loops run side by side so far to either side
+constexpr double least_distance = 0.3, largest_distance = 1.5; // of two loops
+constexpr double least_chord = 0.93;   // of their length within that reach
+constexpr double sample_step = 0.4;
+constexpr std::size_t most_samples = 400; // a loop
+constexpr double finger_gap = 0.56;    // cut out of a loop for a finger to a dot
+constexpr double finger_cap = 0.25;
+
+/** Two loops side by side at a place. */
+struct Beside {
+  std::size_t a = 0, b = 0;
+  double ua = 0.0, ub = 0.0;
+  double distance = 0.0;
+  double sense = 1.0; ///< of b against a: 1 or -1
+  double score = 0.0; ///< the lower the better
+};
+
+class Joiner {
+public:
+  Joiner(const LoopFinder& finder, std::vector<std::uint8_t>& joined, CutLoops& loops, LinkedPath& path)
+      : finder_(finder), joined_(joined), loops_(loops), path_(path)
+  {
+  }
+
+  std::size_t
+  run()
+  {
+    for (std::size_t i = 0; i < loops_.size(); ++i)
+      if (!joined_[i] && loops_.loop(i).length() <= longest_dot)
+        reachDot(i);
+    for (const bool strict : {true, false}) {
+      std::vector<Beside> places;
+      for (std::size_t i = 0; i < loops_.size(); ++i)
+        if (!joined_[i])
+          findPlaces(i, strict, places);
+      join(places);
+    }
+    return static_cast<std::size_t>(std::find(joined_.begin(), joined_.end(), 0) - joined_.begin());
+  }
+
+private:
+  void
+  findPlaces(std::size_t i, bool strict, std::vector<Beside>& places) const
+  {
+    const ScallopLoop& loop = loops_.loop(i);
+    const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(loop.length() / sample_step), 8, most_samples);
+    std::vector<Beside> found(3 * count);
+#pragma omp parallel for schedule(dynamic, 8)
+    for (std::size_t k = 0; k < count; ++k) {
+      const double u = loop.length() * static_cast<double>(k) / static_cast<double>(count);
+      for (int step = -1; step <= 1; ++step) {
+        const LoopPlace other = finder_.nearest(loop.level + step, loop.at(u), loop.metricAt(u), largest_distance, i);
+        Beside& place = found[3 * k + step + 1];
+        place.score = -1.0;
+        if (other.loop != LoopPlace::none && other.distance > least_distance)
+          place = compare(i, u, other, strict);
+      }
+    }
+    for (const Beside& place : found)
+      if (place.score >= 0.0)
+        places.push_back(place);
+  }
+
+  /** How well two loops run side by side about a place; a score below 0 where they do not. */
+  Beside
+  compare(std::size_t a, double ua, const LoopPlace& other, bool strict) const
+  {
+    const ScallopLoop &la = loops_.loop(a), &lb = loops_.loop(other.loop);
+    Beside place{a, other.loop, ua, other.u, other.distance, 1.0, std::abs(other.distance - 1.0)};
+    const auto along = [](const ScallopLoop& l, double u, double reach) { return (l.at(u + reach) - l.at(u - reach)).eval(); };
+    const Eigen::Vector3d da = along(la, ua, beside_reach), db = along(lb, other.u, beside_reach);
+    place.sense = da.dot(db) >= 0.0 ? 1.0 : -1.0;
+    const double chord = std::min(la.metricAt(ua).length(da), lb.metricAt(other.u).length(db)) / (2.0 * beside_reach);
+    const double room = strict ? 4.0 * beside_reach : 2.5 * beside_reach;
+    if (chord < (strict ? least_chord : 0.75) || la.length() < room || lb.length() < room)
+      place.score = -1.0;
+    for (const double x : {-beside_reach, -0.5 * beside_reach, 0.5 * beside_reach, beside_reach}) {
+      const double d = la.metricAt(ua + x).length(la.at(ua + x) - lb.at(other.u + place.sense * x));
+      const double off = std::abs(d / other.distance - 1.0);
+      if (off > (strict ? 0.3 : 0.6))
+        place.score = -1.0;
+      if (place.score >= 0.0)
+        place.score += 0.5 * off;
+    }
+    if (place.score >= 0.0)
+      place.score += 5.0 * (1.0 - chord);
+    return place;
+  }
+
+  /** Prim's tree: always the best place between a loop that is joined and one that is not. */
+  void
+  join(const std::vector<Beside>& places)
+  {
+    std::vector<std::vector<std::size_t>> of(loops_.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      of[places[i].a].push_back(i);
+      of[places[i].b].push_back(i);
+    }
+    using Entry = std::pair<double, std::size_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+    const auto push = [&](std::size_t loop) {
+      for (const std::size_t i : of[loop])
+        front.push({places[i].score, i});
+    };
+    for (std::size_t i = 0; i < loops_.size(); ++i)
+      if (joined_[i])
+        push(i);
+    while (!front.empty()) {
+      const Beside& place = places[front.top().second];
+      front.pop();
+      if (joined_[place.a] == joined_[place.b])
+        continue;
+      if (!loops_.isFree(place.a, place.ua, beside_reach) || !loops_.isFree(place.b, place.ub, beside_reach))
+        continue;
+      bridge(place);
+      const std::size_t next = joined_[place.a] ? place.b : place.a;
+      joined_[next] = 1;
+      push(next);
+    }
+  }
+
+  /** Both loops are cut, and their ends joined by two turns back to back. */
+  void
+  bridge(const Beside& place)
+  {
+    const ScallopLoop &a = loops_.loop(place.a), &b = loops_.loop(place.b);
+    const double radius = std::min(turn_radius, 0.49 * place.distance), half = half_gap + radius + 0.1;
+    const std::size_t cut_a = loops_.addCut({place.a, place.ua - half, 2.0 * half});
+    const std::size_t cut_b = loops_.addCut({place.b, place.ub - half, 2.0 * half});
+    for (const double side : {-1.0, 1.0}) {
+      PathPiece piece;
+      const auto add = [&](double x, double y) { // x along a from the middle, y from a to b, both in step-overs
+        const double share = y / place.distance;
+        const double ua = place.ua + side * x, ub = place.ub + place.sense * side * x;
+        piece.add((1.0 - share) * a.at(ua) + share * b.at(ub), between(a.metricAt(ua), b.metricAt(ub), share));
+      };
+      constexpr int arc_points = 8;
+      for (int k = 0; k <= arc_points; ++k) {
+        const double t = 0.5 * M_PI * k / arc_points;
+        add(half_gap + radius * (1.0 - std::sin(t)), radius * (1.0 - std::cos(t)));
+      }
+      for (int k = arc_points; k >= 0; --k) {
+        const double t = 0.5 * M_PI * k / arc_points;
+        add(half_gap + radius * (1.0 - std::sin(t)), place.distance - radius * (1.0 - std::cos(t)));
+      }
+      // Of b the side that faces: its begin where b runs like a and this is the left, else its end.
+      loops_.connect({cut_a, side > 0.0}, {cut_b, (side > 0.0) == (place.sense > 0.0)}, std::move(piece));
+    }
+    addTests(place);
+    ++path_.bridges;
+  }
+  void
+  addTests(const Beside& place)
+  {
+    const ScallopLoop &a = loops_.loop(place.a), &b = loops_.loop(place.b);
+    for (double x = -0.9; x < 0.95; x += 0.1)
+      for (double y = -0.6; y < place.distance + 0.65; y += 0.1) {
+        const double share = y / place.distance;
+        const double ua = place.ua + x, ub = place.ub + place.sense * x;
+        path_.links.push_back((1.0 - share) * a.at(ua) + share * b.at(ub));
+        path_.link_metric.push_back(a.metricAt(ua));
+      }
+  }
+
+  /** A loop near the dot reaches out to its middle and back. */
+  void
+  reachDot(std::size_t dot)
+  {
+    const ScallopLoop& small = loops_.loop(dot);
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& p : small.points)
+      centre += p / static_cast<double>(small.points.size());
+    const StepOverMetric metric = small.metric.front();
+    LoopPlace best;
+    double least = 1e30;
+    for (int step = -1; step <= 1; ++step) {
+      const LoopPlace near = finder_.nearest(small.level + step, centre, metric, 1.7, dot);
+      if (near.loop == LoopPlace::none || loops_.loop(near.loop).length() <= longest_dot)
+        continue;
+      // The nearest place, or a little to either side where it is taken or bent.
+      for (double x = -1.0; x <= 1.05; x += 0.1) {
+        const ScallopLoop& loop = loops_.loop(near.loop);
+        const double u = near.u + x, d = metric.length(loop.at(u) - centre);
+        const double chord = metric.length(loop.at(u + finger_gap) - loop.at(u - finger_gap)) / (2.0 * finger_gap);
+        const double score = d + 3.0 * (1.0 - chord);
+        if (d < 1.7 && score < least && loops_.isFree(near.loop, u, finger_gap)) {
+          least = score;
+          best = {near.loop, u, d};
+        }
+      }
+    }
+    if (best.loop != LoopPlace::none)
+      finger(dot, best, centre);
+  }
+  void
+  finger(std::size_t dot, const LoopPlace& place, const Eigen::Vector3d& centre)
+  {
+    const ScallopLoop& loop = loops_.loop(place.loop);
+    const Eigen::Vector3d from = loop.at(place.u - 0.5 * finger_gap), middle = loop.at(place.u), to = loop.at(place.u + 0.5 * finger_gap);
+    const StepOverMetric metric = loops_.loop(dot).metric.front(), at = loop.metricAt(place.u);
+    const Eigen::Vector3d tip = (centre - middle) / std::max(metric.length(centre - middle), 1e-12) * finger_cap;
+    const std::size_t cut = loops_.addCut({place.loop, place.u - 0.5 * finger_gap, finger_gap});
+    PathPiece piece;
+    for (int k = 1; k <= 15; ++k)
+      piece.add(from + (centre - middle) * (k / 16.0), between(at, metric, k / 16.0));
+    for (int k = 0; k <= 14; ++k) {
+      const double t = M_PI * k / 14.0;
+      piece.add(centre + std::cos(t) * (from - middle) + std::sin(t) * tip, metric);
+    }
+    for (int k = 15; k >= 1; --k)
+      piece.add(to + (centre - middle) * (k / 16.0), between(at, metric, k / 16.0));
+    loops_.connect({cut, false}, {cut, true}, std::move(piece));
+    joined_[dot] = 2;
+    ++path_.dots;
+  }
+
+  const LoopFinder& finder_;
+  std::vector<std::uint8_t>& joined_;
+  CutLoops& loops_;
+  LinkedPath& path_;
+};
+
+} // namespace
+
+std::size_t
+joinLoops(const LoopFinder& finder, std::vector<std::uint8_t>& joined, CutLoops& loops, LinkedPath& path)
+{
+  return Joiner(finder, joined, loops, path).run();
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,148 @@
+#include "finger_axes.h"
+
+#include "axis_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double tip_gap = 0.42;                    // a finger ends this far before what it must reach
+constexpr double trim = finger_radius + tip_gap;    // of an axis at its lower end
+constexpr double covered_by_axis = trim + 0.02;
+constexpr double worth_an_axis = covered_within + 0.004;
+constexpr double same_ridge = 1.6;                  // two axes that start as near as this may be one over a saddle
+constexpr std::size_t most_axes = 40;               // in one uncovered part
+
+void
+strikeOut(const StepOverMesh& mesh, const std::vector<std::uint32_t>& nodes, const FingerAxis& axis, std::vector<std::uint8_t>& open)
+{
+  SegmentSet line;
+  line.add(axis.points, false);
+  line.build();
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (open[i] && line.nearest(mesh.positions[nodes[i]], mesh.metric[nodes[i]], covered_by_axis).segment != NearestSegment::none)
+      open[i] = 0;
+}
+
+/** Fingers of one connected uncovered part. */
+class FingerMaker {
+public:
+  FingerMaker(const StepOverDistance& field, const RidgeClimb& climb, const LevelGap& gap, std::vector<FingerAxis>& axes)
+      : field_(field), climb_(climb), gap_(gap), axes_(axes)
+  {
+  }
+
+  void
+  run(const std::vector<std::uint32_t>& nodes)
+  {
+    std::vector<std::uint8_t> open(nodes.size(), 1);
+    for (std::size_t round = 0; round < most_axes; ++round) {
+      std::size_t lowest = nodes.size();
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (open[i] && (lowest == nodes.size() || field_.distance[nodes[i]] < field_.distance[nodes[lowest]]))
+          lowest = i;
+      if (lowest == nodes.size())
+        return;
+      strikeOut(field_.mesh, nodes, addFinger(nodes[lowest]), open);
+      open[lowest] = 0;
+    }
+  }
+
+private:
+  struct End {
+    std::size_t loop; ///< it leads into
+    std::uint32_t start;
+    FingerAxis way;   ///< untrimmed
+    std::size_t axis; ///< in axes_
+  };
+
+  /** From \p start up the ridge until it is inside the next loop. */
+  FingerAxis
+  addFinger(std::uint32_t start)
+  {
+    std::vector<std::uint32_t> way{start};
+    std::size_t loop = NearestSegment::none;
+    double covered = 0.0;
+    for (std::uint32_t v = start; climb_.up(v) != RidgeClimb::none; v = way.back()) {
+      const std::uint32_t next = climb_.up(v);
+      covered += edgeLength(field_.mesh, v, next);
+      way.push_back(next);
+      if (!gap_.is_above(next))
+        continue;
+      if (loop == NearestSegment::none)
+        loop = gap_.loop_near(next);
+      if (covered > trim + 0.05)
+        break;
+    }
+    const FingerAxis whole = axisOver(field_.mesh, way, 6);
+    const double length = arcsOf(whole).back();
+    for (const End& end : ends_)
+      if (loop != NearestSegment::none && end.loop != NearestSegment::none && end.loop != loop &&
+          field_.mesh.metric[start].length(field_.mesh.positions[start] - field_.mesh.positions[end.start]) < same_ridge) {
+        FingerAxis over = end.way; // a ridge over a saddle between two loops: one axis from one into the other
+        std::reverse(over.points.begin(), over.points.end());
+        std::reverse(over.metric.begin(), over.metric.end());
+        over.points.insert(over.points.end(), whole.points.begin(), whole.points.end());
+        over.metric.insert(over.metric.end(), whole.metric.begin(), whole.metric.end());
+        axes_[end.axis] = std::move(over);
+        return whole;
+      }
+    const FingerAxis axis = partOf(whole, std::min(trim, length - 1e-9), length);
+    ends_.push_back({loop, start, whole, axes_.size()});
+    axes_.push_back(axis);
+    return axis;
+  }
+
+  const StepOverDistance& field_;
+  const RidgeClimb& climb_;
+  const LevelGap& gap_;
+  std::vector<FingerAxis>& axes_;
+  std::vector<End> ends_;
+};
+
+} // namespace
+
+std::vector<std::vector<std::uint32_t>>
+connectedGroups(const Triangulation& triangles, const std::vector<std::uint32_t>& nodes, std::vector<std::uint32_t>& scratch)
+{
+  for (const std::uint32_t v : nodes)
+    scratch[v] = 1;
+  std::vector<std::vector<std::uint32_t>> groups;
+  for (const std::uint32_t seed : nodes) {
+    if (scratch[seed] == 0)
+      continue;
+    std::vector<std::uint32_t> group{seed};
+    scratch[seed] = 0;
+    for (std::size_t i = 0; i < group.size(); ++i)
+      forNeighbours(triangles, group[i], [&](std::uint32_t w) {
+        if (scratch[w] != 0) {
+          scratch[w] = 0;
+          group.push_back(w);
+        }
+      });
+    std::sort(group.begin(), group.end());
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+void
+findFingers(const StepOverDistance& field, const RidgeClimb& climb, const LevelGap& gap, std::vector<std::uint32_t>& scratch,
+            std::vector<FingerAxis>& axes)
+{
+  std::vector<std::uint32_t> open;
+  for (std::size_t i = 0; i < gap.nodes.size(); ++i)
+    if (gap.distances[i] > covered_within)
+      open.push_back(gap.nodes[i]);
+  const auto isWorth = [&gap](std::uint32_t v) {
+    const auto at = std::lower_bound(gap.nodes.begin(), gap.nodes.end(), v);
+    return gap.distances[at - gap.nodes.begin()] > worth_an_axis;
+  };
+  for (const std::vector<std::uint32_t>& group : connectedGroups(field.mesh.triangles, open, scratch))
+    if (std::any_of(group.begin(), group.end(), isWorth))
+      FingerMaker(field, climb, gap, axes).run(group);
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,85 @@
+#include "line_smoothing.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr std::size_t fewest_in_fit = 5;
+constexpr std::size_t fewest_points = 12;
+
+/** Places of the new points: steps apart, evenly closed. */
+std::vector<double>
+newPlaces(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size_t>& after)
+{
+  const std::size_t n = loop.points.size();
+  std::vector<double> count(n + 1, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    count[i + 1] = count[i] + (loop.arcs[i + 1] - loop.arcs[i]) * 2.0 / (grain.steps[i] + grain.steps[(i + 1) % n]);
+  const auto points = std::max(fewest_points, static_cast<std::size_t>(std::ceil(count[n])));
+  std::vector<double> places(points);
+  after.resize(points);
+  std::size_t i = 0;
+  for (std::size_t k = 0; k < points; ++k) {
+    const double c = count[n] * static_cast<double>(k) / static_cast<double>(points);
+    while (i + 1 < n && count[i + 1] <= c)
+      ++i;
+    const double share = (c - count[i]) / std::max(count[i + 1] - count[i], 1e-300);
+    places[k] = loop.arcs[i] + share * (loop.arcs[i + 1] - loop.arcs[i]);
+    after[k] = i;
+  }
+  return places;
+}
+
+/** Middle of the parabola fitted about \p u, which lies on segment \p i. */
+Eigen::Vector3d
+fitted(const ScallopLoop& loop, double u, std::size_t i, double width)
+{
+  const auto n = static_cast<std::ptrdiff_t>(loop.points.size());
+  const double whole = loop.length();
+  const auto arc = [&](std::ptrdiff_t j) { return loop.arcs[(j % n + n) % n] + whole * std::floor(static_cast<double>(j) / n); };
+  const auto at = static_cast<std::ptrdiff_t>(i);
+  std::ptrdiff_t first = at, last = at + 1;
+  while (first > at - n / 2 && (u - arc(first - 1) < width || last - first + 1 < static_cast<std::ptrdiff_t>(fewest_in_fit)))
+    --first;
+  while (last < at + n / 2 && (arc(last + 1) - u < width || last - first + 1 < static_cast<std::ptrdiff_t>(fewest_in_fit)))
+    ++last;
+  const double reach = std::max({width, 1.001 * (u - arc(first)), 1.001 * (arc(last) - u)});
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d b = Eigen::Matrix3d::Zero();
+  const Eigen::Vector3d origin = loop.points[i];
+  for (std::ptrdiff_t j = first; j <= last; ++j) {
+    const double t = (arc(j) - u) / reach, s = std::abs(t), c = 1.0 - s * s * s;
+    const double weight = c * c * c * (arc(j + 1) - arc(j - 1));
+    const Eigen::Vector3d basis(1.0, t, t * t);
+    a += weight * basis * basis.transpose();
+    b += weight * basis * (loop.points[(j % n + n) % n] - origin).transpose();
+  }
+  a.diagonal().array() += 1e-12 * a(0, 0);
+  return origin + a.ldlt().solve(b).row(0).transpose();
+}
+
+} // namespace
+
+ScallopLoop
+smoothed(const ScallopLoop& loop, const LineGrain& grain)
+{
+  std::vector<std::size_t> after;
+  const std::vector<double> places = newPlaces(loop, grain, after);
+  ScallopLoop line;
+  line.level = loop.level;
+  line.points.resize(places.size());
+  line.metric.resize(places.size());
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const double width = std::min(grain.widths[after[k]], loop.length() / 6.0);
+    line.points[k] = fitted(loop, places[k], after[k], width);
+    line.metric[k] = loop.metricAt(places[k]);
+  }
+  line.measure();
+  return line;
+}
+
+} // namespace pcl_spiral

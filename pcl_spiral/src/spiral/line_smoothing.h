@@ -1,0 +1,23 @@
+/** \file
+ *  Lines without the jaggedness of the mesh they were drawn on.
+ */
+#pragma once
+
+#include <pcl_spiral/spiral/scallop_loop.h>
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** How a line is drawn anew, one entry a point; step-overs. */
+struct LineGrain {
+  std::vector<double> steps;  ///< distance of the new points
+  std::vector<double> widths; ///< half the length over which a parabola is fitted
+};
+
+/** \p loop drawn anew: each new point is the middle of a parabola in arc length fitted to the old ones about it, by least
+ *  squares with weights (1 - |t|^3)^3. Circles keep their radius to the fourth order of width / radius. */
+ScallopLoop
+smoothed(const ScallopLoop& loop, const LineGrain& grain);
+
+} // namespace pcl_spiral

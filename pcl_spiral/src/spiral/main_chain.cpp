@@ -1,0 +1,174 @@
+#include "main_chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double longest_ramp = 8.0;    // step-overs
+constexpr double largest_share = 0.3;   // of a loop
+constexpr double largest_turn = 32.0;   // degrees a strip may turn within 0.8 step-overs
+constexpr double turn_reach = 0.4;
+constexpr double farthest_step = 1.35;  // to the next loop
+constexpr std::size_t most_candidates = 90;
+constexpr std::size_t ramp_points = 60;
+
+/** Chains from one loop outwards. */
+class ChainFinder {
+public:
+  ChainFinder(const CutLoops& loops, const LoopFinder& finder) : loops_(loops), finder_(finder), bends_(loops.size()) {}
+
+  std::vector<RampStrip>
+  best(std::size_t innermost, std::size_t outer_rim)
+  {
+    for (std::size_t i = 0; i < loops_.size(); ++i)
+      findBends(i);
+    const double whole = loops_.loop(innermost).length();
+    const auto starts = static_cast<std::int64_t>(std::clamp<double>(whole / 0.1, 8.0, static_cast<double>(most_candidates)));
+    std::vector<std::vector<RampStrip>> chains(2 * starts);
+    std::vector<double> scores(chains.size(), std::numeric_limits<double>::infinity());
+#pragma omp parallel for schedule(dynamic, 1)
+    for (std::int64_t c = 0; c < 2 * starts; ++c) {
+      chains[c] = walk({innermost, whole * static_cast<double>(c % starts) / static_cast<double>(starts)}, c < starts ? 0.0 : 0.6);
+      if (!chains[c].empty())
+        scores[c] = score(chains[c]) + (chains[c].back().loop == outer_rim ? 0.0 : 1000.0);
+    }
+    const std::size_t least = static_cast<std::size_t>(std::min_element(scores.begin(), scores.end()) - scores.begin());
+    std::vector<RampStrip> chain = chains[least];
+    std::reverse(chain.begin(), chain.end());
+    return chain;
+  }
+
+private:
+  /** Places where a loop turns too sharply for a strip, ascending. */
+  void
+  findBends(std::size_t i)
+  {
+    const ScallopLoop& loop = loops_.loop(i);
+    if (loop.length() <= 7.0)
+      return;
+    for (std::size_t k = 0; k < loop.points.size(); ++k) {
+      const Eigen::Vector3d before = loop.at(loop.arcs[k] - turn_reach), after = loop.at(loop.arcs[k] + turn_reach);
+      const double turn = std::acos(std::clamp((loop.points[k] - before).normalized().dot((after - loop.points[k]).normalized()), -1.0, 1.0));
+      if (turn > largest_turn * M_PI / 180.0)
+        bends_[i].push_back(loop.arcs[k]);
+    }
+  }
+  /** From \p u to the next bend behind it, or before it with \p ahead. */
+  double
+  clearance(std::size_t i, double u, bool ahead) const
+  {
+    const ScallopLoop& loop = loops_.loop(i);
+    const std::vector<double>& bends = bends_[i];
+    if (bends.empty())
+      return loop.length();
+    const double w = loop.wrapped(u);
+    const auto after = std::lower_bound(bends.begin(), bends.end(), w);
+    if (ahead)
+      return after == bends.end() ? bends.front() + loop.length() - w : *after - w;
+    return after == bends.begin() ? w + loop.length() - bends.back() : w - *(after - 1);
+  }
+  double
+  longest(std::size_t i, double u) const
+  {
+    return std::max(0.15, std::min({longest_ramp, largest_share * loops_.loop(i).length(), 0.85 * clearance(i, u, false)}));
+  }
+
+  std::vector<RampStrip>
+  walk(LoopPlace start, double drift) const
+  {
+    std::vector<RampStrip> chain{{start.loop, start.u, longest(start.loop, start.u), 0.0}};
+    for (int level = loops_.loop(start.loop).level - 1; level >= 0; --level) {
+      const RampStrip& strip = chain.back();
+      const ScallopLoop& loop = loops_.loop(strip.loop);
+      const LoopPlace left = finder_.nearest(level, loop.at(strip.u), loop.metricAt(strip.u), farthest_step);
+      if (left.loop == LoopPlace::none)
+        return {};
+      const double from = strip.u - strip.length;
+      const LoopPlace right = finder_.nearest(level, loop.at(from), loop.metricAt(from), 2.0 * farthest_step);
+      const ScallopLoop& next = loops_.loop(left.loop);
+      double wide = right.loop == left.loop ? next.wrapped(left.u - right.u) : 0.0;
+      if (wide > 0.6 * next.length())
+        wide = 0.0;
+      double length = longest(left.loop, left.u);
+      // Going in, both ends of a strip move forward alone, or turns would part.
+      double u = wide >= length ? left.u - wide + length : left.u;
+      u -= drift * 0.1 * length;
+      length = std::min(length, longest(left.loop, u));
+      chain.push_back({left.loop, next.wrapped(u), length, left.distance});
+    }
+    return chain;
+  }
+
+  double
+  score(const std::vector<RampStrip>& chain) const
+  {
+    double sum = 0.0;
+    for (const RampStrip& s : chain) {
+      const double wanted = std::min(longest_ramp, largest_share * loops_.loop(s.loop).length());
+      sum += std::max(0.0, wanted - s.length) / wanted + 3.0 * std::max(0.0, s.distance - 1.1);
+      if (loops_.loop(s.loop).length() > 3.0 && clearance(s.loop, s.u, true) < 0.4)
+        sum += 2.0;
+    }
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      if (i >= 2 || chain.size() <= 4)
+        sum += 3.0 * unevenness(chain[i], chain[i + 1]);
+    return sum;
+  }
+  /** Strips of neighbouring loops run side by side, about a step-over apart. */
+  double
+  unevenness(const RampStrip& a, const RampStrip& b) const
+  {
+    double least = 1e30, most = 0.0;
+    for (int i = 0; i <= 6; ++i) {
+      const double ua = a.u - a.length * (1.0 - i / 6.0), ub = b.u - b.length * (1.0 - i / 6.0);
+      const double d = loops_.loop(b.loop).metricAt(ub).length(loops_.loop(a.loop).at(ua) - loops_.loop(b.loop).at(ub));
+      least = std::min(least, d);
+      most = std::max(most, d);
+    }
+    return (least < 0.5 ? 1.0 : 0.0) + (most > 1.7 ? 1.0 : 0.0);
+  }
+
+  const CutLoops& loops_;
+  const LoopFinder& finder_;
+  std::vector<std::vector<double>> bends_;
+};
+
+} // namespace
+
+std::vector<RampStrip>
+findMainChain(const CutLoops& loops, const LoopFinder& finder, std::size_t innermost, std::size_t outer_rim)
+{
+  return ChainFinder(loops, finder).best(innermost, outer_rim);
+}
+
+std::vector<std::size_t>
+addRamps(const std::vector<RampStrip>& chain, CutLoops& loops, LinkedPath& path)
+{
+  std::vector<std::size_t> cuts;
+  for (const RampStrip& s : chain)
+    cuts.push_back(loops.addCut({s.loop, s.u - s.length, s.length}));
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+    const RampStrip &a = chain[i], &b = chain[i + 1];
+    const ScallopLoop &from = loops.loop(a.loop), &to = loops.loop(b.loop);
+    PathPiece piece;
+    for (std::size_t k = 1; k < ramp_points; ++k) {
+      const double t = static_cast<double>(k) / ramp_points, s = t * t * (3.0 - 2.0 * t);
+      const double ua = a.u - a.length * (1.0 - t), ub = b.u - b.length * (1.0 - t);
+      const auto place = [&](double share) -> Eigen::Vector3d { return (1.0 - share) * from.at(ua) + share * to.at(ub); };
+      piece.add(place(s), between(from.metricAt(ua), to.metricAt(ub), s));
+      if (k % 3 == 0)
+        for (const double share : {0.25, 0.5, 0.75}) {
+          path.links.push_back(place(share));
+          path.link_metric.push_back(between(from.metricAt(ua), to.metricAt(ub), share));
+        }
+    }
+    loops.connect({cuts[i], false}, {cuts[i + 1], true}, std::move(piece));
+  }
+  return cuts;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,29 @@
+/** \file
+ *  The loops a spiral runs over from the rim to the innermost, and where it goes from one to the next.
+ */
+#pragma once
+
+#include "loop_cuts.h"
+#include "loop_finder.h"
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A strip of a loop in which a spiral leaves it for the next: from u - length to u. */
+struct RampStrip {
+  std::size_t loop = 0;
+  double u = 0.0, length = 0.0; ///< step-overs
+  double distance = 0.0;        ///< of u from the strip of the loop inside
+};
+
+/** Strips of a chain of loops from \p innermost out to a rim, the rim's first: the most even of many. Empty where no way leads
+ *  out. */
+std::vector<RampStrip>
+findMainChain(const CutLoops& loops, const LoopFinder& finder, std::size_t innermost, std::size_t outer_rim);
+
+/** Cut the strips out and put ramps in. \return the cuts, one a strip. */
+std::vector<std::size_t>
+addRamps(const std::vector<RampStrip>& chain, CutLoops& loops, LinkedPath& path);
+
+} // namespace pcl_spiral

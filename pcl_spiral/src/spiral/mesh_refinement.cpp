@@ -1,0 +1,165 @@
+#include "mesh_refinement.h"
+
+#include <algorithm>
+
+namespace pcl_spiral {
+namespace {
+
+using Triangle = Triangulation::Triangle;
+
+/** Cuts triangles into a lattice; nodes on shared edges are made once. */
+class Refiner {
+public:
+  Refiner(const StepOverMesh& coarse, const std::vector<std::uint8_t>& chosen, int parts)
+      : coarse_(coarse), chosen_(chosen), parts_(parts), on_edge_(coarse.triangles.halfEdgeCount(), Triangulation::none)
+  {
+    fine_.positions = coarse.positions;
+    fine_.normals = coarse.normals;
+    fine_.metric = coarse.metric;
+  }
+
+  StepOverMesh
+  run(std::vector<std::uint8_t>& is_fine)
+  {
+    const Triangulation& t = coarse_.triangles;
+    for (std::uint32_t h = 0; h < t.halfEdgeCount(); ++h)
+      if (chosen_[h / 3])
+        cutEdge(h);
+    for (std::size_t i = 0; i < t.triangleCount(); ++i)
+      if (chosen_[i])
+        cutTriangle(i);
+    is_fine.assign(fine_.size(), 1);
+    std::vector<std::uint8_t> touched(coarse_.size(), 0);
+    for (std::size_t i = 0; i < t.triangleCount(); ++i)
+      if (chosen_[i])
+        for (const std::uint32_t v : t.triangle(i))
+          touched[v] = 1;
+    std::copy(touched.begin(), touched.end(), is_fine.begin());
+    for (std::size_t i = 0; i < t.triangleCount(); ++i)
+      if (!chosen_[i])
+        keepTriangle(i);
+    is_fine.resize(fine_.size(), 0);
+    cutRims();
+    fine_.triangles = Triangulation(fine_.size(), triangles_);
+    return std::move(fine_);
+  }
+
+private:
+  std::uint32_t
+  canonical(std::uint32_t h) const
+  {
+    const std::uint32_t other = coarse_.triangles.opposite(h);
+    return other == Triangulation::none ? h : std::min(h, other);
+  }
+  std::uint32_t
+  add(const Triangle& corners, double a, double b, double c)
+  {
+    fine_.positions.push_back(a * coarse_.positions[corners[0]] + b * coarse_.positions[corners[1]] + c * coarse_.positions[corners[2]]);
+    const Eigen::Vector3d normal = a * coarse_.normals[corners[0]].cast<double>() + b * coarse_.normals[corners[1]].cast<double>() +
+                                   c * coarse_.normals[corners[2]].cast<double>();
+    fine_.normals.push_back(normal.normalized().cast<float>());
+    StepOverMetric metric = coarse_.metric[corners[0]].times(a);
+    metric += coarse_.metric[corners[1]].times(b);
+    metric += coarse_.metric[corners[2]].times(c);
+    fine_.metric.push_back(metric);
+    return static_cast<std::uint32_t>(fine_.positions.size() - 1);
+  }
+  void
+  cutEdge(std::uint32_t h)
+  {
+    const std::uint32_t edge = canonical(h);
+    if (on_edge_[edge] != Triangulation::none)
+      return;
+    on_edge_[edge] = static_cast<std::uint32_t>(fine_.size());
+    const Triangle ends{coarse_.triangles.origin(edge), coarse_.triangles.target(edge), 0};
+    for (int i = 1; i < parts_; ++i)
+      add({ends[0], ends[1], ends[1]}, 1.0 - static_cast<double>(i) / parts_, static_cast<double>(i) / parts_, 0.0);
+  }
+  /** Node \p step of half-edge \p h, from 0 at its origin to parts at its target. */
+  std::uint32_t
+  edgeNode(std::uint32_t h, int step) const
+  {
+    if (step == 0 || step == parts_)
+      return step == 0 ? coarse_.triangles.origin(h) : coarse_.triangles.target(h);
+    const std::uint32_t edge = canonical(h);
+    return on_edge_[edge] + static_cast<std::uint32_t>(edge == h ? step - 1 : parts_ - 1 - step);
+  }
+  void
+  cutTriangle(std::size_t t)
+  {
+    const Triangle corners = coarse_.triangles.triangle(t);
+    const auto h = static_cast<std::uint32_t>(3 * t);
+    // Row i from corner 0 on, place j in it: weights 1 - i/n, (i - j)/n, j/n.
+    std::vector<std::vector<std::uint32_t>> rows(parts_ + 1);
+    for (int i = 0; i <= parts_; ++i)
+      for (int j = 0; j <= i; ++j) {
+        if (j == 0)
+          rows[i].push_back(edgeNode(h, i));
+        else if (i == parts_)
+          rows[i].push_back(edgeNode(h + 1, j));
+        else if (j == i)
+          rows[i].push_back(edgeNode(h + 2, parts_ - i));
+        else
+          rows[i].push_back(add(corners, 1.0 - static_cast<double>(i) / parts_, static_cast<double>(i - j) / parts_, static_cast<double>(j) / parts_));
+      }
+    for (int i = 0; i < parts_; ++i)
+      for (int j = 0; j <= i; ++j) {
+        triangles_.push_back({rows[i][j], rows[i + 1][j], rows[i + 1][j + 1]});
+        if (j < i)
+          triangles_.push_back({rows[i][j], rows[i + 1][j + 1], rows[i][j + 1]});
+      }
+  }
+  void
+  keepTriangle(std::size_t t)
+  {
+    std::vector<std::uint32_t> ring;
+    for (std::uint32_t h = static_cast<std::uint32_t>(3 * t); h < 3 * t + 3; ++h) {
+      const bool cut = on_edge_[canonical(h)] != Triangulation::none;
+      for (int i = 0; i < (cut ? parts_ : 1); ++i)
+        ring.push_back(i == 0 ? coarse_.triangles.origin(h) : edgeNode(h, i));
+    }
+    if (ring.size() == 3) {
+      triangles_.push_back({ring[0], ring[1], ring[2]});
+      return;
+    }
+    const std::uint32_t middle = add(coarse_.triangles.triangle(t), 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      triangles_.push_back({ring[i], ring[(i + 1) % ring.size()], middle});
+  }
+  void
+  cutRims()
+  {
+    const Triangulation& t = coarse_.triangles;
+    for (const std::vector<std::uint32_t>& rim : coarse_.rims) {
+      std::vector<std::uint32_t> fine;
+      for (std::size_t i = 0; i < rim.size(); ++i) {
+        fine.push_back(rim[i]);
+        const std::uint32_t next = rim[(i + 1) % rim.size()];
+        for (std::size_t o = t.outgoingBegin(rim[i]); o < t.outgoingBegin(rim[i] + 1); ++o) {
+          const std::uint32_t h = t.outgoing(o);
+          if (t.target(h) == next && t.opposite(h) == Triangulation::none && on_edge_[h] != Triangulation::none)
+            for (int step = 1; step < parts_; ++step)
+              fine.push_back(edgeNode(h, step));
+        }
+      }
+      fine_.rims.push_back(std::move(fine));
+    }
+  }
+
+  const StepOverMesh& coarse_;
+  const std::vector<std::uint8_t>& chosen_;
+  int parts_;
+  std::vector<std::uint32_t> on_edge_; ///< first node inside each half-edge that stands for its edge
+  StepOverMesh fine_;
+  std::vector<Triangle> triangles_;
+};
+
+} // namespace
+
+StepOverMesh
+refined(const StepOverMesh& mesh, const std::vector<std::uint8_t>& chosen, int parts, std::vector<std::uint8_t>& is_fine)
+{
+  return Refiner(mesh, chosen, parts).run(is_fine);
+}
+
+} // namespace pcl_spiral

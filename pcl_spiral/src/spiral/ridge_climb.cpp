@@ -1,0 +1,77 @@
+#include "ridge_climb.h"
+
+#include <algorithm>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double noise_reach = 0.8; // step-overs over which a summit may be one of noise
+
+} // namespace
+
+RidgeClimb::RidgeClimb(const StepOverDistance& field)
+    : up_(field.mesh.size(), none), summit_(field.mesh.size(), none)
+{
+  const auto count = static_cast<std::int64_t>(field.mesh.size());
+#pragma omp parallel for schedule(static, 4096)
+  for (std::int64_t i = 0; i < count; ++i) {
+    const auto v = static_cast<std::uint32_t>(i);
+    double steepest = 0.0;
+    forNeighbours(field.mesh.triangles, v, [&](std::uint32_t w) {
+      const double rise = field.distance[w] - field.distance[v];
+      if (rise <= 0.0)
+        return;
+      const double slope = rise / edgeLength(field.mesh, v, w);
+      if (slope > steepest || (slope == steepest && w < up_[v])) {
+        steepest = slope;
+        up_[v] = w;
+      }
+    });
+  }
+  for (std::uint32_t v = 0; v < up_.size(); ++v)
+    if (up_[v] == none)
+      up_[v] = higherNode(field, v);
+  std::vector<std::uint32_t> way;
+  for (std::uint32_t v = 0; v < up_.size(); ++v) {
+    std::uint32_t at = v;
+    for (way.clear(); summit_[at] == none && up_[at] != none; at = up_[at])
+      way.push_back(at);
+    const std::uint32_t top = summit_[at] == none ? at : summit_[at];
+    summit_[at] = top;
+    for (const std::uint32_t w : way)
+      summit_[w] = top;
+  }
+}
+
+std::uint32_t
+RidgeClimb::higherNode(const StepOverDistance& field, std::uint32_t v) const
+{
+  using Entry = std::pair<double, std::uint32_t>;
+  std::unordered_map<std::uint32_t, double> reached{{v, 0.0}};
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+  front.push({0.0, v});
+  std::uint32_t best = none;
+  while (!front.empty()) {
+    const auto [d, i] = front.top();
+    front.pop();
+    if (d > reached[i])
+      continue;
+    if (field.distance[i] > field.distance[v] + 1e-9 &&
+        (best == none || field.distance[i] > field.distance[best] || (field.distance[i] == field.distance[best] && i < best)))
+      best = i;
+    forNeighbours(field.mesh.triangles, i, [&](std::uint32_t w) {
+      const double there = d + edgeLength(field.mesh, i, w);
+      const auto known = reached.find(w);
+      if (there < noise_reach && (known == reached.end() || there < known->second)) {
+        reached[w] = there;
+        front.push({there, w});
+      }
+    });
+  }
+  return best;
+}
+
+} // namespace pcl_spiral

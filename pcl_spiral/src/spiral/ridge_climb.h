@@ -1,0 +1,50 @@
+/** \file
+ *  The way uphill over a field, from node to node.
+ */
+#pragma once
+
+#include <pcl_spiral/spiral/step_over_field.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** For every node of a field the neighbour that D rises to most steeply, and the summit one gets to. Local summits of noise,
+ *  with a higher node within 0.8 step-overs, lead on to that. */
+class RidgeClimb {
+public:
+  static constexpr std::uint32_t none = 0xffffffffu;
+
+  explicit RidgeClimb(const StepOverDistance& field);
+
+  /** Next node uphill; none on a summit. */
+  std::uint32_t up(std::uint32_t v) const { return up_[v]; }
+  std::uint32_t summit(std::uint32_t v) const { return summit_[v]; }
+
+private:
+  std::uint32_t higherNode(const StepOverDistance& field, std::uint32_t v) const;
+
+  std::vector<std::uint32_t> up_, summit_;
+};
+
+/** Call \p visit(neighbour) for the nodes that share an edge with \p v; those of two triangles come twice. */
+template <typename Visit>
+void
+forNeighbours(const Triangulation& triangles, std::uint32_t v, Visit visit)
+{
+  for (std::size_t o = triangles.outgoingBegin(v); o < triangles.outgoingBegin(v + 1); ++o) {
+    const std::uint32_t h = triangles.outgoing(o);
+    visit(triangles.target(h));
+    visit(triangles.origin(Triangulation::previous(h)));
+  }
+}
+
+/** Length of the edge from \p a to \p b in step-overs. */
+inline double
+edgeLength(const StepOverMesh& mesh, std::uint32_t a, std::uint32_t b)
+{
+  return between(mesh.metric[a], mesh.metric[b], 0.5).length(mesh.positions[b] - mesh.positions[a]);
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,28 @@
+/** \file
+ *  Triangles between the ragged edge of a triangulation and the outline fitted to it.
+ */
+#pragma once
+
+#include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/search/triangulation.h>
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** One side of the strip to be closed: a closed run of points with the arc length along the outline at each. */
+struct ZipperSide {
+  std::vector<std::uint32_t> ids;
+  Polyline points;
+  std::vector<double> arcs;             ///< mm; of the outline's points ascending
+  std::vector<Eigen::Vector3d> normals; ///< of the edge's points; not looked at for the outline's
+};
+
+/** The cheapest closed strip of triangles between \p edge (free half-edges, surface on their left) and \p outline, of
+ *  \p length: least sum of new edges' lengths, ten spacings more for each triangle that faces down; arc lengths of the two ends
+ *  of an edge differ by at most twelve spacings. By dynamic programming within that band: near-linear. Empty where there is
+ *  none. */
+std::vector<Triangulation::Triangle>
+zipped(const ZipperSide& edge, const ZipperSide& outline, double length, double spacing);
+
+} // namespace pcl_spiral

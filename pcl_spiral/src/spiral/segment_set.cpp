@@ -1,0 +1,52 @@
+#include "segment_set.h"
+
+#include <algorithm>
+
+namespace pcl_spiral {
+
+void
+SegmentSet::add(const Polyline& run, bool closed, std::size_t label)
+{
+  if (run.empty())
+    return;
+  const std::size_t first = points_.size();
+  points_.insert(points_.end(), run.begin(), run.end());
+  if (closed || run.size() == 1)
+    points_.push_back(run.front());
+  is_joint_.resize(points_.size(), 0);
+  is_joint_.back() = 1;
+  labels_.resize(points_.size(), label);
+  for (std::size_t i = first; i < points_.size(); ++i)
+    places_.push_back(i - first);
+}
+
+void
+SegmentSet::build()
+{
+  index_ = std::make_unique<MoveIndex>(points_);
+}
+
+NearestSegment
+SegmentSet::nearest(const Eigen::Vector3d& p, const StepOverMetric& metric, double within, std::size_t but) const
+{
+  NearestSegment best;
+  best.distance = within;
+  if (points_.empty())
+    return best;
+  const double widest = longestStepOver(metric);
+  const Eigen::Matrix3d g = metric.matrix();
+  index_->search(
+      p, [&] { return best.distance * widest; },
+      [&](std::size_t s) {
+        if (is_joint_[s] || labels_[s] == but)
+          return;
+        const Eigen::Vector3d d = points_[s + 1] - points_[s], gd = g * d;
+        const double t = std::clamp((p - points_[s]).dot(gd) / std::max(d.dot(gd), 1e-300), 0.0, 1.0);
+        const double distance = metric.length(p - points_[s] - t * d);
+        if (distance < best.distance || (distance == best.distance && s < best.segment))
+          best = {distance, s, t};
+      });
+  return best;
+}
+
+} // namespace pcl_spiral

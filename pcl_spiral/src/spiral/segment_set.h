@@ -1,0 +1,51 @@
+/** \file
+ *  How far points are from a set of lines, in step-overs.
+ */
+#pragma once
+
+#include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/core/step_over_metric.h>
+#include <pcl_spiral/verify/move_index.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Where a point's nearest segment is. */
+struct NearestSegment {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  double distance = 0.0;      ///< step-overs, in the metric at the point
+  std::size_t segment = none; ///< from point(segment) to point(segment + 1)
+  double share = 0.0;         ///< along it
+};
+
+/** Runs of points, to be searched together. */
+class SegmentSet {
+public:
+  /** Add a run, with a label of the caller's. A single point stands for itself. */
+  void add(const Polyline& run, bool closed, std::size_t label = 0);
+  /** After the last add. */
+  void build();
+
+  bool empty() const { return points_.empty(); }
+  const Eigen::Vector3d& point(std::size_t i) const { return points_[i]; }
+  /** Of the run a segment belongs to. */
+  std::size_t label(std::size_t segment) const { return labels_[segment]; }
+  /** Which point of its run a segment begins at. */
+  std::size_t place(std::size_t segment) const { return places_[segment]; }
+
+  /** The segment nearest to \p p when it is nearer than \p within step-overs; else the distance is \p within. Runs with the
+   *  label \p but do not count. */
+  NearestSegment nearest(const Eigen::Vector3d& p, const StepOverMetric& metric, double within,
+                         std::size_t but = NearestSegment::none) const;
+
+private:
+  Polyline points_;
+  std::vector<std::uint8_t> is_joint_; ///< of the segment that begins here: it joins two runs, and is none
+  std::vector<std::size_t> labels_, places_;
+  std::unique_ptr<MoveIndex> index_;
+};
+
+} // namespace pcl_spiral

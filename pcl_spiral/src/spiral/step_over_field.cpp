@@ -1,0 +1,117 @@
+#include <pcl_spiral/spiral/step_over_field.h>
+
+#include "mesh_refinement.h"
+#include "step_over_march.h"
+
+#include <pcl_spiral/common/message.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double parts_a_step = 8.0;    // edges of the refined band
+constexpr double ridge_turn = 14.0;     // degrees
+constexpr double band_width = 1.4;      // step-overs on either side of a ridge
+constexpr double band_gradient = 0.94;  // |grad D| below which triangles join the band
+constexpr double weak_gradient = 0.97;
+
+double
+medianEdge(const StepOverMesh& mesh)
+{
+  std::vector<float> edges(mesh.triangles.halfEdgeCount());
+  const auto count = static_cast<std::int64_t>(mesh.triangles.triangleCount());
+#pragma omp parallel for schedule(static, 4096)
+  for (std::int64_t t = 0; t < count; ++t) {
+    const std::array<double, 3> sides = stepOverSides(mesh, t);
+    for (int i = 0; i < 3; ++i)
+      edges[3 * t + i] = static_cast<float>(sides[i]);
+  }
+  std::nth_element(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2), edges.end());
+  return edges[edges.size() / 2];
+}
+
+/** Add the triangles that share a node with those chosen. */
+void
+grow(const Triangulation& triangles, std::vector<std::uint8_t>& chosen, std::size_t nodes)
+{
+  std::vector<std::uint8_t> node(nodes, 0);
+  for (std::size_t t = 0; t < triangles.triangleCount(); ++t)
+    if (chosen[t])
+      for (const std::uint32_t v : triangles.triangle(t))
+        node[v] = 1;
+  for (std::size_t t = 0; t < triangles.triangleCount(); ++t)
+    for (const std::uint32_t v : triangles.triangle(t))
+      chosen[t] |= node[v];
+}
+
+/** Triangles about the ridges of \p distance, and those in which it is no distance. */
+std::vector<std::uint8_t>
+ridgeBand(const StepOverMesh& mesh, const std::vector<double>& distance, double usual_edge)
+{
+  const std::vector<float> agreement = gradientAgreement(mesh, distance);
+  const auto least = static_cast<float>(std::cos(ridge_turn * M_PI / 180.0));
+  std::vector<std::uint8_t> chosen(mesh.triangles.triangleCount(), 0);
+  for (std::size_t t = 0; t < chosen.size(); ++t)
+    for (const std::uint32_t v : mesh.triangles.triangle(t))
+      chosen[t] |= agreement[v] < least;
+  for (int ring = 0; ring < static_cast<int>(std::ceil(band_width / usual_edge)); ++ring)
+    grow(mesh.triangles, chosen, mesh.size());
+  const std::vector<float> lengths = gradientLengths(mesh, distance);
+  std::vector<std::uint8_t> weak(chosen.size(), 0);
+  for (std::size_t t = 0; t < chosen.size(); ++t)
+    weak[t] = lengths[t] < band_gradient;
+  grow(mesh.triangles, weak, mesh.size());
+  for (std::size_t t = 0; t < chosen.size(); ++t)
+    chosen[t] |= weak[t];
+  return chosen;
+}
+
+double
+areaInStepOvers(const StepOverMesh& mesh)
+{
+  double area = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.triangleCount(); ++t) { // serial: a sum whose rounding depends on its order
+    const auto [c, b, a] = stepOverSides(mesh, t);
+    const double x = (a * a + b * b - c * c) / (2.0 * a);
+    area += 0.5 * a * std::sqrt(std::max(0.0, b * b - x * x));
+  }
+  return area;
+}
+
+} // namespace
+
+Status
+measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options,
+                 StepOverDistance& field)
+{
+  field = StepOverDistance();
+  StepOverMesh coarse;
+  if (const Status status = makeStepOverMesh(surface, outlines, options, coarse); !status.ok())
+    return status;
+  field.usual_edge = medianEdge(coarse);
+  field.area = areaInStepOvers(coarse);
+  const int parts = std::max(2, static_cast<int>(std::ceil(parts_a_step * field.usual_edge)));
+  field.mesh = refined(coarse, ridgeBand(coarse, distancesFromRims(coarse), field.usual_edge), parts, field.is_fine);
+  coarse = StepOverMesh();
+  field.distance = distancesFromRims(field.mesh);
+  for (std::size_t v = 0; v < field.mesh.size(); ++v) {
+    if (!std::isfinite(field.distance[v]))
+      return {StatusCode::Failed, textOf("no way leads over the surface from its rim to ", placeText(field.mesh.positions[v]),
+                                         ": parts of the scan hang together at a point alone; scan it again, more densely")};
+    field.largest = std::max(field.largest, field.distance[v]);
+  }
+  const std::vector<float> lengths = gradientLengths(field.mesh, field.distance);
+  field.is_weak.resize(lengths.size());
+  for (std::size_t t = 0; t < lengths.size(); ++t) {
+    const auto& corners = field.mesh.triangles.triangle(t);
+    const bool fine = field.is_fine[corners[0]] && field.is_fine[corners[1]] && field.is_fine[corners[2]];
+    field.is_weak[t] = !fine && lengths[t] < weak_gradient;
+  }
+  return Status::success();
+}
+
+} // namespace pcl_spiral

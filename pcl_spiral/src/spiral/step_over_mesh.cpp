@@ -1,0 +1,361 @@
+#include <pcl_spiral/spiral/step_over_mesh.h>
+
+#include "outline_side.h"
+#include "rim_zipper.h"
+
+#include <pcl_spiral/common/message.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+using Triangle = Triangulation::Triangle;
+
+constexpr double outline_step = 0.8;  // spacings between nodes on an outline
+constexpr double clear_of_rim = 0.45; // spacings; nearer points give way to the outline
+constexpr double beside_rim = 3.0;    // spacings within which points are looked at
+constexpr double across_reach = 6.0;  // the same for triangles
+constexpr double across_depth = 0.15; // spacings a triangle may reach beyond an outline
+constexpr double matched_edge = 2.5;  // spacings: median distance of an edge from its outline
+constexpr double least_zipped = 0.7;  // share of an outline its edge must run along
+
+/** The mesh while it is made. */
+class MeshMaker {
+public:
+  MeshMaker(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options, StepOverMesh& mesh)
+      : surface_(surface), outlines_(outlines), options_(options), mesh_(mesh), side_(outlines), spacing_(surface.spacing())
+  {
+  }
+
+  Status
+  run()
+  {
+    placeNodes();
+    cutAtOutlines();
+    edges_ = Triangulation(mesh_.size(), triangles_).boundaryLoops();
+    edgeNodes();
+    for (std::size_t o = 0; o < outlines_.size(); ++o)
+      if (const Status status = zip(o); !status.ok())
+        return status;
+    closeRest();
+    dropUnused();
+    return checkGenus();
+  }
+
+private:
+  /** Feet and metric of the surface's points; the metric is the mean over the points about each, as curvatures waver. */
+  void placeNodes();
+  void cutAtOutlines();
+  bool reachesAcross(const Triangle& t) const;
+  std::vector<Triangle> largestPart(const std::vector<Triangle>& triangles) const;
+  void edgeNodes();
+  Status zip(std::size_t outline);
+  std::size_t addOutline(std::size_t outline, ZipperSide& side);
+  void closeRest();
+  void dropUnused();
+  Status checkGenus() const;
+
+  const Surface& surface_;
+  const std::vector<BoundaryLoop>& outlines_;
+  StepOverOptions options_;
+  StepOverMesh& mesh_;
+  OutlineSide side_;
+  double spacing_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::vector<std::uint32_t>> edges_; ///< nodes of the free edges, the surface on their left
+  std::vector<std::uint8_t> edge_used_;
+};
+
+std::vector<StepOverMetric>
+averaged(const std::vector<StepOverMetric>& metric, const Triangulation& triangles)
+{
+  std::vector<StepOverMetric> mean(metric.size());
+  const auto count = static_cast<std::int64_t>(metric.size());
+#pragma omp parallel for schedule(static, 4096)
+  for (std::int64_t v = 0; v < count; ++v) {
+    StepOverMetric sum = metric[v];
+    int terms = 1;
+    for (std::size_t i = triangles.outgoingBegin(v); i < triangles.outgoingBegin(v + 1); ++i, ++terms)
+      sum += metric[triangles.target(triangles.outgoing(i))];
+    mean[v] = sum.times(1.0 / terms);
+  }
+  return mean;
+}
+
+void
+MeshMaker::placeNodes()
+{
+  std::vector<Eigen::Vector3d> points(surface_.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] = surface_.position(i);
+  std::vector<SurfaceFoot> feet;
+  surface_.fit().project(points, feet);
+  mesh_.positions.resize(points.size());
+  mesh_.normals.resize(points.size());
+  mesh_.metric.resize(points.size());
+  const double kept = (1.0 - options_.reserve) * (1.0 - options_.reserve);
+  const auto count = static_cast<std::int64_t>(points.size());
+#pragma omp parallel for schedule(static, 4096)
+  for (std::int64_t i = 0; i < count; ++i) {
+    const SurfaceFoot& foot = feet[i];
+    const Eigen::Vector3d normal = foot.valid ? foot.normal : surface_.normal(i);
+    mesh_.positions[i] = foot.valid ? foot.position : points[i];
+    mesh_.normals[i] = normal.cast<float>();
+    const Eigen::Vector3d direction = foot.valid ? foot.direction1 : normal.unitOrthogonal();
+    mesh_.metric[i] = stepOverMetric(normal, direction, foot.valid ? foot.curvature1 : 0.0, foot.valid ? foot.curvature2 : 0.0,
+                                     options_.tool_radius, options_.scallop_height)
+                          .times(1.0 / kept);
+  }
+  const int rings = 1 + static_cast<int>(std::min(3.0, std::round(10.0 * surface_.noise() / options_.scallop_height)));
+  for (int r = 0; r < rings; ++r)
+    mesh_.metric = averaged(mesh_.metric, surface_.graph().triangulation());
+}
+
+bool
+MeshMaker::reachesAcross(const Triangle& t) const
+{
+  static const std::array<std::array<double, 3>, 9> places{{{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5},
+                                                            {0.25, 0.75, 0}, {0.75, 0.25, 0}, {0, 0.25, 0.75},
+                                                            {0, 0.75, 0.25}, {0.25, 0, 0.75}, {0.75, 0, 0.25}}};
+  for (const auto& w : places) {
+    Eigen::Vector3d p = Eigen::Vector3d::Zero(), n = Eigen::Vector3d::Zero();
+    for (int i = 0; i < 3; ++i) {
+      p += w[i] * mesh_.positions[t[i]];
+      n += w[i] * mesh_.normals[t[i]].cast<double>();
+    }
+    OutlinePlace place;
+    if (side_.find(p, n.normalized(), across_reach * spacing_, place) && !place.inside &&
+        place.distance > across_depth * spacing_)
+      return true;
+  }
+  return false;
+}
+
+std::vector<Triangle>
+MeshMaker::largestPart(const std::vector<Triangle>& triangles) const
+{
+  std::vector<std::size_t> sizes;
+  const std::vector<std::uint32_t> part = Triangulation(mesh_.size(), triangles).parts(sizes);
+  std::vector<Triangle> kept;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (part[t] == 0)
+      kept.push_back(triangles[t]);
+  return kept;
+}
+
+void
+MeshMaker::cutAtOutlines()
+{
+  const Triangulation& all = surface_.graph().triangulation();
+  const auto count = static_cast<std::int64_t>(mesh_.size());
+  std::vector<std::uint8_t> dead(mesh_.size(), 0), near(mesh_.size(), 0);
+#pragma omp parallel for schedule(dynamic, 4096)
+  for (std::int64_t i = 0; i < count; ++i) {
+    OutlinePlace place;
+    if (!side_.find(mesh_.positions[i], mesh_.normals[i].cast<double>(), across_reach * spacing_, place))
+      continue;
+    near[i] = 1;
+    dead[i] = place.distance < beside_rim * spacing_ && (!place.inside || place.distance < clear_of_rim * spacing_);
+  }
+  const auto triangle_count = static_cast<std::int64_t>(all.triangleCount());
+  std::vector<std::uint8_t> across(all.triangleCount(), 0);
+#pragma omp parallel for schedule(dynamic, 4096)
+  for (std::int64_t i = 0; i < triangle_count; ++i) {
+    const Triangle& t = all.triangle(i);
+    const bool alive = !dead[t[0]] && !dead[t[1]] && !dead[t[2]];
+    across[i] = alive && (near[t[0]] || near[t[1]] || near[t[2]]) && reachesAcross(t);
+  }
+  for (bool pinched = true; pinched;) {
+    triangles_.clear();
+    for (std::size_t i = 0; i < all.triangleCount(); ++i) {
+      const Triangle& t = all.triangle(i);
+      if (!across[i] && !dead[t[0]] && !dead[t[1]] && !dead[t[2]])
+        triangles_.push_back(t);
+    }
+    triangles_ = largestPart(triangles_);
+    const Triangulation rest(mesh_.size(), triangles_);
+    std::vector<std::uint8_t> ends(mesh_.size(), 0);
+    pinched = false;
+    for (std::uint32_t h = 0; h < rest.halfEdgeCount(); ++h)
+      if (rest.opposite(h) == Triangulation::none && ++ends[rest.origin(h)] > 1)
+        {
+        dead[rest.origin(h)] = 1;
+        pinched = true;
+      }
+  }
+}
+
+void
+MeshMaker::edgeNodes()
+{
+  const Triangulation rest(mesh_.size(), triangles_);
+  for (std::vector<std::uint32_t>& edge : edges_)
+    for (std::uint32_t& h : edge)
+      h = rest.origin(h);
+  edge_used_.assign(edges_.size(), 0);
+}
+
+std::size_t
+MeshMaker::addOutline(std::size_t outline, ZipperSide& side)
+{
+  const BoundaryLoop& loop = outlines_[outline];
+  const std::vector<double> arcs = arcLengths(loop.curve, true);
+  std::vector<double> stops;
+  for (const std::size_t c : loop.corners)
+    stops.push_back(arcs[c % loop.curve.size()]);
+  std::sort(stops.begin(), stops.end());
+  stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+  if (stops.empty())
+    stops.push_back(0.0);
+  const std::size_t first = mesh_.size();
+  mesh_.rims.emplace_back();
+  for (std::size_t s = 0; s < stops.size(); ++s) {
+    const double end = s + 1 < stops.size() ? stops[s + 1] : stops[0] + arcs.back();
+    const auto steps = std::max<std::size_t>(2, static_cast<std::size_t>(std::lround((end - stops[s]) / (outline_step * spacing_))));
+    for (std::size_t i = 0; i < steps; ++i)
+      side.arcs.push_back(std::fmod(stops[s] + (end - stops[s]) * static_cast<double>(i) / static_cast<double>(steps), arcs.back()));
+  }
+  std::sort(side.arcs.begin(), side.arcs.end());
+  for (const double arc : side.arcs) {
+    const auto at = std::min<std::size_t>(loop.curve.size() - 1, static_cast<std::size_t>(std::upper_bound(arcs.begin(), arcs.end(), arc) - arcs.begin()) - 1);
+    const double share = (arc - arcs[at]) / std::max(arcs[at + 1] - arcs[at], 1e-300);
+    const Eigen::Vector3d p = loop.curve[at] + share * (loop.curve[(at + 1) % loop.curve.size()] - loop.curve[at]);
+    const std::uint32_t nearest = surface_.graph().blocks().nearest(p);
+    mesh_.rims.back().push_back(static_cast<std::uint32_t>(mesh_.size()));
+    mesh_.positions.push_back(p);
+    mesh_.normals.push_back(mesh_.normals[nearest]);
+    mesh_.metric.push_back(mesh_.metric[nearest]);
+  }
+  side.ids = mesh_.rims.back();
+  side.points.assign(mesh_.positions.begin() + static_cast<std::ptrdiff_t>(first), mesh_.positions.end());
+  return edges_.size();
+}
+
+Status
+MeshMaker::zip(std::size_t outline)
+{
+  std::size_t best = edges_.size();
+  ZipperSide edge;
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    if (edge_used_[e] || edges_[e].size() < 6 || (best < edges_.size() && edges_[e].size() <= edges_[best].size()))
+      continue;
+    ZipperSide candidate;
+    std::vector<double> distances;
+    for (const std::uint32_t v : edges_[e]) {
+      OutlinePlace place;
+      if (!side_.find(mesh_.positions[v], mesh_.normals[v].cast<double>(), 2.0 * across_reach * spacing_, place) || place.outline != outline)
+        place.distance = 1e30;
+      distances.push_back(place.distance);
+      candidate.ids.push_back(v);
+      candidate.points.push_back(mesh_.positions[v]);
+      candidate.normals.push_back(mesh_.normals[v].cast<double>());
+      candidate.arcs.push_back(place.arc);
+    }
+    std::vector<double> sorted = distances;
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+    if (sorted[sorted.size() / 2] < matched_edge * spacing_) {
+      best = e;
+      edge = std::move(candidate);
+    }
+  }
+  const std::string remedy = "; the scan is too thin or ragged there for a path at constant scallop: scan it again, more "
+                             "densely, or choose the radial method (setMethod)";
+  if (best == edges_.size())
+    return {StatusCode::Failed, textOf("no edge of the surface runs along the outline through ",
+                                       placeText(outlines_[outline].curve.front()), remedy)};
+  edge_used_[best] = 1;
+  ZipperSide rim;
+  addOutline(outline, rim);
+  const double whole = length(outlines_[outline].curve, true);
+  const std::vector<Triangle> strip = zipped(edge, rim, whole, spacing_);
+  if (strip.empty())
+    return {StatusCode::Failed, textOf("the edge of the surface does not follow the outline through ",
+                                       placeText(outlines_[outline].curve.front()), " over ", 100.0 * least_zipped, " % of its length", remedy)};
+  triangles_.insert(triangles_.end(), strip.begin(), strip.end());
+  return Status::success();
+}
+
+void
+MeshMaker::closeRest()
+{
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    if (edge_used_[e])
+      continue;
+    const std::vector<std::uint32_t>& edge = edges_[e];
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
+    StepOverMetric metric;
+    for (const std::uint32_t v : edge) {
+      centre += mesh_.positions[v] / static_cast<double>(edge.size());
+      normal += mesh_.normals[v].cast<double>();
+      metric += mesh_.metric[v].times(1.0 / static_cast<double>(edge.size()));
+    }
+    const auto middle = static_cast<std::uint32_t>(mesh_.size());
+    mesh_.positions.push_back(centre);
+    mesh_.normals.push_back(normal.normalized().cast<float>());
+    mesh_.metric.push_back(metric);
+    for (std::size_t i = 0; i < edge.size(); ++i)
+      triangles_.push_back({edge[(i + 1) % edge.size()], edge[i], middle});
+  }
+}
+
+void
+MeshMaker::dropUnused()
+{
+  std::vector<std::uint32_t> index(mesh_.size(), Triangulation::none);
+  for (const Triangle& t : triangles_)
+    for (const std::uint32_t v : t)
+      index[v] = 0;
+  std::uint32_t count = 0;
+  for (std::size_t v = 0; v < index.size(); ++v) {
+    if (index[v] == Triangulation::none)
+      continue;
+    mesh_.positions[count] = mesh_.positions[v];
+    mesh_.normals[count] = mesh_.normals[v];
+    mesh_.metric[count] = mesh_.metric[v];
+    index[v] = count++;
+  }
+  mesh_.positions.resize(count);
+  mesh_.normals.resize(count);
+  mesh_.metric.resize(count);
+  for (Triangle& t : triangles_)
+    for (std::uint32_t& v : t)
+      v = index[v];
+  for (std::vector<std::uint32_t>& rim : mesh_.rims)
+    for (std::uint32_t& v : rim)
+      v = index[v];
+  mesh_.triangles = Triangulation(count, triangles_);
+}
+
+Status
+MeshMaker::checkGenus() const
+{
+  std::size_t inner = 0, free = 0;
+  for (std::uint32_t h = 0; h < mesh_.triangles.halfEdgeCount(); ++h) {
+    const std::uint32_t other = mesh_.triangles.opposite(h);
+    free += other == Triangulation::none;
+    inner += other != Triangulation::none && h < other;
+  }
+  const auto euler = static_cast<std::int64_t>(mesh_.size() + mesh_.triangles.triangleCount()) - static_cast<std::int64_t>(inner + free) +
+                     static_cast<std::int64_t>(mesh_.triangles.boundaryLoops().size());
+  if (euler != 2)
+    return {StatusCode::Failed, textOf("the surface about ", placeText(mesh_.positions.front()),
+                                       " has a handle or touches itself: a path at constant scallop needs a sheet with rim and "
+                                       "holes alone; cut the part in pieces")};
+  return Status::success();
+}
+
+} // namespace
+
+Status
+makeStepOverMesh(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options,
+                 StepOverMesh& mesh)
+{
+  mesh = StepOverMesh();
+  return MeshMaker(surface, outlines, options, mesh).run();
+}
+
+} // namespace pcl_spiral
