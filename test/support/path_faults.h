@@ -10,8 +10,8 @@
 
 namespace pcl_spiral::test {
 
-/** Crossings of two moves, strict: in the tangent plane of the first each passes the other's line. Value: how
- * far, the least of the four. The deepest first. */
+/** Crossings of two moves, strict: in the tangent plane of the first each passes the other's line, by more than
+ *  single precision rounds. Value: how far, the least of the four. The deepest first. */
 std::vector<Place> strictCrossings(const AnalyticSurface& surface, const CheckedPath& path, int threads = 0);
 
 /** Moves longer than \p longest, in order; value: the length. */

@@ -54,7 +54,24 @@ judgeHeights(const JudgedArea& area, const JudgedArea& whole, const CheckedPath&
 }
 
 void
-judgeMotion(const AnalyticSurface& surface, const CheckedPath& path, const JudgeSettings& s, JudgedFigures& f)
+judgeOutside(const AnalyticSurface& surface, const JudgedArea& whole, const CheckedPath& path,
+             JudgedFigures& f)
+{
+  const Points points = atEqualSteps(path.contacts, 0.5 * f.pitch);
+  std::size_t outside = 0;
+  for (const Eigen::Vector3d& p : points) {
+    const Eigen::Vector3d x = surface.pulled(p);
+    const double beyond = whole.contains(x) ? 0.0 : whole.rimDistance(x);
+    outside += beyond > 0.5 * f.pitch ? 1 : 0;
+    if (beyond > f.outside.value)
+      f.outside = {beyond, x, beyond, 0.0, 0};
+  }
+  f.outside_share = static_cast<double>(outside) / static_cast<double>(points.size());
+}
+
+void
+judgeMotion(const AnalyticSurface& surface, const JudgedArea& area, const CheckedPath& path,
+            const JudgeSettings& s, JudgedFigures& f)
 {
   f.length = lineLength(path.contacts);
   f.seconds = machineTime(path.contacts, s.speed, s.acceleration, 0.15 * f.pitch);
@@ -62,6 +79,10 @@ judgeMotion(const AnalyticSurface& surface, const CheckedPath& path, const Judge
   f.reversals = reversals(path.contacts, f.pitch);
   f.crossings = strictCrossings(surface, path, s.threads);
   f.jumps = jumps(path, s.longest_move > 0.0 ? s.longest_move : 1.001 * s.tool_radius);
+  for (Place* place : {&f.turning.least, &f.turning.smallest, &f.reversals.first})
+    place->rim = area.rimDistance(place->at);
+  for (Place& jump : f.jumps)
+    jump.rim = area.rimDistance(jump.at);
 }
 
 } // namespace
@@ -82,7 +103,8 @@ judgedPath(const AnalyticSurface& surface, const std::vector<Polyline>& loops, c
   f.least = area.leastLength(settings.tool_radius, settings.scallop_height);
   f.least_true = whole.leastLength(settings.tool_radius, settings.scallop_height);
   judgeHeights(area, whole, path, settings, f);
-  judgeMotion(surface, path, settings, f);
+  judgeOutside(surface, whole, path, f);
+  judgeMotion(surface, area, path, settings, f);
   return f;
 }
 

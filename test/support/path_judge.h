@@ -37,6 +37,8 @@ struct JudgedFigures {
   HeightFigures inside;        ///< within the fitted rims by the margin
   HeightFigures whole;         ///< over the whole true surface
   double length = 0.0, least = 0.0, least_true = 0.0; ///< least within the fitted rims; within the true ones
+  double outside_share = 0.0; ///< of the length, over half a pitch beyond the true rims
+  Place outside;              ///< farthest; value: mm beyond
   double seconds = 0.0;
   TurningFigures turning;
   ReversalFigures reversals;

@@ -130,6 +130,16 @@ TEST(PathJudge, CirclesOnADiscAreTheLeastLengthButForTheirJoins)
   EXPECT_LE(f.inside.max.value, 1.001);
   EXPECT_TRUE(f.crossings.empty());
   EXPECT_EQ(f.passes(), 1u);
+  EXPECT_EQ(f.outside_share, 0.0);
+}
+
+TEST(PathJudge, APathBeyondTheOutlineIsReported)
+{
+  const SurfacePtr half = flat(Region({rectangle(10.0 * pitch, 20.0 * pitch)}));
+  const SurfacePtr part = square();
+  const JudgedFigures f = judgedPath(*half, half->outlines(), squarePasses(*part), settings());
+  EXPECT_NEAR(f.outside_share, 10.0 / 21.0, 0.03); // the passes over 5.5 pitches from the middle
+  EXPECT_NEAR(f.outside.value, 5.0 * pitch, 1e-6);
 }
 
 TEST(PathJudge, LoopsInsideTheOutlineAreTheRimsThatCount)
