@@ -97,6 +97,30 @@ drawn(const OutlineRow& row, const Options& options, const OutlineCloud& cloud, 
   return written ? "" : "    cannot write " + base + ".csv and .png: does the folder exist?\n";
 }
 
+/** What is wrong with the path over a gap of the scan: points over it, a spacing in, that are not marked. */
+std::string
+gapFaults(const OutlineCloud& cloud, const Path& path)
+{
+  if (cloud.gap.empty())
+    return "";
+  const test::Region gap({cloud.gap});
+  Polyline rim;
+  for (const Eigen::Vector2d& u : cloud.gap)
+    rim.push_back(cloud.part->lift(u));
+  const test::MoveTree tree(rim);
+  std::size_t over = 0, unmarked = 0;
+  for (const ToolpathPoint& p : path) {
+    const Eigen::Vector3d x = p.getVector3fMap().cast<double>();
+    if (!gap.contains(cloud.part->chart(x)) || tree.nearest(x).first < cloud.spacing)
+      continue;
+    ++over;
+    unmarked += p.over_gap == 0 ? 1 : 0;
+  }
+  return unmarked == 0 ? ""
+                       : "    " + std::to_string(unmarked) + " of " + std::to_string(over) +
+                             " path points over the gap, a spacing in, are not marked\n";
+}
+
 Outcome
 outcomeOf(const OutlineRow& row, const Options& options)
 {
@@ -127,7 +151,8 @@ outcomeOf(const OutlineRow& row, const Options& options)
                                    : ", round the gap");
   if (options.places)
     printPlaces(row, made.report, line);
-  return {line.line + end, line.broken + drawn(row, options, cloud, path, figures)};
+  return {line.line + end,
+          line.broken + gapFaults(cloud, made.path) + drawn(row, options, cloud, path, figures)};
 }
 
 } // namespace

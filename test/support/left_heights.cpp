@@ -22,23 +22,57 @@ ranked(const std::vector<StockSample>& samples, std::vector<std::size_t>& picked
   return *at;
 }
 
+/** An unbroken run of a path: the moves of the ball's centre, the first of them by its index. */
+struct Pass {
+  MoveTree centres;
+  std::size_t first;
+};
+
+std::vector<Pass>
+passesOf(const CheckedPath& path, const SweptBall& ball)
+{
+  std::vector<Pass> passes;
+  std::vector<Eigen::Vector3d> centres;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    centres.push_back(path.contacts[i] + ball.radius * path.normals[i]);
+    if (i + 1 < path.size() && (path.contacts[i + 1] - path.contacts[i]).norm() <= ball.longest_move)
+      continue;
+    const std::size_t count = centres.size();
+    passes.push_back({MoveTree(std::move(centres)), i + 1 - count});
+    centres.clear();
+  }
+  return passes;
+}
+
+/** The least height that a pass leaves over \p x. */
+StockSample
+leastOver(const Eigen::Vector3d& x, const AnalyticSurface& surface, const std::vector<Pass>& passes,
+          const SweptBall& ball)
+{
+  StockSample best{x, 20.0 * ball.h, 0, false};
+  for (const Pass& pass : passes) {
+    const StockSample s = StockField(surface, pass.centres, ball.radius, ball.h, 0.0).at(x);
+    if (s.met && s.stock < best.stock)
+      best = {x, s.stock, pass.first + s.move, true};
+  }
+  return best;
+}
+
 } // namespace
 
 std::vector<StockSample>
-heightsLeft(const AnalyticSurface& surface, const CheckedPath& path, double radius, double h,
-            std::size_t count, std::uint64_t seed, int threads)
+heightsLeft(const AnalyticSurface& surface, const CheckedPath& path, const SweptBall& ball, std::size_t count,
+            std::uint64_t seed)
 {
-  std::vector<Eigen::Vector3d> centres(path.size());
-  for (std::size_t i = 0; i < path.size(); ++i)
-    centres[i] = path.contacts[i] + radius * path.normals[i];
-  const MoveTree tree(std::move(centres));
-  const StockField field(surface, tree, radius, h, 0.0);
+  const std::vector<Pass> passes = passesOf(path, ball);
   const Sampled points = sampleUniform(surface, count, seed);
   std::vector<StockSample> samples(count);
-  const int team = threads > 0 ? threads : omp_get_max_threads();
+  const int team = ball.threads > 0 ? ball.threads : omp_get_max_threads();
 #pragma omp parallel for schedule(dynamic, 256) num_threads(team)
-  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i)
-    samples[static_cast<std::size_t>(i)] = field.at(points.points[static_cast<std::size_t>(i)]);
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    samples[at] = leastOver(points.points[at], surface, passes, ball);
+  }
   return samples;
 }
 

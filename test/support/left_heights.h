@@ -14,11 +14,17 @@
 
 namespace pcl_spiral::test {
 
+/** What the ball cuts with. */
+struct SweptBall {
+  double radius = 0.0, h = 0.0;
+  double longest_move = 0.0; ///< over longer ones it is lifted
+  int threads = 0;           ///< 0: all
+};
+
 /** Height over every one of \p count points spread evenly by area over the whole surface, by the capsules
- * that a ball of \p radius fills along the straight moves between its centres. Rays reach 20 \p h: above is
- * uncut. */
-std::vector<StockSample> heightsLeft(const AnalyticSurface& surface, const CheckedPath& path, double radius,
-                                     double h, std::size_t count, std::uint64_t seed, int threads = 0);
+ * that the ball fills along the straight moves between its centres. Rays reach 20 h: above is uncut. */
+std::vector<StockSample> heightsLeft(const AnalyticSurface& surface, const CheckedPath& path,
+                                     const SweptBall& ball, std::size_t count, std::uint64_t seed);
 
 /** Figures of heights, as multiples of h; a place's value too. */
 struct HeightFigures {

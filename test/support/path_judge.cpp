@@ -71,14 +71,14 @@ judgeOutside(const AnalyticSurface& surface, const JudgedArea& whole, const Chec
 
 void
 judgeMotion(const AnalyticSurface& surface, const JudgedArea& area, const CheckedPath& path,
-            const JudgeSettings& s, JudgedFigures& f)
+            const JudgeSettings& s, double longest, JudgedFigures& f)
 {
   f.length = lineLength(path.contacts);
   f.seconds = machineTime(path.contacts, s.speed, s.acceleration, 0.15 * f.pitch);
   f.turning = turningRadii(path.contacts, f.pitch);
   f.reversals = reversals(path.contacts, f.pitch);
   f.crossings = strictCrossings(surface, path, s.threads);
-  f.jumps = jumps(path, s.longest_move > 0.0 ? s.longest_move : 1.001 * s.tool_radius);
+  f.jumps = jumps(path, longest);
   for (Place* place : {&f.turning.least, &f.turning.smallest, &f.reversals.first})
     place->rim = area.rimDistance(place->at);
   for (Place& jump : f.jumps)
@@ -95,8 +95,9 @@ judgedPath(const AnalyticSurface& surface, const std::vector<Polyline>& loops, c
   f.pitch = exactStepOver(settings.tool_radius, settings.scallop_height, 0.0);
   if (path.size() < 2)
     return f;
-  f.samples = heightsLeft(surface, path, settings.tool_radius, settings.scallop_height, settings.samples,
-                          settings.seed, settings.threads);
+  const double longest = settings.longest_move > 0.0 ? settings.longest_move : 1.001 * settings.tool_radius;
+  const SweptBall ball{settings.tool_radius, settings.scallop_height, longest, settings.threads};
+  f.samples = heightsLeft(surface, path, ball, settings.samples, settings.seed);
   const std::vector<Polyline> truth = trueRims(surface, settings, f);
   const JudgedArea whole(surface, truth);
   const JudgedArea area(surface, rimsAlong(truth, loops, 3.0 * settings.spacing, f.rims_missed));
@@ -104,7 +105,7 @@ judgedPath(const AnalyticSurface& surface, const std::vector<Polyline>& loops, c
   f.least_true = whole.leastLength(settings.tool_radius, settings.scallop_height);
   judgeHeights(area, whole, path, settings, f);
   judgeOutside(surface, whole, path, f);
-  judgeMotion(surface, area, path, settings, f);
+  judgeMotion(surface, area, path, settings, longest, f);
   return f;
 }
 

@@ -22,7 +22,7 @@ struct JudgeSettings {
   std::uint64_t seed = 77;
   double margin = 0.1;                         ///< heights inside the rims count from here on, pitches
   double spacing = 0.0;                        ///< of the cloud; loops within three of an outline are its rim
-  double longest_move = 0.0;                   ///< longer ones are jumps; 0: the tool radius
+  double longest_move = 0.0;                   ///< longer ones are jumps, which cut nothing; 0: the tool radius
   double speed = 100.0, acceleration = 2000.0; ///< mm/s, mm/s^2
   PlaneLoop gap;                               ///< in the chart, where the scan has no points; may be empty
   int threads = 0;

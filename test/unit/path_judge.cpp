@@ -113,6 +113,26 @@ TEST(PathJudge, WhatIsNotReachedIsUncut)
   EXPECT_DOUBLE_EQ(f.inside.max.value, 20.0);
 }
 
+TEST(PathJudge, AJumpCutsNothing)
+{
+  const SurfacePtr part = square();
+  CheckedPath path = squarePasses(*part);
+  const auto inside = [](const Eigen::Vector3d& x) { return std::abs(x.y()) < 3.5 * pitch; };
+  CheckedPath lifted;
+  for (std::size_t i = 0; i < path.size(); ++i)
+    if (!inside(path.contacts[i])) {
+      lifted.contacts.push_back(path.contacts[i]);
+      lifted.normals.push_back(path.normals[i]);
+    }
+  const JudgedFigures f = judgedPath(*part, part->outlines(), lifted, settings());
+  EXPECT_EQ(f.jumps.size(), 21u);
+  EXPECT_EQ(f.passes(), 22u);
+  const double reach =
+      std::sqrt(R * R - (R - 20.0 * h) * (R - 20.0 * h)); // from 4 pitches in, less between passes
+  EXPECT_GT(f.whole.uncut_share, (8.0 * pitch - 2.0 * reach) / (20.0 * pitch) - 0.003);
+  EXPECT_LT(f.whole.uncut_share, (8.0 * pitch - 1.8 * reach) / (20.0 * pitch));
+}
+
 TEST(PathJudge, CirclesOnADiscAreTheLeastLengthButForTheirJoins)
 {
   constexpr int n = 20; // circles of radii k s, k = 0 .. n: pi s n (n + 1) in all, as the bound
