@@ -26,7 +26,8 @@ isHang(int signal)
   return signal == SIGALRM || signal == SIGXCPU || signal == SIGKILL;
 }
 
-/** What \p judge finds in a process of its own. */
+} // namespace
+
 Outcome
 isolated(unsigned int longest, const std::function<Outcome()>& judge)
 {
@@ -63,8 +64,6 @@ isolated(unsigned int longest, const std::function<Outcome()>& judge)
   const std::size_t end = told.find('\n');
   return {told.substr(0, end), end == std::string::npos ? "nothing told" : told.substr(end + 1)};
 }
-
-} // namespace
 
 /** Numbers left out, so that refusals of one kind are counted together; the first clause alone. */
 std::string

@@ -5,7 +5,9 @@
 
 #include "job.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace pcl_spiral::acceptance {
 
@@ -13,6 +15,14 @@ struct Options {
   std::uint64_t seed = 1;
   int threads = 0; ///< 0: all
   std::uint64_t first = 0, count = 19; ///< of the random cases
+  std::string method = "radial";       ///< of the outlines, as SpiralMethod's words begin
+  std::string only;                    ///< names of outlines, commas between; empty: all
+  std::string picture;                 ///< folder for paths and pictures of outlines; empty: none
+  bool places = false;                 ///< print where every figure was found, not the broken ones alone
+  std::uint64_t variation = 0;         ///< of the outlines; 0: as drawn
+  double size = 1.0;                   ///< of the outlines
+  double scallop = 0.1;                ///< mm, on the outlines
+  std::size_t points = 0;              ///< on each outline; 0: 8,000 to 14,000
 };
 
 /** Path, removed material, report, against the exact surface. */
@@ -63,5 +73,9 @@ int judgeRandom(const Options& options);
 /** Random cases moved, mirrored, scaled with all lengths, shuffled, and worked on by other numbers of threads: each comes
  *  out alike. */
 int judgeProperties(const Options& options);
+
+/** One path over every kind of outline: heights, length over the least, motion and faults by an oracle that knows the
+ *  surface. One line an outline, limits beside. */
+int judgeOutlines(const Options& options);
 
 } // namespace pcl_spiral::acceptance

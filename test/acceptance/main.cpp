@@ -1,5 +1,8 @@
 // The acceptance table: run one case by name. Exit code 1 when a limit is broken, 2 for a wrong command.
 #include "cases.h"
+#include "outline_rows.h"
+
+#include <pcl_spiral/io/setting_names.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +11,7 @@
 #include <map>
 #include <string>
 
+using namespace pcl_spiral;
 using namespace pcl_spiral::acceptance;
 
 namespace {
@@ -33,6 +37,7 @@ cases()
   all["noise"] = judgeNoise;
   all["field"] = judgeField;
   all["time"] = judgeTime;
+  all["outlines"] = judgeOutlines;
   all["random"] = judgeRandom;
   all["properties"] = judgeProperties;
   return all;
@@ -41,11 +46,46 @@ cases()
 int
 usage()
 {
-  std::fprintf(stderr, "usage: pcl_spiral_acceptance CASE [--seed N] [--threads N] [--first N] [--count N]\ncases:");
+  std::fprintf(stderr, "usage: pcl_spiral_acceptance CASE [--seed N] [--threads N] [--first N] [--count N]\n"
+                       "       pcl_spiral_acceptance outlines [--method %s] [--only NAME,NAME] [--variation N]\n"
+                       "         [--scallop MM] [--points N] [--size SCALE] [--picture FOLDER] [--places 0|1] [--seed N] [--threads N]\n"
+                       "cases:",
+               choiceList<SpiralMethod>().c_str());
   for (const auto& [name, judge] : cases())
     std::fprintf(stderr, " %s", name.c_str());
+  std::fprintf(stderr, "\noutlines:");
+  for (const OutlineRow& row : outlineRows())
+    std::fprintf(stderr, " %s", row.name.c_str());
   std::fprintf(stderr, "\n");
   return 2;
+}
+
+/** Take one option; false where there is none of that name. */
+bool
+take(const std::string& name, const char* value, Options& options)
+{
+  const std::map<std::string, std::uint64_t*> counts{{"--seed", &options.seed},
+                                                     {"--first", &options.first},
+                                                     {"--count", &options.count},
+                                                     {"--variation", &options.variation}};
+  const std::map<std::string, double*> numbers{{"--scallop", &options.scallop}, {"--size", &options.size}};
+  const std::map<std::string, std::string*> words{
+      {"--method", &options.method}, {"--only", &options.only}, {"--picture", &options.picture}};
+  if (counts.count(name) > 0)
+    *counts.at(name) = std::strtoull(value, nullptr, 10);
+  else if (numbers.count(name) > 0)
+    *numbers.at(name) = std::strtod(value, nullptr);
+  else if (words.count(name) > 0)
+    *words.at(name) = value;
+  else if (name == "--threads")
+    options.threads = std::atoi(value);
+  else if (name == "--places")
+    options.places = std::strcmp(value, "1") == 0;
+  else if (name == "--points")
+    options.points = std::strtoull(value, nullptr, 10);
+  else
+    return false;
+  return true;
 }
 
 } // namespace
@@ -56,18 +96,9 @@ main(int argc, char** argv)
   Options options;
   if (argc < 2 || argc % 2 != 0)
     return usage();
-  for (int i = 2; i + 1 < argc; i += 2) {
-    if (std::strcmp(argv[i], "--seed") == 0)
-      options.seed = std::strtoull(argv[i + 1], nullptr, 10);
-    else if (std::strcmp(argv[i], "--threads") == 0)
-      options.threads = std::atoi(argv[i + 1]);
-    else if (std::strcmp(argv[i], "--first") == 0)
-      options.first = std::strtoull(argv[i + 1], nullptr, 10);
-    else if (std::strcmp(argv[i], "--count") == 0)
-      options.count = std::strtoull(argv[i + 1], nullptr, 10);
-    else
+  for (int i = 2; i + 1 < argc; i += 2)
+    if (!take(argv[i], argv[i + 1], options))
       return usage();
-  }
   const auto all = cases();
   const auto found = all.find(argv[1]);
   if (found == all.end())

@@ -94,6 +94,26 @@ private:
   double cx_, cy_;
 };
 
+class WavyGround : public HeightField {
+public:
+  WavyGround(const Ground& form, Region region) : HeightField(std::move(region)), g_(form) {}
+  Jet
+  jet(double x, double y) const override
+  {
+    const double kx = 1.0 / g_.length_x, ky = 1.0 / g_.length_y, a = g_.amplitude;
+    const double sx = std::sin(kx * x), cx = std::cos(kx * x), sy = std::sin(ky * y), cy = std::cos(ky * y);
+    return {a * sx * cy + 0.5 * (g_.bend_x * x * x + g_.bend_y * y * y),
+            a * kx * cx * cy + g_.bend_x * x,
+            -a * ky * sx * sy + g_.bend_y * y,
+            -a * kx * kx * sx * cy + g_.bend_x,
+            -a * kx * ky * cx * sy,
+            -a * ky * ky * sx * cy + g_.bend_y};
+  }
+
+private:
+  Ground g_;
+};
+
 /** The ellipsoid x^2/a^2 + y^2/c^2 + z^2/b^2 = 1, c infinite for a cylinder; sign -1 turns the normals
  * inwards. */
 class RoundSurface : public AnalyticSurface {
@@ -223,6 +243,12 @@ SurfacePtr
 quadric(double rx, double ry, Region region)
 {
   return std::make_shared<Quadric>(1.0 / rx, 1.0 / ry, std::move(region));
+}
+
+SurfacePtr
+ground(const Ground& form, Region region)
+{
+  return std::make_shared<WavyGround>(form, std::move(region));
 }
 
 SurfacePtr

@@ -99,6 +99,15 @@ SurfacePtr cylinder(double radius, Region region);
 /** z = x^2 / (2 rx) + y^2 / (2 ry) over the region; positive radii are concave. */
 SurfacePtr quadric(double rx, double ry, Region region);
 
+/** Ground that is flat, or waves gently, or bends as a whole. */
+struct Ground {
+  double amplitude = 0.0;                    ///< mm
+  double length_x = 45.0, length_y = 50.0;   ///< wave lengths over 2 pi, mm
+  double bend_x = 0.0, bend_y = 0.0;         ///< 1/mm, positive concave
+};
+/** z = amplitude sin(x / length_x) cos(y / length_y) + (bend_x x^2 + bend_y y^2) / 2 over the region. */
+SurfacePtr ground(const Ground& form, Region region);
+
 /** Oval 150 x 100 (semi-axes), curvature radii 250 concave along x and 200 convex along y. */
 SurfacePtr ovalSaddle();
 /** Outer circle 150, a hole of radius 45 about (40, 25), gently convex (radius 600). */

@@ -24,7 +24,8 @@ all()
           {"saddle", ovalSaddle()},
           {"annulus", offCentreAnnulus()},
           {"kidney", kidneyPatch()},
-          {"L", ellPatch()}};
+          {"L", ellPatch()},
+          {"ground", ground({6.0, 45.0, 50.0, 0.002, -0.001}, Region({rectangle(200, 150)}))}};
 }
 
 } // namespace

@@ -1,0 +1,26 @@
+/** \file
+ *  A row of the table of outlines: every figure with its limit, and the places where one is broken.
+ */
+#pragma once
+
+#include "outline_rows.h"
+
+#include "support/path_judge.h"
+
+#include <string>
+
+namespace pcl_spiral::acceptance {
+
+/** The names of the columns. */
+std::string outlineHeading();
+
+/** A judged path as one line; a star marks a figure beyond its limit. */
+struct OutlineLine {
+  std::string line;
+  std::string broken; ///< what is, by how much and where; empty when every limit holds
+  std::string places; ///< of every figure, held or not
+};
+OutlineLine outlineLine(const OutlineRow& row, const test::JudgedFigures& figures,
+                        const test::JudgeSettings& settings);
+
+} // namespace pcl_spiral::acceptance
