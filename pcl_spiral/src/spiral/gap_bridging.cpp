@@ -36,23 +36,24 @@ middleOf(const BoundaryLoop& loop)
   return sum / static_cast<double>(loop.points.size());
 }
 
-/** Of \p loops the rim is Outer, the hole whose middle is nearest to \p kept is Inner (null: none), all others are gaps. */
+/** Of \p loops the rim is Outer, the holes whose middles are nearest to those \p kept are Inner, all others are gaps. */
 void
-nameLoops(const Eigen::Vector3d* kept, std::vector<BoundaryLoop>& loops)
+nameLoops(const Polyline& kept, std::vector<BoundaryLoop>& loops)
 {
-  BoundaryLoop* nearest = nullptr;
-  double least = std::numeric_limits<double>::max();
-  for (BoundaryLoop& loop : loops) {
-    if (loop.type == LoopType::Outer)
-      continue;
-    loop.type = LoopType::ScanGap;
-    if (kept && (middleOf(loop) - *kept).norm() < least) {
-      least = (middleOf(loop) - *kept).norm();
-      nearest = &loop;
-    }
+  for (BoundaryLoop& loop : loops)
+    if (loop.type != LoopType::Outer)
+      loop.type = LoopType::ScanGap;
+  for (const Eigen::Vector3d& middle : kept) {
+    BoundaryLoop* nearest = nullptr;
+    double least = std::numeric_limits<double>::max();
+    for (BoundaryLoop& loop : loops)
+      if (loop.type == LoopType::ScanGap && (middleOf(loop) - middle).norm() < least) {
+        least = (middleOf(loop) - middle).norm();
+        nearest = &loop;
+      }
+    if (nearest)
+      nearest->type = LoopType::Inner;
   }
-  if (nearest)
-    nearest->type = LoopType::Inner;
 }
 
 } // namespace
@@ -65,11 +66,12 @@ bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, Bo
   BoundaryChoice choice;
   if (const Status status = chooseBoundaries(loops, mode, choice); !status.ok())
     return status;
-  const Eigen::Vector3d middle = choice.inner ? middleOf(*choice.inner) : Eigen::Vector3d::Zero().eval();
-  const Eigen::Vector3d* const kept = choice.inner ? &middle : nullptr;
+  Polyline kept;
+  for (const BoundaryLoop* hole : choice.kept)
+    kept.push_back(middleOf(*hole));
   std::vector<Eigen::Vector3f> bridges;
   for (const BoundaryLoop& loop : loops) {
-    if (loop.type == LoopType::Outer || &loop == choice.inner)
+    if (loop.type == LoopType::Outer || std::find(choice.kept.begin(), choice.kept.end(), &loop) != choice.kept.end())
       continue;
     if (handling == GapHandling::Refuse)
       return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(loop.points.front()), ", ", loop.length,
@@ -93,10 +95,11 @@ bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, Bo
   if (const Status status = findBoundaryLoops(*bridged.surface, options, bridged.loops); !status.ok())
     return status;
   nameLoops(kept, bridged.loops);
-  if (kept && std::none_of(bridged.loops.begin(), bridged.loops.end(),
-                           [](const BoundaryLoop& loop) { return loop.type == LoopType::Inner; }))
-    return {StatusCode::Failed, textOf("the hole about ", placeText(middle), ", the second boundary, was lost when gaps were "
-                                       "bridged: refuse gaps to see them (setGapHandling)")};
+  const auto left = std::count_if(bridged.loops.begin(), bridged.loops.end(),
+                                  [](const BoundaryLoop& loop) { return loop.type == LoopType::Inner; });
+  if (static_cast<std::size_t>(left) < kept.size())
+    return {StatusCode::Failed, textOf("the hole about ", placeText(kept[left]), ", a boundary of the part, was lost when gaps "
+                                       "were bridged: refuse gaps to see them (setGapHandling)")};
   return Status::success();
 }
 

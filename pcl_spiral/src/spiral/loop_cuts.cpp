@@ -86,6 +86,9 @@ CutLoops::addArc(std::size_t loop, double from, double length, bool backward, Li
   path.points.insert(path.points.end(), piece.points.begin(), piece.points.end());
   path.metric.insert(path.metric.end(), piece.metric.begin(), piece.metric.end());
   path.reversed.resize(path.points.size(), backward);
+  const double before = path.turns.empty() ? 0.0 : path.turns.back();
+  for (std::size_t k = 0; k < piece.points.size(); ++k)
+    path.turns.push_back(static_cast<float>(before + length / line.length() * static_cast<double>(k) / static_cast<double>(piece.points.size() - 1)));
 }
 
 bool
@@ -114,6 +117,7 @@ CutLoops::walk(const CutEnd& start, LinkedPath& path) const
     path.points.insert(path.points.end(), piece.points.begin(), piece.points.end());
     path.metric.insert(path.metric.end(), piece.metric.begin(), piece.metric.end());
     path.reversed.resize(path.points.size(), backward);
+    path.turns.resize(path.points.size(), path.turns.back());
     end = connector.to;
   }
   return arcs == cuts_.size();

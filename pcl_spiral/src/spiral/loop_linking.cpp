@@ -25,6 +25,7 @@ addPart(const ScallopLoop& loop, double from, double length, LinkedPath& path)
     path.points.push_back(loop.at(from + length * k / steps));
     path.metric.push_back(loop.metricAt(from + length * k / steps));
     path.reversed.push_back(0);
+    path.turns.push_back((path.turns.empty() ? 0.0f : path.turns.back()) + static_cast<float>(k > 0 ? length / loop.length() / steps : 0.0));
   }
 }
 
@@ -39,11 +40,13 @@ dropRepeats(LinkedPath& path)
     path.points[kept] = path.points[i];
     path.metric[kept] = path.metric[i];
     path.reversed[kept] = path.reversed[i];
+    path.turns[kept] = path.turns[i];
     ++kept;
   }
   path.points.resize(kept);
   path.metric.resize(kept);
   path.reversed.resize(kept);
+  path.turns.resize(kept);
 }
 
 } // namespace

@@ -185,6 +185,7 @@ Mover::densify(const SegmentSet& places, double held)
       dense.points.push_back((1.0 - share) * path_.points[before] + share * path_.points[i]);
       dense.metric.push_back(between(path_.metric[before], path_.metric[i], share));
       dense.reversed.push_back(path_.reversed[i]);
+      dense.turns.push_back(path_.turns[before] + static_cast<float>(share) * (path_.turns[i] - path_.turns[before]));
       near_.push_back(near[i] || inside);
       moves_.push_back(near_.back() && travelled + share * step > held);
     }
@@ -193,6 +194,7 @@ Mover::densify(const SegmentSet& places, double held)
   path_.points = std::move(dense.points);
   path_.metric = std::move(dense.metric);
   path_.reversed = std::move(dense.reversed);
+  path_.turns = std::move(dense.turns);
 }
 
 bool

@@ -96,6 +96,21 @@ reportLines(const RadialLineSet& lines, const SpiralSettings& settings, SpiralRe
 }
 
 void
+reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, SpiralReport& report)
+{
+  report.scallop_loops = figures.loops;
+  report.chain_loops = figures.chain_loops;
+  report.bridges = figures.bridges;
+  report.reversed_share = figures.reversed_share;
+  report.least_length = figures.least_length;
+  const double ridge = 4.0 * figures.farthest * figures.farthest * settings.scallop_height;
+  if (figures.farthest > 0.52)
+    report.warnings.push_back(textOf("a ridge of about ", ridge, " mm is left at ", placeText(figures.farthest_place),
+                                     ", above the scallop height of ", settings.scallop_height,
+                                     " mm: ask for a lower scallop height if that is too much"));
+}
+
+void
 reportTurns(const SpiralTurns& turns, SpiralReport& report)
 {
   report.smallest_step_over = turns.smallest_step_over;

@@ -70,16 +70,20 @@ ridgeBand(const StepOverMesh& mesh, const std::vector<double>& distance, double 
   return chosen;
 }
 
+/** Integral of dA over the largest step-over, and half the rims, which are travelled on their edge. The reserve is no part of it. */
 double
-areaInStepOvers(const StepOverMesh& mesh)
+leastLength(const StepOverMesh& mesh, double reserve)
 {
-  double area = 0.0;
+  double sum = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.triangleCount(); ++t) { // serial: a sum whose rounding depends on its order
-    const auto [c, b, a] = stepOverSides(mesh, t);
-    const double x = (a * a + b * b - c * c) / (2.0 * a);
-    area += 0.5 * a * std::sqrt(std::max(0.0, b * b - x * x));
+    const auto& c = mesh.triangles.triangle(t);
+    const Eigen::Vector3d area = 0.5 * (mesh.positions[c[1]] - mesh.positions[c[0]]).cross(mesh.positions[c[2]] - mesh.positions[c[0]]);
+    sum += area.norm() * (1.0 - reserve) / longestStepOver(mesh.metric[c[0]]);
   }
-  return area;
+  for (const std::vector<std::uint32_t>& rim : mesh.rims)
+    for (std::size_t i = 0; i < rim.size(); ++i)
+      sum += 0.5 * (mesh.positions[rim[(i + 1) % rim.size()]] - mesh.positions[rim[i]]).norm();
+  return sum;
 }
 
 } // namespace
@@ -93,7 +97,7 @@ measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlin
   if (const Status status = makeStepOverMesh(surface, outlines, options, coarse); !status.ok())
     return status;
   field.usual_edge = medianEdge(coarse);
-  field.area = areaInStepOvers(coarse);
+  field.least_length = leastLength(coarse, options.reserve);
   const int parts = std::max(2, static_cast<int>(std::ceil(parts_a_step * field.usual_edge)));
   field.mesh = refined(coarse, ridgeBand(coarse, distancesFromRims(coarse), field.usual_edge), parts, field.is_fine);
   coarse = StepOverMesh();

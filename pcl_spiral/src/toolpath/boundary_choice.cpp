@@ -31,10 +31,14 @@ chooseBoundaries(const std::vector<BoundaryLoop>& loops, BoundaryMode mode, Boun
                "keep the longest and bridge the rest (setBoundaryMode)";
     return {StatusCode::InvalidInput, message};
   }
-  if (mode != BoundaryMode::OneBoundary)
+  if (mode == BoundaryMode::AllBoundaries)
+    choice.kept = holes;
+  else if (mode != BoundaryMode::OneBoundary)
     for (const BoundaryLoop* hole : holes)
       if (!choice.inner || hole->length > choice.inner->length)
         choice.inner = hole;
+  if (choice.inner)
+    choice.kept.assign(1, choice.inner);
   return Status::success();
 }
 

@@ -27,10 +27,11 @@ struct ChoiceNames<LengthUnit> {
 };
 template <>
 struct ChoiceNames<BoundaryMode> {
-  static constexpr std::array<std::pair<BoundaryMode, const char*>, 3> words{
+  static constexpr std::array<std::pair<BoundaryMode, const char*>, 4> words{
       {{BoundaryMode::Automatic, "auto"},
        {BoundaryMode::OneBoundary, "one"},
-       {BoundaryMode::TwoBoundaries, "two"}}};
+       {BoundaryMode::TwoBoundaries, "two"},
+       {BoundaryMode::AllBoundaries, "all"}}};
 };
 template <>
 struct ChoiceNames<SpiralDirection> {
@@ -61,8 +62,10 @@ struct ChoiceNames<LineMethod> {
 };
 template <>
 struct ChoiceNames<SpiralMethod> {
-  static constexpr std::array<std::pair<SpiralMethod, const char*>, 2> words{
-      {{SpiralMethod::Radial, "radial"}, {SpiralMethod::Published, "published"}}};
+  static constexpr std::array<std::pair<SpiralMethod, const char*>, 3> words{
+      {{SpiralMethod::Radial, "radial"},
+       {SpiralMethod::ConstantScallop, "constant-scallop"},
+       {SpiralMethod::Published, "published"}}};
 };
 template <>
 struct ChoiceNames<Dialect> {

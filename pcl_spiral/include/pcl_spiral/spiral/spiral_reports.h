@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/spiral/constant_scallop.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
 #include <pcl_spiral/spiral/published_spiral.h>
 #include <pcl_spiral/spiral/spiral_path.h>
@@ -30,6 +31,10 @@ reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, Spira
 /** Lines, with warnings of what did not settle. */
 void
 reportLines(const RadialLineSet& lines, const SpiralSettings& settings, SpiralReport& report);
+
+/** What a path at constant scallop height came to, with a warning where it leaves more than asked for. */
+void
+reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, SpiralReport& report);
 
 void
 reportTurns(const SpiralTurns& turns, SpiralReport& report);

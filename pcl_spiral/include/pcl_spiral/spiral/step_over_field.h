@@ -17,7 +17,7 @@ struct StepOverDistance {
   std::vector<std::uint8_t> is_fine; ///< one a node: 1 within the refined band about the ridges
   std::vector<std::uint8_t> is_weak; ///< one a triangle: 1 outside the band where |grad D| is below 0.97
   double largest = 0.0;              ///< of distance: the number of loops one inside the other
-  double area = 0.0;                 ///< of the surface, in squared step-overs: the least length of a path, in step-overs
+  double least_length = 0.0;         ///< mm: integral of dA / largest step-over in any direction, and half the rims
   double usual_edge = 0.0;           ///< median edge of the mesh before it was refined, in step-overs
 };
 

@@ -14,11 +14,12 @@ namespace pcl_spiral {
 /** One boundary: the rim alone. Two: the rim and an inner loop. They point into the loops they were chosen from. */
 struct BoundaryChoice {
   const BoundaryLoop* rim = nullptr;
-  const BoundaryLoop* inner = nullptr; ///< null with one boundary
+  const BoundaryLoop* inner = nullptr; ///< null with one boundary, and with all
+  std::vector<const BoundaryLoop*> kept; ///< holes that are boundaries: inner, or with AllBoundaries every real one
 };
 
 /** Choose the outer loop; where two boundaries are asked for the longest other loop, whatever its size; where Automatic finds
- *  a single real hole (LoopType::Inner), that. Fails without an outer loop, when two are asked for and there is no hole, and
+ *  a single real hole (LoopType::Inner), that; where all are asked for every real one. Fails without an outer loop, when two are asked for and there is no hole, and
  *  when Automatic finds several holes, which it names. */
 Status
 chooseBoundaries(const std::vector<BoundaryLoop>& loops, BoundaryMode mode, BoundaryChoice& choice);

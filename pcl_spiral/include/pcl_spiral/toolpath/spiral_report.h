@@ -38,6 +38,11 @@ struct SpiralReport {
   double largest_unsettled = 0.0;   ///< the largest of these moves, sideways
   double line_error = 0.0;          ///< of a turn between neighbouring lines, measured
   double line_tolerance = 0.0;      ///< asked of it
+  std::size_t scallop_loops = 0;    ///< of SpiralMethod::ConstantScallop: see ScallopFigures
+  std::size_t chain_loops = 0;      ///< of them, in the spiral from the outer rim inward
+  std::size_t bridges = 0;          ///< of them, beside it
+  double reversed_share = 0.0;      ///< of the path, travelled against the sense asked for
+  double least_length = 0.0;        ///< of any path at this scallop height, by the same method; 0: not measured
   std::size_t turns = 0;            ///< of the path, with those along the rim and the inner loop
   std::size_t path_points = 0;
   double path_length = 0.0;

@@ -12,7 +12,12 @@
 namespace pcl_spiral {
 
 /** How many boundaries the spiral runs between. */
-enum class BoundaryMode { Automatic, OneBoundary, TwoBoundaries };
+enum class BoundaryMode {
+  Automatic,     ///< two where there is a single real hole; all with SpiralMethod::ConstantScallop
+  OneBoundary,   ///< the rim; holes are bridged
+  TwoBoundaries, ///< the rim and the longest hole
+  AllBoundaries  ///< the rim and every real hole: SpiralMethod::ConstantScallop alone
+};
 /** Which way the spiral travels. */
 enum class SpiralDirection { Outward, Inward };
 /** Which way the cutter travels round, seen from outside the material, outward and inward alike. With a spindle that turns
@@ -36,6 +41,7 @@ enum class LineMethod {
 /** How the whole path is made. */
 enum class SpiralMethod {
   Radial,   ///< turns between radial lines, every step of the published method mended or replaced
+  ConstantScallop, ///< loops one step-over apart that follow rim and holes, linked to one path: short on any outline
   Published ///< the published chain (Wu et al. 2025), to compare with: slower, coarser, for simple outlines alone
 };
 

@@ -164,6 +164,7 @@ private:
   Status makeLoops(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops);
   Status makeLines(const Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, RadialLineSet& lines);
   Status makeCurve(Surface::ConstPtr& surface, StageClock& clock, SpiralTurns& turns);
+  Status makeConstantScallop(Surface::ConstPtr& surface, StageClock& clock, SpiralTurns& turns);
   Status makePublished(const Surface& surface, StageClock& clock, SpiralPath& path);
   Status run(StageClock& clock, SpiralPath& path);
 

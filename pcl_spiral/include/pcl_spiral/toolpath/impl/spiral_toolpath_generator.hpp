@@ -54,7 +54,9 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLoops(Surface::ConstP
       return boundaries.getStatus();
   }
   BridgedSurface bridged;
-  if (const Status status = bridgeGaps(std::move(surface), loops, settings_.boundary_mode, settings_.gaps,
+  const bool all = settings_.method == SpiralMethod::ConstantScallop && settings_.boundary_mode == BoundaryMode::Automatic;
+  const BoundaryMode mode = all ? BoundaryMode::AllBoundaries : settings_.boundary_mode;
+  if (const Status status = bridgeGaps(std::move(surface), loops, mode, settings_.gaps,
                                        partOf(progress_, 0.35, 0.4), bridged);
       !status.ok())
     return status;
@@ -120,6 +122,27 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(Surface::ConstPtr& surface, StageClock& clock,
+                                                                           SpiralTurns& turns)
+{
+  if (given_lines_)
+    return {StatusCode::InvalidArgument, "radial lines were given, but a path at constant scallop height has none: call "
+                                         "clearRadialLines, or setMethod with SpiralMethod::Radial"};
+  std::vector<BoundaryLoop> loops;
+  if (const Status status = makeLoops(surface, loops); !status.ok())
+    return status;
+  clock.end("boundaries");
+  ScallopFigures figures;
+  const Status status = planConstantScallop(*surface, loops, settings_, partOf(progress_, 0.4, 0.65), clock, turns, figures);
+  report_.largest_allowed_step = turns.largest_allowed_step;
+  if (status.ok())
+    reportScallop(figures, settings_, report_);
+  dropTriangulation(surface);
+  return status;
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
 SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePublished(const Surface& surface, StageClock& clock,
                                                                      SpiralPath& path)
 {
@@ -158,8 +181,10 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
   GapFigures gaps;
   {
     SpiralTurns turns;
-    if (const Status status = makeCurve(surface, clock, turns); !status.ok())
-      return status;
+    const Status made = settings_.method == SpiralMethod::ConstantScallop ? makeConstantScallop(surface, clock, turns)
+                                                                          : makeCurve(surface, clock, turns);
+    if (!made.ok())
+      return made;
     if (const Status status = putOnSurface(turns.curve, *surface, settings_, turns.largest_allowed_step,
                                            partOf(progress_, 0.65, 0.9), path, gaps);
         !status.ok())

@@ -1,0 +1,42 @@
+/** \file
+ *  One continuous path at constant scallop height over a surface of any outline.
+ */
+#pragma once
+
+#include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/common/stage_clock.h>
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/features/boundary_loop.h>
+#include <pcl_spiral/spiral/spiral_turns.h>
+#include <pcl_spiral/surface/surface.h>
+#include <pcl_spiral/toolpath/spiral_settings.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** What a path at constant scallop height was made of and came to. Lengths in mm. */
+struct ScallopFigures {
+  std::size_t loops = 0;       ///< from the rims inward
+  std::size_t chain_loops = 0; ///< of the spiral from the outer rim to the innermost loop
+  std::size_t bridges = 0;     ///< loops beside it, joined to their neighbours by two narrow turns
+  std::size_t dots = 0;        ///< small loops that became a finger of a neighbour
+  std::size_t fingers = 0;     ///< places where loops reach out so that no higher ridge is left
+  double reversed_share = 0.0; ///< of the path, travelled against the sense asked for, as loops beside the chain must be
+  double least_length = 0.0;   ///< integral of dA / largest step-over, and half the rims: no path at this scallop is shorter
+  double farthest = 0.0;       ///< place of the surface farthest from the path, in step-overs; 0.5 leaves the height asked for
+  Eigen::Vector3d farthest_place = Eigen::Vector3d::Zero();
+};
+
+/** The curve of a path over \p surface between the rims and holes among \p loops, each of type Outer or Inner: distances from them
+ *  in step-overs (measureStepOvers), loops that cover all (makeScallopLoops), one path over these (linkLoops), moved where it
+ *  would leave too much. Settings used: tool radius, scallop height, chord error, longest step, direction, sense. */
+Status
+planConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
+                    const ProgressCallback& progress, StageClock& clock, SpiralTurns& turns, ScallopFigures& figures);
+
+} // namespace pcl_spiral

@@ -1,0 +1,88 @@
+#include "path_sampling.h"
+
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/core/step_over.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double step_reserve = 0.95;   // feet move apart a little
+constexpr double straight_share = 0.2;  // of the chord error
+constexpr double thinnest_step = 1e-3;  // mm; no step is asked to be shorter
+
+/** Longest move that starts at each point of the path along it. */
+std::vector<double>
+allowedSteps(const LinkedPath& path, const std::vector<SurfaceFoot>& feet, const SpiralSettings& settings)
+{
+  const double longest = settings.max_step > 0.0 ? settings.max_step : settings.tool_radius;
+  const auto count = static_cast<std::int64_t>(path.points.size());
+  std::vector<double> steps(path.points.size());
+#pragma omp parallel for schedule(static, 1024)
+  for (std::int64_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d along =
+        path.points[std::min(i + 1, count - 1)] - path.points[std::max<std::int64_t>(i - 1, 0)];
+    const Eigen::Vector3d tangent = (along - feet[i].normal * feet[i].normal.dot(along)).normalized();
+    const double step = stepFromChordErrorAtCentre(settings.tool_radius, feet[i].normalCurvature(tangent), settings.chord_error, longest);
+    steps[i] = std::max(step_reserve * step, thinnest_step);
+  }
+  return steps;
+}
+
+/** The last point that a straight move from \p first may go to: no point between is farther from it than \p tolerance, and it is
+ *  no longer than the points allow. */
+std::size_t
+straightTo(const LinkedPath& path, const std::vector<double>& steps, std::size_t first, double tolerance)
+{
+  std::size_t last = first + 1;
+  double allowed = std::min(steps[first], steps[last]);
+  for (std::size_t next = first + 2; next < path.points.size(); ++next) {
+    allowed = std::min(allowed, steps[next]);
+    const Eigen::Vector3d d = path.points[next] - path.points[first];
+    if (d.norm() > allowed || next - first > 64)
+      break;
+    for (std::size_t k = first + 1; k < next; ++k) {
+      const Eigen::Vector3d p = path.points[k] - path.points[first];
+      const double t = std::clamp(p.dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
+      if ((p - t * d).norm() > tolerance)
+        return last;
+    }
+    last = next;
+  }
+  return last;
+}
+
+} // namespace
+
+Status
+samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<SpiralPoint>& points,
+           double& longest_step)
+{
+  points.clear();
+  std::vector<SurfaceFoot> feet;
+  surface.fit().project(path.points, feet);
+  const auto off = std::find_if(feet.begin(), feet.end(), [](const SurfaceFoot& f) { return !f.valid; });
+  if (off != feet.end())
+    return {StatusCode::Failed,
+            textOf("the path leaves the scanned surface at ", placeText(path.points[off - feet.begin()]),
+                   ": the scan has a gap or a ragged rim there; scan it again, more densely, or cut the ragged part away")};
+  const std::vector<double> steps = allowedSteps(path, feet, settings);
+  longest_step = *std::max_element(steps.begin(), steps.end()) / step_reserve;
+  points.push_back({path.points.front(), path.turns.front()});
+  for (std::size_t i = 0; i + 1 < path.points.size();) {
+    const std::size_t next = straightTo(path, steps, i, straight_share * settings.chord_error);
+    const Eigen::Vector3d d = path.points[next] - path.points[i];
+    const auto parts = std::max(1, static_cast<int>(std::ceil(d.norm() / std::min(steps[i], steps[next]))));
+    for (int k = 1; k <= parts; ++k)
+      points.push_back({path.points[i] + d * k / parts, path.turns[i] + (path.turns[next] - path.turns[i]) * k / parts});
+    i = next;
+  }
+  return Status::success();
+}
+
+} // namespace pcl_spiral
