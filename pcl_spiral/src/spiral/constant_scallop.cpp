@@ -1,6 +1,7 @@
 #include <pcl_spiral/spiral/constant_scallop.h>
 
 #include "path_cover.h"
+#include "path_end.h"
 #include "path_sampling.h"
 
 #include <pcl_spiral/spiral/loop_linking.h>
@@ -73,7 +74,9 @@ planPath(const Surface& surface, const std::vector<BoundaryLoop>& outlines, cons
   clock.end("linking");
   if (progress && !progress(0.7, "coverage"))
     return {StatusCode::Cancelled, "cancelled"};
+  trimEnd(path);
   const CoverFigures cover = coverPath(field, held_rim * set.loops.front().length(), path);
+  trimEnd(path);
   clock.end("coverage");
   figures.loops = set.loops.size();
   figures.fingers = set.axes.size();

@@ -11,18 +11,20 @@ namespace {
 constexpr double tip_gap = 0.42;                    // a finger ends this far before what it must reach
 constexpr double trim = finger_radius + tip_gap;    // of an axis at its lower end
 constexpr double covered_by_axis = trim + 0.02;
-constexpr double worth_an_axis = covered_within + 0.004;
+constexpr double neck_step = 0.2;                   // axes in necks begin so far apart
+constexpr double worth_an_axis = 0.525;             // what lies nearer is reached by moving the path (coverPath)
 constexpr double same_ridge = 1.6;                  // two axes that start as near as this may be one over a saddle
 constexpr std::size_t most_axes = 40;               // in one uncovered part
 
 void
-strikeOut(const StepOverMesh& mesh, const std::vector<std::uint32_t>& nodes, const FingerAxis& axis, std::vector<std::uint8_t>& open)
+strikeOut(const StepOverMesh& mesh, const std::vector<std::uint32_t>& nodes, const FingerAxis& axis, double within,
+          std::vector<std::uint8_t>& open)
 {
   SegmentSet line;
   line.add(axis.points, false);
   line.build();
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    if (open[i] && line.nearest(mesh.positions[nodes[i]], mesh.metric[nodes[i]], covered_by_axis).segment != NearestSegment::none)
+    if (open[i] && line.nearest(mesh.positions[nodes[i]], mesh.metric[nodes[i]], within).segment != NearestSegment::none)
       open[i] = 0;
 }
 
@@ -34,8 +36,10 @@ public:
   {
   }
 
+  /** Axes so long that all of \p nodes are within \p covered of one; \p is_neck: they lie within the next loop, so that none is
+   *  trimmed. */
   void
-  run(const std::vector<std::uint32_t>& nodes)
+  run(const std::vector<std::uint32_t>& nodes, double covered, bool is_neck)
   {
     std::vector<std::uint8_t> open(nodes.size(), 1);
     for (std::size_t round = 0; round < most_axes; ++round) {
@@ -45,7 +49,7 @@ public:
           lowest = i;
       if (lowest == nodes.size())
         return;
-      strikeOut(field_.mesh, nodes, addFinger(nodes[lowest]), open);
+      strikeOut(field_.mesh, nodes, is_neck ? addNeck(nodes[lowest]) : addFinger(nodes[lowest]), covered, open);
       open[lowest] = 0;
     }
   }
@@ -58,7 +62,22 @@ private:
     std::size_t axis; ///< in axes_
   };
 
-  /** From \p start up the ridge until it is inside the next loop. */
+  bool
+  isWide(std::uint32_t v) const
+  {
+    return field_.distance[v] >= gap_.level + 1.0 + finger_radius;
+  }
+  /** From \p start, within the next loop, up the ridge until that is as wide as a finger. */
+  FingerAxis
+  addNeck(std::uint32_t start)
+  {
+    std::vector<std::uint32_t> way{start};
+    while (!isWide(way.back()) && climb_.up(way.back()) != RidgeClimb::none)
+      way.push_back(climb_.up(way.back()));
+    axes_.push_back(axisOver(field_.mesh, way, 6));
+    return axes_.back();
+  }
+  /** From \p start up the ridge until it is inside the next loop, where that is as wide as a finger. */
   FingerAxis
   addFinger(std::uint32_t start)
   {
@@ -73,7 +92,7 @@ private:
         continue;
       if (loop == NearestSegment::none)
         loop = gap_.loop_near(next);
-      if (covered > trim + 0.05)
+      if (covered > trim + 0.05 && isWide(next))
         break;
     }
     const FingerAxis whole = axisOver(field_.mesh, way, 6);
@@ -142,7 +161,9 @@ findFingers(const StepOverDistance& field, const RidgeClimb& climb, const LevelG
   };
   for (const std::vector<std::uint32_t>& group : connectedGroups(field.mesh.triangles, open, scratch))
     if (std::any_of(group.begin(), group.end(), isWorth))
-      FingerMaker(field, climb, gap, axes).run(group);
+      FingerMaker(field, climb, gap, axes).run(group, covered_by_axis, false);
+  for (const std::vector<std::uint32_t>& group : connectedGroups(field.mesh.triangles, gap.necks, scratch))
+    FingerMaker(field, climb, gap, axes).run(group, neck_step, true);
 }
 
 } // namespace pcl_spiral

@@ -65,17 +65,16 @@ fitted(const ScallopLoop& loop, double u, std::size_t i, double width)
 } // namespace
 
 ScallopLoop
-smoothed(const ScallopLoop& loop, const LineGrain& grain)
+smoothed(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size_t>& from)
 {
-  std::vector<std::size_t> after;
-  const std::vector<double> places = newPlaces(loop, grain, after);
+  const std::vector<double> places = newPlaces(loop, grain, from);
   ScallopLoop line;
   line.level = loop.level;
   line.points.resize(places.size());
   line.metric.resize(places.size());
   for (std::size_t k = 0; k < places.size(); ++k) {
-    const double width = std::min(grain.widths[after[k]], loop.length() / 6.0);
-    line.points[k] = fitted(loop, places[k], after[k], width);
+    const double width = std::min(grain.widths[from[k]], loop.length() / 6.0);
+    line.points[k] = fitted(loop, places[k], from[k], width);
     line.metric[k] = loop.metricAt(places[k]);
   }
   line.measure();

@@ -16,8 +16,9 @@ struct LineGrain {
 };
 
 /** \p loop drawn anew: each new point is the middle of a parabola in arc length fitted to the old ones about it, by least
- *  squares with weights (1 - |t|^3)^3. Circles keep their radius to the fourth order of width / radius. */
+ *  squares with weights (1 - |t|^3)^3. Circles keep their radius to the fourth order of width / radius. \p from: the
+ *  old point before each new one. */
 ScallopLoop
-smoothed(const ScallopLoop& loop, const LineGrain& grain);
+smoothed(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size_t>& from);
 
 } // namespace pcl_spiral

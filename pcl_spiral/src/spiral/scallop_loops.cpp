@@ -4,6 +4,7 @@
 #include "line_smoothing.h"
 #include "ridge_climb.h"
 #include "segment_set.h"
+#include "step_over_march.h"
 
 #include <pcl_spiral/search/level_lines.h>
 #include <pcl_spiral/search/point_blocks.h>
@@ -22,7 +23,10 @@ constexpr double coarse_step = 0.4;  // shares of an edge of the mesh elsewhere
 constexpr double coarse_width = 1.2;
 constexpr double shortest_loop = 0.5; // step-overs
 constexpr double blend = 0.25;        // of smax
+constexpr double neck_depth = 0.25;   // how far D rises above a loop's level in a neck that is widened
+constexpr double neck_agreement = 0.5; // gradients on its ridge agree no more than this
 constexpr double axis_reach = 1.2;    // a finger changes the field so far from its axis
+constexpr double near_band = 1.5;     // loops as near as this to the band are searched, step-overs
 constexpr double search_within = 1.2; // distances are not told beyond
 
 /** max(a, b) with a rounded corner. */
@@ -37,6 +41,7 @@ smoothMax(double a, double b)
 struct RawLoop {
   ScallopLoop line;
   std::vector<std::uint8_t> is_fine; ///< one a point
+  std::vector<std::uint8_t> is_near; ///< one a point: so near to the band that its nodes may be nearest to it
   std::vector<float> edges;          ///< length of the edge each point lies on, step-overs
   std::vector<std::uint32_t> summits; ///< that the nodes within it lead to
   bool is_thin = false;              ///< goes round summits that a finger reaches
@@ -45,7 +50,8 @@ struct RawLoop {
 class LoopMaker {
 public:
   LoopMaker(const StepOverDistance& field, const ProgressCallback& progress, ScallopLoopSet& set)
-      : field_(field), progress_(progress), set_(set), climb_(field), values_(field.distance), scratch_(field.mesh.size(), 0)
+      : field_(field), progress_(progress), set_(set), climb_(field), values_(field.distance), scratch_(field.mesh.size(), 0),
+        agreement_(gradientAgreement(field.mesh, field.distance))
   {
   }
 
@@ -71,9 +77,9 @@ private:
   void addLevel(int k);
   std::vector<RawLoop> trace(int level, const std::vector<std::uint32_t>& triangles) const;
   RawLoop raw(const LevelLine& line, int level) const;
-  ScallopLoop finished(const RawLoop& loop) const;
+  ScallopLoop finished(const RawLoop& loop, std::vector<std::uint8_t>& is_near) const;
   std::vector<std::uint32_t> bandBetween(double low, double high) const;
-  void addFineRuns(const ScallopLoop& loop, const std::vector<std::uint8_t>& is_fine, std::size_t label, SegmentSet& set) const;
+  void addNearRuns(const ScallopLoop& loop, const std::vector<std::uint8_t>& is_near, std::size_t label, SegmentSet& set) const;
   std::vector<double> distancesOf(const std::vector<std::uint32_t>& nodes, const SegmentSet& lines) const;
   std::vector<FingerAxis> findAxes(int k, const std::vector<RawLoop>& base, std::vector<std::uint32_t>& thin);
   void raise(int level, const std::vector<FingerAxis>& axes, const std::vector<std::uint32_t>& thin, std::vector<std::uint32_t>& changed);
@@ -84,12 +90,14 @@ private:
   RidgeClimb climb_;
   std::vector<double> values_;                ///< D, changed about fingers while their level is drawn
   std::vector<std::uint32_t> band_;           ///< fine nodes by rising D
+  std::vector<std::uint8_t> is_near_;         ///< one a node: within 1.5 step-overs of the band
   std::vector<std::uint32_t> about_;          ///< nodes of triangles with a fine node, in the order of blocks_
   PointBlocks blocks_;
   std::vector<std::vector<std::uint32_t>> triangles_; ///< crossed by each level
   std::vector<std::uint32_t> scratch_;
+  std::vector<float> agreement_;              ///< of the gradients about each node: small on ridges between sides that face
   std::vector<ScallopLoop> below_;            ///< loops of the level before
-  std::vector<std::vector<std::uint8_t>> below_fine_;
+  std::vector<std::vector<std::uint8_t>> below_near_;
 };
 
 void
@@ -102,6 +110,16 @@ LoopMaker::sortBand()
     if (field_.is_fine[c[0]] || field_.is_fine[c[1]] || field_.is_fine[c[2]])
       for (const std::uint32_t v : c)
         is_about[v] = 1;
+  }
+  is_near_ = field_.is_fine;
+  for (int ring = 0; ring < static_cast<int>(std::ceil(near_band / field_.usual_edge)); ++ring) {
+    const std::vector<std::uint8_t> before = is_near_;
+    for (std::size_t i = 0; i < t.triangleCount(); ++i) {
+      const auto& c = t.triangle(i);
+      if (before[c[0]] || before[c[1]] || before[c[2]])
+        for (const std::uint32_t v : c)
+          is_near_[v] = 1;
+    }
   }
   std::vector<Eigen::Vector3f> points;
   for (std::uint32_t v = 0; v < field_.mesh.size(); ++v) {
@@ -144,7 +162,7 @@ LoopMaker::addRims()
     }
     loop.measure();
     set_.loops.push_back(loop);
-    below_fine_.emplace_back(loop.points.size(), 1);
+    below_near_.emplace_back(loop.points.size(), 1);
     below_.push_back(std::move(loop));
   }
 }
@@ -160,6 +178,7 @@ LoopMaker::raw(const LevelLine& line, int level) const
     loop.line.points.push_back((1.0 - share) * field_.mesh.positions[c.below] + share * field_.mesh.positions[c.above]);
     loop.line.metric.push_back(between(field_.mesh.metric[c.below], field_.mesh.metric[c.above], share));
     loop.is_fine.push_back(field_.is_fine[c.below] && field_.is_fine[c.above]);
+    loop.is_near.push_back(is_near_[c.below] || is_near_[c.above]);
     loop.edges.push_back(static_cast<float>(edgeLength(field_.mesh, c.below, c.above)));
     const std::uint32_t summit = climb_.summit(c.above);
     loop.is_thin = loop.is_thin && field_.distance[summit] < level + finger_radius;
@@ -185,14 +204,19 @@ LoopMaker::trace(int level, const std::vector<std::uint32_t>& triangles) const
 }
 
 ScallopLoop
-LoopMaker::finished(const RawLoop& loop) const
+LoopMaker::finished(const RawLoop& loop, std::vector<std::uint8_t>& is_near) const
 {
   LineGrain grain;
   for (std::size_t i = 0; i < loop.edges.size(); ++i) {
     grain.steps.push_back(loop.is_fine[i] ? fine_step : std::max(fine_step, coarse_step * field_.usual_edge));
     grain.widths.push_back(loop.is_fine[i] ? fine_width : std::max(fine_width, coarse_width * field_.usual_edge));
   }
-  return smoothed(loop.line, grain);
+  std::vector<std::size_t> from;
+  ScallopLoop line = smoothed(loop.line, grain, from);
+  is_near.resize(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i)
+    is_near[i] = loop.is_near[from[i]];
+  return line;
 }
 
 std::vector<std::uint32_t>
@@ -204,13 +228,13 @@ LoopMaker::bandBetween(double low, double high) const
 }
 
 void
-LoopMaker::addFineRuns(const ScallopLoop& loop, const std::vector<std::uint8_t>& is_fine, std::size_t label, SegmentSet& set) const
+LoopMaker::addNearRuns(const ScallopLoop& loop, const std::vector<std::uint8_t>& is_near, std::size_t label, SegmentSet& set) const
 {
   const std::size_t n = loop.points.size();
   std::vector<std::uint8_t> wanted(n, 0);
   bool all = true;
   for (std::size_t i = 0; i < n; ++i) {
-    wanted[i] = is_fine[i] || is_fine[(i + 1) % n] || is_fine[(i + n - 1) % n];
+    wanted[i] = is_near[i] || is_near[(i + 1) % n] || is_near[(i + n - 1) % n];
     all = all && wanted[i];
   }
   if (all) {
@@ -248,11 +272,11 @@ LoopMaker::findAxes(int k, const std::vector<RawLoop>& base, std::vector<std::ui
 {
   SegmentSet lines, upper;
   for (std::size_t i = 0; i < below_.size(); ++i)
-    addFineRuns(below_[i], below_fine_[i], i, lines);
+    addNearRuns(below_[i], below_near_[i], i, lines);
   for (std::size_t i = 0; i < base.size(); ++i)
     if (!base[i].is_thin) {
-      addFineRuns(base[i].line, base[i].is_fine, i, lines);
-      addFineRuns(base[i].line, base[i].is_fine, i, upper);
+      addNearRuns(base[i].line, base[i].is_near, i, lines);
+      addNearRuns(base[i].line, base[i].is_near, i, upper);
     }
   lines.build();
   upper.build();
@@ -296,6 +320,10 @@ LoopMaker::findAxes(int k, const std::vector<RawLoop>& base, std::vector<std::ui
       gap.nodes.push_back(v);
   std::sort(gap.nodes.begin(), gap.nodes.end());
   gap.distances = distancesOf(gap.nodes, lines);
+  for (const std::uint32_t v : bandBetween(k + 1.0, k + 1.0 + neck_depth))
+    if (agreement_[v] < neck_agreement && !isThin(v))
+      gap.necks.push_back(v);
+  std::sort(gap.necks.begin(), gap.necks.end());
   gap.is_above = [&](std::uint32_t v) { return field_.distance[v] >= k + 1.0 && !isThin(v); };
   gap.loop_near = [&](std::uint32_t v) {
     const NearestSegment near = upper.nearest(field_.mesh.positions[v], field_.mesh.metric[v], search_within);
@@ -365,16 +393,11 @@ LoopMaker::addLevel(int k)
       set_.axes.push_back(axis.points);
   }
   below_.clear();
-  below_fine_.clear();
+  below_near_.clear();
   for (const RawLoop& loop : loops) {
-    ScallopLoop line = finished(loop);
-    // Points stand closer where the band is: that marks them.
-    std::vector<std::uint8_t> fine(line.points.size());
-    for (std::size_t i = 0; i < fine.size(); ++i)
-      fine[i] = line.arcs[i + 1] - line.arcs[i] < 2.5 * fine_step;
-    set_.loops.push_back(line);
-    below_.push_back(std::move(line));
-    below_fine_.push_back(std::move(fine));
+    below_near_.emplace_back();
+    below_.push_back(finished(loop, below_near_.back()));
+    set_.loops.push_back(below_.back());
   }
 }
 
