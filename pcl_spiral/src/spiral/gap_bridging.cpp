@@ -3,8 +3,11 @@
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/surface/gap_filling.h>
 #include <pcl_spiral/toolpath/boundary_choice.h>
+#include <pcl_spiral/toolpath/loop_check.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -55,49 +58,178 @@ nameLoops(const Eigen::Vector3d* kept, std::vector<BoundaryLoop>& loops)
     nearest->type = LoopType::Inner;
 }
 
+/** One run: what was given, and what of it is the user's own. */
+class Bridging {
+public:
+  Bridging(const std::vector<BoundaryLoop>& loops, BridgedSurface& bridged)
+      : loops_(loops), own_(loops.size(), 0), bridged_(bridged)
+  {
+  }
+
+  /** Loops that are not found on \p surface are the user's own. */
+  Status
+  findOwn(const Surface& surface, const std::function<bool(double)>& progress)
+  {
+    own_.assign(loops_.size(), 1);
+    for (std::size_t i = 0; i < loops_.size(); ++i)
+      if (const Status status = checkLoopShape(loops_[i], i); !status.ok())
+        return status;
+    if (loops_.size() < 2) // nothing to bridge, nothing to find again
+      return Status::success();
+    BoundaryOptions options;
+    options.progress = progress;
+    std::vector<BoundaryLoop> found;
+    if (const Status status = findBoundaryLoops(surface, options, found); status.code() == StatusCode::Cancelled)
+      return status;
+    for (std::size_t i = 0; i < loops_.size(); ++i)
+      own_[i] = std::none_of(found.begin(), found.end(), [&](const BoundaryLoop& loop) {
+        return loop.curve == loops_[i].curve && loop.points == loops_[i].points;
+      });
+    return Status::success();
+  }
+
+  /** Points for each loop that bounds a gap. */
+  Status
+  fill(const Surface& surface, BoundaryMode mode, GapHandling handling, std::vector<Eigen::Vector3f>& bridges)
+  {
+    if (const Status status = chooseBoundaries(loops_, mode, choice_); !status.ok())
+      return status;
+    for (std::size_t i = 0; i < loops_.size(); ++i) {
+      const BoundaryLoop& loop = loops_[i];
+      if (loop.type == LoopType::Outer || &loop == choice_.inner)
+        continue;
+      if (const Status status = checkGap(surface.graph(), i); !status.ok())
+        return status;
+      if (handling == GapHandling::Refuse)
+        return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(loop.points.front()), ", ", loop.length,
+                                                 " mm round: scan it again, or allow gaps to be bridged (setGapHandling)")};
+      const GapFill fill = fillGap(surface.graph(), loop.points);
+      bridged_.gaps.push_back({loop, fill.points.size(), fill.centre, fill.width, fill.residual});
+      bridged_.gaps.back().loop.type = LoopType::ScanGap;
+      bridged_.warnings.push_back(warningOf(bridged_.gaps.back()));
+      bridges.insert(bridges.end(), fill.points.begin(), fill.points.end());
+    }
+    return Status::success();
+  }
+
+  /** Nothing was put into the surface. */
+  void
+  keepAll()
+  {
+    const Eigen::Vector3d middle = innerMiddle();
+    bridged_.loops = loops_;
+    nameLoops(choice_.inner ? &middle : nullptr, bridged_.loops);
+  }
+
+  /** Loops of the surface with what was put into it: the user's own as they are, others found again. */
+  Status
+  findAgain(const std::function<bool(double)>& progress)
+  {
+    const bool own_rim = isOwn(choice_.rim), own_inner = isOwn(choice_.inner), find_inner = choice_.inner && !own_inner;
+    const auto drop = [this](LoopType type) { // the user's own takes its place
+      std::vector<BoundaryLoop>& loops = bridged_.loops;
+      loops.erase(std::remove_if(loops.begin(), loops.end(), [type](const auto& l) { return l.type == type; }), loops.end());
+    };
+    std::vector<BoundaryLoop>& loops = bridged_.loops;
+    if (!own_rim || find_inner) {
+      BoundaryOptions options;
+      options.progress = progress;
+      if (const Status status = findBoundaryLoops(*bridged_.surface, options, loops); !status.ok())
+        return status;
+      const Eigen::Vector3d middle = innerMiddle();
+      nameLoops(choice_.inner ? &middle : nullptr, loops);
+      if (find_inner && std::none_of(loops.begin(), loops.end(), [](const auto& l) { return l.type == LoopType::Inner; }))
+        return {StatusCode::Failed, textOf("the hole about ", placeText(middle), ", the second boundary, was lost when gaps "
+                                           "were bridged: refuse gaps to see them (setGapHandling)")};
+    }
+    else
+      for (const BridgedGap& gap : bridged_.gaps)
+        if (gap.points == 0)
+          loops.push_back(gap.loop);
+    if (own_rim) {
+      drop(LoopType::Outer);
+      loops.insert(loops.begin(), *choice_.rim);
+    }
+    if (own_inner) {
+      drop(LoopType::Inner);
+      loops.push_back(*choice_.inner);
+      loops.back().type = LoopType::Inner;
+    }
+    return Status::success();
+  }
+
+  /** The boundaries that are the user's own, on the surface as it is bridged: they may lead over a gap. */
+  Status
+  checkBoundaries() const
+  {
+    for (const BoundaryLoop* loop : {choice_.rim, choice_.inner})
+      if (isOwn(loop))
+        if (const Status status = checkLoop(bridged_.surface->graph(), *loop, indexOf(loop)); !status.ok())
+          return status;
+    return Status::success();
+  }
+
+private:
+  std::size_t indexOf(const BoundaryLoop* loop) const { return static_cast<std::size_t>(loop - loops_.data()); }
+  bool isOwn(const BoundaryLoop* loop) const { return loop && own_[indexOf(loop)] != 0; }
+  Eigen::Vector3d innerMiddle() const { return choice_.inner ? middleOf(*choice_.inner) : Eigen::Vector3d::Zero().eval(); }
+
+  /** Ok, or loop \p i is the user's own and no gap of this surface. */
+  Status
+  checkGap(const SurfaceGraph& graph, std::size_t i) const
+  {
+    if (!own_[i])
+      return Status::success();
+    if (const Status status = checkLoop(graph, loops_[i], i); !status.ok())
+      return status;
+    if (const std::size_t inside = pointsInside(graph, loops_[i].points); inside > 0)
+      return {StatusCode::InvalidInput,
+              textOf("loop ", i, " at ", placeText(loops_[i].points.front()), " is to be bridged, but ", inside,
+                     " points of the surface lie inside it: give loops of this very cloud, or none to have them found")};
+    return Status::success();
+  }
+
+  const std::vector<BoundaryLoop>& loops_;
+  std::vector<std::uint8_t> own_; ///< a flag a loop
+  BridgedSurface& bridged_;
+  BoundaryChoice choice_;
+};
+
+Status
+bridge(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, BoundaryMode mode, GapHandling handling,
+       const ProgressCallback& progress, LoopOrigin origin, BridgedSurface& bridged)
+{
+  Bridging bridging(loops, bridged);
+  const double begin = origin == LoopOrigin::Given ? 0.5 : 0.0; // of finding loops again
+  if (origin == LoopOrigin::Given)
+    if (const Status status = bridging.findOwn(*surface, partOf(progress, 0.0, begin, "boundaries")); !status.ok())
+      return status;
+  std::vector<Eigen::Vector3f> bridges;
+  if (const Status status = bridging.fill(*surface, mode, handling, bridges); !status.ok())
+    return status;
+  if (bridges.empty()) {
+    bridged.surface = std::move(surface);
+    bridging.keepAll();
+    return bridging.checkBoundaries();
+  }
+  if (const Status status = addPoints(std::move(surface), bridges, bridged.surface); !status.ok())
+    return status;
+  if (const Status status = bridging.findAgain(partOf(progress, begin, 1.0, "boundaries")); !status.ok())
+    return status;
+  return bridging.checkBoundaries();
+}
+
 } // namespace
 
 Status
 bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, BoundaryMode mode, GapHandling handling,
-           const ProgressCallback& progress, BridgedSurface& bridged)
+           const ProgressCallback& progress, BridgedSurface& bridged, LoopOrigin origin)
 {
   bridged = BridgedSurface();
-  BoundaryChoice choice;
-  if (const Status status = chooseBoundaries(loops, mode, choice); !status.ok())
-    return status;
-  const Eigen::Vector3d middle = choice.inner ? middleOf(*choice.inner) : Eigen::Vector3d::Zero().eval();
-  const Eigen::Vector3d* const kept = choice.inner ? &middle : nullptr;
-  std::vector<Eigen::Vector3f> bridges;
-  for (const BoundaryLoop& loop : loops) {
-    if (loop.type == LoopType::Outer || &loop == choice.inner)
-      continue;
-    if (handling == GapHandling::Refuse)
-      return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(loop.points.front()), ", ", loop.length,
-                                               " mm round: scan it again, or allow gaps to be bridged (setGapHandling)")};
-    const GapFill fill = fillGap(surface->graph(), loop.points);
-    bridged.gaps.push_back({loop, fill.points.size(), fill.centre, fill.width, fill.residual});
-    bridged.gaps.back().loop.type = LoopType::ScanGap;
-    bridged.warnings.push_back(warningOf(bridged.gaps.back()));
-    bridges.insert(bridges.end(), fill.points.begin(), fill.points.end());
-  }
-  if (bridges.empty()) {
-    bridged.surface = std::move(surface);
-    bridged.loops = loops;
-    nameLoops(kept, bridged.loops);
-    return Status::success();
-  }
-  if (const Status status = addPoints(std::move(surface), bridges, bridged.surface); !status.ok())
-    return status;
-  BoundaryOptions options;
-  options.progress = partOf(progress, 0.0, 1.0, "boundaries");
-  if (const Status status = findBoundaryLoops(*bridged.surface, options, bridged.loops); !status.ok())
-    return status;
-  nameLoops(kept, bridged.loops);
-  if (kept && std::none_of(bridged.loops.begin(), bridged.loops.end(),
-                           [](const BoundaryLoop& loop) { return loop.type == LoopType::Inner; }))
-    return {StatusCode::Failed, textOf("the hole about ", placeText(middle), ", the second boundary, was lost when gaps were "
-                                       "bridged: refuse gaps to see them (setGapHandling)")};
-  return Status::success();
+  const Status status = bridge(std::move(surface), loops, mode, handling, progress, origin, bridged);
+  if (!status.ok())
+    bridged = BridgedSurface();
+  return status;
 }
 
 } // namespace pcl_spiral

@@ -55,7 +55,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLoops(Surface::ConstP
   }
   BridgedSurface bridged;
   if (const Status status = bridgeGaps(std::move(surface), loops, settings_.boundary_mode, settings_.gaps,
-                                       partOf(progress_, 0.35, 0.4), bridged);
+                                       partOf(progress_, 0.35, 0.4), bridged,
+                                       given_loops_.empty() ? LoopOrigin::Found : LoopOrigin::Given);
       !status.ok())
     return status;
   reportLoops(bridged, settings_, report_);
