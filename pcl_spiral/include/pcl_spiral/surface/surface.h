@@ -131,7 +131,7 @@ makeSurface(SurfacePoints points, const SurfaceSettings& settings, const Surface
             std::vector<std::int8_t>& why);
 
 /** Make a surface of \p surface and further points, such as \p bridges over a gap. \p surface is given up before the new
- *  one is made, so that no two stand in memory where the caller has moved the only reference. */
+ *  one is made, so that no two stand in memory where the caller has moved the only reference. \p result is null on failure. */
 Status
 addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges, Surface::ConstPtr& result);
 

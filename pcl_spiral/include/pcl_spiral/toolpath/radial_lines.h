@@ -71,7 +71,8 @@ public:
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
   /** Make the lines. \p lines is empty on failure: no cloud, settings or indices out of range, no surface in the points,
-   *  loops that do not belong to it, a centre off it, or lines that cannot be found; getStatus says which and where. */
+   *  loops that do not belong to it, a centre off it, or lines that cannot be found; getStatus says which and where, and the
+   *  getters below have nothing. */
   void compute(std::vector<RadialLine>& lines);
   /** The same with the boundaries from line 0 on and their corners: what SpiralToolpathGenerator::setRadialLines takes. */
   void compute(RadialLineSet& set);
