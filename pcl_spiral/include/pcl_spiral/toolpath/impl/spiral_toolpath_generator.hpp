@@ -135,9 +135,13 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePublished(const Surfa
   for (const StageCost& stage : published.stages)
     report_.stages.push_back(stage);
   clock.restart();
-  if (status.ok())
-    reportPublished(surface, settings_, published, report_, path);
-  return status;
+  reportPublished(surface, settings_, published, report_, path);
+  if (!status.ok())
+    return status;
+  GapFigures gaps;
+  const Status marked = measureGaps(path, settings_, gaps);
+  reportGaps(gaps, report_);
+  return marked;
 }
 
 template <typename PointInT, typename PointNT, typename PointOutT>
