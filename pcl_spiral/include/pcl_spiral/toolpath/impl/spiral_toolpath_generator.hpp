@@ -97,6 +97,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
     if (const Status status = checkLines(*given_lines_, surface->spacing()); !status.ok())
       return status;
     report_.loops = given_loops_;
+    reportNoise(*surface, settings_, report_);
   }
   else {
     std::vector<BoundaryLoop> loops;
