@@ -225,7 +225,8 @@ TEST(EllipticGabrielGraph, EdgesStartNoMoreThreadsThanALimitLeaves)
   };
   const auto join = [&] {
     std::vector<Eigen::Vector3f> points;
-    for (const auto& p : *randomCloud(20000, 1, 1, 1, 1))
+    const auto cloud = randomCloud(20000, 1, 1, 1, 1);
+    for (const auto& p : *cloud)
       points.push_back(p.getVector3fMap());
     const auto before = alive();
     const ThreadLimit one(1);
