@@ -44,7 +44,7 @@ for folder in "$library"/include/pcl_spiral/*/ "$library"/src/*/; do
 done
 
 fault "newer PCL base classes have members of these names; choose others" \
-  "$(grep -rnE '\b(threads_|chunk_size_)\b' $library --include='*.h' --include='*.hpp' --include='*.cpp' || true)"
+  "$(grep -rnE '(^|[^.])\b(threads_|chunk_size_)\b' $library --include='*.h' --include='*.hpp' --include='*.cpp' || true)"
 
 fault "messages of the library name setters, never a program's options" \
   "$(grep -rnE '"[^"]*--[a-z]' $library --include='*.h' --include='*.hpp' --include='*.cpp' || true)"

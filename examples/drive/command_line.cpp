@@ -3,6 +3,7 @@
 #include "program/program_options.h"
 #include "terminal/command_line.h"
 #include "terminal/file_names.h"
+#include "terminal/setter_names.h"
 
 #include <algorithm>
 
@@ -32,6 +33,13 @@ files(Job& job)
                         "leave out points off the scanned surface, false echoes as a rule; the cutter stays above every point "
                         "otherwise",
                         job.leave_out_strays),
+           switchOption("largest",
+                        "of several separate parts drive on the largest one alone; the cutter stays above the others' points",
+                        job.largest_part),
+           numberOption("thin", "EDGE",
+                        "make the surface of one point a cube of this edge, mm; the cutter stays above all of them; 0, none: "
+                        "--thin 0.5",
+                        job.thinning),
            textOption("config", "FILE", "job file in YAML with these names; the command line wins: --config job.yaml",
                       job.config_file)}};
 }
@@ -142,6 +150,13 @@ parseCommandLine(int argc, const char* const* argv)
   if (!job.help && !job.version)
     completeJob(job);
   return job;
+}
+
+bool
+hasOption(const std::string& name)
+{
+  Job job;
+  return findOption(optionTable(job), name) != nullptr;
 }
 
 void

@@ -27,6 +27,8 @@ settingsOf(const Job& job)
           {"point_spacing", d.point_spacing},
           {"axis_mode", choiceName(d.axisMode())},
           {"tolerance", job.tolerance},
+          {"largest", job.largest_part},
+          {"thin", job.thinning},
           {"feed", job.feed}};
 }
 

@@ -26,6 +26,8 @@ struct Job {
   std::vector<pcl_spiral::ToolSegment> holder;
   double holder_clearance = 0.0;
   bool leave_out_strays = false;
+  bool largest_part = false; ///< of several, drive on the largest alone
+  double thinning = 0.0;     ///< voxel edge; 0: none
   pcl_spiral::DriveSettings drive;
   std::string curve_file;
   std::optional<Eigen::Vector3d> column_axis;              ///< direction; found from the scan where none is given

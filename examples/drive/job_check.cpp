@@ -161,6 +161,7 @@ completeJob(Job& job)
 {
   if (job.scan.empty())
     throw UsageError("no scan is named; give one, such as part.pcd");
+  requireOption(job.thinning >= 0.0, "thin", job.thinning, "must be above 0 mm, or 0 for none");
   completeCutter(job);
   completePath(job);
   checkOutputs(job);

@@ -1,12 +1,12 @@
 #include "planning.h"
 #include "column_ends.h"
+#include "scan_surface.h"
 #include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/axis_field.h>
 #include <pcl_spiral/io/file_error.h>
-#include <pcl_spiral/surface/stray_removal.h>
 #include <pcl_spiral/toolpath/cutter_location.h>
 #include <pcl_spiral/toolpath/drive_path.h>
 
@@ -16,18 +16,6 @@
 using namespace pcl_spiral;
 
 namespace {
-
-/** What a stage's failure is to the user. */
-void
-require(const Job& job, const Status& status)
-{
-  if (status.code() == StatusCode::Cancelled || cancelled())
-    throw Cancelled();
-  if (status.code() == StatusCode::InvalidArgument)
-    throw UsageError(job.scan + ": " + inOptions(status.message()));
-  if (!status.ok())
-    throw FileError(job.scan, inOptions(status.message()));
-}
 
 Polyline
 curveOf(const Job& job, Result& result)
@@ -84,42 +72,6 @@ smooth(const Job& job, DrivePasses& passes, std::vector<std::string>& warnings)
     warnings.push_back(textOf("smoothing and rate lead axes up to ", largest, " degrees off those asked for"));
 }
 
-/** The scan less the points off its surface, which are told. */
-void
-leaveOutStrays(const Job& job, Result& result)
-{
-  StrayRemoval<pcl::PointXYZ> removal;
-  removal.setInputCloud(result.scan.cloud);
-  const pcl::PointCloud<pcl::PointXYZ>::Ptr kept(new pcl::PointCloud<pcl::PointXYZ>);
-  removal.filter(*kept);
-  require(job, removal.getStatus());
-  const StrayFigures& f = removal.getFigures();
-  if (f.strays > 0)
-    result.warnings.push_back(textOf(f.strays, " of ", result.scan.cloud->size(),
-                                     " points, off the scanned surface, were left out (--leave-out-strays), the largest "
-                                     "group of them ", f.largest_group, " at ", placeText(f.largest_group_place),
-                                     f.largest_group > 3 ? ": so many together are no false echo; see what stands there"
-                                                         : ""));
-  result.scan.cloud = kept;
-}
-
-/** The surface that the drive path and the locations share; null where the points form none. */
-Surface::ConstPtr
-surfaceOf(const Job& job, ProgressBar& bar, Result& result)
-{
-  ScannedSurface<pcl::PointXYZ> scanned;
-  scanned.setInputCloud(result.scan.cloud);
-  scanned.setStrict(false); // what is rough is driven on all the same, with a warning
-  scanned.setQuiet(true);
-  scanned.setNumberOfThreads(job.threads);
-  scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.3 * share, stage); });
-  Surface::ConstPtr surface;
-  scanned.compute(surface);
-  if (scanned.getStatus().code() == StatusCode::Cancelled)
-    throw Cancelled();
-  return surface;
-}
-
 DrivePasses
 drivePasses(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, Result& result)
 {
@@ -139,7 +91,7 @@ drivePasses(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, 
     drive.setCylinder({job.column_centre, *job.column_axis});
   if (s.kind == DriveKind::Curve)
     drive.setCurve(curveOf(job, result));
-  drive.setNumberOfThreads(job.threads);
+  setSurface(job, drive);
   drive.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.5 * share, stage); });
   DrivePasses passes;
   drive.compute(passes);
@@ -161,7 +113,7 @@ locate(const Job& job, const Surface::ConstPtr& surface, const DrivePasses& pass
   location.setHolderClearance(job.holder_clearance);
   location.setPathTolerance(job.tolerance);
   location.setDrivePasses(passes);
-  location.setNumberOfThreads(job.threads);
+  setSurface(job, location);
   location.setProgressCallback(
       [&bar](double share, const std::string& stage) { return bar.update(0.5 + 0.5 * share, stage); });
   std::vector<ToolLocations> located;

@@ -1,11 +1,12 @@
 #include "setter_names.h"
 
 #include <array>
+#include <cctype>
 #include <utility>
 
 namespace {
 
-/** Longer names stand before names that they begin with. */
+/** Each is replaced where the program has the first option that the second names. */
 constexpr std::array<std::pair<const char*, const char*>, 23> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
@@ -32,6 +33,43 @@ constexpr std::array<std::pair<const char*, const char*>, 23> words{{
     {"ReadOptions::unit", "--units m, --units inch"},
 }};
 
+/** "thin" of "--thin". */
+std::string
+optionIn(const std::string& words)
+{
+  const std::size_t begin = words.find("--") + 2;
+  return words.substr(begin, words.find_first_not_of("abcdefghijklmnopqrstuvwxyz-", begin) - begin);
+}
+
+bool
+isNamePart(char c)
+{
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '/' || c == '\\';
+}
+
+/** Whether what stands at \p at is a word of its own, and no part of a longer one, a path or a file name. */
+bool
+isWord(const std::string& message, std::size_t at, std::size_t size)
+{
+  const auto in = [&](std::size_t i) { return i < message.size() && isNamePart(message[i]); };
+  const std::size_t end = at + size;
+  const bool name_before = at > 0 && (in(at - 1) || message[at - 1] == '.');
+  const bool name_behind = in(end) || (end < message.size() && message[end] == '.' && in(end + 1));
+  return !name_before && !name_behind;
+}
+
+/** Take the brackets about \p at out, with the blank before them, where there are such; otherwise the end of the name. */
+std::size_t
+dropBrackets(std::string& message, std::size_t at, std::size_t size)
+{
+  const std::size_t open = message.find_last_of("()", at), close = message.find_first_of("()", at);
+  if (open == std::string::npos || close == std::string::npos || message[open] != '(' || message[close] != ')')
+    return at + size;
+  const std::size_t begin = open > 0 && message[open - 1] == ' ' ? open - 1 : open;
+  message.erase(begin, close + 1 - begin);
+  return begin;
+}
+
 } // namespace
 
 std::string
@@ -39,8 +77,15 @@ inOptions(std::string message)
 {
   for (const auto& [setter, option] : words) {
     const std::string name = setter, word = option;
-    for (std::size_t at = message.find(name); at != std::string::npos; at = message.find(name, at + word.size()))
-      message.replace(at, name.size(), word);
+    for (std::size_t at = message.find(name); at != std::string::npos; at = message.find(name, at))
+      if (!isWord(message, at, name.size()))
+        at += name.size();
+      else if (hasOption(optionIn(word))) {
+        message.replace(at, name.size(), word);
+        at += word.size();
+      }
+      else
+        at = dropBrackets(message, at, name.size());
   }
   return message;
 }

@@ -2,6 +2,7 @@
 #include "option_table.h"
 #include "terminal/command_line.h"
 #include "terminal/file_names.h"
+#include "terminal/setter_names.h"
 
 Job
 parseCommandLine(int argc, const char* const* argv)
@@ -10,6 +11,13 @@ parseCommandLine(int argc, const char* const* argv)
   job.command = commandLine(argc, argv);
   job.given = setOptions(optionTable(job), argc, argv);
   return job;
+}
+
+bool
+hasOption(const std::string& name)
+{
+  Job job;
+  return findOption(optionTable(job), name) != nullptr;
 }
 
 void

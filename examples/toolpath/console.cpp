@@ -79,7 +79,9 @@ void
 printStages(const Result& result, double seconds)
 {
   std::printf("neighbourhoods  %d pass%s over all of them%s\n", result.report.passes, result.report.passes == 1 ? "" : "es",
-              result.surface ? "; planner and judge share the surface" : "");
+              result.surface        ? "; planner and judge share the surface"
+              : result.verification ? ", of planner and judge"
+                                    : "");
   std::printf("  %-16s %9s %7s %9s %9s\n", "stage", "s", "%", "MB", "peak MB");
   double rest = seconds;
   for (const pcl_spiral::StageCost& stage : result.report.stages) {

@@ -2,6 +2,7 @@
 
 #include "judging/judge_options.h"
 #include "terminal/file_names.h"
+#include "terminal/setter_names.h"
 #include "terminal/option_values.h"
 
 #include <boost/program_options.hpp>
@@ -142,6 +143,12 @@ parseVerifyCommandLine(int argc, const char* const* argv)
   VerifyJob job = fromMap(given);
   job.command = commandLine(argc, argv);
   return job;
+}
+
+bool
+hasOption(const std::string& name)
+{
+  return allOptions().find_nothrow(name, false) != nullptr;
 }
 
 void

@@ -1,6 +1,7 @@
 #include "view_job.h"
 
 #include "judging/judge_options.h"
+#include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 
 #include <boost/program_options.hpp>
@@ -54,6 +55,12 @@ parseViewCommandLine(int argc, const char* const* argv)
   job.read = scanOptions(given);
   job.settings = cutterOptions(given);
   return job;
+}
+
+bool
+hasOption(const std::string& name)
+{
+  return allOptions().find_nothrow(name, false) != nullptr;
 }
 
 void

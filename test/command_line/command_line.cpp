@@ -201,6 +201,19 @@ TEST_F(CommandLine, RefusesBadFilesBeforeAnyWork)
   display.empty() ? ::unsetenv("DISPLAY") : ::setenv("DISPLAY", display.c_str(), 1);
 }
 
+TEST_F(CommandLine, FileNamesStayAsTheyAreInMessages)
+{
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder.path("setMethod"));
+  for (const std::string name : {"setCenter.xyz", "my-setThinning.xyz", "setMethod/scan.xyz"}) {
+    writeText(folder.path(name), "1 2 x\n");
+    const RunResult result = endOf(
+        startProgram(program, {name, "--tool-radius", "3", "--scallop", "0.1", "-o", "a.csv"}, folder), folder);
+    EXPECT_EQ(result.code, 1);
+    EXPECT_NE(result.err.find(": " + name), std::string::npos) << result.err;
+  }
+}
+
 TEST_F(CommandLine, RefusesCloudsWithoutASurfaceToCut)
 {
   const auto refused = [this](const std::string& name, const std::vector<Point>& points) {

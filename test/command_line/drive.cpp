@@ -179,6 +179,39 @@ TEST(Drive, StraysAreClimbedOverOrLeftOut)
   expectHas(left_out.err, "3 of 6003 points, off the scanned surface, were left out (--leave-out-strays), the largest group of them 1 at (3, 4, 9)");
 }
 
+TEST(Drive, MessagesNameOptionsThatThereAre)
+{
+  const ScratchFolder folder;
+  std::istringstream cap(capScan(3000));
+  std::ostringstream two, noisy;
+  two << cap.str();
+  for (double x, y, z; cap >> x >> y >> z;)
+    two << 0.5 * x + 120.0 << ' ' << 0.5 * y << ' ' << z + 5.0 << '\n';
+  writeText(folder.path("two.xyz"), two.str());
+  writeText(folder.path("noisy.xyz"), capScan(8000, 0.6));
+  const auto driven = [&](std::vector<std::string> call, const std::vector<std::string>& more) {
+    call.insert(call.end(), {"--tool-radius", "3", "--step-over", "4", "--tolerance", "0.1", "-o", "a.csv"});
+    call.insert(call.end(), more.begin(), more.end());
+    return endOf(startProgram(program, call, folder), folder);
+  };
+  const RunResult parts = driven({"two.xyz", "--drive", "offset"}, {});
+  EXPECT_EQ(parts.code, 1);
+  expectHas(parts.err, "keep the largest one alone (--largest)");
+  const RunResult largest = driven({"two.xyz", "--drive", "offset"}, {"--largest"});
+  EXPECT_EQ(largest.code, 0) << largest.err;
+  for (const auto& row : rows(readText(folder.path("a.csv"))))
+    ASSERT_LT(row[8], 60.0) << "nothing on the other part";
+  const RunResult scattered = driven({"noisy.xyz"}, {});
+  expectHas(scattered.err, "passes are ragged");
+  expectHas(scattered.err, " mm (--thin)");
+  const RunResult thinned = driven({"noisy.xyz"}, {"--thin", "2.4"});
+  EXPECT_EQ(thinned.code, 0) << thinned.err;
+  EXPECT_EQ(thinned.err.find("passes are ragged"), std::string::npos) << thinned.err;
+  const RunResult wrong = driven({"noisy.xyz"}, {"--thin", "-1"});
+  EXPECT_EQ(wrong.code, 2);
+  expectHas(wrong.err, "--thin");
+}
+
 TEST(Drive, AxesAreBlendedAtThePoleForABallAlone)
 {
   const ScratchFolder folder;

@@ -284,6 +284,20 @@ TEST_F(Verify, SaysWhichLimitsAScanCannotShow)
   EXPECT_NE(last_.out.find("this scan cannot show that it holds"), std::string::npos) << last_.out;
 }
 
+TEST_F(Verify, MessagesNameNoOptionThatThereIsNot)
+{
+  std::istringstream cap(readText(folder_.path("cap.xyz")));
+  std::ostringstream two;
+  two << cap.str();
+  for (double x, y, z; cap >> x >> y >> z;)
+    two << 0.5 * x + 120.0 << ' ' << 0.5 * y << ' ' << z + 5.0 << '\n';
+  writeText(folder_.path("cap.xyz"), two.str());
+  last_ = verify({"cap.csv"});
+  EXPECT_NE(last_.err.find("keep the largest one alone, or the one"), std::string::npos) << last_.err;
+  for (const char* word : {"--largest", "setLargestPart"})
+    EXPECT_EQ((last_.err + last_.out).find(word), std::string::npos) << last_.err;
+}
+
 TEST_F(Verify, WrongCallsAndDataAreRefused)
 {
   const auto code = [&](const Arguments& arguments) {

@@ -327,6 +327,7 @@ TEST(CentroidBoundaryEstimation, SaysWhatIsWrong)
             }),
             argument);
   EXPECT_EQ(codeOf([](Estimation& e) { e.setOffsetThreshold(0.0); }), argument);
+  EXPECT_EQ(codeOf([](Estimation& e) { e.setNumberOfThreads(-1); }), argument);
   Estimation same;
   same.setInputCloud(cloud);
   same.setSearchSurface(cloud); // the input itself is no other surface

@@ -119,6 +119,16 @@ TEST(CutterLocation, PathsCloudsAndSettingsThatCannotBeAreNamed)
   fails("Evaluation::Points", [&](Location& l) { l.setInputCloud(few); });
   Cloud::Ptr none(new Cloud(10, 1, pcl::PointXYZ(static_cast<float>(nan), 0, 0)));
   fails("finite", [&](Location& l) { l.setInputCloud(none); });
+  const auto by_points = [&](const char* says, auto change) {
+    fails(says, [&](Location& l) {
+      l.setEvaluation(Evaluation::Points);
+      change(l);
+    });
+  };
+  by_points("view point is not finite", [&](Location& l) { l.setViewPoint(Vector3d(nan, 0.0, 0.0)); });
+  by_points("there are 5 normals for 2000 points", [](Location& l) {
+    l.setInputNormals(pcl::PointCloud<pcl::Normal>::Ptr(new pcl::PointCloud<pcl::Normal>(5, 1)));
+  });
   const Located points =
       located(few, CutterShape::ball(2.0), {{{1, 2, 0}, up, Vector3d::Zero()}}, Evaluation::Points);
   EXPECT_NEAR(points.locations[0].tip.z(), 3.0, 1e-6);

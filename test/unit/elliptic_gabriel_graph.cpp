@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
 #include <limits>
 
 using namespace pcl_spiral;
@@ -213,6 +216,26 @@ TEST(EllipticGabrielGraph, IndicesAndBadPoints)
   }
 }
 
+TEST(EllipticGabrielGraph, EdgesStartNoMoreThreadsThanALimitLeaves)
+{
+  testing::FLAGS_gtest_death_test_style = "threadsafe"; // in a process of its own, which has started none yet
+  const auto alive = [] {
+    const std::filesystem::directory_iterator all("/proc/self/task");
+    return std::distance(begin(all), end(all));
+  };
+  const auto join = [&] {
+    std::vector<Eigen::Vector3f> points;
+    const auto cloud = randomCloud(20000, 1, 1, 1, 1);
+    for (const auto& p : *cloud)
+      points.push_back(p.getVector3fMap());
+    const auto before = alive();
+    const ThreadLimit one(1);
+    ellipticGabrielEdges(points, {}, GabrielOptions());
+    std::exit(alive() == before ? 0 : 1);
+  };
+  EXPECT_EXIT(join(), testing::ExitedWithCode(0), "");
+}
+
 TEST(EllipticGabrielGraph, SaysWhatIsWrong)
 {
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
@@ -242,6 +265,9 @@ TEST(EllipticGabrielGraph, SaysWhatIsWrong)
   egg.setMaxNormalAngle(60);
   EXPECT_EQ(code(), StatusCode::InvalidInput) << "no normals";
   egg.setMaxNormalAngle(0);
+  egg.setNumberOfThreads(-1);
+  EXPECT_EQ(code(), StatusCode::InvalidArgument);
+  egg.setNumberOfThreads(0);
   pcl::IndicesPtr outside(new pcl::Indices{0, 50});
   egg.setIndices(outside);
   EXPECT_EQ(code(), StatusCode::InvalidInput);

@@ -3,6 +3,7 @@
 
 #include <pcl_spiral/features/surface_boundary.h>
 #include <pcl_spiral/surface/gap_filling.h>
+#include <pcl_spiral/surface/scanned_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -94,6 +95,25 @@ TEST(GapFilling, NothingToFitGivesNothing)
   EXPECT_TRUE(fillGap(graph, {}).points.empty());
   EXPECT_TRUE(fillGap(graph, {Vector3d(0, 0, 0), Vector3d(1, 0, 0)}).points.empty());
   EXPECT_TRUE(fillGap(graph, {Vector3d(900, 0, 0), Vector3d(901, 0, 0), Vector3d(901, 1, 0)}).points.empty());
+}
+
+TEST(AddPoints, GivesNoSurfaceWhereItFails)
+{
+  const auto cloud = test::toCloud(test::sampleUniform(*test::ball(radius, test::Region({test::circle({0, 0}, 60.0)})), 8000, 21).points);
+  ScannedSurface<pcl::PointXYZ> scanned;
+  scanned.setInputCloud(cloud);
+  Surface::ConstPtr surface, result;
+  scanned.compute(surface);
+  ASSERT_TRUE(surface);
+  std::vector<Eigen::Vector3f> scattered; // no single sheet
+  test::Random random(3);
+  for (int i = 0; i < 16000; ++i) {
+    const double x = random.uniform(-40, 40), y = random.uniform(-40, 40);
+    scattered.push_back(Vector3d(x, y, std::sqrt(radius * radius - x * x - y * y) + random.uniform(-4, 4)).cast<float>());
+  }
+  const Status status = addPoints(surface, scattered, result);
+  EXPECT_FALSE(status.ok());
+  EXPECT_FALSE(result);
 }
 
 } // namespace

@@ -256,6 +256,47 @@ TEST(MaterialRemoval, AgreesWithTheIndependentCheckOnACurvedSurface)
   EXPECT_NEAR(f.gouge.value, exact.gouge.value, 0.01 * h);
 }
 
+TEST(MaterialRemoval, IndicesAndCloudsThatDoNotFitTheSurfaceAreRefused)
+{
+  const SurfacePtr surface = quadric(200.0, -120.0, Region({circle({0, 0}, 30.0)}));
+  const auto cloud = toCloud(sampleUniform(*surface, 5000, 3).points);
+  const auto path = toolpath(straightPasses(*surface, {-3, 0, 3}, 32.0, 3.0));
+  ScannedSurface<pcl::PointXYZ> scanned;
+  scanned.setInputCloud(cloud);
+  Surface::ConstPtr made;
+  scanned.compute(made);
+  const auto reference = std::make_shared<ReferenceSurface>(made);
+  const auto outcome = [&](bool by_reference, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& given, const pcl::Indices& indices) {
+    MaterialRemoval<pcl::PointXYZ> removal;
+    removal.setQuiet(true);
+    removal.setInputCloud(given);
+    if (!indices.empty())
+      removal.setIndices(pcl::IndicesPtr(new pcl::Indices(indices)));
+    if (by_reference)
+      removal.setReferenceSurface(reference);
+    else
+      removal.setInputSurface(made);
+    removal.setInputToolpath(path);
+    removal.setToolRadius(R);
+    removal.setScallopHeight(h);
+    pcl::PointCloud<pcl::PointXYZI> stock;
+    removal.compute(stock);
+    EXPECT_EQ(stock.empty(), !removal.getStatus().ok());
+    EXPECT_TRUE(removal.getStatus().ok() || removal.getStatus().code() == StatusCode::InvalidInput);
+    return removal.getStatus().ok() ? std::to_string(stock.size()) : removal.getStatus().message();
+  };
+  const auto other = toCloud(sampleUniform(*surface, 4000, 3).points);
+  for (const bool by_reference : {false, true}) {
+    EXPECT_EQ(outcome(by_reference, cloud, {}), "5000");
+    EXPECT_EQ(outcome(by_reference, cloud, {0, 5, 4999}), "3");
+    EXPECT_EQ(outcome(by_reference, nullptr, {}), "5000");
+    for (const pcl::index_t outside : {5000, 50000000, -1})
+      EXPECT_NE(outcome(by_reference, cloud, {0, 5, outside}).find("is outside the cloud of 5000 points"), std::string::npos);
+    EXPECT_NE(outcome(by_reference, other, {}).find("4000 points, but the surface to judge by was made of a cloud of 5000"),
+              std::string::npos);
+  }
+}
+
 TEST(MaterialRemoval, TheNumberOfThreadsChangesNothing)
 {
   const SurfacePtr surface = quadric(200.0, -120.0, Region({circle({0, 0}, 30.0)}));

@@ -209,8 +209,17 @@ TEST(MLSProjector, RefusesWithAReason)
   projector.setKSearch(3);
   refused(StatusCode::InvalidArgument);
   projector.setKSearch(0);
-  projector.setIndices(pcl::IndicesPtr(new pcl::Indices{1, 2, 5000}));
-  refused(StatusCode::InvalidInput);
+  ScannedSurface<pcl::PointXYZ> scanned;
+  scanned.setInputCloud(projector.getInputCloud());
+  Surface::ConstPtr surface;
+  scanned.compute(surface);
+  for (const pcl::index_t outside : {5000, 50000000, -1}) {
+    projector.setIndices(pcl::IndicesPtr(new pcl::Indices{1, 2, outside}));
+    projector.setInputSurface(nullptr);
+    refused(StatusCode::InvalidInput);
+    projector.setInputSurface(surface);
+    refused(StatusCode::InvalidInput);
+  }
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/features/surface_boundary.h>
 #include <pcl_spiral/spiral/published_spiral.h>
+#include <pcl_spiral/toolpath/surface_centre.h>
 
 #include <gtest/gtest.h>
 
@@ -234,6 +235,33 @@ TEST(PublishedSpiral, WarnsWhereTheCutterGouges)
         });
     EXPECT_EQ(warned, radius > 130.0);
   }
+}
+
+TEST(PublishedSpiral, SaysThatTheCentreDidNotSettle)
+{
+  test::Random random(1);
+  std::vector<Vector3d> points;
+  for (const double height : {20.0, 40.0, 80.0}) // of the bump; the last is too steep for its points
+    for (points.clear(); points.size() < 3000;) {
+      const double x = random.uniform(-60, 60), y = random.uniform(-60, 60);
+      if (std::hypot(x, y) < 60.0)
+        points.emplace_back(x, y, height * std::exp(-(x * x + y * y) / 300.0));
+    }
+  const SurfaceGraph graph = test::graphOf(points);
+  std::vector<BoundaryLoop> loops;
+  ASSERT_TRUE(findBoundaryLoops(graph, {}, loops).ok());
+  const MlsSurface surface(graph);
+  const auto found = balancedCentre(surface, loops[0].curve);
+  ASSERT_TRUE(found);
+  ASSERT_FALSE(found->settled);
+  SpiralSettings settings = cutter();
+  settings.chord_error = 0.5; // few lines
+  PublishedResult result;
+  planPublishedWithin(graph, loops, settings, {}, result);
+  EXPECT_FALSE(result.lines.centre_settled);
+  settings.centre = found->position;
+  planPublishedWithin(graph, loops, settings, {}, result);
+  EXPECT_TRUE(result.lines.centre_settled);
 }
 
 } // namespace

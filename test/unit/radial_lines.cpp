@@ -253,4 +253,24 @@ TEST(RadialLines, RefusesWithNoLines)
   refused(with([](BoundaryLoop& l) { l.type = LoopType::Inner; }), input, "outer");
 }
 
+TEST(RadialLines, AFailureLeavesNothing)
+{
+  Lines radial;
+  radial.setQuiet(true);
+  radial.setInputCloud(test::toCloud(plane({test::circle({0, 0}, 60.0)}, 3000).points));
+  RadialLineSet set;
+  radial.compute(set);
+  ASSERT_TRUE(radial.getStatus().ok()) << radial.getStatus().message();
+  EXPECT_FALSE(radial.getRim().empty());
+  EXPECT_EQ(radial.getRim(), set.rim);
+  radial.setCenter({75, 0, 0});
+  radial.compute(set);
+  EXPECT_FALSE(radial.getStatus().ok());
+  EXPECT_TRUE(set.lines.empty());
+  EXPECT_TRUE(set.rim.empty());
+  EXPECT_TRUE(radial.getRim().empty());
+  EXPECT_TRUE(radial.getLoops().empty());
+  EXPECT_TRUE(radial.getWhyHarmonic().empty());
+}
+
 } // namespace

@@ -72,14 +72,13 @@ addLine(const Polyline& line, Values& values)
     values.insert(values.end(), {p.x(), p.y(), p.z()});
 }
 
-// One adaptor a class: give takes a cloud, run computes and gives numbers; none on failure.
+// One adaptor a class: give takes a cloud, run computes and gives numbers, none on failure. Outputs are kept from run to run.
 
 template <typename PointT>
 struct Scanned : ScannedSurface<PointT> {
   Values
   run()
   {
-    Surface::ConstPtr surface;
     this->compute(surface);
     Values values;
     for (std::size_t i = 0; surface && i < surface->size(); ++i)
@@ -87,6 +86,7 @@ struct Scanned : ScannedSurface<PointT> {
         values.push_back(value);
     return values;
   }
+  Surface::ConstPtr surface;
 };
 
 template <typename PointT>
@@ -94,12 +94,12 @@ struct Prepared : SurfacePreparation<PointT> {
   Values
   run()
   {
-    pcl::PointCloud<PointT> cloud;
     this->filter(cloud);
     Values values;
     addPoints(cloud, values);
     return values;
   }
+  pcl::PointCloud<PointT> cloud;
 };
 
 template <typename PointT>
@@ -107,12 +107,12 @@ struct Removal : StrayRemoval<PointT> {
   Values
   run()
   {
-    pcl::PointCloud<PointT> cloud;
     this->filter(cloud);
     Values values;
     addPoints(cloud, values);
     return values;
   }
+  pcl::PointCloud<PointT> cloud;
 };
 
 template <typename PointT>
@@ -120,13 +120,10 @@ struct Graph : EllipticGabrielGraph<PointT> {
   Values
   run()
   {
-    NeighbourLists lists;
     this->compute(lists);
-    Values values;
-    if (this->getStatus().ok())
-      values.push_back(static_cast<double>(lists.edgeCount()));
-    return values;
+    return lists.size() > 0 ? Values{static_cast<double>(lists.edgeCount())} : Values();
   }
+  NeighbourLists lists;
 };
 
 template <typename PointT>
@@ -134,13 +131,13 @@ struct Loops : BoundaryLoops<PointT> {
   Values
   run()
   {
-    std::vector<BoundaryLoop> loops;
     this->compute(loops);
     Values values;
     for (const BoundaryLoop& loop : loops)
       addLine(loop.curve, values);
     return values;
   }
+  std::vector<BoundaryLoop> loops;
 };
 
 template <typename PointT>
@@ -148,14 +145,14 @@ struct Bridged : GapBridging<PointT> {
   Values
   run()
   {
-    Surface::ConstPtr surface;
-    std::vector<BoundaryLoop> loops;
     this->compute(surface, loops);
     Values values;
     for (const BoundaryLoop& loop : loops)
       addLine(loop.curve, values);
     return values;
   }
+  Surface::ConstPtr surface;
+  std::vector<BoundaryLoop> loops;
 };
 
 template <typename PointT>
@@ -168,13 +165,13 @@ struct Geodesic : GeodesicPath<PointT> {
   Values
   run()
   {
-    std::vector<Polyline> paths;
     this->compute(paths);
     Values values;
     for (const Polyline& path : paths)
       addLine(path, values);
     return values;
   }
+  std::vector<Polyline> paths;
 };
 
 template <typename PointT>
@@ -182,7 +179,6 @@ struct Lines : RadialLines<PointT> {
   Values
   run()
   {
-    RadialLineSet set;
     this->compute(set);
     Values values;
     for (const RadialLine& line : set.lines)
@@ -190,6 +186,7 @@ struct Lines : RadialLines<PointT> {
     addLine(set.rim, values);
     return values;
   }
+  RadialLineSet set;
 };
 
 template <typename PointT>
@@ -205,12 +202,12 @@ struct Projected : MLSProjector<PointT, pcl::PointNormal> {
   Values
   run()
   {
-    pcl::PointCloud<pcl::PointNormal> feet;
     this->process(feet);
     Values values;
     addPoints(feet, values);
     return values;
   }
+  pcl::PointCloud<pcl::PointNormal> feet;
 };
 
 template <typename PointT>
@@ -224,12 +221,12 @@ struct Spiral : SpiralToolpathGenerator<PointT> {
   Values
   run()
   {
-    pcl::PointCloud<ToolpathPoint> path;
     this->compute(path);
     Values values;
     addPoints(path, values);
     return values;
   }
+  pcl::PointCloud<ToolpathPoint> path;
 };
 
 template <typename PointT>
@@ -242,13 +239,13 @@ struct Located : CutterLocation<PointT> {
   Values
   run()
   {
-    ToolLocations locations;
     this->compute(locations);
     Values values;
     for (const ToolLocation& location : locations)
       values.push_back(location.tip.z());
     return values;
   }
+  ToolLocations locations;
 };
 
 template <typename PointT>
@@ -257,7 +254,6 @@ struct Driven : DrivePath<PointT> {
   Values
   run()
   {
-    DrivePasses passes;
     this->compute(passes);
     Values values;
     for (const DrivePass& pass : passes)
@@ -265,6 +261,7 @@ struct Driven : DrivePath<PointT> {
         values.push_back(point.position.z());
     return values;
   }
+  DrivePasses passes;
 };
 
 template <typename PointT>
@@ -273,13 +270,13 @@ struct Deviation : DeviationEstimation<PointT> {
   Values
   run()
   {
-    pcl::PointCloud<pcl::PointXYZI> out;
     this->compute(out);
     Values values;
     for (const auto& p : out)
       values.push_back(p.intensity);
     return values;
   }
+  pcl::PointCloud<pcl::PointXYZI> out;
 };
 
 template <typename PointT>
@@ -293,10 +290,10 @@ struct Removed : MaterialRemoval<PointT> {
   Values
   run()
   {
-    pcl::PointCloud<pcl::PointXYZI> out;
     this->compute(out);
     return out.empty() ? Values() : Values{this->getFigures().area, this->getFigures().path_length};
   }
+  pcl::PointCloud<pcl::PointXYZI> out;
 };
 
 template <typename PointT>
@@ -332,13 +329,13 @@ struct Flags : CentroidBoundaryEstimation<PointT, pcl::Normal> {
         normals->push_back(pcl::Normal(p.x, p.y, p.z));
       this->setInputNormals(normals);
     }
-    pcl::PointCloud<pcl::Boundary> out;
     this->compute(out);
     Values values;
     for (const pcl::Boundary& flag : out)
       values.push_back(flag.boundary_point);
     return values;
   }
+  pcl::PointCloud<pcl::Boundary> out;
 };
 
 template <typename PointT>

@@ -194,6 +194,19 @@ TEST(StrayRemoval, AFailureLeavesNothingBehind)
   EXPECT_FALSE(pcl::isFinite(out[0]));
 }
 
+TEST(StrayRemoval, ThreadsChangeNothingAndABadNumberIsRefused)
+{
+  const auto cloud = scan();
+  StrayRemoval<pcl::PointXYZ> removal;
+  const pcl::Indices all = kept(removal, cloud);
+  removal.setNumberOfThreads(1);
+  EXPECT_EQ(removal.getNumberOfThreads(), 1u);
+  EXPECT_EQ(kept(removal, cloud), all);
+  removal.setNumberOfThreads(-1);
+  EXPECT_TRUE(kept(removal, cloud).empty());
+  EXPECT_EQ(removal.getStatus().code(), StatusCode::InvalidArgument) << removal.getStatus().message();
+}
+
 TEST(StrayRemoval, SaysWhyPointsAreNoSurface)
 {
   pcl::PointCloud<pcl::PointXYZ>::Ptr few(new pcl::PointCloud<pcl::PointXYZ>);

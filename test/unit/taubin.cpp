@@ -1,8 +1,12 @@
+#include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/core/taubin.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
 #include <random>
 
 using namespace pcl_spiral;
@@ -201,6 +205,28 @@ TEST(Taubin, OneThreadOrMore)
   const Polyline one = taubinSmoothed(line, options);
   options.threads = 2;
   EXPECT_EQ(taubinSmoothed(line, options), one);
+}
+
+/** Threads of this process. */
+std::size_t
+threadsAlive()
+{
+  const std::filesystem::directory_iterator all("/proc/self/task");
+  return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+}
+
+TEST(Taubin, StartsNoMoreThreadsThanALimitLeaves)
+{
+  testing::FLAGS_gtest_death_test_style = "threadsafe"; // in a process of its own, which has started none yet
+  const auto smooth = [] {
+    const std::size_t before = threadsAlive();
+    const pcl_spiral::ThreadLimit one(1);
+    TaubinOptions options;
+    options.wavelength = 1.0;
+    taubinSmoothed(circle(100.0, 60001), options);
+    std::exit(threadsAlive() == before ? 0 : 1);
+  };
+  EXPECT_EXIT(smooth(), testing::ExitedWithCode(0), "");
 }
 
 TEST(Taubin, TooLittleToSmoothAndBadOptions)

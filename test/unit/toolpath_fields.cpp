@@ -20,6 +20,7 @@ POINT_CLOUD_REGISTER_POINT_STRUCT(TurnPoint,
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 using pcl_spiral::ToolpathFields;
 
@@ -132,6 +133,25 @@ TEST(ToolpathFields, AnyNumberTypeUnderAnyMemberName)
   EXPECT_EQ(point.whole_turns, 37);
   EXPECT_TRUE(point.guessed);
   EXPECT_EQ(point.spare, (std::array<float, 2>{7.0f, 8.0f}));
+}
+
+TEST(ToolpathFields, WhatAWholeNumberCannotHoldIsTheNearestItCan)
+{
+  Written written;
+  written.turn = -0.7f;
+  written.arc_length = 1e12;
+  auto point = written.to<OddPoint>();
+  EXPECT_EQ(point.whole_turns, 0);
+  EXPECT_EQ(point.whole_mm, std::numeric_limits<std::int32_t>::max());
+  written.turn = 70000.0f;
+  written.arc_length = -1e12;
+  point = written.to<OddPoint>();
+  EXPECT_EQ(point.whole_turns, 65535);
+  EXPECT_EQ(point.whole_mm, std::numeric_limits<std::int32_t>::lowest());
+  written.arc_length = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(written.to<OddPoint>().whole_mm, 0);
+  EXPECT_EQ(pcl_spiral::numberAs<std::int64_t>(9.3e18), std::numeric_limits<std::int64_t>::max());
+  EXPECT_EQ(pcl_spiral::numberAs<std::int64_t>(-2.9), -2);
 }
 
 TEST(ToolpathFields, ASpecialisationStandsForTheDefault)

@@ -154,7 +154,7 @@ smoothStretch(const Polyline& line, const TaubinOptions& o, bool closed)
   std::size_t piece = 0;
   for (std::size_t i = 0; i < sampled.size(); ++i)
     sampled[i] = given(at[i], piece);
-  const int threads = o.threads > 0 ? static_cast<int>(o.threads) : omp_get_num_procs();
+  const int threads = o.threads > 0 ? static_cast<int>(o.threads) : omp_get_max_threads();
   auto pass = [&](Index stride) {
     step(sampled, buffer, stride, o.lambda, closed, threads);
     step(sampled, buffer, stride, o.mu, closed, threads);

@@ -118,7 +118,7 @@ ellipticGabrielEdges(const std::vector<Eigen::Vector3f>& points, const std::vect
   if (points.empty())
     return {};
   const PointBlocks blocks(points);
-  const int threads = options.threads > 0 ? static_cast<int>(options.threads) : omp_get_num_procs();
+  const int threads = options.threads > 0 ? static_cast<int>(options.threads) : omp_get_max_threads();
   const std::vector<float> spacing = options.max_edge > 0.0
                                          ? localSpacings(blocks, options.candidates, threads)
                                          : std::vector<float>(points.size());

@@ -3,8 +3,11 @@
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/surface/gap_filling.h>
 #include <pcl_spiral/toolpath/boundary_choice.h>
+#include <pcl_spiral/toolpath/loop_check.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -56,51 +59,201 @@ nameLoops(const Polyline& kept, std::vector<BoundaryLoop>& loops)
   }
 }
 
+/** One run: what was given, and what of it is the user's own. */
+class Bridging {
+public:
+  Bridging(const std::vector<BoundaryLoop>& loops, BridgedSurface& bridged)
+      : loops_(loops), own_(loops.size(), 0), bridged_(bridged)
+  {
+  }
+
+  /** Loops that are not found on \p surface are the user's own. */
+  Status
+  findOwn(const Surface& surface, const std::function<bool(double)>& progress)
+  {
+    own_.assign(loops_.size(), 1);
+    for (std::size_t i = 0; i < loops_.size(); ++i)
+      if (const Status status = checkLoopShape(loops_[i], i); !status.ok())
+        return status;
+    if (loops_.size() < 2) // nothing to bridge, nothing to find again
+      return Status::success();
+    BoundaryOptions options;
+    options.progress = progress;
+    std::vector<BoundaryLoop> found;
+    if (const Status status = findBoundaryLoops(surface, options, found); status.code() == StatusCode::Cancelled)
+      return status;
+    for (std::size_t i = 0; i < loops_.size(); ++i)
+      own_[i] = std::none_of(found.begin(), found.end(), [&](const BoundaryLoop& loop) {
+        return loop.curve == loops_[i].curve && loop.points == loops_[i].points;
+      });
+    return Status::success();
+  }
+
+  /** Points for each loop that bounds a gap. */
+  Status
+  fill(const Surface& surface, BoundaryMode mode, GapHandling handling, std::vector<Eigen::Vector3f>& bridges)
+  {
+    if (const Status status = chooseBoundaries(loops_, mode, choice_); !status.ok())
+      return status;
+    for (std::size_t i = 0; i < loops_.size(); ++i) {
+      const BoundaryLoop& loop = loops_[i];
+      if (loop.type == LoopType::Outer || std::find(choice_.kept.begin(), choice_.kept.end(), &loop) != choice_.kept.end())
+        continue;
+      if (const Status status = checkGap(surface.graph(), i); !status.ok())
+        return status;
+      if (handling == GapHandling::Refuse)
+        return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(loop.points.front()), ", ", loop.length,
+                                                 " mm round: scan it again, or allow gaps to be bridged (setGapHandling)")};
+      const GapFill fill = fillGap(surface.graph(), loop.points);
+      bridged_.gaps.push_back({loop, fill.points.size(), fill.centre, fill.width, fill.residual});
+      bridged_.gaps.back().loop.type = LoopType::ScanGap;
+      bridged_.warnings.push_back(warningOf(bridged_.gaps.back()));
+      bridges.insert(bridges.end(), fill.points.begin(), fill.points.end());
+    }
+    return Status::success();
+  }
+
+  /** Nothing was put into the surface. */
+  void
+  keepAll()
+  {
+    bridged_.loops = loops_;
+    nameLoops(keptMiddles(), bridged_.loops);
+  }
+
+  /** Loops of the surface with what was put into it: the user's own as they are, others found again. */
+  Status
+  findAgain(const std::function<bool(double)>& progress)
+  {
+    const bool own_rim = isOwn(choice_.rim);
+    const bool find_holes = std::any_of(choice_.kept.begin(), choice_.kept.end(), [this](const auto* hole) { return !isOwn(hole); });
+    std::vector<BoundaryLoop>& loops = bridged_.loops;
+    if (!own_rim || find_holes) {
+      BoundaryOptions options;
+      options.progress = progress;
+      if (const Status status = findBoundaryLoops(*bridged_.surface, options, loops); !status.ok())
+        return status;
+      if (const Status status = nameFound(); !status.ok())
+        return status;
+    }
+    else
+      for (const BridgedGap& gap : bridged_.gaps)
+        if (gap.points == 0)
+          loops.push_back(gap.loop);
+    if (own_rim) { // takes the place of the one found
+      loops.erase(std::remove_if(loops.begin(), loops.end(), [](const auto& l) { return l.type == LoopType::Outer; }), loops.end());
+      loops.insert(loops.begin(), *choice_.rim);
+    }
+    for (const BoundaryLoop* hole : choice_.kept)
+      if (isOwn(hole)) {
+        loops.push_back(*hole);
+        loops.back().type = LoopType::Inner;
+      }
+    return Status::success();
+  }
+
+  /** The boundaries that are the user's own, on the surface as it is bridged: they may lead over a gap. */
+  Status
+  checkBoundaries() const
+  {
+    std::vector<const BoundaryLoop*> boundaries = choice_.kept;
+    boundaries.insert(boundaries.begin(), choice_.rim);
+    for (const BoundaryLoop* loop : boundaries)
+      if (isOwn(loop))
+        if (const Status status = checkLoop(bridged_.surface->graph(), *loop, indexOf(loop)); !status.ok())
+          return status;
+    return Status::success();
+  }
+
+private:
+  std::size_t indexOf(const BoundaryLoop* loop) const { return static_cast<std::size_t>(loop - loops_.data()); }
+  bool isOwn(const BoundaryLoop* loop) const { return loop && own_[indexOf(loop)] != 0; }
+  Polyline
+  keptMiddles() const
+  {
+    Polyline middles;
+    for (const BoundaryLoop* hole : choice_.kept)
+      middles.push_back(middleOf(*hole));
+    return middles;
+  }
+  /** Names of the loops found again; those of the user's own holes are left out, for these take their place. */
+  Status
+  nameFound()
+  {
+    std::vector<BoundaryLoop>& loops = bridged_.loops;
+    nameLoops(keptMiddles(), loops);
+    for (const BoundaryLoop* hole : choice_.kept) {
+      const Eigen::Vector3d middle = middleOf(*hole);
+      auto nearest = loops.end();
+      for (auto loop = loops.begin(); loop != loops.end(); ++loop)
+        if (loop->type == LoopType::Inner &&
+            (nearest == loops.end() || (middleOf(*loop) - middle).norm() < (middleOf(*nearest) - middle).norm()))
+          nearest = loop;
+      if (nearest == loops.end() && !isOwn(hole))
+        return {StatusCode::Failed, textOf("the hole about ", placeText(middle), ", a boundary of the part, was lost when gaps "
+                                           "were bridged: refuse gaps to see them (setGapHandling)")};
+      if (nearest != loops.end() && isOwn(hole))
+        loops.erase(nearest);
+    }
+    return Status::success();
+  }
+
+  /** Ok, or loop \p i is the user's own and no gap of this surface. */
+  Status
+  checkGap(const SurfaceGraph& graph, std::size_t i) const
+  {
+    if (!own_[i])
+      return Status::success();
+    if (const Status status = checkLoop(graph, loops_[i], i); !status.ok())
+      return status;
+    if (const std::size_t inside = pointsInside(graph, loops_[i].points); inside > 0)
+      return {StatusCode::InvalidInput,
+              textOf("loop ", i, " at ", placeText(loops_[i].points.front()), " is to be bridged, but ", inside,
+                     " points of the surface lie inside it: give loops of this very cloud, or none to have them found")};
+    return Status::success();
+  }
+
+  const std::vector<BoundaryLoop>& loops_;
+  std::vector<std::uint8_t> own_; ///< a flag a loop
+  BridgedSurface& bridged_;
+  BoundaryChoice choice_;
+};
+
+Status
+bridge(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, BoundaryMode mode, GapHandling handling,
+       const ProgressCallback& progress, LoopOrigin origin, BridgedSurface& bridged)
+{
+  Bridging bridging(loops, bridged);
+  const double begin = origin == LoopOrigin::Given ? 0.5 : 0.0; // of finding loops again
+  if (origin == LoopOrigin::Given)
+    if (const Status status = bridging.findOwn(*surface, partOf(progress, 0.0, begin, "boundaries")); !status.ok())
+      return status;
+  std::vector<Eigen::Vector3f> bridges;
+  if (const Status status = bridging.fill(*surface, mode, handling, bridges); !status.ok())
+    return status;
+  if (bridges.empty()) {
+    bridged.surface = std::move(surface);
+    bridging.keepAll();
+    return bridging.checkBoundaries();
+  }
+  if (const Status status = addPoints(std::move(surface), bridges, bridged.surface); !status.ok())
+    return status;
+  if (const Status status = bridging.findAgain(partOf(progress, begin, 1.0, "boundaries")); !status.ok())
+    return status;
+  return bridging.checkBoundaries();
+}
+
 } // namespace
 
 Status
 bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, BoundaryMode mode, GapHandling handling,
-           const ProgressCallback& progress, BridgedSurface& bridged)
+           const ProgressCallback& progress, BridgedSurface& bridged, LoopOrigin origin)
 {
   bridged = BridgedSurface();
-  BoundaryChoice choice;
-  if (const Status status = chooseBoundaries(loops, mode, choice); !status.ok())
-    return status;
-  Polyline kept;
-  for (const BoundaryLoop* hole : choice.kept)
-    kept.push_back(middleOf(*hole));
-  std::vector<Eigen::Vector3f> bridges;
-  for (const BoundaryLoop& loop : loops) {
-    if (loop.type == LoopType::Outer || std::find(choice.kept.begin(), choice.kept.end(), &loop) != choice.kept.end())
-      continue;
-    if (handling == GapHandling::Refuse)
-      return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(loop.points.front()), ", ", loop.length,
-                                               " mm round: scan it again, or allow gaps to be bridged (setGapHandling)")};
-    const GapFill fill = fillGap(surface->graph(), loop.points);
-    bridged.gaps.push_back({loop, fill.points.size(), fill.centre, fill.width, fill.residual});
-    bridged.gaps.back().loop.type = LoopType::ScanGap;
-    bridged.warnings.push_back(warningOf(bridged.gaps.back()));
-    bridges.insert(bridges.end(), fill.points.begin(), fill.points.end());
-  }
-  if (bridges.empty()) {
-    bridged.surface = std::move(surface);
-    bridged.loops = loops;
-    nameLoops(kept, bridged.loops);
-    return Status::success();
-  }
-  if (const Status status = addPoints(std::move(surface), bridges, bridged.surface); !status.ok())
-    return status;
-  BoundaryOptions options;
-  options.progress = partOf(progress, 0.0, 1.0, "boundaries");
-  if (const Status status = findBoundaryLoops(*bridged.surface, options, bridged.loops); !status.ok())
-    return status;
-  nameLoops(kept, bridged.loops);
-  const auto left = std::count_if(bridged.loops.begin(), bridged.loops.end(),
-                                  [](const BoundaryLoop& loop) { return loop.type == LoopType::Inner; });
-  if (static_cast<std::size_t>(left) < kept.size())
-    return {StatusCode::Failed, textOf("the hole about ", placeText(kept[left]), ", a boundary of the part, was lost when gaps "
-                                       "were bridged: refuse gaps to see them (setGapHandling)")};
-  return Status::success();
+  const Status status = bridge(std::move(surface), loops, mode, handling, progress, origin, bridged);
+  if (!status.ok())
+    bridged = BridgedSurface();
+  return status;
 }
 
 } // namespace pcl_spiral

@@ -7,6 +7,7 @@
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/self_crossing.h>
 #include <pcl_spiral/toolpath/boundary_choice.h>
+#include <pcl_spiral/toolpath/loop_check.h>
 #include <pcl_spiral/toolpath/surface_centre.h>
 
 #include <algorithm>
@@ -77,7 +78,7 @@ private:
   }
 
   Status
-  findCentre(const MlsSurface& surface, const BoundaryLoop& rim, Eigen::Vector3d& centre) const
+  findCentre(const MlsSurface& surface, const BoundaryLoop& rim, Eigen::Vector3d& centre)
   {
     const auto asked = settings_.centre;
     const auto found = asked ? std::nullopt : balancedCentre(MlsSurface(graph_), rim.curve);
@@ -90,6 +91,26 @@ private:
                      " does not lie on the surface: give a point within three ", "spacings (",
                      3.0 * graph_.spacing(), " mm) of the cloud, inside its rim, or none")};
     centre = foot.position;
+    result_.lines.centre = centre;
+    result_.lines.centre_settled = asked || found->settled;
+    return Status::success();
+  }
+
+  /** Warn of holes that are no boundary, or refuse them. */
+  Status
+  lookAtHoles(const BoundaryChoice& choice)
+  {
+    for (const BoundaryLoop& loop : result_.loops) {
+      if (&loop == choice.rim || &loop == choice.inner)
+        continue;
+      if (settings_.gaps == GapHandling::Refuse)
+        return {StatusCode::InvalidInput,
+                textOf("the scan has a gap at ", placeText(loop.points.front()), ", ", loop.length,
+                       " mm round: scan it again, or allow the path to run over it (setGapHandling)")};
+      result_.warnings.push_back(
+          textOf("the hole at ", placeText(loop.points.front()), ", ", loop.length,
+                 " mm round, is not bridged: the published method has no means for it"));
+    }
     return Status::success();
   }
 
@@ -99,11 +120,8 @@ private:
     BoundaryChoice choice;
     if (const Status status = chooseBoundaries(result_.loops, settings_.boundary_mode, choice); !status.ok())
       return status;
-    for (const BoundaryLoop& loop : result_.loops)
-      if (&loop != choice.rim && &loop != choice.inner)
-        result_.warnings.push_back(
-            textOf("the hole at ", placeText(loop.points.front()), ", ", loop.length,
-                   " mm round, is not bridged: the published method has no means for it"));
+    if (const Status status = lookAtHoles(choice); !status.ok())
+      return status;
     PublishedLineRequest request{
         surface, *choice.rim, choice.inner, {}, settings_.start_point, settings_.chord_error, {}};
     request.progress = from(0.15, 0.5, "radial lines");
@@ -170,6 +188,8 @@ planPublishedWithin(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& 
                     const SpiralSettings& settings, const ProgressCallback& progress, PublishedResult& result)
 {
   result = PublishedResult();
+  if (const Status status = checkLoops(graph, loops); !status.ok())
+    return status;
   result.loops = loops;
   return PublishedRun(graph, settings, progress, result).makePath();
 }

@@ -29,11 +29,10 @@ degrees(double radians)
   return radians * 180.0 / M_PI;
 }
 
-/** Whether there is no point of the scan near, but perhaps one that was put into a gap. */
 bool
 isOverGap(const SurfaceFoot& foot, const Surface& surface)
 {
-  return foot.nearest_distance > gap_in_spacings * surface.graph().spacing(foot.nearest) || surface.isGuessed(foot.nearest);
+  return isOverGap(surface, foot.nearest, foot.nearest_distance);
 }
 
 /** Steps that projection stretched beyond the longest one get a point in their middle. Those beyond the slack are left for
@@ -73,6 +72,14 @@ halveStretchedSteps(const Surface& surface, double longest, SpiralPath& path)
   path = std::move(halved);
 }
 
+} // namespace
+
+bool
+isOverGap(const Surface& surface, std::uint32_t nearest, double distance)
+{
+  return distance > gap_in_spacings * surface.graph().spacing(nearest) || surface.isGuessed(nearest);
+}
+
 Status
 measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& figures)
 {
@@ -88,8 +95,6 @@ measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& 
   }
   return Status::success();
 }
-
-} // namespace
 
 Status
 putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings,

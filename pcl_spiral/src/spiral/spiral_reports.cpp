@@ -5,8 +5,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace pcl_spiral {
+namespace {
+
+void
+markGaps(const Surface& surface, const Polyline& contacts, std::vector<std::uint8_t>& over_gap)
+{
+  const auto count = static_cast<std::int64_t>(contacts.size());
+  over_gap.resize(contacts.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i) {
+    const std::uint32_t nearest = surface.graph().blocks().nearest(contacts[i]);
+    over_gap[i] = isOverGap(surface, nearest, (surface.position(nearest) - contacts[i]).norm());
+  }
+}
+
+} // namespace
 
 double
 lineTolerance(const SpiralSettings& settings)
@@ -40,6 +56,13 @@ reportSurface(const Surface& surface, bool made, SpiralReport& report)
 }
 
 void
+reportNoise(const Surface& surface, const SpiralSettings& settings, SpiralReport& report)
+{
+  if (const auto warning = noiseWarning(surface.fit(), "scallop height", settings.scallop_height))
+    report.warnings.push_back(*warning);
+}
+
+void
 reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, SpiralReport& report)
 {
   report.loops = bridged.loops;
@@ -56,8 +79,7 @@ reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, Spira
   report.noise = surface.noise();
   report.projection_neighbours = surface.fit().neighbours();
   report.warnings.insert(report.warnings.end(), bridged.warnings.begin(), bridged.warnings.end());
-  if (const auto warning = noiseWarning(surface.fit(), "scallop height", settings.scallop_height))
-    report.warnings.push_back(*warning);
+  reportNoise(surface, settings, report);
 }
 
 void
@@ -121,13 +143,19 @@ reportTurns(const SpiralTurns& turns, SpiralReport& report)
 }
 
 void
-reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& path, SpiralReport& report)
+reportGaps(const GapFigures& gaps, SpiralReport& report)
 {
   report.gap_points = gaps.points;
   report.gap_length = gaps.length;
   if (gaps.points > 0)
     report.warnings.push_back(textOf(gaps.points, " path points, ", gaps.length,
                                      " mm, lie over gaps of the scan, where the surface is a guess; they are marked"));
+}
+
+void
+reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& path, SpiralReport& report)
+{
+  reportGaps(gaps, report);
   report.largest_axis_change = axes.largest_change;
   report.largest_axis_rate = axes.largest_rate;
   report.largest_axis_deviation = axes.largest_deviation;
@@ -144,7 +172,8 @@ reportPublished(const Surface& surface, const SpiralSettings& settings, Publishe
                 SpiralPath& path)
 {
   const PublishedFigures& figures = published.figures;
-  reportLines(published.lines, settings, report);
+  if (!published.lines.lines.empty())
+    reportLines(published.lines, settings, report);
   report.loops = std::move(published.loops);
   report.unsettled_lines = figures.unsettled_lines;
   report.largest_unsettled = figures.largest_line_move;
@@ -152,15 +181,13 @@ reportPublished(const Surface& surface, const SpiralSettings& settings, Publishe
   report.largest_allowed_step = figures.step;
   report.largest_gap = figures.longest_move;
   report.largest_axis_change = figures.largest_axis_change;
+  report.warnings.insert(report.warnings.end(), published.warnings.begin(), published.warnings.end());
+  if (published.axes.empty()) // it failed before there was a path
+    return;
   report.turns = static_cast<std::size_t>(std::lround(std::abs(published.turns.back() - published.turns.front())));
   report.path_points = published.contacts.size();
   report.path_length = published.arc_lengths.back();
-  report.warnings.insert(report.warnings.end(), published.warnings.begin(), published.warnings.end());
-  path.over_gap.assign(published.contacts.size(), 0);
-  for (std::size_t i = 0; surface.counts().guessed > 0 && i < path.over_gap.size(); ++i) {
-    path.over_gap[i] = surface.isGuessed(surface.graph().blocks().nearest(published.contacts[i]));
-    report.gap_points += path.over_gap[i];
-  }
+  markGaps(surface, published.contacts, path.over_gap);
   path.contacts = std::move(published.contacts);
   path.normals = std::move(published.normals);
   path.axes = std::move(published.axes);

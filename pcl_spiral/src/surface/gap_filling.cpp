@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace pcl_spiral {
 namespace {
@@ -83,7 +84,35 @@ insidePolygon(const std::vector<Eigen::Vector3d>& polygon, double u, double v)
   return inside;
 }
 
+double
+distanceTo(const std::vector<Eigen::Vector3d>& polygon, const Eigen::Vector2d& p)
+{
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Eigen::Vector2d a = polygon[j].head<2>(), d = polygon[i].head<2>() - a;
+    const double share = d.squaredNorm() > 0.0 ? std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0) : 0.0;
+    least = std::min(least, (a + share * d - p).norm());
+  }
+  return least;
+}
+
 } // namespace
+
+std::size_t
+pointsInside(const SurfaceGraph& graph, const Polyline& loop)
+{
+  constexpr double depth = 1.5; // spacings from the loop
+  if (loop.size() < 3)
+    return 0;
+  const GapFrame frame = frameOf(graph, loop);
+  std::vector<Eigen::Vector3d> polygon;
+  for (const Eigen::Vector3d& p : loop)
+    polygon.push_back(frame.local(p));
+  const std::vector<Eigen::Vector3d> about = pointsAbout(graph, frame);
+  return static_cast<std::size_t>(std::count_if(about.begin(), about.end(), [&](const Eigen::Vector3d& p) {
+    return insidePolygon(polygon, p.x(), p.y()) && distanceTo(polygon, p.head<2>()) > depth * graph.spacing();
+  }));
+}
 
 GapFill
 fillGap(const SurfaceGraph& graph, const Polyline& loop)

@@ -232,6 +232,7 @@ makeSurface(SurfacePoints points, const SurfaceSettings& settings, const Surface
 Status
 addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges, Surface::ConstPtr& result)
 {
+  result.reset();
   Surface::Parts parts;
   parts.settings = surface->settings();
   parts.counts = surface->counts();
@@ -254,9 +255,12 @@ addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges
   if (const Status status = parts.graph.build(std::move(points), options); !status.ok())
     return status;
   ++parts.counts.passes;
-  const bool strict = parts.settings.strict;
-  result = std::make_shared<Surface>(std::move(parts));
-  return strict ? checkSingleSheet(*result) : Status::success();
+  const auto made = std::make_shared<const Surface>(std::move(parts));
+  if (made->settings().strict)
+    if (const Status status = checkSingleSheet(*made); !status.ok())
+      return status;
+  result = made;
+  return Status::success();
 }
 
 } // namespace pcl_spiral

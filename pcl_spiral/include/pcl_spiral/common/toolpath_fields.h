@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
+#include <limits>
 #include <type_traits>
 
 // The names by which the fields are found. A point type that has one declares it again, which does no harm.
@@ -33,7 +35,25 @@ namespace pcl_spiral {
 template <typename PointT, typename Field>
 constexpr bool has_toolpath_field = pcl::traits::has_field<PointT, Field>::value;
 
-/** Write a number to the field of that name, converted as static_cast does; nothing without that field. */
+/** \p value as a number of another type: as static_cast does, but a whole number ends at the ends of its range, and is 0 for
+ *  what is not a number, where the cast is undefined. */
+template <typename Type, typename Number>
+Type
+numberAs(Number value)
+{
+  if constexpr (std::is_integral_v<Type> && !std::is_same_v<Type, bool> && std::is_floating_point_v<Number>) {
+    using Limits = std::numeric_limits<Type>;
+    if (std::isnan(value))
+      return 0;
+    if (value <= static_cast<Number>(Limits::lowest()))
+      return Limits::lowest();
+    if (value >= static_cast<Number>(Limits::max())) // which may be rounded up: it is the next power of two then
+      return Limits::max();
+  }
+  return static_cast<Type>(value);
+}
+
+/** Write a number to the field of that name, converted by numberAs; nothing without that field. */
 template <typename Field, typename PointT, typename Number>
 void
 setFieldIfPresent(PointT& point, Number value)
@@ -43,7 +63,7 @@ setFieldIfPresent(PointT& point, Number value)
     static_assert(std::is_arithmetic_v<Type>,
                   "a toolpath writes numbers: register this field as a number, not as an array, or "
                   "specialise pcl_spiral::ToolpathFields for the point type");
-    pcl::setFieldValue(point, pcl::traits::offset<PointT, Field>::value, static_cast<Type>(value));
+    pcl::setFieldValue(point, pcl::traits::offset<PointT, Field>::value, numberAs<Type>(value));
   }
 }
 
@@ -61,7 +81,8 @@ setFieldIfPresent(PointT& point, Number value)
  *  | turn | count of turns, with the fraction |
  *  | over_gap | 1 where the scan has a gap that was bridged, else 0 |
  *
- *  A field may be of any number type. For a type with other names, or that keeps something else, specialise
+ *  A field may be of any number type; in one of whole numbers the digits behind the point are dropped, and what lies beyond its
+ *  range comes out as the nearest end of it: -0.7 as 0 in an unsigned one. For a type with other names, or that keeps something else, specialise
  *  the struct before the type is used as an output:
  *  \code
  *  template <> struct pcl_spiral::ToolpathFields<Station> {

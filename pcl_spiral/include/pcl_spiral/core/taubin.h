@@ -14,7 +14,7 @@ struct TaubinOptions {
   double mu = -0.53;               ///< and back; at most -lambda
   bool closed = false;             ///< the last point is joined to the first
   std::vector<std::size_t> pinned; ///< points kept exactly, corners; the smoothing does not look across them
-  unsigned int threads = 0;        ///< 0: all; the result does not depend on it
+  unsigned int threads = 0;        ///< 0: as many as a ThreadLimit leaves, or all; the result does not depend on it
 };
 
 /** Taubin smoothing (Taubin 1995, lambda | mu): p += lambda L p, then p += mu L p, with L p the middle of the

@@ -19,7 +19,7 @@ enum class LoopType {
 
 /** A closed, oriented loop: the surface lies on its left, seen from outside the material. Millimetres. */
 struct BoundaryLoop {
-  std::vector<std::uint32_t> indices; ///< the loop's points, in order, as indices into the input cloud
+  std::vector<std::uint32_t> indices; ///< in order, into the input cloud; Surface::no_source (0xFFFFFFFF): put into a gap
   Polyline points;                    ///< the same as positions
   Polyline curve;                     ///< the outline without the jaggedness of sampling, corners kept; closed
   std::vector<std::size_t> corners;   ///< entries of curve at which the outline turns sharply

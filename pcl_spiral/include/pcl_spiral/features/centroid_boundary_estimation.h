@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/features/boundary_evidence.h>
 
 #include <pcl/features/boundary.h>
@@ -14,7 +15,7 @@
 namespace pcl_spiral {
 namespace detail {
 
-/** Tell a base class that has setNumberOfThreads. */
+/** Tell a base class that has setNumberOfThreads, as that of PCL from 2026 on. */
 template <typename BaseT>
 auto
 setThreadsOfBase(BaseT& base, unsigned int threads, int) -> decltype(base.BaseT::setNumberOfThreads(threads))
@@ -98,18 +99,21 @@ public:
   }
 
   /** Threads to use; 0, the default, means all. The output does not depend on it. The search method must
-   * allow queries at the same time, as those of PCL do. Newer PCL (2026) has this method in the base class: it is told the
-   * same number. */
+   * allow queries at the same time, as those of PCL do. Newer PCL (2026) has this method in the base class, where it is not
+   * virtual: the base is told the same number, and a number told to the base afterwards counts as well. */
   void
   setNumberOfThreads(unsigned int threads = 0)
   {
     thread_count_ = threads;
-    detail::setThreadsOfBase(static_cast<Base&>(*this), threads, 0);
+    if (checkThreads(threads).ok())
+      detail::setThreadsOfBase(static_cast<Base&>(*this), threads, 0);
+    told_base_ = threadsOfBase(*this, 0);
   }
   unsigned int
   getNumberOfThreads() const
   {
-    return thread_count_;
+    const unsigned int of_base = threadsOfBase(*this, 0);
+    return of_base != told_base_ ? of_base : thread_count_;
   }
 
   /** Build the search structure anew at the next compute. Needed when points of the input cloud were changed
@@ -165,10 +169,25 @@ private:
   Status checkSearch() const;
   bool evaluate(std::size_t index, BoundaryEvidence& evidence) const;
 
+  /** The number that the base class keeps; 0 where it keeps none, as PCL's before 2026. */
+  template <typename SelfT>
+  static auto
+  threadsOfBase(const SelfT& self, int) -> decltype(static_cast<unsigned int>(self.threads_))
+  {
+    return static_cast<unsigned int>(self.threads_);
+  }
+  template <typename SelfT>
+  static unsigned int
+  threadsOfBase(const SelfT&, long)
+  {
+    return 0;
+  }
+
   BoundaryCriterion criterion_ = BoundaryCriterion::Combined;
   double offset_threshold_ = 0.31;
   double mu_ = 1.0;
   unsigned int thread_count_ = 0;
+  unsigned int told_base_ = 0; ///< what the base keeps of the number it was told here
   bool rebuild_search_ = false;
   std::vector<float> scores_, offsets_, gaps_;
   Status status_;

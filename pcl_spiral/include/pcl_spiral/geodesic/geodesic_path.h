@@ -65,6 +65,7 @@ public:
   int getKSearch() const { return fit_neighbours_; }
   /** The former name. */
   [[deprecated("setKSearch")]] void setFitNeighbours(int neighbours) { setKSearch(neighbours); }
+  [[deprecated("getKSearch")]] int getFitNeighbours() const { return getKSearch(); }
 
   /** Find the paths, in the order of the targets. On failure (see getStatus) those not found are empty, or all. */
   void compute(std::vector<PointCloud>& paths);

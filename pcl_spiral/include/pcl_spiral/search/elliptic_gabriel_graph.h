@@ -55,6 +55,11 @@ public:
   {
     setKSearch(k);
   }
+  [[deprecated("getKSearch")]] int
+  getNumberOfCandidates() const
+  {
+    return getKSearch();
+  }
 
   /** Longest edge in local spacings; 3.5 by default, 0 for any. It keeps the graph from bridging holes. */
   void

@@ -15,7 +15,7 @@ struct GabrielOptions {
   int candidates = 32;   ///< nearest neighbours of a point that can become its neighbours
   double max_edge = 3.5; ///< in local spacings, the larger of both ends; 0: any length
   double max_normal_angle = 0.0; ///< between the normals of both ends; 0: any
-  unsigned int threads = 0;      ///< 0: all; the result does not depend on it
+  unsigned int threads = 0;      ///< 0: as many as a ThreadLimit leaves, or all; the result does not depend on it
 };
 
 /** Elliptic Gabriel graph (Park, Shin, Choi 2006): p and q are joined iff no other point lies inside the

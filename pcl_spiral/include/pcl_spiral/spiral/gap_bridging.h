@@ -29,15 +29,22 @@ struct BridgedSurface {
   std::vector<std::string> warnings; ///< one a gap
 };
 
+/** Where loops come from. */
+enum class LoopOrigin {
+  Found, ///< findBoundaryLoops found them on this very surface: boundaries are found again once gaps are bridged
+  Given  ///< from outside: those that findBoundaryLoops does not find on the surface are checked, and kept as they are
+};
+
 /** Bridge all holes of a surface but the one that BoundaryMode keeps as second boundary. \p surface is given up before a new
- *  one is made. Fails where chooseBoundaries does, and on a gap with GapHandling::Refuse. */
+ *  one is made. Fails where chooseBoundaries does, on a gap with GapHandling::Refuse, and on given loops that do not belong to
+ *  the surface (checkLoop) or have points of it where they name a gap; \p bridged is empty then. */
 Status
 bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, BoundaryMode mode, GapHandling handling,
-           const ProgressCallback& progress, BridgedSurface& bridged);
+           const ProgressCallback& progress, BridgedSurface& bridged, LoopOrigin origin = LoopOrigin::Given);
 
 /** Bridges gaps in the data: every hole that is no boundary of the part is filled with points of a bicubic patch fitted to the
- *  surface about it, and the boundaries are found again. What was put in is a guess: Surface::isGuessed tells it, and
- *  paths over it are marked.
+ *  surface about it, and the boundaries are found again; an outline of the user's own is kept. What was put in is a guess:
+ *  Surface::isGuessed tells it, and paths over it are marked.
  *
  *  Takes a cloud or a surface, see SurfaceInput, and its loops; gives a new surface and its loops for RadialLines and
  *  SpiralToolpathGenerator. Where there is nothing to bridge both are those given. Lengths in mm.
@@ -48,7 +55,7 @@ public:
   using Ptr = pcl::shared_ptr<GapBridging>;
   using ConstPtr = pcl::shared_ptr<const GapBridging>;
 
-  /** The surface's loops, as BoundaryLoops gives them. None, the default: they are found. */
+  /** The surface's loops, as BoundaryLoops gives them, or a user's own. None, the default: they are found. */
   void setBoundaryLoops(const std::vector<BoundaryLoop>& loops) { given_loops_ = loops; }
   const std::vector<BoundaryLoop>& getBoundaryLoops() const { return given_loops_; }
 

@@ -72,12 +72,13 @@ struct PublishedResult {
  * are those of this library: what is published says nothing of them.
  *
  *  Of \p settings it takes radius, scallop height, chord error, longest step, tilt and lead, centre, start
- * point, boundary mode, direction and sense. Call within a ThreadLimit for a number of threads; the same
+ * point, boundary mode, gap handling, direction and sense. Call within a ThreadLimit for a number of threads; the same
  * bytes for any. */
 Status planPublished(const SurfaceGraph& graph, const SpiralSettings& settings,
                      const ProgressCallback& progress, PublishedResult& result);
 
-/** The same between \p loops that were found by other means, in place of equation (1) and the walk. */
+/** The same between \p loops that were found by other means, in place of equation (1) and the walk; refused where they do not
+ * belong to the surface (checkLoops). */
 Status planPublishedWithin(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& loops,
                            const SpiralSettings& settings, const ProgressCallback& progress,
                            PublishedResult& result);

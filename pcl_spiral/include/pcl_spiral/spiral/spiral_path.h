@@ -26,7 +26,7 @@ struct SpiralPath {
   std::vector<std::uint8_t> over_gap; ///< 1 where the scan has a gap
 };
 
-/** What putOnSurface met. */
+/** What measureGaps met. */
 struct GapFigures {
   std::size_t points = 0; ///< of the path, over gaps of the scan
   double length = 0.0;    ///< of the path between them, mm
@@ -48,6 +48,15 @@ struct PathFigures {
   double length = 0.0;      ///< mm
   double largest_gap = 0.0; ///< longest linear move, mm
 };
+
+/** Whether there is no point of the scan near a place, but perhaps one that was put into a gap: \p nearest is the nearest point
+ *  of \p surface, \p distance off, mm. */
+bool
+isOverGap(const Surface& surface, std::uint32_t nearest, double distance);
+
+/** Count what is marked in \p path. Fails at the first mark with GapHandling::Refuse. */
+Status
+measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& figures);
 
 /** Put \p curve on \p surface: contacts, normals, turns and gap marks of \p path. Fails where the curve leaves the surface,
  *  where the cutter does not fit, and over a gap with GapHandling::Refuse. Steps that are stretched beyond \p longest_step, mm,

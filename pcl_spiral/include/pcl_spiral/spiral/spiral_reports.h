@@ -24,7 +24,11 @@ lineFitTolerance(const SpiralSettings& settings);
 void
 reportSurface(const Surface& surface, bool made, SpiralReport& report);
 
-/** Loops and bridged gaps, and what the scan's noise means for the scallop height. */
+/** What the scan's noise means for the scallop height. */
+void
+reportNoise(const Surface& surface, const SpiralSettings& settings, SpiralReport& report);
+
+/** Loops and bridged gaps, and noise. */
 void
 reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, SpiralReport& report);
 
@@ -39,10 +43,15 @@ reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, Spi
 void
 reportTurns(const SpiralTurns& turns, SpiralReport& report);
 
+/** Path points over gaps, with a warning where there are some. */
+void
+reportGaps(const GapFigures& gaps, SpiralReport& report);
+
 void
 reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& path, SpiralReport& report);
 
-/** What the published chain came to on \p surface; its arrays become those of \p path. */
+/** What the published chain came to on \p surface, as far as it got; the arrays of a whole path become those of \p path, with
+ *  marks of gaps. */
 void
 reportPublished(const Surface& surface, const SpiralSettings& settings, PublishedResult& published, SpiralReport& report,
                 SpiralPath& path);

@@ -30,7 +30,8 @@ Status
 makeTurns(const RadialLineSet& lines, double spacing, double area, const SpiralSettings& settings, SpiralTurns& turns);
 
 /** Ok, or what is wrong with \p lines from elsewhere, for a surface of this \p spacing: none or few, not in order, feet that
- *  are not finite or left the surface, no rim. Says which line, and where. */
+ *  are not finite or left the surface, levels out of range or none 0, no rim, an inner boundary of one or two points. Says
+ *  which line, and where. */
 Status
 checkLines(const RadialLineSet& lines, double spacing);
 

@@ -6,6 +6,7 @@
 #include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/search/surface_graph.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace pcl_spiral {
@@ -22,5 +23,9 @@ struct GapFill {
  *  to the cloud within one gap's width of it. For gaps no wider than the surface is smooth. */
 GapFill
 fillGap(const SurfaceGraph& graph, const Polyline& loop);
+
+/** How many points of the cloud lie inside \p loop, and more than 1.5 spacings from it: none where there is a gap. */
+std::size_t
+pointsInside(const SurfaceGraph& graph, const Polyline& loop);
 
 } // namespace pcl_spiral

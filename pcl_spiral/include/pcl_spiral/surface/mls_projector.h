@@ -52,6 +52,7 @@ public:
   int getKSearch() const { return neighbours_; }
   /** The former name. */
   [[deprecated("setKSearch")]] void setNeighbours(int neighbours) { setKSearch(neighbours); }
+  [[deprecated("getKSearch")]] int getNeighbours() const { return getKSearch(); }
 
   /** As in pcl::MovingLeastSquares the radius of one fit, mm: it takes pi (radius / spacing)^2 neighbours. 0, the default:
    *  setKSearch counts. Not both. */

@@ -106,6 +106,9 @@ public:
 
   const Status& getStatus() const { return status_; }
 
+  /** Ok, or the input normals are not one a point of a cloud of \p size. */
+  Status checkNormals(std::size_t size) const;
+
 private:
   Status check() const;
   Status filter(UsablePoints& usable, SurfaceCounts& counts, std::vector<std::uint32_t>& dropped,

@@ -63,13 +63,46 @@ public:
     return largest_group_;
   }
 
-  /** Forgets the last outcome. */
+  /** Threads to use; 0, the default, means all. The choice does not depend on it. */
+  void
+  setNumberOfThreads(unsigned int threads = 0)
+  {
+    thread_count_ = threads;
+  }
+  unsigned int
+  getNumberOfThreads() const
+  {
+    return thread_count_;
+  }
+
+  /** Forgets the last outcome; a null pointer is a failure at once. */
   void
   setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
   {
-    status_ = Status();
+    status_ = cloud ? Status() : missingCloud();
     figures_ = StrayFigures();
+    this->removed_indices_->clear();
     pcl::FilterIndices<PointT>::setInputCloud(cloud);
+  }
+
+  /** As in pcl::Filter; here the output is empty without a cloud, too, where pcl::Filter::filter, called through a pointer to
+   *  it, leaves the output as it was and the filter does not learn of the call. */
+  void
+  filter(pcl::PointCloud<PointT>& output)
+  {
+    if (hasCloud())
+      pcl::FilterIndices<PointT>::filter(output);
+    else
+      output.clear();
+  }
+  /** \copydoc filter */
+  void
+  filter(pcl::Indices& indices)
+  {
+    if (hasCloud())
+      pcl::FilterIndices<PointT>::filter(indices);
+    else
+      indices.clear();
   }
 
   /** Of the last call of filter: what is wrong with the points where they form no surface. */
@@ -88,10 +121,17 @@ protected:
   void applyFilter(pcl::Indices& indices) override;
 
 private:
+  static Status
+  missingCloud()
+  {
+    return {StatusCode::InvalidInput, "the input cloud is missing: call setInputCloud with points"};
+  }
+  bool hasCloud();
   Status choose(pcl::Indices& kept, pcl::Indices& removed);
   std::vector<std::array<float, 3>> placesToLeaveOut(const std::vector<Eigen::Vector3f>& strays, double reach);
 
   std::size_t largest_group_ = 0;
+  unsigned int thread_count_ = 0;
   Status status_;
   StrayFigures figures_;
 };

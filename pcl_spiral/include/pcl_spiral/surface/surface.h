@@ -124,14 +124,15 @@ struct SurfacePoints {
 
 /** Make a surface of \p points by \p settings, whose filters have been run already: leave outliers, surplus points and specks
  *  out, orient, and with largest_part keep the largest part. \p why has for each of the points given whether and why it was
- *  left out (-1: it was not), or is empty: none was. \p counts holds what was dropped before. Fails on fewer than 50 points, where the points form no
- *  surface, and when strict, where more than a tenth of them stand alone or where they scatter by more than 0.35 spacings. */
+ *  left out (-1: it was not), or is empty: none was. \p counts holds what was dropped before. Fails on fewer than 50 points,
+ *  where the points form no surface, and when strict, where more than a tenth of them stand alone. How far they scatter is not
+ *  looked at here: checkSingleSheet does, for ScannedSurface. */
 Status
 makeSurface(SurfacePoints points, const SurfaceSettings& settings, const SurfaceCounts& counts, Surface::Parts& parts,
             std::vector<std::int8_t>& why);
 
 /** Make a surface of \p surface and further points, such as \p bridges over a gap. \p surface is given up before the new
- *  one is made, so that no two stand in memory where the caller has moved the only reference. */
+ *  one is made, so that no two stand in memory where the caller has moved the only reference. \p result is null on failure. */
 Status
 addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges, Surface::ConstPtr& result);
 

@@ -3,7 +3,9 @@
  */
 #pragma once
 
+#include <pcl_spiral/common/message.h>
 #include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/search/usable_points.h>
 #include <pcl_spiral/surface/scanned_surface.h>
 
 #include <pcl/console/print.h>
@@ -33,7 +35,7 @@ public:
   }
 
   /** Work on this surface, made by ScannedSurface or by another stage. The settings below that belong to making it must be
-   *  at their defaults, or as the surface was made. */
+   *  at their defaults, or as the surface was made; normals, which tell its side, must be null. */
   void setInputSurface(const Surface::ConstPtr& surface) { given_surface_ = surface; }
   Surface::ConstPtr getInputSurface() const { return given_surface_; }
 
@@ -51,6 +53,19 @@ public:
   void setFlipNormals(bool flip) { scanned_.setFlipNormals(flip); }
   bool getFlipNormals() const { return scanned_.getFlipNormals(); }
 
+  /** \see ScannedSurface::setThinning */
+  void setThinning(double voxel_edge) { scanned_.setThinning(voxel_edge); }
+  double getThinning() const { return scanned_.getThinning(); }
+
+  /** \see ScannedSurface::setOutlierRemoval */
+  void setOutlierRemoval(int neighbours, double deviations = 3.0) { scanned_.setOutlierRemoval(neighbours, deviations); }
+  int getOutlierNeighbours() const { return scanned_.getOutlierNeighbours(); }
+  double getOutlierDeviations() const { return scanned_.getOutlierDeviations(); }
+
+  /** \see ScannedSurface::setLargestPart */
+  void setLargestPart(bool alone) { scanned_.setLargestPart(alone); }
+  bool getLargestPart() const { return scanned_.getLargestPart(); }
+
   /** Threads to use; 0, the default, means all. The output does not depend on it. */
   void setNumberOfThreads(unsigned int threads = 0) { scanned_.setNumberOfThreads(threads); }
   unsigned int getNumberOfThreads() const { return scanned_.getNumberOfThreads(); }
@@ -63,13 +78,26 @@ public:
   const Status& getStatus() const { return status_; }
 
 protected:
-  /** Ok, or there is neither surface nor cloud, or a number of threads that nobody means: for stages whose own settings are
-   *  looked at before the surface is made. */
+  /** Ok, or there is neither surface nor cloud, normals of another number, or what checkShared refuses: for stages whose own
+   *  settings are looked at before the surface is made. */
   Status
   checkInput() const
   {
     if (!given_surface_ && (!this->input_ || this->input_->empty()))
       return {StatusCode::InvalidInput, "the input cloud is missing or empty: call setInputCloud with points, or setInputSurface"};
+    if (!given_surface_)
+      if (const Status status = scanned_.checkNormals(this->input_->size()); !status.ok())
+        return status;
+    return checkShared();
+  }
+
+  /** Ok, or an index outside the cloud, or a number of threads that nobody means: wherever the surface comes from. */
+  Status
+  checkShared() const
+  {
+    if (this->input_)
+      if (const Status status = checkIndices(givenIndices().get(), this->input_->size()); !status.ok())
+        return status;
     return checkThreads(getNumberOfThreads());
   }
 
@@ -80,9 +108,10 @@ protected:
     if (const Status status = checkInput(); !status.ok())
       return status;
     if (given_surface_) {
-      const std::string setter = scanned_.getInputNormals()
-                                     ? "setInputNormals"
-                                     : disagreement(scanned_.getSettings(), given_surface_->settings());
+      if (scanned_.getInputNormals())
+        return {StatusCode::InvalidArgument, "setInputNormals was called beside setInputSurface, whose surface has its side already: "
+                                             "call setInputNormals with a null pointer, or give a cloud instead of a surface"};
+      const std::string setter = disagreement(scanned_.getSettings(), given_surface_->settings());
       surface = given_surface_;
       return setter.empty() ? Status::success()
                             : Status(StatusCode::InvalidArgument,

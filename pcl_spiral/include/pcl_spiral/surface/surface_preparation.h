@@ -23,7 +23,7 @@ using PreparationCounts = SurfaceCounts;
  *  SurfacePreparation<pcl::PointXYZ> preparation;
  *  preparation.setInputCloud(scan);
  *  preparation.filter(*clean);              // or compute(*clean, *normals)
- *  if (!preparation.getStatus().ok()) ...   // and the output is empty
+ *  if (!preparation.getStatus().ok()) ...   // and the output is empty; see filter
  *  \endcode
  */
 template <typename PointT>
@@ -39,13 +39,19 @@ public:
     this->filter_name_ = "SurfacePreparation";
   }
 
-  /** Forgets the last outcome. */
+  /** Forgets the last outcome; a null pointer is a failure at once. */
   void
   setInputCloud(const typename PointCloud::ConstPtr& cloud) override
   {
     pcl::Filter<PointT>::setInputCloud(cloud);
     forget();
+    if (!cloud)
+      status_ = missingCloud();
   }
+
+  /** As in pcl::Filter; here the output is empty without a cloud, too, where pcl::Filter::filter, called through a pointer to
+   *  it, leaves the output as it was and the filter does not learn of the call. */
+  void filter(PointCloud& output);
 
   /** \see ScannedSurface::setOutlierRemoval */
   void
@@ -78,6 +84,7 @@ public:
   int getKSearch() const { return scanned_.getKSearch(); }
   /** The former name. */
   [[deprecated("setKSearch")]] void setNumberOfNeighbours(int neighbours) { setKSearch(neighbours); }
+  [[deprecated("getKSearch")]] int getNumberOfNeighbours() const { return getKSearch(); }
 
   /** \see ScannedSurface::setStrict */
   void setStrict(bool strict) { scanned_.setStrict(strict); }
@@ -97,11 +104,23 @@ public:
   const std::vector<std::uint32_t>& getSourceIndices() const { return source_indices_; }
   /** The surface of the last run, for the stages that follow (setInputSurface); null before and on failure. */
   Surface::ConstPtr getSurface() const { return surface_; }
+  /** The former name of getSurface()->graph(); empty before the first run and on failure. */
+  [[deprecated("getSurface()->graph()")]] const SurfaceGraph&
+  getSurfaceGraph() const
+  {
+    static const SurfaceGraph none;
+    return surface_ ? surface_->graph() : none;
+  }
 
 protected:
   void applyFilter(PointCloud& output) override;
 
 private:
+  static Status
+  missingCloud()
+  {
+    return {StatusCode::InvalidInput, "the input cloud is missing: call setInputCloud with points"};
+  }
   void forget();
 
   ScannedSurface<PointT> scanned_;

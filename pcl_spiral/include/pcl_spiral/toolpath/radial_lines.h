@@ -14,6 +14,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace pcl_spiral {
@@ -69,9 +71,17 @@ public:
 
   /** Called with the share done; returning false cancels. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
+  /** The former form: the share alone. */
+  template <typename ShareAlone, typename = std::enable_if_t<is_share_callback<ShareAlone>>>
+  [[deprecated("a callback of the share and the stage's name")]] void
+  setProgressCallback(ShareAlone callback)
+  {
+    setProgressCallback(withStage(std::move(callback)));
+  }
 
   /** Make the lines. \p lines is empty on failure: no cloud, settings or indices out of range, no surface in the points,
-   *  loops that do not belong to it, a centre off it, or lines that cannot be found; getStatus says which and where. */
+   *  loops that do not belong to it, a centre off it, or lines that cannot be found; getStatus says which and where, and the
+   *  getters below have nothing. */
   void compute(std::vector<RadialLine>& lines);
   /** The same with the boundaries from line 0 on and their corners: what SpiralToolpathGenerator::setRadialLines takes. */
   void compute(RadialLineSet& set);

@@ -25,7 +25,7 @@ struct SpiralReport {
   std::size_t left_out_points = 0;  ///< in them
   std::size_t used_points = 0;
   double spacing = 0.0;             ///< median distance of neighbouring points
-  int passes = 0;                   ///< over all neighbourhoods, that making the surface and bridging its gaps took; a surface that was given counts nothing
+  int passes = 0;                   ///< over all neighbourhoods, to make the surface and bridge its gaps; none for a surface given. The program adds the judge's
   double noise = 0.0;               ///< standard deviation of the points about the fitted surface
   int projection_neighbours = 0;    ///< neighbours in one surface fit
   std::vector<BoundaryLoop> loops;

@@ -70,15 +70,15 @@ public:
   void setLeadAngle(double degrees) { settings_.lead_angle = degrees; }
   double getLeadAngle() const { return settings_.lead_angle; }
 
-  /** Largest turn of the tool axis, degrees per mm of path; 10 by default. */
+  /** Largest turn of the tool axis, degrees per mm of path; 10 by default. Published ignores it. */
   void setMaxAxisRate(double degrees_per_mm) { settings_.max_axis_rate = degrees_per_mm; }
   double getMaxAxisRate() const { return settings_.max_axis_rate; }
 
-  /** What is shorter along the path is smoothed out of the tool axis, mm; 50 by default, 0 for none. See AxisField. */
+  /** What is shorter along the path is smoothed out of the tool axis, mm; 50 by default, 0 for none. Published ignores it. See AxisField. */
   void setAxisSmoothing(double length) { settings_.axis_smoothing = length; }
   double getAxisSmoothing() const { return settings_.axis_smoothing; }
 
-  /** How far smoothing may lead from the tilt asked for, in the mean over its length, degrees; 2 by default. */
+  /** How far smoothing may lead from the tilt asked for, in the mean over its length, degrees; 2 by default. Published ignores it. */
   void setAxisDeviation(double degrees) { settings_.axis_deviation = degrees; }
   double getAxisDeviation() const { return settings_.axis_deviation; }
 
@@ -129,13 +129,13 @@ public:
   /** Which way the cutter travels round, seen from outside the material; CounterClockwise by default. */
   void setSense(SpiralSense sense) { settings_.sense = sense; }
   SpiralSense getSense() const { return settings_.sense; }
-  /** Along what the distance of turns is measured; AcrossFeed by default. */
+  /** Along what the distance of turns is measured; AcrossFeed by default. Published ignores it. */
   void setPitch(Pitch pitch) { settings_.pitch = pitch; }
   Pitch getPitch() const { return settings_.pitch; }
   /** What to do with holes in the data; Bridge by default. */
   void setGapHandling(GapHandling gaps) { settings_.gaps = gaps; }
   GapHandling getGapHandling() const { return settings_.gaps; }
-  /** How radial lines are found; Automatic by default. */
+  /** How radial lines are found; Automatic by default. Published ignores it. */
   void setLineMethod(LineMethod method) { settings_.lines = method; }
   LineMethod getLineMethod() const { return settings_.lines; }
   /** Of several separate parts keep the one of the largest area alone, and say what was left out; without it, the default,

@@ -37,7 +37,7 @@ public:
    * the cloud that the surface was made of (its place is NaN too where it was left out), in their order: its
    * place, and the stock as intensity, negative for a gouge, the reach where uncut, NaN where the point is no
    * part of the surface (not finite, a repetition, an outlier). Empty on failure: no or unfit reference or
-   * toolpath, a setting out of range, or cancelled. */
+   * toolpath, a surface or reference beside a cloud of another size, a setting or index out of range, or cancelled. */
   void compute(pcl::PointCloud<pcl::PointXYZI>& output);
 
   const RemovalFigures& getFigures() const { return figures_; }
@@ -45,6 +45,7 @@ public:
   const std::vector<float>& getRidgeHeights() const { return ridge_heights_; }
 
 private:
+  Status checkCloud() const;
   void write(const RemovalHeights& heights, pcl::PointCloud<pcl::PointXYZI>& output);
 
   double tool_radius_ = 0.0, scallop_height_ = 0.0, reach_ = 0.0;

@@ -23,6 +23,7 @@ CentroidBoundaryEstimation<PointInT, PointNT, PointOutT>::CentroidBoundaryEstima
 {
   feature_name_ = "CentroidBoundaryEstimation";
   angle_threshold_ = static_cast<float>(121.0 * M_PI / 180.0);
+  told_base_ = threadsOfBase(*this, 0);
 }
 
 template <typename PointInT, typename PointNT, typename PointOutT>
@@ -63,6 +64,8 @@ CentroidBoundaryEstimation<PointInT, PointNT, PointOutT>::check() const
     return {StatusCode::InvalidArgument, "the thresholds are " + std::to_string(offset_threshold_) +
                                              " (offset) and " + std::to_string(angle_threshold_) +
                                              " (angle, radians); set both above 0"};
+  if (const Status status = checkThreads(getNumberOfThreads()); !status.ok())
+    return status;
   if (const Status status = checkIndices(Base::fake_indices_ ? nullptr : indices_.get(), input_->size()); !status.ok())
     return status;
   if (std::none_of(input_->begin(), input_->end(), [](const PointInT& p) { return pcl::isXYZFinite(p); }))
@@ -135,7 +138,7 @@ CentroidBoundaryEstimation<PointInT, PointNT, PointOutT>::computeFeature(PointCl
   const auto count = static_cast<std::ptrdiff_t>(indices_->size());
   scores_.assign(indices_->size(), nan);
   offsets_ = gaps_ = scores_;
-  const ThreadLimit limit(thread_count_);
+  const ThreadLimit limit(getNumberOfThreads());
   bool all_evaluated = true;
 #pragma omp parallel for schedule(dynamic, 1024) reduction(&& : all_evaluated)
   for (std::ptrdiff_t i = 0; i < count; ++i) {

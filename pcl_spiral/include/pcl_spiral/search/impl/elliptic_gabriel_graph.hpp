@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
 #include <pcl_spiral/search/usable_points.h>
 
@@ -35,6 +36,8 @@ EllipticGabrielGraph<PointT, PointNT>::check() const
     return {StatusCode::InvalidInput, "the angle between normals needs one normal a point: there are " +
                                           std::to_string(normals_ ? normals_->size() : 0) + " for " +
                                           std::to_string(input_->size()) + " points; call setInputNormals"};
+  if (const Status status = checkThreads(options_.threads); !status.ok())
+    return status;
   return checkIndices(indices_.get(), input_->size());
 }
 
@@ -74,6 +77,7 @@ EllipticGabrielGraph<PointT, PointNT>::compute(NeighbourLists& graph)
     if (max_normal_angle_ > 0.0)
       normals.push_back((*normals_)[i].getNormalVector3fMap().normalized());
   }
+  const ThreadLimit limit(options_.threads);
   GabrielOptions options = options_;
   options.max_normal_angle = max_normal_angle_ * 3.14159265358979323846 / 180.0;
   graph = ellipticGabrielEdges(points, normals, options).mapped(usable, input_->size());

@@ -23,7 +23,8 @@ GapBridging<PointT, PointNT>::run(BridgedSurface& bridged)
   if (loops.empty())
     if (const Status status = findBoundaryLoops(*surface, options, loops); !status.ok())
       return status;
-  return bridgeGaps(std::move(surface), loops, mode_, handling_, partOf(progress_, 0.75, 1.0), bridged);
+  return bridgeGaps(std::move(surface), loops, mode_, handling_, partOf(progress_, 0.75, 1.0), bridged,
+                    given_loops_.empty() ? LoopOrigin::Found : LoopOrigin::Given);
 }
 
 template <typename PointT, typename PointNT>

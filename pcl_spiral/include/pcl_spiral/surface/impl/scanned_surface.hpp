@@ -16,14 +16,23 @@ namespace pcl_spiral {
 
 template <typename PointT, typename PointNT>
 Status
+ScannedSurface<PointT, PointNT>::checkNormals(std::size_t size) const
+{
+  if (!normals_ || normals_->size() == size)
+    return Status::success();
+  return {StatusCode::InvalidInput, textOf("there are ", normals_->size(), " normals for ", size,
+                                           " points: call setInputNormals with one a point, or with none")};
+}
+
+template <typename PointT, typename PointNT>
+Status
 ScannedSurface<PointT, PointNT>::check() const
 {
   if (!this->input_ || this->input_->empty())
     return {StatusCode::InvalidInput, "the input cloud is missing or empty: call setInputCloud with points"};
   const std::size_t size = this->input_->size();
-  if (normals_ && normals_->size() != size)
-    return {StatusCode::InvalidInput, textOf("there are ", normals_->size(), " normals for ", size,
-                                             " points: call setInputNormals with one a point, or with none")};
+  if (const Status status = checkNormals(size); !status.ok())
+    return status;
   if (const Status status = checkThreads(thread_count_); !status.ok())
     return status;
   if (settings_.outlier_neighbours < 0 || !(settings_.outlier_deviations > 0.0))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/search/point_groups.h>
 #include <pcl_spiral/search/usable_points.h>
 #include <pcl_spiral/surface/clean_graph.h>
@@ -51,6 +52,9 @@ Status
 StrayRemoval<PointT>::choose(pcl::Indices& kept, pcl::Indices& removed)
 {
   constexpr double spacings = 3.0; // between strays that hang together
+  if (const Status status = checkThreads(thread_count_); !status.ok())
+    return status;
+  const ThreadLimit limit(thread_count_);
   const auto& cloud = *this->input_;
   if (const Status status = checkIndices(this->indices_.get(), cloud.size()); !status.ok())
     return status;
@@ -73,6 +77,19 @@ StrayRemoval<PointT>::choose(pcl::Indices& kept, pcl::Indices& removed)
     (stray || !finite ? removed : kept).push_back(index);
   }
   return Status::success();
+}
+
+/** Whether there is a cloud to filter; without one, says so. */
+template <typename PointT>
+bool
+StrayRemoval<PointT>::hasCloud()
+{
+  if (this->input_)
+    return true;
+  status_ = missingCloud();
+  this->removed_indices_->clear();
+  PCL_ERROR("[pcl_spiral::StrayRemoval::filter] %s\n", status_.message().c_str());
+  return false;
 }
 
 template <typename PointT>

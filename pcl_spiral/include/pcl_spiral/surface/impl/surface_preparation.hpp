@@ -22,6 +22,20 @@ SurfacePreparation<PointT>::forget()
 
 template <typename PointT>
 void
+SurfacePreparation<PointT>::filter(PointCloud& output)
+{
+  if (this->input_) {
+    pcl::Filter<PointT>::filter(output);
+    return;
+  }
+  forget();
+  output.clear();
+  status_ = missingCloud();
+  PCL_ERROR("[pcl_spiral::SurfacePreparation::filter] %s\n", status_.message().c_str());
+}
+
+template <typename PointT>
+void
 SurfacePreparation<PointT>::applyFilter(PointCloud& output)
 {
   forget();

@@ -79,6 +79,8 @@ CutterLocation<PointT>::makeLocationSurface()
   if (const Status status = this->checkInput(); !status.ok())
     return status;
   const Status made = this->prepareSurface(surface);
+  if (made.code() == StatusCode::InvalidArgument || made.code() == StatusCode::Cancelled)
+    return made; // what was asked for is wrong; where the points form no surface, cutters stay off them all the same
   if (surface && surface->counts().guessed > 0)
     return {StatusCode::InvalidInput,
             textOf("the surface has ", surface->counts().guessed, " points that were put into gaps, where nothing is known: give "
@@ -88,8 +90,6 @@ CutterLocation<PointT>::makeLocationSurface()
       location_surface_ = std::make_shared<LocationSurface>(surface);
     return made;
   }
-  if (const Status status = checkIndices(this->givenIndices().get(), this->input_->size()); !status.ok())
-    return status;
   UsablePoints usable = usablePoints(*this->input_, this->givenIndices().get());
   if (usable.source.empty())
     return made;

@@ -72,6 +72,10 @@ RadialLines<PointT, PointNT>::compute(std::vector<RadialLine>& lines)
   this->status_ = run();
   if (this->status_.ok())
     lines = std::move(set_.lines);
+  else {
+    set_ = RadialLineSet();
+    loops_.clear();
+  }
   this->tellFailure("RadialLines");
   set_.lines.clear();
 }
@@ -82,7 +86,7 @@ RadialLines<PointT, PointNT>::compute(RadialLineSet& set)
 {
   std::vector<RadialLine> lines;
   compute(lines);
-  set = this->status_.ok() ? set_ : RadialLineSet();
+  set = set_;
   set.lines = std::move(lines);
 }
 

@@ -56,8 +56,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLoops(Surface::ConstP
   BridgedSurface bridged;
   const bool all = settings_.method == SpiralMethod::ConstantScallop && settings_.boundary_mode == BoundaryMode::Automatic;
   const BoundaryMode mode = all ? BoundaryMode::AllBoundaries : settings_.boundary_mode;
-  if (const Status status = bridgeGaps(std::move(surface), loops, mode, settings_.gaps,
-                                       partOf(progress_, 0.35, 0.4), bridged);
+  if (const Status status = bridgeGaps(std::move(surface), loops, mode, settings_.gaps, partOf(progress_, 0.35, 0.4), bridged,
+                                       given_loops_.empty() ? LoopOrigin::Found : LoopOrigin::Given);
       !status.ok())
     return status;
   reportLoops(bridged, settings_, report_);
@@ -98,6 +98,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
     if (const Status status = checkLines(*given_lines_, surface->spacing()); !status.ok())
       return status;
     report_.loops = given_loops_;
+    reportNoise(*surface, settings_, report_);
   }
   else {
     std::vector<BoundaryLoop> loops;
@@ -157,9 +158,13 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePublished(const Surfa
   for (const StageCost& stage : published.stages)
     report_.stages.push_back(stage);
   clock.restart();
-  if (status.ok())
-    reportPublished(surface, settings_, published, report_, path);
-  return status;
+  reportPublished(surface, settings_, published, report_, path);
+  if (!status.ok())
+    return status;
+  GapFigures gaps;
+  const Status marked = measureGaps(path, settings_, gaps);
+  reportGaps(gaps, report_);
+  return marked;
 }
 
 template <typename PointInT, typename PointNT, typename PointOutT>

@@ -1,11 +1,25 @@
 #pragma once
 
+#include <pcl_spiral/common/message.h>
 #include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/verify/material_removal.h>
 
 #include <limits>
 
 namespace pcl_spiral {
+
+/** Ok, or the heights, one a point of the cloud that the surface was made of, belong to another cloud than the one given. */
+template <typename PointT>
+Status
+MaterialRemoval<PointT>::checkCloud() const
+{
+  const std::size_t made_of = this->reference_->scanned().inputSize();
+  if (!this->input_ || this->input_->size() == made_of)
+    return Status::success();
+  return {StatusCode::InvalidInput,
+          textOf("the cloud has ", this->input_->size(), " points, but the surface to judge by was made of a cloud of ", made_of,
+                 ": give the cloud that it was made of (setInputCloud before setInputSurface), or the surface alone")};
+}
 
 template <typename PointT>
 void
@@ -18,7 +32,7 @@ MaterialRemoval<PointT>::write(const RemovalHeights& heights, pcl::PointCloud<pc
   std::vector<Eigen::Vector3f> places(this->input_ ? 0 : size, Eigen::Vector3f::Constant(none));
   for (std::size_t i = 0; i < heights.stock.size(); ++i) {
     const std::uint32_t at = surface.sourceIndex(i);
-    if (at >= size) // put into a gap, or the surface given is another cloud's
+    if (at >= size) // put into a gap
       continue;
     stock[at] = heights.stock[i];
     ridge[at] = heights.ridge[i];
@@ -54,6 +68,8 @@ MaterialRemoval<PointT>::compute(pcl::PointCloud<pcl::PointXYZI>& output)
   CutterPath path;
   RemovalHeights heights;
   this->status_ = this->prepare(path);
+  if (this->status_.ok())
+    this->status_ = checkCloud();
   if (this->status_.ok()) {
     const BallSweep ball(path.contacts, path.normals, tool_radius_);
     const RemovalSettings settings{tool_radius_, scallop_height_, this->chord_error_, reach_};

@@ -13,6 +13,8 @@ ReferenceInput<PointT>::prepare(CutterPath& path)
   reference_.reset();
   if (const Status status = readCutterPath(toolpath_, path); !status.ok())
     return status;
+  if (const Status status = this->checkShared(); !status.ok())
+    return status;
   if (given_reference_) {
     reference_ = given_reference_;
     return Status::success();

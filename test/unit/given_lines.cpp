@@ -1,0 +1,106 @@
+// Radial lines of the user's own: what cannot be drawn on is refused, and the scan's noise is told as ever.
+#include "support/sampling.h"
+#include "support/surfaces.h"
+
+#include <pcl_spiral/toolpath/radial_lines.h>
+#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+namespace {
+
+using namespace pcl_spiral;
+using Path = pcl::PointCloud<ToolpathPoint>;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+struct Part {
+  Surface::ConstPtr surface;
+  RadialLineSet lines;
+};
+
+Part
+dome(double noise)
+{
+  auto sampled = test::sampleUniform(*test::spheroidCap(80.0, 45.0), 12000, 1);
+  test::addNoise(sampled, noise, 2);
+  ScannedSurface<pcl::PointXYZ> scanned;
+  scanned.setInputCloud(test::toCloud(sampled.points));
+  Part part;
+  scanned.compute(part.surface);
+  RadialLines<pcl::PointXYZ> radial;
+  radial.setInputSurface(part.surface);
+  radial.compute(part.lines);
+  EXPECT_TRUE(radial.getStatus().ok()) << radial.getStatus().message();
+  return part;
+}
+
+SpiralToolpathGenerator<pcl::PointXYZ>
+generatorOn(const Part& part)
+{
+  SpiralToolpathGenerator<pcl::PointXYZ> spiral;
+  spiral.setToolRadius(6.0);
+  spiral.setScallopHeight(0.1);
+  spiral.setQuiet(true);
+  spiral.setInputSurface(part.surface);
+  return spiral;
+}
+
+TEST(GivenLines, ThatCannotBeDrawnOnAreRefused)
+{
+  const Part part = dome(0.0);
+  auto spiral = generatorOn(part);
+  Path path;
+  spiral.setRadialLines(part.lines);
+  spiral.compute(path);
+  EXPECT_TRUE(spiral.getStatus().ok()) << spiral.getStatus().message();
+  const auto refused = [&](const std::string& word, const std::function<void(RadialLineSet&)>& change) {
+    RadialLineSet wrong = part.lines;
+    change(wrong);
+    spiral.setRadialLines(wrong);
+    spiral.compute(path);
+    EXPECT_EQ(spiral.getStatus().code(), StatusCode::InvalidInput) << word;
+    EXPECT_NE(spiral.getStatus().message().find(word), std::string::npos) << spiral.getStatus().message();
+    EXPECT_TRUE(path.empty());
+  };
+  refused("point 5 of the rim", [](RadialLineSet& set) { set.rim[5].setConstant(nan); });
+  refused("inner boundary of the radial lines has 1 points",
+          [](RadialLineSet& set) { set.inner = {set.lines[0].feet[0].position}; });
+  refused("point 1 of the inner boundary", [](RadialLineSet& set) {
+    set.inner = {set.lines[0].feet[0].position, Eigen::Vector3d::Constant(nan), set.lines[2].feet[0].position};
+  });
+  refused("line 3: foot 20 is not finite", [](RadialLineSet& set) { set.lines[3].feet[20].curvature1 = nan; });
+  refused("line 3: foot 20 is not finite",
+          [](RadialLineSet& set) { set.lines[3].feet[20].curvature2 = std::numeric_limits<double>::infinity(); });
+  refused("line 3: foot 20 is not finite", [](RadialLineSet& set) { set.lines[3].feet[20].direction1.x() = nan; });
+  refused("line 2 has the level -1", [](RadialLineSet& set) { set.lines[2].level = -1; });
+  refused("line 2 has the level 2147483647", [](RadialLineSet& set) { set.lines[2].level = std::numeric_limits<int>::max(); });
+  refused("level 0", [](RadialLineSet& set) { // without a word before, for ever
+    for (RadialLine& line : set.lines)
+      line.level = 1;
+  });
+}
+
+TEST(GivenLines, NoiseIsToldAsWithoutThem)
+{
+  const Part part = dome(0.05);
+  for (const bool given : {false, true}) {
+    auto spiral = generatorOn(part);
+    spiral.setScallopHeight(0.02);
+    if (given)
+      spiral.setRadialLines(part.lines);
+    Path path;
+    spiral.compute(path);
+    const std::vector<std::string>& warnings = spiral.getReport().warnings;
+    EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
+                            [](const std::string& w) { return w.find("lies below the scan's own noise") != std::string::npos; }),
+              1)
+        << given;
+  }
+}
+
+} // namespace
