@@ -78,7 +78,8 @@ spiral(SpiralSettings& s)
        choiceOption("boundaries", "one for a dome, two for a ring; auto by default: --boundaries two", s.boundary_mode),
        choiceOption("direction", "outward by default: --direction inward", s.direction),
        choiceOption("sense", "which way the cutter travels round, seen from outside; ccw by default: --sense cw", s.sense),
-       choiceOption("method", "radial, the default, or published: the chain of Wu et al. 2025, to compare with: --method published",
+       choiceOption("method", "radial, the default; constant-scallop: loops along rim and holes, linked to one path, short on any outline; or "
+                    "published: the chain of Wu et al. 2025, to compare with: --method constant-scallop",
                     s.method),
        choiceOption("pitch", "distance of turns across the feed, or along the lines as published: --pitch along", s.pitch),
        choiceOption("lines", "how radial lines are found; auto by default: --lines harmonic", s.lines),

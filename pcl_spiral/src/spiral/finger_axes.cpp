@@ -160,7 +160,7 @@ findFingers(const StepOverDistance& field, const RidgeClimb& climb, const LevelG
     return gap.distances[at - gap.nodes.begin()] > worth_an_axis;
   };
   for (const std::vector<std::uint32_t>& group : connectedGroups(field.mesh.triangles, open, scratch))
-    if (std::any_of(group.begin(), group.end(), isWorth))
+    if (std::any_of(group.begin(), group.end(), isWorth) && std::any_of(group.begin(), group.end(), gap.is_ridge))
       FingerMaker(field, climb, gap, axes).run(group, covered_by_axis, false);
   for (const std::vector<std::uint32_t>& group : connectedGroups(field.mesh.triangles, gap.necks, scratch))
     FingerMaker(field, climb, gap, axes).run(group, neck_step, true);

@@ -30,6 +30,7 @@ struct LevelGap {
   std::vector<std::uint32_t> nodes;    ///< of the band, between the two levels; ascending
   std::vector<std::uint32_t> necks;    ///< on ridges within a loop of the next level that is narrower there than a finger; ascending
   std::vector<double> distances;       ///< of each from the loops of both levels
+  std::function<bool(std::uint32_t)> is_ridge; ///< whether gradients part about a node
   std::function<bool(std::uint32_t)> is_above; ///< whether a node lies within a loop of the next level
   std::function<std::size_t(std::uint32_t)> loop_near; ///< the loop of the next level nearest to a node
 };

@@ -5,7 +5,7 @@
 
 #include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/core/step_over_metric.h>
-#include <pcl_spiral/verify/move_index.h>
+#include <pcl_spiral/search/move_index.h>
 
 #include <cstdint>
 #include <memory>

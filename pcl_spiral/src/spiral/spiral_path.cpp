@@ -207,7 +207,9 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
   if (crossing)
     return {StatusCode::Failed,
             textOf("the path crosses itself at ", placeText(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
-                 ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
+                   settings.method == SpiralMethod::ConstantScallop
+                       ? ": choose the radial method (setMethod), or machine the part in pieces"
+                       : ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
   return Status::success();
 }
 

@@ -1,5 +1,6 @@
 #include <pcl_spiral/spiral/step_over_mesh.h>
 
+#include "outline_cut.h"
 #include "outline_side.h"
 #include "rim_zipper.h"
 
@@ -16,10 +17,7 @@ namespace {
 using Triangle = Triangulation::Triangle;
 
 constexpr double outline_step = 0.8;  // spacings between nodes on an outline
-constexpr double clear_of_rim = 0.45; // spacings; nearer points give way to the outline
-constexpr double beside_rim = 3.0;    // spacings within which points are looked at
-constexpr double across_reach = 6.0;  // the same for triangles
-constexpr double across_depth = 0.15; // spacings a triangle may reach beyond an outline
+constexpr double matched_reach = 12.0; // spacings within which an edge's points are looked for
 constexpr double matched_edge = 2.5;  // spacings: median distance of an edge from its outline
 constexpr double least_zipped = 0.7;  // share of an outline its edge must run along
 
@@ -35,7 +33,7 @@ public:
   run()
   {
     placeNodes();
-    cutAtOutlines();
+    triangles_ = trianglesWithin(mesh_, surface_.graph().triangulation(), side_, spacing_);
     edges_ = Triangulation(mesh_.size(), triangles_).boundaryLoops();
     edgeNodes();
     for (std::size_t o = 0; o < outlines_.size(); ++o)
@@ -49,12 +47,9 @@ public:
 private:
   /** Feet and metric of the surface's points; the metric is the mean over the points about each, as curvatures waver. */
   void placeNodes();
-  void cutAtOutlines();
-  bool reachesAcross(const Triangle& t) const;
-  std::vector<Triangle> largestPart(const std::vector<Triangle>& triangles) const;
   void edgeNodes();
   Status zip(std::size_t outline);
-  std::size_t addOutline(std::size_t outline, ZipperSide& side);
+  void addOutline(std::size_t outline, ZipperSide& side);
   void closeRest();
   void dropUnused();
   Status checkGenus() const;
@@ -115,80 +110,6 @@ MeshMaker::placeNodes()
     mesh_.metric = averaged(mesh_.metric, surface_.graph().triangulation());
 }
 
-bool
-MeshMaker::reachesAcross(const Triangle& t) const
-{
-  static const std::array<std::array<double, 3>, 9> places{{{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5},
-                                                            {0.25, 0.75, 0}, {0.75, 0.25, 0}, {0, 0.25, 0.75},
-                                                            {0, 0.75, 0.25}, {0.25, 0, 0.75}, {0.75, 0, 0.25}}};
-  for (const auto& w : places) {
-    Eigen::Vector3d p = Eigen::Vector3d::Zero(), n = Eigen::Vector3d::Zero();
-    for (int i = 0; i < 3; ++i) {
-      p += w[i] * mesh_.positions[t[i]];
-      n += w[i] * mesh_.normals[t[i]].cast<double>();
-    }
-    OutlinePlace place;
-    if (side_.find(p, n.normalized(), across_reach * spacing_, place) && !place.inside &&
-        place.distance > across_depth * spacing_)
-      return true;
-  }
-  return false;
-}
-
-std::vector<Triangle>
-MeshMaker::largestPart(const std::vector<Triangle>& triangles) const
-{
-  std::vector<std::size_t> sizes;
-  const std::vector<std::uint32_t> part = Triangulation(mesh_.size(), triangles).parts(sizes);
-  std::vector<Triangle> kept;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (part[t] == 0)
-      kept.push_back(triangles[t]);
-  return kept;
-}
-
-void
-MeshMaker::cutAtOutlines()
-{
-  const Triangulation& all = surface_.graph().triangulation();
-  const auto count = static_cast<std::int64_t>(mesh_.size());
-  std::vector<std::uint8_t> dead(mesh_.size(), 0), near(mesh_.size(), 0);
-#pragma omp parallel for schedule(dynamic, 4096)
-  for (std::int64_t i = 0; i < count; ++i) {
-    OutlinePlace place;
-    if (!side_.find(mesh_.positions[i], mesh_.normals[i].cast<double>(), across_reach * spacing_, place))
-      continue;
-    near[i] = 1;
-    dead[i] = place.distance < beside_rim * spacing_ && (!place.inside || place.distance < clear_of_rim * spacing_);
-  }
-  const auto triangle_count = static_cast<std::int64_t>(all.triangleCount());
-  std::vector<std::uint8_t> across(all.triangleCount(), 0);
-#pragma omp parallel for schedule(dynamic, 4096)
-  for (std::int64_t i = 0; i < triangle_count; ++i) {
-    const Triangle& t = all.triangle(i);
-    const bool alive = !dead[t[0]] && !dead[t[1]] && !dead[t[2]];
-    across[i] = alive && (near[t[0]] || near[t[1]] || near[t[2]]) && reachesAcross(t);
-  }
-  for (bool pinched = true; pinched;) {
-    triangles_.clear();
-    for (std::size_t i = 0; i < all.triangleCount(); ++i) {
-      const Triangle& t = all.triangle(i);
-      if (!across[i] && !dead[t[0]] && !dead[t[1]] && !dead[t[2]])
-        triangles_.push_back(t);
-    }
-    triangles_ = largestPart(triangles_);
-    const Triangulation rest(mesh_.size(), triangles_);
-    std::vector<std::uint8_t> ends(mesh_.size(), 0);
-    pinched = false;
-    for (std::uint32_t h = 0; h < rest.halfEdgeCount(); ++h)
-      if (rest.opposite(h) == Triangulation::none && ++ends[rest.origin(h)] > 1)
-        {
-        dead[rest.origin(h)] = 1;
-        pinched = true;
-      }
-  }
-}
-
 void
 MeshMaker::edgeNodes()
 {
@@ -199,7 +120,7 @@ MeshMaker::edgeNodes()
   edge_used_.assign(edges_.size(), 0);
 }
 
-std::size_t
+void
 MeshMaker::addOutline(std::size_t outline, ZipperSide& side)
 {
   const BoundaryLoop& loop = outlines_[outline];
@@ -232,7 +153,6 @@ MeshMaker::addOutline(std::size_t outline, ZipperSide& side)
   }
   side.ids = mesh_.rims.back();
   side.points.assign(mesh_.positions.begin() + static_cast<std::ptrdiff_t>(first), mesh_.positions.end());
-  return edges_.size();
 }
 
 Status
@@ -247,7 +167,7 @@ MeshMaker::zip(std::size_t outline)
     std::vector<double> distances;
     for (const std::uint32_t v : edges_[e]) {
       OutlinePlace place;
-      if (!side_.find(mesh_.positions[v], mesh_.normals[v].cast<double>(), 2.0 * across_reach * spacing_, place) || place.outline != outline)
+      if (!side_.find(mesh_.positions[v], mesh_.normals[v].cast<double>(), matched_reach * spacing_, place) || place.outline != outline)
         place.distance = 1e30;
       distances.push_back(place.distance);
       candidate.ids.push_back(v);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/verify/cutter_sweep.h>
-#include <pcl_spiral/verify/move_index.h>
+#include <pcl_spiral/search/move_index.h>
 
 #include <cstddef>
 

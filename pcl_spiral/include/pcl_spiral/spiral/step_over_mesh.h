@@ -30,7 +30,7 @@ struct StepOverMesh {
 struct StepOverOptions {
   double tool_radius = 0.0;    ///< mm
   double scallop_height = 0.0; ///< mm
-  double reserve = 0.01;       ///< step-overs are this share narrower than the height allows
+  double reserve = 0.003;      ///< step-overs are this share narrower than the height allows
 };
 
 /** The mesh of \p surface between \p outlines, which lie on it: points outside or close to an outline, and triangles that

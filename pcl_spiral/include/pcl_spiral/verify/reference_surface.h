@@ -7,7 +7,7 @@
 #include <pcl_spiral/features/boundary_loop.h>
 #include <pcl_spiral/surface/mls_surface.h>
 #include <pcl_spiral/surface/surface.h>
-#include <pcl_spiral/verify/move_index.h>
+#include <pcl_spiral/search/move_index.h>
 
 #include <cstddef>
 #include <cstdint>

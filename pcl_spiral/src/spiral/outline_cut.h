@@ -1,0 +1,19 @@
+/** \file
+ *  The triangles of a surface that lie within its outlines.
+ */
+#pragma once
+
+#include "outline_side.h"
+
+#include <pcl_spiral/spiral/step_over_mesh.h>
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Of \p triangles over the nodes of \p mesh the largest part that lies within the outlines, clear of them by 0.45 spacings, its
+ *  free edges closed loops that touch nowhere. */
+std::vector<Triangulation::Triangle>
+trianglesWithin(const StepOverMesh& mesh, const Triangulation& triangles, const OutlineSide& side, double spacing);
+
+} // namespace pcl_spiral

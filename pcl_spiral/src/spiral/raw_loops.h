@@ -1,0 +1,39 @@
+/** \file
+ *  Loops as they are drawn on a mesh.
+ */
+#pragma once
+
+#include "ridge_band.h"
+#include "ridge_climb.h"
+#include "segment_set.h"
+
+#include <pcl_spiral/spiral/scallop_loop.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A loop as it was drawn on the mesh, with what is to be known of its points. */
+struct RawLoop {
+  ScallopLoop line;
+  std::vector<std::uint8_t> is_fine;  ///< one a point: within the refined band
+  std::vector<std::uint8_t> is_near;  ///< one a point: so near to the band that its nodes may be nearest to it
+  std::vector<std::uint32_t> summits; ///< that the nodes within it lead to
+  bool is_thin = false;               ///< goes round summits alone that a finger reaches
+};
+
+/** The closed lines of \p values at \p level through \p triangles, ascending; those shorter than half a step-over are left out. */
+std::vector<RawLoop>
+traceLoops(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& climb, const std::vector<double>& values,
+           int level, const std::vector<std::uint32_t>& triangles);
+
+/** The loop without the jaggedness of the mesh; \p is_near: one a point of it. */
+ScallopLoop
+finishedLoop(const StepOverDistance& field, const RawLoop& loop, std::vector<std::uint8_t>& is_near);
+
+/** Add the parts of \p loop that are near the band to \p set. */
+void
+addNearRuns(const ScallopLoop& loop, const std::vector<std::uint8_t>& is_near, std::size_t label, SegmentSet& set);
+
+} // namespace pcl_spiral

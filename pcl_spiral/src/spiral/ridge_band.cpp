@@ -1,0 +1,71 @@
+#include "ridge_band.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double near_band = 1.5; // step-overs
+
+/** Mark the corners of every triangle that has a corner marked in \p before. */
+void
+spread(const Triangulation& triangles, const std::vector<std::uint8_t>& before, std::vector<std::uint8_t>& marked)
+{
+  for (std::size_t i = 0; i < triangles.triangleCount(); ++i) {
+    const auto& c = triangles.triangle(i);
+    if (before[c[0]] || before[c[1]] || before[c[2]])
+      for (const std::uint32_t v : c)
+        marked[v] = 1;
+  }
+}
+
+} // namespace
+
+RidgeBand::RidgeBand(const StepOverDistance& field) : field_(field)
+{
+  for (std::uint32_t v = 0; v < field.mesh.size(); ++v)
+    if (field.is_fine[v])
+      nodes_.push_back(v);
+  std::sort(nodes_.begin(), nodes_.end(), [&field](std::uint32_t a, std::uint32_t b) {
+    return std::make_pair(field.distance[a], a) < std::make_pair(field.distance[b], b);
+  });
+  findNear();
+  findAbout();
+}
+
+void
+RidgeBand::findNear()
+{
+  is_near_ = field_.is_fine;
+  for (int ring = 0; ring < static_cast<int>(std::ceil(near_band / field_.usual_edge)); ++ring) {
+    const std::vector<std::uint8_t> before = is_near_;
+    spread(field_.mesh.triangles, before, is_near_);
+  }
+}
+
+void
+RidgeBand::findAbout()
+{
+  std::vector<std::uint8_t> is_about(field_.mesh.size(), 0);
+  spread(field_.mesh.triangles, field_.is_fine, is_about);
+  std::vector<Eigen::Vector3f> points;
+  for (std::uint32_t v = 0; v < field_.mesh.size(); ++v)
+    if (is_about[v]) {
+      about_.push_back(v);
+      points.push_back(field_.mesh.positions[v].cast<float>());
+    }
+  if (!points.empty())
+    blocks_ = PointBlocks(std::move(points));
+}
+
+std::vector<std::uint32_t>
+RidgeBand::between(double low, double high) const
+{
+  const auto less = [this](std::uint32_t v, double d) { return field_.distance[v] < d; };
+  const auto begin = std::lower_bound(nodes_.begin(), nodes_.end(), low, less);
+  return {begin, std::lower_bound(begin, nodes_.end(), high, less)};
+}
+
+} // namespace pcl_spiral

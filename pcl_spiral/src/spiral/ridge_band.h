@@ -1,0 +1,51 @@
+/** \file
+ *  The refined nodes of a field, by distance and by place.
+ */
+#pragma once
+
+#include <pcl_spiral/search/point_blocks.h>
+#include <pcl_spiral/spiral/step_over_field.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** The band about the ridges of a field. */
+class RidgeBand {
+public:
+  explicit RidgeBand(const StepOverDistance& field);
+
+  /** Nodes of the band with distances from \p low to below \p high, by rising distance. */
+  std::vector<std::uint32_t> between(double low, double high) const;
+  /** Whether a node is within 1.5 step-overs of the band: loops there may be the nearest to its nodes. */
+  bool isNear(std::uint32_t v) const { return is_near_[v] != 0; }
+
+  /** Call \p visit(node) for the nodes of the band, and those about it, within \p reach mm of \p p. */
+  template <typename Visit>
+  void
+  forNodesNear(const Eigen::Vector3d& p, double reach, Visit visit) const
+  {
+    const Eigen::Vector3f place = p.cast<float>();
+    const auto radius = static_cast<float>(reach);
+    Box box;
+    box.extend(place.data());
+    blocks_.forBlocksNear(box, radius * radius, [&](std::size_t block) {
+      for (std::size_t b = blocks_.blockBegin(block); b < blocks_.blockEnd(block); ++b)
+        if ((blocks_.point(b) - place).squaredNorm() <= radius * radius)
+          visit(about_[blocks_.originalIndex(b)]);
+    });
+  }
+
+private:
+  void findNear();
+  void findAbout();
+
+  const StepOverDistance& field_;
+  std::vector<std::uint32_t> nodes_;  ///< by rising distance
+  std::vector<std::uint8_t> is_near_; ///< one a node of the mesh
+  std::vector<std::uint32_t> about_;  ///< nodes of triangles with a node of the band
+  PointBlocks blocks_;                ///< of about_
+};
+
+} // namespace pcl_spiral

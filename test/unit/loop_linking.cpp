@@ -1,0 +1,136 @@
+// One path over loops drawn by hand: every loop is travelled, nothing crosses.
+#include <pcl_spiral/spiral/loop_linking.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace pcl_spiral;
+using Eigen::Vector3d;
+
+namespace {
+
+/** A circle of \p radius step-overs (one is 1 mm) about (x, 0). */
+ScallopLoop
+ring(double radius, double x, int level)
+{
+  ScallopLoop loop;
+  loop.level = level;
+  const int n = std::max(24, static_cast<int>(radius * 2.0 * M_PI / 0.2));
+  for (int i = 0; i < n; ++i) {
+    const double a = 2.0 * M_PI * i / n;
+    loop.points.emplace_back(x + radius * std::cos(a), radius * std::sin(a), 0.0);
+    loop.metric.emplace_back(Eigen::Matrix3d::Identity());
+  }
+  loop.measure();
+  return loop;
+}
+
+double
+lengthOf(const Polyline& line)
+{
+  return length(line);
+}
+
+bool
+cross(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d)
+{
+  const auto side = [](const Vector3d& p, const Vector3d& q, const Vector3d& x) {
+    return (q.x() - p.x()) * (x.y() - p.y()) - (q.y() - p.y()) * (x.x() - p.x());
+  };
+  return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
+}
+
+std::size_t
+crossings(const Polyline& p)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 1 < p.size(); ++i)
+    for (std::size_t j = i + 2; j + 1 < p.size(); ++j)
+      count += (p[i] - p[j]).norm() < 1.0 && cross(p[i], p[i + 1], p[j], p[j + 1]);
+  return count;
+}
+
+double
+farthest(const ScallopLoop& loop, const Polyline& path)
+{
+  double most = 0.0;
+  for (const Vector3d& q : loop.points) {
+    double least = 1e30;
+    for (const Vector3d& p : path)
+      least = std::min(least, (p - q).norm());
+    most = std::max(most, least);
+  }
+  return most;
+}
+
+void
+expectOnePath(const std::vector<ScallopLoop>& loops, LinkedPath& path)
+{
+  const Status status = linkLoops(loops, path);
+  ASSERT_TRUE(status.ok()) << status.message();
+  EXPECT_EQ(crossings(path.points), 0u);
+  for (std::size_t i = 1; i < path.points.size(); ++i)
+    EXPECT_LT((path.points[i] - path.points[i - 1]).norm(), 0.35);
+  for (const ScallopLoop& loop : loops)
+    EXPECT_LT(farthest(loop, path.points), 0.65) << "level " << loop.level;
+  EXPECT_EQ(path.points.size(), path.turns.size());
+  EXPECT_EQ(path.points.size(), path.reversed.size());
+}
+
+} // namespace
+
+TEST(LoopLinking, RingsBecomeASpiral)
+{
+  std::vector<ScallopLoop> loops;
+  double sum = 0.0;
+  for (int k = 0; k < 12; ++k) {
+    loops.push_back(ring(12.3 - k, 0.0, k));
+    sum += loops.back().length();
+  }
+  LinkedPath path;
+  expectOnePath(loops, path);
+  EXPECT_EQ(path.chain_loops, 12u);
+  EXPECT_EQ(path.bridges, 0u);
+  EXPECT_NEAR(lengthOf(path.points), sum, 0.02 * sum);
+  EXPECT_EQ(std::count(path.reversed.begin(), path.reversed.end(), 1), 0);
+}
+
+TEST(LoopLinking, ALobesLoopsAreBridged)
+{
+  std::vector<ScallopLoop> loops{ring(20.0, 0.0, 0)}; // a rim about two nests of rings that just clear each other
+  for (int k = 0; k < 9; ++k)
+    loops.push_back(ring(9.5 - k, -9.5, k + 1));
+  for (int k = 0; k < 7; ++k)
+    loops.push_back(ring(8.9 - k, 10.1, k + 1));
+  LinkedPath path;
+  expectOnePath(loops, path);
+  EXPECT_EQ(path.chain_loops, 10u);
+  EXPECT_EQ(path.bridges + path.dots, 7u);
+  EXPECT_GT(std::count(path.reversed.begin(), path.reversed.end(), 1), 0);
+}
+
+TEST(LoopLinking, ADotBecomesAFingerOfItsNeighbour)
+{
+  std::vector<ScallopLoop> loops;
+  for (int k = 0; k < 5; ++k)
+    loops.push_back(ring(8.0 - k, 0.0, k));
+  loops.push_back(ring(0.35, 9.1, 1)); // beside the rim
+  loops[0] = ring(8.0, 0.0, 0);
+  LinkedPath path;
+  expectOnePath(loops, path);
+  EXPECT_EQ(path.dots, 1u);
+}
+
+TEST(LoopLinking, ALoopThatStandsAloneIsRefusedWithItsPlace)
+{
+  std::vector<ScallopLoop> loops;
+  for (int k = 0; k < 5; ++k)
+    loops.push_back(ring(8.0 - k, 0.0, k));
+  loops.push_back(ring(4.0, 30.0, 1));
+  LinkedPath path;
+  const Status status = linkLoops(loops, path);
+  ASSERT_FALSE(status.ok());
+  EXPECT_NE(status.message().find("(34, 0, 0)"), std::string::npos) << status.message();
+}
