@@ -79,6 +79,14 @@ TEST(GivenLines, ThatCannotBeDrawnOnAreRefused)
   refused("line 3: foot 20 is not finite", [](RadialLineSet& set) { set.lines[3].feet[20].direction1.x() = nan; });
   refused("line 2 has the level -1", [](RadialLineSet& set) { set.lines[2].level = -1; });
   refused("line 2 has the level 2147483647", [](RadialLineSet& set) { set.lines[2].level = std::numeric_limits<int>::max(); });
+  refused("clockwise along the rim", [](RadialLineSet& set) { // a path the other way round before
+    std::reverse(set.lines.begin() + 1, set.lines.end());
+    std::reverse(set.rim.begin() + 1, set.rim.end());
+    for (std::size_t i = 1; i < set.lines.size(); ++i) {
+      set.lines[i].rim_share = 1.0 - set.lines[i].rim_share;
+      set.lines[i].turn_share = 1.0 - set.lines[i].turn_share;
+    }
+  });
   refused("level 0", [](RadialLineSet& set) { // without a word before, for ever
     for (RadialLine& line : set.lines)
       line.level = 1;

@@ -2,6 +2,8 @@
 
 #include <pcl_spiral/common/message.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -70,6 +72,23 @@ checkOutlines(const RadialLineSet& set)
   return Status::success();
 }
 
+/** Ok, or the lines follow each other clockwise along the rim, seen from outside: the path would travel against the sense asked
+ *  for, and a climbing cut become a conventional one. */
+Status
+checkOrder(const RadialLineSet& set)
+{
+  double left = 0.0; // of the way from line to line along the rim: how far the lines come from there
+  for (std::size_t i = 0; i < set.lines.size(); ++i) {
+    const SurfaceFoot &end = set.lines[i].feet.back(), &start = set.lines[i].feet.front();
+    const Eigen::Vector3d along = set.lines[(i + 1) % set.lines.size()].feet.back().position - end.position;
+    left += end.normal.cross(along).dot(start.position - end.position);
+  }
+  if (left > 0.0)
+    return Status::success();
+  return {StatusCode::InvalidInput, "the radial lines follow each other clockwise along the rim, seen from outside, or their "
+                                    "normals point into the material: give them counter-clockwise, with normals outwards"};
+}
+
 } // namespace
 
 Status
@@ -86,6 +105,8 @@ checkLines(const RadialLineSet& set, double spacing)
   if (std::none_of(set.lines.begin(), set.lines.end(), [](const RadialLine& line) { return line.level == 0; }))
     return {StatusCode::InvalidInput, "none of the radial lines has level 0: lines of higher levels are left out near the "
                                       "centre, so some have to reach it"};
+  if (const Status status = checkOrder(set); !status.ok())
+    return status;
   const double off = (set.lines[0].feet.back().position - set.rim.front()).norm();
   if (!(off <= farthest_end * spacing))
     return {StatusCode::InvalidInput,
