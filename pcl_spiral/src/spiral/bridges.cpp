@@ -10,7 +10,7 @@ namespace {
 constexpr double turn_radius = 0.25;   // of a bridge's corners, step-overs
 constexpr double half_gap = 0.04;      // between its two lines
 constexpr double beside_reach = 0.6;   // two loops run side by side so far to either side
-constexpr double least_distance = 0.3, largest_distance = 1.5; // of two loops
+constexpr double least_distance = 0.12, largest_distance = 1.5; // of two loops; those of a narrow core lie close to its rim
 constexpr double least_chord = 0.93;   // of their length within that reach
 constexpr double sample_step = 0.4;
 constexpr std::size_t most_samples = 400; // a loop
