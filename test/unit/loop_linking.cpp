@@ -111,6 +111,19 @@ TEST(LoopLinking, ALobesLoopsAreBridged)
   EXPECT_GT(std::count(path.reversed.begin(), path.reversed.end(), 1), 0);
 }
 
+TEST(LoopLinking, NoBridgeLeadsAcrossALoop)
+{
+  std::vector<ScallopLoop> loops; // of a ring: from the outer rim and from the hole, and a narrow one between
+  for (int k = 0; k < 4; ++k)
+    loops.push_back(ring(12.0 - k, 0.0, k));
+  for (int k = 0; k < 4; ++k)
+    loops.push_back(ring(4.6 + k, 0.0, k));
+  loops.push_back(ring(8.55, 0.0, 4));
+  loops.push_back(ring(8.05, 0.0, 4));
+  LinkedPath path;
+  expectOnePath(loops, path);
+}
+
 TEST(LoopLinking, ADotBecomesAFingerOfItsNeighbour)
 {
   std::vector<ScallopLoop> loops;

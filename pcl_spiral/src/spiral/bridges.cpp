@@ -11,6 +11,7 @@ constexpr double turn_radius = 0.25;   // of a bridge's corners, step-overs
 constexpr double half_gap = 0.04;      // between its two lines
 constexpr double beside_reach = 0.6;   // two loops run side by side so far to either side
 constexpr double least_distance = 0.12, largest_distance = 1.5; // of two loops; those of a narrow core lie close to its rim
+constexpr double between_share = 0.45; // of their distance: another loop as near to the middle lies between
 constexpr double least_chord = 0.93;   // of their length within that reach
 constexpr double sample_step = 0.4;
 constexpr std::size_t most_samples = 400; // a loop
@@ -94,8 +95,19 @@ private:
         place.score += 0.5 * off;
     }
     if (place.score >= 0.0)
-      place.score += 5.0 * (1.0 - chord);
+      place.score = isClear(place) ? place.score + 5.0 * (1.0 - chord) : -1.0;
     return place;
+  }
+  /** Whether no other loop lies between the two. */
+  bool
+  isClear(const Beside& place) const
+  {
+    const ScallopLoop& a = loops_.loop(place.a);
+    const Eigen::Vector3d middle = 0.5 * (a.at(place.ua) + loops_.loop(place.b).at(place.ub));
+    for (int step = -1; step <= 1; ++step)
+      if (finder_.nearest(a.level + step, middle, a.metricAt(place.ua), between_share * place.distance).loop != LoopPlace::none)
+        return false;
+    return true;
   }
 
   /** Prim's tree: always the best place between a loop that is joined and one that is not. */
