@@ -17,6 +17,7 @@ constexpr double sample_step = 0.4;
 constexpr std::size_t most_samples = 400; // a loop
 constexpr double finger_gap = 0.56;    // cut out of a loop for a finger to a dot
 constexpr double finger_cap = 0.25;
+constexpr std::uint8_t as_dot = 2;     // joined as a finger: the loop itself is not travelled, so no bridge leads to it
 
 /** Two loops side by side at a place. */
 struct Beside {
@@ -131,7 +132,7 @@ private:
     while (!front.empty()) {
       const Beside& place = places[front.top().second];
       front.pop();
-      if (joined_[place.a] == joined_[place.b])
+      if ((joined_[place.a] != 0) == (joined_[place.b] != 0) || joined_[place.a] == as_dot || joined_[place.b] == as_dot)
         continue;
       if (!loops_.isFree(place.a, place.ua, beside_reach) || !loops_.isFree(place.b, place.ub, beside_reach))
         continue;
@@ -233,7 +234,7 @@ private:
     for (int k = 15; k >= 1; --k)
       piece.add(to + (centre - middle) * (k / 16.0), between(at, metric, k / 16.0));
     loops_.connect({cut, false}, {cut, true}, std::move(piece));
-    joined_[dot] = 2;
+    joined_[dot] = as_dot;
     ++path_.dots;
   }
 
