@@ -54,6 +54,11 @@ struct ChoiceNames<GapHandling> {
       {{GapHandling::Bridge, "bridge"}, {GapHandling::Refuse, "refuse"}}};
 };
 template <>
+struct ChoiceNames<HoleHandling> {
+  static constexpr std::array<std::pair<HoleHandling, const char*>, 3> words{
+      {{HoleHandling::Around, "around"}, {HoleHandling::Over, "over"}, {HoleHandling::Refuse, "refuse"}}};
+};
+template <>
 struct ChoiceNames<LineMethod> {
   static constexpr std::array<std::pair<LineMethod, const char*>, 3> words{
       {{LineMethod::Automatic, "auto"},
@@ -62,8 +67,9 @@ struct ChoiceNames<LineMethod> {
 };
 template <>
 struct ChoiceNames<SpiralMethod> {
-  static constexpr std::array<std::pair<SpiralMethod, const char*>, 3> words{
-      {{SpiralMethod::Radial, "radial"},
+  static constexpr std::array<std::pair<SpiralMethod, const char*>, 4> words{
+      {{SpiralMethod::Shortest, "shortest"},
+       {SpiralMethod::Radial, "radial"},
        {SpiralMethod::ConstantScallop, "constant-scallop"},
        {SpiralMethod::Published, "published"}}};
 };

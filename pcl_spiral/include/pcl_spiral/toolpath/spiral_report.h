@@ -5,6 +5,7 @@
 
 #include <pcl_spiral/common/stage_clock.h>
 #include <pcl_spiral/features/boundary_loop.h>
+#include <pcl_spiral/toolpath/spiral_settings.h>
 
 #include <Eigen/Core>
 
@@ -13,6 +14,13 @@
 #include <vector>
 
 namespace pcl_spiral {
+
+/** What was done with one hole. */
+struct HoleReport {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< its middle
+  double width = 0.0;                              ///< its largest extent, mm
+  HoleHandling handling = HoleHandling::Around;    ///< Around or Over
+};
 
 /** Figures of a run: counts, lengths in mm, seconds. */
 struct SpiralReport {
@@ -29,6 +37,10 @@ struct SpiralReport {
   double noise = 0.0;               ///< standard deviation of the points about the fitted surface
   int projection_neighbours = 0;    ///< neighbours in one surface fit
   std::vector<BoundaryLoop> loops;
+  std::vector<HoleReport> holes;    ///< and gaps
+  SpiralMethod method = SpiralMethod::Radial; ///< that made the path
+  double foreseen_radial = 0.0;     ///< length of the radial method's path, foreseen to choose by; 0: not foreseen
+  double foreseen_scallop = 0.0;    ///< the same of ConstantScallop
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< of the spiral, one boundary only
   std::size_t boundaries = 0;       ///< 1 or 2
   bool centre_settled = true;       ///< the search for the centre ended at rest
@@ -41,7 +53,10 @@ struct SpiralReport {
   std::size_t scallop_loops = 0;    ///< of SpiralMethod::ConstantScallop: see ScallopFigures
   std::size_t chain_loops = 0;      ///< of them, in the spiral from the outer rim inward
   std::size_t bridges = 0;          ///< of them, beside it
+  std::size_t fingers = 0;          ///< of the loops: where they reach out so that no higher ridge is left
   double reversed_share = 0.0;      ///< of the path, travelled against the sense asked for
+  double turn_radius = 0.0;         ///< of the sharpest turns, in step-overs: all but 0.1 % of the path turn no sharper
+  Eigen::Vector3d sharpest_place = Eigen::Vector3d::Zero(); ///< where the path turns most sharply
   double least_length = 0.0;        ///< of any path at this scallop height, by the same method; 0: not measured
   std::size_t turns = 0;            ///< of the path, with those along the rim and the inner loop
   std::size_t path_points = 0;

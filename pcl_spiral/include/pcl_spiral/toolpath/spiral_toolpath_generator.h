@@ -89,7 +89,7 @@ public:
   const std::optional<Eigen::Vector3d>& getCenter() const { return settings_.centre; }
   void clearCenter() { settings_.centre.reset(); }
 
-  /** The first radial line ends at the rim point nearest here. */
+  /** The path begins, or going outward ends, at the rim near here. */
   void setStartPoint(const Eigen::Vector3d& point) { settings_.start_point = point; }
   const std::optional<Eigen::Vector3d>& getStartPoint() const { return settings_.start_point; }
   void clearStartPoint() { settings_.start_point.reset(); }
@@ -117,10 +117,35 @@ public:
   void setSettings(const SpiralSettings& settings) { settings_ = settings; }
   const SpiralSettings& getSettings() const { return settings_; }
 
-  /** How the whole path is made; Radial by default. With Published boundaries that are given take the place of the walk. */
+  /** How the whole path is made; Shortest by default. Radial lines and a centre that are given ask for Radial. With Published
+   *  boundaries that are given take the place of the walk. */
   void setMethod(SpiralMethod method) { settings_.method = method; }
   SpiralMethod getMethod() const { return settings_.method; }
-  /** How many boundaries the spiral runs between; Automatic by default: two where there is a single real hole. */
+  /** Speed along the path at the contact, mm/min; 1000 by default. With the acceleration it tells which method is faster. */
+  void setFeed(double feed) { settings_.feed = feed; }
+  double getFeed() const { return settings_.feed; }
+  /** Of the machine along the path, mm/s2; 2000 by default. */
+  void setAcceleration(double acceleration) { settings_.acceleration = acceleration; }
+  double getAcceleration() const { return settings_.acceleration; }
+  /** Least radius of turns, in step-overs, 0 to 0.25; 0.2 by default. ConstantScallop rounds sharper turns as far as the scallop
+   *  height allows; what it came to is in the report. */
+  void setLeastTurnRadius(double step_overs) { settings_.least_turn_radius = step_overs; }
+  double getLeastTurnRadius() const { return settings_.least_turn_radius; }
+  /** Where the pass along the rim runs, mm: 0, the default, on the rim; above 0 beyond it by so much, on the surface continued
+   *  straight; below 0 inside it. */
+  void setRimOverhang(double overhang) { settings_.rim_overhang = overhang; }
+  double getRimOverhang() const { return settings_.rim_overhang; }
+  /** What to do with holes of the part; Around by default. */
+  void setHoleHandling(HoleHandling holes) { settings_.holes = holes; }
+  HoleHandling getHoleHandling() const { return settings_.holes; }
+  /** Least width of a hole of the part, mm; narrower holes are gaps in the data, which setGapHandling decides on. 0, the default:
+   *  by the scan (BoundaryOptions). */
+  void setHoleSize(double width) { settings_.hole_size = width; }
+  double getHoleSize() const { return settings_.hole_size; }
+  /** The path stays this far from the edges of holes, mm; 0 by default. */
+  void setHoleMargin(double margin) { settings_.hole_margin = margin; }
+  double getHoleMargin() const { return settings_.hole_margin; }
+  /** How many boundaries the spiral runs between; Automatic by default: the rim and every hole of the part. */
   void setBoundaryMode(BoundaryMode mode) { settings_.boundary_mode = mode; }
   BoundaryMode getBoundaryMode() const { return settings_.boundary_mode; }
   /** Which way the spiral travels; Outward by default. */
