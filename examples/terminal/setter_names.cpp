@@ -7,7 +7,7 @@
 namespace {
 
 /** Each is replaced where the program has the first option that the second names. */
-constexpr std::array<std::pair<const char*, const char*>, 23> words{{
+constexpr std::array<std::pair<const char*, const char*>, 29> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
@@ -19,6 +19,12 @@ constexpr std::array<std::pair<const char*, const char*>, 23> words{{
     {"setCenter", "--center"},
     {"clearCenter", "without --center"},
     {"setMethod", "--method"},
+    {"setPitch", "--pitch"},
+    {"setHoleHandling", "--holes"},
+    {"setHoleSize", "--hole-size"},
+    {"setHoleMargin", "--hole-margin"},
+    {"setRimOverhang", "--rim"},
+    {"setLeastTurnRadius", "--turn-radius"},
     {"setToolRadius", "--tool-radius"},
     {"setScallopHeight", "--scallop"},
     {"setChordError", "--chord-error"},

@@ -14,6 +14,37 @@ plural(std::size_t count)
   return count == 1 ? "" : "s";
 }
 
+/** What the path does at each hole: the widest few. */
+void
+printHoles(const pcl_spiral::SpiralReport& report)
+{
+  constexpr std::size_t most = 6;
+  std::vector<pcl_spiral::HoleReport> holes = report.holes;
+  std::stable_sort(holes.begin(), holes.end(), [](const auto& a, const auto& b) { return a.width > b.width; });
+  for (std::size_t i = 0; i < std::min(most, holes.size()); ++i)
+    std::printf("hole            %.3g mm wide at %.1f, %.1f, %.1f: the path runs %s\n", holes[i].width, holes[i].place.x(),
+                holes[i].place.y(), holes[i].place.z(),
+                holes[i].handling == pcl_spiral::HoleHandling::Around ? "round it" : "over it, marked");
+  if (holes.size() > most)
+    std::printf("                and %zu narrower ones; the .json report has them all\n", holes.size() - most);
+}
+
+void
+printMethod(const pcl_spiral::SpiralReport& report)
+{
+  if (report.method == pcl_spiral::SpiralMethod::ConstantScallop) {
+    std::printf("method          constant scallop: %zu loop%s, %zu in the spiral, %zu by bridges; %zu finger%s\n",
+                report.scallop_loops, plural(report.scallop_loops), report.chain_loops, report.bridges, report.fingers,
+                plural(report.fingers));
+    std::printf("spiral          %zu turn%s, %zu points; %.0f %% against the sense asked for; sharpest turns %.2f step-overs\n",
+                report.turns, plural(report.turns), report.path_points, 100.0 * report.reversed_share, report.turn_radius);
+    return;
+  }
+  std::printf("radial lines    %zu, %s\n", report.radial_lines.size(), report.harmonic_lines ? "harmonic" : "geodesic");
+  std::printf("spiral          %zu turn%s, %zu points, step-over %.4g to %.4g mm\n", report.turns, plural(report.turns),
+              report.path_points, report.smallest_step_over, report.largest_step_over);
+}
+
 void
 printSurface(const Job& job, const pcl_spiral::SpiralReport& report)
 {
@@ -39,7 +70,8 @@ printSurface(const Job& job, const pcl_spiral::SpiralReport& report)
   }
   if (gaps > 0)
     std::printf("scan gaps       %zu, bridged\n", gaps);
-  if (report.boundaries == 1)
+  printHoles(report);
+  if (report.boundaries == 1 && report.method != pcl_spiral::SpiralMethod::ConstantScallop)
     std::printf("centre          %.3f, %.3f, %.3f\n", report.centre.x(), report.centre.y(),
                 report.centre.z());
 }
@@ -47,16 +79,16 @@ printSurface(const Job& job, const pcl_spiral::SpiralReport& report)
 void
 printPath(const Job& job, const pcl_spiral::SpiralReport& report)
 {
-  std::printf("radial lines    %zu, %s\n", report.radial_lines.size(),
-              report.harmonic_lines ? "harmonic" : "geodesic");
-  std::printf("spiral          %zu turn%s, %zu points, step-over %.4g to %.4g mm\n", report.turns,
-              plural(report.turns), report.path_points, report.smallest_step_over, report.largest_step_over);
+  printMethod(report);
   if (report.deviating_points > 0)
     std::printf("tool axis       over %g degrees off the tilt asked for at %zu point%s, to turn smoothly; "
                 "at most %.3g degrees\n",
                 job.settings.axis_deviation, report.deviating_points, plural(report.deviating_points),
                 report.largest_axis_deviation);
-  std::printf("path length     %.3f m\n", report.path_length / 1000.0);
+  std::printf("path length     %.3f m", report.path_length / 1000.0);
+  if (report.least_length > 0.0)
+    std::printf(", %.3f of the least", report.path_length / report.least_length);
+  std::printf("\n");
   if (report.gap_points > 0)
     std::printf("over gaps       %.1f mm at %zu point%s: bridged, a guess from what lies round them\n", report.gap_length,
                 report.gap_points, plural(report.gap_points));

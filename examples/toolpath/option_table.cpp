@@ -17,6 +17,23 @@ setOutliers(Job& job, const std::string& value)
     throw UsageError("--outliers " + value + ": both numbers must be above 0, such as 16,3");
 }
 
+/** "on", "inside,2" or "beyond,2". */
+void
+setRim(double& overhang, const std::string& value)
+{
+  const std::vector<std::string> words = listValue(value);
+  const bool beyond = words[0] == "beyond";
+  if (words.size() == 1 && words[0] == "on") {
+    overhang = 0.0;
+    return;
+  }
+  if (words.size() != 2 || (!beyond && words[0] != "inside"))
+    throw UsageError("--rim " + value + ": write on, or inside or beyond with a distance in mm, such as beyond,2");
+  const double distance = numberValue("rim", words[1]);
+  requireOption(distance >= 0.0, "rim", distance, "the distance must be 0 mm or more");
+  overhang = beyond ? distance : -distance;
+}
+
 OptionGroup
 files(Job& job)
 {
@@ -65,7 +82,8 @@ cutter(SpiralSettings& s)
            numberOption("axis-deviation", "A",
                         "smoothing stays this near the tilt asked for, in the mean over its length; 2: --axis-deviation 1",
                         s.axis_deviation),
-           numberOption("feed", "F", "at the contact, mm/min; 1000: --feed 2500", s.feed)}};
+           numberOption("feed", "F", "at the contact, mm/min; 1000: --feed 2500", s.feed),
+           numberOption("acceleration", "A", "of the machine, mm/s2: what sharp turns cost; 2000: --acceleration 500", s.acceleration)}};
 }
 
 OptionGroup
@@ -74,13 +92,23 @@ spiral(SpiralSettings& s)
   return {
       "Spiral",
       {placeOption("center", "centre of a part with one boundary; found by default: --center 0,0,860", s.centre),
-       placeOption("start", "the first radial line ends nearest here: --start 1650,0,0", s.start_point),
-       choiceOption("boundaries", "one for a dome, two for a ring; auto by default: --boundaries two", s.boundary_mode),
+       placeOption("start", "the path meets the rim nearest here: --start 1650,0,0", s.start_point),
+       choiceOption("boundaries", "one: the rim; two: and the longest hole; all: and every hole; auto by default: --boundaries two",
+                    s.boundary_mode),
+       choiceOption("holes", "the path runs around holes, the default, or over them; or refuses them: --holes over", s.holes),
+       numberOption("hole-size", "W", "a narrower hole, mm, is but a gap in the data; found by default: --hole-size 8", s.hole_size),
+       numberOption("hole-margin", "D", "the path stays this far from holes, mm; 0: --hole-margin 1", s.hole_margin),
+       {"rim", "on|inside,D|beyond,D", "where the pass along the rim runs, D mm off it; on by default: --rim beyond,2",
+        [&s](const std::string& value) { setRim(s.rim_overhang, value); }},
        choiceOption("direction", "outward by default: --direction inward", s.direction),
        choiceOption("sense", "which way the cutter travels round, seen from outside; ccw by default: --sense cw", s.sense),
-       choiceOption("method", "radial, the default; constant-scallop: loops along rim and holes, linked to one path, short on any outline; or "
-                    "published: the chain of Wu et al. 2025, to compare with: --method constant-scallop",
+       choiceOption("method",
+                    "shortest, the default: of the two that follow the one foreseen to take less machine time; radial: turns about a "
+                    "centre or a hole; constant-scallop: loops along rim and holes, linked to one path; published: the chain of Wu "
+                    "et al. 2025, to compare with: --method radial",
                     s.method),
+       numberOption("turn-radius", "R", "least radius of turns, in step-overs, 0 to 0.25; 0.2: --turn-radius 0.1",
+                    s.least_turn_radius),
        choiceOption("pitch", "distance of turns across the feed, or along the lines as published: --pitch along", s.pitch),
        choiceOption("lines", "how radial lines are found; auto by default: --lines harmonic", s.lines),
        choiceOption("gaps", "holes in the data are bridged by default: --gaps refuse", s.gaps)}};

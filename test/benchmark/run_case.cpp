@@ -33,13 +33,25 @@ rawDome(const std::string& name)
   return raw;
 }
 
+/** The method that the end of a case's name stands for. */
+SpiralMethod
+methodNamed(const std::string& name)
+{
+  if (name == "published")
+    return SpiralMethod::Published;
+  if (name == "scallop")
+    return SpiralMethod::ConstantScallop;
+  throw std::invalid_argument("there is no method named " + name);
+}
+
 } // namespace
 
 const std::vector<std::string>&
 caseNames()
 {
-  static const std::vector<std::string> names{"dome",   "dome200k",           "freeform",
-                                              "dome12", "dome200k_published", "freeform_published"};
+  static const std::vector<std::string> names{"dome",           "dome200k",         "freeform",           "dome12",
+                                              "dome_scallop",   "dome200k_scallop", "freeform_scallop",
+                                              "dome200k_published", "freeform_published"};
   return names;
 }
 
@@ -53,15 +65,17 @@ runCase(const std::string& name, double scallop)
     chosen = dome(name, 200000);
   else if (name == "freeform")
     chosen = {name, {test::freeform(), 86000}, {}, false};
-  else if (name == "dome200k_published" || name == "freeform_published") {
-    chosen = runCase(name.substr(0, name.find('_')), scallop);
+  else if (const std::size_t end = name.find('_'); end != std::string::npos) {
+    chosen = runCase(name.substr(0, end), scallop);
     chosen.name = name;
-    chosen.settings.method = SpiralMethod::Published;
+    chosen.settings.method = methodNamed(name.substr(end + 1));
+    return chosen;
   }
   else if (name == "dome12")
     chosen = rawDome(name);
   else
     throw std::invalid_argument("there is no case named " + name);
+  chosen.settings.method = SpiralMethod::Radial;
   chosen.settings.tool_radius = 10.0;
   chosen.settings.scallop_height = scallop;
   chosen.settings.chord_error = 0.005;

@@ -6,6 +6,7 @@
 #include "loop_rings.h"
 #include "outline.h"
 #include "part_check.h"
+#include "void_rings.h"
 
 #include <Eigen/Geometry>
 
@@ -34,6 +35,9 @@ checkOptions(const SurfaceGraph& graph, const BoundaryOptions& options)
     return {StatusCode::InvalidArgument, formatted("the shortest length of a hole is %g; set it above 0, or 0 for "
                                                    "an eighth of the outer boundary",
                                                    options.min_hole_length)};
+  if (!(options.min_hole_width >= 0.0) || !std::isfinite(options.min_hole_width))
+    return {StatusCode::InvalidArgument, formatted("the least width of a hole is %g; set it above 0, or 0 to have it found",
+                                                   options.min_hole_width)};
   if (!(options.largest_gap >= 0.0) || !(options.shortest_loop >= 0.0))
     return {StatusCode::InvalidArgument, formatted("the largest gap is %g spacings, the shortest loop %g; neither "
                                                    "may be negative",
@@ -76,7 +80,8 @@ classify(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<
   std::stable_sort(loops.begin(), loops.end(),
                    [](const BoundaryLoop& a, const BoundaryLoop& b) { return a.length > b.length; });
   for (BoundaryLoop& loop : loops) {
-    const bool hole = options.min_hole_length > 0.0
+    const bool hole = options.min_hole_width > 0.0 ? width(loop.curve) >= options.min_hole_width
+                      : options.min_hole_length > 0.0
                           ? loop.length >= options.min_hole_length
                           : loop.length >= loops.front().length / 8.0 &&
                                 width(loop.curve) > options.largest_gap * graph.spacing();
@@ -242,7 +247,8 @@ findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std
   std::vector<std::uint32_t> parts;
   if (const Status status = checkParts(graph, options, parts, found); !status.ok())
     return status;
-  std::vector<Ring> rings = boundaryRings(graph.triangulation(), parts, 0);
+  std::vector<Ring> rings = options.min_hole_width > 0.0 ? ringsWithVoids(graph, parts, options.min_hole_width)
+                                                         : boundaryRings(graph.triangulation(), parts, 0);
   if (options.method == LoopMethod::Walk) {
     const std::vector<std::uint32_t> points = pointsToWalk(graph, options, parts, rings);
     WalkOptions walk;

@@ -29,6 +29,17 @@ duration(double seconds)
                             : words("%ld h %02ld min", minutes / 60, minutes % 60);
 }
 
+/** What a path at constant scallop height is made of. */
+HtmlRows
+scallopRows(const SpiralReport& r)
+{
+  return {{"Loops", words("%zu, of them %zu in the spiral, %zu joined to it by bridges", r.scallop_loops, r.chain_loops, r.bridges)},
+          {"Fingers", std::to_string(r.fingers)},
+          {"Efficiency: least length / path length", words("%.3f", r.least_length / r.path_length)},
+          {"Travelled against the sense asked for", words("%.0f %%", 100.0 * r.reversed_share)},
+          {"Radius of the sharpest turns", words("%.2f step-overs", r.turn_radius)}};
+}
+
 void
 addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
 {
@@ -38,14 +49,19 @@ addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
       {"Points", std::to_string(r.path_points)},
       {"Length", words("%.3f m", r.path_length / 1000.0)},
       {"Machining time", duration(60.0 * r.path_length / s.feed) + words(" at %g mm/min", s.feed)},
-      {"Step-over", words("%.4g to %.4g mm", r.smallest_step_over, r.largest_step_over)},
+      {"Method", choiceName(r.method)},
       {"Longest linear move", words("%.4g mm", r.largest_gap)},
-      {"Largest axis change per step", words("%.3g\u00b0", r.largest_axis_change)},
-      {"Radial lines", words("%zu, %s", r.radial_lines.size(), r.harmonic_lines ? "harmonic" : "geodesic")}};
+      {"Largest axis change per step", words("%.3g\u00b0", r.largest_axis_change)}};
+  if (r.method == SpiralMethod::ConstantScallop)
+    for (const auto& row : scallopRows(r))
+      rows.push_back(row);
+  else
+    rows.insert(rows.end(), {{"Step-over", words("%.4g to %.4g mm", r.smallest_step_over, r.largest_step_over)},
+                             {"Radial lines", words("%zu, %s", r.radial_lines.size(), r.harmonic_lines ? "harmonic" : "geodesic")}});
   if (r.gap_points > 0)
     rows.push_back({"Over gaps of the scan, bridged: a guess",
                     words("%zu points, %.1f mm", r.gap_points, r.gap_length)});
-  if (r.boundaries == 1)
+  if (r.boundaries == 1 && r.method != SpiralMethod::ConstantScallop)
     rows.push_back({"Centre", place(r.centre)});
   if (r.deviating_points > 0)
     rows.push_back({words("Axis off the tilt asked for by more than %g\u00b0, to turn smoothly", s.axis_deviation),
@@ -75,6 +91,9 @@ addSurface(HtmlPage& page, const SpiralReport& r)
                                                             : "Gap in the scan, bridged";
     rows.push_back({name, words("%.1f mm long, %zu corners", loop.length, loop.corners.size())});
   }
+  for (const HoleReport& hole : r.holes)
+    rows.push_back({hole.handling == HoleHandling::Around ? "Hole, the path runs round it" : "Hole or gap, the path runs over it",
+                    words("%.1f mm wide, at ", hole.width) + place(hole.place)});
   page.addTable(rows, false);
 }
 
@@ -100,7 +119,7 @@ addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
         s.axis_smoothing > 0.0 ? words("%g mm, by up to %g\u00b0", s.axis_smoothing, s.axis_deviation) : "nothing"},
        {"Feed at the contact", words("%g mm/min", s.feed)},
        {"Centre", place(s.centre, "found")},
-       {"First radial line", place(s.start_point, "found")},
+       {"The path meets the rim near", place(s.start_point, "found")},
        {"View point of the scanner",
         place(s.view_point, "none: the cutter comes from +z, or the convex side")},
        {"Cutter on the other side", s.flip_normals ? "yes" : "no"},
@@ -108,6 +127,11 @@ addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
        {"Direction, sense", choiceName(s.direction) + ", " + choiceName(s.sense)},
        {"Pitch measured", choiceName(s.pitch)},
        {"Lines", choiceName(s.lines)},
+       {"Holes", choiceName(s.holes) + (s.hole_size > 0.0 ? words(", at least %g mm wide", s.hole_size) : "") +
+                     (s.hole_margin > 0.0 ? words(", %g mm away", s.hole_margin) : "")},
+       {"Pass along the rim", s.rim_overhang == 0.0  ? std::string("on the rim")
+                              : s.rim_overhang > 0.0 ? words("%g mm beyond the rim", s.rim_overhang)
+                                                     : words("%g mm inside the rim", -s.rim_overhang)},
        {"Gaps in the scan", choiceName(s.gaps)},
        {"Thinning", s.thinning > 0.0 ? words("%g mm", s.thinning) : "none"},
        {"Outlier filter", s.outlier_neighbours > 0 ? words("%d neighbours, %g standard deviations",

@@ -36,6 +36,12 @@ settingsJson(const SpiralSettings& s)
           {"axis_smoothing", s.axis_smoothing},
           {"axis_deviation", s.axis_deviation},
           {"feed", s.feed},
+          {"acceleration", s.acceleration},
+          {"turn_radius", s.least_turn_radius},
+          {"rim_overhang", s.rim_overhang},
+          {"holes", choiceName(s.holes)},
+          {"hole_size", s.hole_size > 0.0 ? Json(s.hole_size) : Json()},
+          {"hole_margin", s.hole_margin},
           {"center", toJson(s.centre)},
           {"start", toJson(s.start_point)},
           {"view_point", toJson(s.view_point)},
@@ -75,6 +81,37 @@ loopsJson(const SpiralReport& report)
 }
 
 Json
+holesJson(const SpiralReport& report)
+{
+  Json holes = Json::array();
+  for (const HoleReport& hole : report.holes)
+    holes.push_back({{"place", toJson(hole.place)}, {"width", hole.width}, {"path", choiceName(hole.handling)}});
+  return holes;
+}
+
+/** What the path at constant scallop height is made of. */
+Json
+scallopJson(const SpiralReport& report)
+{
+  if (report.method != SpiralMethod::ConstantScallop)
+    return {};
+  return {{"loops", report.scallop_loops},
+          {"chain_loops", report.chain_loops},
+          {"bridges", report.bridges},
+          {"fingers", report.fingers},
+          {"reversed_share", report.reversed_share}};
+}
+
+Json
+foreseenJson(const SpiralReport& report)
+{
+  if (report.foreseen_scallop == 0.0)
+    return {};
+  return {{"radial", report.foreseen_radial > 0.0 ? Json(report.foreseen_radial) : Json()},
+          {"constant_scallop", report.foreseen_scallop}};
+}
+
+Json
 surfaceJson(const SpiralReport& report)
 {
   return {{"input_points", report.input_points},
@@ -94,8 +131,10 @@ surfaceJson(const SpiralReport& report)
 Json
 pathJson(const SpiralReport& report, double feed)
 {
-  return {{"boundaries", report.boundaries},
-          {"center", report.boundaries == 1 ? toJson(report.centre) : Json()},
+  return {{"method", choiceName(report.method)},
+          {"foreseen_length", foreseenJson(report)},
+          {"boundaries", report.boundaries},
+          {"center", report.boundaries == 1 && report.method != SpiralMethod::ConstantScallop ? toJson(report.centre) : Json()},
           {"radial_lines", report.radial_lines.size()},
           {"harmonic_lines", report.harmonic_lines},
           {"center_settled", report.centre_settled},
@@ -103,10 +142,9 @@ pathJson(const SpiralReport& report, double feed)
           {"largest_unsettled", report.largest_unsettled},
           {"line_error", report.line_error},
           {"line_tolerance", report.line_tolerance},
-          {"scallop_loops", report.scallop_loops},
-          {"chain_loops", report.chain_loops},
-          {"bridges", report.bridges},
-          {"reversed_share", report.reversed_share},
+          {"constant_scallop", scallopJson(report)},
+          {"turn_radius", report.turn_radius > 0.0 ? Json(report.turn_radius) : Json()},
+          {"sharpest_turn", report.turn_radius > 0.0 ? toJson(report.sharpest_place) : Json()},
           {"least_length", report.least_length > 0.0 ? Json(report.least_length) : Json()},
           {"efficiency", report.least_length > 0.0 ? Json(report.least_length / report.path_length) : Json()},
           {"turns", report.turns},
@@ -171,6 +209,7 @@ writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSett
       {"settings", settingsJson(settings)},
       {"surface", surfaceJson(report)},
       {"loops", loopsJson(report)},
+      {"holes", holesJson(report)},
       {"path", pathJson(report, settings.feed)},
       {"seconds", secondsJson(report.stages)},
       {"memory", memoryJson(report.stages)},

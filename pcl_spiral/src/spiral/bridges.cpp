@@ -1,8 +1,12 @@
 #include "bridges.h"
 
+#include "plane_lines.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <queue>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -15,6 +19,7 @@ constexpr double between_share = 0.45; // of their distance: another loop as nea
 constexpr double least_chord = 0.93;   // of their length within that reach
 constexpr double sample_step = 0.4;
 constexpr std::size_t most_samples = 400; // a loop
+constexpr double crossing_reach = 3.0, crossing_grain = 0.1; // of lines that a bridge might cross
 constexpr double finger_gap = 0.56;    // cut out of a loop for a finger to a dot
 constexpr double finger_cap = 0.25;
 constexpr std::uint8_t as_dot = 2;     // joined as a finger: the loop itself is not travelled, so no bridge leads to it
@@ -136,23 +141,25 @@ private:
         continue;
       if (!loops_.isFree(place.a, place.ua, beside_reach) || !loops_.isFree(place.b, place.ub, beside_reach))
         continue;
-      bridge(place);
+      std::array<PathPiece, 2> turns = turnsOf(place);
+      if (crosses(place, turns))
+        continue;
+      bridge(place, std::move(turns));
       const std::size_t next = joined_[place.a] ? place.b : place.a;
       joined_[next] = 1;
       push(next);
     }
   }
 
-  /** Both loops are cut, and their ends joined by two turns back to back. */
-  void
-  bridge(const Beside& place)
+  /** The two turns of a bridge, back to back: on the side where the arc lengths of a fall, and where they rise. */
+  std::array<PathPiece, 2>
+  turnsOf(const Beside& place) const
   {
     const ScallopLoop &a = loops_.loop(place.a), &b = loops_.loop(place.b);
-    const double radius = std::min(turn_radius, 0.49 * place.distance), half = half_gap + radius + 0.1;
-    const std::size_t cut_a = loops_.addCut({place.a, place.ua - half, 2.0 * half});
-    const std::size_t cut_b = loops_.addCut({place.b, place.ub - half, 2.0 * half});
+    const double radius = radiusOf(place);
+    std::array<PathPiece, 2> turns;
     for (const double side : {-1.0, 1.0}) {
-      PathPiece piece;
+      PathPiece& piece = turns[side > 0.0];
       const auto add = [&](double x, double y) { // x along a from the middle, y from a to b, both in step-overs
         const double share = y / place.distance;
         const double ua = place.ua + side * x, ub = place.ub + place.sense * side * x;
@@ -167,8 +174,74 @@ private:
         const double t = 0.5 * M_PI * k / arc_points;
         add(half_gap + radius * (1.0 - std::sin(t)), place.distance - radius * (1.0 - std::cos(t)));
       }
+    }
+    return turns;
+  }
+  static double radiusOf(const Beside& place) { return std::min(turn_radius, 0.49 * place.distance); }
+  static double halfCut(const Beside& place) { return half_gap + radiusOf(place) + 0.1; }
+
+  /** Whether the bridge crosses a loop about it, an earlier bridge, or itself. */
+  bool
+  crosses(const Beside& place, const std::array<PathPiece, 2>& turns) const
+  {
+    const ScallopLoop &a = loops_.loop(place.a), &b = loops_.loop(place.b);
+    const Eigen::Vector3d middle = 0.5 * (a.at(place.ua) + b.at(place.ub));
+    PlaneLines lines(middle, a.at(place.ua + beside_reach) - a.at(place.ua - beside_reach), b.at(place.ub) - a.at(place.ua));
+    addLoop(place.a, place.ua, halfCut(place), lines);
+    addLoop(place.b, place.ub, halfCut(place), lines);
+    for (int step = -1; step <= 1; ++step)
+      if (const LoopPlace other = finder_.nearest(a.level + step, middle, a.metricAt(place.ua), largest_distance, place.a);
+          other.loop != LoopPlace::none && other.loop != place.b)
+        addLoop(other.loop, other.u, 0.0, lines);
+    for (const PathPiece& piece : made_)
+      if (a.metricAt(place.ua).length(piece.points.front() - middle) < crossing_reach)
+        lines.add(piece.points);
+    const double half = halfCut(place);
+    std::array<Polyline, 2> whole; // from cut to cut
+    for (const double side : {-1.0, 1.0}) {
+      Polyline& line = whole[side > 0.0];
+      line.assign(1, a.at(place.ua + side * half));
+      const Polyline& turn = turns[side > 0.0].points;
+      line.insert(line.end(), turn.begin(), turn.end());
+      line.push_back(b.at(place.ub + place.sense * side * half));
+    }
+    if (lines.crossedBy(whole[0]))
+      return true;
+    lines.add(whole[0]);
+    return lines.crossedBy(whole[1]);
+  }
+  /** Add what lies near of a loop, but for a cut of twice \p half about \p u. */
+  void
+  addLoop(std::size_t i, double u, double half, PlaneLines& lines) const
+  {
+    const ScallopLoop& loop = loops_.loop(i);
+    const bool whole = loop.length() <= 2.0 * crossing_reach;
+    const auto stretch = [&](double from, double to) {
+      Polyline line;
+      const auto steps = static_cast<int>(std::ceil((to - from) / crossing_grain));
+      for (int k = 0; k <= steps; ++k)
+        line.push_back(loop.at(u + from + (to - from) * k / steps));
+      lines.add(line);
+    };
+    if (whole)
+      stretch(half, loop.length() - half);
+    else {
+      stretch(half, crossing_reach);
+      stretch(-crossing_reach, -half);
+    }
+  }
+
+  /** Both loops are cut, and their ends joined by two turns. */
+  void
+  bridge(const Beside& place, std::array<PathPiece, 2> turns)
+  {
+    const double half = halfCut(place);
+    const std::size_t cut_a = loops_.addCut({place.a, place.ua - half, 2.0 * half});
+    const std::size_t cut_b = loops_.addCut({place.b, place.ub - half, 2.0 * half});
+    for (const bool rising : {false, true}) {
+      made_.push_back(turns[rising]);
       // Of b the side that faces: its begin where b runs like a and this is the left, else its end.
-      loops_.connect({cut_a, side > 0.0}, {cut_b, (side > 0.0) == (place.sense > 0.0)}, std::move(piece));
+      loops_.connect({cut_a, rising}, {cut_b, rising == (place.sense > 0.0)}, std::move(turns[rising]));
     }
     addTests(place);
     ++path_.bridges;
@@ -233,6 +306,7 @@ private:
     }
     for (int k = 15; k >= 1; --k)
       piece.add(to + (centre - middle) * (k / 16.0), between(at, metric, k / 16.0));
+    made_.push_back(piece);
     loops_.connect({cut, false}, {cut, true}, std::move(piece));
     joined_[dot] = as_dot;
     ++path_.dots;
@@ -242,6 +316,7 @@ private:
   std::vector<std::uint8_t>& joined_;
   CutLoops& loops_;
   LinkedPath& path_;
+  std::vector<PathPiece> made_; ///< turns of bridges and fingers
 };
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "path_cover.h"
 #include "path_end.h"
 #include "path_sampling.h"
+#include "turn_radius.h"
 
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
@@ -84,6 +85,10 @@ planPath(const Surface& surface, const std::vector<BoundaryLoop>& outlines, cons
   figures.bridges = path.bridges;
   figures.dots = path.dots;
   figures.least_length = field.least_length;
+  const SharpTurns turns = sharpTurns(path);
+  figures.turn_radius = turns.radius;
+  figures.least_radius = turns.least_radius;
+  figures.sharpest_place = path.points[turns.sharpest];
   figures.farthest = cover.farthest;
   figures.farthest_place = cover.farthest_place;
   if (!inward)

@@ -62,8 +62,8 @@ nameLoops(const Polyline& kept, std::vector<BoundaryLoop>& loops)
 /** One run: what was given, and what of it is the user's own. */
 class Bridging {
 public:
-  Bridging(const std::vector<BoundaryLoop>& loops, BridgedSurface& bridged)
-      : loops_(loops), own_(loops.size(), 0), bridged_(bridged)
+  Bridging(const std::vector<BoundaryLoop>& loops, const HoleOptions& options, BridgedSurface& bridged)
+      : loops_(loops), options_(options), own_(loops.size(), 0), bridged_(bridged)
   {
   }
 
@@ -78,6 +78,7 @@ public:
     if (loops_.size() < 2) // nothing to bridge, nothing to find again
       return Status::success();
     BoundaryOptions options;
+    options.min_hole_width = options_.hole_size;
     options.progress = progress;
     std::vector<BoundaryLoop> found;
     if (const Status status = findBoundaryLoops(surface, options, found); status.code() == StatusCode::Cancelled)
@@ -91,9 +92,9 @@ public:
 
   /** Points for each loop that bounds a gap. */
   Status
-  fill(const Surface& surface, BoundaryMode mode, GapHandling handling, std::vector<Eigen::Vector3f>& bridges)
+  fill(const Surface& surface, std::vector<Eigen::Vector3f>& bridges)
   {
-    if (const Status status = chooseBoundaries(loops_, mode, choice_); !status.ok())
+    if (const Status status = choose(); !status.ok())
       return status;
     for (std::size_t i = 0; i < loops_.size(); ++i) {
       const BoundaryLoop& loop = loops_[i];
@@ -101,7 +102,7 @@ public:
         continue;
       if (const Status status = checkGap(surface.graph(), i); !status.ok())
         return status;
-      if (handling == GapHandling::Refuse)
+      if (options_.gaps == GapHandling::Refuse)
         return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(loop.points.front()), ", ", loop.length,
                                                  " mm round: scan it again, or allow gaps to be bridged (setGapHandling)")};
       const GapFill fill = fillGap(surface.graph(), loop.points);
@@ -130,6 +131,7 @@ public:
     std::vector<BoundaryLoop>& loops = bridged_.loops;
     if (!own_rim || find_holes) {
       BoundaryOptions options;
+      options.min_hole_width = options_.hole_size;
       options.progress = progress;
       if (const Status status = findBoundaryLoops(*bridged_.surface, options, loops); !status.ok())
         return status;
@@ -166,6 +168,21 @@ public:
   }
 
 private:
+  /** Which holes stay. */
+  Status
+  choose()
+  {
+    const bool over = options_.holes == HoleHandling::Over && options_.mode == BoundaryMode::Automatic;
+    if (const Status status = chooseBoundaries(loops_, over ? BoundaryMode::OneBoundary : options_.mode, choice_); !status.ok())
+      return status;
+    for (const BoundaryLoop& loop : loops_)
+      if (loop.type == LoopType::Inner && options_.holes == HoleHandling::Refuse)
+        return {StatusCode::InvalidInput, textOf("the part has a hole at ", placeText(middleOf(loop)), ", ", loop.length,
+                                                 " mm round, and holes are refused: let the path run round holes or over them "
+                                                 "(setHoleHandling)")};
+    return Status::success();
+  }
+
   std::size_t indexOf(const BoundaryLoop* loop) const { return static_cast<std::size_t>(loop - loops_.data()); }
   bool isOwn(const BoundaryLoop* loop) const { return loop && own_[indexOf(loop)] != 0; }
   Polyline
@@ -214,22 +231,23 @@ private:
   }
 
   const std::vector<BoundaryLoop>& loops_;
+  HoleOptions options_;
   std::vector<std::uint8_t> own_; ///< a flag a loop
   BridgedSurface& bridged_;
   BoundaryChoice choice_;
 };
 
 Status
-bridge(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, BoundaryMode mode, GapHandling handling,
+bridge(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const HoleOptions& options,
        const ProgressCallback& progress, LoopOrigin origin, BridgedSurface& bridged)
 {
-  Bridging bridging(loops, bridged);
+  Bridging bridging(loops, options, bridged);
   const double begin = origin == LoopOrigin::Given ? 0.5 : 0.0; // of finding loops again
   if (origin == LoopOrigin::Given)
     if (const Status status = bridging.findOwn(*surface, partOf(progress, 0.0, begin, "boundaries")); !status.ok())
       return status;
   std::vector<Eigen::Vector3f> bridges;
-  if (const Status status = bridging.fill(*surface, mode, handling, bridges); !status.ok())
+  if (const Status status = bridging.fill(*surface, bridges); !status.ok())
     return status;
   if (bridges.empty()) {
     bridged.surface = std::move(surface);
@@ -246,11 +264,11 @@ bridge(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, Bounda
 } // namespace
 
 Status
-bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, BoundaryMode mode, GapHandling handling,
+bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const HoleOptions& options,
            const ProgressCallback& progress, BridgedSurface& bridged, LoopOrigin origin)
 {
   bridged = BridgedSurface();
-  const Status status = bridge(std::move(surface), loops, mode, handling, progress, origin, bridged);
+  const Status status = bridge(std::move(surface), loops, options, progress, origin, bridged);
   if (!status.ok())
     bridged = BridgedSurface();
   return status;

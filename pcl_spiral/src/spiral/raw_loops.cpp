@@ -30,6 +30,7 @@ rawLoop(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& 
     const double share = std::clamp(c.share, off_nodes, 1.0 - off_nodes);
     loop.line.points.push_back((1.0 - share) * mesh.positions[c.below] + share * mesh.positions[c.above]);
     loop.line.metric.push_back(between(mesh.metric[c.below], mesh.metric[c.above], share));
+    loop.uphill.push_back(mesh.positions[c.above] - mesh.positions[c.below]);
     loop.is_fine.push_back(field.is_fine[c.below] && field.is_fine[c.above]);
     loop.is_near.push_back(band.isNear(c.below) || band.isNear(c.above));
     const std::uint32_t summit = climb.summit(c.above);
@@ -56,6 +57,20 @@ traceLoops(const StepOverDistance& field, const RidgeBand& band, const RidgeClim
       loops.push_back(std::move(loop));
   }
   return loops;
+}
+
+std::unordered_set<std::uint32_t>
+thinSummits(const std::vector<RawLoop>& loops)
+{
+  std::unordered_set<std::uint32_t> summits;
+  for (const RawLoop& loop : loops)
+    if (loop.is_thin)
+      summits.insert(loop.summits.begin(), loop.summits.end());
+  for (const RawLoop& loop : loops)
+    if (!loop.is_thin)
+      for (const std::uint32_t s : loop.summits)
+        summits.erase(s);
+  return summits;
 }
 
 ScallopLoop

@@ -10,6 +10,7 @@
 #include <pcl_spiral/spiral/scallop_loop.h>
 
 #include <cstdint>
+#include <unordered_set>
 #include <vector>
 
 namespace pcl_spiral {
@@ -17,6 +18,7 @@ namespace pcl_spiral {
 /** A loop as it was drawn on the mesh, with what is to be known of its points. */
 struct RawLoop {
   ScallopLoop line;
+  Polyline uphill;                    ///< one a point: a direction to larger distances, mm
   std::vector<std::uint8_t> is_fine;  ///< one a point: within the refined band
   std::vector<std::uint8_t> is_near;  ///< one a point: so near to the band that its nodes may be nearest to it
   std::vector<std::uint32_t> summits; ///< that the nodes within it lead to
@@ -27,6 +29,10 @@ struct RawLoop {
 std::vector<RawLoop>
 traceLoops(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& climb, const std::vector<double>& values,
            int level, const std::vector<std::uint32_t>& triangles);
+
+/** Summits that no loop of the next level goes round alone: those of \p loops that are thin, and of no other. */
+std::unordered_set<std::uint32_t>
+thinSummits(const std::vector<RawLoop>& loops);
 
 /** The loop without the jaggedness of the mesh; \p is_near: one a point of it. */
 ScallopLoop

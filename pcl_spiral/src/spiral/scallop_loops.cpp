@@ -6,6 +6,7 @@
 #include "ridge_climb.h"
 #include "segment_set.h"
 #include "step_over_march.h"
+#include "tight_necks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,8 @@ constexpr double blend = 0.25;         // of smax
 constexpr double neck_depth = 0.25;    // how far D rises above a loop's level in a neck that is widened
 constexpr double neck_agreement = 0.5; // gradients on its ridge agree no more than this
 constexpr double ridge_agreement = 0.97; // of gradients about a node of any ridge: cos 14 degrees
+constexpr double tight_neck = 0.25;    // width of necks between nodes of the mesh that are widened
+constexpr int most_redrawings = 3;     // of one level: widened necks may meet others
 constexpr double axis_reach = 1.2;     // a finger changes the field so far from its axis
 constexpr double search_within = 1.2;  // distances are not told beyond
 constexpr double core_below = 0.38, core_above = 1.31; // levels between which a core is looked at
@@ -29,21 +32,6 @@ smoothMax(double a, double b)
 {
   const double d = std::max(blend - std::abs(a - b), 0.0);
   return std::max(a, b) + d * d / (4.0 * blend);
-}
-
-/** Summits that no loop of the next level goes round alone: those of \p loops that are thin, and of no other. */
-std::unordered_set<std::uint32_t>
-thinSummits(const std::vector<RawLoop>& loops)
-{
-  std::unordered_set<std::uint32_t> summits;
-  for (const RawLoop& loop : loops)
-    if (loop.is_thin)
-      summits.insert(loop.summits.begin(), loop.summits.end());
-  for (const RawLoop& loop : loops)
-    if (!loop.is_thin)
-      for (const std::uint32_t s : loop.summits)
-        summits.erase(s);
-  return summits;
 }
 
 /** Loops level by level, each with its fingers before the next is looked at. */
@@ -271,8 +259,14 @@ LoopMaker::addLevel(int k)
   findCores(at, axes);
   findFingersOf(at, axes);
   loops.erase(std::remove_if(loops.begin(), loops.end(), [](const RawLoop& l) { return l.is_thin; }), loops.end());
-  if (!axes.empty())
+  std::vector<FingerAxis> necks = tightNecks(loops, tight_neck);
+  for (int round = 0; !axes.empty() || !necks.empty(); ++round) {
+    axes.insert(axes.end(), necks.begin(), necks.end());
     loops = redrawn(k + 1, axes, at.thin);
+    necks = tightNecks(loops, tight_neck);
+    if (necks.empty() || round == most_redrawings)
+      break;
+  }
   for (const FingerAxis& axis : axes)
     set_.axes.push_back(axis.points);
   below_.clear();

@@ -17,6 +17,26 @@ refused(const char* name, Value value, const char* remedy)
   return {StatusCode::InvalidArgument, textOf(name, " is ", value, ": ", remedy)};
 }
 
+/** Settings of radial lines have no meaning for a path at constant scallop height. */
+Status
+checkMethod(const SpiralSettings& s)
+{
+  if (s.holes == HoleHandling::Over &&
+      (s.boundary_mode == BoundaryMode::TwoBoundaries || s.boundary_mode == BoundaryMode::AllBoundaries))
+    return {StatusCode::InvalidArgument, "the path is to run over holes (setHoleHandling), but holes are to be boundaries "
+                                         "(setBoundaryMode): leave one of the two out"};
+  if (s.method != SpiralMethod::ConstantScallop)
+    return Status::success();
+  const char* setting = s.centre                              ? "a centre was given (setCenter)"
+                        : s.lines != LineMethod::Automatic    ? "a way to find radial lines was chosen (setLineMethod)"
+                        : s.pitch == Pitch::AlongLine         ? "the pitch along radial lines was chosen (setPitch)"
+                                                              : nullptr;
+  if (!setting)
+    return Status::success();
+  return {StatusCode::InvalidArgument, textOf(setting, ", but a path at constant scallop height has no centre and no radial "
+                                              "lines: leave it out, or choose the radial method (setMethod)")};
+}
+
 } // namespace
 
 Status
@@ -52,6 +72,18 @@ checkSettings(const SpiralSettings& s)
                    "give a count of 0 (none) or more, and a threshold above 0 standard deviations");
   if (s.threads > most_threads)
     return refused("the number of threads", s.threads, "give 0 for all, or a count up to 256");
+  if (!(s.acceleration > 0.0) || !std::isfinite(s.acceleration))
+    return refused("the acceleration", s.acceleration, "it must be above 0 mm/s2");
+  if (!(s.least_turn_radius >= 0.0) || !(s.least_turn_radius <= 0.25))
+    return refused("the least turn radius", s.least_turn_radius, "it must lie between 0 and 0.25 step-overs");
+  if (!std::isfinite(s.rim_overhang))
+    return refused("the overhang at the rim", s.rim_overhang, "give a length, below 0 inside the rim, or 0 for the rim");
+  if (!(s.hole_size >= 0.0) || !std::isfinite(s.hole_size))
+    return refused("the hole size", s.hole_size, "give a width above 0 mm, or 0 to have it found");
+  if (!(s.hole_margin >= 0.0) || !std::isfinite(s.hole_margin))
+    return refused("the hole margin", s.hole_margin, "give a length above 0 mm, or 0 for none");
+  if (const Status status = checkMethod(s); !status.ok())
+    return status;
   for (const auto* point : {&s.centre, &s.start_point, &s.view_point})
     if (*point && !(*point)->allFinite())
       return refused("a given point", placeText(**point), "its coordinates must be finite");

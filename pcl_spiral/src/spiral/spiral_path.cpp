@@ -32,7 +32,7 @@ degrees(double radians)
 bool
 isOverGap(const SurfaceFoot& foot, const Surface& surface)
 {
-  return isOverGap(surface, foot.nearest, foot.nearest_distance);
+  return isOverGap(surface, foot.position, foot.nearest, foot.nearest_distance);
 }
 
 /** Steps that projection stretched beyond the longest one get a point in their middle. Those beyond the slack are left for
@@ -75,9 +75,10 @@ halveStretchedSteps(const Surface& surface, double longest, SpiralPath& path)
 } // namespace
 
 bool
-isOverGap(const Surface& surface, std::uint32_t nearest, double distance)
+isOverGap(const Surface& surface, const Eigen::Vector3d& place, std::uint32_t nearest, double distance)
 {
-  return distance > gap_in_spacings * surface.graph().spacing(nearest) || surface.isGuessed(nearest);
+  return distance > gap_in_spacings * surface.graph().spacing(nearest) || surface.isGuessed(nearest) ||
+         surface.voids().contains(place, nearest);
 }
 
 Status
@@ -88,7 +89,7 @@ measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& 
     figures.points += path.over_gap[i];
     if (i > 0 && (path.over_gap[i - 1] || path.over_gap[i]))
       figures.length += path.arc_lengths[i] - path.arc_lengths[i - 1];
-    if (path.over_gap[i] && settings.gaps == GapHandling::Refuse)
+    if (path.over_gap[i] && settings.gaps == GapHandling::Refuse && settings.rim_overhang <= 0.0) // beyond the rim there is none
       return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(path.contacts[i]),
                                                ": no point of it lies near the path there; scan it again, or allow gaps to "
                                                "be bridged (setGapHandling)")};

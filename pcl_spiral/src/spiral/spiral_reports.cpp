@@ -18,8 +18,46 @@ markGaps(const Surface& surface, const Polyline& contacts, std::vector<std::uint
 #pragma omp parallel for schedule(static)
   for (std::int64_t i = 0; i < count; ++i) {
     const std::uint32_t nearest = surface.graph().blocks().nearest(contacts[i]);
-    over_gap[i] = isOverGap(surface, nearest, (surface.position(nearest) - contacts[i]).norm());
+    over_gap[i] = isOverGap(surface, contacts[i], nearest, (surface.position(nearest) - contacts[i]).norm());
   }
+}
+
+HoleReport
+holeOf(const BoundaryLoop& loop)
+{
+  HoleReport hole;
+  for (const Eigen::Vector3d& p : loop.curve)
+    hole.place += p / static_cast<double>(loop.curve.size());
+  for (const Eigen::Vector3d& p : loop.curve)
+    hole.width = std::max(hole.width, 2.0 * (p - hole.place).norm());
+  return hole;
+}
+
+/** Holes the path runs round, gaps it runs over, and voids, which are too narrow to be loops. */
+void
+reportHoles(const BridgedSurface& bridged, SpiralReport& report)
+{
+  for (const BoundaryLoop& loop : bridged.loops)
+    if (loop.type == LoopType::Inner)
+      report.holes.push_back(holeOf(loop));
+  for (const BridgedGap& gap : bridged.gaps)
+    report.holes.push_back({gap.points > 0 ? gap.centre : holeOf(gap.loop).place,
+                            gap.points > 0 ? gap.width : holeOf(gap.loop).width, HoleHandling::Over});
+  const std::size_t before = report.holes.size();
+  const HoleReport* widest = nullptr;
+  for (const ScanVoid& found : bridged.surface->voids().voids()) {
+    const auto is_hole = [&](const HoleReport& hole) { return (hole.place - found.place).norm() < 0.5 * hole.width; };
+    if (std::none_of(report.holes.begin(), report.holes.begin() + static_cast<std::ptrdiff_t>(before), is_hole))
+      report.holes.push_back({found.place, found.width, HoleHandling::Over});
+  }
+  for (std::size_t i = before; i < report.holes.size(); ++i)
+    if (!widest || report.holes[i].width > widest->width)
+      widest = &report.holes[i];
+  if (widest)
+    report.warnings.push_back(textOf("the scan has ", report.holes.size() - before, " narrow place(s) without points, up to ",
+                                     widest->width, " mm wide, as at ", placeText(widest->place),
+                                     ": the path runs over them and is marked there; if they are holes of the part, give the "
+                                     "least width of a hole (setHoleSize)"));
 }
 
 } // namespace
@@ -66,14 +104,14 @@ void
 reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, SpiralReport& report)
 {
   report.loops = bridged.loops;
+  reportHoles(bridged, report);
   for (const BridgedGap& gap : bridged.gaps)
     if (gap.points > 0) // those that were not filled are among the loops
       report.loops.push_back(gap.loop);
   report.passes += report.loops.size() > bridged.loops.size(); // the surface was made again, with the points put in
   report.boundaries = 1;
   for (const BoundaryLoop& loop : bridged.loops)
-    if (loop.type == LoopType::Inner)
-      report.boundaries = 2;
+    report.boundaries += loop.type == LoopType::Inner;
   const Surface& surface = *bridged.surface;
   report.spacing = surface.spacing();
   report.noise = surface.noise();
@@ -123,8 +161,16 @@ reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, Spi
   report.scallop_loops = figures.loops;
   report.chain_loops = figures.chain_loops;
   report.bridges = figures.bridges;
+  report.fingers = figures.fingers;
   report.reversed_share = figures.reversed_share;
   report.least_length = figures.least_length;
+  report.turn_radius = figures.turn_radius;
+  report.sharpest_place = figures.sharpest_place;
+  if (figures.turn_radius < settings.least_turn_radius)
+    report.warnings.push_back(textOf("the path turns more sharply than the radius of ", settings.least_turn_radius,
+                                     " step-overs asked for: a thousandth of it with less than ", figures.turn_radius,
+                                     ", at most with ", figures.least_radius, " at ", placeText(figures.sharpest_place),
+                                     ": slow down there, or ask for a smaller radius (setLeastTurnRadius)"));
   const double ridge = 4.0 * figures.farthest * figures.farthest * settings.scallop_height;
   if (figures.farthest > 0.52)
     report.warnings.push_back(textOf("a ridge of about ", ridge, " mm is left at ", placeText(figures.farthest_place),
@@ -149,7 +195,8 @@ reportGaps(const GapFigures& gaps, SpiralReport& report)
   report.gap_length = gaps.length;
   if (gaps.points > 0)
     report.warnings.push_back(textOf(gaps.points, " path points, ", gaps.length,
-                                     " mm, lie over gaps of the scan, where the surface is a guess; they are marked"));
+                                     " mm, lie over gaps of the scan or beyond its rim, where the surface is a guess; they are "
+                                     "marked"));
 }
 
 void

@@ -62,17 +62,18 @@ stepOverSides(const StepOverMesh& mesh, std::size_t triangle)
 }
 
 std::vector<double>
-distancesFromRims(const StepOverMesh& mesh)
+distancesFromRims(const StepOverMesh& mesh, const std::vector<double>& starts)
 {
   using Entry = std::pair<double, std::uint32_t>;
   const std::vector<Sides> sides = allSides(mesh);
   const Triangulation& mesh_t = mesh.triangles;
   std::vector<double> distance(mesh.size(), std::numeric_limits<double>::infinity());
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-  for (const std::vector<std::uint32_t>& rim : mesh.rims)
-    for (const std::uint32_t v : rim) {
-      distance[v] = 0.0;
-      front.push({0.0, v});
+  for (std::size_t r = 0; r < mesh.rims.size(); ++r)
+    for (const std::uint32_t v : mesh.rims[r]) {
+      distance[v] = starts.empty() ? 0.0 : starts[r];
+      if (std::isfinite(distance[v]))
+        front.push({distance[v], v});
     }
   while (!front.empty()) {
     const auto [d, i] = front.top();

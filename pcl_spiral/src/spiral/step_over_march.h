@@ -16,9 +16,10 @@ std::array<double, 3>
 stepOverSides(const StepOverMesh& mesh, std::size_t triangle);
 
 /** Distance of every node from the rims, in step-overs. Fast marching over the triangles (Kimmel, Sethian 1998), values
- *  corrected as often as a shorter way is found, so that obtuse triangles do no harm. Unreached nodes stay infinite. */
+ *  corrected as often as a shorter way is found, so that obtuse triangles do no harm. Unreached nodes stay infinite. \p starts: the
+ *  value along each rim, infinite for a rim to be left out; empty: 0. */
 std::vector<double>
-distancesFromRims(const StepOverMesh& mesh);
+distancesFromRims(const StepOverMesh& mesh, const std::vector<double>& starts = {});
 
 /** |grad D| in the metric, one a triangle: 1 where \p distance is one. */
 std::vector<float>

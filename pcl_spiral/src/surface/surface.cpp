@@ -29,7 +29,7 @@ farthestOff(const Surface& surface)
 
 } // namespace
 
-Surface::Surface(Parts parts) : parts_(std::move(parts)), fit_(parts_.graph) {}
+Surface::Surface(Parts parts) : parts_(std::move(parts)), fit_(parts_.graph), voids_(parts_.graph) {}
 
 Status
 checkSingleSheet(const Surface& surface)

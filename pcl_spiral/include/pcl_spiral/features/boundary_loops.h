@@ -49,6 +49,11 @@ public:
   void setMinHoleLength(double length) { options_.min_hole_length = length; }
   double getMinHoleLength() const { return options_.min_hole_length; }
 
+  /** Least width of a real hole, its largest extent, mm; with it holes too narrow for the triangles to leave open are found too.
+   *  0, the default: decided by the length. */
+  void setMinHoleWidth(double width) { options_.min_hole_width = width; }
+  double getMinHoleWidth() const { return options_.min_hole_width; }
+
   /** Size across, in spacings, up to which a hole is a gap in the data when no shortest hole is set; 15 by default. */
   void setLargestGap(double spacings) { options_.largest_gap = spacings; }
   double getLargestGap() const { return options_.largest_gap; }

@@ -33,6 +33,8 @@ struct BoundaryOptions {
   /** Shortest loop that is a real hole rather than a gap in the data, mm. 0: an eighth of the outer loop's length, and
    *  more than largest_gap spacings across. */
   double min_hole_length = 0.0;
+  /** Least largest extent of a real hole, mm; then holes that the triangles close (ScanVoids) count too. 0: as above. */
+  double min_hole_width = 0.0;
   double largest_gap = 15.0;       ///< across, in spacings: with no length set, a hole no larger is a gap in the data
   double shortest_loop = 8.0;      ///< in spacings: a shorter loop, or a thinner one than such a circle, is a flaw of
                                    ///< the triangulation, and left out

@@ -28,6 +28,9 @@ struct ScallopFigures {
   std::size_t fingers = 0;     ///< places where loops reach out so that no higher ridge is left
   double reversed_share = 0.0; ///< of the path, travelled against the sense asked for, as loops beside the chain must be
   double least_length = 0.0;   ///< integral of dA / largest step-over, and half the rims: no path at this scallop is shorter
+  double turn_radius = 0.0;    ///< step-overs: all but 0.1 % of the path turn no sharper
+  double least_radius = 0.0;   ///< step-overs: of the sharpest turn
+  Eigen::Vector3d sharpest_place = Eigen::Vector3d::Zero(); ///< there
   double farthest = 0.0;       ///< place of the surface farthest from the path, in step-overs; 0.5 leaves the height asked for
   Eigen::Vector3d farthest_place = Eigen::Vector3d::Zero();
 };

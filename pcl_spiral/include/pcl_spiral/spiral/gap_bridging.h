@@ -35,11 +35,20 @@ enum class LoopOrigin {
   Given  ///< from outside: those that findBoundaryLoops does not find on the surface are checked, and kept as they are
 };
 
-/** Bridge all holes of a surface but the one that BoundaryMode keeps as second boundary. \p surface is given up before a new
- *  one is made. Fails where chooseBoundaries does, on a gap with GapHandling::Refuse, and on given loops that do not belong to
- *  the surface (checkLoop) or have points of it where they name a gap; \p bridged is empty then. */
+/** What becomes of each hole. */
+struct HoleOptions {
+  BoundaryMode mode = BoundaryMode::Automatic;
+  HoleHandling holes = HoleHandling::Around; ///< Over: as OneBoundary
+  GapHandling gaps = GapHandling::Bridge;
+  double hole_size = 0.0; ///< BoundaryOptions::min_hole_width, mm
+};
+
+/** Bridge all holes of a surface but those that BoundaryMode and HoleHandling keep as boundaries. \p surface is given up before a
+ *  new one is made. Fails where chooseBoundaries does, on a gap with GapHandling::Refuse, on a hole with HoleHandling::Refuse, and
+ *  on given loops that do not belong to the surface (checkLoop) or have points of it where they name a gap; \p bridged is empty
+ *  then. */
 Status
-bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, BoundaryMode mode, GapHandling handling,
+bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const HoleOptions& options,
            const ProgressCallback& progress, BridgedSurface& bridged, LoopOrigin origin = LoopOrigin::Given);
 
 /** Bridges gaps in the data: every hole that is no boundary of the part is filled with points of a bicubic patch fitted to the
@@ -61,12 +70,20 @@ public:
 
   /** Which hole is a boundary of the part and stays: Automatic (the default) a single real one, TwoBoundaries the longest,
    *  OneBoundary none. */
-  void setBoundaryMode(BoundaryMode mode) { mode_ = mode; }
-  BoundaryMode getBoundaryMode() const { return mode_; }
+  void setBoundaryMode(BoundaryMode mode) { options_.mode = mode; }
+  BoundaryMode getBoundaryMode() const { return options_.mode; }
 
   /** Bridge gaps, the default, or refuse a surface that has some. */
-  void setGapHandling(GapHandling handling) { handling_ = handling; }
-  GapHandling getGapHandling() const { return handling_; }
+  void setGapHandling(GapHandling handling) { options_.gaps = handling; }
+  GapHandling getGapHandling() const { return options_.gaps; }
+
+  /** Keep holes of the part, the default, bridge them, or refuse a surface that has some. */
+  void setHoleHandling(HoleHandling holes) { options_.holes = holes; }
+  HoleHandling getHoleHandling() const { return options_.holes; }
+
+  /** Least width of a hole of the part, mm; 0, the default: by the scan, see BoundaryOptions. */
+  void setHoleSize(double width) { options_.hole_size = width; }
+  double getHoleSize() const { return options_.hole_size; }
 
   /** Called with the share done; returning false cancels. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
@@ -84,8 +101,7 @@ private:
   Status run(BridgedSurface& bridged);
 
   std::vector<BoundaryLoop> given_loops_;
-  BoundaryMode mode_ = BoundaryMode::Automatic;
-  GapHandling handling_ = GapHandling::Bridge;
+  HoleOptions options_;
   ProgressCallback progress_;
   std::vector<BridgedGap> gaps_;
   std::vector<std::string> warnings_;

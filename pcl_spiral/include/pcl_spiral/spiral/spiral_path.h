@@ -49,10 +49,10 @@ struct PathFigures {
   double largest_gap = 0.0; ///< longest linear move, mm
 };
 
-/** Whether there is no point of the scan near a place, but perhaps one that was put into a gap: \p nearest is the nearest point
- *  of \p surface, \p distance off, mm. */
+/** Whether \p place lies over a void of the scan (ScanVoids) or over no point of it, but perhaps over one that was put into a gap:
+ *  \p nearest is the nearest point of \p surface, \p distance off, mm. */
 bool
-isOverGap(const Surface& surface, std::uint32_t nearest, double distance);
+isOverGap(const Surface& surface, const Eigen::Vector3d& place, std::uint32_t nearest, double distance);
 
 /** Count what is marked in \p path. Fails at the first mark with GapHandling::Refuse. */
 Status

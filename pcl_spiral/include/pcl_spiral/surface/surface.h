@@ -7,6 +7,7 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/search/surface_graph.h>
 #include <pcl_spiral/surface/mls_surface.h>
+#include <pcl_spiral/surface/scan_voids.h>
 #include <pcl_spiral/surface/surface_settings.h>
 
 #include <cstddef>
@@ -77,6 +78,9 @@ public:
   /** The moving-least-squares surface, its fits as wide as the noise asks for. */
   const MlsSurface& fit() const { return fit_; }
 
+  /** Places without points that the triangles close: holes and gaps too narrow to be loops. */
+  const ScanVoids& voids() const { return voids_; }
+
   std::size_t size() const { return parts_.graph.size(); }
   Eigen::Vector3d position(std::size_t i) const { return parts_.graph.position(i); }
   /** Unit, out of the material. */
@@ -113,6 +117,7 @@ private:
 
   Parts parts_;
   MlsSurface fit_;
+  ScanVoids voids_;
 };
 
 /** The points a surface is made of. */

@@ -189,7 +189,11 @@ private:
   Status makeLoops(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops);
   Status makeLines(const Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, RadialLineSet& lines);
   Status makeCurve(Surface::ConstPtr& surface, StageClock& clock, SpiralTurns& turns);
-  Status makeConstantScallop(Surface::ConstPtr& surface, StageClock& clock, SpiralTurns& turns);
+  Status makeShortest(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
+  Status makeRadial(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
+  Status makeOnLines(Surface::ConstPtr& surface, const RadialLineSet& lines, StageClock& clock, SpiralTurns& turns);
+  Status makeConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock,
+                             SpiralTurns& turns);
   Status makePublished(const Surface& surface, StageClock& clock, SpiralPath& path);
   Status run(StageClock& clock, SpiralPath& path);
 

@@ -19,11 +19,12 @@ GapBridging<PointT, PointNT>::run(BridgedSurface& bridged)
     return status;
   std::vector<BoundaryLoop> loops = given_loops_;
   BoundaryOptions options;
+  options.min_hole_width = options_.hole_size;
   options.progress = partOf(progress_, 0.5, 0.75, "boundaries");
   if (loops.empty())
     if (const Status status = findBoundaryLoops(*surface, options, loops); !status.ok())
       return status;
-  return bridgeGaps(std::move(surface), loops, mode_, handling_, partOf(progress_, 0.75, 1.0), bridged,
+  return bridgeGaps(std::move(surface), loops, options_, partOf(progress_, 0.75, 1.0), bridged,
                     given_loops_.empty() ? LoopOrigin::Found : LoopOrigin::Given);
 }
 

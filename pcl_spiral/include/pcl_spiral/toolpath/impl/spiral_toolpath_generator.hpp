@@ -7,6 +7,8 @@
 #include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/common/toolpath_fields.h>
 #include <pcl_spiral/features/boundary_loops.h>
+#include <pcl_spiral/spiral/method_choice.h>
+#include <pcl_spiral/spiral/rim_offset.h>
 #include <pcl_spiral/spiral/settings_check.h>
 #include <pcl_spiral/spiral/spiral_reports.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
@@ -46,6 +48,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLoops(Surface::ConstP
   if (loops.empty()) {
     BoundaryLoops<PointInT, PointNT> boundaries;
     boundaries.setInputSurface(surface);
+    boundaries.setMinHoleWidth(settings_.hole_size);
     boundaries.setNumberOfThreads(settings_.threads);
     boundaries.setProgressCallback(partOf(progress_, 0.1, 0.35)); // begins where its own surface would be made
     boundaries.setQuiet(true);
@@ -54,16 +57,17 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLoops(Surface::ConstP
       return boundaries.getStatus();
   }
   BridgedSurface bridged;
-  const bool all = settings_.method == SpiralMethod::ConstantScallop && settings_.boundary_mode == BoundaryMode::Automatic;
-  const BoundaryMode mode = all ? BoundaryMode::AllBoundaries : settings_.boundary_mode;
-  if (const Status status = bridgeGaps(std::move(surface), loops, mode, settings_.gaps, partOf(progress_, 0.35, 0.4), bridged,
+  const bool all = methodAsked(settings_) != SpiralMethod::Radial && settings_.boundary_mode == BoundaryMode::Automatic;
+  const BoundaryMode mode = all && settings_.holes != HoleHandling::Over ? BoundaryMode::AllBoundaries : settings_.boundary_mode;
+  const HoleOptions holes{mode, settings_.holes, settings_.gaps, settings_.hole_size};
+  if (const Status status = bridgeGaps(std::move(surface), loops, holes, partOf(progress_, 0.35, 0.4), bridged,
                                        given_loops_.empty() ? LoopOrigin::Found : LoopOrigin::Given);
       !status.ok())
     return status;
   reportLoops(bridged, settings_, report_);
   surface = std::move(bridged.surface);
   loops = std::move(bridged.loops);
-  return Status::success();
+  return offsetOutlines(surface, loops, settings_.rim_overhang, settings_.hole_margin);
 }
 
 template <typename PointInT, typename PointNT, typename PointOutT>
@@ -90,32 +94,17 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLines(const Surface::
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
-SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstPtr& surface, StageClock& clock,
-                                                                 SpiralTurns& turns)
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOnLines(Surface::ConstPtr& surface, const RadialLineSet& lines,
+                                                                   StageClock& clock, SpiralTurns& turns)
 {
-  RadialLineSet lines;
-  if (given_lines_) {
-    if (const Status status = checkLines(*given_lines_, surface->spacing()); !status.ok())
-      return status;
-    report_.loops = given_loops_;
-    reportNoise(*surface, settings_, report_);
-  }
-  else {
-    std::vector<BoundaryLoop> loops;
-    if (const Status status = makeLoops(surface, loops); !status.ok())
-      return status;
-    clock.end("boundaries");
-    if (const Status status = makeLines(surface, loops, lines); !status.ok())
-      return status;
-  }
-  const RadialLineSet& used = given_lines_ ? *given_lines_ : lines;
-  reportLines(used, settings_, report_);
+  report_.method = SpiralMethod::Radial;
+  reportLines(lines, settings_, report_);
   const double area = surfaceArea(surface->graph());
   dropTriangulation(surface); // the projection looks at neighbourhoods alone
   clock.end("radial lines");
   if (progress_ && !progress_(0.6, "spiral"))
     return {StatusCode::Cancelled, "cancelled"};
-  const Status status = makeTurns(used, surface->spacing(), area, settings_, turns);
+  const Status status = makeTurns(lines, surface->spacing(), area, settings_, turns);
   reportTurns(turns, report_);
   clock.end("spiral");
   return status;
@@ -123,23 +112,83 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
-SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(Surface::ConstPtr& surface, StageClock& clock,
-                                                                           SpiralTurns& turns)
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeRadial(Surface::ConstPtr& surface,
+                                                                  const std::vector<BoundaryLoop>& loops, StageClock& clock,
+                                                                  SpiralTurns& turns)
 {
-  if (given_lines_)
+  RadialLineSet lines;
+  if (const Status status = makeLines(surface, loops, lines); !status.ok())
+    return status;
+  return makeOnLines(surface, lines, clock, turns);
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(const Surface& surface,
+                                                                           const std::vector<BoundaryLoop>& loops,
+                                                                           StageClock& clock, SpiralTurns& turns)
+{
+  report_.method = SpiralMethod::ConstantScallop;
+  ScallopFigures figures;
+  const Status status = planConstantScallop(surface, loops, settings_, partOf(progress_, 0.4, 0.65), clock, turns, figures);
+  report_.largest_allowed_step = turns.largest_allowed_step;
+  if (status.ok())
+    reportScallop(figures, settings_, report_);
+  return status;
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeShortest(Surface::ConstPtr& surface,
+                                                                    const std::vector<BoundaryLoop>& loops, StageClock& clock,
+                                                                    SpiralTurns& turns)
+{
+  const MethodForesight foresight = foreseeMethods(*surface, loops, settings_);
+  report_.foreseen_radial = foresight.radial_length;
+  report_.foreseen_scallop = foresight.scallop_length;
+  clock.end("choice of method");
+  if (foresight.method == SpiralMethod::Radial)
+    return makeRadial(surface, loops, clock, turns);
+  const Status status = makeConstantScallop(*surface, loops, clock, turns);
+  if (status.code() != StatusCode::Failed || !foresight.why_not_radial.empty())
+    return status;
+  report_.warnings.push_back("the radial method made the path, though a shorter one was foreseen at constant scallop height: " +
+                             status.message());
+  return makeRadial(surface, loops, clock, turns);
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstPtr& surface, StageClock& clock,
+                                                                 SpiralTurns& turns)
+{
+  if (given_lines_ && settings_.method == SpiralMethod::ConstantScallop)
     return {StatusCode::InvalidArgument, "radial lines were given, but a path at constant scallop height has none: call "
                                          "clearRadialLines, or setMethod with SpiralMethod::Radial"};
+  if (given_lines_) {
+    if (const Status status = checkLines(*given_lines_, surface->spacing()); !status.ok())
+      return status;
+    report_.loops = given_loops_;
+    reportNoise(*surface, settings_, report_);
+    return makeOnLines(surface, *given_lines_, clock, turns);
+  }
   std::vector<BoundaryLoop> loops;
   if (const Status status = makeLoops(surface, loops); !status.ok())
     return status;
   clock.end("boundaries");
-  ScallopFigures figures;
-  const Status status = planConstantScallop(*surface, loops, settings_, partOf(progress_, 0.4, 0.65), clock, turns, figures);
-  report_.largest_allowed_step = turns.largest_allowed_step;
-  if (status.ok())
-    reportScallop(figures, settings_, report_);
-  dropTriangulation(surface);
-  return status;
+  switch (methodAsked(settings_)) {
+  case SpiralMethod::ConstantScallop: {
+    const Status status = makeConstantScallop(*surface, loops, clock, turns);
+    dropTriangulation(surface);
+    return status;
+  }
+  case SpiralMethod::Radial: return makeRadial(surface, loops, clock, turns);
+  default: {
+    const Status status = makeShortest(surface, loops, clock, turns);
+    dropTriangulation(surface);
+    return status;
+  }
+  }
 }
 
 template <typename PointInT, typename PointNT, typename PointOutT>
@@ -181,15 +230,14 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
     clock.restart();
   else
     clock.end("surface");
+  report_.method = settings_.method;
   if (settings_.method == SpiralMethod::Published)
     return makePublished(*surface, clock, path);
   GapFigures gaps;
   {
     SpiralTurns turns;
-    const Status made = settings_.method == SpiralMethod::ConstantScallop ? makeConstantScallop(surface, clock, turns)
-                                                                          : makeCurve(surface, clock, turns);
-    if (!made.ok())
-      return made;
+    if (const Status status = makeCurve(surface, clock, turns); !status.ok())
+      return status;
     if (const Status status = putOnSurface(turns.curve, *surface, settings_, turns.largest_allowed_step,
                                            partOf(progress_, 0.65, 0.9), path, gaps);
         !status.ok())
@@ -203,9 +251,11 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
   AxisFigures axes;
   if (const Status status = setToolAxes(settings_, path, axes, report_.warnings); !status.ok())
     return status;
+  SpiralSettings used = settings_;
+  used.method = report_.method;
   PathFigures figures;
   const Status checked =
-      checkPath(path, settings_, report_.largest_allowed_step, partOf(progress_, 0.96, 1.0), figures);
+      checkPath(path, used, report_.largest_allowed_step, partOf(progress_, 0.96, 1.0), figures);
   reportPath(gaps, axes, figures, report_);
   clock.end("tool axis");
   if (checked.ok() && progress_ && !progress_(1.0, "done"))

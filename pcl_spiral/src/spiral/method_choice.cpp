@@ -1,0 +1,180 @@
+#include <pcl_spiral/spiral/method_choice.h>
+
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/core/step_over.h>
+#include <pcl_spiral/geodesic/distance_field.h>
+#include <pcl_spiral/search/point_selection.h>
+#include <pcl_spiral/toolpath/path_size.h>
+#include <pcl_spiral/toolpath/surface_centre.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr std::size_t most_points = 20000; // looked at
+constexpr std::size_t curvature_samples = 1000;
+constexpr std::size_t rim_samples = 256;
+constexpr double rim_share = 0.75;   // of the rims' length, beside the turns: half of it is on the rim, half a turn to begin and end
+constexpr double turn_radius = 0.25; // step-overs: of ConstantScallop's sharp turns
+constexpr double tie = 1.01;         // Radial is taken where it is foreseen no worse than this: it has no sharp turns at all
+
+/** \p surface with a part of its points, to be looked at as a whole. */
+SurfaceGraph
+coarseGraph(const Surface& surface, double area)
+{
+  const SurfaceGraph& graph = surface.graph();
+  std::vector<Eigen::Vector3f> points(graph.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] = graph.position(i).cast<float>();
+  SurfaceGraphOptions options;
+  std::vector<Eigen::Vector3f> kept;
+  for (const std::uint32_t i : voxelRepresentatives(points, std::sqrt(area / static_cast<double>(most_points)))) {
+    kept.push_back(points[i]);
+    options.given_normals.push_back(graph.normals()[i]);
+  }
+  SurfaceGraph coarse;
+  if (!coarse.build(std::move(kept), options).ok())
+    return SurfaceGraph();
+  return coarse;
+}
+
+/** Mean of the largest step-overs that the height allows. */
+double
+meanStepOver(const MlsSurface& surface, const SpiralSettings& settings)
+{
+  std::vector<Eigen::Vector3d> queries;
+  const std::size_t stride = std::max<std::size_t>(1, surface.graph().size() / curvature_samples);
+  for (std::size_t i = 0; i < surface.graph().size(); i += stride)
+    queries.push_back(surface.graph().position(i));
+  std::vector<SurfaceFoot> feet;
+  surface.project(queries, feet);
+  const double flat = stepOver(settings.tool_radius, 0.0, settings.scallop_height).value_or(0.0);
+  double inverse = 0.0; // turns are counted
+  for (const SurfaceFoot& foot : feet) {
+    const double least = foot.valid ? std::min(foot.curvature1, foot.curvature2) : 0.0;
+    inverse += 1.0 / std::min(4.0 * flat, stepOver(settings.tool_radius, least, settings.scallop_height).value_or(4.0 * flat));
+  }
+  return static_cast<double>(feet.size()) / inverse;
+}
+
+/** Distances that turns have to cover from the source to points evenly along \p rim: d cos(psi). */
+std::vector<double>
+heightsAlong(const Polyline& rim, const DistanceField& field)
+{
+  const Polyline points = resampled(rim, rim_samples, true);
+  std::vector<double> d(points.size()), heights(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    d[i] = field.distanceAt(points[i]);
+  constexpr std::size_t reach = 2; // samples on either side for the change along the rim
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t next = (i + reach) % points.size(), before = (i + points.size() - reach) % points.size();
+    double way = 0.0;
+    for (std::size_t k = before; k != next; k = (k + 1) % points.size())
+      way += (points[(k + 1) % points.size()] - points[k]).norm();
+    const double sine = std::clamp((d[next] - d[before]) / way, -1.0, 1.0);
+    heights[i] = d[i] * std::sqrt(1.0 - sine * sine);
+  }
+  return heights;
+}
+
+/** The most turns that a line asks for, over the mean along the rim; nothing where distances cannot be told. */
+std::optional<double>
+unevenness(const SurfaceGraph& graph, const MlsSurface& surface, const BoundaryLoop& rim, const BoundaryLoop* hole)
+{
+  DistanceField field;
+  if (hole) {
+    if (!field.compute(graph, hole->curve))
+      return std::nullopt;
+  }
+  else {
+    const auto centre = deepestPoint(surface, rim.curve); // hardly another than the balanced one where Radial is worth it
+    if (!centre || !field.compute(graph, *centre))
+      return std::nullopt;
+  }
+  const std::vector<double> heights = heightsAlong(rim.curve, field);
+  double largest = 0.0, sum = 0.0;
+  for (const double height : heights) {
+    if (!std::isfinite(height))
+      return std::nullopt;
+    largest = std::max(largest, height);
+    sum += height;
+  }
+  return sum > 0.0 ? std::optional<double>(largest * static_cast<double>(heights.size()) / sum) : std::nullopt;
+}
+
+/** Why turns that are shares of lines do not do; empty where they may. */
+std::string
+whyNotRadial(const BoundaryLoop& rim, const std::vector<const BoundaryLoop*>& holes)
+{
+  if (holes.size() > 1)
+    return textOf("the surface has ", holes.size(), " holes");
+  if (!rim.corners.empty())
+    return textOf("the rim has a corner at ", placeText(rim.curve[rim.corners.front()]));
+  if (!holes.empty() && !holes.front()->corners.empty())
+    return textOf("the hole has a corner at ", placeText(holes.front()->curve[holes.front()->corners.front()]));
+  return {};
+}
+
+/** Time of a path of \p length with \p turns of \p radius, mm; feed in mm/s. */
+double
+machineTime(double length, double turns, double radius, double feed, double acceleration)
+{
+  const double slow = std::min(feed, std::sqrt(acceleration * radius));
+  return length / feed + turns * (feed - slow) * (feed - slow) / (acceleration * feed);
+}
+
+} // namespace
+
+SpiralMethod
+methodAsked(const SpiralSettings& settings)
+{
+  const bool radial = settings.centre || settings.lines != LineMethod::Automatic || settings.pitch == Pitch::AlongLine;
+  return settings.method == SpiralMethod::Shortest && radial ? SpiralMethod::Radial : settings.method;
+}
+
+MethodForesight
+foreseeMethods(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings)
+{
+  MethodForesight foresight;
+  const BoundaryLoop* rim = nullptr;
+  std::vector<const BoundaryLoop*> holes;
+  double rims = 0.0;
+  for (const BoundaryLoop& loop : loops) {
+    if (loop.type == LoopType::Outer)
+      rim = &loop;
+    else if (loop.type == LoopType::Inner)
+      holes.push_back(&loop);
+    rims += loop.type == LoopType::ScanGap ? 0.0 : loop.length;
+  }
+  const double area = surfaceArea(surface.graph());
+  const bool small = surface.size() <= most_points;
+  SurfaceGraph coarse;
+  if (!small)
+    coarse = coarseGraph(surface, area);
+  const SurfaceGraph& graph = small || coarse.size() == 0 ? surface.graph() : coarse;
+  const MlsSurface fit(graph);
+  const double step_over = meanStepOver(fit, settings);
+  const double across = area / step_over, feed = settings.feed / 60.0;
+  const double turns = 2.0 * across / rims;
+  foresight.scallop_length = across + rim_share * rims;
+  foresight.why_not_radial = whyNotRadial(*rim, holes);
+  std::optional<double> uneven;
+  if (foresight.why_not_radial.empty())
+    uneven = unevenness(graph, fit, *rim, holes.empty() ? nullptr : holes.front());
+  if (!uneven && foresight.why_not_radial.empty())
+    foresight.why_not_radial = "no lines lead from a centre to the rim";
+  const double ridge_turns = uneven.value_or(2.0) > 1.02 ? 2.0 * turns : 0.0;
+  foresight.scallop_time =
+      machineTime(foresight.scallop_length, ridge_turns, turn_radius * step_over, feed, settings.acceleration);
+  if (uneven)
+    foresight.radial_length = across * *uneven + rim_share * rims;
+  foresight.radial_time = foresight.radial_length / feed;
+  if (foresight.why_not_radial.empty() && foresight.radial_time <= tie * foresight.scallop_time)
+    foresight.method = SpiralMethod::Radial;
+  return foresight;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,52 @@
+#include <pcl_spiral/spiral/rim_offset.h>
+
+#include "inner_outlines.h"
+#include "rim_band.h"
+
+#include <pcl_spiral/common/message.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double beyond_outline = 2.5; // spacings that the surface goes on beyond the outline: fits need points all about
+
+/** Continue \p surface beyond its rim and move the outline there. */
+Status
+moveBeyond(Surface::ConstPtr& surface, double overhang, std::vector<BoundaryLoop>& loops)
+{
+  const auto rim = std::find_if(loops.begin(), loops.end(), [](const auto& loop) { return loop.type == LoopType::Outer; });
+  if (rim == loops.end())
+    return {StatusCode::InvalidInput, "none of the loops is an outer one: there is no rim to go beyond"};
+  const RimBand band(*surface, rim->curve);
+  Polyline curve = band.line(overhang, 0.5 * surface->spacing());
+  if (curve.size() < 8)
+    return {StatusCode::InvalidInput, textOf("no outline is left ", overhang, " mm beyond the rim: make the distance smaller "
+                                             "(setRimOverhang)")};
+  Surface::ConstPtr longer;
+  if (const Status status = addPoints(surface, band.points(overhang + beyond_outline * surface->spacing()), longer); !status.ok())
+    return status;
+  surface = std::move(longer);
+  *rim = loopAlong(*surface, std::move(curve), LoopType::Outer);
+  return Status::success();
+}
+
+} // namespace
+
+Status
+offsetOutlines(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops, double overhang, double hole_margin)
+{
+  std::vector<double> margins;
+  for (const BoundaryLoop& loop : loops)
+    margins.push_back(loop.type == LoopType::Outer   ? std::max(0.0, -overhang)
+                      : loop.type == LoopType::Inner ? hole_margin
+                                                     : 0.0);
+  if (std::any_of(margins.begin(), margins.end(), [](double margin) { return margin > 0.0; }))
+    if (const Status status = moveInside(*surface, margins, loops); !status.ok())
+      return status;
+  return overhang > 0.0 ? moveBeyond(surface, overhang, loops) : Status::success();
+}
+
+} // namespace pcl_spiral
