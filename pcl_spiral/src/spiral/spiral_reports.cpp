@@ -123,6 +123,7 @@ reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, Spi
   report.scallop_loops = figures.loops;
   report.chain_loops = figures.chain_loops;
   report.bridges = figures.bridges;
+  report.fingers = figures.fingers;
   report.reversed_share = figures.reversed_share;
   report.least_length = figures.least_length;
   const double ridge = 4.0 * figures.farthest * figures.farthest * settings.scallop_height;
