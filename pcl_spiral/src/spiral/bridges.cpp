@@ -171,6 +171,9 @@ private:
       loops_.connect({cut_a, side > 0.0}, {cut_b, (side > 0.0) == (place.sense > 0.0)}, std::move(piece));
     }
     addTests(place);
+    const bool outward = joined_[place.a] != 0; // from a, which is linked, to b
+    path_.joints.push_back({outward ? place.b : place.a, outward ? place.a : place.b, LoopJointKind::Bridge,
+                            outward ? b.at(place.ub) : a.at(place.ua), outward ? a.at(place.ua) : b.at(place.ub)});
     ++path_.bridges;
   }
   void
@@ -235,6 +238,7 @@ private:
       piece.add(to + (centre - middle) * (k / 16.0), between(at, metric, k / 16.0));
     loops_.connect({cut, false}, {cut, true}, std::move(piece));
     joined_[dot] = as_dot;
+    path_.joints.push_back({dot, place.loop, LoopJointKind::Finger, centre, middle});
     ++path_.dots;
   }
 

@@ -14,6 +14,22 @@
 
 namespace pcl_spiral {
 
+/** How a loop hangs on another one. */
+enum class LoopJointKind {
+  Ramp,   ///< of the spiral from the outer rim to the innermost loop, inward
+  Bridge, ///< beside it, by a pair of narrow turns
+  Finger  ///< too small to be travelled: the other reaches out to its middle
+};
+
+/** A branch of the tree that loops are linked by. */
+struct LoopJoint {
+  std::size_t loop = 0;   ///< as they were given
+  std::size_t parent = 0; ///< nearer to the outer rim's loop along the tree
+  LoopJointKind kind = LoopJointKind::Bridge;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();        ///< on the loop, mm
+  Eigen::Vector3d parent_place = Eigen::Vector3d::Zero(); ///< on the parent
+};
+
 /** A path before it is put on the surface. Parallel arrays; mm. */
 struct LinkedPath {
   Polyline points;
@@ -22,6 +38,7 @@ struct LinkedPath {
   std::vector<std::uint8_t> reversed; ///< 1 where it travels against the sense of the outer rim's loop
   Polyline links;                  ///< places between the turns of ramps and about bridges, where coverage is to be checked
   std::vector<StepOverMetric> link_metric;
+  std::vector<LoopJoint> joints;   ///< one for each loop but the outer rim's; parents before what hangs on them, but for fingers
 
   std::size_t chain_loops = 0; ///< of the spiral from the outer rim to the innermost loop
   std::size_t bridges = 0;     ///< further loops, joined to their neighbours by a pair of turns
