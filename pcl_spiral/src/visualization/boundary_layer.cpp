@@ -105,6 +105,12 @@ addBoundaries(PartView& view, const SpiralReport& report, vtkScalarsToColors* he
 }
 
 std::string
+boundariesTitle(const std::string& title, const SpiralReport& report)
+{
+  return title + (report.radial_lines.empty() ? ": the scan and its boundaries" : ": boundaries and radial lines");
+}
+
+std::string
 scanInWords(const SpiralReport& report)
 {
   return std::to_string(report.used_points) + " points, spacing " + text("%.3g mm", report.spacing) +
