@@ -108,6 +108,9 @@ TEST(RefusedScallopStages, FieldsThatAreNone)
   closed.setInputField(broken);
   expectRefused(closed, set, "setInputField");
   closed.setInputField(field());
+  closed.setNumberOfThreads(100000);
+  expectRefused(closed, set, "setNumberOfThreads");
+  closed.setNumberOfThreads(0);
   closed.compute(set);
   EXPECT_TRUE(closed.getStatus().ok()) << closed.getStatus().message();
   expectRefused(closed, passes, "tool radius is 0");
@@ -140,6 +143,9 @@ TEST(RefusedScallopStages, LoopsThatCannotBeLinked)
   refused("call measure", [](Loops& loops) { loops[1].arcs.clear(); });
   refused("at point 2", [](Loops& loops) { loops[1].points[2].x() = NAN; });
   refused("three or more", [](Loops& loops) { loops[2].points.resize(2); });
+  linking.setNumberOfThreads(100000);
+  refused("setNumberOfThreads", [](Loops&) {});
+  linking.setNumberOfThreads(0);
   linking.setInputLoops(set.loops);
   linking.compute(path);
   EXPECT_FALSE(path.points.empty()) << linking.getStatus().message();

@@ -15,6 +15,8 @@ LoopLinking<PointT, PointNT>::run(LinkedPath& path)
 {
   const ProgressCallback& progress = this->progress_;
   const bool given = !given_scallop_loops_.empty(), nothing_else = !this->given_surface_ && !this->input_;
+  if (const Status status = this->checkShared(); !status.ok())
+    return status;
   if (given)
     if (const Status status = checkScallopLoops(given_scallop_loops_); !status.ok())
       return status;

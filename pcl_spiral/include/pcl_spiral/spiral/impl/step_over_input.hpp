@@ -44,6 +44,8 @@ FieldInput<PointT, PointNT>::takeField(Surface::ConstPtr& surface, FieldConstPtr
 {
   if (!given_field_)
     return this->makeField(surface, field, progress);
+  if (const Status status = this->checkShared(); !status.ok())
+    return status;
   field = given_field_;
   return checkField(*field);
 }
