@@ -57,13 +57,13 @@ fault "flags that break PCL's ABI, the same bytes everywhere, or the compile tim
 fault "pragmas that break the same bytes everywhere" \
   "$(grep -rnE 'pragma.*(fast-math|Ofast|march=)|attribute.*(fast-math|Ofast)' $library examples || true)"
 
-# Examples are to be read at a glance; the whole chain of stages takes a few lines more, the program of all pictures twice.
+# Examples are to be read at a glance; the whole chain of stages takes a few lines more, programs of pictures twice.
 long_examples() {
   local file most
   for file in examples/example_*.cpp; do
     case "$file" in
       */example_stage_by_stage.cpp) most=70 ;;
-      */example_stage_pictures.cpp) most=110 ;;
+      */example_*_pictures.cpp) most=110 ;;
       *) most=59 ;;
     esac
     awk -v most="$most" 'END { if (NR > most) print FILENAME ": " NR " lines, allowed are " most }' "$file"

@@ -2,7 +2,7 @@
 function(pcl_spiral_link_included target source)
   target_link_libraries(${target} PRIVATE pcl_spiral)
   set(pairs "pcl_spiral/io/:pcl_spiral_io" "pcl_spiral/visualization/:pcl_spiral_visualization" "pcl/io/:pcl_io"
-            "pcl/surface/:pcl_surface" "pcl_spiral/visualization/add_toolpath.h:pcl_visualization"
+            "pcl/surface/:pcl_surface" "pcl_spiral/visualization/add_:pcl_visualization"
             "boost/program_options:Boost::program_options" "yaml-cpp/:yaml-cpp" "X11/:X11::X11")
   foreach(module IN LISTS VTK_LIBRARIES) # a header's name does not say its module: all that the project asks for
     list(APPEND pairs "vtk:${module}")

@@ -17,7 +17,7 @@ document "$source_dir" "$scratch/own"
 grep -q 'setScallopHeight' "$html/classpcl__spiral_1_1SpiralToolpathGenerator.html" || fail "a class is missing"
 grep -q 'Two commands' "$html/index.html" || fail "README is not the first page"
 for picture in "$source_dir"/pcl_spiral/doc/*.png; do
-  grep -q "src=\"$(basename "$picture")\"" "$html"/md_*stage_by_stage.html || fail "no page shows $picture"
+  grep -q "src=\"$(basename "$picture")\"" "$html"/md_*.html "$html/index.html" || fail "no page shows $picture"
   [ -s "$html/$(basename "$picture")" ] || fail "$picture is not beside the page"
 done
 [ -z "$(find "$html" -name '*_8hpp*.html' -o -name '*_8cpp*.html')" ] || fail "more than the public headers is documented"

@@ -1,8 +1,8 @@
 // A user's own loops: kept as they are where gaps are bridged, refused where they belong to another scan.
+#include "support/given_loops.h"
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
 #include <pcl_spiral/toolpath/radial_lines.h>
 #include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
@@ -32,32 +32,6 @@ dome(double gap_radius, double gap_x, double x = 0.0)
   for (Eigen::Vector3d& p : points)
     p.x() += x;
   return test::toCloud(points);
-}
-
-Loops
-loopsOf(const Cloud::ConstPtr& cloud)
-{
-  BoundaryLoops<pcl::PointXYZ> boundaries;
-  boundaries.setInputCloud(cloud);
-  Loops loops;
-  boundaries.compute(loops);
-  EXPECT_TRUE(boundaries.getStatus().ok()) << boundaries.getStatus().message();
-  return loops;
-}
-
-/** A circle about the top of the dome, with the surface inside it (Outer) or outside it (Inner). */
-BoundaryLoop
-ownCircle(double radius, LoopType type)
-{
-  BoundaryLoop loop;
-  loop.type = type;
-  for (int i = 0; i < 360; ++i) {
-    const double a = (type == LoopType::Outer ? 2.0 : -2.0) * M_PI * i / 360.0;
-    loop.curve.emplace_back(radius * std::cos(a), radius * std::sin(a), std::sqrt(sphere * sphere - radius * radius));
-  }
-  loop.points = loop.curve;
-  loop.length = length(loop.curve, true);
-  return loop;
 }
 
 SpiralToolpathGenerator<pcl::PointXYZ>
@@ -123,9 +97,9 @@ TEST(GivenLoops, AnOwnOutlineHoldsWithAndWithoutGaps)
     for (const double gap_x : {10.0, 35.0, 50.0}) { // inside the outline, across it, outside
       SCOPED_TRACE(testing::Message() << "gap " << gap << " at " << gap_x);
       const auto cloud = dome(gap, gap_x);
-      Loops loops = loopsOf(cloud);
+      Loops loops = test::loopsOf(cloud);
       ASSERT_EQ(loops.size(), gap > 0.0 ? 2u : 1u);
-      loops[0] = ownCircle(35.0, LoopType::Outer);
+      loops[0] = test::circleOnSphere(sphere, 35.0, LoopType::Outer);
       SpiralReport report;
       const Path path = pathBetween(cloud, loops, report);
       EXPECT_NEAR(reachOf(path).largest, 35.0, 0.05);
@@ -142,10 +116,10 @@ TEST(GivenLoops, AnOwnInnerOutlineHoldsAndTheRimIsFoundAgain)
   Cloud::Ptr cloud = dome(4.0, 40.0);
   cloud->erase(std::remove_if(cloud->begin(), cloud->end(), [](const auto& p) { return std::hypot(p.x, p.y) < 15.0; }),
                cloud->end());
-  Loops loops = loopsOf(cloud);
+  Loops loops = test::loopsOf(cloud);
   ASSERT_EQ(loops.size(), 3u);
   ASSERT_EQ(loops[1].type, LoopType::Inner);
-  loops[1].curve = ownCircle(17.0, LoopType::Inner).curve;
+  loops[1].curve = test::circleOnSphere(sphere, 17.0, LoopType::Inner).curve;
   loops[1].corners.clear();
   SpiralReport report;
   const Reach reach = reachOf(pathBetween(cloud, loops, report));
@@ -170,7 +144,7 @@ TEST(GivenLoops, FoundLoopsAreFoundAgainAsWithoutThem)
   BridgedSurface found, given;
   bridging.compute(found);
   ASSERT_TRUE(bridging.getStatus().ok()) << bridging.getStatus().message();
-  bridging.setBoundaryLoops(loopsOf(cloud));
+  bridging.setBoundaryLoops(test::loopsOf(cloud));
   bridging.compute(given);
   ASSERT_TRUE(bridging.getStatus().ok()) << bridging.getStatus().message();
   ASSERT_EQ(found.loops.size(), given.loops.size());
@@ -208,19 +182,19 @@ protected:
 
 TEST_F(RefusedLoops, OfAnotherScanWithAGapWhereThisOneHasNone)
 {
-  expectRefused(dome(0.0, 0.0), loopsOf(dome(6.0, 25.0)), "points of the surface lie inside it");
+  expectRefused(dome(0.0, 0.0), test::loopsOf(dome(6.0, 25.0)), "points of the surface lie inside it");
 }
 
 TEST_F(RefusedLoops, FarAway)
 {
-  expectRefused(dome(0.0, 0.0), loopsOf(dome(6.0, 25.0, 300.0)), "mm from the cloud");
-  expectRefused(dome(0.0, 0.0), loopsOf(dome(0.0, 0.0, 300.0)), "mm from the cloud");
+  expectRefused(dome(0.0, 0.0), test::loopsOf(dome(6.0, 25.0, 300.0)), "mm from the cloud");
+  expectRefused(dome(0.0, 0.0), test::loopsOf(dome(0.0, 0.0, 300.0)), "mm from the cloud");
 }
 
 TEST_F(RefusedLoops, AGapWithoutPoints)
 {
   const auto cloud = dome(0.0, 0.0);
-  Loops loops = loopsOf(cloud);
+  Loops loops = test::loopsOf(cloud);
   loops.emplace_back();
   loops.back().type = LoopType::ScanGap;
   expectRefused(cloud, loops, "loop 1 has 0 curve points");

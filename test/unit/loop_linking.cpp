@@ -77,6 +77,15 @@ expectOnePath(const std::vector<ScallopLoop>& loops, LinkedPath& path)
     EXPECT_LT(farthest(loop, path.points), 0.65) << "level " << loop.level;
   EXPECT_EQ(path.points.size(), path.turns.size());
   EXPECT_EQ(path.points.size(), path.reversed.size());
+  std::vector<int> hangs(loops.size(), 0); // every loop but the outer rim's hangs on another, which is near
+  for (const LoopJoint& joint : path.joints) {
+    ++hangs[joint.loop];
+    EXPECT_NE(joint.parent, joint.loop);
+    EXPECT_LT((joint.place - joint.parent_place).norm(), joint.kind == LoopJointKind::Ramp ? 2.5 : 1.75);
+  }
+  EXPECT_EQ(path.joints.size() + 1, loops.size());
+  EXPECT_EQ(hangs[0], 0);
+  EXPECT_EQ(std::count(hangs.begin() + 1, hangs.end(), 1), static_cast<std::ptrdiff_t>(loops.size()) - 1);
 }
 
 } // namespace

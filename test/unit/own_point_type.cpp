@@ -1,6 +1,7 @@
 // The filters on a point type that PCL does not know, with nothing but their own headers.
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
+#include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/surface/surface_preparation.h>
 
 #include <gtest/gtest.h>
@@ -88,4 +89,23 @@ TEST(OwnPointType, SurfacePreparationKeepsItsFields)
   ASSERT_EQ(out.size(), 900u);
   for (std::size_t i = 0; i < out.size(); ++i)
     EXPECT_EQ(out[i].reflectance, static_cast<float>(preparation.getSourceIndices()[i]));
+}
+
+TEST(OwnPointType, LoopLinkingFromACloud)
+{
+  const Clouds clouds;
+  pcl_spiral::LinkedPath path, expected;
+  const auto link = [](auto& linking, const auto& cloud, pcl_spiral::LinkedPath& linked) {
+    linking.setInputCloud(cloud);
+    linking.setToolRadius(5.0);
+    linking.setScallopHeight(0.1);
+    linking.compute(linked);
+    EXPECT_TRUE(linking.getStatus().ok()) << linking.getStatus().message();
+  };
+  pcl_spiral::LoopLinking<OwnPoint> own;
+  pcl_spiral::LoopLinking<pcl::PointXYZ> plain;
+  link(own, clouds.own, path);
+  link(plain, clouds.plain, expected);
+  EXPECT_GT(path.points.size(), 100u);
+  EXPECT_EQ(path.points, expected.points);
 }

@@ -1,8 +1,8 @@
 // The published method through SpiralToolpathGenerator: gaps marked or refused, loops of the user's own, what a failure reports.
 #include "support/even_cloud.h"
+#include "support/given_loops.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
 
 #include <gtest/gtest.h>
@@ -41,17 +41,6 @@ dome(double hole_radius)
   return test::toCloud(points);
 }
 
-Loops
-loopsOf(const Cloud::ConstPtr& cloud)
-{
-  BoundaryLoops<pcl::PointXYZ> boundaries;
-  boundaries.setInputCloud(cloud);
-  Loops loops;
-  boundaries.compute(loops);
-  EXPECT_TRUE(boundaries.getStatus().ok()) << boundaries.getStatus().message();
-  return loops;
-}
-
 SpiralToolpathGenerator<pcl::PointXYZ>
 published(const Cloud::ConstPtr& cloud)
 {
@@ -76,7 +65,7 @@ TEST(PublishedGenerator, MarksWhatLiesOverAHole)
 {
   const auto cloud = dome(8.0);
   auto spiral = published(cloud);
-  spiral.setBoundaryLoops(loopsOf(cloud));
+  spiral.setBoundaryLoops(test::loopsOf(cloud));
   Path path;
   spiral.compute(path);
   ASSERT_TRUE(spiral.getStatus().ok()) << spiral.getStatus().message();
@@ -113,7 +102,7 @@ TEST(PublishedGenerator, RefusesGapsWhereAsked)
 {
   for (const bool named : {true, false}) { // by its loop; by the path that comes over it
     const auto cloud = dome(named ? 12.0 : 8.0);
-    const Loops loops = loopsOf(cloud);
+    const Loops loops = test::loopsOf(cloud);
     ASSERT_EQ(loops.size(), named ? 2u : 1u);
     auto spiral = published(cloud);
     spiral.setGapHandling(GapHandling::Refuse);
@@ -128,15 +117,8 @@ TEST(PublishedGenerator, RefusesGapsWhereAsked)
 
 TEST(PublishedGenerator, KeepsToAnOutlineOfTheUsersOwn)
 {
-  BoundaryLoop own;
-  for (int i = 0; i < 360; ++i) {
-    const double a = 2.0 * M_PI * i / 360.0;
-    own.curve.emplace_back(35.0 * std::cos(a), 35.0 * std::sin(a), std::sqrt(sphere * sphere - 35.0 * 35.0));
-  }
-  own.points = own.curve;
-  own.length = length(own.curve, true);
   auto spiral = published(dome(0.0));
-  spiral.setBoundaryLoops({own});
+  spiral.setBoundaryLoops({test::circleOnSphere(sphere, 35.0)});
   Path path;
   spiral.compute(path);
   ASSERT_TRUE(spiral.getStatus().ok()) << spiral.getStatus().message();
@@ -154,7 +136,7 @@ TEST(PublishedGenerator, KeepsToAnOutlineOfTheUsersOwn)
 TEST(PublishedGenerator, RefusesLoopsThatCannotBe)
 {
   const auto cloud = dome(0.0);
-  const Loops loops = loopsOf(cloud);
+  const Loops loops = test::loopsOf(cloud);
   const auto refused = [&](const BoundaryLoop& loop, const std::string& word) {
     auto spiral = published(cloud);
     spiral.setBoundaryLoops({loop});
@@ -184,7 +166,7 @@ TEST(PublishedGenerator, AFailureReportsLoopsAndWarnings)
                points.end());
   const auto cloud = test::toCloud(points);
   auto spiral = published(cloud);
-  spiral.setBoundaryLoops(loopsOf(cloud));
+  spiral.setBoundaryLoops(test::loopsOf(cloud));
   Path path;
   spiral.compute(path);
   EXPECT_EQ(spiral.getStatus().code(), StatusCode::Failed);

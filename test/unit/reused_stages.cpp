@@ -1,6 +1,5 @@
 // Every class used again: clouds of other sizes, other point types, indices, no cloud at all. Never an answer of before.
-#include "support/sampling.h"
-#include "support/surfaces.h"
+#include "support/reused_stage.h"
 #include "support/test_machines.h"
 
 #include <pcl_spiral/features/boundary_loops.h>
@@ -20,25 +19,18 @@
 #include <pcl_spiral/verify/lead_check.h>
 #include <pcl_spiral/verify/material_removal.h>
 
-#include <pcl/common/io.h>
 #include <pcl/console/print.h>
 #include <pcl/features/normal_3d.h>
 
 #include <gtest/gtest.h>
 
 using namespace pcl_spiral;
+using namespace pcl_spiral::test;
 using Eigen::Vector3d;
-using Values = std::vector<double>; // what a run gave, in numbers that do not name points by index
 
 namespace {
 
-constexpr double a = 80.0, b = 45.0;
-
-std::vector<Vector3d>
-dome(std::size_t count, std::uint64_t seed)
-{
-  return test::sampleUniform(*test::spheroidCap(a, b), count, seed).points;
-}
+constexpr double a = dome_radius, b = dome_height;
 
 /** A path over the dome, to be judged: a ring of contacts. */
 pcl::PointCloud<ToolpathPoint>::Ptr
@@ -63,13 +55,6 @@ addPoints(const Points& points, Values& values)
 {
   for (const auto& p : points)
     values.insert(values.end(), {p.x, p.y, p.z});
-}
-
-void
-addLine(const Polyline& line, Values& values)
-{
-  for (const Vector3d& p : line)
-    values.insert(values.end(), {p.x(), p.y(), p.z()});
 }
 
 // One adaptor a class: give takes a cloud, run computes and gives numbers, none on failure. Outputs are kept from run to run.
@@ -337,70 +322,6 @@ struct Flags : CentroidBoundaryEstimation<PointT, pcl::Normal> {
   }
   pcl::PointCloud<pcl::Boundary> out;
 };
-
-template <typename PointT>
-typename pcl::PointCloud<PointT>::Ptr
-cloudOf(const std::vector<Vector3d>& points)
-{
-  typename pcl::PointCloud<PointT>::Ptr cloud(new pcl::PointCloud<PointT>);
-  pcl::copyPointCloud(*test::toCloud(points), *cloud);
-  return cloud;
-}
-
-template <template <typename> class Stage, typename PointT>
-Values
-fresh(const std::vector<Vector3d>& points)
-{
-  Stage<PointT> stage;
-  stage.setInputCloud(cloudOf<PointT>(points));
-  return stage.run();
-}
-
-template <template <typename> class Stage>
-void
-checkReuse(const char* name)
-{
-  SCOPED_TRACE(name);
-  using Point = pcl::PointXYZ;
-  const auto large = dome(6000, 1), small = dome(2500, 2);
-  const Values of_large = fresh<Stage, Point>(large), of_small = fresh<Stage, Point>(small);
-  ASSERT_FALSE(of_large.empty());
-  ASSERT_FALSE(of_small.empty());
-  Stage<Point> stage;
-  const auto run = [&](const pcl::PointCloud<Point>::ConstPtr& cloud) {
-    stage.setInputCloud(cloud);
-    return stage.run();
-  };
-  const pcl::PointCloud<Point>::ConstPtr none, empty(new pcl::PointCloud<Point>);
-  EXPECT_EQ(run(cloudOf<Point>(large)), of_large);
-  EXPECT_EQ(run(cloudOf<Point>(small)), of_small) << "a second, smaller cloud";
-  EXPECT_EQ(run(cloudOf<Point>(large)), of_large) << "a third, larger cloud";
-  EXPECT_TRUE(run(empty).empty());
-  EXPECT_FALSE(stage.getStatus().ok());
-  EXPECT_TRUE(run(none).empty());
-  EXPECT_FALSE(stage.getStatus().ok());
-  EXPECT_EQ(run(cloudOf<Point>(small)), of_small) << "after a failure";
-
-  // The points of a larger cloud that are those of the small one.
-  std::vector<Vector3d> both = large;
-  both.insert(both.end(), small.begin(), small.end());
-  pcl::IndicesPtr indices(new pcl::Indices);
-  for (std::size_t i = 0; i < small.size(); ++i)
-    indices->push_back(static_cast<pcl::index_t>(large.size() + i));
-  Stage<Point> chosen;
-  chosen.setInputCloud(cloudOf<Point>(both));
-  chosen.setIndices(indices);
-  if (std::string(name) != "CentroidBoundaryEstimation") // where the others serve as support, as PCL has it
-    EXPECT_EQ(chosen.run(), of_small) << "by indices";
-  else
-    EXPECT_EQ(chosen.run().size(), small.size());
-  chosen.setIndices(pcl::IndicesPtr(new pcl::Indices{static_cast<pcl::index_t>(both.size())}));
-  EXPECT_TRUE(chosen.run().empty()) << "an index outside the cloud";
-  EXPECT_FALSE(chosen.getStatus().ok());
-
-  EXPECT_EQ((fresh<Stage, pcl::PointXYZRGB>(large)), of_large);
-  EXPECT_EQ((fresh<Stage, pcl::PointNormal>(large)), of_large);
-}
 
 class ReusedStages : public testing::Test {
 protected:

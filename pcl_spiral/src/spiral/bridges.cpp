@@ -244,6 +244,9 @@ private:
       loops_.connect({cut_a, rising}, {cut_b, rising == (place.sense > 0.0)}, std::move(turns[rising]));
     }
     addTests(place);
+    const bool outward = joined_[place.a] != 0; // from a, which is linked, to b
+    path_.joints.push_back({outward ? place.b : place.a, outward ? place.a : place.b, LoopJointKind::Bridge,
+                            outward ? b.at(place.ub) : a.at(place.ua), outward ? a.at(place.ua) : b.at(place.ub)});
     ++path_.bridges;
   }
   void
@@ -309,6 +312,7 @@ private:
     made_.push_back(piece);
     loops_.connect({cut, false}, {cut, true}, std::move(piece));
     joined_[dot] = as_dot;
+    path_.joints.push_back({dot, place.loop, LoopJointKind::Finger, centre, middle});
     ++path_.dots;
   }
 

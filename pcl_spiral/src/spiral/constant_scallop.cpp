@@ -2,10 +2,10 @@
 
 #include "path_cover.h"
 #include "path_end.h"
-#include "path_sampling.h"
 #include "turn_radius.h"
 
 #include <pcl_spiral/spiral/loop_linking.h>
+#include <pcl_spiral/spiral/path_sampling.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
@@ -50,53 +50,77 @@ reversePath(LinkedPath& path)
     t = last - t;
 }
 
-Status
-planPath(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const SpiralSettings& settings,
-         const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopFigures& figures)
+/** The loops with so few points that a picture shows them all the same. */
+std::vector<Polyline>
+forPictures(const std::vector<ScallopLoop>& loops)
 {
+  constexpr std::size_t most_points = 200000;
+  std::size_t all = 0;
+  for (const ScallopLoop& loop : loops)
+    all += loop.points.size();
+  const std::size_t every = all / most_points + 1;
+  std::vector<Polyline> lines(loops.size());
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    for (std::size_t k = 0; k < loops[i].points.size(); k += every)
+      lines[i].push_back(loops[i].points[k]);
+  return lines;
+}
+
+} // namespace
+
+Status
+makeStepOverField(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
+                  const ProgressCallback& progress, StepOverDistance& field)
+{
+  std::vector<BoundaryLoop> outlines;
+  for (const LoopType type : {LoopType::Outer, LoopType::Inner})
+    for (const BoundaryLoop& loop : loops)
+      if (loop.type == type)
+        outlines.push_back(loop);
+  if (progress && !progress(0.0, "step-over field"))
+    return {StatusCode::Cancelled, "cancelled"};
   StepOverOptions options;
   options.tool_radius = settings.tool_radius;
   options.scallop_height = settings.scallop_height;
-  StepOverDistance field;
-  if (progress && !progress(0.0, "step-over field"))
+  return measureStepOvers(surface, outlines, options, field);
+}
+
+Status
+makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, const SpiralSettings& settings,
+                const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopFigures& figures)
+{
+  if (progress && !progress(0.0, "linking"))
     return {StatusCode::Cancelled, "cancelled"};
-  if (const Status status = measureStepOvers(surface, outlines, options, field); !status.ok())
-    return status;
-  clock.end("step-over field");
-  ScallopLoopSet set;
-  if (!makeScallopLoops(field, partOf(progress, 0.3, 0.6), set))
-    return {StatusCode::Cancelled, "cancelled"};
-  clock.end("scallop loops");
   const bool inward = settings.direction == SpiralDirection::Inward;
   if (inward != (settings.sense == SpiralSense::CounterClockwise))
-    turnRound(set.loops);
-  if (const Status status = linkLoops(set.loops, path); !status.ok())
+    turnRound(loops);
+  if (const Status status = linkLoops(loops, path); !status.ok())
     return status;
   clock.end("linking");
-  if (progress && !progress(0.7, "coverage"))
+  if (progress && !progress(0.25, "coverage"))
     return {StatusCode::Cancelled, "cancelled"};
   trimEnd(path);
-  const CoverFigures cover = coverPath(field, held_rim * set.loops.front().length(), path);
-  trimEnd(path);
-  clock.end("coverage");
-  figures.loops = set.loops.size();
-  figures.fingers = set.axes.size();
+  if (field) {
+    const CoverFigures cover = coverPath(*field, held_rim * loops.front().length(), path);
+    trimEnd(path);
+    figures.least_length = field->least_length;
+    figures.farthest = cover.farthest;
+    figures.farthest_place = cover.farthest_place;
+    clock.end("coverage");
+  }
+  figures.loops = loops.size();
   figures.chain_loops = path.chain_loops;
   figures.bridges = path.bridges;
   figures.dots = path.dots;
-  figures.least_length = field.least_length;
   const SharpTurns turns = sharpTurns(path);
   figures.turn_radius = turns.radius;
   figures.least_radius = turns.least_radius;
   figures.sharpest_place = path.points[turns.sharpest];
-  figures.farthest = cover.farthest;
-  figures.farthest_place = cover.farthest_place;
   if (!inward)
     reversePath(path);
+  figures.reversed_share = lengthOf(path, true) / lengthOf(path, false);
   return Status::success();
 }
-
-} // namespace
 
 Status
 planConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
@@ -104,15 +128,22 @@ planConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loo
 {
   turns = SpiralTurns();
   figures = ScallopFigures();
-  std::vector<BoundaryLoop> outlines;
-  for (const LoopType type : {LoopType::Outer, LoopType::Inner})
-    for (const BoundaryLoop& loop : loops)
-      if (loop.type == type)
-        outlines.push_back(loop);
-  LinkedPath path;
-  if (const Status status = planPath(surface, outlines, settings, progress, clock, path, figures); !status.ok())
+  StepOverDistance field;
+  if (const Status status = makeStepOverField(surface, loops, settings, partOf(progress, 0.0, 0.3), field); !status.ok())
     return status;
-  figures.reversed_share = lengthOf(path, true) / lengthOf(path, false);
+  clock.end("step-over field");
+  ScallopLoopSet set;
+  if (!makeScallopLoops(field, partOf(progress, 0.3, 0.6), set))
+    return {StatusCode::Cancelled, "cancelled"};
+  figures.fingers = set.axes.size();
+  figures.lines = forPictures(set.loops);
+  figures.axes = set.axes;
+  clock.end("scallop loops");
+  LinkedPath path;
+  if (const Status status =
+          makeScallopPath(std::move(set.loops), &field, settings, partOf(progress, 0.6, 1.0), clock, path, figures);
+      !status.ok())
+    return status;
   return samplePath(path, surface, settings, turns.curve, turns.largest_allowed_step);
 }
 

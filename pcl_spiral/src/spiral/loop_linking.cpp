@@ -69,8 +69,13 @@ linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path)
   const std::vector<std::size_t> ramps = addRamps(chain, cuts, path);
   path.chain_loops = chain.size();
   std::vector<std::uint8_t> joined(loops.size(), 0);
-  for (const RampStrip& s : chain)
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const RampStrip &s = chain[i], &parent = chain[i > 0 ? i - 1 : 0];
     joined[s.loop] = 1;
+    if (i > 0)
+      path.joints.push_back(
+          {s.loop, parent.loop, LoopJointKind::Ramp, loops[s.loop].at(s.u), loops[parent.loop].at(parent.u)});
+  }
   const std::size_t left = joinLoops(finder, joined, cuts, path);
   if (left < loops.size())
     return {StatusCode::Failed, textOf("no loop runs beside the one at ", placeText(loops[left].points.front()), " of ",

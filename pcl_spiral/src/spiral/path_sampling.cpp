@@ -1,4 +1,4 @@
-#include "path_sampling.h"
+#include <pcl_spiral/spiral/path_sampling.h>
 
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/step_over.h>

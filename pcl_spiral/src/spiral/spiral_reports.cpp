@@ -162,6 +162,8 @@ reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, Spi
   report.chain_loops = figures.chain_loops;
   report.bridges = figures.bridges;
   report.fingers = figures.fingers;
+  report.scallop_lines = figures.lines;
+  report.finger_axes = figures.axes;
   report.reversed_share = figures.reversed_share;
   report.least_length = figures.least_length;
   report.turn_radius = figures.turn_radius;

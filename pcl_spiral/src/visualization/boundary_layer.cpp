@@ -13,7 +13,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t most_lines = 150; ///< more would run together
-constexpr Color line_color{0.05, 0.05, 0.08}, centre_color{0.10, 0.30, 0.90};
+constexpr Color line_color{0.05, 0.05, 0.08}, finger_color{0.80, 0.10, 0.45}, centre_color{0.10, 0.30, 0.90};
 
 /** The cloud's points coloured by height, in a size that leaves gaps between them. */
 vtkSmartPointer<vtkActor>
@@ -79,6 +79,26 @@ addLines(PartView& view, const SpiralReport& report, std::vector<LegendEntry>& l
                     line_color});
 }
 
+/** Loops at constant scallop height, and the middles of their fingers. */
+void
+addScallopLines(PartView& view, const SpiralReport& report, std::vector<LegendEntry>& legend)
+{
+  if (report.scallop_lines.empty())
+    return;
+  const std::size_t every = (report.scallop_lines.size() + most_lines - 1) / most_lines;
+  std::vector<Polyline> shown;
+  for (std::size_t i = 0; i < report.scallop_lines.size(); i += every)
+    shown.push_back(report.scallop_lines[i]);
+  view.addOver(lineActor(shown, true, line_color, 1.3f));
+  legend.push_back({std::to_string(report.scallop_lines.size()) + " loops" +
+                        (every > 1 ? ", one in " + std::to_string(every) + " drawn" : ""),
+                    line_color});
+  if (report.finger_axes.empty())
+    return;
+  view.addOver(lineActor(report.finger_axes, false, finger_color, 2.0f));
+  legend.push_back({"middles of " + std::to_string(report.finger_axes.size()) + " fingers, on ridges", finger_color});
+}
+
 } // namespace
 
 vtkSmartPointer<vtkScalarsToColors>
@@ -97,11 +117,18 @@ addBoundaries(PartView& view, const SpiralReport& report, vtkScalarsToColors* he
   std::vector<LegendEntry> legend;
   addLoops(view, report, legend);
   addLines(view, report, legend);
-  if (report.boundaries == 1) {
+  addScallopLines(view, report, legend);
+  if (report.boundaries == 1 && report.method != SpiralMethod::ConstantScallop) {
     const bool hidden = view.addMarker(report.centre, centre_color);
     legend.push_back({"centre", centre_color, hidden ? Marker::Ring : Marker::Disc});
   }
   return legend;
+}
+
+std::string
+boundariesTitle(const std::string& title, const SpiralReport& report)
+{
+  return title + (report.radial_lines.empty() ? ": the scan and its boundaries" : ": boundaries and radial lines");
 }
 
 std::string

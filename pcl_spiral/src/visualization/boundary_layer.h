@@ -17,6 +17,9 @@ vtkSmartPointer<vtkScalarsToColors> heightColors(const DisplaySurface& surface);
 std::vector<LegendEntry> addBoundaries(PartView& view, const SpiralReport& report,
                                        vtkScalarsToColors* height_colors);
 
+/** "scan.pcd: boundaries and radial lines", as far as there are any. */
+std::string boundariesTitle(const std::string& title, const SpiralReport& report);
+
 /** "107198 points, spacing 1.2 mm, noise 0.018 mm" */
 std::string scanInWords(const SpiralReport& report);
 

@@ -12,7 +12,7 @@ SpiralPictures::writeLines(const std::string& file) const
   canvas.addAxes();
   canvas.addLegend(legend);
   canvas.addColorBar("height, mm", colors);
-  canvas.addTitle(scene_.title + ": boundaries and radial lines", scanInWords(scene_.report));
+  canvas.addTitle(boundariesTitle(scene_.title, scene_.report), scanInWords(scene_.report));
   canvas.save(file);
 }
 

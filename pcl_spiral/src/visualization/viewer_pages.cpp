@@ -78,11 +78,8 @@ ViewerPages::boundaries()
   const auto colors = heightColors(window_.surface());
   const std::vector<LegendEntry> legend = addBoundaries(window_, scene_.part.report, colors);
   window_.addMeasures();
-  const bool lines = !scene_.part.report.radial_lines.empty();
-  return addWords(
-      {scene_.part.title + (lines ? ": boundaries and radial lines" : ": the scan and its boundaries"),
-       scanInWords(scene_.part.report)},
-      "height, mm", colors, legend);
+  const SpiralReport& report = scene_.part.report;
+  return addWords({boundariesTitle(scene_.part.title, report), scanInWords(report)}, "height, mm", colors, legend);
 }
 
 int

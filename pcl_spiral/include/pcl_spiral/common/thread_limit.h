@@ -25,6 +25,21 @@ checkThreads(unsigned int threads)
                                               most_threads, " (setNumberOfThreads)")};
 }
 
+/** The number of threads of a stage. Base of those that have no other class to take it from; the name of the member is none that
+ *  PCL's bases use. */
+class ThreadCount {
+public:
+  /** Threads to use; 0, the default, means all. The output does not depend on it. */
+  void setNumberOfThreads(unsigned int threads = 0) { thread_count_ = threads; }
+  unsigned int getNumberOfThreads() const { return thread_count_; }
+
+protected:
+  ThreadCount() = default;
+  ~ThreadCount() = default;
+
+  unsigned int thread_count_ = 0;
+};
+
 /** Parallel loops started in this thread use a number of threads while the object lives; 0 means all processors, as in PCL
  *  (omp_get_num_procs). */
 class ThreadLimit {

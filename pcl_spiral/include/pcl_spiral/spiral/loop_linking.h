@@ -5,12 +5,30 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/core/step_over_metric.h>
+#include <pcl_spiral/spiral/constant_scallop.h>
 #include <pcl_spiral/spiral/scallop_loop.h>
+#include <pcl_spiral/spiral/step_over_input.h>
 
 #include <cstddef>
 #include <vector>
 
 namespace pcl_spiral {
+
+/** How a loop hangs on another one. */
+enum class LoopJointKind {
+  Ramp,   ///< of the spiral from the outer rim to the innermost loop, inward
+  Bridge, ///< beside it, by a pair of narrow turns
+  Finger  ///< too small to be travelled: the other reaches out to its middle
+};
+
+/** A branch of the tree that loops are linked by. */
+struct LoopJoint {
+  std::size_t loop = 0;   ///< as they were given
+  std::size_t parent = 0; ///< nearer to the outer rim's loop along the tree
+  LoopJointKind kind = LoopJointKind::Bridge;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();        ///< on the loop, mm
+  Eigen::Vector3d parent_place = Eigen::Vector3d::Zero(); ///< on the parent
+};
 
 /** A path before it is put on the surface. Parallel arrays; mm. */
 struct LinkedPath {
@@ -20,6 +38,7 @@ struct LinkedPath {
   std::vector<std::uint8_t> reversed; ///< 1 where it travels against the sense of the outer rim's loop
   Polyline links;                  ///< places between the turns of ramps and about bridges, where coverage is to be checked
   std::vector<StepOverMetric> link_metric;
+  std::vector<LoopJoint> joints;   ///< one for each loop but the outer rim's; parents before what hangs on them, but for fingers
 
   std::size_t chain_loops = 0; ///< of the spiral from the outer rim to the innermost loop
   std::size_t bridges = 0;     ///< further loops, joined to their neighbours by a pair of turns
@@ -33,4 +52,66 @@ struct LinkedPath {
 Status
 linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path);
 
+/** One continuous path over closed loops: linkLoops, then moved where it would leave more than the loops did, in the direction
+ *  asked for. samplePath gives its points for linear moves, putOnSurface and setToolAxes make it a toolpath.
+ *
+ *  Takes loops and the field they were drawn on (setInputLoops, setInputField); with loops alone the path stays as it was
+ *  linked. What is not given is made: loops of the field as by ScallopLoops, the field of a cloud or surface as by StepOverField.
+ *  Lengths in mm. The output does not depend on the number of threads.
+ */
+template <typename PointT, typename PointNT = pcl::Normal>
+class LoopLinking : public FieldInput<PointT, PointNT> {
+public:
+  using Ptr = pcl::shared_ptr<LoopLinking>;
+  using ConstPtr = pcl::shared_ptr<const LoopLinking>;
+
+  /** Loops as ScallopLoops gives them, or a user's own: one inside the other one step-over apart, the outer rim first, the surface
+   *  on their left. None, the default: they are made. setInputCloud and setInputSurface forget them. */
+  void setInputLoops(const std::vector<ScallopLoop>& loops) { given_scallop_loops_ = loops; }
+  const std::vector<ScallopLoop>& getInputLoops() const { return given_scallop_loops_; }
+
+  void
+  setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
+  {
+    FieldInput<PointT, PointNT>::setInputCloud(cloud);
+    given_scallop_loops_.clear();
+  }
+  /** \see FieldInput::setInputSurface */
+  void
+  setInputSurface(const Surface::ConstPtr& surface)
+  {
+    FieldInput<PointT, PointNT>::setInputSurface(surface);
+    given_scallop_loops_.clear();
+  }
+
+  /** Which way the path leads: Outward, the default, ends on the outer rim, Inward begins there. */
+  void setDirection(SpiralDirection direction) { this->settings_.direction = direction; }
+  SpiralDirection getDirection() const { return this->settings_.direction; }
+
+  /** Which way the cutter travels along the outer rim, seen from outside; CounterClockwise by default. */
+  void setSense(SpiralSense sense) { this->settings_.sense = sense; }
+  SpiralSense getSense() const { return this->settings_.sense; }
+
+  /** Link. \p path is empty on failure: no loops, no neighbour that runs beside one, and whatever StepOverField fails on;
+   *  getStatus says which and where. */
+  void compute(LinkedPath& path);
+
+  /** What the last compute came to; lengths and places of coverage are 0 without a field. */
+  const ScallopFigures& getFigures() const { return figures_; }
+
+private:
+  Status run(LinkedPath& path);
+
+  std::vector<ScallopLoop> given_scallop_loops_;
+  ScallopFigures figures_;
+};
+
+} // namespace pcl_spiral
+
+#include <pcl_spiral/spiral/impl/loop_linking.hpp>
+
+namespace pcl_spiral {
+extern template class LoopLinking<pcl::PointXYZ>;
+extern template class LoopLinking<pcl::PointXYZRGB>;
+extern template class LoopLinking<pcl::PointNormal>;
 } // namespace pcl_spiral

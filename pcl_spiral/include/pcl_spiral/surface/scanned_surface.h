@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/surface/surface.h>
 
 #include <pcl/pcl_base.h>
@@ -32,7 +33,7 @@ struct UsablePoints;
  *  \endcode
  */
 template <typename PointT, typename PointNT = pcl::Normal>
-class ScannedSurface : public pcl::PCLBase<PointT> {
+class ScannedSurface : public pcl::PCLBase<PointT>, public ThreadCount {
 public:
   using Ptr = pcl::shared_ptr<ScannedSurface>;
   using ConstPtr = pcl::shared_ptr<const ScannedSurface>;
@@ -89,10 +90,6 @@ public:
   void setSettings(const SurfaceSettings& settings) { settings_ = settings; }
   const SurfaceSettings& getSettings() const { return settings_; }
 
-  /** Threads to use; 0, the default, means all. The output does not depend on it. */
-  void setNumberOfThreads(unsigned int threads = 0) { thread_count_ = threads; }
-  unsigned int getNumberOfThreads() const { return thread_count_; }
-
   /** Whether compute leaves the console alone where it fails; false by default. The status is the same. */
   void setQuiet(bool quiet) { quiet_ = quiet; }
   bool getQuiet() const { return quiet_; }
@@ -120,7 +117,6 @@ private:
 
   NormalsConstPtr normals_;
   SurfaceSettings settings_;
-  unsigned int thread_count_ = 0;
   bool quiet_ = false;
   ProgressCallback progress_;
   Status status_;

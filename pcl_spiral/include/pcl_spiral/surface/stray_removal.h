@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/common/thread_limit.h>
 
 #include <pcl/filters/filter_indices.h>
 #include <pcl/point_types.h>
@@ -40,7 +41,7 @@ struct StrayFigures {
  *  order of the points nor on the number of threads.
  *  \sa buildCleanGraph, which says what is sought */
 template <typename PointT>
-class StrayRemoval : public pcl::FilterIndices<PointT> {
+class StrayRemoval : public pcl::FilterIndices<PointT>, public ThreadCount {
 public:
   using Ptr = pcl::shared_ptr<StrayRemoval>;
   using ConstPtr = pcl::shared_ptr<const StrayRemoval>;
@@ -61,18 +62,6 @@ public:
   getLargestGroup() const
   {
     return largest_group_;
-  }
-
-  /** Threads to use; 0, the default, means all. The choice does not depend on it. */
-  void
-  setNumberOfThreads(unsigned int threads = 0)
-  {
-    thread_count_ = threads;
-  }
-  unsigned int
-  getNumberOfThreads() const
-  {
-    return thread_count_;
   }
 
   /** Forgets the last outcome; a null pointer is a failure at once. */
@@ -131,7 +120,6 @@ private:
   std::vector<std::array<float, 3>> placesToLeaveOut(const std::vector<Eigen::Vector3f>& strays, double reach);
 
   std::size_t largest_group_ = 0;
-  unsigned int thread_count_ = 0;
   Status status_;
   StrayFigures figures_;
 };

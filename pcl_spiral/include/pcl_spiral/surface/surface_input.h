@@ -17,7 +17,7 @@ namespace pcl_spiral {
 /** Takes a cloud, of which ScannedSurface makes the surface at every compute, or a Surface that is there already. What is set
  *  last counts: setInputCloud forgets the surface.
  *
- *  Base of BoundaryLoops, GapBridging, GeodesicPath, RadialLines, MLSProjector, SpiralToolpathGenerator, CutterLocation,
+ *  Base of BoundaryLoops, GapBridging, GeodesicPath, RadialLines, StepOverField, MLSProjector, SpiralToolpathGenerator, CutterLocation,
  *  DrivePath and of the classes that judge. \p BaseT is the PCL class that each stands in for.
  *  setIndices: only those points of the cloud take part, as in ScannedSurface.
  */

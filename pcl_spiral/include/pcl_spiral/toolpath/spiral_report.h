@@ -54,6 +54,8 @@ struct SpiralReport {
   std::size_t chain_loops = 0;      ///< of them, in the spiral from the outer rim inward
   std::size_t bridges = 0;          ///< of them, beside it
   std::size_t fingers = 0;          ///< of the loops: where they reach out so that no higher ridge is left
+  std::vector<Polyline> scallop_lines; ///< loops of ConstantScallop, closed, thinned for pictures
+  std::vector<Polyline> finger_axes;   ///< middles of their fingers, along the ridges
   double reversed_share = 0.0;      ///< of the path, travelled against the sense asked for
   double turn_radius = 0.0;         ///< of the sharpest turns, in step-overs: all but 0.1 % of the path turn no sharper
   Eigen::Vector3d sharpest_place = Eigen::Vector3d::Zero(); ///< where the path turns most sharply

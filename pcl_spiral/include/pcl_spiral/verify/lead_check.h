@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/verify/lead_collisions.h>
 
 #include <pcl/pcl_base.h>
@@ -29,7 +30,7 @@ namespace pcl_spiral {
  *  if (check.getFigures().collided > 0) ...    // check.getFigures().deepest says where
  *  \endcode */
 template <typename PointT>
-class LeadCheck : public pcl::PCLBase<PointT> {
+class LeadCheck : public pcl::PCLBase<PointT>, public ThreadCount {
 public:
   using Ptr = pcl::shared_ptr<LeadCheck>;
   using ConstPtr = pcl::shared_ptr<const LeadCheck>;
@@ -83,18 +84,6 @@ public:
     return tolerance_;
   }
 
-  /** Threads to use; 0, the default, means all. */
-  void
-  setNumberOfThreads(unsigned int threads = 0)
-  {
-    thread_count_ = threads;
-  }
-  unsigned int
-  getNumberOfThreads() const
-  {
-    return thread_count_;
-  }
-
   /** Called with the share done; returning false cancels. */
   void
   setProgressCallback(ProgressCallback callback)
@@ -126,7 +115,6 @@ private:
   std::vector<ToolSegment> holder_;
   double holder_clearance_ = 0.0;
   double tolerance_ = 0.05;
-  unsigned int thread_count_ = 0;
   ProgressCallback progress_;
   Status status_;
   LeadFigures figures_;
