@@ -26,7 +26,7 @@ captionOf(PictureKind kind)
   case PictureKind::Spiral:
     return "Toolpath over the shaded surface; start and end enlarged with every turn.";
   case PictureKind::Lines:
-    return "Boundary loops and radial lines over the scan.";
+    return "Boundaries, and the lines the path is made of, over the scan.";
   case PictureKind::Deviation:
     return "Deviation of the contacts from the scanned surface, mm, + out of the material; the worst place "
            "enlarged.";

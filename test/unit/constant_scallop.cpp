@@ -57,6 +57,13 @@ turning(const Path& path)
   return sum;
 }
 
+/** Distance of a place from the rim of twoHoles. */
+double
+checkedRim(const ToolpathPoint& p)
+{
+  return std::min(45.0 - std::abs(p.x), 30.0 - std::abs(p.y));
+}
+
 } // namespace
 
 TEST(ConstantScallop, CoversAPartWithTwoHolesInOnePath)
@@ -100,6 +107,36 @@ TEST(ConstantScallop, GoesTheWayAskedFor)
       EXPECT_EQ(first > last, direction == SpiralDirection::Inward);
       EXPECT_GE(path.back().turn, path.front().turn);
     }
+}
+
+TEST(ConstantScallop, BeginsAtTheRimNearThePlaceAskedFor)
+{
+  for (const Vector3d& place : {Vector3d(45.0, 10.0, 0.0), Vector3d(-45.0, -12.0, 0.0), Vector3d(5.0, 30.0, 0.0)}) {
+    Generator generator;
+    setUp(*twoHoles(), 5000, generator);
+    generator.setDirection(SpiralDirection::Inward);
+    generator.setStartPoint(place);
+    Path path;
+    generator.compute(path);
+    ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+    EXPECT_LT((path.front().getVector3fMap().cast<double>() - place).norm(), 12.0); // six step-overs, of 150 round
+    EXPECT_LT(checkedRim(path.front()), 1.0);
+  }
+}
+
+/** A bridge from the rim's loop to the next: places looked at beyond the rim pulled the path out of the part. */
+TEST(ConstantScallop, NothingIsPulledBeyondTheRim)
+{
+  const PlaneLoop waist{{-38, -18}, {-8, -18}, {-8, -2}, {8, -2}, {8, -18}, {38, -18},
+                        {38, 18},   {8, 18},   {8, 2},   {-8, 2}, {-8, 18}, {-38, 18}};
+  const Region region({waist});
+  Generator generator;
+  setUp(*flat(region), 4500, generator);
+  Path path;
+  generator.compute(path);
+  ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+  for (const ToolpathPoint& p : path)
+    ASSERT_TRUE(region.contains({0.985 * p.x, 0.985 * p.y}) || region.contains({p.x, p.y})) << p.x << " " << p.y;
 }
 
 TEST(ConstantScallop, ThreadsChangeNothing)

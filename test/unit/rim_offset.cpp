@@ -92,12 +92,16 @@ TEST(RimOffset, BeyondTheRimThePathRunsOnStraight)
 
 TEST(RimOffset, HolesKeepTheirMargin)
 {
-  for (const SpiralMethod method : {SpiralMethod::Radial, SpiralMethod::ConstantScallop}) {
-    Generator generator = generatorOf(*bowl(20.0), 6000, method);
-    generator.setHoleMargin(3.0);
-    Path path;
+  Generator generator = generatorOf(*bowl(20.0), 6000, SpiralMethod::Radial);
+  generator.setHoleMargin(3.0);
+  Path path;
+  generator.compute(path);
+  EXPECT_EQ(generator.getStatus().code(), StatusCode::InvalidArgument);
+  for (const SpiralMethod method : {SpiralMethod::ConstantScallop, SpiralMethod::Shortest}) { // the remedy
+    generator.setMethod(method);
     generator.compute(path);
     ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+    EXPECT_EQ(generator.getReport().method, SpiralMethod::ConstantScallop);
     EXPECT_NEAR(reach(path).first, sphere * std::asin(20.0 / sphere) + 3.0, 0.7);
     EXPECT_NEAR(reach(path).second, rim, 0.7);
   }
@@ -118,7 +122,7 @@ TEST(RimOffset, CornersStaySharpInsideAndAreRoundBeyond)
       farthest = std::max(farthest, (p.x + p.y) / std::sqrt(2.0));
       widest = std::max(widest, static_cast<double>(std::abs(p.x)));
     }
-    EXPECT_NEAR(farthest, corner, 1.0);
+    EXPECT_NEAR(farthest, corner, 1.3); // a spacing, and a little
     EXPECT_NEAR(widest, 40.0 + overhang, 0.8);
   }
 }

@@ -253,8 +253,9 @@ private:
   addTests(const Beside& place)
   {
     const ScallopLoop &a = loops_.loop(place.a), &b = loops_.loop(place.b);
+    const double low = a.level == 0 ? 0.0 : -0.6, high = place.distance + (b.level == 0 ? 0.0 : 0.6); // nothing beyond a rim
     for (double x = -0.9; x < 0.95; x += 0.1)
-      for (double y = -0.6; y < place.distance + 0.65; y += 0.1) {
+      for (double y = low; y < high + 0.05; y += 0.1) {
         const double share = y / place.distance;
         const double ua = place.ua + x, ub = place.ub + place.sense * x;
         path_.links.push_back((1.0 - share) * a.at(ua) + share * b.at(ub));

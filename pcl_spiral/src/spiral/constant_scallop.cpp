@@ -94,7 +94,7 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
   const bool inward = settings.direction == SpiralDirection::Inward;
   if (inward != (settings.sense == SpiralSense::CounterClockwise))
     turnRound(loops);
-  if (const Status status = linkLoops(loops, path); !status.ok())
+  if (const Status status = linkLoops(loops, path, settings.start_point); !status.ok())
     return status;
   clock.end("linking");
   if (progress && !progress(0.25, "coverage"))

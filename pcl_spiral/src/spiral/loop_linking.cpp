@@ -52,7 +52,7 @@ dropRepeats(LinkedPath& path)
 } // namespace
 
 Status
-linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path)
+linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::optional<Eigen::Vector3d>& start)
 {
   path = LinkedPath();
   CutLoops cuts(loops);
@@ -61,7 +61,7 @@ linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path)
   for (std::size_t i = 1; i < loops.size(); ++i)
     if (std::make_pair(loops[i].level, loops[i].length()) > std::make_pair(loops[innermost].level, loops[innermost].length()))
       innermost = i;
-  const std::vector<RampStrip> chain = findMainChain(cuts, finder, innermost, 0);
+  const std::vector<RampStrip> chain = findMainChain(cuts, finder, innermost, 0, start);
   if (chain.empty())
     return {StatusCode::Failed, textOf("no way leads from the innermost loop at ", placeText(loops[innermost].points.front()),
                                        " out to the rim: the surface is too rough there for loops at constant scallop; smooth "

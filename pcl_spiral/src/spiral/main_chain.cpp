@@ -19,7 +19,10 @@ constexpr std::size_t ramp_points = 60;
 /** Chains from one loop outwards. */
 class ChainFinder {
 public:
-  ChainFinder(const CutLoops& loops, const LoopFinder& finder) : loops_(loops), finder_(finder), bends_(loops.size()) {}
+  ChainFinder(const CutLoops& loops, const LoopFinder& finder, const std::optional<Eigen::Vector3d>& start)
+      : loops_(loops), finder_(finder), start_(start), bends_(loops.size())
+  {
+  }
 
   std::vector<RampStrip>
   best(std::size_t innermost, std::size_t outer_rim)
@@ -34,7 +37,7 @@ public:
     for (std::int64_t c = 0; c < 2 * starts; ++c) {
       chains[c] = walk({innermost, whole * static_cast<double>(c % starts) / static_cast<double>(starts)}, c < starts ? 0.0 : 0.6);
       if (!chains[c].empty())
-        scores[c] = score(chains[c]) + (chains[c].back().loop == outer_rim ? 0.0 : 1000.0);
+        scores[c] = score(chains[c]) + farness(chains[c]) + (chains[c].back().loop == outer_rim ? 0.0 : 1000.0);
     }
     const std::size_t least = static_cast<std::size_t>(std::min_element(scores.begin(), scores.end()) - scores.begin());
     std::vector<RampStrip> chain = chains[least];
@@ -103,6 +106,17 @@ private:
     return chain;
   }
 
+  /** How far from the place asked for a chain meets the rim: an eighth of the rim counts as much as all its strips. */
+  double
+  farness(const std::vector<RampStrip>& chain) const
+  {
+    if (!start_)
+      return 0.0;
+    const RampStrip& rim = chain.back();
+    const double off = loops_.loop(rim.loop).metricAt(rim.u).length(loops_.loop(rim.loop).at(rim.u - rim.length) - *start_);
+    return static_cast<double>(chain.size()) * off / (0.125 * loops_.loop(rim.loop).length());
+  }
+
   double
   score(const std::vector<RampStrip>& chain) const
   {
@@ -134,15 +148,17 @@ private:
 
   const CutLoops& loops_;
   const LoopFinder& finder_;
+  std::optional<Eigen::Vector3d> start_;
   std::vector<std::vector<double>> bends_;
 };
 
 } // namespace
 
 std::vector<RampStrip>
-findMainChain(const CutLoops& loops, const LoopFinder& finder, std::size_t innermost, std::size_t outer_rim)
+findMainChain(const CutLoops& loops, const LoopFinder& finder, std::size_t innermost, std::size_t outer_rim,
+              const std::optional<Eigen::Vector3d>& start)
 {
-  return ChainFinder(loops, finder).best(innermost, outer_rim);
+  return ChainFinder(loops, finder, start).best(innermost, outer_rim);
 }
 
 std::vector<std::size_t>

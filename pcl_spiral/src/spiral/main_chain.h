@@ -6,6 +6,7 @@
 #include "loop_cuts.h"
 #include "loop_finder.h"
 
+#include <optional>
 #include <vector>
 
 namespace pcl_spiral {
@@ -17,10 +18,11 @@ struct RampStrip {
   double distance = 0.0;        ///< of u from the strip of the loop inside
 };
 
-/** Strips of a chain of loops from \p innermost out to a rim, the rim's first: the most even of many. Empty where no way leads
- *  out. */
+/** Strips of a chain of loops from \p innermost out to a rim, the rim's first: the most even of many, or of those that meet the rim
+ *  near \p start. Empty where no way leads out. */
 std::vector<RampStrip>
-findMainChain(const CutLoops& loops, const LoopFinder& finder, std::size_t innermost, std::size_t outer_rim);
+findMainChain(const CutLoops& loops, const LoopFinder& finder, std::size_t innermost, std::size_t outer_rim,
+              const std::optional<Eigen::Vector3d>& start);
 
 /** Cut the strips out and put ramps in. \return the cuts, one a strip. */
 std::vector<std::size_t>

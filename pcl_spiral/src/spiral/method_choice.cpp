@@ -107,8 +107,10 @@ unevenness(const SurfaceGraph& graph, const MlsSurface& surface, const BoundaryL
 
 /** Why turns that are shares of lines do not do; empty where they may. */
 std::string
-whyNotRadial(const BoundaryLoop& rim, const std::vector<const BoundaryLoop*>& holes)
+whyNotRadial(const BoundaryLoop& rim, const std::vector<const BoundaryLoop*>& holes, const SpiralSettings& settings)
 {
+  if (!holes.empty() && settings.hole_margin > 0.0)
+    return "turns about a hole begin at its edge, and a margin is asked for";
   if (holes.size() > 1)
     return textOf("the surface has ", holes.size(), " holes");
   if (!rim.corners.empty())
@@ -160,7 +162,7 @@ foreseeMethods(const Surface& surface, const std::vector<BoundaryLoop>& loops, c
   const double across = area / step_over, feed = settings.feed / 60.0;
   const double turns = 2.0 * across / rims;
   foresight.scallop_length = across + rim_share * rims;
-  foresight.why_not_radial = whyNotRadial(*rim, holes);
+  foresight.why_not_radial = whyNotRadial(*rim, holes, settings);
   std::optional<double> uneven;
   if (foresight.why_not_radial.empty())
     uneven = unevenness(graph, fit, *rim, holes.empty() ? nullptr : holes.front());

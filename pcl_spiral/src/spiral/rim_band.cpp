@@ -11,7 +11,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double ray_step = 0.5;     // spacings between rays along the outline
-constexpr double fan_step = 0.2;     // radians between rays about a corner
+constexpr double fan_step = 0.2;     // radians between rays
 constexpr double first_row = 0.7;    // spacings from the outline
 constexpr double least_share = 0.98; // of the distance asked for, of what is kept
 constexpr double least_apart = 0.6;  // spacings between points of the band
@@ -32,18 +32,21 @@ RimBand::RimBand(const Surface& surface, const Polyline& curve) : spacing_(surfa
   std::vector<SurfaceFoot> feet;
   surface.fit().project(curve_, feet);
   const std::size_t n = curve_.size();
-  const auto outward = [&](std::size_t i, std::size_t from, std::size_t to) {
-    const Eigen::Vector3d normal = feet[i].valid ? feet[i].normal : surface.normal(surface.graph().blocks().nearest(curve_[i]));
-    return (curve_[to] - curve_[from]).cross(normal).normalized(); // the surface lies on the left
-  };
+  std::vector<Ray> rays(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::Vector3d before = outward(i, (i + n - 2) % n, i), after = outward(i, i, (i + 2) % n);
-    const double turn = std::acos(std::clamp(before.dot(after), -1.0, 1.0));
-    const int fan = std::max(1, static_cast<int>(std::ceil(turn / fan_step)));
-    for (int k = 0; k <= fan; ++k) {
-      const Eigen::Vector3d along = (1.0 - static_cast<double>(k) / fan) * before + static_cast<double>(k) / fan * after;
+    const Eigen::Vector3d normal = feet[i].valid ? feet[i].normal : surface.normal(surface.graph().blocks().nearest(curve_[i]));
+    const Eigen::Vector3d along = curve_[(i + 2) % n] - curve_[(i + n - 2) % n];
+    rays[i] = {curve_[i], along.cross(normal).normalized()}; // the surface lies on the left
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const Ray &ray = rays[i], &next = rays[(i + 1) % n];
+    const double turn = std::acos(std::clamp(ray.along.dot(next.along), -1.0, 1.0));
+    const int parts = std::max(1, static_cast<int>(std::ceil(turn / fan_step)));
+    for (int k = 0; k < parts; ++k) {
+      const double share = static_cast<double>(k) / parts;
+      const Eigen::Vector3d along = (1.0 - share) * ray.along + share * next.along;
       if (along.norm() > 1e-6)
-        rays_.push_back({curve_[i], along.normalized()});
+        rays_.push_back({(1.0 - share) * ray.from + share * next.from, along.normalized()});
     }
   }
 }

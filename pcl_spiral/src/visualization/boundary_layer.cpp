@@ -128,7 +128,9 @@ addBoundaries(PartView& view, const SpiralReport& report, vtkScalarsToColors* he
 std::string
 boundariesTitle(const std::string& title, const SpiralReport& report)
 {
-  return title + (report.radial_lines.empty() ? ": the scan and its boundaries" : ": boundaries and radial lines");
+  return title + (!report.radial_lines.empty()    ? ": boundaries and radial lines"
+                  : !report.scallop_lines.empty() ? ": boundaries, loops and fingers"
+                                                  : ": the scan and its boundaries");
 }
 
 std::string

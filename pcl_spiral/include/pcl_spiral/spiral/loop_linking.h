@@ -10,6 +10,7 @@
 #include <pcl_spiral/spiral/step_over_input.h>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace pcl_spiral {
@@ -48,9 +49,9 @@ struct LinkedPath {
 /** One path over all \p loops, which lie one inside the other one step-over apart, the outer rim first. From the outer rim it
  *  spirals inward to the innermost loop, in ramps one above the other. Each loop beside this chain (in other lobes, round
  *  holes) is joined to a neighbour by a bridge: both are cut side by side, and the ends are joined by two narrow turns, so that
- *  they are travelled as one. Fails where a loop has no neighbour that runs beside it. */
+ *  they are travelled as one. With \p start the path begins at the rim near there. Fails where a loop has no neighbour that runs beside it. */
 Status
-linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path);
+linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::optional<Eigen::Vector3d>& start = std::nullopt);
 
 /** One continuous path over closed loops: linkLoops, then moved where it would leave more than the loops did, in the direction
  *  asked for. samplePath gives its points for linear moves, putOnSurface and setToolAxes make it a toolpath.
@@ -87,6 +88,11 @@ public:
   /** Which way the path leads: Outward, the default, ends on the outer rim, Inward begins there. */
   void setDirection(SpiralDirection direction) { this->settings_.direction = direction; }
   SpiralDirection getDirection() const { return this->settings_.direction; }
+
+  /** The path begins, or going outward ends, at the rim near here. */
+  void setStartPoint(const Eigen::Vector3d& point) { this->settings_.start_point = point; }
+  const std::optional<Eigen::Vector3d>& getStartPoint() const { return this->settings_.start_point; }
+  void clearStartPoint() { this->settings_.start_point.reset(); }
 
   /** Which way the cutter travels along the outer rim, seen from outside; CounterClockwise by default. */
   void setSense(SpiralSense sense) { this->settings_.sense = sense; }

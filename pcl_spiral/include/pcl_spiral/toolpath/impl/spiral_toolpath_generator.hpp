@@ -116,6 +116,9 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeRadial(Surface::Const
                                                                   const std::vector<BoundaryLoop>& loops, StageClock& clock,
                                                                   SpiralTurns& turns)
 {
+  if (settings_.hole_margin > 0.0 && report_.boundaries > 1)
+    return {StatusCode::InvalidArgument, "turns of the radial method begin at the edge of the hole, but a margin about holes is asked "
+                                         "for (setHoleMargin): choose constant scallop height (setMethod), or leave the margin out"};
   RadialLineSet lines;
   if (const Status status = makeLines(surface, loops, lines); !status.ok())
     return status;
