@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace pcl_spiral {
 namespace {
@@ -89,7 +90,9 @@ smoothed(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size_
   line.level = loop.level;
   line.points.resize(places.size());
   line.metric.resize(places.size());
-  for (std::size_t k = 0; k < places.size(); ++k) {
+  const auto count = static_cast<std::int64_t>(places.size());
+#pragma omp parallel for schedule(static, 64) if (count > 512)
+  for (std::int64_t k = 0; k < count; ++k) {
     const double width = std::min(grain.widths[from[k]], loop.length() / 6.0);
     line.points[k] = fitted(loop, places[k], from[k], width);
     line.metric[k] = loop.metricAt(places[k]);
