@@ -1,5 +1,9 @@
 #include "outline_cut.h"
 
+#include "handle_loop.h"
+
+#include <pcl_spiral/common/message.h>
+
 #include <array>
 #include <cstdint>
 
@@ -11,6 +15,7 @@ using Triangle = Triangulation::Triangle;
 constexpr double clear_of_rim = 0.45; // spacings; nearer points give way to the outline
 constexpr double beside_rim = 3.0;    // spacings within which points are looked at
 constexpr double across_reach = 6.0;  // the same for triangles
+constexpr double longest_noise_handle = 12.0; // spacings round; longer ones are the part's
 constexpr double across_depth = 0.15; // spacings a triangle may reach beyond an outline
 
 /** Places on the sides of a triangle, by the weights of its corners. */
@@ -87,32 +92,79 @@ largestPart(const Triangulation& triangles, const Cut& cut, std::size_t nodes)
   return kept;
 }
 
-/** Nodes at which free edges touch are dead from now on. \return whether there were any. */
+/** How many fans the triangles about \p v form: 1 on a sheet. */
+std::size_t
+fansAt(const Triangulation& triangles, std::uint32_t v)
+{
+  const std::size_t first = triangles.outgoingBegin(v), count = triangles.outgoingBegin(v + 1) - first;
+  std::size_t free = 0, passed = 0;
+  for (std::size_t o = first; o < first + count; ++o)
+    free += triangles.opposite(triangles.outgoing(o)) == Triangulation::none;
+  if (free > 0 || count == 0)
+    return free;
+  std::uint32_t h = triangles.outgoing(first);
+  do {
+    h = triangles.opposite(Triangulation::previous(h));
+    ++passed;
+  } while (h != Triangulation::none && h != triangles.outgoing(first));
+  return passed == count ? 1 : 2;
+}
+
+/** Nodes at which free edges touch, or whose triangles touch at them alone, are dead from now on. \return whether there were
+ *  any. */
 bool
 dropPinches(const std::vector<Triangle>& triangles, std::vector<std::uint8_t>& dead)
 {
   const Triangulation rest(dead.size(), triangles);
-  std::vector<std::uint8_t> ends(dead.size(), 0);
   bool pinched = false;
-  for (std::uint32_t h = 0; h < rest.halfEdgeCount(); ++h)
-    if (rest.opposite(h) == Triangulation::none && ++ends[rest.origin(h)] > 1) {
-      dead[rest.origin(h)] = 1;
+  for (std::uint32_t v = 0; v < dead.size(); ++v)
+    if (fansAt(rest, v) > 1) {
+      dead[v] = 1;
       pinched = true;
     }
   return pinched;
 }
 
+/** The nodes of a way round a handle are dead from now on, where it is no longer than noise makes them. */
+Status
+dropHandle(const StepOverMesh& mesh, const std::vector<Triangle>& triangles, double spacing, std::vector<std::uint8_t>& dead,
+           bool& dropped)
+{
+  const Triangulation rest(dead.size(), triangles);
+  dropped = false;
+  if (missingEuler(mesh.positions, rest) == 0)
+    return Status::success();
+  const std::vector<std::uint32_t> way = handleLoop(mesh.positions, rest);
+  Polyline points;
+  for (const std::uint32_t v : way)
+    points.push_back(mesh.positions[v]);
+  if (way.empty() || length(points, true) > longest_noise_handle * spacing)
+    return {StatusCode::Failed, textOf("the surface has a handle at ", placeText(points.empty() ? mesh.positions.front() : points.front()), ", ",
+                                       points.empty() ? 0.0 : length(points, true),
+                                       " mm round: a path at constant scallop needs a sheet with rim and holes alone; cut the part "
+                                       "in pieces")};
+  for (const std::uint32_t v : way)
+    dead[v] = 1;
+  dropped = true;
+  return Status::success();
+}
+
 } // namespace
 
-std::vector<Triangle>
-trianglesWithin(const StepOverMesh& mesh, const Triangulation& triangles, const OutlineSide& side, double spacing)
+Status
+trianglesWithin(const StepOverMesh& mesh, const Triangulation& triangles, const OutlineSide& side, double spacing,
+                std::vector<Triangle>& kept)
 {
   Cut cut = cutAt(mesh, triangles, side, spacing);
-  std::vector<Triangle> kept;
-  do
-    kept = largestPart(triangles, cut, mesh.size());
-  while (dropPinches(kept, cut.dead));
-  return kept;
+  bool dropped = true;
+  while (dropped) {
+    do
+      kept = largestPart(triangles, cut, mesh.size());
+    while (dropPinches(kept, cut.dead));
+    if (const Status status = dropHandle(mesh, kept, spacing, cut.dead, dropped); !status.ok())
+      return status;
+  }
+  return Status::success();
 }
 
 } // namespace pcl_spiral

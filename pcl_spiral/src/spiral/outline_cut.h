@@ -12,8 +12,10 @@
 namespace pcl_spiral {
 
 /** Of \p triangles over the nodes of \p mesh the largest part that lies within the outlines, clear of them by 0.45 spacings, its
- *  free edges closed loops that touch nowhere. */
-std::vector<Triangulation::Triangle>
-trianglesWithin(const StepOverMesh& mesh, const Triangulation& triangles, const OutlineSide& side, double spacing);
+ *  free edges closed loops that touch nowhere. Handles up to twelve spacings round, as noise makes them, are cut through; fails
+ *  on longer ones. */
+Status
+trianglesWithin(const StepOverMesh& mesh, const Triangulation& triangles, const OutlineSide& side, double spacing,
+                std::vector<Triangulation::Triangle>& kept);
 
 } // namespace pcl_spiral

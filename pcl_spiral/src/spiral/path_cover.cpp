@@ -1,30 +1,40 @@
 #include "path_cover.h"
 
+#include "cover_tests.h"
 #include "segment_set.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
 
 constexpr double covered = 0.503;     // distance above which a place moves the path
 constexpr double aim = 0.49;          // to which it is brought
-constexpr double suspect = 0.42;      // a node's distance above which the triangles about it are looked at
-constexpr double search_within = 1.5; // step-overs
+constexpr double least_watched = 0.36; // test points nearer than this to the path stay covered
 constexpr double watch_reach = 1.6;   // of a place that is not covered: test points within it are watched
 constexpr double moved_reach = 2.2;   // and the path within this may move
+constexpr double looked_at = 1.0;     // of a test point: its nearest segment is one of those within
 constexpr double bell = 0.8;          // half the length of path that one place moves
 constexpr double grain = 0.05;        // of the path where it moves
+constexpr auto bell_points = static_cast<std::size_t>(bell / grain);
 constexpr double damping = 0.7;
 constexpr int most_rounds = 24;
 
-/** Places that must not be farther than half a step-over from the path. */
-struct TestPoints {
-  Polyline points;
-  std::vector<StepOverMetric> metric;
-  std::vector<double> distances; ///< at most: see bound in Mover
+/** Points first to last of a path. */
+struct PathRun {
+  std::size_t first = 0, last = 0;
+};
+
+/** A test point that a moving path may uncover. */
+struct Watched {
+  Eigen::Vector3d point;
+  StepOverMetric metric;
+  std::vector<PathRun> runs; ///< of the path near it
+  std::size_t segment = 0;   ///< the nearest, from its point of the path to the next
+  double share = 0.0;        ///< along it
+  double distance = 0.0;     ///< no more than this: what the nearest segment has moved since is in it
 };
 
 class Mover {
@@ -35,145 +45,121 @@ public:
   run(double held)
   {
     CoverFigures figures;
-    gather();
-    const TestPoints troubled = select(tests_, [](double d) { return d > covered; });
-    figures.places = troubled.points.size();
-    figures.farthest_before = figures.farthest =
-        troubled.points.empty() ? covered : *std::max_element(troubled.distances.begin(), troubled.distances.end());
-    if (troubled.points.empty())
-      return figures;
-    SegmentSet places;
-    for (const Eigen::Vector3d& p : troubled.points)
-      places.add({p}, false);
-    places.build();
-    watch(places);
-    densify(places, held);
-    for (figures.rounds = 0; figures.rounds < most_rounds; ++figures.rounds)
-      if (!moveOnce(figures))
+    watch(held, figures);
+    for (; !watched_.empty() && figures.rounds < most_rounds; ++figures.rounds) {
+      const std::vector<std::size_t> open = openPlaces();
+      figures.left = open.size();
+      figures.farthest = open.empty() ? covered : watched_[open.front()].distance;
+      if (open.empty())
         break;
+      figures.farthest_place = watched_[open.front()].point;
+      pull(open);
+      if (!move())
+        break;
+    }
     return figures;
   }
 
 private:
-  template <typename Keep>
-  static TestPoints
-  select(const TestPoints& from, Keep keep)
-  {
-    TestPoints kept;
-    for (std::size_t i = 0; i < from.points.size(); ++i)
-      if (keep(from.distances[i])) {
-        kept.points.push_back(from.points[i]);
-        kept.metric.push_back(from.metric[i]);
-        kept.distances.push_back(from.distances[i]);
-      }
-    return kept;
-  }
-  static void
-  measure(const SegmentSet& lines, TestPoints& tests)
-  {
-    tests.distances.resize(tests.points.size());
-    const auto count = static_cast<std::int64_t>(tests.points.size());
-#pragma omp parallel for schedule(dynamic, 1024)
-    for (std::int64_t i = 0; i < count; ++i)
-      tests.distances[i] = lines.nearest(tests.points[i], tests.metric[i], search_within).distance;
-  }
-
-  void gather();
-  void addTriangle(std::size_t triangle, int parts);
-  void watch(const SegmentSet& places);
-  void densify(const SegmentSet& places, double held);
-  bool moveOnce(CoverFigures& figures);
+  void watch(double held, CoverFigures& figures);
+  void findNear(const SegmentSet& line, const std::vector<std::size_t>& places, const CoverTests& tests, std::vector<std::uint8_t>& near) const;
+  void densify(const std::vector<std::uint8_t>& near, double held);
+  SegmentSet movingLines() const;
+  void measure(Watched& at) const;
+  std::vector<std::size_t> openPlaces();
+  void pull(const std::vector<std::size_t>& open);
+  bool isTaken(std::size_t centre) const;
+  bool move();
 
   const StepOverDistance& field_;
   LinkedPath& path_;
-  TestPoints tests_;
-  std::vector<std::uint8_t> near_;     ///< one a point of the path: 1 within reach of a place that was not covered
-  std::vector<std::uint8_t> moves_;    ///< the same, but for those held
-  std::vector<double> bounds_;         ///< the test points' distances, with what the path has moved since they were measured
+  std::vector<Watched> watched_;
+  std::vector<std::uint8_t> near_;  ///< one a point of the path: 1 within reach of a place that was not covered
+  std::vector<std::uint8_t> moves_; ///< the same, but for those held
+  std::vector<Eigen::Vector3d> shift_; ///< one a point of the path, zero between rounds
+  std::vector<std::uint8_t> taken_;    ///< the same: middles of this round's bells
+  std::vector<std::size_t> pulled_;    ///< points with a shift, some twice
+  std::vector<std::size_t> centres_;   ///< points taken
 };
 
-/** Middles of the \p parts * \p parts triangles that a triangle is cut into. */
+/** Find the places that are not covered, the path that may move towards them, and the test points it may uncover. */
 void
-Mover::addTriangle(std::size_t triangle, int parts)
-{
-  const auto& c = field_.mesh.triangles.triangle(triangle);
-  const auto add = [&](double a, double b) {
-    const double w[3] = {a / parts, b / parts, 1.0 - (a + b) / parts};
-    Eigen::Vector3d p = Eigen::Vector3d::Zero();
-    StepOverMetric m;
-    for (int i = 0; i < 3; ++i) {
-      p += w[i] * field_.mesh.positions[c[i]];
-      m += field_.mesh.metric[c[i]].times(w[i]);
-    }
-    tests_.points.push_back(p);
-    tests_.metric.push_back(m);
-  };
-  for (int i = 0; i < parts; ++i)
-    for (int j = 0; i + j < parts; ++j) {
-      add(i + 1.0 / 3.0, j + 1.0 / 3.0);
-      if (i + j + 1 < parts)
-        add(i + 2.0 / 3.0, j + 2.0 / 3.0);
-    }
-}
-
-void
-Mover::gather()
+Mover::watch(double held, CoverFigures& figures)
 {
   SegmentSet line;
   line.add(path_.points, false);
   line.build();
-  TestPoints nodes;
-  std::vector<std::uint32_t> index(field_.mesh.size(), 0xffffffffu);
-  for (std::uint32_t v = 0; v < field_.mesh.size(); ++v)
-    if (field_.is_fine[v]) {
-      index[v] = static_cast<std::uint32_t>(nodes.points.size());
-      nodes.points.push_back(field_.mesh.positions[v]);
-      nodes.metric.push_back(field_.mesh.metric[v]);
+  const CoverTests tests = coverTests(field_, path_, line);
+  figures.farthest_before = figures.farthest = covered;
+  std::vector<std::size_t> places;
+  SegmentSet place_set;
+  for (std::size_t i = 0; i < tests.size(); ++i)
+    if (tests.distances[i] > covered) {
+      places.push_back(i);
+      place_set.add({tests.points[i]}, false);
+      figures.farthest_before = std::max(figures.farthest_before, tests.distances[i]);
     }
-  measure(line, nodes);
-  const int coarse_parts = std::max(1, static_cast<int>(std::ceil(4.0 * field_.usual_edge)));
-  for (std::size_t t = 0; t < field_.mesh.triangles.triangleCount(); ++t) {
-    const auto& c = field_.mesh.triangles.triangle(t);
-    if (index[c[0]] == 0xffffffffu || index[c[1]] == 0xffffffffu || index[c[2]] == 0xffffffffu) {
-      if (field_.is_weak[t])
-        addTriangle(t, coarse_parts);
-    }
-    else if (std::max({nodes.distances[index[c[0]]], nodes.distances[index[c[1]]], nodes.distances[index[c[2]]]}) > suspect)
-      addTriangle(t, 2);
-  }
-  tests_.points.insert(tests_.points.end(), path_.links.begin(), path_.links.end());
-  tests_.metric.insert(tests_.metric.end(), path_.link_metric.begin(), path_.link_metric.end());
-  measure(line, tests_);
-  tests_.points.insert(tests_.points.end(), nodes.points.begin(), nodes.points.end());
-  tests_.metric.insert(tests_.metric.end(), nodes.metric.begin(), nodes.metric.end());
-  tests_.distances.insert(tests_.distances.end(), nodes.distances.begin(), nodes.distances.end());
-}
-
-void
-Mover::watch(const SegmentSet& places)
-{
-  const auto count = static_cast<std::int64_t>(tests_.points.size());
-  TestPoints watched = std::move(tests_);
+  figures.places = places.size();
+  if (places.empty())
+    return;
+  place_set.build();
+  std::vector<std::uint8_t> near(path_.points.size(), 0);
+  findNear(line, places, tests, near);
+  densify(near, held);
+  const auto count = static_cast<std::int64_t>(tests.size());
+  std::vector<std::uint8_t> chosen(tests.size(), 0);
 #pragma omp parallel for schedule(dynamic, 1024)
   for (std::int64_t i = 0; i < count; ++i)
-    if (watched.distances[i] < 0.36 ||
-        places.nearest(watched.points[i], watched.metric[i], watch_reach).segment == NearestSegment::none)
-      watched.distances[i] = -1.0;
-  tests_ = select(watched, [](double d) { return d >= 0.0; });
-  bounds_ = tests_.distances;
+    chosen[i] = tests.distances[i] >= least_watched &&
+                (tests.distances[i] > covered ||
+                 place_set.nearest(tests.points[i], tests.metric[i], watch_reach).segment != NearestSegment::none);
+  for (std::size_t i = 0; i < tests.size(); ++i)
+    if (chosen[i])
+      watched_.push_back({tests.points[i], tests.metric[i], {}, 0, 0.0, tests.distances[i]});
+  const SegmentSet lines = movingLines();
+  const auto watched = static_cast<std::int64_t>(watched_.size());
+#pragma omp parallel for schedule(dynamic, 256)
+  for (std::int64_t i = 0; i < watched; ++i) {
+    Watched& at = watched_[i];
+    std::vector<std::size_t> segments;
+    lines.forSegmentsNear(at.point, at.metric, looked_at, [&](std::size_t s) { segments.push_back(lines.label(s) + lines.place(s)); });
+    std::sort(segments.begin(), segments.end());
+    for (const std::size_t s : segments) {
+      if (at.runs.empty() || s > at.runs.back().last + 2)
+        at.runs.push_back({s, s + 1});
+      at.runs.back().last = std::max(at.runs.back().last, s + 1);
+    }
+    measure(at);
+  }
 }
 
+/** Mark the points of the path within reach of \p places. */
 void
-Mover::densify(const SegmentSet& places, double held)
+Mover::findNear(const SegmentSet& line, const std::vector<std::size_t>& places, const CoverTests& tests,
+                std::vector<std::uint8_t>& near) const
 {
-  const std::size_t n = path_.points.size();
-  std::vector<std::uint8_t> near(n, 0);
-#pragma omp parallel for schedule(dynamic, 1024)
-  for (std::size_t i = 0; i < n; ++i)
-    near[i] = places.nearest(path_.points[i], path_.metric[i], moved_reach).segment != NearestSegment::none;
+  const auto count = static_cast<std::int64_t>(places.size());
+#pragma omp parallel
+  {
+    std::vector<std::size_t> found;
+#pragma omp for schedule(dynamic, 256) nowait
+    for (std::int64_t i = 0; i < count; ++i)
+      line.forSegmentsNear(tests.points[places[i]], tests.metric[places[i]], moved_reach, [&found](std::size_t s) { found.push_back(s); });
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+#pragma omp critical
+    for (const std::size_t s : found)
+      near[s] = near[s + 1] = 1;
+  }
+}
+
+/** More points where the path may move; the first \p held step-overs do not. */
+void
+Mover::densify(const std::vector<std::uint8_t>& near, double held)
+{
   LinkedPath dense;
   double travelled = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < path_.points.size(); ++i) {
     double step = 0.0;
     if (i > 0)
       step = between(path_.metric[i - 1], path_.metric[i], 0.5).length(path_.points[i] - path_.points[i - 1]);
@@ -195,10 +181,13 @@ Mover::densify(const SegmentSet& places, double held)
   path_.metric = std::move(dense.metric);
   path_.reversed = std::move(dense.reversed);
   path_.turns = std::move(dense.turns);
+  shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
+  taken_.assign(path_.points.size(), 0);
 }
 
-bool
-Mover::moveOnce(CoverFigures& figures)
+/** The runs of the path that may move, with the point on either side; a run's label is its first point. */
+SegmentSet
+Mover::movingLines() const
 {
   SegmentSet lines;
   const std::size_t n = path_.points.size();
@@ -211,53 +200,97 @@ Mover::moveOnce(CoverFigures& figures)
       lines.add(Polyline(path_.points.begin() + static_cast<std::ptrdiff_t>(i), path_.points.begin() + static_cast<std::ptrdiff_t>(end)), false, i);
     i = std::max(end, i + 1);
   }
-  if (lines.empty())
-    return false;
   lines.build();
-  std::vector<NearestSegment> found(tests_.points.size());
-  const auto count = static_cast<std::int64_t>(tests_.points.size());
+  return lines;
+}
+
+void
+Mover::measure(Watched& at) const
+{
+  double least = at.runs.empty() ? 0.0 : 1e30;
+  for (const PathRun& run : at.runs)
+    for (std::size_t s = run.first; s < run.last; ++s) {
+      double share = 0.0;
+      const double d = distanceFromSegment(at.point, at.metric, path_.points[s], path_.points[s + 1], share);
+      if (d < least) {
+        least = d;
+        at.segment = s;
+        at.share = share;
+      }
+    }
+  at.distance = least;
+}
+
+/** Of the watched points those that are not covered, the farthest first. */
+std::vector<std::size_t>
+Mover::openPlaces()
+{
+  const auto count = static_cast<std::int64_t>(watched_.size());
 #pragma omp parallel for schedule(dynamic, 256)
   for (std::int64_t i = 0; i < count; ++i)
-    if (bounds_[i] > covered) {
-      found[i] = lines.nearest(tests_.points[i], tests_.metric[i], search_within);
-      bounds_[i] = found[i].distance;
-    }
+    if (watched_[i].distance > covered)
+      measure(watched_[i]);
   std::vector<std::size_t> open;
-  for (std::size_t i = 0; i < tests_.points.size(); ++i)
-    if (bounds_[i] > covered && found[i].segment != NearestSegment::none)
+  for (std::size_t i = 0; i < watched_.size(); ++i)
+    if (watched_[i].distance > covered)
       open.push_back(i);
-  std::sort(open.begin(), open.end(), [this](std::size_t a, std::size_t b) { return bounds_[a] != bounds_[b] ? bounds_[a] > bounds_[b] : a < b; });
-  figures.left = open.size();
-  figures.farthest = open.empty() ? covered : bounds_[open.front()];
-  if (open.empty())
-    return false;
-  figures.farthest_place = tests_.points[open.front()];
-  std::vector<Eigen::Vector3d> shift(n, Eigen::Vector3d::Zero());
-  std::vector<std::uint8_t> taken(n, 0);
-  const auto reach = static_cast<std::size_t>(bell / grain);
+  std::sort(open.begin(), open.end(), [this](std::size_t a, std::size_t b) {
+    return watched_[a].distance != watched_[b].distance ? watched_[a].distance > watched_[b].distance : a < b;
+  });
+  return open;
+}
+
+/** Whether the middle of another bell is near. */
+bool
+Mover::isTaken(std::size_t centre) const
+{
+  const std::size_t low = centre - std::min(centre, bell_points / 3), high = std::min(taken_.size() - 1, centre + bell_points / 3);
+  return std::any_of(taken_.begin() + static_cast<std::ptrdiff_t>(low), taken_.begin() + static_cast<std::ptrdiff_t>(high) + 1,
+                     [](std::uint8_t t) { return t != 0; });
+}
+
+/** What is to be moved towards \p open places, as bells along the path. */
+void
+Mover::pull(const std::vector<std::size_t>& open)
+{
   for (const std::size_t i : open) {
-    const NearestSegment& near = found[i];
-    const std::size_t centre = lines.label(near.segment) + lines.place(near.segment) + (near.share > 0.5 ? 1 : 0);
-    const std::size_t low = centre > reach ? centre - reach : 0, high = std::min(n - 1, centre + reach);
-    if (std::any_of(taken.begin() + static_cast<std::ptrdiff_t>(std::max(low, centre - std::min(centre, reach / 3))),
-                    taken.begin() + static_cast<std::ptrdiff_t>(std::min(high, centre + reach / 3) + 1), [](std::uint8_t t) { return t != 0; }))
+    const Watched& at = watched_[i];
+    const std::size_t centre = at.segment + (at.share > 0.5 ? 1 : 0);
+    if (isTaken(centre))
       continue;
-    taken[centre] = 1;
-    const Eigen::Vector3d foot = (1.0 - near.share) * lines.point(near.segment) + near.share * lines.point(near.segment + 1);
-    const Eigen::Vector3d pull = (tests_.points[i] - foot) * ((near.distance - aim) / near.distance);
+    taken_[centre] = 1;
+    centres_.push_back(centre);
+    const Eigen::Vector3d foot = (1.0 - at.share) * path_.points[at.segment] + at.share * path_.points[at.segment + 1];
+    const Eigen::Vector3d way = (at.point - foot) * ((at.distance - aim) / at.distance);
+    const std::size_t low = centre - std::min(centre, bell_points), high = std::min(path_.points.size() - 1, centre + bell_points);
     for (std::size_t k = low; k <= high; ++k)
-      if (moves_[k])
-        shift[k] += pull * (0.5 * (1.0 + std::cos(M_PI * (static_cast<double>(k) - static_cast<double>(centre)) / (static_cast<double>(reach) + 1.0))));
+      if (moves_[k]) {
+        const double off = static_cast<double>(k > centre ? k - centre : centre - k) / (static_cast<double>(bell_points) + 1.0);
+        shift_[k] += way * (0.5 * (1.0 + std::cos(M_PI * off)));
+        pulled_.push_back(k);
+      }
   }
-  double farthest = 0.0;
-  for (std::size_t k = 0; k < n; ++k)
-    if (moves_[k] && !shift[k].isZero()) {
-      path_.points[k] += damping * shift[k];
-      farthest = std::max(farthest, path_.metric[k].length(damping * shift[k]));
-    }
-  for (double& b : bounds_)
-    b += farthest;
-  return farthest > 0.0;
+}
+
+/** Move what was pulled; false where nothing was. */
+bool
+Mover::move()
+{
+  std::sort(pulled_.begin(), pulled_.end());
+  pulled_.erase(std::unique(pulled_.begin(), pulled_.end()), pulled_.end());
+  for (const std::size_t k : pulled_)
+    path_.points[k] += damping * shift_[k];
+  const auto moved = [this](std::size_t k) { return shift_[k].isZero() ? 0.0 : path_.metric[k].length(damping * shift_[k]); };
+  for (Watched& at : watched_)
+    at.distance += std::max(moved(at.segment), moved(std::min(at.segment + 1, shift_.size() - 1)));
+  for (const std::size_t k : pulled_)
+    shift_[k].setZero();
+  for (const std::size_t c : centres_)
+    taken_[c] = 0;
+  const bool any = !pulled_.empty();
+  pulled_.clear();
+  centres_.clear();
+  return any;
 }
 
 } // namespace

@@ -1,7 +1,5 @@
 #include "segment_set.h"
 
-#include <algorithm>
-
 namespace pcl_spiral {
 
 void
@@ -34,15 +32,13 @@ SegmentSet::nearest(const Eigen::Vector3d& p, const StepOverMetric& metric, doub
   if (points_.empty())
     return best;
   const double widest = longestStepOver(metric);
-  const Eigen::Matrix3d g = metric.matrix();
   index_->search(
       p, [&] { return best.distance * widest; },
       [&](std::size_t s) {
         if (is_joint_[s] || labels_[s] == but)
           return;
-        const Eigen::Vector3d d = points_[s + 1] - points_[s], gd = g * d;
-        const double t = std::clamp((p - points_[s]).dot(gd) / std::max(d.dot(gd), 1e-300), 0.0, 1.0);
-        const double distance = metric.length(p - points_[s] - t * d);
+        double t = 0.0;
+        const double distance = distanceFromSegment(p, metric, points_[s], points_[s + 1], t);
         if (distance < best.distance || (distance == best.distance && s < best.segment))
           best = {distance, s, t};
       });

@@ -7,6 +7,7 @@
 #include <pcl_spiral/core/step_over_metric.h>
 #include <pcl_spiral/search/move_index.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -20,6 +21,16 @@ struct NearestSegment {
   std::size_t segment = none; ///< from point(segment) to point(segment + 1)
   double share = 0.0;         ///< along it
 };
+
+/** Distance in \p metric of \p p from the segment between \p a and \p b; \p share: where along it. */
+inline double
+distanceFromSegment(const Eigen::Vector3d& p, const StepOverMetric& metric, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                    double& share)
+{
+  const Eigen::Vector3d d = b - a, gd = metric.matrix() * d;
+  share = std::clamp((p - a).dot(gd) / std::max(d.dot(gd), 1e-300), 0.0, 1.0);
+  return metric.length(p - a - share * d);
+}
 
 /** Runs of points, to be searched together. */
 class SegmentSet {
@@ -40,6 +51,19 @@ public:
    *  label \p but do not count. */
   NearestSegment nearest(const Eigen::Vector3d& p, const StepOverMetric& metric, double within,
                          std::size_t but = NearestSegment::none) const;
+  /** Call \p visit(segment) for all segments within \p within step-overs of \p p, and some beyond; a segment may come twice. */
+  template <typename Visit>
+  void
+  forSegmentsNear(const Eigen::Vector3d& p, const StepOverMetric& metric, double within, Visit visit) const
+  {
+    const double reach = within * longestStepOver(metric);
+    index_->search(
+        p, [reach] { return reach; },
+        [&](std::size_t s) {
+          if (!is_joint_[s])
+            visit(s);
+        });
+  }
 
 private:
   Polyline points_;

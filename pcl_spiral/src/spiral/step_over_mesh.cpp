@@ -33,7 +33,8 @@ public:
   run()
   {
     placeNodes();
-    triangles_ = trianglesWithin(mesh_, surface_.graph().triangulation(), side_, spacing_);
+    if (const Status status = trianglesWithin(mesh_, surface_.graph().triangulation(), side_, spacing_, triangles_); !status.ok())
+      return status;
     edges_ = Triangulation(mesh_.size(), triangles_).boundaryLoops();
     edgeNodes();
     for (std::size_t o = 0; o < outlines_.size(); ++o)

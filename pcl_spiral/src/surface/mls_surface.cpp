@@ -17,6 +17,7 @@ constexpr double farthest_in_spacings = 4.0; // of a query from the nearest poin
 constexpr double refit_distance = 0.1;       // in spacings: a foot that far from the query gets a fit of its own
 constexpr double run_width = 3.0;            // of queries searched together, in radii of a neighbourhood
 constexpr double largest_overhang = 1.25;    // in spacings
+constexpr int widest_fit = 4;                // times the neighbours of a usual one
 
 struct NearestPoint {
   std::uint32_t index;
@@ -33,6 +34,16 @@ NearestPoint
 nearestOf(const Neighbourhood& near)
 {
   return {near.index[0], near.squared_distance[0]};
+}
+
+void
+keepMarked(const std::vector<std::uint8_t>& marked, std::vector<std::uint32_t>& list)
+{
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (marked[i])
+      list[kept++] = list[i];
+  list.resize(kept);
 }
 
 /** End of the run of queries from \p begin that one search serves, and the run's \p box: no wider than \p widest, since
@@ -104,12 +115,13 @@ MlsSurface::projectOnce(const std::vector<std::uint32_t>& which, std::vector<Sur
             continue;
           const NearestPoint nearest = nearestOf(near);
           const double spacing = graph_.spacing(nearest.index);
-          if (std::sqrt(nearest.squared_distance) > farthest_in_spacings * spacing)
+          const double farthest = farthest_in_spacings * std::max(spacing, graph_.spacing());
+          if (std::sqrt(nearest.squared_distance) > (neighbours > neighbours_ ? 2.0 : 1.0) * farthest)
             continue;
           foot = fit(from, near);
           foot.nearest = nearest.index;
           foot.nearest_distance = std::sqrt(nearest.squared_distance);
-          foot.valid = foot.valid && foot.overhang < largest_overhang * spacing;
+          foot.valid = foot.valid && foot.overhang < largest_overhang * spacing && (foot.position - from).norm() < farthest;
           moved[order[i].index] = foot.valid && (foot.position - from).norm() > refit_distance * graph_.spacing();
         }
       }
@@ -161,14 +173,20 @@ MlsSurface::project(const std::vector<Eigen::Vector3d>& queries, std::vector<Sur
     feet[i] = SurfaceFoot();
     feet[i].position = queries[i];
   }
-  // A fit is about the query; where the foot lies well away from it, fit again about the foot.
-  for (int round = 0; round < most_rounds && !which.empty(); ++round) {
-    const std::vector<std::uint8_t> moved = projectOnce(which, feet, neighbours_);
-    std::size_t again = 0;
-    for (std::size_t i = 0; i < which.size(); ++i)
-      if (moved[i])
-        which[again++] = which[i];
-    which.resize(again);
+  // Where points stand closer on one side than on the other, the nearest ones may all lie on that side: a wider fit spans both.
+  for (int width = 1; width <= widest_fit && !which.empty(); width *= 2) {
+    std::vector<std::uint32_t> moving = which;
+    for (int round = 0; round < most_rounds && !moving.empty(); ++round) {
+      const std::vector<std::uint8_t> moved = projectOnce(moving, feet, width * neighbours_);
+      keepMarked(moved, moving); // a fit is about the query; where the foot lies well away from it, fit again about the foot
+    }
+    std::vector<std::uint8_t> open(which.size());
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      open[i] = !feet[which[i]].valid;
+      if (open[i])
+        feet[which[i]].position = queries[which[i]];
+    }
+    keepMarked(open, which);
   }
 }
 

@@ -1,0 +1,84 @@
+#include "cover_tests.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double suspect = 0.42;      // a node's distance above which the triangles about it are looked at
+constexpr double search_within = 1.5; // step-overs
+constexpr std::uint32_t none = 0xffffffffu;
+
+/** Add the middles of the \p parts * \p parts triangles that a triangle is cut into. */
+void
+addTriangle(const StepOverMesh& mesh, std::size_t triangle, int parts, CoverTests& tests)
+{
+  const auto& c = mesh.triangles.triangle(triangle);
+  const auto add = [&](double a, double b) {
+    const double w[3] = {a / parts, b / parts, 1.0 - (a + b) / parts};
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    StepOverMetric m;
+    for (int i = 0; i < 3; ++i) {
+      p += w[i] * mesh.positions[c[i]];
+      m += mesh.metric[c[i]].times(w[i]);
+    }
+    tests.add(p, m);
+  };
+  for (int i = 0; i < parts; ++i)
+    for (int j = 0; i + j < parts; ++j) {
+      add(i + 1.0 / 3.0, j + 1.0 / 3.0);
+      if (i + j + 1 < parts)
+        add(i + 2.0 / 3.0, j + 2.0 / 3.0);
+    }
+}
+
+} // namespace
+
+void
+CoverTests::add(const Eigen::Vector3d& p, const StepOverMetric& m)
+{
+  points.push_back(p);
+  metric.push_back(m);
+}
+
+void
+CoverTests::measure(const SegmentSet& lines, std::size_t first)
+{
+  distances.resize(points.size());
+  const auto count = static_cast<std::int64_t>(points.size());
+#pragma omp parallel for schedule(dynamic, 1024)
+  for (std::int64_t i = static_cast<std::int64_t>(first); i < count; ++i)
+    distances[i] = lines.nearest(points[i], metric[i], search_within).distance;
+}
+
+CoverTests
+coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentSet& line)
+{
+  const StepOverMesh& mesh = field.mesh;
+  CoverTests tests;
+  std::vector<std::uint32_t> index(mesh.size(), none);
+  for (std::uint32_t v = 0; v < mesh.size(); ++v)
+    if (field.is_fine[v]) {
+      index[v] = static_cast<std::uint32_t>(tests.size());
+      tests.add(mesh.positions[v], mesh.metric[v]);
+    }
+  tests.measure(line, 0);
+  const std::size_t nodes = tests.size();
+  const int coarse_parts = std::max(1, static_cast<int>(std::ceil(4.0 * field.usual_edge)));
+  for (std::size_t t = 0; t < mesh.triangles.triangleCount(); ++t) {
+    const auto& c = mesh.triangles.triangle(t);
+    if (index[c[0]] == none || index[c[1]] == none || index[c[2]] == none) {
+      if (field.is_weak[t])
+        addTriangle(mesh, t, coarse_parts, tests);
+    }
+    else if (std::max({tests.distances[index[c[0]]], tests.distances[index[c[1]]], tests.distances[index[c[2]]]}) > suspect)
+      addTriangle(mesh, t, 2, tests);
+  }
+  for (std::size_t i = 0; i < path.links.size(); ++i)
+    tests.add(path.links[i], path.link_metric[i]);
+  tests.measure(line, nodes);
+  return tests;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,32 @@
+/** \file
+ *  Places of a surface at which a path's coverage is looked at.
+ */
+#pragma once
+
+#include "segment_set.h"
+
+#include <pcl_spiral/spiral/loop_linking.h>
+#include <pcl_spiral/spiral/step_over_field.h>
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Places that must not be farther than half a step-over from a path. Parallel arrays. */
+struct CoverTests {
+  Polyline points;
+  std::vector<StepOverMetric> metric;
+  std::vector<double> distances; ///< from the path, step-overs; no more than 1.5 are told
+
+  std::size_t size() const { return points.size(); }
+  void add(const Eigen::Vector3d& p, const StepOverMetric& m);
+  /** Measure the distances from the one at \p first on. */
+  void measure(const SegmentSet& lines, std::size_t first);
+};
+
+/** On and beside the ridges of \p field, where it is no distance, and between the turns of ramps and about bridges: the links of
+ *  \p path, whose points \p line holds. */
+CoverTests
+coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentSet& line);
+
+} // namespace pcl_spiral

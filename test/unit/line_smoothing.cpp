@@ -1,0 +1,52 @@
+// Lines drawn anew stay beside those they are made of, however their points stand.
+#include "spiral/line_smoothing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace pcl_spiral;
+using Eigen::Vector3d;
+
+namespace {
+
+ScallopLoop
+loopOf(const Polyline& points)
+{
+  ScallopLoop loop;
+  loop.points = points;
+  loop.metric.assign(points.size(), StepOverMetric(Eigen::Matrix3d::Identity()));
+  loop.measure();
+  return loop;
+}
+
+} // namespace
+
+TEST(LineSmoothing, CirclesKeepTheirRadius)
+{
+  Polyline points;
+  for (int i = 0; i < 200; ++i)
+    points.emplace_back(4.0 * std::cos(0.01 * M_PI * i), 4.0 * std::sin(0.01 * M_PI * i), 0.0);
+  const ScallopLoop loop = loopOf(points);
+  std::vector<std::size_t> from;
+  const ScallopLoop line = smoothed(loop, {std::vector<double>(200, 0.1), std::vector<double>(200, 0.4)}, from);
+  for (const Vector3d& p : line.points)
+    EXPECT_NEAR(p.norm(), 4.0, 0.01);
+}
+
+TEST(LineSmoothing, PointsInClumpsThrowNoSpikes)
+{
+  // Points stand in clumps far apart, as where a loop runs over large triangles and past their corners.
+  Polyline points;
+  for (int i = 0; i < 40; ++i)
+    for (int k = 0; k < 5; ++k) {
+      const double a = 2.0 * M_PI * i / 40 + 4e-3 * k, r = 20.0 + (k == 2 ? 0.02 : 0.0);
+      points.emplace_back(r * std::cos(a), r * std::sin(a), 0.0);
+    }
+  const ScallopLoop loop = loopOf(points);
+  std::vector<std::size_t> from;
+  const ScallopLoop line = smoothed(loop, {std::vector<double>(points.size(), 0.9), std::vector<double>(points.size(), 1.2)}, from);
+  for (const Vector3d& p : line.points)
+    EXPECT_NEAR(p.norm(), 19.97, 0.12);
+}
