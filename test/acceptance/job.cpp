@@ -162,6 +162,7 @@ run(const Job& job, const Cloud::ConstPtr& cloud, int threads, const Eigen::Vect
 {
   Generator generator;
   generator.setInputCloud(cloud);
+  generator.setMethod(SpiralMethod::Radial); // outlines by the other: acceptance_outlines
   generator.setToolRadius(job.tool_radius);
   generator.setScallopHeight(job.scallop_height);
   generator.setChordError(job.chord_error);

@@ -27,6 +27,7 @@ spiralOn(const test::SurfacePtr& plate, double scallop_height, const std::option
 {
   SpiralToolpathGenerator<pcl::PointXYZ> spiral;
   spiral.setInputCloud(test::toCloud(test::sampleUniform(*plate, 20000, 3).points));
+  spiral.setMethod(SpiralMethod::Radial);
   spiral.setToolRadius(radius);
   spiral.setScallopHeight(scallop_height);
   spiral.setChordError(chord_error);

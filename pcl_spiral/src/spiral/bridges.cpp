@@ -63,7 +63,7 @@ private:
     const ScallopLoop& loop = loops_.loop(i);
     const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(loop.length() / sample_step), 8, most_samples);
     std::vector<Beside> found(3 * count);
-#pragma omp parallel for schedule(dynamic, 8)
+#pragma omp parallel for schedule(dynamic, 8) if (count > 64)
     for (std::size_t k = 0; k < count; ++k) {
       const double u = loop.length() * static_cast<double>(k) / static_cast<double>(count);
       for (int step = -1; step <= 1; ++step) {
@@ -235,6 +235,7 @@ private:
   void
   bridge(const Beside& place, std::array<PathPiece, 2> turns)
   {
+    const ScallopLoop &a = loops_.loop(place.a), &b = loops_.loop(place.b);
     const double half = halfCut(place);
     const std::size_t cut_a = loops_.addCut({place.a, place.ua - half, 2.0 * half});
     const std::size_t cut_b = loops_.addCut({place.b, place.ub - half, 2.0 * half});

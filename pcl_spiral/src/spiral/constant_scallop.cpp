@@ -96,19 +96,21 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
     turnRound(loops);
   if (const Status status = linkLoops(loops, path, settings.start_point); !status.ok())
     return status;
+  figures.loops = loops.size();
+  const double rim = loops.front().length();
+  std::vector<ScallopLoop>().swap(loops); // the path holds their points now
   clock.end("linking");
   if (progress && !progress(0.25, "coverage"))
     return {StatusCode::Cancelled, "cancelled"};
   trimEnd(path);
   if (field) {
-    const CoverFigures cover = coverPath(*field, held_rim * loops.front().length(), path);
+    const CoverFigures cover = coverPath(*field, held_rim * rim, path);
     trimEnd(path);
     figures.least_length = field->least_length;
     figures.farthest = cover.farthest;
     figures.farthest_place = cover.farthest_place;
     clock.end("coverage");
   }
-  figures.loops = loops.size();
   figures.chain_loops = path.chain_loops;
   figures.bridges = path.bridges;
   figures.dots = path.dots;

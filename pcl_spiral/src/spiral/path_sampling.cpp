@@ -15,23 +15,38 @@ namespace {
 constexpr double step_reserve = 0.95;   // feet move apart a little
 constexpr double straight_share = 0.2;  // of the chord error
 constexpr double thinnest_step = 1e-3;  // mm; no step is asked to be shorter
+constexpr std::size_t chunk = 1u << 16; // points whose feet are looked at together
 
-/** Longest move that starts at each point of the path along it. */
-std::vector<double>
-allowedSteps(const LinkedPath& path, const std::vector<SurfaceFoot>& feet, const SpiralSettings& settings)
+/** Longest move that starts at each point of the path along it; chunk by chunk, as feet take much room. Fails where the path leaves
+ *  the surface. */
+Status
+allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<double>& steps)
 {
   const double longest = settings.max_step > 0.0 ? settings.max_step : settings.tool_radius;
-  const auto count = static_cast<std::int64_t>(path.points.size());
-  std::vector<double> steps(path.points.size());
+  const std::size_t n = path.points.size();
+  steps.resize(n);
+  std::vector<SurfaceFoot> feet;
+  for (std::size_t begin = 0; begin < n; begin += chunk) {
+    const std::size_t end = std::min(n, begin + chunk);
+    const Polyline queries(path.points.begin() + static_cast<std::ptrdiff_t>(begin), path.points.begin() + static_cast<std::ptrdiff_t>(end));
+    surface.fit().project(queries, feet);
+    const auto off = std::find_if(feet.begin(), feet.end(), [](const SurfaceFoot& f) { return !f.valid; });
+    if (off != feet.end())
+      return {StatusCode::Failed,
+              textOf("the path leaves the scanned surface at ", placeText(queries[off - feet.begin()]),
+                     ": the scan has a gap or a ragged rim there; scan it again, more densely, or cut the ragged part away")};
+    const auto count = static_cast<std::int64_t>(queries.size());
 #pragma omp parallel for schedule(static, 1024)
-  for (std::int64_t i = 0; i < count; ++i) {
-    const Eigen::Vector3d along =
-        path.points[std::min(i + 1, count - 1)] - path.points[std::max<std::int64_t>(i - 1, 0)];
-    const Eigen::Vector3d tangent = (along - feet[i].normal * feet[i].normal.dot(along)).normalized();
-    const double step = stepFromChordErrorAtCentre(settings.tool_radius, feet[i].normalCurvature(tangent), settings.chord_error, longest);
-    steps[i] = std::max(step_reserve * step, thinnest_step);
+    for (std::int64_t k = 0; k < count; ++k) {
+      const std::size_t i = begin + static_cast<std::size_t>(k);
+      const Eigen::Vector3d along = path.points[std::min(i + 1, n - 1)] - path.points[i > 0 ? i - 1 : 0];
+      const Eigen::Vector3d tangent = (along - feet[k].normal * feet[k].normal.dot(along)).normalized();
+      const double step =
+          stepFromChordErrorAtCentre(settings.tool_radius, feet[k].normalCurvature(tangent), settings.chord_error, longest);
+      steps[i] = std::max(step_reserve * step, thinnest_step);
+    }
   }
-  return steps;
+  return Status::success();
 }
 
 /** The last point that a straight move from \p first may go to: no point between is farther from it than \p tolerance, and it is
@@ -64,14 +79,9 @@ samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings&
            double& longest_step)
 {
   points.clear();
-  std::vector<SurfaceFoot> feet;
-  surface.fit().project(path.points, feet);
-  const auto off = std::find_if(feet.begin(), feet.end(), [](const SurfaceFoot& f) { return !f.valid; });
-  if (off != feet.end())
-    return {StatusCode::Failed,
-            textOf("the path leaves the scanned surface at ", placeText(path.points[off - feet.begin()]),
-                   ": the scan has a gap or a ragged rim there; scan it again, more densely, or cut the ragged part away")};
-  const std::vector<double> steps = allowedSteps(path, feet, settings);
+  std::vector<double> steps;
+  if (const Status status = allowedSteps(path, surface, settings, steps); !status.ok())
+    return status;
   longest_step = *std::max_element(steps.begin(), steps.end()) / step_reserve;
   points.push_back({path.points.front(), path.turns.front()});
   for (std::size_t i = 0; i + 1 < path.points.size();) {

@@ -125,7 +125,7 @@ LoopMaker::distancesOf(const std::vector<std::uint32_t>& nodes, const SegmentSet
 {
   std::vector<double> distances(nodes.size());
   const auto count = static_cast<std::int64_t>(nodes.size());
-#pragma omp parallel for schedule(dynamic, 256)
+#pragma omp parallel for schedule(dynamic, 256) if (count > 2048)
   for (std::int64_t i = 0; i < count; ++i)
     distances[i] = lines.nearest(field_.mesh.positions[nodes[i]], field_.mesh.metric[nodes[i]], search_within).distance;
   return distances;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace pcl_spiral {
@@ -36,23 +37,27 @@ sharpTurns(const LinkedPath& path)
     const auto next = static_cast<std::size_t>(std::upper_bound(arcs.begin() + 1, arcs.end() - 1, s) - arcs.begin());
     return path.points[next - 1] + (s - arcs[next - 1]) / (arcs[next] - arcs[next - 1]) * (path.points[next] - path.points[next - 1]);
   };
-  const auto count = static_cast<std::int64_t>(arcs.back() / (0.5 * reach));
-  std::vector<double> radii(static_cast<std::size_t>(count) + 1, std::numeric_limits<double>::infinity());
-  std::vector<std::size_t> places(radii.size());
+  std::vector<std::pair<double, std::size_t>> radii(n, {std::numeric_limits<double>::infinity(), 0}); // between points moves are straight
+  const auto count = static_cast<std::int64_t>(n);
 #pragma omp parallel for schedule(static, 1024)
-  for (std::int64_t k = 2; k <= count - 2; ++k) {
-    const double s = 0.5 * reach * static_cast<double>(k);
-    places[k] = static_cast<std::size_t>(std::upper_bound(arcs.begin(), arcs.end() - 1, s) - arcs.begin());
-    const StepOverMetric& metric = path.metric[places[k]];
-    const Eigen::Vector3d before = at(s - reach), here = at(s), behind = at(s + reach);
-    radii[k] = circumradius(metric.length(here - before), metric.length(behind - here), metric.length(behind - before));
+  for (std::int64_t i = 1; i < count - 1; ++i) {
+    if (arcs[i] < reach || arcs[i] > arcs.back() - reach)
+      continue;
+    const StepOverMetric& metric = path.metric[i];
+    const Eigen::Vector3d before = at(arcs[i] - reach), &here = path.points[i], behind = at(arcs[i] + reach);
+    radii[i] = {circumradius(metric.length(here - before), metric.length(behind - here), metric.length(behind - before)),
+                static_cast<std::size_t>(i)};
   }
-  const auto least = std::min_element(radii.begin(), radii.end());
-  turns.sharpest = places[static_cast<std::size_t>(least - radii.begin())];
-  turns.least_radius = *least;
-  const auto quantile = radii.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(radii.size()));
-  std::nth_element(radii.begin(), quantile, radii.end());
-  turns.radius = *quantile;
+  std::sort(radii.begin(), radii.end());
+  turns.least_radius = radii.front().first;
+  turns.sharpest = radii.front().second;
+  double turned = 0.0;
+  for (const auto& [radius, i] : radii) {
+    turns.radius = radius;
+    turned += std::min(reach, 0.5 * (arcs[std::min(n - 1, i + 1)] - arcs[i > 0 ? i - 1 : 0]));
+    if (turned > share * arcs.back())
+      break;
+  }
   return turns;
 }
 
