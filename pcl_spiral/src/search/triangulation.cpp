@@ -42,20 +42,23 @@ Triangulation::append(const std::vector<Triangle>& triangles)
 void
 Triangulation::insertOutgoing(std::uint32_t first_half_edge)
 {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> added; // origin, half-edge
+  std::vector<std::uint32_t> end_of(outgoing_begin_.size(), 0); // of each point's share of the new half-edges
   for (std::uint32_t h = first_half_edge; h < halfEdgeCount(); ++h)
-    added.emplace_back(origin(h), h);
-  std::sort(added.begin(), added.end());
+    ++end_of[origin(h)];
+  std::partial_sum(end_of.begin(), end_of.end(), end_of.begin());
+  std::vector<std::uint32_t> added(halfEdgeCount() - first_half_edge); // by their origins, ascending
+  for (std::size_t h = halfEdgeCount(); h-- > first_half_edge;)
+    added[--end_of[origin(static_cast<std::uint32_t>(h))]] = static_cast<std::uint32_t>(h);
   outgoing_.resize(halfEdgeCount());
   // From the last point backwards, each list moves up by as many as are added before it.
   for (std::size_t v = outgoing_begin_.size() - 1, left = added.size(); v-- > 0 && left > 0;) {
     const std::uint32_t begin = outgoing_begin_[v], end = outgoing_begin_[v + 1];
     const auto after = static_cast<std::uint32_t>(left);
-    while (left > 0 && added[left - 1].first == v)
+    while (left > 0 && origin(added[left - 1]) == v)
       --left;
     std::copy_backward(outgoing_.begin() + begin, outgoing_.begin() + end, outgoing_.begin() + end + left);
     for (std::size_t k = left; k < after; ++k)
-      outgoing_[end + k] = added[k].second;
+      outgoing_[end + k] = added[k];
     outgoing_begin_[v + 1] = end + after;
   }
 }

@@ -16,6 +16,7 @@ namespace {
 
 using Triangle = Triangulation::Triangle;
 
+constexpr std::size_t chunk = 1u << 16; // points whose feet are looked at together
 constexpr double outline_step = 0.8;  // spacings between nodes on an outline
 constexpr double matched_reach = 12.0; // spacings within which an edge's points are looked for
 constexpr double matched_edge = 2.5;  // spacings: median distance of an edge from its outline
@@ -35,8 +36,7 @@ public:
     placeNodes();
     if (const Status status = trianglesWithin(mesh_, surface_.graph().triangulation(), side_, spacing_, triangles_); !status.ok())
       return status;
-    edges_ = Triangulation(mesh_.size(), triangles_).boundaryLoops();
-    edgeNodes();
+    findEdges();
     for (std::size_t o = 0; o < outlines_.size(); ++o)
       if (const Status status = zip(o); !status.ok())
         return status;
@@ -48,7 +48,7 @@ public:
 private:
   /** Feet and metric of the surface's points; the metric is the mean over the points about each, as curvatures waver. */
   void placeNodes();
-  void edgeNodes();
+  void findEdges();
   Status zip(std::size_t outline);
   void addOutline(std::size_t outline, ZipperSide& side);
   void closeRest();
@@ -85,26 +85,30 @@ averaged(const std::vector<StepOverMetric>& metric, const Triangulation& triangl
 void
 MeshMaker::placeNodes()
 {
-  std::vector<Eigen::Vector3d> points(surface_.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    points[i] = surface_.position(i);
-  std::vector<SurfaceFoot> feet;
-  surface_.fit().project(points, feet);
-  mesh_.positions.resize(points.size());
-  mesh_.normals.resize(points.size());
-  mesh_.metric.resize(points.size());
+  const std::size_t n = surface_.size();
+  mesh_.positions.resize(n);
+  mesh_.normals.resize(n);
+  mesh_.metric.resize(n);
   const double kept = (1.0 - options_.reserve) * (1.0 - options_.reserve);
-  const auto count = static_cast<std::int64_t>(points.size());
+  std::vector<Eigen::Vector3d> points;
+  std::vector<SurfaceFoot> feet;
+  for (std::size_t begin = 0; begin < n; begin += chunk) {
+    const auto count = static_cast<std::int64_t>(std::min(chunk, n - begin));
+    points.resize(static_cast<std::size_t>(count));
+    for (std::int64_t k = 0; k < count; ++k)
+      points[k] = surface_.position(begin + k);
+    surface_.fit().project(points, feet);
 #pragma omp parallel for schedule(static, 4096)
-  for (std::int64_t i = 0; i < count; ++i) {
-    const SurfaceFoot& foot = feet[i];
-    const Eigen::Vector3d normal = foot.valid ? foot.normal : surface_.normal(i);
-    mesh_.positions[i] = foot.valid ? foot.position : points[i];
-    mesh_.normals[i] = normal.cast<float>();
-    const Eigen::Vector3d direction = foot.valid ? foot.direction1 : normal.unitOrthogonal();
-    mesh_.metric[i] = stepOverMetric(normal, direction, foot.valid ? foot.curvature1 : 0.0, foot.valid ? foot.curvature2 : 0.0,
-                                     options_.tool_radius, options_.scallop_height)
-                          .times(1.0 / kept);
+    for (std::int64_t k = 0; k < count; ++k) {
+      const SurfaceFoot& foot = feet[k];
+      const Eigen::Vector3d normal = foot.valid ? foot.normal : surface_.normal(begin + k);
+      mesh_.positions[begin + k] = foot.valid ? foot.position : points[k];
+      mesh_.normals[begin + k] = normal.cast<float>();
+      const Eigen::Vector3d direction = foot.valid ? foot.direction1 : normal.unitOrthogonal();
+      mesh_.metric[begin + k] = stepOverMetric(normal, direction, foot.valid ? foot.curvature1 : 0.0,
+                                               foot.valid ? foot.curvature2 : 0.0, options_.tool_radius, options_.scallop_height)
+                                    .times(1.0 / kept);
+    }
   }
   const int rings = 1 + static_cast<int>(std::min(3.0, std::round(10.0 * surface_.noise() / options_.scallop_height)));
   for (int r = 0; r < rings; ++r)
@@ -112,9 +116,10 @@ MeshMaker::placeNodes()
 }
 
 void
-MeshMaker::edgeNodes()
+MeshMaker::findEdges()
 {
   const Triangulation rest(mesh_.size(), triangles_);
+  edges_ = rest.boundaryLoops();
   for (std::vector<std::uint32_t>& edge : edges_)
     for (std::uint32_t& h : edge)
       h = rest.origin(h);
