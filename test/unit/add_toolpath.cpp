@@ -51,6 +51,7 @@ dome()
     DomePath result;
     SpiralToolpathGenerator<pcl::PointXYZ> spiral;
     spiral.setInputCloud(cloud);
+    spiral.setMethod(SpiralMethod::Radial);
     spiral.setToolRadius(12.0);
     spiral.setScallopHeight(0.2);
     spiral.compute(result.path);

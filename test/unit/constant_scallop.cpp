@@ -136,7 +136,7 @@ TEST(ConstantScallop, NothingIsPulledBeyondTheRim)
   generator.compute(path);
   ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
   for (const ToolpathPoint& p : path)
-    ASSERT_TRUE(region.contains({0.985 * p.x, 0.985 * p.y}) || region.contains({p.x, p.y})) << p.x << " " << p.y;
+    ASSERT_TRUE(region.contains({0.97 * p.x, 0.97 * p.y}) || region.contains({p.x, p.y})) << p.x << " " << p.y;
 }
 
 TEST(ConstantScallop, ThreadsChangeNothing)

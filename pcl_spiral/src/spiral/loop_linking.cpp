@@ -8,6 +8,8 @@
 #include <pcl_spiral/common/message.h>
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -49,6 +51,50 @@ dropRepeats(LinkedPath& path)
   path.turns.resize(kept);
 }
 
+/** The deepest loop, of several the longest. */
+std::size_t
+innermostOf(const std::vector<ScallopLoop>& loops)
+{
+  std::size_t innermost = 0;
+  for (std::size_t i = 1; i < loops.size(); ++i)
+    if (std::make_pair(loops[i].level, loops[i].length()) > std::make_pair(loops[innermost].level, loops[innermost].length()))
+      innermost = i;
+  return innermost;
+}
+
+/** Of the chains from the innermost loop and from those that no loop lies in the one that meets the outer rim nearest to
+ *  \p start. */
+std::vector<RampStrip>
+chainNear(const std::vector<ScallopLoop>& loops, const LoopFinder& finder, const CutLoops& cuts, const Eigen::Vector3d& start)
+{
+  constexpr double next_loop = 1.35; // step-overs
+  std::vector<std::uint8_t> has_inner(loops.size(), 0);
+  for (const ScallopLoop& loop : loops)
+    for (std::size_t k = 0; k < 8; ++k) {
+      const double u = loop.length() * static_cast<double>(k) / 8.0;
+      const LoopPlace outer = finder.nearest(loop.level - 1, loop.at(u), loop.metricAt(u), next_loop);
+      if (outer.loop != LoopPlace::none)
+        has_inner[outer.loop] = 1;
+    }
+  has_inner[innermostOf(loops)] = 0;
+  std::vector<RampStrip> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (has_inner[i] || loops[i].length() <= longest_dot)
+      continue;
+    std::vector<RampStrip> chain = findMainChain(cuts, finder, i, 0, start);
+    if (chain.empty() || chain.front().loop != 0)
+      continue;
+    const RampStrip& rim = chain.front();
+    const double off = (loops[0].at(rim.u - rim.length) - start).norm();
+    if (off < least) {
+      least = off;
+      best = std::move(chain);
+    }
+  }
+  return best;
+}
+
 } // namespace
 
 Status
@@ -57,11 +103,8 @@ linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::op
   path = LinkedPath();
   CutLoops cuts(loops);
   const LoopFinder finder(loops);
-  std::size_t innermost = 0;
-  for (std::size_t i = 1; i < loops.size(); ++i)
-    if (std::make_pair(loops[i].level, loops[i].length()) > std::make_pair(loops[innermost].level, loops[innermost].length()))
-      innermost = i;
-  const std::vector<RampStrip> chain = findMainChain(cuts, finder, innermost, 0, start);
+  const std::size_t innermost = innermostOf(loops);
+  const std::vector<RampStrip> chain = start ? chainNear(loops, finder, cuts, *start) : findMainChain(cuts, finder, innermost, 0, start);
   if (chain.empty())
     return {StatusCode::Failed, textOf("no way leads from the innermost loop at ", placeText(loops[innermost].points.front()),
                                        " out to the rim: the surface is too rough there for loops at constant scallop; smooth "
