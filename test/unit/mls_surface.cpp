@@ -221,9 +221,10 @@ TEST(MlsSurface, AFitSpansAGapBesidePointsThatStandCloser)
   for (double y = -3.0; y < 3.5; y += 1.0)
     for (double x = -3.0; x < 3.5; x += 1.0) {
       const Vector3d p(x, y, std::sqrt(radius * radius - x * x - y * y));
-      const auto foot = surface.project(p);
-      ASSERT_TRUE(foot.valid) << x << " " << y;
-      EXPECT_NEAR(foot.position.norm(), radius, 0.05);
+      std::vector<pcl_spiral::SurfaceFoot> feet;
+      surface.project({p}, feet, 4);
+      ASSERT_TRUE(feet[0].valid) << x << " " << y;
+      EXPECT_NEAR(feet[0].position.norm(), radius, 0.05);
     }
 }
 

@@ -1,5 +1,7 @@
 #include "path_sampling.h"
 
+#include "path_feet.h"
+
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/step_over.h>
 
@@ -65,7 +67,7 @@ samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings&
 {
   points.clear();
   std::vector<SurfaceFoot> feet;
-  surface.fit().project(path.points, feet);
+  pathFeet(surface, path.points, feet);
   const auto off = std::find_if(feet.begin(), feet.end(), [](const SurfaceFoot& f) { return !f.valid; });
   if (off != feet.end())
     return {StatusCode::Failed,
