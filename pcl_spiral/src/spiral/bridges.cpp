@@ -1,5 +1,7 @@
 #include "bridges.h"
 
+#include "dot_fingers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -15,9 +17,6 @@ constexpr double between_share = 0.45; // of their distance: another loop as nea
 constexpr double least_chord = 0.93;   // of their length within that reach
 constexpr double sample_step = 0.4;
 constexpr std::size_t most_samples = 400; // a loop
-constexpr double finger_gap = 0.56;    // cut out of a loop for a finger to a dot
-constexpr double finger_cap = 0.25;
-constexpr std::uint8_t as_dot = 2;     // joined as a finger: the loop itself is not travelled, so no bridge leads to it
 
 /** Two loops side by side at a place. */
 struct Beside {
@@ -38,9 +37,7 @@ public:
   std::size_t
   run()
   {
-    for (std::size_t i = 0; i < loops_.size(); ++i)
-      if (!joined_[i] && loops_.loop(i).length() <= longest_dot)
-        reachDot(i);
+    reachDots(finder_, joined_, loops_, path_);
     for (const bool strict : {true, false}) {
       std::vector<Beside> places;
       for (std::size_t i = 0; i < loops_.size(); ++i)
@@ -132,7 +129,7 @@ private:
     while (!front.empty()) {
       const Beside& place = places[front.top().second];
       front.pop();
-      if ((joined_[place.a] != 0) == (joined_[place.b] != 0) || joined_[place.a] == as_dot || joined_[place.b] == as_dot)
+      if ((joined_[place.a] != 0) == (joined_[place.b] != 0) || joined_[place.a] == travelled_as_dot || joined_[place.b] == travelled_as_dot)
         continue;
       if (!loops_.isFree(place.a, place.ua, beside_reach) || !loops_.isFree(place.b, place.ub, beside_reach))
         continue;
@@ -184,58 +181,6 @@ private:
         path_.links.push_back((1.0 - share) * a.at(ua) + share * b.at(ub));
         path_.link_metric.push_back(a.metricAt(ua));
       }
-  }
-
-  /** A loop near the dot reaches out to its middle and back. */
-  void
-  reachDot(std::size_t dot)
-  {
-    const ScallopLoop& small = loops_.loop(dot);
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& p : small.points)
-      centre += p / static_cast<double>(small.points.size());
-    const StepOverMetric metric = small.metric.front();
-    LoopPlace best;
-    double least = 1e30;
-    for (int step = -1; step <= 1; ++step) {
-      const LoopPlace near = finder_.nearest(small.level + step, centre, metric, 1.7, dot);
-      if (near.loop == LoopPlace::none || loops_.loop(near.loop).length() <= longest_dot)
-        continue;
-      // The nearest place, or a little to either side where it is taken or bent.
-      for (double x = -1.0; x <= 1.05; x += 0.1) {
-        const ScallopLoop& loop = loops_.loop(near.loop);
-        const double u = near.u + x, d = metric.length(loop.at(u) - centre);
-        const double chord = metric.length(loop.at(u + finger_gap) - loop.at(u - finger_gap)) / (2.0 * finger_gap);
-        const double score = d + 3.0 * (1.0 - chord);
-        if (d < 1.7 && score < least && loops_.isFree(near.loop, u, finger_gap)) {
-          least = score;
-          best = {near.loop, u, d};
-        }
-      }
-    }
-    if (best.loop != LoopPlace::none)
-      finger(dot, best, centre);
-  }
-  void
-  finger(std::size_t dot, const LoopPlace& place, const Eigen::Vector3d& centre)
-  {
-    const ScallopLoop& loop = loops_.loop(place.loop);
-    const Eigen::Vector3d from = loop.at(place.u - 0.5 * finger_gap), middle = loop.at(place.u), to = loop.at(place.u + 0.5 * finger_gap);
-    const StepOverMetric metric = loops_.loop(dot).metric.front(), at = loop.metricAt(place.u);
-    const Eigen::Vector3d tip = (centre - middle) / std::max(metric.length(centre - middle), 1e-12) * finger_cap;
-    const std::size_t cut = loops_.addCut({place.loop, place.u - 0.5 * finger_gap, finger_gap});
-    PathPiece piece;
-    for (int k = 1; k <= 15; ++k)
-      piece.add(from + (centre - middle) * (k / 16.0), between(at, metric, k / 16.0));
-    for (int k = 0; k <= 14; ++k) {
-      const double t = M_PI * k / 14.0;
-      piece.add(centre + std::cos(t) * (from - middle) + std::sin(t) * tip, metric);
-    }
-    for (int k = 15; k >= 1; --k)
-      piece.add(to + (centre - middle) * (k / 16.0), between(at, metric, k / 16.0));
-    loops_.connect({cut, false}, {cut, true}, std::move(piece));
-    joined_[dot] = as_dot;
-    ++path_.dots;
   }
 
   const LoopFinder& finder_;

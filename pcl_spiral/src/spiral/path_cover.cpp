@@ -63,6 +63,8 @@ public:
 private:
   void watch(double held, CoverFigures& figures);
   void findNear(const SegmentSet& line, const std::vector<std::size_t>& places, const CoverTests& tests, std::vector<std::uint8_t>& near) const;
+  void choose(const CoverTests& tests, const std::vector<std::size_t>& places);
+  void findRuns();
   void densify(const std::vector<std::uint8_t>& near, double held);
   SegmentSet movingLines() const;
   void measure(Watched& at) const;
@@ -90,22 +92,32 @@ Mover::watch(double held, CoverFigures& figures)
   line.add(path_.points, false);
   line.build();
   const CoverTests tests = coverTests(field_, path_, line);
-  figures.farthest_before = figures.farthest = covered;
+  figures.farthest_before = covered;
   std::vector<std::size_t> places;
-  SegmentSet place_set;
   for (std::size_t i = 0; i < tests.size(); ++i)
     if (tests.distances[i] > covered) {
       places.push_back(i);
-      place_set.add({tests.points[i]}, false);
       figures.farthest_before = std::max(figures.farthest_before, tests.distances[i]);
     }
+  figures.farthest = figures.farthest_before;
   figures.places = places.size();
   if (places.empty())
     return;
-  place_set.build();
   std::vector<std::uint8_t> near(path_.points.size(), 0);
   findNear(line, places, tests, near);
   densify(near, held);
+  choose(tests, places);
+  findRuns();
+}
+
+/** Watch the test points near \p places that the path may uncover. */
+void
+Mover::choose(const CoverTests& tests, const std::vector<std::size_t>& places)
+{
+  SegmentSet place_set;
+  for (const std::size_t i : places)
+    place_set.add({tests.points[i]}, false);
+  place_set.build();
   const auto count = static_cast<std::int64_t>(tests.size());
   std::vector<std::uint8_t> chosen(tests.size(), 0);
 #pragma omp parallel for schedule(dynamic, 1024)
@@ -116,10 +128,16 @@ Mover::watch(double held, CoverFigures& figures)
   for (std::size_t i = 0; i < tests.size(); ++i)
     if (chosen[i])
       watched_.push_back({tests.points[i], tests.metric[i], {}, 0, 0.0, tests.distances[i]});
+}
+
+/** The runs of the path near each watched point, and its nearest segment. */
+void
+Mover::findRuns()
+{
   const SegmentSet lines = movingLines();
-  const auto watched = static_cast<std::int64_t>(watched_.size());
+  const auto count = static_cast<std::int64_t>(watched_.size());
 #pragma omp parallel for schedule(dynamic, 256)
-  for (std::int64_t i = 0; i < watched; ++i) {
+  for (std::int64_t i = 0; i < count; ++i) {
     Watched& at = watched_[i];
     std::vector<std::size_t> segments;
     lines.forSegmentsNear(at.point, at.metric, looked_at, [&](std::size_t s) { segments.push_back(lines.label(s) + lines.place(s)); });
