@@ -156,6 +156,36 @@ TEST(LoopLinking, ADotBecomesAFingerOfItsNeighbour)
   EXPECT_EQ(path.dots, 1u);
 }
 
+/** \p loop moved along y. */
+ScallopLoop
+movedUp(ScallopLoop loop, double y)
+{
+  for (Vector3d& p : loop.points)
+    p.y() += y;
+  return loop;
+}
+
+TEST(LoopLinking, NoRampLeadsThroughAnotherCore)
+{
+  // The middle of a long part: several cores in a row, each beside the same loop.
+  for (const double half : {3.0, 4.5, 6.0})
+    for (const int cores : {2, 3})
+      for (const double core : {0.5, 0.9})
+        for (const int levels : {2, 3, 4}) {
+          if (cores * (2.0 * core + 0.8) > 2.0 * half + 1.2)
+            continue;
+          std::vector<ScallopLoop> loops;
+          for (int k = 0; k < levels; ++k)
+            loops.push_back(oval(levels - k, half, 0.0, k));
+          for (int c = 0; c < cores; ++c)
+            loops.push_back(movedUp(oval(0.35, core + (c == 0 ? 0.05 : 0.0), 0.0, levels), (c - 0.5 * (cores - 1)) * (2.0 * core + 0.8)));
+          LinkedPath path;
+          const Status status = linkLoops(loops, path);
+          ASSERT_TRUE(status.ok()) << status.message();
+          EXPECT_EQ(crossings(path.points), 0u) << half << " " << cores << " " << core << " " << levels;
+        }
+}
+
 TEST(LoopLinking, NoBridgeLeadsToADot)
 {
   std::vector<ScallopLoop> loops;

@@ -17,6 +17,10 @@ struct RampStrip {
   double distance = 0.0;        ///< of u from the strip of the loop inside
 };
 
+/** The ramp from strip \p a in to strip \p b of the next loop, at the share \p t of them. */
+Eigen::Vector3d
+onRamp(const CutLoops& loops, const RampStrip& a, const RampStrip& b, double t);
+
 /** Strips of a chain of loops from \p innermost out to a rim, the rim's first: the most even of many. Empty where no way leads
  *  out. */
 std::vector<RampStrip>
