@@ -1,6 +1,7 @@
 #include "path_cover.h"
 
 #include "cover_tests.h"
+#include "path_densify.h"
 #include "segment_set.h"
 
 #include <algorithm>
@@ -65,7 +66,6 @@ private:
   void findNear(const SegmentSet& line, const std::vector<std::size_t>& places, const CoverTests& tests, std::vector<std::uint8_t>& near) const;
   void choose(const CoverTests& tests, const std::vector<std::size_t>& places);
   void findRuns();
-  void densify(const std::vector<std::uint8_t>& near, double held);
   SegmentSet movingLines() const;
   void measure(Watched& at) const;
   std::vector<std::size_t> openPlaces();
@@ -105,7 +105,9 @@ Mover::watch(double held, CoverFigures& figures)
     return;
   std::vector<std::uint8_t> near(path_.points.size(), 0);
   findNear(line, places, tests, near);
-  densify(near, held);
+  densify(near, held, grain, path_, near_, moves_);
+  shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
+  taken_.assign(path_.points.size(), 0);
   choose(tests, places);
   findRuns();
 }
@@ -169,38 +171,6 @@ Mover::findNear(const SegmentSet& line, const std::vector<std::size_t>& places, 
     for (const std::size_t s : found)
       near[s] = near[s + 1] = 1;
   }
-}
-
-/** More points where the path may move; the first \p held step-overs do not. */
-void
-Mover::densify(const std::vector<std::uint8_t>& near, double held)
-{
-  LinkedPath dense;
-  double travelled = 0.0;
-  for (std::size_t i = 0; i < path_.points.size(); ++i) {
-    double step = 0.0;
-    if (i > 0)
-      step = between(path_.metric[i - 1], path_.metric[i], 0.5).length(path_.points[i] - path_.points[i - 1]);
-    const bool inside = i > 0 && (near[i] || near[i - 1]);
-    const int parts = inside ? std::max(1, static_cast<int>(std::ceil(step / grain))) : 1;
-    for (int k = i > 0 ? 1 : parts; k <= parts; ++k) {
-      const double share = static_cast<double>(k) / parts;
-      const std::size_t before = i > 0 ? i - 1 : i;
-      dense.points.push_back((1.0 - share) * path_.points[before] + share * path_.points[i]);
-      dense.metric.push_back(between(path_.metric[before], path_.metric[i], share));
-      dense.reversed.push_back(path_.reversed[i]);
-      dense.turns.push_back(path_.turns[before] + static_cast<float>(share) * (path_.turns[i] - path_.turns[before]));
-      near_.push_back(near[i] || inside);
-      moves_.push_back(near_.back() && travelled + share * step > held);
-    }
-    travelled += step;
-  }
-  path_.points = std::move(dense.points);
-  path_.metric = std::move(dense.metric);
-  path_.reversed = std::move(dense.reversed);
-  path_.turns = std::move(dense.turns);
-  shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
-  taken_.assign(path_.points.size(), 0);
 }
 
 /** The runs of the path that may move, with the point on either side; a run's label is its first point. */
