@@ -15,7 +15,7 @@ struct Options {
   std::uint64_t seed = 1;
   int threads = 0; ///< 0: all
   std::uint64_t first = 0, count = 19; ///< of the random cases
-  std::string method = "radial";       ///< of the outlines, as SpiralMethod's words begin
+  std::string method = "radial";       ///< of outlines and random cases, as SpiralMethod's words begin
   std::string only;                    ///< names of outlines, commas between; empty: all
   std::string picture;                 ///< folder for paths and pictures of outlines; empty: none
   bool places = false;                 ///< print where every figure was found, not the broken ones alone

@@ -47,10 +47,11 @@ int
 usage()
 {
   std::fprintf(stderr, "usage: pcl_spiral_acceptance CASE [--seed N] [--threads N] [--first N] [--count N]\n"
+                       "       pcl_spiral_acceptance random [--method %s] [--seed N] [--first N] [--count N]\n"
                        "       pcl_spiral_acceptance outlines [--method %s] [--only NAME,NAME] [--variation N]\n"
                        "         [--scallop MM] [--points N] [--size SCALE] [--picture FOLDER] [--places 0|1] [--seed N] [--threads N]\n"
                        "cases:",
-               choiceList<SpiralMethod>().c_str());
+               choiceList<SpiralMethod>().c_str(), choiceList<SpiralMethod>().c_str());
   for (const auto& [name, judge] : cases())
     std::fprintf(stderr, " %s", name.c_str());
   std::fprintf(stderr, "\noutlines:");

@@ -1,16 +1,14 @@
 #include "case_series.h"
+#include "method_name.h"
 #include "outline_line.h"
 #include "outline_picture.h"
 
 #include "support/sampling.h"
 
-#include <pcl_spiral/io/setting_names.h>
-
 #include <pcl/console/print.h>
 
 #include <chrono>
 #include <cstdio>
-#include <optional>
 #include <sstream>
 
 namespace pcl_spiral::acceptance {
@@ -18,16 +16,6 @@ namespace pcl_spiral::acceptance {
 namespace {
 
 constexpr unsigned int longest = 1800; ///< s of processor time for a row
-
-/** The method whose word begins with \p name. */
-std::optional<SpiralMethod>
-methodNamed(const std::string& name)
-{
-  for (const auto& [method, word] : ChoiceNames<SpiralMethod>::words)
-    if (!name.empty() && std::string(word).compare(0, name.size(), name) == 0)
-      return method;
-  return std::nullopt;
-}
 
 bool
 isWanted(const std::string& name, const std::string& only)
@@ -160,11 +148,8 @@ outcomeOf(const OutlineRow& row, const Options& options)
 int
 judgeOutlines(const Options& options)
 {
-  if (!methodNamed(options.method)) {
-    std::printf("no method begins with '%s'; there are %s\n", options.method.c_str(),
-                choiceList<SpiralMethod>().c_str());
+  if (!isMethod(options.method))
     return 1;
-  }
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   std::printf("outlines, method %s, R 5, h %g, seed %llu, variation %llu, size %g\n%s\n",
               options.method.c_str(), options.scallop, static_cast<unsigned long long>(options.seed),

@@ -1,4 +1,5 @@
 #include "case_series.h"
+#include "method_name.h"
 
 #include "support/path_checks.h"
 #include "support/removed_material.h"
@@ -94,7 +95,7 @@ isToldWell(const RandomCase& made)
          made.spacing * made.bend < 0.1 && s.tool_radius * made.concave < 0.5;
 }
 
-/** The ridges that the settings allow and those foretold at corners: turns seem there at most twice as far apart. */
+/** The ridges that the settings allow and those foretold at corners, as radial turns leave them: turns seem there at most twice as far apart. */
 double
 highestRidge(const SpiralSettings& s, const SpiralReport& report)
 {
@@ -179,11 +180,12 @@ checkByScan(const RandomCase& made, const Path::ConstPtr& path, const SpiralRepo
 }
 
 Outcome
-outcomeOf(const RandomCase& made)
+outcomeOf(const RandomCase& made, SpiralMethod method)
 {
   Generator generator;
   generator.setInputCloud(made.cloud);
   generator.setSettings(made.settings);
+  generator.setMethod(method);
   const Path::Ptr path(new Path);
   generator.compute(*path);
   const Status& status = generator.getStatus();
@@ -205,7 +207,9 @@ outcomeOf(const RandomCase& made)
 int
 judgeRandom(const Options& options)
 {
-  return judgeSeries("random", options, longest, outcomeOf);
+  if (!isMethod(options.method))
+    return 1;
+  return judgeSeries("random", options, longest, [&options](const RandomCase& made) { return outcomeOf(made, *methodNamed(options.method)); });
 }
 
 } // namespace pcl_spiral::acceptance

@@ -27,6 +27,26 @@ ring(double radius, double x, int level)
   return loop;
 }
 
+/** What is within \p radius of the line from (x, -half) to (x, half), its outline. */
+ScallopLoop
+oval(double radius, double half, double x, int level)
+{
+  ScallopLoop loop;
+  loop.level = level;
+  const int cap = 24, side = 12;
+  for (const double end : {1.0, -1.0}) {
+    for (int i = 0; i < cap; ++i) {
+      const double a = M_PI * i / cap;
+      loop.points.emplace_back(x + end * radius * std::cos(a), end * (half + radius * std::sin(a)), 0.0);
+    }
+    for (int i = 0; i < side; ++i)
+      loop.points.emplace_back(x - end * radius, end * half * (1.0 - 2.0 * i / side), 0.0);
+  }
+  loop.metric.assign(loop.points.size(), StepOverMetric(Eigen::Matrix3d::Identity()));
+  loop.measure();
+  return loop;
+}
+
 double
 lengthOf(const Polyline& line)
 {
@@ -143,6 +163,52 @@ TEST(LoopLinking, ADotBecomesAFingerOfItsNeighbour)
   LinkedPath path;
   expectOnePath(loops, path);
   EXPECT_EQ(path.dots, 1u);
+}
+
+/** \p loop moved along y. */
+ScallopLoop
+movedUp(ScallopLoop loop, double y)
+{
+  for (Vector3d& p : loop.points)
+    p.y() += y;
+  return loop;
+}
+
+TEST(LoopLinking, NoRampLeadsThroughAnotherCore)
+{
+  // The middle of a long part: several cores in a row, each beside the same loop.
+  for (const double half : {3.0, 4.5, 6.0})
+    for (const int cores : {2, 3})
+      for (const double core : {0.5, 0.9})
+        for (const int levels : {2, 3, 4}) {
+          if (cores * (2.0 * core + 0.8) > 2.0 * half + 1.2)
+            continue;
+          std::vector<ScallopLoop> loops;
+          for (int k = 0; k < levels; ++k)
+            loops.push_back(oval(levels - k, half, 0.0, k));
+          for (int c = 0; c < cores; ++c)
+            loops.push_back(movedUp(oval(0.35, core + (c == 0 ? 0.05 : 0.0), 0.0, levels), (c - 0.5 * (cores - 1)) * (2.0 * core + 0.8)));
+          LinkedPath path;
+          const Status status = linkLoops(loops, path);
+          ASSERT_TRUE(status.ok()) << status.message();
+          EXPECT_EQ(crossings(path.points), 0u) << half << " " << cores << " " << core << " " << levels;
+        }
+}
+
+TEST(LoopLinking, NoBridgeLeadsToADot)
+{
+  std::vector<ScallopLoop> loops;
+  for (int k = 0; k < 5; ++k)
+    loops.push_back(ring(8.0 - k, 0.0, k));
+  loops.push_back(oval(1.05, 0.6, 10.05, 1)); // a lobe beside the rim
+  loops.push_back(oval(0.08, 0.6, 10.05, 2)); // and in its middle a dot, which runs beside it better than the rim
+  LinkedPath path;
+  const Status status = linkLoops(loops, path);
+  ASSERT_TRUE(status.ok()) << status.message();
+  EXPECT_EQ(crossings(path.points), 0u);
+  EXPECT_EQ(path.dots, 1u);
+  EXPECT_EQ(path.bridges, 1u);
+  EXPECT_LT(farthest(loops[5], path.points), 0.65);
 }
 
 TEST(LoopLinking, ALoopThatStandsAloneIsRefusedWithItsPlace)

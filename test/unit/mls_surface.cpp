@@ -203,30 +203,6 @@ TEST(MlsSurface, RefusesWhatIsNotOnTheSurface)
   EXPECT_TRUE(surface.project(100 * Vector3d(std::sin(within), 0, std::cos(within))).valid);
 }
 
-/** Beside a gap some scans overlap: the nearest points all lie on that side, and do not tell the surface over it. */
-TEST(MlsSurface, AFitSpansAGapBesidePointsThatStandCloser)
-{
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> u(-50.0, 50.0);
-  std::vector<Eigen::Vector3f> points;
-  const double radius = 200.0;
-  const auto add = [&](double x, double y) { points.push_back(Vector3d(x, y, std::sqrt(radius * radius - x * x - y * y)).cast<float>()); };
-  while (points.size() < 2500)
-    if (const double x = u(random), y = u(random); std::abs(x) > 5.0 || std::abs(y) > 5.0)
-      add(x, y);
-  for (int i = 0; i < 150; ++i)
-    add(5.0 + 0.02 * (u(random) + 50.0), 0.2 * u(random));
-  const auto graph = graphOf(points);
-  const pcl_spiral::MlsSurface surface(graph);
-  for (double y = -3.0; y < 3.5; y += 1.0)
-    for (double x = -3.0; x < 3.5; x += 1.0) {
-      const Vector3d p(x, y, std::sqrt(radius * radius - x * x - y * y));
-      const auto foot = surface.project(p);
-      ASSERT_TRUE(foot.valid) << x << " " << y;
-      EXPECT_NEAR(foot.position.norm(), radius, 0.05);
-    }
-}
-
 TEST(MlsSurface, PublishedMethodHasItsKnownBias)
 {
   const double radius = 100.0;

@@ -1,5 +1,6 @@
 #include "bridges.h"
 
+#include "dot_fingers.h"
 #include "plane_lines.h"
 
 #include <algorithm>
@@ -20,9 +21,6 @@ constexpr double least_chord = 0.93;   // of their length within that reach
 constexpr double sample_step = 0.4;
 constexpr std::size_t most_samples = 400; // a loop
 constexpr double crossing_reach = 3.0, crossing_grain = 0.1; // of lines that a bridge might cross
-constexpr double finger_gap = 0.56;    // cut out of a loop for a finger to a dot
-constexpr double finger_cap = 0.25;
-constexpr std::uint8_t as_dot = 2;     // joined as a finger: the loop itself is not travelled, so no bridge leads to it
 
 /** Two loops side by side at a place. */
 struct Beside {
@@ -43,9 +41,7 @@ public:
   std::size_t
   run()
   {
-    for (std::size_t i = 0; i < loops_.size(); ++i)
-      if (!joined_[i] && loops_.loop(i).length() <= longest_dot)
-        reachDot(i);
+    reachDots(finder_, joined_, loops_, path_);
     for (const bool strict : {true, false}) {
       std::vector<Beside> places;
       for (std::size_t i = 0; i < loops_.size(); ++i)
@@ -137,7 +133,7 @@ private:
     while (!front.empty()) {
       const Beside& place = places[front.top().second];
       front.pop();
-      if ((joined_[place.a] != 0) == (joined_[place.b] != 0) || joined_[place.a] == as_dot || joined_[place.b] == as_dot)
+      if ((joined_[place.a] != 0) == (joined_[place.b] != 0) || joined_[place.a] == travelled_as_dot || joined_[place.b] == travelled_as_dot)
         continue;
       if (!loops_.isFree(place.a, place.ua, beside_reach) || !loops_.isFree(place.b, place.ub, beside_reach))
         continue;
@@ -180,6 +176,17 @@ private:
   static double radiusOf(const Beside& place) { return std::min(turn_radius, 0.49 * place.distance); }
   static double halfCut(const Beside& place) { return half_gap + radiusOf(place) + 0.1; }
 
+  /** Whether some of \p piece lies where a bridge might cross it. */
+  static bool
+  isNear(const PathPiece& piece, const Eigen::Vector3d& place, const StepOverMetric& metric)
+  {
+    constexpr std::size_t every = 8; // points, of some 0.1 step-overs each
+    for (std::size_t k = 0; k < piece.points.size(); k += every)
+      if (metric.length(piece.points[k] - place) < crossing_reach)
+        return true;
+    return false;
+  }
+
   /** Whether the bridge crosses a loop about it, an earlier bridge, or itself. */
   bool
   crosses(const Beside& place, const std::array<PathPiece, 2>& turns) const
@@ -193,8 +200,8 @@ private:
       if (const LoopPlace other = finder_.nearest(a.level + step, middle, a.metricAt(place.ua), largest_distance, place.a);
           other.loop != LoopPlace::none && other.loop != place.b)
         addLoop(other.loop, other.u, 0.0, lines);
-    for (const PathPiece& piece : made_)
-      if (a.metricAt(place.ua).length(piece.points.front() - middle) < crossing_reach)
+    for (const PathPiece& piece : loops_.pieces())
+      if (isNear(piece, middle, a.metricAt(place.ua)))
         lines.add(piece.points);
     const double half = halfCut(place);
     std::array<Polyline, 2> whole; // from cut to cut
@@ -240,7 +247,6 @@ private:
     const std::size_t cut_a = loops_.addCut({place.a, place.ua - half, 2.0 * half});
     const std::size_t cut_b = loops_.addCut({place.b, place.ub - half, 2.0 * half});
     for (const bool rising : {false, true}) {
-      made_.push_back(turns[rising]);
       // Of b the side that faces: its begin where b runs like a and this is the left, else its end.
       loops_.connect({cut_a, rising}, {cut_b, rising == (place.sense > 0.0)}, std::move(turns[rising]));
     }
@@ -264,65 +270,10 @@ private:
       }
   }
 
-  /** A loop near the dot reaches out to its middle and back. */
-  void
-  reachDot(std::size_t dot)
-  {
-    const ScallopLoop& small = loops_.loop(dot);
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& p : small.points)
-      centre += p / static_cast<double>(small.points.size());
-    const StepOverMetric metric = small.metric.front();
-    LoopPlace best;
-    double least = 1e30;
-    for (int step = -1; step <= 1; ++step) {
-      const LoopPlace near = finder_.nearest(small.level + step, centre, metric, 1.7, dot);
-      if (near.loop == LoopPlace::none || loops_.loop(near.loop).length() <= longest_dot)
-        continue;
-      // The nearest place, or a little to either side where it is taken or bent.
-      for (double x = -1.0; x <= 1.05; x += 0.1) {
-        const ScallopLoop& loop = loops_.loop(near.loop);
-        const double u = near.u + x, d = metric.length(loop.at(u) - centre);
-        const double chord = metric.length(loop.at(u + finger_gap) - loop.at(u - finger_gap)) / (2.0 * finger_gap);
-        const double score = d + 3.0 * (1.0 - chord);
-        if (d < 1.7 && score < least && loops_.isFree(near.loop, u, finger_gap)) {
-          least = score;
-          best = {near.loop, u, d};
-        }
-      }
-    }
-    if (best.loop != LoopPlace::none)
-      finger(dot, best, centre);
-  }
-  void
-  finger(std::size_t dot, const LoopPlace& place, const Eigen::Vector3d& centre)
-  {
-    const ScallopLoop& loop = loops_.loop(place.loop);
-    const Eigen::Vector3d from = loop.at(place.u - 0.5 * finger_gap), middle = loop.at(place.u), to = loop.at(place.u + 0.5 * finger_gap);
-    const StepOverMetric metric = loops_.loop(dot).metric.front(), at = loop.metricAt(place.u);
-    const Eigen::Vector3d tip = (centre - middle) / std::max(metric.length(centre - middle), 1e-12) * finger_cap;
-    const std::size_t cut = loops_.addCut({place.loop, place.u - 0.5 * finger_gap, finger_gap});
-    PathPiece piece;
-    for (int k = 1; k <= 15; ++k)
-      piece.add(from + (centre - middle) * (k / 16.0), between(at, metric, k / 16.0));
-    for (int k = 0; k <= 14; ++k) {
-      const double t = M_PI * k / 14.0;
-      piece.add(centre + std::cos(t) * (from - middle) + std::sin(t) * tip, metric);
-    }
-    for (int k = 15; k >= 1; --k)
-      piece.add(to + (centre - middle) * (k / 16.0), between(at, metric, k / 16.0));
-    made_.push_back(piece);
-    loops_.connect({cut, false}, {cut, true}, std::move(piece));
-    joined_[dot] = as_dot;
-    path_.joints.push_back({dot, place.loop, LoopJointKind::Finger, centre, middle});
-    ++path_.dots;
-  }
-
   const LoopFinder& finder_;
   std::vector<std::uint8_t>& joined_;
   CutLoops& loops_;
   LinkedPath& path_;
-  std::vector<PathPiece> made_; ///< turns of bridges and fingers
 };
 
 } // namespace

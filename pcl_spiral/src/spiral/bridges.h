@@ -10,9 +10,6 @@
 
 namespace pcl_spiral {
 
-/** Loops shorter than this become a finger of a neighbour, step-overs. */
-constexpr double longest_dot = 3.4;
-
 /** Join every loop whose entry in \p joined is 0 to the others by a bridge or, where it is a dot, as a finger of a neighbour.
  *  \return the first loop that no neighbour runs beside, or loops.size(). */
 std::size_t

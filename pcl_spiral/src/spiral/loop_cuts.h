@@ -39,6 +39,8 @@ public:
   const ScallopLoop& loop(std::size_t i) const { return loops_[i]; }
   std::size_t size() const { return loops_.size(); }
   const LoopCut& cut(std::size_t c) const { return cuts_[c]; }
+  /** What was put in so far. */
+  const std::vector<PathPiece>& pieces() const { return pieces_; }
 
   std::size_t addCut(const LoopCut& cut);
   void connect(const CutEnd& from, const CutEnd& to, PathPiece piece);

@@ -1,6 +1,7 @@
 #include <pcl_spiral/spiral/loop_linking.h>
 
 #include "bridges.h"
+#include "dot_fingers.h"
 #include "loop_cuts.h"
 #include "loop_finder.h"
 #include "main_chain.h"
@@ -14,7 +15,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double rim_overlap = 0.8;  // share of the rim's strip that is travelled at the start
 constexpr double core_overlap = 0.6; // share of the innermost strip that is travelled at the end
 constexpr double grain = 0.1;        // step-overs
 
@@ -86,7 +86,7 @@ chainNear(const std::vector<ScallopLoop>& loops, const LoopFinder& finder, const
     if (chain.empty() || chain.front().loop != 0)
       continue;
     const RampStrip& rim = chain.front();
-    const double off = (loops[0].at(rim.u - rim.length) - start).norm();
+    const double off = (loops[0].at(rim.u - rim_overlap * rim.length) - start).norm();
     if (off < least) {
       least = off;
       best = std::move(chain);

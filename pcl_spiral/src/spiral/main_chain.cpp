@@ -1,9 +1,12 @@
 #include "main_chain.h"
 
+#include "chain_crossings.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 namespace pcl_spiral {
 namespace {
@@ -15,6 +18,16 @@ constexpr double turn_reach = 0.4;
 constexpr double farthest_step = 1.35;  // to the next loop
 constexpr std::size_t most_candidates = 90;
 constexpr std::size_t ramp_points = 60;
+constexpr int ramp_probes = 24;
+constexpr double ramp_clearance = 0.2;   // of a ramp from loops it does not lead to
+constexpr double cost_of_crossing = 50.0;
+
+/** How far a ramp has come from one loop to the next at the share \p t of its strip. */
+double
+rampShare(double t)
+{
+  return t * t * (3.0 - 2.0 * t);
+}
 
 /** Chains from one loop outwards. */
 class ChainFinder {
@@ -27,25 +40,50 @@ public:
   std::vector<RampStrip>
   best(std::size_t innermost, std::size_t outer_rim)
   {
-    for (std::size_t i = 0; i < loops_.size(); ++i)
+    loops_at_.assign(finder_.levels(), 0);
+    for (std::size_t i = 0; i < loops_.size(); ++i) {
       findBends(i);
+      ++loops_at_[loops_.loop(i).level];
+    }
     const double whole = loops_.loop(innermost).length();
     const auto starts = static_cast<std::int64_t>(std::clamp<double>(whole / 0.1, 8.0, static_cast<double>(most_candidates)));
-    std::vector<std::vector<RampStrip>> chains(2 * starts);
+    const std::vector<double> drifts = start_ ? std::vector<double>{0.0, 0.6, 1.5, 3.0, 5.0, 8.0} : std::vector<double>{0.0, 0.6};
+    const std::int64_t tries = starts * static_cast<std::int64_t>(drifts.size());
+    std::vector<std::vector<RampStrip>> chains(tries);
     std::vector<double> scores(chains.size(), std::numeric_limits<double>::infinity());
 #pragma omp parallel for schedule(dynamic, 1)
-    for (std::int64_t c = 0; c < 2 * starts; ++c) {
-      chains[c] = walk({innermost, whole * static_cast<double>(c % starts) / static_cast<double>(starts)}, c < starts ? 0.0 : 0.6);
+    for (std::int64_t c = 0; c < tries; ++c) {
+      chains[c] = walk({innermost, whole * static_cast<double>(c % starts) / static_cast<double>(starts)}, drifts[c / starts]);
       if (!chains[c].empty())
         scores[c] = score(chains[c]) + farness(chains[c]) + (chains[c].back().loop == outer_rim ? 0.0 : 1000.0);
     }
-    const std::size_t least = static_cast<std::size_t>(std::min_element(scores.begin(), scores.end()) - scores.begin());
-    std::vector<RampStrip> chain = chains[least];
-    std::reverse(chain.begin(), chain.end());
-    return chain;
+    for (std::vector<RampStrip>& chain : chains)
+      std::reverse(chain.begin(), chain.end());
+    return chains[clearest(chains, scores)];
   }
 
 private:
+  /** Of \p chains the one of the least score whose ramps cross nothing; the one that crosses least where all do. */
+  std::size_t
+  clearest(const std::vector<std::vector<RampStrip>>& chains, const std::vector<double>& scores) const
+  {
+    std::vector<std::size_t> order(chains.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&scores](std::size_t a, std::size_t b) { return scores[a] < scores[b]; });
+    std::size_t best = order.front(), fewest = std::numeric_limits<std::size_t>::max();
+    for (const std::size_t i : order) {
+      if (chains[i].empty() || scores[i] >= 1000.0)
+        break;
+      const std::size_t crossings = chainCrossings(loops_, chains[i]);
+      if (crossings < fewest) {
+        fewest = crossings;
+        best = i;
+      }
+      if (crossings == 0)
+        break;
+    }
+    return best;
+  }
   /** Places where a loop turns too sharply for a strip, ascending. */
   void
   findBends(std::size_t i)
@@ -106,15 +144,15 @@ private:
     return chain;
   }
 
-  /** How far from the place asked for a chain meets the rim: an eighth of the rim counts as much as all its strips. */
+  /** How far from the place asked for a chain meets the rim: it weighs more than how even the chain is. */
   double
   farness(const std::vector<RampStrip>& chain) const
   {
     if (!start_)
       return 0.0;
     const RampStrip& rim = chain.back();
-    const double off = loops_.loop(rim.loop).metricAt(rim.u).length(loops_.loop(rim.loop).at(rim.u - rim.length) - *start_);
-    return static_cast<double>(chain.size()) * off / (0.125 * loops_.loop(rim.loop).length());
+    const double off = loops_.loop(rim.loop).metricAt(rim.u).length(loops_.loop(rim.loop).at(rim.u - rim_overlap * rim.length) - *start_);
+    return 800.0 * std::min(1.0, off / loops_.loop(rim.loop).length());
   }
 
   double
@@ -127,10 +165,29 @@ private:
       if (loops_.loop(s.loop).length() > 3.0 && clearance(s.loop, s.u, true) < 0.4)
         sum += 2.0;
     }
-    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
       if (i >= 2 || chain.size() <= 4)
         sum += 3.0 * unevenness(chain[i], chain[i + 1]);
+      if (!isClear(chain[i + 1], chain[i]))
+        sum += cost_of_crossing;
+    }
     return sum;
+  }
+  /** Whether the ramp from \p a in to \p b keeps off the other loops of their levels. */
+  bool
+  isClear(const RampStrip& a, const RampStrip& b) const
+  {
+    for (const std::size_t own : {a.loop, b.loop}) {
+      const int level = loops_.loop(own).level;
+      if (loops_at_[level] < 2)
+        continue;
+      for (int k = 0; k <= ramp_probes; ++k) {
+        const double t = static_cast<double>(k) / ramp_probes;
+        if (finder_.nearest(level, onRamp(loops_, a, b, t), loops_.loop(own).metricAt(own == a.loop ? a.u : b.u), ramp_clearance, own).loop != LoopPlace::none)
+          return false;
+      }
+    }
+    return true;
   }
   /** Strips of neighbouring loops run side by side, about a step-over apart. */
   double
@@ -150,9 +207,17 @@ private:
   const LoopFinder& finder_;
   std::optional<Eigen::Vector3d> start_;
   std::vector<std::vector<double>> bends_;
+  std::vector<std::size_t> loops_at_; ///< of each level
 };
 
 } // namespace
+
+Eigen::Vector3d
+onRamp(const CutLoops& loops, const RampStrip& a, const RampStrip& b, double t)
+{
+  const double share = rampShare(t);
+  return (1.0 - share) * loops.loop(a.loop).at(a.u - a.length * (1.0 - t)) + share * loops.loop(b.loop).at(b.u - b.length * (1.0 - t));
+}
 
 std::vector<RampStrip>
 findMainChain(const CutLoops& loops, const LoopFinder& finder, std::size_t innermost, std::size_t outer_rim,
@@ -172,7 +237,7 @@ addRamps(const std::vector<RampStrip>& chain, CutLoops& loops, LinkedPath& path)
     const ScallopLoop &from = loops.loop(a.loop), &to = loops.loop(b.loop);
     PathPiece piece;
     for (std::size_t k = 1; k < ramp_points; ++k) {
-      const double t = static_cast<double>(k) / ramp_points, s = t * t * (3.0 - 2.0 * t);
+      const double t = static_cast<double>(k) / ramp_points, s = rampShare(t);
       const double ua = a.u - a.length * (1.0 - t), ub = b.u - b.length * (1.0 - t);
       const auto place = [&](double share) -> Eigen::Vector3d { return (1.0 - share) * from.at(ua) + share * to.at(ub); };
       piece.add(place(s), between(from.metricAt(ua), to.metricAt(ub), s));

@@ -11,12 +11,19 @@
 
 namespace pcl_spiral {
 
+/** Share of the rim's strip that is travelled at the start: the path begins there. */
+constexpr double rim_overlap = 0.8;
+
 /** A strip of a loop in which a spiral leaves it for the next: from u - length to u. */
 struct RampStrip {
   std::size_t loop = 0;
   double u = 0.0, length = 0.0; ///< step-overs
   double distance = 0.0;        ///< of u from the strip of the loop inside
 };
+
+/** The ramp from strip \p a in to strip \p b of the next loop, at the share \p t of them. */
+Eigen::Vector3d
+onRamp(const CutLoops& loops, const RampStrip& a, const RampStrip& b, double t);
 
 /** Strips of a chain of loops from \p innermost out to a rim, the rim's first: the most even of many, or of those that meet the rim
  *  near \p start. Empty where no way leads out. */

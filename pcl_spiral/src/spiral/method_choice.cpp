@@ -7,6 +7,8 @@
 #include <pcl_spiral/toolpath/path_size.h>
 #include <pcl_spiral/toolpath/surface_centre.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -17,9 +19,11 @@ namespace {
 constexpr std::size_t most_points = 20000; // looked at
 constexpr std::size_t curvature_samples = 1000;
 constexpr std::size_t rim_samples = 256;
-constexpr double rim_share = 0.75;   // of the rims' length, beside the turns: half of it is on the rim, half a turn to begin and end
+constexpr double scallop_rims = 0.6; // of the rims' length, beside the turns: half of it is least, a little begins and ends the path
+constexpr double radial_rims = 1.1;  // the last turn runs on the rim, where half of it would be least, and the first about the centre
+constexpr double beside_points = 0.33; // spacings from the outermost points to the outline
 constexpr double turn_radius = 0.25; // step-overs: of ConstantScallop's sharp turns
-constexpr double tie = 1.01;         // Radial is taken where it is foreseen no worse than this: it has no sharp turns at all
+constexpr double tie = 1.02;         // foreseen no better than this; then Radial is taken, which has no sharp turns at all
 
 /** \p surface with a part of its points, to be looked at as a whole. */
 SurfaceGraph
@@ -39,6 +43,18 @@ coarseGraph(const Surface& surface, double area)
   if (!coarse.build(std::move(kept), options).ok())
     return SurfaceGraph();
   return coarse;
+}
+
+/** Of the triangles. */
+double
+areaOf(const SurfaceGraph& graph)
+{
+  double area = 0.0;
+  for (std::size_t t = 0; t < graph.triangulation().triangleCount(); ++t) {
+    const auto& c = graph.triangulation().triangle(t);
+    area += 0.5 * (graph.position(c[1]) - graph.position(c[0])).cross(graph.position(c[2]) - graph.position(c[0])).norm();
+  }
+  return area;
 }
 
 /** Mean of the largest step-overs that the height allows. */
@@ -151,17 +167,16 @@ foreseeMethods(const Surface& surface, const std::vector<BoundaryLoop>& loops, c
       holes.push_back(&loop);
     rims += loop.type == LoopType::ScanGap ? 0.0 : loop.length;
   }
-  const double area = surfaceArea(surface.graph());
   const bool small = surface.size() <= most_points;
   SurfaceGraph coarse;
   if (!small)
-    coarse = coarseGraph(surface, area);
+    coarse = coarseGraph(surface, surfaceArea(surface.graph()));
   const SurfaceGraph& graph = small || coarse.size() == 0 ? surface.graph() : coarse;
   const MlsSurface fit(graph);
   const double step_over = meanStepOver(fit, settings);
-  const double across = area / step_over, feed = settings.feed / 60.0;
+  const double across = (areaOf(graph) + beside_points * graph.spacing() * rims) / step_over, feed = settings.feed / 60.0;
   const double turns = 2.0 * across / rims;
-  foresight.scallop_length = across + rim_share * rims;
+  foresight.scallop_length = across + scallop_rims * rims;
   foresight.why_not_radial = whyNotRadial(*rim, holes, settings);
   std::optional<double> uneven;
   if (foresight.why_not_radial.empty())
@@ -172,7 +187,7 @@ foreseeMethods(const Surface& surface, const std::vector<BoundaryLoop>& loops, c
   foresight.scallop_time =
       machineTime(foresight.scallop_length, ridge_turns, turn_radius * step_over, feed, settings.acceleration);
   if (uneven)
-    foresight.radial_length = across * *uneven + rim_share * rims;
+    foresight.radial_length = across * *uneven + radial_rims * rims;
   foresight.radial_time = foresight.radial_length / feed;
   if (foresight.why_not_radial.empty() && foresight.radial_time <= tie * foresight.scallop_time)
     foresight.method = SpiralMethod::Radial;

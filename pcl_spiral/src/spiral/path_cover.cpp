@@ -1,6 +1,7 @@
 #include "path_cover.h"
 
 #include "cover_tests.h"
+#include "path_densify.h"
 #include "segment_set.h"
 
 #include <algorithm>
@@ -63,7 +64,8 @@ public:
 private:
   void watch(double held, CoverFigures& figures);
   void findNear(const SegmentSet& line, const std::vector<std::size_t>& places, const CoverTests& tests, std::vector<std::uint8_t>& near) const;
-  void densify(const std::vector<std::uint8_t>& near, double held);
+  void choose(const CoverTests& tests, const std::vector<std::size_t>& places);
+  void findRuns();
   SegmentSet movingLines() const;
   void measure(Watched& at) const;
   std::vector<std::size_t> openPlaces();
@@ -90,22 +92,34 @@ Mover::watch(double held, CoverFigures& figures)
   line.add(path_.points, false);
   line.build();
   const CoverTests tests = coverTests(field_, path_, line);
-  figures.farthest_before = figures.farthest = covered;
+  figures.farthest_before = covered;
   std::vector<std::size_t> places;
-  SegmentSet place_set;
   for (std::size_t i = 0; i < tests.size(); ++i)
     if (tests.distances[i] > covered) {
       places.push_back(i);
-      place_set.add({tests.points[i]}, false);
       figures.farthest_before = std::max(figures.farthest_before, tests.distances[i]);
     }
+  figures.farthest = figures.farthest_before;
   figures.places = places.size();
   if (places.empty())
     return;
-  place_set.build();
   std::vector<std::uint8_t> near(path_.points.size(), 0);
   findNear(line, places, tests, near);
-  densify(near, held);
+  densify(near, held, grain, path_, near_, moves_);
+  shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
+  taken_.assign(path_.points.size(), 0);
+  choose(tests, places);
+  findRuns();
+}
+
+/** Watch the test points near \p places that the path may uncover. */
+void
+Mover::choose(const CoverTests& tests, const std::vector<std::size_t>& places)
+{
+  SegmentSet place_set;
+  for (const std::size_t i : places)
+    place_set.add({tests.points[i]}, false);
+  place_set.build();
   const auto count = static_cast<std::int64_t>(tests.size());
   std::vector<std::uint8_t> chosen(tests.size(), 0);
 #pragma omp parallel for schedule(dynamic, 1024)
@@ -116,10 +130,16 @@ Mover::watch(double held, CoverFigures& figures)
   for (std::size_t i = 0; i < tests.size(); ++i)
     if (chosen[i])
       watched_.push_back({tests.points[i], tests.metric[i], {}, 0, 0.0, tests.distances[i]});
+}
+
+/** The runs of the path near each watched point, and its nearest segment. */
+void
+Mover::findRuns()
+{
   const SegmentSet lines = movingLines();
-  const auto watched = static_cast<std::int64_t>(watched_.size());
+  const auto count = static_cast<std::int64_t>(watched_.size());
 #pragma omp parallel for schedule(dynamic, 256)
-  for (std::int64_t i = 0; i < watched; ++i) {
+  for (std::int64_t i = 0; i < count; ++i) {
     Watched& at = watched_[i];
     std::vector<std::size_t> segments;
     lines.forSegmentsNear(at.point, at.metric, looked_at, [&](std::size_t s) { segments.push_back(lines.label(s) + lines.place(s)); });
@@ -151,38 +171,6 @@ Mover::findNear(const SegmentSet& line, const std::vector<std::size_t>& places, 
     for (const std::size_t s : found)
       near[s] = near[s + 1] = 1;
   }
-}
-
-/** More points where the path may move; the first \p held step-overs do not. */
-void
-Mover::densify(const std::vector<std::uint8_t>& near, double held)
-{
-  LinkedPath dense;
-  double travelled = 0.0;
-  for (std::size_t i = 0; i < path_.points.size(); ++i) {
-    double step = 0.0;
-    if (i > 0)
-      step = between(path_.metric[i - 1], path_.metric[i], 0.5).length(path_.points[i] - path_.points[i - 1]);
-    const bool inside = i > 0 && (near[i] || near[i - 1]);
-    const int parts = inside ? std::max(1, static_cast<int>(std::ceil(step / grain))) : 1;
-    for (int k = i > 0 ? 1 : parts; k <= parts; ++k) {
-      const double share = static_cast<double>(k) / parts;
-      const std::size_t before = i > 0 ? i - 1 : i;
-      dense.points.push_back((1.0 - share) * path_.points[before] + share * path_.points[i]);
-      dense.metric.push_back(between(path_.metric[before], path_.metric[i], share));
-      dense.reversed.push_back(path_.reversed[i]);
-      dense.turns.push_back(path_.turns[before] + static_cast<float>(share) * (path_.turns[i] - path_.turns[before]));
-      near_.push_back(near[i] || inside);
-      moves_.push_back(near_.back() && travelled + share * step > held);
-    }
-    travelled += step;
-  }
-  path_.points = std::move(dense.points);
-  path_.metric = std::move(dense.metric);
-  path_.reversed = std::move(dense.reversed);
-  path_.turns = std::move(dense.turns);
-  shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
-  taken_.assign(path_.points.size(), 0);
 }
 
 /** The runs of the path that may move, with the point on either side; a run's label is its first point. */

@@ -1,9 +1,8 @@
 #include "path_end.h"
 
-#include <Eigen/Geometry>
+#include "moves_cross.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl_spiral {
 namespace {
@@ -11,18 +10,6 @@ namespace {
 constexpr double tail = 5.0;      // step-overs
 constexpr double searched = 60.0; // of the path before
 constexpr double clear = 0.12;
-
-/** Whether two moves cross in the plane of both; moves that only meet do not. */
-bool
-cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d)
-{
-  const Eigen::Vector3d n = (b - a).cross(d - c);
-  const double size = n.norm();
-  if (size <= 1e-12 || std::abs((c - a).dot(n)) > 0.1 * size * ((b - a).norm() + (d - c).norm()))
-    return false;
-  const auto side = [&n](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& x) { return (q - p).cross(x - p).dot(n); };
-  return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
-}
 
 } // namespace
 
@@ -37,7 +24,7 @@ trimEnd(LinkedPath& path)
   const auto begin = static_cast<std::size_t>(std::find_if(to_end.begin(), to_end.end(), [](double s) { return s < searched; }) - to_end.begin());
   for (std::size_t i = std::max<std::size_t>(first, 3); i + 1 < n; ++i)
     for (std::size_t j = begin; j + 2 < i; ++j)
-      if (cross(path.points[i], path.points[i + 1], path.points[j], path.points[j + 1])) {
+      if (movesCross(path.points[i], path.points[i + 1], path.points[j], path.points[j + 1])) {
         std::size_t last = i;
         while (last > 3 && to_end[last] - to_end[i] < clear)
           --last;

@@ -1,5 +1,7 @@
 #include <pcl_spiral/spiral/path_sampling.h>
 
+#include "path_feet.h"
+
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/step_over.h>
 
@@ -29,7 +31,7 @@ allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSetting
   for (std::size_t begin = 0; begin < n; begin += chunk) {
     const std::size_t end = std::min(n, begin + chunk);
     const Polyline queries(path.points.begin() + static_cast<std::ptrdiff_t>(begin), path.points.begin() + static_cast<std::ptrdiff_t>(end));
-    surface.fit().project(queries, feet);
+    pathFeet(surface, queries, feet);
     const auto off = std::find_if(feet.begin(), feet.end(), [](const SurfaceFoot& f) { return !f.valid; });
     if (off != feet.end())
       return {StatusCode::Failed,

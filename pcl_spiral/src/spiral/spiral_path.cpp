@@ -1,5 +1,7 @@
 #include <pcl_spiral/spiral/spiral_path.h>
 
+#include "path_feet.h"
+
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/axis_field.h>
 #include <pcl_spiral/core/self_crossing.h>
@@ -52,7 +54,7 @@ halveStretchedSteps(const Surface& surface, double longest, SpiralPath& path)
   if (ends.empty())
     return;
   std::vector<SurfaceFoot> feet;
-  surface.fit().project(queries, feet);
+  pathFeet(surface, queries, feet);
   SpiralPath halved;
   const auto add = [&halved](const Eigen::Vector3d& contact, const Eigen::Vector3d& normal, float turn, bool over_gap) {
     halved.contacts.push_back(contact);
@@ -114,7 +116,7 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
     queries.resize(end - begin);
     for (std::int64_t i = 0; i < count; ++i)
       queries[i] = curve[begin + i].position;
-    surface.fit().project(queries, feet);
+    pathFeet(surface, queries, feet);
     std::int64_t first_bad = count;
 #pragma omp parallel for schedule(static) reduction(min : first_bad)
     for (std::int64_t i = 0; i < count; ++i) {

@@ -49,6 +49,8 @@ private:
   /** Feet and metric of the surface's points; the metric is the mean over the points about each, as curvatures waver. */
   void placeNodes();
   void findEdges();
+  ZipperSide sideOf(std::size_t free_edge, std::size_t outline, double& distance) const;
+  std::size_t edgeAlong(std::size_t outline, ZipperSide& side) const;
   Status zip(std::size_t outline);
   void addOutline(std::size_t outline, ZipperSide& side);
   void closeRest();
@@ -161,33 +163,51 @@ MeshMaker::addOutline(std::size_t outline, ZipperSide& side)
   side.points.assign(mesh_.positions.begin() + static_cast<std::ptrdiff_t>(first), mesh_.positions.end());
 }
 
-Status
-MeshMaker::zip(std::size_t outline)
+/** The free edge's nodes with their arc lengths along \p outline; \p distance: their median distance from it, mm. */
+ZipperSide
+MeshMaker::sideOf(std::size_t free_edge, std::size_t outline, double& distance) const
+{
+  ZipperSide side;
+  std::vector<double> distances;
+  for (const std::uint32_t v : edges_[free_edge]) {
+    OutlinePlace place;
+    if (!side_.find(mesh_.positions[v], mesh_.normals[v].cast<double>(), matched_reach * spacing_, place) || place.outline != outline)
+      place.distance = 1e30;
+    distances.push_back(place.distance);
+    side.ids.push_back(v);
+    side.points.push_back(mesh_.positions[v]);
+    side.normals.push_back(mesh_.normals[v].cast<double>());
+    side.arcs.push_back(place.arc);
+  }
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  distance = *middle;
+  return side;
+}
+
+/** The longest free edge that runs along \p outline; their number where none does. */
+std::size_t
+MeshMaker::edgeAlong(std::size_t outline, ZipperSide& side) const
 {
   std::size_t best = edges_.size();
-  ZipperSide edge;
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     if (edge_used_[e] || edges_[e].size() < 6 || (best < edges_.size() && edges_[e].size() <= edges_[best].size()))
       continue;
-    ZipperSide candidate;
-    std::vector<double> distances;
-    for (const std::uint32_t v : edges_[e]) {
-      OutlinePlace place;
-      if (!side_.find(mesh_.positions[v], mesh_.normals[v].cast<double>(), matched_reach * spacing_, place) || place.outline != outline)
-        place.distance = 1e30;
-      distances.push_back(place.distance);
-      candidate.ids.push_back(v);
-      candidate.points.push_back(mesh_.positions[v]);
-      candidate.normals.push_back(mesh_.normals[v].cast<double>());
-      candidate.arcs.push_back(place.arc);
-    }
-    std::vector<double> sorted = distances;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-    if (sorted[sorted.size() / 2] < matched_edge * spacing_) {
+    double distance = 0.0;
+    ZipperSide candidate = sideOf(e, outline, distance);
+    if (distance < matched_edge * spacing_) {
       best = e;
-      edge = std::move(candidate);
+      side = std::move(candidate);
     }
   }
+  return best;
+}
+
+Status
+MeshMaker::zip(std::size_t outline)
+{
+  ZipperSide edge;
+  const std::size_t best = edgeAlong(outline, edge);
   const std::string remedy = "; the scan is too thin or ragged there for a path at constant scallop: scan it again, more "
                              "densely, or choose the radial method (setMethod)";
   if (best == edges_.size())

@@ -17,7 +17,6 @@ constexpr double farthest_in_spacings = 4.0; // of a query from the nearest poin
 constexpr double refit_distance = 0.1;       // in spacings: a foot that far from the query gets a fit of its own
 constexpr double run_width = 3.0;            // of queries searched together, in radii of a neighbourhood
 constexpr double largest_overhang = 1.25;    // in spacings
-constexpr int widest_fit = 4;                // times the neighbours of a usual one
 
 struct NearestPoint {
   std::uint32_t index;
@@ -158,7 +157,7 @@ MlsSurface::fitNoise() const
 }
 
 void
-MlsSurface::project(const std::vector<Eigen::Vector3d>& queries, std::vector<SurfaceFoot>& feet) const
+MlsSurface::project(const std::vector<Eigen::Vector3d>& queries, std::vector<SurfaceFoot>& feet, int widest) const
 {
   constexpr int most_rounds = 4;
   constexpr double farthest_query = 1e15;
@@ -174,7 +173,7 @@ MlsSurface::project(const std::vector<Eigen::Vector3d>& queries, std::vector<Sur
     feet[i].position = queries[i];
   }
   // Where points stand closer on one side than on the other, the nearest ones may all lie on that side: a wider fit spans both.
-  for (int width = 1; width <= widest_fit && !which.empty(); width *= 2) {
+  for (int width = 1; width <= widest && !which.empty(); width *= 2) {
     std::vector<std::uint32_t> moving = which;
     for (int round = 0; round < most_rounds && !moving.empty(); ++round) {
       const std::vector<std::uint8_t> moved = projectOnce(moving, feet, width * neighbours_);

@@ -55,8 +55,10 @@ public:
                       ProjectionMethod method = ProjectionMethod::Quadratic);
 
   /** Feet of all queries, in their order, in parallel. Non-finite queries and those farther than four spacings from
-   *  the cloud come back invalid. */
-  void project(const std::vector<Eigen::Vector3d>& queries, std::vector<SurfaceFoot>& feet) const;
+   *  the cloud come back invalid. Where a foot does, fits of twice the neighbours are tried, and so on up to \p widest times as
+   *  many, up to eight spacings from a point: beside a gap the nearest points may all lie on its denser side. For queries that
+   *  are known to lie within the rim; beyond it a wide fit may reach over to strays. */
+  void project(const std::vector<Eigen::Vector3d>& queries, std::vector<SurfaceFoot>& feet, int widest = 1) const;
   SurfaceFoot project(const Eigen::Vector3d& query) const;
 
   int neighbours() const { return neighbours_; }

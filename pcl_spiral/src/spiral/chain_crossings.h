@@ -1,0 +1,15 @@
+/** \file
+ *  Whether the ramps of a chain keep clear of each other and of its loops.
+ */
+#pragma once
+
+#include "main_chain.h"
+
+namespace pcl_spiral {
+
+/** How often ramps of \p chain, from the rim inward, cross the next ramp, or what is left of the two loops they join beside the
+ *  strips. */
+std::size_t
+chainCrossings(const CutLoops& loops, const std::vector<RampStrip>& chain);
+
+} // namespace pcl_spiral

@@ -1,0 +1,39 @@
+#include "path_densify.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl_spiral {
+
+void
+densify(const std::vector<std::uint8_t>& near, double held, double grain, LinkedPath& path, std::vector<std::uint8_t>& dense_near,
+        std::vector<std::uint8_t>& moves)
+{
+  LinkedPath dense;
+  double travelled = 0.0;
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    double step = 0.0;
+    if (i > 0)
+      step = between(path.metric[i - 1], path.metric[i], 0.5).length(path.points[i] - path.points[i - 1]);
+    const bool inside = i > 0 && (near[i] || near[i - 1]);
+    const int parts = inside ? std::max(1, static_cast<int>(std::ceil(step / grain))) : 1;
+    for (int k = i > 0 ? 1 : parts; k <= parts; ++k) {
+      const double share = static_cast<double>(k) / parts;
+      const std::size_t before = i > 0 ? i - 1 : i;
+      dense.points.push_back((1.0 - share) * path.points[before] + share * path.points[i]);
+      dense.metric.push_back(between(path.metric[before], path.metric[i], share));
+      dense.reversed.push_back(path.reversed[i]);
+      dense.turns.push_back(path.turns[before] + static_cast<float>(share) * (path.turns[i] - path.turns[before]));
+      dense_near.push_back(near[i] || inside);
+      moves.push_back(dense_near.back() && travelled + share * step > held);
+    }
+    travelled += step;
+  }
+  path.points = std::move(dense.points);
+  path.metric = std::move(dense.metric);
+  path.reversed = std::move(dense.reversed);
+  path.turns = std::move(dense.turns);
+}
+
+} // namespace pcl_spiral

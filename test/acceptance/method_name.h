@@ -1,0 +1,19 @@
+/** \file
+ *  The method that a word on the command line names.
+ */
+#pragma once
+
+#include <pcl_spiral/toolpath/spiral_settings.h>
+
+#include <optional>
+#include <string>
+
+namespace pcl_spiral::acceptance {
+
+/** The method whose word begins with \p name. */
+std::optional<SpiralMethod> methodNamed(const std::string& name);
+
+/** Whether there is one; says which there are where there is none. */
+bool isMethod(const std::string& name);
+
+} // namespace pcl_spiral::acceptance
