@@ -98,6 +98,7 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
     return status;
   figures.loops = loops.size();
   const double rim = loops.front().length();
+  figures.rim_length = length(loops.front().points, true);
   std::vector<ScallopLoop>().swap(loops); // the path holds their points now
   clock.end("linking");
   if (progress && !progress(0.25, "coverage"))
@@ -114,6 +115,8 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
   figures.chain_loops = path.chain_loops;
   figures.bridges = path.bridges;
   figures.dots = path.dots;
+  if (settings.start_point)
+    figures.start_off = (path.points.front() - *settings.start_point).norm();
   const SharpTurns turns = sharpTurns(path);
   figures.turn_radius = turns.radius;
   figures.least_radius = turns.least_radius;

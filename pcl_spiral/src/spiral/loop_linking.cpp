@@ -76,11 +76,11 @@ chainNear(const std::vector<ScallopLoop>& loops, const LoopFinder& finder, const
       if (outer.loop != LoopPlace::none)
         has_inner[outer.loop] = 1;
     }
-  has_inner[innermostOf(loops)] = 0;
+  const std::size_t innermost = innermostOf(loops);
   std::vector<RampStrip> best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (has_inner[i] || loops[i].length() <= longest_dot)
+    if (i != innermost && (has_inner[i] || loops[i].length() <= longest_dot))
       continue;
     std::vector<RampStrip> chain = findMainChain(cuts, finder, i, 0, start);
     if (chain.empty() || chain.front().loop != 0)

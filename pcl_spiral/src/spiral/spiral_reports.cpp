@@ -10,6 +10,8 @@
 namespace pcl_spiral {
 namespace {
 
+constexpr double far_start = 0.05; // of the rim's length: a path that begins so far from the place asked for is told
+
 void
 markGaps(const Surface& surface, const Polyline& contacts, std::vector<std::uint8_t>& over_gap)
 {
@@ -168,6 +170,9 @@ reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, Spi
   report.least_length = figures.least_length;
   report.turn_radius = figures.turn_radius;
   report.sharpest_place = figures.sharpest_place;
+  if (figures.start_off > far_start * figures.rim_length)
+    report.warnings.push_back(textOf("the path meets the rim ", figures.start_off, " mm from the start point asked for: the loops "
+                                     "inside lead to no nearer place"));
   if (figures.turn_radius < settings.least_turn_radius)
     report.warnings.push_back(textOf("the path turns more sharply than the radius of ", settings.least_turn_radius,
                                      " step-overs asked for: a thousandth of it with less than ", figures.turn_radius,

@@ -34,6 +34,8 @@ struct ScallopFigures {
   std::size_t fingers = 0;     ///< places where loops reach out so that no higher ridge is left
   double reversed_share = 0.0; ///< of the path, travelled against the sense asked for, as loops beside the chain must be
   double least_length = 0.0;   ///< integral of dA / largest step-over, and half the rims: no path at this scallop is shorter
+  double start_off = 0.0;      ///< mm: the path's end on the rim from the start point asked for
+  double rim_length = 0.0;     ///< mm
   double turn_radius = 0.0;    ///< step-overs: all but 0.1 % of the path turn no sharper
   double least_radius = 0.0;   ///< step-overs: of the sharpest turn
   Eigen::Vector3d sharpest_place = Eigen::Vector3d::Zero(); ///< there

@@ -89,7 +89,7 @@ public:
   void setDirection(SpiralDirection direction) { this->settings_.direction = direction; }
   SpiralDirection getDirection() const { return this->settings_.direction; }
 
-  /** The path begins, or going outward ends, at the rim near here. */
+  /** The path begins, or going outward ends, at the rim near here, as near as the loops inside allow. */
   void setStartPoint(const Eigen::Vector3d& point) { this->settings_.start_point = point; }
   const std::optional<Eigen::Vector3d>& getStartPoint() const { return this->settings_.start_point; }
   void clearStartPoint() { this->settings_.start_point.reset(); }
