@@ -29,6 +29,7 @@ void
 setUp(Generator& spiral, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud)
 {
   spiral.setInputCloud(cloud);
+  spiral.setMethod(SpiralMethod::Radial); // the others: constant_scallop, published_generator; the choice: method_choice
   spiral.setToolRadius(6.0);
   spiral.setScallopHeight(0.1);
   spiral.setChordError(0.01);

@@ -36,6 +36,7 @@ SpiralSettings
 settings(unsigned int threads = 0)
 {
   SpiralSettings s;
+  s.method = SpiralMethod::Radial; // the chain of the other: scallop_stages
   s.tool_radius = 6.0;
   s.scallop_height = 0.05;
   s.chord_error = 0.01;
