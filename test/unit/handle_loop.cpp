@@ -110,18 +110,18 @@ TEST(HandleLoop, AHandleOfNoiseIsCutThrough)
 {
   const TubedSheet sheet(40, 2, 9);
   const StepOverMesh mesh = sheet.mesh();
-  std::vector<Triangulation::Triangle> kept;
+  Triangulation kept;
   const Status status = trianglesWithin(mesh, Triangulation(mesh.size(), sheet.triangles), sheet.rim(40), 1.0, kept);
   ASSERT_TRUE(status.ok()) << status.message();
-  EXPECT_EQ(missingEuler(mesh.positions, Triangulation(mesh.size(), kept)), 0u);
-  EXPECT_GT(kept.size(), sheet.triangles.size() - 60);
+  EXPECT_EQ(missingEuler(mesh.positions, kept), 0u);
+  EXPECT_GT(kept.triangleCount(), sheet.triangles.size() - 60);
 }
 
 TEST(HandleLoop, AHandleOfThePartIsRefusedWithItsPlace)
 {
   const TubedSheet sheet(60, 5, 20);
   const StepOverMesh mesh = sheet.mesh();
-  std::vector<Triangulation::Triangle> kept;
+  Triangulation kept;
   const Status status = trianglesWithin(mesh, Triangulation(mesh.size(), sheet.triangles), sheet.rim(60), 1.0, kept);
   ASSERT_FALSE(status.ok());
   EXPECT_NE(status.message().find("handle"), std::string::npos) << status.message();
@@ -156,9 +156,10 @@ TEST(HandleLoop, TrianglesThatTouchInANodeAloneArePulledApart)
   mesh.normals.assign(positions.size(), Eigen::Vector3f::UnitZ());
   BoundaryLoop far;
   far.curve = {{-100, -100, 0}, {100, -100, 0}, {100, 100, 0}, {-100, 100, 0}};
-  std::vector<Triangulation::Triangle> kept;
+  Triangulation kept;
   ASSERT_TRUE(trianglesWithin(mesh, Triangulation(mesh.size(), triangles), OutlineSide({far}), 1.0, kept).ok());
-  for (const Triangulation::Triangle& t : kept)
-    EXPECT_TRUE(t[0] != 0 && t[1] != 0 && t[2] != 0);
-  EXPECT_EQ(kept.size(), 10u);
+  for (std::size_t i = 0; i < kept.triangleCount(); ++i)
+    for (const std::uint32_t v : kept.triangle(i))
+      EXPECT_NE(v, 0u);
+  EXPECT_EQ(kept.triangleCount(), 10u);
 }

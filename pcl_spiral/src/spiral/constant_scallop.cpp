@@ -5,6 +5,7 @@
 #include "scallop_size.h"
 #include "turn_radius.h"
 
+#include <pcl_spiral/common/freed_memory.h>
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/path_sampling.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
@@ -101,6 +102,7 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
   const double rim = loops.front().length();
   figures.rim_length = length(loops.front().points, true);
   std::vector<ScallopLoop>().swap(loops); // the path holds their points now
+  returnFreedMemory();
   clock.end("linking");
   if (progress && !progress(0.25, "coverage"))
     return {StatusCode::Cancelled, "cancelled"};

@@ -49,6 +49,8 @@ dropRepeats(LinkedPath& path)
   path.metric.resize(kept);
   path.reversed.resize(kept);
   path.turns.resize(kept);
+  path.points.shrink_to_fit();
+  path.metric.shrink_to_fit();
 }
 
 /** The deepest loop, of several the longest. */

@@ -1,6 +1,7 @@
 #include "mesh_refinement.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -10,18 +11,19 @@ using Triangle = Triangulation::Triangle;
 /** Cuts triangles into a lattice; nodes on shared edges are made once. */
 class Refiner {
 public:
-  Refiner(const StepOverMesh& coarse, const std::vector<std::uint8_t>& chosen, int parts)
-      : coarse_(coarse), chosen_(chosen), parts_(parts), on_edge_(coarse.triangles.halfEdgeCount(), Triangulation::none)
+  Refiner(StepOverMesh coarse, const std::vector<std::uint8_t>& chosen, int parts)
+      : triangulation_(std::move(coarse.triangles)), rims_(std::move(coarse.rims)), nodes_(coarse.size()), chosen_(chosen),
+        parts_(parts), on_edge_(triangulation_.halfEdgeCount(), Triangulation::none)
   {
-    fine_.positions = coarse.positions;
-    fine_.normals = coarse.normals;
-    fine_.metric = coarse.metric;
+    fine_.positions = std::move(coarse.positions);
+    fine_.normals = std::move(coarse.normals);
+    fine_.metric = std::move(coarse.metric);
   }
 
   StepOverMesh
   run(std::vector<std::uint8_t>& is_fine)
   {
-    const Triangulation& t = coarse_.triangles;
+    const Triangulation& t = triangulation_;
     for (std::uint32_t h = 0; h < t.halfEdgeCount(); ++h)
       if (chosen_[h / 3])
         cutEdge(h);
@@ -29,7 +31,7 @@ public:
       if (chosen_[i])
         cutTriangle(i);
     is_fine.assign(fine_.size(), 1);
-    std::vector<std::uint8_t> touched(coarse_.size(), 0);
+    std::vector<std::uint8_t> touched(nodes_, 0);
     for (std::size_t i = 0; i < t.triangleCount(); ++i)
       if (chosen_[i])
         for (const std::uint32_t v : t.triangle(i))
@@ -48,19 +50,20 @@ private:
   std::uint32_t
   canonical(std::uint32_t h) const
   {
-    const std::uint32_t other = coarse_.triangles.opposite(h);
+    const std::uint32_t other = triangulation_.opposite(h);
     return other == Triangulation::none ? h : std::min(h, other);
   }
   std::uint32_t
   add(const Triangle& corners, double a, double b, double c)
   {
-    fine_.positions.push_back(a * coarse_.positions[corners[0]] + b * coarse_.positions[corners[1]] + c * coarse_.positions[corners[2]]);
-    const Eigen::Vector3d normal = a * coarse_.normals[corners[0]].cast<double>() + b * coarse_.normals[corners[1]].cast<double>() +
-                                   c * coarse_.normals[corners[2]].cast<double>();
+    const Eigen::Vector3d position = a * fine_.positions[corners[0]] + b * fine_.positions[corners[1]] + c * fine_.positions[corners[2]];
+    fine_.positions.push_back(position);
+    const Eigen::Vector3d normal = a * fine_.normals[corners[0]].cast<double>() + b * fine_.normals[corners[1]].cast<double>() +
+                                   c * fine_.normals[corners[2]].cast<double>();
     fine_.normals.push_back(normal.normalized().cast<float>());
-    StepOverMetric metric = coarse_.metric[corners[0]].times(a);
-    metric += coarse_.metric[corners[1]].times(b);
-    metric += coarse_.metric[corners[2]].times(c);
+    StepOverMetric metric = fine_.metric[corners[0]].times(a);
+    metric += fine_.metric[corners[1]].times(b);
+    metric += fine_.metric[corners[2]].times(c);
     fine_.metric.push_back(metric);
     return static_cast<std::uint32_t>(fine_.positions.size() - 1);
   }
@@ -71,7 +74,7 @@ private:
     if (on_edge_[edge] != Triangulation::none)
       return;
     on_edge_[edge] = static_cast<std::uint32_t>(fine_.size());
-    const Triangle ends{coarse_.triangles.origin(edge), coarse_.triangles.target(edge), 0};
+    const Triangle ends{triangulation_.origin(edge), triangulation_.target(edge), 0};
     for (int i = 1; i < parts_; ++i)
       add({ends[0], ends[1], ends[1]}, 1.0 - static_cast<double>(i) / parts_, static_cast<double>(i) / parts_, 0.0);
   }
@@ -80,14 +83,14 @@ private:
   edgeNode(std::uint32_t h, int step) const
   {
     if (step == 0 || step == parts_)
-      return step == 0 ? coarse_.triangles.origin(h) : coarse_.triangles.target(h);
+      return step == 0 ? triangulation_.origin(h) : triangulation_.target(h);
     const std::uint32_t edge = canonical(h);
     return on_edge_[edge] + static_cast<std::uint32_t>(edge == h ? step - 1 : parts_ - 1 - step);
   }
   void
   cutTriangle(std::size_t t)
   {
-    const Triangle corners = coarse_.triangles.triangle(t);
+    const Triangle corners = triangulation_.triangle(t);
     const auto h = static_cast<std::uint32_t>(3 * t);
     // Row i from corner 0 on, place j in it: weights 1 - i/n, (i - j)/n, j/n.
     std::vector<std::vector<std::uint32_t>> rows(parts_ + 1);
@@ -116,21 +119,21 @@ private:
     for (std::uint32_t h = static_cast<std::uint32_t>(3 * t); h < 3 * t + 3; ++h) {
       const bool cut = on_edge_[canonical(h)] != Triangulation::none;
       for (int i = 0; i < (cut ? parts_ : 1); ++i)
-        ring.push_back(i == 0 ? coarse_.triangles.origin(h) : edgeNode(h, i));
+        ring.push_back(i == 0 ? triangulation_.origin(h) : edgeNode(h, i));
     }
     if (ring.size() == 3) {
       triangles_.push_back({ring[0], ring[1], ring[2]});
       return;
     }
-    const std::uint32_t middle = add(coarse_.triangles.triangle(t), 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0);
+    const std::uint32_t middle = add(triangulation_.triangle(t), 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0);
     for (std::size_t i = 0; i < ring.size(); ++i)
       triangles_.push_back({ring[i], ring[(i + 1) % ring.size()], middle});
   }
   void
   cutRims()
   {
-    const Triangulation& t = coarse_.triangles;
-    for (const std::vector<std::uint32_t>& rim : coarse_.rims) {
+    const Triangulation& t = triangulation_;
+    for (const std::vector<std::uint32_t>& rim : rims_) {
       std::vector<std::uint32_t> fine;
       for (std::size_t i = 0; i < rim.size(); ++i) {
         fine.push_back(rim[i]);
@@ -146,7 +149,9 @@ private:
     }
   }
 
-  const StepOverMesh& coarse_;
+  Triangulation triangulation_; ///< of the coarse mesh
+  std::vector<std::vector<std::uint32_t>> rims_;
+  std::size_t nodes_;           ///< of the coarse mesh, which come first in the fine one
   const std::vector<std::uint8_t>& chosen_;
   int parts_;
   std::vector<std::uint32_t> on_edge_; ///< first node inside each half-edge that stands for its edge
@@ -157,9 +162,9 @@ private:
 } // namespace
 
 StepOverMesh
-refined(const StepOverMesh& mesh, const std::vector<std::uint8_t>& chosen, int parts, std::vector<std::uint8_t>& is_fine)
+refined(StepOverMesh mesh, const std::vector<std::uint8_t>& chosen, int parts, std::vector<std::uint8_t>& is_fine)
 {
-  return Refiner(mesh, chosen, parts).run(is_fine);
+  return Refiner(std::move(mesh), chosen, parts).run(is_fine);
 }
 
 } // namespace pcl_spiral

@@ -75,21 +75,24 @@ cutAt(const StepOverMesh& mesh, const Triangulation& triangles, const OutlineSid
   return cut;
 }
 
-std::vector<Triangle>
+Triangulation
 largestPart(const Triangulation& triangles, const Cut& cut, std::size_t nodes)
 {
   std::vector<Triangle> kept;
   for (std::size_t i = 0; i < triangles.triangleCount(); ++i)
     if (cut.keeps(triangles, i))
       kept.push_back(triangles.triangle(i));
+  Triangulation whole(nodes, kept);
   std::vector<std::size_t> sizes;
-  const std::vector<std::uint32_t> part = Triangulation(nodes, kept).parts(sizes);
+  const std::vector<std::uint32_t> part = whole.parts(sizes);
+  if (sizes.size() < 2)
+    return whole;
   std::size_t count = 0;
   for (std::size_t t = 0; t < kept.size(); ++t)
     if (part[t] == 0)
       kept[count++] = kept[t];
   kept.resize(count);
-  return kept;
+  return Triangulation(nodes, kept);
 }
 
 /** How many fans the triangles about \p v form: 1 on a sheet. */
@@ -113,9 +116,8 @@ fansAt(const Triangulation& triangles, std::uint32_t v)
 /** Nodes at which free edges touch, or whose triangles touch at them alone, are dead from now on. \return whether there were
  *  any. */
 bool
-dropPinches(const std::vector<Triangle>& triangles, std::vector<std::uint8_t>& dead)
+dropPinches(const Triangulation& rest, std::vector<std::uint8_t>& dead)
 {
-  const Triangulation rest(dead.size(), triangles);
   bool pinched = false;
   for (std::uint32_t v = 0; v < dead.size(); ++v)
     if (fansAt(rest, v) > 1) {
@@ -127,10 +129,8 @@ dropPinches(const std::vector<Triangle>& triangles, std::vector<std::uint8_t>& d
 
 /** The nodes of a way round a handle are dead from now on, where it is no longer than noise makes them. */
 Status
-dropHandle(const StepOverMesh& mesh, const std::vector<Triangle>& triangles, double spacing, std::vector<std::uint8_t>& dead,
-           bool& dropped)
+dropHandle(const StepOverMesh& mesh, const Triangulation& rest, double spacing, std::vector<std::uint8_t>& dead, bool& dropped)
 {
-  const Triangulation rest(dead.size(), triangles);
   dropped = false;
   if (missingEuler(mesh.positions, rest) == 0)
     return Status::success();
@@ -153,7 +153,7 @@ dropHandle(const StepOverMesh& mesh, const std::vector<Triangle>& triangles, dou
 
 Status
 trianglesWithin(const StepOverMesh& mesh, const Triangulation& triangles, const OutlineSide& side, double spacing,
-                std::vector<Triangle>& kept)
+                Triangulation& kept)
 {
   Cut cut = cutAt(mesh, triangles, side, spacing);
   bool dropped = true;

@@ -16,6 +16,6 @@ namespace pcl_spiral {
  *  on longer ones. */
 Status
 trianglesWithin(const StepOverMesh& mesh, const Triangulation& triangles, const OutlineSide& side, double spacing,
-                std::vector<Triangulation::Triangle>& kept);
+                Triangulation& kept);
 
 } // namespace pcl_spiral

@@ -11,6 +11,8 @@ densify(const std::vector<std::uint8_t>& near, double held, double grain, Linked
         std::vector<std::uint8_t>& moves)
 {
   LinkedPath dense;
+  dense.points.reserve(path.points.size());
+  dense.metric.reserve(path.points.size());
   double travelled = 0.0;
   for (std::size_t i = 0; i < path.points.size(); ++i) {
     double step = 0.0;

@@ -94,8 +94,8 @@ thinSummits(const std::vector<RawLoop>& loops)
   return summits;
 }
 
-ScallopLoop
-finishedLoop(const StepOverDistance& field, const RawLoop& loop, std::vector<std::uint8_t>& is_near)
+FinishedLoop
+finishedLoop(const StepOverDistance& field, const RawLoop& loop)
 {
   LineGrain grain;
   for (const std::uint8_t fine : loop.is_fine) {
@@ -104,14 +104,14 @@ finishedLoop(const StepOverDistance& field, const RawLoop& loop, std::vector<std
   }
   std::vector<std::size_t> from;
   const ScallopLoop line = smoothed(loop.line, grain, from);
-  ScallopLoop thin;
-  thin.level = line.level;
+  FinishedLoop thin;
+  thin.line.level = line.level;
   for (const std::size_t i : pointsKept(line, straight_within, longest_straight)) {
-    thin.points.push_back(line.points[i]);
-    thin.metric.push_back(line.metric[i]);
-    is_near.push_back(loop.is_near[from[i]] || loop.is_near[(from[i] + 1) % loop.is_near.size()]);
+    thin.line.points.push_back(line.points[i]);
+    thin.line.metric.push_back(line.metric[i]);
+    thin.is_near.push_back(loop.is_near[from[i]] || loop.is_near[(from[i] + 1) % loop.is_near.size()]);
   }
-  thin.measure();
+  thin.line.measure();
   return thin;
 }
 

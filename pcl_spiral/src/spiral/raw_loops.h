@@ -34,9 +34,14 @@ traceLoops(const StepOverDistance& field, const RidgeBand& band, const RidgeClim
 std::unordered_set<std::uint32_t>
 thinSummits(const std::vector<RawLoop>& loops);
 
-/** The loop without the jaggedness of the mesh; \p is_near: one a point of it. */
-ScallopLoop
-finishedLoop(const StepOverDistance& field, const RawLoop& loop, std::vector<std::uint8_t>& is_near);
+/** A loop without the jaggedness of the mesh. */
+struct FinishedLoop {
+  ScallopLoop line;
+  std::vector<std::uint8_t> is_near; ///< one a point: as of the loop it was made of
+};
+
+FinishedLoop
+finishedLoop(const StepOverDistance& field, const RawLoop& loop);
 
 /** Add the parts of \p loop that are near the band to \p set. */
 void

@@ -24,6 +24,7 @@ constexpr double tight_neck = 0.25;    // width of necks between nodes of the me
 constexpr int most_redrawings = 3;     // of one level: widened necks may meet others
 constexpr double axis_reach = 1.2;     // a finger changes the field so far from its axis
 constexpr double search_within = 1.2;  // distances are not told beyond
+constexpr int levels_together = 64;    // drawn side by side
 constexpr double core_below = 0.38, core_above = 1.31; // levels between which a core is looked at
 
 /** max(a, b) with a rounded corner. */
@@ -33,6 +34,12 @@ smoothMax(double a, double b)
   const double d = std::max(blend - std::abs(a - b), 0.0);
   return std::max(a, b) + d * d / (4.0 * blend);
 }
+
+/** The loops one level above another without fingers; parallel arrays. */
+struct DrawnLevel {
+  std::vector<RawLoop> raw;
+  std::vector<FinishedLoop> finished;
+};
 
 /** Loops level by level, each with its fingers before the next is looked at. */
 class LoopMaker {
@@ -49,10 +56,13 @@ public:
     const int levels = static_cast<int>(std::floor(field_.largest));
     sortTriangles(levels + 1);
     addRims();
-    for (int k = 0; k <= levels; ++k) {
-      if (progress_ && !progress_(static_cast<double>(k) / (levels + 1), "loops"))
-        return false;
-      addLevel(k);
+    for (int first = 0; first <= levels; first += levels_together) {
+      std::vector<DrawnLevel> drawn = draw(first, std::min(levels + 1, first + levels_together));
+      for (int k = first; k < first + static_cast<int>(drawn.size()); ++k) {
+        if (progress_ && !progress_(static_cast<double>(k) / (levels + 1), "loops"))
+          return false;
+        addLevel(k, std::move(drawn[k - first]));
+      }
     }
     return true;
   }
@@ -68,7 +78,8 @@ private:
 
   void sortTriangles(int levels);
   void addRims();
-  void addLevel(int k);
+  std::vector<DrawnLevel> draw(int first, int end) const;
+  void addLevel(int k, DrawnLevel level);
   std::vector<double> distancesOf(const std::vector<std::uint32_t>& nodes, const SegmentSet& lines) const;
   bool isThin(const Between& at, std::uint32_t v) const;
   void addLines(const std::vector<RawLoop>& base, Between& at) const;
@@ -86,8 +97,7 @@ private:
   std::vector<std::vector<std::uint32_t>> triangles_; ///< crossed by each level
   std::vector<std::uint32_t> scratch_;   ///< one a node, 0 between uses
   std::vector<float> agreement_;         ///< of the gradients about each node: small on ridges between sides that face
-  std::vector<ScallopLoop> below_;       ///< loops of the level before
-  std::vector<std::vector<std::uint8_t>> below_near_; ///< of their points: near the band
+  std::vector<FinishedLoop> below_;      ///< loops of the level before
 };
 
 void
@@ -115,8 +125,7 @@ LoopMaker::addRims()
     }
     loop.measure();
     set_.loops.push_back(loop);
-    below_near_.emplace_back(loop.points.size(), 1);
-    below_.push_back(std::move(loop));
+    below_.push_back({loop, std::vector<std::uint8_t>(loop.points.size(), 1)});
   }
 }
 
@@ -141,7 +150,7 @@ void
 LoopMaker::addLines(const std::vector<RawLoop>& base, Between& at) const
 {
   for (std::size_t i = 0; i < below_.size(); ++i)
-    addNearRuns(below_[i], below_near_[i], i, at.lines);
+    addNearRuns(below_[i].line, below_[i].is_near, i, at.lines);
   for (std::size_t i = 0; i < base.size(); ++i)
     if (!base[i].is_thin) {
       addNearRuns(base[i].line, base[i].is_near, i, at.lines);
@@ -247,10 +256,25 @@ LoopMaker::redrawn(int level, const std::vector<FingerAxis>& axes, const std::ve
   return loops;
 }
 
-void
-LoopMaker::addLevel(int k)
+/** The loops above levels \p first to \p end: most have no fingers, so these are drawn side by side. */
+std::vector<DrawnLevel>
+LoopMaker::draw(int first, int end) const
 {
-  std::vector<RawLoop> loops = traceLoops(field_, band_, climb_, values_, k + 1, triangles_[k + 1]);
+  std::vector<DrawnLevel> drawn(end - first);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int k = first; k < end; ++k) {
+    DrawnLevel& level = drawn[k - first];
+    level.raw = traceLoops(field_, band_, climb_, values_, k + 1, triangles_[k + 1]);
+    for (const RawLoop& loop : level.raw)
+      level.finished.push_back(loop.is_thin ? FinishedLoop() : finishedLoop(field_, loop));
+  }
+  return drawn;
+}
+
+void
+LoopMaker::addLevel(int k, DrawnLevel level)
+{
+  std::vector<RawLoop>& loops = level.raw;
   Between at;
   at.level = k;
   at.thin_summits = thinSummits(loops);
@@ -259,8 +283,12 @@ LoopMaker::addLevel(int k)
   findCores(at, axes);
   findFingersOf(at, axes);
   loops.erase(std::remove_if(loops.begin(), loops.end(), [](const RawLoop& l) { return l.is_thin; }), loops.end());
+  std::vector<FinishedLoop>& finished = level.finished;
+  finished.erase(std::remove_if(finished.begin(), finished.end(), [](const FinishedLoop& l) { return l.line.points.empty(); }),
+                 finished.end());
   std::vector<FingerAxis> necks = tightNecks(loops, tight_neck);
-  for (int round = 0; !axes.empty() || !necks.empty(); ++round) {
+  const bool redraw = !axes.empty() || !necks.empty();
+  for (int round = 0; redraw; ++round) {
     axes.insert(axes.end(), necks.begin(), necks.end());
     loops = redrawn(k + 1, axes, at.thin);
     necks = tightNecks(loops, tight_neck);
@@ -269,13 +297,14 @@ LoopMaker::addLevel(int k)
   }
   for (const FingerAxis& axis : axes)
     set_.axes.push_back(axis.points);
-  below_.clear();
-  below_near_.clear();
-  for (const RawLoop& loop : loops) {
-    below_near_.emplace_back();
-    below_.push_back(finishedLoop(field_, loop, below_near_.back()));
-    set_.loops.push_back(below_.back());
+  if (redraw) {
+    finished.clear();
+    for (const RawLoop& loop : loops)
+      finished.push_back(finishedLoop(field_, loop));
   }
+  below_ = std::move(finished);
+  for (const FinishedLoop& loop : below_)
+    set_.loops.push_back(loop.line);
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -129,8 +130,7 @@ measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlin
     const std::vector<std::uint8_t> band = ridgeBand(coarse, distance, field.usual_edge);
     if (const Status status = checkMeshSize(coarse, band, parts, options); !status.ok())
       return status;
-    field.mesh = refined(coarse, band, parts, field.is_fine);
-    coarse = StepOverMesh();
+    field.mesh = refined(std::move(coarse), band, parts, field.is_fine);
   }
   field.distance = distancesFromRims(field.mesh);
   for (std::size_t v = 0; v < field.mesh.size(); ++v) {

@@ -34,9 +34,8 @@ public:
   run()
   {
     placeNodes();
-    if (const Status status = trianglesWithin(mesh_, surface_.graph().triangulation(), side_, spacing_, triangles_); !status.ok())
+    if (const Status status = keepWithin(); !status.ok())
       return status;
-    findEdges();
     for (std::size_t o = 0; o < outlines_.size(); ++o)
       if (const Status status = zip(o); !status.ok())
         return status;
@@ -48,7 +47,7 @@ public:
 private:
   /** Feet and metric of the surface's points; the metric is the mean over the points about each, as curvatures waver. */
   void placeNodes();
-  void findEdges();
+  Status keepWithin();
   ZipperSide sideOf(std::size_t free_edge, std::size_t outline, double& distance) const;
   std::size_t edgeAlong(std::size_t outline, ZipperSide& side) const;
   Status zip(std::size_t outline);
@@ -117,15 +116,20 @@ MeshMaker::placeNodes()
     mesh_.metric = averaged(mesh_.metric, surface_.graph().triangulation());
 }
 
-void
-MeshMaker::findEdges()
+Status
+MeshMaker::keepWithin()
 {
-  const Triangulation rest(mesh_.size(), triangles_);
+  Triangulation rest;
+  if (const Status status = trianglesWithin(mesh_, surface_.graph().triangulation(), side_, spacing_, rest); !status.ok())
+    return status;
+  for (std::size_t t = 0; t < rest.triangleCount(); ++t)
+    triangles_.push_back(rest.triangle(t));
   edges_ = rest.boundaryLoops();
   for (std::vector<std::uint32_t>& edge : edges_)
     for (std::uint32_t& h : edge)
       h = rest.origin(h);
   edge_used_.assign(edges_.size(), 0);
+  return Status::success();
 }
 
 void
