@@ -100,18 +100,26 @@ TEST(Program, OneWayPathsAreLiftedBetweenPassesAndRefusedWhereNoLiftCanBeSaid)
     arguments.insert(arguments.begin(), begin.begin(), begin.end());
     return endOf(startProgram(program, arguments, folder), folder);
   };
-  const RunResult done = called({"-o", "a.nc", "-o", "a.csv", "-o", "a.json", "--dialect", "linuxcnc", "--machine", machines + "/head_head.yaml", "--verify"});
+  const RunResult done = called({"-o", "a.nc", "-o", "a.csv", "-o", "a.json", "--dialect", "linuxcnc", "--tool", "3", "--machine",
+                                 machines + "/xyzac.yaml", "--verify"});
   ASSERT_EQ(done.code, 0) << done.err;
   expectHas(done.out, "; 0 % against the sense asked for");
-  expectHas(done.out, "passes          2, ");
-  expectHas(readText(folder.path("a.json")), "\"passes\": 2");
+  expectHas(done.out, "passes          3, ");
+  expectHas(readText(folder.path("a.json")), "\"passes\": 3");
   expectHas(readText(folder.path("a.json")), "\"one_way\": true");
-  const std::string text = readText(folder.path("a.nc"));
-  EXPECT_EQ(linesWith(text, "G0 Z") + linesWith(text, "G0 X"), 0u) << text.substr(0, 3000);
+  std::istringstream lines(readText(folder.path("a.nc")));
+  std::size_t cuts = 0;
+  bool cutting = false;
+  for (std::string line; std::getline(lines, line);) {
+    const bool feeds = line.rfind("G1 ", 0) == 0;
+    cuts += feeds && !cutting;
+    cutting = feeds;
+  }
+  EXPECT_EQ(cuts, 3u); // rapids between
   for (const std::string file : {"b.apt", "b.yaml"}) {
     const RunResult refused = called({"-o", file});
     EXPECT_EQ(refused.code, 1);
-    expectHas(refused.err, "the path has 2 passes, and this format no moves between them; write a .ngc or .nc, or leave --one-way out");
+    expectHas(refused.err, "the path has 3 passes, and this format no moves between them; write a .ngc or .nc, or leave --one-way out");
     EXPECT_FALSE(std::filesystem::exists(folder.path(file)));
   }
 }

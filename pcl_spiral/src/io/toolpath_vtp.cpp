@@ -16,6 +16,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <stdexcept>
 
@@ -65,7 +66,11 @@ polyData(const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motio
   begins.insert(begins.end(), passes.begin(), passes.end());
   for (std::size_t i = 0; i < begins.size(); ++i) {
     const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : order.size();
-    lines->InsertNextCell(static_cast<vtkIdType>(end - begins[i]), order.data() + begins[i]);
+    const std::array<vtkIdType, 2> alone{order[begins[i]], order[begins[i]]}; // VTK cannot write a line of one point
+    if (end == begins[i] + 1)
+      lines->InsertNextCell(2, alone.data());
+    else
+      lines->InsertNextCell(static_cast<vtkIdType>(end - begins[i]), order.data() + begins[i]);
   }
 
   auto data = vtkSmartPointer<vtkPolyData>::New();
