@@ -1,4 +1,5 @@
 #include "case_series.h"
+#include "method_name.h"
 #include "path_match.h"
 
 #include "support/sampling.h"
@@ -47,7 +48,7 @@ mapped(const SpiralSettings& settings, const Eigen::Affine3d& map)
   const double determinant = map.linear().determinant(), scale = std::cbrt(std::abs(determinant));
   SpiralSettings s = settings;
   for (double* length :
-       {&s.tool_radius, &s.scallop_height, &s.chord_error, &s.max_step, &s.axis_smoothing, &s.thinning, &s.feed})
+       {&s.tool_radius, &s.scallop_height, &s.chord_error, &s.max_step, &s.axis_smoothing, &s.thinning, &s.feed, &s.acceleration})
     *length *= scale;
   s.max_axis_rate /= scale;
   for (std::optional<Eigen::Vector3d>* place : {&s.centre, &s.start_point, &s.view_point})
@@ -95,10 +96,29 @@ difference(const Motion& motion, const Made& first, const Made& other, double sp
   return text.str();
 }
 
-Outcome
-outcomeOf(const RandomCase& random)
+/** Motions that leave the path where it is on the part. At constant scallop what is found once may be linked otherwise where
+ *  numbers are rounded otherwise: there a scale is asked for that rounds nothing. */
+std::vector<Motion>
+motions(const Eigen::Affine3d& moved, SpiralMethod method)
 {
-  SpiralSettings settings = random.settings;
+  const Eigen::Affine3d same = Eigen::Affine3d::Identity();
+  std::vector<Motion> all{{"a 64th", same * Eigen::Scaling(1.0 / 64), true}};
+  if (method != SpiralMethod::Radial)
+    return all;
+  Eigen::Matrix3d quarter;
+  quarter << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  all.push_back({"turned by 90 degrees", Eigen::Affine3d(quarter), true});
+  all.push_back({"mirrored", same * Eigen::Scaling(-1.0, 1.0, 1.0), true});
+  all.push_back({"moved", moved, false});
+  all.push_back({"mirrored and moved", moved * Eigen::Scaling(1.0, 1.0, -1.0), false});
+  all.push_back({"forty times", moved * Eigen::Scaling(40.0), false});
+  return all;
+}
+
+Outcome
+outcomeOf(const RandomCase& random, SpiralMethod method)
+{
+  SpiralSettings settings = settingsOf(random, method);
   settings.thinning = 0.0; // voxels lie along the axes
   if (!settings.start_point) // the rim point farthest off is one of several on round parts
     settings.start_point = random.motion * random.surface->outlines().front().front();
@@ -114,14 +134,7 @@ outcomeOf(const RandomCase& random)
   const std::uint64_t seed = random.cloud->size();
   const Eigen::Affine3d same = Eigen::Affine3d::Identity(), moved(test::randomMotion(seed, 50.0 * random.spacing));
   faults += difference({"shuffled", same, true}, first, made(reordered(*random.cloud, seed), settings), random.spacing);
-  Eigen::Matrix3d quarter;
-  quarter << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  for (const Motion& motion : {Motion{"turned by 90 degrees", Eigen::Affine3d(quarter), true},
-                               {"mirrored", same * Eigen::Scaling(-1.0, 1.0, 1.0), true},
-                               {"a 64th", same * Eigen::Scaling(1.0 / 64), true},
-                               {"moved", moved, false},
-                               {"mirrored and moved", moved * Eigen::Scaling(1.0, 1.0, -1.0), false},
-                               {"forty times", moved * Eigen::Scaling(40.0), false}})
+  for (const Motion& motion : motions(moved, method))
     faults += difference(motion, first, made(mapped(*random.cloud, motion.map), mapped(settings, motion.map)),
                          random.spacing);
   return {first.status.ok() ? "path" : reasonOf(first.status.message()), faults};
@@ -132,7 +145,9 @@ outcomeOf(const RandomCase& random)
 int
 judgeProperties(const Options& options)
 {
-  return judgeSeries("properties", options, longest, outcomeOf);
+  if (!isMethod(options.method))
+    return 2;
+  return judgeSeries("properties", options, longest, [&options](const RandomCase& random) { return outcomeOf(random, *methodNamed(options.method)); });
 }
 
 } // namespace pcl_spiral::acceptance

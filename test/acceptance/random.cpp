@@ -184,8 +184,7 @@ outcomeOf(const RandomCase& made, SpiralMethod method)
 {
   Generator generator;
   generator.setInputCloud(made.cloud);
-  generator.setSettings(made.settings);
-  generator.setMethod(method);
+  generator.setSettings(settingsOf(made, method));
   const Path::Ptr path(new Path);
   generator.compute(*path);
   const Status& status = generator.getStatus();

@@ -191,4 +191,17 @@ randomCase(std::uint64_t seed, std::uint64_t index)
   return made;
 }
 
+SpiralSettings
+settingsOf(const RandomCase& random, SpiralMethod method)
+{
+  SpiralSettings settings = random.settings;
+  settings.method = method;
+  if (method == SpiralMethod::ConstantScallop) {
+    settings.centre.reset();
+    settings.lines = SpiralSettings().lines;
+    settings.pitch = SpiralSettings().pitch;
+  }
+  return settings;
+}
+
 } // namespace pcl_spiral::acceptance

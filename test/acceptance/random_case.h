@@ -35,4 +35,7 @@ struct RandomCase {
 /** Case \p index of the series \p seed; the same on every platform. */
 RandomCase randomCase(std::uint64_t seed, std::uint64_t index);
 
+/** The job of \p random by \p method: at constant scallop without centre, lines and pitch, which it does not have. */
+SpiralSettings settingsOf(const RandomCase& random, SpiralMethod method);
+
 } // namespace pcl_spiral::acceptance

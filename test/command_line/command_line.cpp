@@ -99,6 +99,26 @@ protected:
     EXPECT_EQ(folder_.count(), before) << call << "\nleft a file behind";
   }
 
+  /** The outputs a.csv, a.pcd and a.json must hold a path from about the middle of the cap to its rim. */
+  void
+  expectWholePath()
+  {
+    const auto csv = pcl_spiral::readToolpath(folder_.path("a.csv"));
+    const auto pcd = pcl_spiral::readToolpath(folder_.path("a.pcd"));
+    ASSERT_GT(csv.path.size(), 500U);
+    EXPECT_EQ(csv.path.size(), pcd.path.size());
+    for (const auto& point : pcd.path) {
+      ASSERT_NEAR(std::hypot(point.x, point.y, point.z + 100.0), 100.0, 0.01) << "on the sphere";
+      ASSERT_GT(point.normal_z, 0.0f);
+    }
+    EXPECT_NEAR(pcd.path.front().x, 0.0, 3.0) << "from the centre";
+    EXPECT_NEAR(std::hypot(pcd.path.back().x, pcd.path.back().y), 40.0, 1.5) << "to the rim";
+    const std::string report = readText(folder_.path("a.json"));
+    for (const char* word :
+         {"\"tool_radius\": 3.0", "\"input_points\": 6000", "\"outer\"", "\"warnings\"", "\"stages\""})
+      EXPECT_NE(report.find(word), std::string::npos) << word;
+  }
+
   ScratchFolder folder_;
 };
 
@@ -237,27 +257,18 @@ TEST_F(CommandLine, RefusesCloudsWithoutASurfaceToCut)
 
 TEST_F(CommandLine, WritesEveryOutputAndSaysSo)
 {
-  const RunResult result =
-      make("cap.xyz", {"-o", "a.csv", "-o", "a.pcd", "-o", "a.ply", "-o", "a.vtp", "-o", "a.json"});
-  ASSERT_EQ(result.code, 0) << result.err;
-  EXPECT_EQ(folder_.count(), 6U) << "the scan and five outputs";
-  for (const char* word :
-       {"6000 points", "spacing", "centre", "turns", "path length", "machining time", "a.csv", "a.json"})
-    EXPECT_NE(result.out.find(word), std::string::npos) << word << " in\n" << result.out;
-  const auto csv = pcl_spiral::readToolpath(folder_.path("a.csv"));
-  const auto pcd = pcl_spiral::readToolpath(folder_.path("a.pcd"));
-  ASSERT_GT(csv.path.size(), 500U);
-  EXPECT_EQ(csv.path.size(), pcd.path.size());
-  for (const auto& point : pcd.path) {
-    ASSERT_NEAR(std::hypot(point.x, point.y, point.z + 100.0), 100.0, 0.01) << "on the sphere";
-    ASSERT_GT(point.normal_z, 0.0f);
+  const Arguments outputs{"-o", "a.csv", "-o", "a.pcd", "-o", "a.ply", "-o", "a.vtp", "-o", "a.json"};
+  for (const std::string method : {"constant-scallop", "radial"}) {
+    Arguments arguments = outputs;
+    arguments.insert(arguments.end(), {"--method", method});
+    const RunResult result = make("cap.xyz", arguments);
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(folder_.count(), 6U) << "the scan and five outputs";
+    for (const char* word : {"6000 points", "spacing", method == "radial" ? "centre" : "loops", "turns", "path length",
+                             "machining time", "a.csv", "a.json"})
+      EXPECT_NE(result.out.find(word), std::string::npos) << word << " in\n" << result.out;
+    expectWholePath();
   }
-  EXPECT_NEAR(pcd.path.front().x, 0.0, 3.0) << "from the centre";
-  EXPECT_NEAR(std::hypot(pcd.path.back().x, pcd.path.back().y), 40.0, 1.5) << "to the rim";
-  const std::string report = readText(folder_.path("a.json"));
-  for (const char* word :
-       {"\"tool_radius\": 3.0", "\"input_points\": 6000", "\"outer\"", "\"warnings\"", "\"stages\""})
-    EXPECT_NE(report.find(word), std::string::npos) << word;
 }
 
 TEST_F(CommandLine, SaysWhereTheAxisLeavesTheTilt)

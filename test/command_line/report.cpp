@@ -176,7 +176,7 @@ TEST_F(Report, HoldsPicturesFiguresAndSettings)
         number("\n%.4f mm\n", judged.at("material").at("scallop").at("p99.9")),
         number("\n%.3f\n", judged.at("material").at("efficiency")),
         number("%.3f m\n", 1e-3 * json["path"]["length"].get<double>()), std::string("Longest linear move"),
-        std::string("Largest turn per step"), std::string("\n0.1 mm\n"), std::string("radial lines\n"),
+        std::string("Largest turn per step"), std::string("\n0.1 mm\n"), std::string("Method\nconstant-scallop\n"),
         std::string("no limits were stated"),
         std::string("pcl_spiral_toolpath 'ca<p> & \"1\" '\\''x'\\''.xyz'")})
     EXPECT_NE(page.text.find(words), std::string::npos) << words << "\nin\n" << page.text;

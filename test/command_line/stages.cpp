@@ -13,8 +13,9 @@ namespace {
 using Json = nlohmann::ordered_json; // keeps the order of the file
 using Names = std::vector<std::string>;
 
-const Names chain{"reading", "surface", "boundaries", "radial lines", "spiral", "projection", "tool axis", "path",
-                  "writing"};
+const Names radial_chain{"reading", "surface", "boundaries", "radial lines", "spiral", "projection", "tool axis", "path", "writing"};
+const Names scallop_chain{"reading",    "surface",   "boundaries", "step-over field", "scallop loops", "linking", "coverage",
+                          "projection", "tool axis", "path",       "writing"};
 
 struct MadeRun {
   RunResult result;
@@ -48,10 +49,13 @@ namesOf(const Json& stages)
 
 } // namespace
 
-TEST(Stages, ReportHasTimeAndMemoryOfTheWholeRun)
+class StagesOf : public ::testing::TestWithParam<std::pair<const char*, Names>> {};
+
+TEST_P(StagesOf, ReportHasTimeAndMemoryOfTheWholeRun)
 {
+  const Names& chain = GetParam().second;
   ScratchFolder folder;
-  const MadeRun made = makePath(folder, {});
+  const MadeRun made = makePath(folder, {"--method", GetParam().first});
   const Json& seconds = made.report.at("seconds");
   EXPECT_EQ(namesOf(seconds.at("stages")), chain) << "in the order they ran, the writing of the path among them";
   double sum = 0.0;
@@ -79,10 +83,10 @@ TEST(Stages, ReportHasTimeAndMemoryOfTheWholeRun)
   EXPECT_EQ(made.report.at("units").at("memory"), "MB");
 }
 
-TEST(Stages, VerboseShowsThemAsATable)
+TEST_P(StagesOf, VerboseShowsThemAsATable)
 {
   ScratchFolder folder;
-  const MadeRun made = makePath(folder, {"--verbose", "--verify"});
+  const MadeRun made = makePath(folder, {"--verbose", "--verify", "--method", GetParam().first});
   std::istringstream out(made.result.out);
   std::string line;
   while (std::getline(out, line) && line.find("peak MB") == std::string::npos)
@@ -102,11 +106,14 @@ TEST(Stages, VerboseShowsThemAsATable)
     ASSERT_TRUE(values >> resident >> peak) << line;
     EXPECT_NEAR(peak, made.report.at("memory").at("stages").at(names.back()).at("peak").get<double>(), 0.51) << line;
   }
-  Names expected = chain;
+  Names expected = GetParam().second;
   expected.insert(expected.end(), {"judging", "the rest"});
   EXPECT_EQ(names, expected) << made.result.out;
   EXPECT_NEAR(percent, 100.0, 1.0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Methods, StagesOf,
+                         ::testing::Values(std::make_pair("radial", radial_chain), std::make_pair("constant-scallop", scallop_chain)));
 
 TEST(Stages, SaidOnlyWhenAskedFor)
 {

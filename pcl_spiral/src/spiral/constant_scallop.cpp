@@ -2,6 +2,7 @@
 
 #include "path_cover.h"
 #include "path_end.h"
+#include "scallop_size.h"
 #include "turn_radius.h"
 
 #include <pcl_spiral/core/pass_ranges.h>
@@ -28,13 +29,13 @@ lengthOf(const LinkedPath& path, bool reversed_alone)
   return sum;
 }
 
-/** Loops with the surface on their right in place of their left. */
+/** Loops with the surface on their right in place of their left; they begin where they did. */
 void
 turnRound(std::vector<ScallopLoop>& loops)
 {
   for (ScallopLoop& loop : loops) {
-    std::reverse(loop.points.begin(), loop.points.end());
-    std::reverse(loop.metric.begin(), loop.metric.end());
+    std::reverse(loop.points.begin() + 1, loop.points.end());
+    std::reverse(loop.metric.begin() + 1, loop.metric.end());
     loop.measure();
   }
 }
@@ -153,6 +154,9 @@ planConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loo
   figures = ScallopFigures();
   StepOverDistance field;
   if (const Status status = makeStepOverField(surface, loops, settings, partOf(progress, 0.0, 0.3), field); !status.ok())
+    return status;
+  if (const Status status = checkPathSize(scallopPathSize(field, surface, settings), surfaceArea(surface.graph()), settings);
+      !status.ok())
     return status;
   clock.end("step-over field");
   ScallopLoopSet set;

@@ -9,7 +9,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t fewest_in_fit = 5;
+constexpr std::ptrdiff_t fewest_beside = 2; // points of a fit on either side of the segment it is for
 constexpr double largest_variance = 4.0; // of a fitted point, over that of a mean
 constexpr std::size_t fewest_points = 12;
 
@@ -62,9 +62,9 @@ fitted(const ScallopLoop& loop, double u, std::size_t i, double width)
   const auto arc = [&](std::ptrdiff_t j) { return loop.arcs[(j % n + n) % n] + whole * std::floor(static_cast<double>(j) / n); };
   const auto at = static_cast<std::ptrdiff_t>(i);
   std::ptrdiff_t first = at, last = at + 1;
-  while (first > at - n / 2 && (u - arc(first - 1) < width || last - first + 1 < static_cast<std::ptrdiff_t>(fewest_in_fit)))
+  while (first > at - n / 2 && (u - arc(first - 1) < width || at - first < fewest_beside))
     --first;
-  while (last < at + n / 2 && (arc(last + 1) - u < width || last - first + 1 < static_cast<std::ptrdiff_t>(fewest_in_fit)))
+  while (last < at + n / 2 && (arc(last + 1) - u < width || last - at - 1 < fewest_beside))
     ++last;
   const double reach = std::max({width, 1.001 * (u - arc(first)), 1.001 * (arc(last) - u)});
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
@@ -93,8 +93,9 @@ smoothed(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size_
   const auto count = static_cast<std::int64_t>(places.size());
 #pragma omp parallel for schedule(static, 64) if (count > 512)
   for (std::int64_t k = 0; k < count; ++k) {
-    const double width = std::min(grain.widths[from[k]], loop.length() / 6.0);
-    line.points[k] = fitted(loop, places[k], from[k], width);
+    const std::size_t i = from[k], next = (i + 1) % loop.points.size();
+    const double width = std::min({grain.widths[i], grain.widths[next], loop.length() / 6.0});
+    line.points[k] = fitted(loop, places[k], i, width);
     line.metric[k] = loop.metricAt(places[k]);
   }
   line.measure();

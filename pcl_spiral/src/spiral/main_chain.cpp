@@ -30,6 +30,24 @@ rampShare(double t)
   return t * t * (3.0 - 2.0 * t);
 }
 
+/** Place of \p loop nearest to \p point, step-overs along it. */
+double
+nearestTo(const ScallopLoop& loop, const Eigen::Vector3d& point)
+{
+  double best = 0.0, least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < loop.points.size(); ++i) {
+    const Eigen::Vector3d& a = loop.points[i];
+    const Eigen::Vector3d d = loop.points[(i + 1) % loop.points.size()] - a;
+    const double share = std::clamp((point - a).dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
+    const double distance = (a + share * d - point).squaredNorm();
+    if (distance < least) {
+      least = distance;
+      best = loop.arcs[i] + share * (loop.arcs[i + 1] - loop.arcs[i]);
+    }
+  }
+  return best;
+}
+
 /** Chains from one loop outwards. */
 class ChainFinder {
 public:
@@ -49,7 +67,7 @@ public:
         findBends(i);
       ++loops_at_[loops_.loop(i).level];
     }
-    const double whole = loops_.loop(innermost).length();
+    const double whole = loops_.loop(innermost).length(), from = start_ ? nearestTo(loops_.loop(innermost), *start_) : 0.0;
     const auto starts = static_cast<std::int64_t>(std::clamp<double>(whole / 0.1, 8.0, static_cast<double>(most_candidates)));
     const std::vector<double> drifts = start_ ? std::vector<double>{0.0, 0.6, 1.5, 3.0, 5.0, 8.0} : std::vector<double>{0.0, 0.6};
     const std::int64_t tries = starts * static_cast<std::int64_t>(drifts.size());
@@ -57,7 +75,7 @@ public:
     std::vector<double> scores(chains.size(), std::numeric_limits<double>::infinity());
 #pragma omp parallel for schedule(dynamic, 1)
     for (std::int64_t c = 0; c < tries; ++c) {
-      chains[c] = walk({innermost, whole * static_cast<double>(c % starts) / static_cast<double>(starts)}, drifts[c / starts]);
+      chains[c] = walk({innermost, from + whole * static_cast<double>(c % starts) / static_cast<double>(starts)}, drifts[c / starts]);
       if (!chains[c].empty())
         scores[c] = score(chains[c]) + farness(chains[c]) + (joined_ || chains[c].back().loop == outer_rim ? 0.0 : 1000.0);
     }

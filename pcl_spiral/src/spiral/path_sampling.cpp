@@ -17,7 +17,6 @@ namespace {
 
 constexpr double step_reserve = 0.95;   // feet move apart a little
 constexpr double straight_share = 0.2;  // of the chord error
-constexpr double thinnest_step = 1e-3;  // mm; no step is asked to be shorter
 constexpr std::size_t chunk = 1u << 16; // points whose feet are looked at together
 
 /** Longest move that starts at each point of the path along it; chunk by chunk, as feet take much room. Fails where the path leaves
@@ -45,9 +44,11 @@ allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSetting
       const std::size_t before = i > 0 && !beginsPass(path.passes, i) ? i - 1 : i, after = i + 1 < n && !beginsPass(path.passes, i + 1) ? i + 1 : i;
       const Eigen::Vector3d along = path.points[after] - path.points[before];
       const Eigen::Vector3d tangent = (along - feet[k].normal * feet[k].normal.dot(along)).normalized();
+      const double curvature = feet[k].normalCurvature(tangent);
+      const bool fits = cutterFits(settings.tool_radius, curvature); // where not, the path is refused on the surface
       const double step =
-          stepFromChordErrorAtCentre(settings.tool_radius, feet[k].normalCurvature(tangent), settings.chord_error, longest);
-      steps[i] = std::max(step_reserve * step, thinnest_step);
+          fits ? stepFromChordErrorAtCentre(settings.tool_radius, curvature, settings.chord_error, longest) : longest;
+      steps[i] = step_reserve * step;
     }
   }
   return Status::success();

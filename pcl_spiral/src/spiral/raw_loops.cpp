@@ -19,6 +19,25 @@ constexpr double coarse_width = 1.2;
 constexpr double shortest_loop = 0.5; // step-overs
 constexpr double off_nodes = 1e-6;    // share of an edge that loops keep off its ends
 
+/** The loop's places farthest from their mean come first: where a line of the mesh begins depends on the order of its points, and
+ *  what is made of the loop would follow. */
+std::vector<LevelCrossing>
+fromFarthest(const StepOverMesh& mesh, std::vector<LevelCrossing> crossings)
+{
+  Polyline places;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const LevelCrossing& c : crossings) {
+    places.push_back((1.0 - c.share) * mesh.positions[c.below] + c.share * mesh.positions[c.above]);
+    mean += places.back() / static_cast<double>(crossings.size());
+  }
+  std::ptrdiff_t first = 0;
+  for (std::size_t i = 1; i < places.size(); ++i)
+    if ((places[i] - mean).squaredNorm() > (places[first] - mean).squaredNorm())
+      first = static_cast<std::ptrdiff_t>(i);
+  std::rotate(crossings.begin(), crossings.begin() + first, crossings.end());
+  return crossings;
+}
+
 RawLoop
 rawLoop(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& climb, const LevelLine& line, int level)
 {
@@ -26,7 +45,7 @@ rawLoop(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& 
   RawLoop loop;
   loop.line.level = level;
   loop.is_thin = true;
-  for (const LevelCrossing& c : line.crossings) {
+  for (const LevelCrossing& c : fromFarthest(mesh, line.crossings)) {
     const double share = std::clamp(c.share, off_nodes, 1.0 - off_nodes);
     loop.line.points.push_back((1.0 - share) * mesh.positions[c.below] + share * mesh.positions[c.above]);
     loop.line.metric.push_back(between(mesh.metric[c.below], mesh.metric[c.above], share));
@@ -85,7 +104,7 @@ finishedLoop(const StepOverDistance& field, const RawLoop& loop, std::vector<std
   ScallopLoop line = smoothed(loop.line, grain, from);
   is_near.resize(from.size());
   for (std::size_t i = 0; i < from.size(); ++i)
-    is_near[i] = loop.is_near[from[i]];
+    is_near[i] = loop.is_near[from[i]] || loop.is_near[(from[i] + 1) % loop.is_near.size()];
   return line;
 }
 

@@ -1,6 +1,7 @@
 #include <pcl_spiral/spiral/step_over_field.h>
 
 #include "mesh_refinement.h"
+#include "scallop_size.h"
 #include "step_over_march.h"
 
 #include <pcl_spiral/common/message.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl_spiral {
 namespace {
@@ -18,6 +20,7 @@ constexpr double ridge_turn = 14.0;     // degrees
 constexpr double band_width = 1.4;      // step-overs on either side of a ridge
 constexpr double band_gradient = 0.94;  // |grad D| below which triangles join the band
 constexpr double weak_gradient = 0.97;
+constexpr double least_clear = 3.0;     // spacings
 
 double
 medianEdge(const StepOverMesh& mesh)
@@ -70,6 +73,26 @@ ridgeBand(const StepOverMesh& mesh, const std::vector<double>& distance, double 
   return chosen;
 }
 
+/** Refuse a surface whose points lie too far apart for a rim, and feet, to be known: its place farthest from the rims lies less
+ *  than three spacings from them. */
+Status
+checkWidth(const StepOverMesh& mesh, const std::vector<double>& distance, double spacing)
+{
+  std::size_t middle = 0;
+  for (std::size_t v = 0; v < distance.size(); ++v) // what no way leads to is refused later
+    if (std::isfinite(distance[v]) && distance[v] > distance[middle])
+      middle = v;
+  double clear = std::numeric_limits<double>::max();
+  for (const std::vector<std::uint32_t>& rim : mesh.rims)
+    for (const std::uint32_t v : rim)
+      clear = std::min(clear, (mesh.positions[v] - mesh.positions[middle]).norm());
+  if (clear >= least_clear * spacing)
+    return Status::success();
+  return {StatusCode::Failed,
+          textOf("the surface is too narrow for its points: its middle ", placeText(mesh.positions[middle]), " lies only ", clear,
+                 " mm from the rim, and points lie ", spacing, " mm apart: scan more densely, for at least seven points across")};
+}
+
 /** Integral of dA over the largest step-over, and half the rims, which are travelled on their edge. The reserve is no part of it. */
 double
 leastLength(const StepOverMesh& mesh, double reserve)
@@ -99,8 +122,16 @@ measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlin
   field.usual_edge = medianEdge(coarse);
   field.least_length = leastLength(coarse, options.reserve);
   const int parts = std::max(2, static_cast<int>(std::ceil(parts_a_step * field.usual_edge)));
-  field.mesh = refined(coarse, ridgeBand(coarse, distancesFromRims(coarse), field.usual_edge), parts, field.is_fine);
-  coarse = StepOverMesh();
+  {
+    const std::vector<double> distance = distancesFromRims(coarse);
+    if (const Status status = checkWidth(coarse, distance, surface.spacing()); !status.ok())
+      return status;
+    const std::vector<std::uint8_t> band = ridgeBand(coarse, distance, field.usual_edge);
+    if (const Status status = checkMeshSize(coarse, band, parts, options); !status.ok())
+      return status;
+    field.mesh = refined(coarse, band, parts, field.is_fine);
+    coarse = StepOverMesh();
+  }
   field.distance = distancesFromRims(field.mesh);
   for (std::size_t v = 0; v < field.mesh.size(); ++v) {
     if (!std::isfinite(field.distance[v]))
