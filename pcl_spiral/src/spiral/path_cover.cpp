@@ -65,7 +65,6 @@ public:
 
 private:
   void watch(double held, CoverFigures& figures);
-  SegmentSet wholePath() const;
   void findNear(const SegmentSet& line, const std::vector<std::size_t>& places, const CoverTests& tests, std::vector<std::uint8_t>& near) const;
   void choose(const CoverTests& tests, const std::vector<std::size_t>& places);
   void findRuns();
@@ -91,7 +90,7 @@ private:
 void
 Mover::watch(double held, CoverFigures& figures)
 {
-  const SegmentSet line = wholePath();
+  const SegmentSet line = passLines(path_);
   const CoverTests tests = coverTests(field_, path_, line);
   figures.farthest_before = covered;
   std::vector<std::size_t> places;
@@ -111,18 +110,6 @@ Mover::watch(double held, CoverFigures& figures)
   taken_.assign(path_.points.size(), 0);
   choose(tests, places);
   findRuns();
-}
-
-/** All passes; a run's label is its first point. */
-SegmentSet
-Mover::wholePath() const
-{
-  SegmentSet line;
-  for (const PassRange& pass : passRanges(path_.passes, path_.points.size()))
-    line.add(Polyline(path_.points.begin() + static_cast<std::ptrdiff_t>(pass.begin), path_.points.begin() + static_cast<std::ptrdiff_t>(pass.end)),
-             false, pass.begin);
-  line.build();
-  return line;
 }
 
 /** Watch the test points near \p places that the path may uncover. */
