@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,4 +51,30 @@ TEST(LineSmoothing, PointsInClumpsThrowNoSpikes)
   const ScallopLoop line = smoothed(loop, {std::vector<double>(points.size(), 0.9), std::vector<double>(points.size(), 1.2)}, from);
   for (const Vector3d& p : line.points)
     EXPECT_NEAR(p.norm(), 19.97, 0.12);
+}
+
+TEST(LineSmoothing, PointsLeftOutLieBesideTheLinesThatStay)
+{
+  // An arc of radius 3 between straights of 10, in steps of a hundredth.
+  Polyline points;
+  const auto add = [&points](double x, double y) { points.emplace_back(x, y, 0.0); };
+  for (int i = 0; i < 1000; ++i)
+    add(0.01 * i, 0.0);
+  for (int i = 0; i < 942; ++i)
+    add(10.0 + 3.0 * std::sin(M_PI * i / 942), 3.0 - 3.0 * std::cos(M_PI * i / 942));
+  for (int i = 0; i < 1000; ++i)
+    add(10.0 - 0.01 * i, 6.0);
+  const ScallopLoop loop = loopOf(points);
+  const double tolerance = 0.002, longest = 0.1;
+  const std::vector<std::size_t> kept = pointsKept(loop, tolerance, longest);
+  ASSERT_EQ(kept.front(), 0u);
+  EXPECT_LT(kept.size(), points.size() / 4);
+  for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
+    const Vector3d a = points[kept[k]], b = points[kept[k + 1]];
+    EXPECT_LE((b - a).norm(), longest + 1e-9);
+    for (std::size_t i = kept[k]; i < kept[k + 1]; ++i)
+      EXPECT_LE((b - a).normalized().cross(points[i] - a).norm(), tolerance);
+  }
+  std::vector<std::size_t> coarse = pointsKept(loop, tolerance, 100.0);
+  EXPECT_LT(coarse.size(), kept.size());
 }

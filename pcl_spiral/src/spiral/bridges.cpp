@@ -18,7 +18,7 @@ constexpr double beside_reach = 0.6;   // two loops run side by side so far to e
 constexpr double least_distance = 0.12, largest_distance = 1.5; // of two loops; those of a narrow core lie close to its rim
 constexpr double between_share = 0.45; // of their distance: another loop as near to the middle lies between
 constexpr double least_chord = 0.93;   // of their length within that reach
-constexpr double sample_step = 0.4;
+constexpr double sample_step = 0.4, finer_step = 0.05; // where no place was found
 constexpr std::size_t most_samples = 400; // a loop
 constexpr double crossing_reach = 3.0, crossing_grain = 0.1; // of lines that a bridge might cross
 
@@ -57,7 +57,7 @@ private:
   findPlaces(std::size_t i, bool strict, std::vector<Beside>& places) const
   {
     const ScallopLoop& loop = loops_.loop(i);
-    const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(loop.length() / sample_step), 8, most_samples);
+    const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(loop.length() / (strict ? sample_step : finer_step)), 8, most_samples);
     std::vector<Beside> found(3 * count);
 #pragma omp parallel for schedule(dynamic, 8) if (count > 64)
     for (std::size_t k = 0; k < count; ++k) {

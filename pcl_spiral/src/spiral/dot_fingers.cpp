@@ -14,6 +14,16 @@ constexpr double finger_cap = 0.25;
 constexpr double crossing_reach = 3.0, crossing_grain = 0.1; // of the loop to either side, that a finger must not cross
 constexpr double along_reach = 1.0;  // to either side of the nearest place a better one is looked for
 
+/** Mean of the places along \p loop. */
+Eigen::Vector3d
+middleOf(const ScallopLoop& loop)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < loop.points.size(); ++i)
+    sum += (loop.arcs[i + 1] - loop.arcs[i]) * 0.5 * (loop.points[i] + loop.points[(i + 1) % loop.points.size()]);
+  return sum / loop.length();
+}
+
 class DotReacher {
 public:
   DotReacher(const LoopFinder& finder, std::vector<std::uint8_t>& joined, CutLoops& loops, LinkedPath& path)
@@ -35,9 +45,7 @@ private:
   reachDot(std::size_t dot)
   {
     const ScallopLoop& small = loops_.loop(dot);
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& p : small.points)
-      centre += p / static_cast<double>(small.points.size());
+    const Eigen::Vector3d centre = middleOf(small);
     const StepOverMetric metric = small.metric.front();
     LoopPlace best;
     double least = 1e30;

@@ -1,5 +1,7 @@
 #include "line_smoothing.h"
 
+#include "segment_set.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -12,6 +14,7 @@ namespace {
 constexpr std::ptrdiff_t fewest_beside = 2; // points of a fit on either side of the segment it is for
 constexpr double largest_variance = 4.0; // of a fitted point, over that of a mean
 constexpr std::size_t fewest_points = 12;
+constexpr std::size_t most_between = 16; // points that one line may pass
 
 /** Places of the new points: steps apart, evenly closed. */
 std::vector<double>
@@ -80,7 +83,32 @@ fitted(const ScallopLoop& loop, double u, std::size_t i, double width)
   return origin + valueAtMiddle(a, b, loop.at(u) - origin);
 }
 
+/** Whether a straight line from point \p first to point \p last, counted round, passes those between within \p tolerance. */
+bool
+isStraight(const ScallopLoop& loop, std::size_t first, std::size_t last, double tolerance)
+{
+  const Eigen::Vector3d& a = loop.points[first];
+  const Eigen::Vector3d& b = loop.points[last % loop.points.size()];
+  double share = 0.0;
+  for (std::size_t k = first + 1; k < last; ++k)
+    if (distanceFromSegment(loop.points[k], loop.metric[k], a, b, share) > tolerance)
+      return false;
+  return true;
+}
+
 } // namespace
+
+std::vector<std::size_t>
+pointsKept(const ScallopLoop& loop, double tolerance, double longest)
+{
+  std::vector<std::size_t> kept{0};
+  const std::size_t n = loop.points.size();
+  for (std::size_t next = 1; next < n; ++next)
+    if (next - kept.back() >= most_between || loop.arcs[next + 1] - loop.arcs[kept.back()] > longest ||
+        !isStraight(loop, kept.back(), next + 1, tolerance))
+      kept.push_back(next);
+  return kept;
+}
 
 ScallopLoop
 smoothed(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size_t>& from)

@@ -21,4 +21,9 @@ struct LineGrain {
 ScallopLoop
 smoothed(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size_t>& from);
 
+/** Points of \p loop to keep, ascending, the first among them: straight lines between them pass the others within \p tolerance and
+ *  are no longer than \p longest, both in step-overs. */
+std::vector<std::size_t>
+pointsKept(const ScallopLoop& loop, double tolerance, double longest);
+
 } // namespace pcl_spiral

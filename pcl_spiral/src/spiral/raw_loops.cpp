@@ -16,6 +16,8 @@ constexpr double fine_step = 0.08;    // of a loop's points in the band, step-ov
 constexpr double fine_width = 0.3;    // half the length its jaggedness is smoothed over there
 constexpr double coarse_step = 0.4;   // the same elsewhere, in edges of the mesh
 constexpr double coarse_width = 1.2;
+constexpr double straight_within = 0.002; // points that a straight line passes so near are left out, step-overs
+constexpr double longest_straight = 4.0;
 constexpr double shortest_loop = 0.5; // step-overs
 constexpr double off_nodes = 1e-6;    // share of an edge that loops keep off its ends
 
@@ -101,11 +103,16 @@ finishedLoop(const StepOverDistance& field, const RawLoop& loop, std::vector<std
     grain.widths.push_back(fine ? fine_width : std::max(fine_width, coarse_width * field.usual_edge));
   }
   std::vector<std::size_t> from;
-  ScallopLoop line = smoothed(loop.line, grain, from);
-  is_near.resize(from.size());
-  for (std::size_t i = 0; i < from.size(); ++i)
-    is_near[i] = loop.is_near[from[i]] || loop.is_near[(from[i] + 1) % loop.is_near.size()];
-  return line;
+  const ScallopLoop line = smoothed(loop.line, grain, from);
+  ScallopLoop thin;
+  thin.level = line.level;
+  for (const std::size_t i : pointsKept(line, straight_within, longest_straight)) {
+    thin.points.push_back(line.points[i]);
+    thin.metric.push_back(line.metric[i]);
+    is_near.push_back(loop.is_near[from[i]] || loop.is_near[(from[i] + 1) % loop.is_near.size()]);
+  }
+  thin.measure();
+  return thin;
 }
 
 void
