@@ -155,7 +155,7 @@ public:
   void setSense(SpiralSense sense) { settings_.sense = sense; }
   SpiralSense getSense() const { return settings_.sense; }
   /** Nothing is cut against the sense: ConstantScallop makes several passes where loops lie beside each other, with the tool lifted
-   *  between (getPassBegins), and no bridges. Off by default. Radial paths run one way in any case; Published does not know it. */
+   *  between (getPassBegins), and no bridges. Off by default. Radial and Published paths are spirals, one way in any case. */
   void setOneWay(bool one_way) { settings_.one_way = one_way; }
   bool getOneWay() const { return settings_.one_way; }
   /** Along what the distance of turns is measured; AcrossFeed by default. Published ignores it. */
