@@ -136,7 +136,7 @@ layOnMachine(const Job& job, const Machine& machine, Result& result)
   constexpr double deviations = 5.0; // of the noise: no point stands further off the surface
   StageClock clock(result.report.stages);
   const SpiralSettings& s = job.settings;
-  result.program = makeProgram(job.program, machine, s.feed, s.tool_radius, {ballPoses(*result.path, s.tool_radius)},
+  result.program = makeProgram(job.program, machine, s.feed, s.tool_radius, ballPasses(*result.path, s.tool_radius),
                                result.report.warnings);
   LedTool tool;
   tool.cutter = CutterShape::ball(s.tool_radius);

@@ -71,23 +71,13 @@ writeOne(const Job& job, const Result& result, const std::string& output, const 
   writeToolpath(file, path, motion);
 }
 
-/** CLDATA and robot frames know no way from one pass to the next. */
-void
-requireOnePass(const Result& result, const std::string& output)
-{
-  if (isExchange(output) && result.passes.size() > 1)
-    throw FileError(output, "the path has " + std::to_string(result.passes.size()) +
-                                " passes, and this format no moves between them; write a .ngc or .nc, or drive one pass "
-                                "(--drive helix, curve)");
-}
-
 } // namespace
 
 void
 writeOutputs(const Job& job, const Result& result, OutputFiles& files)
 try {
   for (const std::string& output : job.outputs)
-    requireOnePass(result, output);
+    requireOnePass(result.passes.size(), output, "drive one pass (--drive helix, curve)");
   for (std::size_t i = 0; i < job.outputs.size(); ++i) {
     if (cancelled())
       throw Cancelled();

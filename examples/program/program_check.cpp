@@ -3,6 +3,7 @@
 #include "terminal/option_values.h"
 
 #include <pcl_spiral/common/message.h>
+#include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/setting_names.h>
 
 #include <algorithm>
@@ -27,6 +28,14 @@ isExchange(const std::string& output)
 {
   const std::string extension = extensionOf(output);
   return extension == ".apt" || extension == ".cls" || extension == ".yaml";
+}
+
+void
+requireOnePass(std::size_t passes, const std::string& output, const std::string& remedy)
+{
+  if (isExchange(output) && passes > 1)
+    throw FileError(output, "the path has " + std::to_string(passes) +
+                                " passes, and this format no moves between them; write a .ngc or .nc, or " + remedy);
 }
 
 bool

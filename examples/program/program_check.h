@@ -5,6 +5,7 @@
 
 #include "program_job.h"
 
+#include <cstddef>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@
 bool isProgram(const std::string& output);
 /** .apt .cls .yaml */
 bool isExchange(const std::string& output);
+/** CLDATA and robot frames know no way from one pass to the next. \p remedy: how to make one pass. \throw FileError */
+void requireOnePass(std::size_t passes, const std::string& output, const std::string& remedy);
 /** Whether a program is made, to write or to draw. */
 bool hasProgram(const ProgramJob& program, const std::vector<std::string>& outputs);
 

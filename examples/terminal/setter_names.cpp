@@ -7,7 +7,7 @@
 namespace {
 
 /** Each is replaced where the program has the first option that the second names. */
-constexpr std::array<std::pair<const char*, const char*>, 29> words{{
+constexpr std::array<std::pair<const char*, const char*>, 30> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
@@ -22,6 +22,7 @@ constexpr std::array<std::pair<const char*, const char*>, 29> words{{
     {"setPitch", "--pitch"},
     {"setHoleHandling", "--holes"},
     {"setHoleSize", "--hole-size"},
+    {"setOneWay", "--one-way"},
     {"setHoleMargin", "--hole-margin"},
     {"setRimOverhang", "--rim"},
     {"setLeastTurnRadius", "--turn-radius"},

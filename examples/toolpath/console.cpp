@@ -38,6 +38,8 @@ printMethod(const pcl_spiral::SpiralReport& report)
                 plural(report.fingers));
     std::printf("spiral          %zu turn%s, %zu points; %.0f %% against the sense asked for; sharpest turns %.2f step-overs\n",
                 report.turns, plural(report.turns), report.path_points, 100.0 * report.reversed_share, report.turn_radius);
+    if (!report.pass_begins.empty())
+      std::printf("passes          %zu, %.3f m of lifts between them\n", report.pass_begins.size() + 1, 0.001 * report.lift_length);
     return;
   }
   std::printf("radial lines    %zu, %s\n", report.radial_lines.size(), report.harmonic_lines ? "harmonic" : "geodesic");

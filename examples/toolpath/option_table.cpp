@@ -102,6 +102,7 @@ spiral(SpiralSettings& s)
         [&s](const std::string& value) { setRim(s.rim_overhang, value); }},
        choiceOption("direction", "outward by default: --direction inward", s.direction),
        choiceOption("sense", "which way the cutter travels round, seen from outside; ccw by default: --sense cw", s.sense),
+       switchOption("one-way", "cut in that sense alone: several passes, lifts between, where loops lie beside each other", s.one_way),
        choiceOption("method",
                     "shortest, the default: of the two that follow the one foreseen to take less machine time; radial: turns about a "
                     "centre or a hole; constant-scallop: loops along rim and holes, linked to one path; published: the chain of Wu "

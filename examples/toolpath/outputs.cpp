@@ -83,7 +83,9 @@ writeMoves(const Job& job, const Result& result, const std::string& title, const
 void
 writeOutputs(const Job& job, Result& result, OutputFiles& files)
 try {
-  const ToolpathMotion motion{job.settings.tool_radius, job.settings.feed};
+  for (const std::string& output : job.outputs)
+    requireOnePass(result.report.pass_begins.size() + 1, output, "leave --one-way out");
+  const ToolpathMotion motion{job.settings.tool_radius, job.settings.feed, {}, result.report.pass_begins};
   const PathValues values{{}, result.heights.deviation, result.heights.scallop};
   const std::string title = std::filesystem::path(job.scan).filename().string();
   PictureFiles pictures;

@@ -16,6 +16,7 @@ struct Options {
   int threads = 0; ///< 0: all
   std::uint64_t first = 0, count = 19; ///< of the random cases
   std::string method = "radial";       ///< of outlines and random cases, as SpiralMethod's words begin
+  bool one_way = false;                ///< outlines without parts against the sense
   std::string only;                    ///< names of outlines, commas between; empty: all
   std::string picture;                 ///< folder for paths and pictures of outlines; empty: none
   bool places = false;                 ///< print where every figure was found, not the broken ones alone

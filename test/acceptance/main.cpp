@@ -49,7 +49,7 @@ usage()
   std::fprintf(stderr, "usage: pcl_spiral_acceptance CASE [--seed N] [--threads N] [--first N] [--count N]\n"
                        "       pcl_spiral_acceptance random [--method %s] [--seed N] [--first N] [--count N]\n"
                        "       pcl_spiral_acceptance outlines [--method %s] [--only NAME,NAME] [--variation N]\n"
-                       "         [--scallop MM] [--points N] [--size SCALE] [--picture FOLDER] [--places 0|1] [--seed N] [--threads N]\n"
+                       "         [--scallop MM] [--points N] [--size SCALE] [--picture FOLDER] [--places 0|1] [--one-way 0|1] [--seed N] [--threads N]\n"
                        "cases:",
                choiceList<SpiralMethod>().c_str(), choiceList<SpiralMethod>().c_str());
   for (const auto& [name, judge] : cases())
@@ -82,6 +82,8 @@ take(const std::string& name, const char* value, Options& options)
     options.threads = std::atoi(value);
   else if (name == "--places")
     options.places = std::strcmp(value, "1") == 0;
+  else if (name == "--one-way")
+    options.one_way = std::strcmp(value, "1") == 0;
   else if (name == "--points")
     options.points = std::strtoull(value, nullptr, 10);
   else

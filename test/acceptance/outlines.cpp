@@ -36,6 +36,7 @@ planned(const OutlineCloud& cloud, const Options& options, const test::JudgeSett
   generator.setToolRadius(judge.tool_radius);
   generator.setScallopHeight(judge.scallop_height);
   generator.setMethod(*methodNamed(options.method));
+  generator.setOneWay(options.one_way);
   generator.setNumberOfThreads(static_cast<unsigned int>(options.threads));
   Run made;
   const auto from = std::chrono::steady_clock::now();

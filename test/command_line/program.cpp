@@ -79,6 +79,51 @@ TEST(Program, EveryLanguageAndExchangeFileIsWritten)
   EXPECT_EQ(readText(folder.path("c.yaml")).rfind("- - - - {x: ", 0), 0U);
 }
 
+/** A flat L as the text of an .xyz file. */
+std::string
+ellScan()
+{
+  std::ostringstream text;
+  for (int i = 0; i <= 70; ++i)
+    for (int k = 0; k <= 80; ++k)
+      if (i <= 34 || k <= 30)
+        text << i + 0.2 * std::sin(3.0 * i + 7.0 * k) << ' ' << k + 0.2 * std::cos(5.0 * i + 2.0 * k) << " 0\n";
+  return text.str();
+}
+
+TEST(Program, OneWayPathsAreLiftedBetweenPassesAndRefusedWhereNoLiftCanBeSaid)
+{
+  const ScratchFolder folder;
+  writeText(folder.path("ell.xyz"), ellScan());
+  const auto called = [&folder](std::vector<std::string> arguments) {
+    const std::vector<std::string> begin{"ell.xyz", "--tool-radius", "5", "--scallop", "0.1", "--method", "constant-scallop", "--one-way"};
+    arguments.insert(arguments.begin(), begin.begin(), begin.end());
+    return endOf(startProgram(program, arguments, folder), folder);
+  };
+  const RunResult done = called({"-o", "a.nc", "-o", "a.csv", "-o", "a.json", "--dialect", "linuxcnc", "--tool", "3", "--machine",
+                                 machines + "/xyzac.yaml", "--verify"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  expectHas(done.out, "; 0 % against the sense asked for");
+  expectHas(done.out, "passes          3, ");
+  expectHas(readText(folder.path("a.json")), "\"passes\": 3");
+  expectHas(readText(folder.path("a.json")), "\"one_way\": true");
+  std::istringstream lines(readText(folder.path("a.nc")));
+  std::size_t cuts = 0;
+  bool cutting = false;
+  for (std::string line; std::getline(lines, line);) {
+    const bool feeds = line.rfind("G1 ", 0) == 0;
+    cuts += feeds && !cutting;
+    cutting = feeds;
+  }
+  EXPECT_EQ(cuts, 3u); // rapids between
+  for (const std::string file : {"b.apt", "b.yaml"}) {
+    const RunResult refused = called({"-o", file});
+    EXPECT_EQ(refused.code, 1);
+    expectHas(refused.err, "the path has 3 passes, and this format no moves between them; write a .ngc or .nc, or leave --one-way out");
+    EXPECT_FALSE(std::filesystem::exists(folder.path(file)));
+  }
+}
+
 TEST(Program, AJobFileHoldsTheSameNames)
 {
   const ScratchFolder folder;

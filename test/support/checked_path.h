@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -19,7 +20,14 @@ struct CheckedPath {
   std::vector<Eigen::Vector3d> contacts;
   std::vector<Eigen::Vector3d> normals;
   std::vector<double> turns;
+  std::vector<std::size_t> lifted_to; ///< points on the way to which the tool is lifted, ascending
 
+  /** Whether the way from point \p move to the next one cuts nothing. */
+  bool
+  isLift(std::size_t move) const
+  {
+    return std::binary_search(lifted_to.begin(), lifted_to.end(), move + 1);
+  }
   std::size_t
   size() const
   {
@@ -42,6 +50,7 @@ struct Place {
   std::size_t index = 0; ///< of the path point or move
 };
 
+/** The tool is lifted where the arc length stands still on the way to another place. */
 CheckedPath fromToolpath(const pcl::PointCloud<ToolpathPoint>& path);
 
 /** Value at the share \p q of the sorted order, nearest rank; reorders \p values. 0 when there are none. */

@@ -35,7 +35,7 @@ passesOf(const CheckedPath& path, const SweptBall& ball)
   std::vector<Eigen::Vector3d> centres;
   for (std::size_t i = 0; i < path.size(); ++i) {
     centres.push_back(path.contacts[i] + ball.radius * path.normals[i]);
-    if (i + 1 < path.size() && (path.contacts[i + 1] - path.contacts[i]).norm() <= ball.longest_move)
+    if (i + 1 < path.size() && !path.isLift(i) && (path.contacts[i + 1] - path.contacts[i]).norm() <= ball.longest_move)
       continue;
     const std::size_t count = centres.size();
     passes.push_back({MoveTree(std::move(centres)), i + 1 - count});

@@ -58,7 +58,7 @@ strictCrossings(const AnalyticSurface& surface, const CheckedPath& path, int thr
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(tree.moves()); ++i)
     tree.laterOverlaps(static_cast<std::size_t>(i), [&](std::size_t j) {
       const auto at = static_cast<std::size_t>(i);
-      const double depth = j > at + 1 ? crossingDepth(path, at, j) : 0.0;
+      const double depth = j > at + 1 && !path.isLift(at) && !path.isLift(j) ? crossingDepth(path, at, j) : 0.0;
       if (depth > rounding) {
         const Place place{depth, path.contacts[at], surface.rimDistance(path.contacts[at]), path.turn(at),
                           at};
@@ -78,7 +78,7 @@ jumps(const CheckedPath& path, double longest)
   std::vector<Place> found;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     const double length = (path.contacts[i + 1] - path.contacts[i]).norm();
-    if (!(length <= longest))
+    if (!(length <= longest) && !path.isLift(i))
       found.push_back({length, path.contacts[i], 0.0, path.turn(i), i});
   }
   return found;

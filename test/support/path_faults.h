@@ -10,11 +10,11 @@
 
 namespace pcl_spiral::test {
 
-/** Crossings of two moves, strict: in the tangent plane of the first each passes the other's line, by more than
+/** Crossings of two moves that cut, strict: in the tangent plane of the first each passes the other's line, by more than
  *  single precision rounds. Value: how far, the least of the four. The deepest first. */
 std::vector<Place> strictCrossings(const AnalyticSurface& surface, const CheckedPath& path, int threads = 0);
 
-/** Moves longer than \p longest, in order; value: the length. */
+/** Moves that cut and are longer than \p longest, in order; value: the length. */
 std::vector<Place> jumps(const CheckedPath& path, double longest);
 
 } // namespace pcl_spiral::test

@@ -74,6 +74,8 @@ judgeMotion(const AnalyticSurface& surface, const JudgedArea& area, const Checke
             const JudgeSettings& s, double longest, JudgedFigures& f)
 {
   f.length = lineLength(path.contacts);
+  for (const std::size_t i : path.lifted_to)
+    f.length -= (path.contacts[i] - path.contacts[i - 1]).norm();
   f.seconds = machineTime(path.contacts, s.speed, s.acceleration, 0.15 * f.pitch);
   f.turning = turningRadii(path.contacts, f.pitch);
   f.reversals = reversals(path.contacts, f.pitch);

@@ -1,10 +1,12 @@
 // One path over loops drawn by hand: every loop is travelled, nothing crosses.
+#include <pcl_spiral/core/pass_ranges.h>
 #include <pcl_spiral/spiral/loop_linking.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 using namespace pcl_spiral;
 using Eigen::Vector3d;
@@ -138,6 +140,69 @@ TEST(LoopLinking, ALobesLoopsAreBridged)
   EXPECT_EQ(path.chain_loops, 10u);
   EXPECT_EQ(path.bridges + path.dots, 7u);
   EXPECT_GT(std::count(path.reversed.begin(), path.reversed.end(), 1), 0);
+}
+
+/** How often the passes cross the line from (x, 0) by \p reach at \p angle, less how often they do the other way round; \p back: how
+ *  often that is. */
+int
+timesRound(const LinkedPath& path, double x, double reach, double angle, int& back)
+{
+  const Vector3d from(x, 0.0, 0.0), to = from + reach * Vector3d(std::cos(angle), std::sin(angle), 0.0);
+  int round = 0;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const Vector3d &a = path.points[i - 1], &b = path.points[i];
+    if (beginsPass(path.passes, i) || !cross(from, to, a, b))
+      continue;
+    const bool forth = (to - from).cross(b - a).z() > 0.0;
+    round += forth ? 1 : -1;
+    back += !forth;
+  }
+  return round;
+}
+
+TEST(LoopLinking, OneWayEveryLoopIsTravelledOnceInItsSense)
+{
+  std::vector<ScallopLoop> loops{ring(20.0, 0.0, 0)};
+  for (int k = 0; k < 9; ++k)
+    loops.push_back(ring(9.5 - k, -9.5, k + 1));
+  for (int k = 0; k < 7; ++k)
+    loops.push_back(ring(8.9 - k, 10.1, k + 1));
+  LinkedPath path;
+  const Status status = linkLoops(loops, path, std::nullopt, true);
+  ASSERT_TRUE(status.ok()) << status.message();
+  ASSERT_EQ(path.passes.size(), 1u);
+  EXPECT_EQ(path.bridges, 0u);
+  EXPECT_EQ(std::count(path.reversed.begin(), path.reversed.end(), 1), 0);
+  for (const PassRange& pass : passRanges(path.passes, path.points.size()))
+    EXPECT_EQ(crossings(Polyline(path.points.begin() + static_cast<std::ptrdiff_t>(pass.begin), path.points.begin() + static_cast<std::ptrdiff_t>(pass.end))), 0u);
+  for (const auto& [x, reach, count] : {std::tuple(-9.5, 9.9, 9), std::tuple(10.1, 9.3, 7)}) {
+    std::vector<int> times;
+    int back = 0;
+    for (int k = 0; k < 90; ++k)
+      times.push_back(timesRound(path, x, reach, 0.01 + 2.0 * M_PI * k / 90.0, back));
+    EXPECT_EQ(back, 0);
+    EXPECT_GT(std::count(times.begin(), times.end(), count), 60); // but beside the ends of a pass, where its strips are travelled twice
+    EXPECT_LE(*std::max_element(times.begin(), times.end()), count + 2);
+    EXPECT_GE(*std::min_element(times.begin(), times.end()), count - 1);
+  }
+  EXPECT_EQ(path.joints.size() + 1, loops.size());
+  EXPECT_EQ(std::count_if(path.joints.begin(), path.joints.end(), [](const LoopJoint& j) { return j.kind == LoopJointKind::Lift; }), 1);
+}
+
+TEST(LoopLinking, OneWayALoopThatStandsAloneIsAPass)
+{
+  std::vector<ScallopLoop> loops;
+  for (int k = 0; k < 5; ++k)
+    loops.push_back(ring(8.0 - k, 0.0, k));
+  loops.push_back(ring(4.0, 30.0, 1));
+  LinkedPath path;
+  const Status status = linkLoops(loops, path, std::nullopt, true);
+  ASSERT_TRUE(status.ok()) << status.message();
+  ASSERT_EQ(path.passes.size(), 1u);
+  int back = 0;
+  for (int k = 0; k < 12; ++k)
+    EXPECT_LE(timesRound(path, 30.0, 6.0, 0.01 + M_PI * k / 6.0, back), 1);
+  EXPECT_LT(farthest(loops.back(), path.points), 0.2);
 }
 
 TEST(LoopLinking, NoBridgeLeadsAcrossALoop)

@@ -117,6 +117,7 @@ composed(const Cloud::ConstPtr& cloud, const SpiralSettings& s)
   linking.setInputLoops(by_hand.loops.loops);
   linking.setDirection(s.direction);
   linking.setSense(s.sense);
+  linking.setOneWay(s.one_way);
   linking.setNumberOfThreads(s.threads);
   linking.compute(by_hand.linked);
   expectDone(linking);
@@ -163,6 +164,9 @@ expectByHandAndInOneCallTheSame(const Cloud::ConstPtr& cloud, const SpiralSettin
   expectSame(by_hand.path, path);
   EXPECT_EQ(by_hand.figures.bridges, spiral.getReport().bridges);
   EXPECT_EQ(by_hand.figures.reversed_share, spiral.getReport().reversed_share);
+  EXPECT_EQ(by_hand.path.passes, spiral.getPassBegins());
+  EXPECT_EQ(by_hand.figures.lifts, spiral.getPassBegins().size());
+  EXPECT_EQ(by_hand.figures.lift_length, spiral.getReport().lift_length);
   EXPECT_EQ(by_hand.figures.least_length, spiral.getReport().least_length);
   EXPECT_EQ(by_hand.loops.axes.size(), spiral.getReport().fingers);
 }
@@ -186,6 +190,10 @@ TEST_F(ScallopStages, ByHandAndInOneCallTheSameBytes)
   s.direction = SpiralDirection::Inward;
   s.sense = SpiralSense::Clockwise;
   expectByHandAndInOneCallTheSame(part("holes_2"), s);
+  s = settings();
+  s.one_way = true;
+  for (s.threads = 1; s.threads <= 3; s.threads += 2)
+    expectByHandAndInOneCallTheSame(part("holes_2"), s);
 }
 
 TEST_F(ScallopStages, WhatIsNotGivenIsMadeByTheSameRules)

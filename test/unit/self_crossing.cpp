@@ -36,6 +36,19 @@ TEST(SelfCrossing, FindsThePointThatLeavesItsTurn)
   EXPECT_NEAR(static_cast<double>(*found), 1999.5, 1.0);
 }
 
+TEST(SelfCrossing, ALiftCrossesNothing)
+{
+  auto path = spiral(4000);
+  const std::size_t begin = path.size();
+  for (int i = 0; i < 10; ++i) // a pass of its own, from the other side of all turns
+    path.push_back({-205.0 - i, 0.0, 39.0});
+  const std::vector<Eigen::Vector3d> normals(path.size(), Eigen::Vector3d::UnitZ());
+  EXPECT_TRUE(pcl_spiral::firstSelfCrossing(path, normals));
+  EXPECT_FALSE(pcl_spiral::firstSelfCrossing(path, normals, 0.0, {}, {begin}));
+  path.push_back({-190.0, 0.1, 36.1});
+  EXPECT_TRUE(pcl_spiral::firstSelfCrossing(path, normals, 0.0, {}, {begin})); // but what is cut then does
+}
+
 TEST(SelfCrossing, ALongSearchIsEndedOnTheWay)
 {
   pcl_spiral::Polyline zigzag;

@@ -1,5 +1,7 @@
 #include <pcl_spiral/core/self_crossing.h>
 
+#include <pcl_spiral/core/pass_ranges.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -23,7 +25,7 @@ class SegmentCells {
 public:
   using Cell = Eigen::Matrix<std::int64_t, 3, 1>;
 
-  SegmentCells(const Polyline& path, double width) : path_(path), width_(width)
+  SegmentCells(const Polyline& path, const std::vector<std::size_t>& passes, double width) : path_(path), width_(width)
   {
     const std::size_t segments = path.size() - 1;
     std::size_t buckets = 1;
@@ -33,14 +35,16 @@ public:
     begin_.assign(buckets + 1, 0);
     // Each segment's place depends on those before it: serial.
     for (std::size_t i = 0; i < segments; ++i)
-      forBuckets(i, 0.0, [&](std::size_t bucket) { ++begin_[bucket]; });
+      if (!beginsPass(passes, i + 1))
+        forBuckets(i, 0.0, [&](std::size_t bucket) { ++begin_[bucket]; });
     std::uint32_t before = 0;
     for (std::uint32_t& entry : begin_)
       entry = before += entry;
     segments_.resize(before);
     for (std::size_t i = segments; i-- > 0;)
-      forBuckets(i, 0.0,
-                 [&](std::size_t bucket) { segments_[--begin_[bucket]] = static_cast<std::uint32_t>(i); });
+      if (!beginsPass(passes, i + 1))
+        forBuckets(i, 0.0,
+                   [&](std::size_t bucket) { segments_[--begin_[bucket]] = static_cast<std::uint32_t>(i); });
   }
 
   /** Call \p visit with the segments after the next one that may come within \p margin of a segment. */
@@ -109,14 +113,14 @@ cross(const Polyline& p, std::size_t i, std::size_t j, const Eigen::Vector3d& n,
 
 std::optional<std::size_t>
 firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& normals, double slack,
-                  const std::function<bool(double)>& go_on)
+                  const std::function<bool(double)>& go_on, const std::vector<std::size_t>& passes)
 {
   if (path.size() < 4)
     return std::nullopt;
   const auto segments = static_cast<std::int64_t>(path.size()) - 1;
   double longest = 0.0, sum = 0.0;
   for (std::int64_t i = 0; i < segments; ++i) { // serial: a sum whose rounding depends on its order
-    const double length = (path[i + 1] - path[i]).norm();
+    const double length = beginsPass(passes, static_cast<std::size_t>(i) + 1) ? 0.0 : (path[i + 1] - path[i]).norm();
     longest = std::max(longest, length);
     sum += length;
   }
@@ -125,7 +129,7 @@ firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& norm
   const double width =
       std::max(width_in_mean * sum / static_cast<double>(segments), longest / most_cells_along);
   const double margin = margin_in_slack * slack + margin_in_width * width;
-  const SegmentCells cells(path, width);
+  const SegmentCells cells(path, passes, width);
   auto first = std::numeric_limits<std::int64_t>::max();
   for (std::int64_t begin = 0; begin < segments && first > segments; begin += chunk) {
     if (go_on && !go_on(static_cast<double>(begin) / static_cast<double>(segments)))
@@ -133,7 +137,7 @@ firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& norm
     const std::int64_t end = std::min(begin + chunk, segments);
 #pragma omp parallel for schedule(dynamic, 1024) reduction(min : first)
     for (std::int64_t i = begin; i < end; ++i) {
-      if (i >= first)
+      if (i >= first || beginsPass(passes, static_cast<std::size_t>(i) + 1))
         continue;
       const Eigen::Vector3d start = path[i], along = path[i + 1] - start, left = normals[i].cross(along);
       cells.visitNear(i, margin, [&](std::size_t j) {

@@ -1,5 +1,6 @@
 #include "post_text.h"
 
+#include <pcl_spiral/common/pass_begins.h>
 #include <pcl_spiral/core/frame.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
@@ -54,6 +55,9 @@ writeRobotFrames(const std::string& file, const Path& path)
 {
   if (path.empty())
     throw FileError(file, "not written: the path has no points");
+  if (const std::size_t lifts = passBegins(path).size(); lifts > 0)
+    throw FileError(file, "not written: the path has " + std::to_string(lifts + 1) + " passes, and robot frames no moves between them: make a "
+                              "machine's program, or cut both ways (setOneWay)");
   constexpr int decimals = 9; // a nanometre
   PostText out(file, decimals);
   for (std::size_t i = 0; i < path.size(); ++i) {

@@ -18,7 +18,7 @@ struct VtpArray {
   std::size_t offset = 0; ///< in the appended data
 };
 
-/** Reads a polyline whose arrays follow the XML as they are: appended, raw, not compressed. */
+/** Reads polylines, one after the other, whose arrays follow the XML as they are: appended, raw, not compressed. */
 class VtpFile {
 public:
   VtpFile(const std::string& file, std::string_view bytes) : file_(file), bytes_(bytes)
@@ -147,8 +147,8 @@ private:
   void
   takePiece(const Attributes& attributes)
   {
-    if (points_ > 0 || countIn(attributes, "NumberOfLines") != 1)
-      fail("holds more or less than one polyline; a toolpath is one");
+    if (points_ > 0 || countIn(attributes, "NumberOfLines") == 0)
+      fail("holds more than one piece or no polyline; a toolpath is one piece, with a polyline a pass");
     points_ = countIn(attributes, "NumberOfPoints");
   }
 

@@ -37,6 +37,7 @@ scallopRows(const SpiralReport& r)
           {"Fingers", std::to_string(r.fingers)},
           {"Efficiency: least length / path length", words("%.3f", r.least_length / r.path_length)},
           {"Travelled against the sense asked for", words("%.0f %%", 100.0 * r.reversed_share)},
+          {"Passes", r.pass_begins.empty() ? std::string("1") : words("%zu, %.3f m of lifts between them", r.pass_begins.size() + 1, 0.001 * r.lift_length)},
           {"Radius of the sharpest turns", words("%.2f step-overs", r.turn_radius)}};
 }
 
@@ -124,7 +125,7 @@ addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
         place(s.view_point, "none: the cutter comes from +z, or the convex side")},
        {"Cutter on the other side", s.flip_normals ? "yes" : "no"},
        {"Boundaries", choiceName(s.boundary_mode)},
-       {"Direction, sense", choiceName(s.direction) + ", " + choiceName(s.sense)},
+       {"Direction, sense", choiceName(s.direction) + ", " + choiceName(s.sense) + (s.one_way ? ", one way" : "")},
        {"Pitch measured", choiceName(s.pitch)},
        {"Lines", choiceName(s.lines)},
        {"Holes", choiceName(s.holes) + (s.hole_size > 0.0 ? words(", at least %g mm wide", s.hole_size) : "") +

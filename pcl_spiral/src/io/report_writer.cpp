@@ -49,6 +49,7 @@ settingsJson(const SpiralSettings& s)
           {"boundaries", choiceName(s.boundary_mode)},
           {"direction", choiceName(s.direction)},
           {"sense", choiceName(s.sense)},
+          {"one_way", s.one_way},
           {"method", choiceName(s.method)},
           {"pitch", choiceName(s.pitch)},
           {"lines", choiceName(s.lines)},
@@ -99,7 +100,9 @@ scallopJson(const SpiralReport& report)
           {"chain_loops", report.chain_loops},
           {"bridges", report.bridges},
           {"fingers", report.fingers},
-          {"reversed_share", report.reversed_share}};
+          {"reversed_share", report.reversed_share},
+          {"passes", report.pass_begins.size() + 1},
+          {"lift_length", report.lift_length}};
 }
 
 Json

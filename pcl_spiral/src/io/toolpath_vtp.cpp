@@ -1,6 +1,7 @@
 #include "byte_file.h"
 #include "quiet_vtk.h"
 
+#include <pcl_spiral/common/pass_begins.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
@@ -15,6 +16,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <stdexcept>
 
@@ -59,11 +61,16 @@ polyData(const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motio
   std::vector<vtkIdType> order(path.size());
   std::iota(order.begin(), order.end(), 0);
   vtkNew<vtkCellArray> lines;
+  const std::vector<std::size_t> passes = motion.passes.empty() ? passBegins(path) : motion.passes;
   std::vector<std::size_t> begins{0};
-  begins.insert(begins.end(), motion.passes.begin(), motion.passes.end());
+  begins.insert(begins.end(), passes.begin(), passes.end());
   for (std::size_t i = 0; i < begins.size(); ++i) {
     const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : order.size();
-    lines->InsertNextCell(static_cast<vtkIdType>(end - begins[i]), order.data() + begins[i]);
+    const std::array<vtkIdType, 2> alone{order[begins[i]], order[begins[i]]}; // VTK cannot write a line of one point
+    if (end == begins[i] + 1)
+      lines->InsertNextCell(2, alone.data());
+    else
+      lines->InsertNextCell(static_cast<vtkIdType>(end - begins[i]), order.data() + begins[i]);
   }
 
   auto data = vtkSmartPointer<vtkPolyData>::New();

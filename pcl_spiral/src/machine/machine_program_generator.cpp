@@ -5,6 +5,8 @@
 #include "turn_passes.h"
 
 #include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/pass_begins.h>
+#include <pcl_spiral/core/pass_ranges.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 
 #include <pcl/console/print.h>
@@ -159,11 +161,21 @@ ballPoses(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius)
   return poses;
 }
 
+std::vector<ToolPoses>
+ballPasses(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius)
+{
+  const ToolPoses poses = ballPoses(path, ball_radius);
+  std::vector<ToolPoses> passes;
+  for (const PassRange& pass : passRanges(passBegins(path), poses.size()))
+    passes.emplace_back(poses.begin() + static_cast<std::ptrdiff_t>(pass.begin), poses.begin() + static_cast<std::ptrdiff_t>(pass.end));
+  return passes;
+}
+
 void
 MachineProgramGenerator::setInputPath(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius)
 {
   settings_.ball_radius = ball_radius;
-  passes_ = {ballPoses(path, ball_radius)};
+  passes_ = ballPasses(path, ball_radius);
 }
 
 Status

@@ -6,6 +6,7 @@
 #include "turn_radius.h"
 
 #include <pcl_spiral/common/freed_memory.h>
+#include <pcl_spiral/core/pass_ranges.h>
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/path_sampling.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
@@ -24,7 +25,7 @@ lengthOf(const LinkedPath& path, bool reversed_alone)
 {
   double sum = 0.0;
   for (std::size_t i = 1; i < path.points.size(); ++i)
-    if (!reversed_alone || path.reversed[i])
+    if (!beginsPass(path.passes, i) && (!reversed_alone || path.reversed[i]))
       sum += (path.points[i] - path.points[i - 1]).norm();
   return sum;
 }
@@ -40,6 +41,18 @@ turnRound(std::vector<ScallopLoop>& loops)
   }
 }
 
+/** The tool's ways from pass to pass. */
+double
+liftsOf(const LinkedPath& path)
+{
+  double sum = 0.0;
+  for (const std::size_t i : path.passes)
+    sum += (path.points[i] - path.points[i - 1]).norm();
+  return sum;
+}
+
+/** Every pass the other way, and the last first: what was uncut on one side of each stays so, and the pass along the rim comes
+ *  last. */
 void
 reversePath(LinkedPath& path)
 {
@@ -50,6 +63,9 @@ reversePath(LinkedPath& path)
   std::reverse(path.turns.begin(), path.turns.end());
   for (float& t : path.turns)
     t = last - t;
+  std::reverse(path.passes.begin(), path.passes.end());
+  for (std::size_t& begin : path.passes)
+    begin = path.points.size() - begin;
 }
 
 /** The loops with so few points that a picture shows them all the same. */
@@ -96,7 +112,7 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
   const bool inward = settings.direction == SpiralDirection::Inward;
   if (inward != (settings.sense == SpiralSense::CounterClockwise))
     turnRound(loops);
-  if (const Status status = linkLoops(loops, path, settings.start_point); !status.ok())
+  if (const Status status = linkLoops(loops, path, settings.start_point, settings.one_way); !status.ok())
     return status;
   figures.loops = loops.size();
   const double rim = loops.front().length();
@@ -127,6 +143,8 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
   if (!inward)
     reversePath(path);
   figures.reversed_share = lengthOf(path, true) / lengthOf(path, false);
+  figures.lifts = path.passes.size();
+  figures.lift_length = liftsOf(path);
   return Status::success();
 }
 

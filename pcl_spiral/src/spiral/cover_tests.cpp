@@ -1,5 +1,7 @@
 #include "cover_tests.h"
 
+#include <pcl_spiral/core/pass_ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -50,6 +52,17 @@ CoverTests::measure(const SegmentSet& lines, std::size_t first)
 #pragma omp parallel for schedule(dynamic, 1024)
   for (std::int64_t i = static_cast<std::int64_t>(first); i < count; ++i)
     distances[i] = lines.nearest(points[i], metric[i], search_within).distance;
+}
+
+SegmentSet
+passLines(const LinkedPath& path)
+{
+  SegmentSet line;
+  for (const PassRange& pass : passRanges(path.passes, path.points.size()))
+    line.add(Polyline(path.points.begin() + static_cast<std::ptrdiff_t>(pass.begin), path.points.begin() + static_cast<std::ptrdiff_t>(pass.end)),
+             false, pass.begin);
+  line.build();
+  return line;
 }
 
 CoverTests

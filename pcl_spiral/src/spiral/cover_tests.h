@@ -24,6 +24,10 @@ struct CoverTests {
   void measure(const SegmentSet& lines, std::size_t first);
 };
 
+/** The passes of a path; a run's label is its first point. */
+SegmentSet
+passLines(const LinkedPath& path);
+
 /** On and beside the ridges of \p field, where it is no distance, and between the turns of ramps and about bridges: the links of
  *  \p path, whose points \p line holds. */
 CoverTests

@@ -1,5 +1,7 @@
 #include "dot_fingers.h"
 
+#include "moves_cross.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +11,7 @@ namespace {
 constexpr double farthest_dot = 1.7; // of its middle from the loop that reaches out
 constexpr double finger_gap = 0.56;  // cut out of that loop
 constexpr double finger_cap = 0.25;
+constexpr double crossing_reach = 3.0, crossing_grain = 0.1; // of the loop to either side, that a finger must not cross
 constexpr double along_reach = 1.0;  // to either side of the nearest place a better one is looked for
 
 /** Mean of the places along \p loop. */
@@ -56,7 +59,7 @@ private:
         const double u = near.u + x, d = metric.length(loop.at(u) - centre);
         const double chord = metric.length(loop.at(u + finger_gap) - loop.at(u - finger_gap)) / (2.0 * finger_gap);
         const double score = d + 3.0 * (1.0 - chord);
-        if (d < farthest_dot && score < least && loops_.isFree(near.loop, u, finger_gap)) {
+        if (d < farthest_dot && score < least && loops_.isFree(near.loop, u, finger_gap) && !crosses(loop, u, centre)) {
           least = score;
           best = {near.loop, u, d};
         }
@@ -64,6 +67,20 @@ private:
     }
     if (best.loop != LoopPlace::none)
       finger(dot, best, centre);
+  }
+  /** Whether a finger from \p u to \p centre crosses its loop, as about a sharp bend. */
+  static bool
+  crosses(const ScallopLoop& loop, double u, const Eigen::Vector3d& centre)
+  {
+    const double reach = std::min(crossing_reach, 0.5 * loop.length());
+    const Eigen::Vector3d from = loop.at(u - 0.5 * finger_gap), to = loop.at(u + 0.5 * finger_gap), way = centre - loop.at(u);
+    for (double x = 0.5 * finger_gap; x < reach; x += crossing_grain)
+      for (const double side : {-1.0, 1.0}) {
+        const Eigen::Vector3d a = loop.at(u + side * x), b = loop.at(u + side * (x + crossing_grain));
+        if (movesCross(from, from + way, a, b) || movesCross(to, to + way, a, b))
+          return true;
+      }
+    return false;
   }
   void
   finger(std::size_t dot, const LoopPlace& place, const Eigen::Vector3d& centre)

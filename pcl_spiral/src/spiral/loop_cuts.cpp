@@ -91,7 +91,7 @@ CutLoops::addArc(std::size_t loop, double from, double length, bool backward, Li
     path.turns.push_back(static_cast<float>(before + length / line.length() * static_cast<double>(k) / static_cast<double>(piece.points.size() - 1)));
 }
 
-bool
+std::size_t
 CutLoops::walk(const CutEnd& start, LinkedPath& path) const
 {
   std::size_t end = 2 * start.cut + start.at_end, arcs = 0;
@@ -120,7 +120,7 @@ CutLoops::walk(const CutEnd& start, LinkedPath& path) const
     path.turns.resize(path.points.size(), path.turns.back());
     end = connector.to;
   }
-  return arcs == cuts_.size();
+  return arcs;
 }
 
 } // namespace pcl_spiral

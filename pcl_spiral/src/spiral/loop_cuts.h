@@ -49,9 +49,10 @@ public:
   /** The way back from \p u to the next cut, at most \p limit. */
   double freeBehind(std::size_t loop, double u, double limit) const;
 
-  /** The path from the end \p start of a cut on, until an end without a connector, as \p path; false when parts of loops are
-   *  left over. */
-  bool walk(const CutEnd& start, LinkedPath& path) const;
+  std::size_t cuts() const { return cuts_.size(); }
+  /** Append the path from the end \p start of a cut on, until an end without a connector, to \p path. \return how many arcs
+   *  between cuts it travels: all walks together as many as there are cuts, or parts of loops are left over. */
+  std::size_t walk(const CutEnd& start, LinkedPath& path) const;
 
 private:
   struct Connector {

@@ -1,5 +1,6 @@
 #include <pcl_spiral/spiral/loop_linking.h>
 
+#include "branch_passes.h"
 #include "bridges.h"
 #include "dot_fingers.h"
 #include "loop_cuts.h"
@@ -15,7 +16,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double core_overlap = 0.6; // share of the innermost strip that is travelled at the end
 constexpr double grain = 0.1;        // step-overs
 
 /** Part of a loop from \p from over \p length, appended to \p path. */
@@ -97,42 +97,87 @@ chainNear(const std::vector<ScallopLoop>& loops, const LoopFinder& finder, const
   return best;
 }
 
+/** Note how the loops of a chain hang on each other. */
+void
+addJoints(const std::vector<RampStrip>& chain, const CutLoops& loops, std::vector<std::uint8_t>& joined, LinkedPath& path)
+{
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const RampStrip &s = chain[i], &parent = chain[i > 0 ? i - 1 : 0];
+    joined[s.loop] = 1;
+    if (i > 0)
+      path.joints.push_back({s.loop, parent.loop, LoopJointKind::Ramp, loops.loop(s.loop).at(s.u), loops.loop(parent.loop).at(parent.u)});
+  }
+}
+
+/** Append a pass to \p path. \return the arcs between cuts that it travels. */
+std::size_t
+addPass(const SpiralPass& pass, const CutLoops& loops, LinkedPath& path)
+{
+  LinkedPath piece;
+  const RampStrip &first = pass.first(), &last = pass.last();
+  addPart(loops.loop(first.loop), pass.beginArc(), pass.lead_in * first.length, piece);
+  const std::size_t arcs = loops.walk({pass.cuts.front(), true}, piece);
+  if (pass.lead_out > 0.0)
+    addPart(loops.loop(last.loop), last.u - last.length, pass.lead_out * last.length, piece);
+  dropRepeats(piece);
+  const float before = path.turns.empty() ? 0.0f : path.turns.back();
+  if (!path.points.empty())
+    path.passes.push_back(path.points.size());
+  path.points.insert(path.points.end(), piece.points.begin(), piece.points.end());
+  path.metric.insert(path.metric.end(), piece.metric.begin(), piece.metric.end());
+  path.reversed.insert(path.reversed.end(), piece.reversed.begin(), piece.reversed.end());
+  for (const float turn : piece.turns)
+    path.turns.push_back(before + turn);
+  return arcs;
+}
+
+/** The loops beside the first of \p passes as further passes. */
+void
+addBranches(const LoopFinder& finder, std::vector<std::uint8_t>& joined, CutLoops& cuts, LinkedPath& path, std::vector<SpiralPass>& passes)
+{
+  const auto place = [&cuts](const RampStrip& s, double arc) { return cuts.loop(s.loop).at(arc); };
+  for (SpiralPass& pass : findBranches(finder, place(passes[0].last(), passes[0].endArc()), joined, cuts, path)) {
+    const SpiralPass& before = passes.back();
+    path.joints.push_back({pass.first().loop, before.last().loop, LoopJointKind::Lift, place(pass.first(), pass.beginArc()),
+                           place(before.last(), before.endArc())});
+    addJoints(pass.chain, cuts, joined, path);
+    passes.push_back(std::move(pass));
+  }
+}
+
 } // namespace
 
 Status
-linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::optional<Eigen::Vector3d>& start)
+linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::optional<Eigen::Vector3d>& start, bool one_way)
 {
   path = LinkedPath();
   CutLoops cuts(loops);
   const LoopFinder finder(loops);
   const std::size_t innermost = innermostOf(loops);
-  const std::vector<RampStrip> chain = start ? chainNear(loops, finder, cuts, *start) : findMainChain(cuts, finder, innermost, 0, start);
-  if (chain.empty())
+  std::vector<SpiralPass> passes(1);
+  passes[0].chain = start ? chainNear(loops, finder, cuts, *start) : findMainChain(cuts, finder, innermost, 0, start);
+  if (passes[0].chain.empty())
     return {StatusCode::Failed, textOf("no way leads from the innermost loop at ", placeText(loops[innermost].points.front()),
                                        " out to the rim: the surface is too rough there for loops at constant scallop; smooth "
                                        "the scan, or choose the radial method (setMethod)")};
-  const std::vector<std::size_t> ramps = addRamps(chain, cuts, path);
-  path.chain_loops = chain.size();
+  passes[0].cuts = addRamps(passes[0].chain, cuts, path);
+  passes[0].lead_in = rim_overlap;
+  passes[0].lead_out = core_overlap;
+  path.chain_loops = passes[0].chain.size();
   std::vector<std::uint8_t> joined(loops.size(), 0);
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const RampStrip &s = chain[i], &parent = chain[i > 0 ? i - 1 : 0];
-    joined[s.loop] = 1;
-    if (i > 0)
-      path.joints.push_back(
-          {s.loop, parent.loop, LoopJointKind::Ramp, loops[s.loop].at(s.u), loops[parent.loop].at(parent.u)});
-  }
-  const std::size_t left = joinLoops(finder, joined, cuts, path);
-  if (left < loops.size())
+  addJoints(passes[0].chain, cuts, joined, path);
+  if (one_way)
+    addBranches(finder, joined, cuts, path, passes);
+  else if (const std::size_t left = joinLoops(finder, joined, cuts, path); left < loops.size())
     return {StatusCode::Failed, textOf("no loop runs beside the one at ", placeText(loops[left].points.front()), " of ",
                                        loops[left].length(), " step-overs: the path cannot be made in one piece there; choose "
                                        "the radial method (setMethod), or cut the part in pieces")};
-  const RampStrip &first = chain.front(), &last = chain.back();
-  addPart(loops[first.loop], first.u - rim_overlap * first.length, rim_overlap * first.length, path);
-  if (!cuts.walk({ramps.front(), true}, path))
-    return {StatusCode::Failed, textOf("the loops about ", placeText(loops[last.loop].points.front()),
+  std::size_t arcs = 0;
+  for (const SpiralPass& pass : passes)
+    arcs += addPass(pass, cuts, path);
+  if (arcs != cuts.cuts())
+    return {StatusCode::Failed, textOf("the loops about ", placeText(loops[passes[0].last().loop].points.front()),
                                        " could not be made into one path; choose the radial method (setMethod)")};
-  addPart(loops[last.loop], last.u - last.length, core_overlap * last.length, path);
-  dropRepeats(path);
   return Status::success();
 }
 

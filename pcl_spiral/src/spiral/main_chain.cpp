@@ -21,6 +21,7 @@ constexpr std::size_t ramp_points = 60;
 constexpr int ramp_probes = 24;
 constexpr double ramp_clearance = 0.2;   // of a ramp from loops it does not lead to
 constexpr double cost_of_crossing = 50.0;
+constexpr double cost_of_loop = 30.0;    // that a branch leaves to another pass
 
 /** How far a ramp has come from one loop to the next at the share \p t of its strip. */
 double
@@ -50,8 +51,10 @@ nearestTo(const ScallopLoop& loop, const Eigen::Vector3d& point)
 /** Chains from one loop outwards. */
 class ChainFinder {
 public:
-  ChainFinder(const CutLoops& loops, const LoopFinder& finder, const std::optional<Eigen::Vector3d>& start)
-      : loops_(loops), finder_(finder), start_(start), bends_(loops.size())
+  /** \p joined: null, or loops that chains end before. */
+  ChainFinder(const CutLoops& loops, const LoopFinder& finder, const std::optional<Eigen::Vector3d>& start,
+              const std::vector<std::uint8_t>* joined = nullptr)
+      : loops_(loops), finder_(finder), start_(start), joined_(joined), bends_(loops.size())
   {
   }
 
@@ -60,7 +63,8 @@ public:
   {
     loops_at_.assign(finder_.levels(), 0);
     for (std::size_t i = 0; i < loops_.size(); ++i) {
-      findBends(i);
+      if (!isJoined(i))
+        findBends(i);
       ++loops_at_[loops_.loop(i).level];
     }
     const double whole = loops_.loop(innermost).length(), from = start_ ? nearestTo(loops_.loop(innermost), *start_) : 0.0;
@@ -73,14 +77,27 @@ public:
     for (std::int64_t c = 0; c < tries; ++c) {
       chains[c] = walk({innermost, from + whole * static_cast<double>(c % starts) / static_cast<double>(starts)}, drifts[c / starts]);
       if (!chains[c].empty())
-        scores[c] = score(chains[c]) + farness(chains[c]) + (chains[c].back().loop == outer_rim ? 0.0 : 1000.0);
+        scores[c] = score(chains[c]) + farness(chains[c]) + (joined_ || chains[c].back().loop == outer_rim ? 0.0 : 1000.0);
     }
+    if (joined_)
+      preferLong(chains, scores);
     for (std::vector<RampStrip>& chain : chains)
       std::reverse(chain.begin(), chain.end());
     return chains[clearest(chains, scores)];
   }
 
 private:
+  bool isJoined(std::size_t i) const { return joined_ && (*joined_)[i] != 0; }
+  /** Chains over fewer loops leave more to other passes. */
+  static void
+  preferLong(const std::vector<std::vector<RampStrip>>& chains, std::vector<double>& scores)
+  {
+    std::size_t most = 0;
+    for (const std::vector<RampStrip>& chain : chains)
+      most = std::max(most, chain.size());
+    for (std::size_t c = 0; c < chains.size(); ++c)
+      scores[c] += cost_of_loop * static_cast<double>(most - chains[c].size());
+  }
   /** Of \p chains the one of the least score whose ramps cross nothing; the one that crosses least where all do. */
   std::size_t
   clearest(const std::vector<std::vector<RampStrip>>& chains, const std::vector<double>& scores) const
@@ -144,6 +161,8 @@ private:
       const RampStrip& strip = chain.back();
       const ScallopLoop& loop = loops_.loop(strip.loop);
       const LoopPlace left = finder_.nearest(level, loop.at(strip.u), loop.metricAt(strip.u), farthest_step);
+      if (joined_ && (left.loop == LoopPlace::none || isJoined(left.loop)))
+        break;
       if (left.loop == LoopPlace::none)
         return {};
       const double from = strip.u - strip.length;
@@ -224,6 +243,7 @@ private:
   const CutLoops& loops_;
   const LoopFinder& finder_;
   std::optional<Eigen::Vector3d> start_;
+  const std::vector<std::uint8_t>* joined_;
   std::vector<std::vector<double>> bends_;
   std::vector<std::size_t> loops_at_; ///< of each level
 };
@@ -242,6 +262,12 @@ findMainChain(const CutLoops& loops, const LoopFinder& finder, std::size_t inner
               const std::optional<Eigen::Vector3d>& start)
 {
   return ChainFinder(loops, finder, start).best(innermost, outer_rim);
+}
+
+std::vector<RampStrip>
+findBranch(const CutLoops& loops, const LoopFinder& finder, std::size_t innermost, const std::vector<std::uint8_t>& joined)
+{
+  return ChainFinder(loops, finder, std::nullopt, &joined).best(innermost, LoopPlace::none);
 }
 
 std::vector<std::size_t>

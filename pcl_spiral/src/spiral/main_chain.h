@@ -6,6 +6,7 @@
 #include "loop_cuts.h"
 #include "loop_finder.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace pcl_spiral {
 
 /** Share of the rim's strip that is travelled at the start: the path begins there. */
 constexpr double rim_overlap = 0.8;
+/** Share of the innermost strip that is travelled at the end. */
+constexpr double core_overlap = 0.6;
 
 /** A strip of a loop in which a spiral leaves it for the next: from u - length to u. */
 struct RampStrip {
@@ -30,6 +33,11 @@ onRamp(const CutLoops& loops, const RampStrip& a, const RampStrip& b, double t);
 std::vector<RampStrip>
 findMainChain(const CutLoops& loops, const LoopFinder& finder, std::size_t innermost, std::size_t outer_rim,
               const std::optional<Eigen::Vector3d>& start);
+
+/** The same from \p innermost out to a rim, or to the last loop before one whose entry in \p joined is not 0: of many chains one of
+ *  those over most loops. It holds \p innermost at least. */
+std::vector<RampStrip>
+findBranch(const CutLoops& loops, const LoopFinder& finder, std::size_t innermost, const std::vector<std::uint8_t>& joined);
 
 /** Cut the strips out and put ramps in. \return the cuts, one a strip. */
 std::vector<std::size_t>

@@ -4,6 +4,8 @@
 #include "path_densify.h"
 #include "segment_set.h"
 
+#include <pcl_spiral/core/pass_ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -23,7 +25,7 @@ constexpr auto bell_points = static_cast<std::size_t>(bell / grain);
 constexpr double damping = 0.7;
 constexpr int most_rounds = 24;
 
-/** Points first to last of a path. */
+/** Points first to last of a pass. */
 struct PathRun {
   std::size_t first = 0, last = 0;
 };
@@ -88,9 +90,7 @@ private:
 void
 Mover::watch(double held, CoverFigures& figures)
 {
-  SegmentSet line;
-  line.add(path_.points, false);
-  line.build();
+  const SegmentSet line = passLines(path_);
   const CoverTests tests = coverTests(field_, path_, line);
   figures.farthest_before = covered;
   std::vector<std::size_t> places;
@@ -145,7 +145,7 @@ Mover::findRuns()
     lines.forSegmentsNear(at.point, at.metric, looked_at, [&](std::size_t s) { segments.push_back(lines.label(s) + lines.place(s)); });
     std::sort(segments.begin(), segments.end());
     for (const std::size_t s : segments) {
-      if (at.runs.empty() || s > at.runs.back().last + 2)
+      if (at.runs.empty() || s > at.runs.back().last + 2 || passOf(path_.passes, s) != passOf(path_.passes, at.runs.back().first))
         at.runs.push_back({s, s + 1});
       at.runs.back().last = std::max(at.runs.back().last, s + 1);
     }
@@ -164,7 +164,8 @@ Mover::findNear(const SegmentSet& line, const std::vector<std::size_t>& places, 
     std::vector<std::size_t> found;
 #pragma omp for schedule(dynamic, 256) nowait
     for (std::int64_t i = 0; i < count; ++i)
-      line.forSegmentsNear(tests.points[places[i]], tests.metric[places[i]], moved_reach, [&found](std::size_t s) { found.push_back(s); });
+      line.forSegmentsNear(tests.points[places[i]], tests.metric[places[i]], moved_reach,
+                           [&](std::size_t s) { found.push_back(line.label(s) + line.place(s)); });
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
 #pragma omp critical
@@ -179,10 +180,11 @@ Mover::movingLines() const
 {
   SegmentSet lines;
   const std::size_t n = path_.points.size();
-  const auto counts = [this, n](std::size_t i) { return near_[i] || (i > 0 && near_[i - 1]) || (i + 1 < n && near_[i + 1]); };
+  const auto follows = [this, n](std::size_t i) { return i > 0 && i < n && !beginsPass(path_.passes, i); };
+  const auto counts = [&](std::size_t i) { return near_[i] || (follows(i) && near_[i - 1]) || (follows(i + 1) && near_[i + 1]); };
   for (std::size_t i = 0; i < n;) {
     std::size_t end = i;
-    while (end < n && counts(end))
+    while (end < n && counts(end) && (end == i || !beginsPass(path_.passes, end)))
       ++end;
     if (end > i)
       lines.add(Polyline(path_.points.begin() + static_cast<std::ptrdiff_t>(i), path_.points.begin() + static_cast<std::ptrdiff_t>(end)), false, i);
@@ -250,7 +252,8 @@ Mover::pull(const std::vector<std::size_t>& open)
     centres_.push_back(centre);
     const Eigen::Vector3d foot = (1.0 - at.share) * path_.points[at.segment] + at.share * path_.points[at.segment + 1];
     const Eigen::Vector3d way = (at.point - foot) * ((at.distance - aim) / at.distance);
-    const std::size_t low = centre - std::min(centre, bell_points), high = std::min(path_.points.size() - 1, centre + bell_points);
+    const PassRange pass = passRanges(path_.passes, path_.points.size())[passOf(path_.passes, centre)];
+    const std::size_t low = std::max(pass.begin, centre - std::min(centre, bell_points)), high = std::min(pass.end - 1, centre + bell_points);
     for (std::size_t k = low; k <= high; ++k)
       if (moves_[k]) {
         const double off = static_cast<double>(k > centre ? k - centre : centre - k) / (static_cast<double>(bell_points) + 1.0);

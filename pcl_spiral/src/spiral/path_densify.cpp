@@ -1,5 +1,7 @@
 #include "path_densify.h"
 
+#include <pcl_spiral/core/pass_ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -15,14 +17,17 @@ densify(const std::vector<std::uint8_t>& near, double held, double grain, Linked
   dense.metric.reserve(path.points.size());
   double travelled = 0.0;
   for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const bool moves_on = i > 0 && !beginsPass(path.passes, i);
     double step = 0.0;
-    if (i > 0)
+    if (moves_on)
       step = between(path.metric[i - 1], path.metric[i], 0.5).length(path.points[i] - path.points[i - 1]);
-    const bool inside = i > 0 && (near[i] || near[i - 1]);
+    const bool inside = moves_on && (near[i] || near[i - 1]);
     const int parts = inside ? std::max(1, static_cast<int>(std::ceil(step / grain))) : 1;
-    for (int k = i > 0 ? 1 : parts; k <= parts; ++k) {
+    if (i > 0 && !moves_on)
+      dense.passes.push_back(dense.points.size());
+    for (int k = moves_on ? 1 : parts; k <= parts; ++k) {
       const double share = static_cast<double>(k) / parts;
-      const std::size_t before = i > 0 ? i - 1 : i;
+      const std::size_t before = moves_on ? i - 1 : i;
       dense.points.push_back((1.0 - share) * path.points[before] + share * path.points[i]);
       dense.metric.push_back(between(path.metric[before], path.metric[i], share));
       dense.reversed.push_back(path.reversed[i]);
@@ -36,6 +41,7 @@ densify(const std::vector<std::uint8_t>& near, double held, double grain, Linked
   path.metric = std::move(dense.metric);
   path.reversed = std::move(dense.reversed);
   path.turns = std::move(dense.turns);
+  path.passes = std::move(dense.passes);
 }
 
 } // namespace pcl_spiral

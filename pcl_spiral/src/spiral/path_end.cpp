@@ -2,38 +2,79 @@
 
 #include "moves_cross.h"
 
+#include <pcl_spiral/core/pass_ranges.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace pcl_spiral {
 namespace {
 
 constexpr double tail = 5.0;      // step-overs
 constexpr double searched = 60.0; // of the path before
+constexpr double searched_turns = 1.5; // at least
 constexpr double clear = 0.12;
+constexpr std::size_t fewest = 3; // points left
+
+/** How many points at one end of a pass are to go: from where one of the last moves crosses another of the pass. */
+std::size_t
+surplusPoints(const LinkedPath& path, const PassRange& pass, bool at_end)
+{
+  const std::size_t n = pass.end - pass.begin;
+  const auto index = [&](std::size_t k) { return at_end ? pass.end - 1 - k : pass.begin + k; }; // counted from that end
+  const auto point = [&](std::size_t k) -> const Eigen::Vector3d& { return path.points[index(k)]; };
+  std::vector<double> way(n, 0.0); // from the end
+  for (std::size_t k = 1; k < n; ++k)
+    way[k] = way[k - 1] + between(path.metric[index(k)], path.metric[index(k - 1)], 0.5).length(point(k - 1) - point(k));
+  const auto turned = [&](std::size_t k) { return std::abs(path.turns[index(k)] - path.turns[index(0)]); };
+  std::size_t last = 0, farthest = 0;
+  while (last + 1 < n && way[last + 1] < tail)
+    ++last;
+  while (farthest + 1 < n && (way[farthest + 1] < searched || turned(farthest + 1) < searched_turns))
+    ++farthest;
+  for (std::size_t k = std::min(last, n - std::min(n, fewest + 1)); k > 0; --k)
+    for (std::size_t j = k + 3; j <= farthest; ++j)
+      if (movesCross(point(k), point(k - 1), point(j), point(j - 1))) {
+        std::size_t kept = k;
+        while (kept + fewest + 1 < n && way[kept] - way[k] < clear)
+          ++kept;
+        return kept;
+      }
+  return 0;
+}
+
+template <typename Values>
+void
+cut(std::size_t first, std::size_t count, Values& values)
+{
+  values.erase(values.begin() + static_cast<std::ptrdiff_t>(first), values.begin() + static_cast<std::ptrdiff_t>(first + count));
+}
+
+void
+cutPoints(std::size_t first, std::size_t count, std::size_t pass, LinkedPath& path)
+{
+  cut(first, count, path.points);
+  cut(first, count, path.metric);
+  cut(first, count, path.turns);
+  cut(first, count, path.reversed);
+  for (std::size_t later = pass; later < path.passes.size(); ++later)
+    path.passes[later] -= count;
+}
 
 } // namespace
 
 void
 trimEnd(LinkedPath& path)
 {
-  const std::size_t n = path.points.size();
-  std::vector<double> to_end(n, 0.0);
-  for (std::size_t i = n - 1; i > 0; --i)
-    to_end[i - 1] = to_end[i] + between(path.metric[i - 1], path.metric[i], 0.5).length(path.points[i] - path.points[i - 1]);
-  const auto first = static_cast<std::size_t>(std::find_if(to_end.begin(), to_end.end(), [](double s) { return s < tail; }) - to_end.begin());
-  const auto begin = static_cast<std::size_t>(std::find_if(to_end.begin(), to_end.end(), [](double s) { return s < searched; }) - to_end.begin());
-  for (std::size_t i = std::max<std::size_t>(first, 3); i + 1 < n; ++i)
-    for (std::size_t j = begin; j + 2 < i; ++j)
-      if (movesCross(path.points[i], path.points[i + 1], path.points[j], path.points[j + 1])) {
-        std::size_t last = i;
-        while (last > 3 && to_end[last] - to_end[i] < clear)
-          --last;
-        path.points.resize(last + 1);
-        path.metric.resize(last + 1);
-        path.turns.resize(last + 1);
-        path.reversed.resize(last + 1);
-        return;
-      }
+  const std::vector<PassRange> passes = passRanges(path.passes, path.points.size());
+  for (std::size_t p = passes.size(); p-- > 0;) {
+    PassRange pass = passes[p];
+    const std::size_t behind = surplusPoints(path, pass, true);
+    cutPoints(pass.end - behind, behind, p, path);
+    pass.end -= behind;
+    if (p > 0) // the first begins on the rim
+      cutPoints(pass.begin, surplusPoints(path, pass, false), p, path);
+  }
 }
 
 } // namespace pcl_spiral

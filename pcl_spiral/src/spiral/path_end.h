@@ -1,5 +1,5 @@
 /** \file
- *  The inner end of a path, where it must not cross itself.
+ *  The ends of a path's passes, where they must not cross themselves.
  */
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace pcl_spiral {
 
-/** Where one of the last moves of \p path, within five step-overs of its end, crosses another, the path ends 0.12 step-overs
- *  before that. */
+/** Where one of the last moves of a pass of \p path, within five step-overs of its end, crosses another of the pass, this ends 0.12
+ *  step-overs before that. Further passes are cut likewise where they begin; the first begins on the rim. */
 void
 trimEnd(LinkedPath& path);
 

@@ -3,6 +3,7 @@
 #include "path_feet.h"
 
 #include <pcl_spiral/common/message.h>
+#include <pcl_spiral/core/pass_ranges.h>
 #include <pcl_spiral/core/step_over.h>
 
 #include <Eigen/Geometry>
@@ -40,7 +41,8 @@ allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSetting
 #pragma omp parallel for schedule(static, 1024)
     for (std::int64_t k = 0; k < count; ++k) {
       const std::size_t i = begin + static_cast<std::size_t>(k);
-      const Eigen::Vector3d along = path.points[std::min(i + 1, n - 1)] - path.points[i > 0 ? i - 1 : 0];
+      const std::size_t before = i > 0 && !beginsPass(path.passes, i) ? i - 1 : i, after = i + 1 < n && !beginsPass(path.passes, i + 1) ? i + 1 : i;
+      const Eigen::Vector3d along = path.points[after] - path.points[before];
       const Eigen::Vector3d tangent = (along - feet[k].normal * feet[k].normal.dot(along)).normalized();
       const double curvature = feet[k].normalCurvature(tangent);
       const bool fits = cutterFits(settings.tool_radius, curvature); // where not, the path is refused on the surface
@@ -59,7 +61,7 @@ straightTo(const LinkedPath& path, const std::vector<double>& steps, std::size_t
 {
   std::size_t last = first + 1;
   double allowed = std::min(steps[first], steps[last]);
-  for (std::size_t next = first + 2; next < path.points.size(); ++next) {
+  for (std::size_t next = first + 2; next < path.points.size() && !beginsPass(path.passes, next); ++next) {
     allowed = std::min(allowed, steps[next]);
     const Eigen::Vector3d d = path.points[next] - path.points[first];
     if (d.norm() > allowed || next - first > 64)
@@ -88,6 +90,11 @@ samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings&
   longest_step = *std::max_element(steps.begin(), steps.end()) / step_reserve;
   points.push_back({path.points.front(), path.turns.front()});
   for (std::size_t i = 0; i + 1 < path.points.size();) {
+    if (beginsPass(path.passes, i + 1)) {
+      ++i;
+      points.push_back({path.points[i], path.turns[i], true});
+      continue;
+    }
     const std::size_t next = straightTo(path, steps, i, straight_share * settings.chord_error);
     const Eigen::Vector3d d = path.points[next] - path.points[i];
     const auto parts = std::max(1, static_cast<int>(std::ceil(d.norm() / std::min(steps[i], steps[next]))));

@@ -4,6 +4,7 @@
 
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/core/axis_field.h>
+#include <pcl_spiral/core/pass_ranges.h>
 #include <pcl_spiral/core/self_crossing.h>
 #include <pcl_spiral/core/tool_axis.h>
 
@@ -45,7 +46,7 @@ halveStretchedSteps(const Surface& surface, double longest, SpiralPath& path)
   std::vector<std::size_t> ends; // of the steps
   std::vector<Eigen::Vector3d> queries;
   for (std::size_t i = 1; i < path.contacts.size(); ++i) {
-    const double step = (path.contacts[i] - path.contacts[i - 1]).norm();
+    const double step = beginsPass(path.passes, i) ? 0.0 : (path.contacts[i] - path.contacts[i - 1]).norm();
     if (step > longest && step <= slack * longest) {
       ends.push_back(i);
       queries.push_back(0.5 * (path.contacts[i] + path.contacts[i - 1]));
@@ -69,9 +70,66 @@ halveStretchedSteps(const Surface& surface, double longest, SpiralPath& path)
         add(feet[next].position, feet[next].normal, 0.5f * (path.turns[i - 1] + path.turns[i]), isOverGap(feet[next], surface));
       ++next;
     }
+    if (beginsPass(path.passes, i))
+      halved.passes.push_back(halved.contacts.size());
     add(path.contacts[i], path.normals[i], path.turns[i], path.over_gap[i] != 0);
   }
   path = std::move(halved);
+}
+
+/** Lengths cut up to each point; serial: a sum whose rounding depends on its order. */
+std::vector<double>
+cutLengths(const SpiralPath& path)
+{
+  std::vector<double> lengths(path.contacts.size(), 0.0);
+  for (std::size_t i = 1; i < lengths.size(); ++i)
+    lengths[i] = lengths[i - 1] + (beginsPass(path.passes, i) ? 0.0 : (path.contacts[i] - path.contacts[i - 1]).norm());
+  return lengths;
+}
+
+/** Call \p visit with contacts and normals of each pass. */
+template <typename Visit>
+void
+forPasses(const SpiralPath& path, Visit visit)
+{
+  if (path.passes.empty()) // no copies
+    return visit(path.contacts, path.normals);
+  for (const PassRange& pass : passRanges(path.passes, path.contacts.size())) {
+    const auto part = [&pass](const std::vector<Eigen::Vector3d>& values) {
+      return Polyline(values.begin() + static_cast<std::ptrdiff_t>(pass.begin), values.begin() + static_cast<std::ptrdiff_t>(pass.end));
+    };
+    visit(part(path.contacts), part(path.normals));
+  }
+}
+
+/** Axes of all passes, each tilted and smoothed by itself; \p wanted: before they were smoothed. */
+SmoothAxes
+axesOf(const SpiralPath& path, const SpiralSettings& settings, std::vector<Eigen::Vector3d>& wanted)
+{
+  const AxisFieldOptions options{settings.axis_smoothing, radians(settings.axis_deviation), radians(settings.max_axis_rate)};
+  SmoothAxes all;
+  forPasses(path, [&](const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals) {
+    const auto tilted = tiltedAxes(contacts, normals, radians(settings.tilt_angle), radians(settings.lead_angle));
+    const SmoothAxes field = smoothAxes(contacts, tilted, options);
+    wanted.insert(wanted.end(), tilted.begin(), tilted.end());
+    all.axes.insert(all.axes.end(), field.axes.begin(), field.axes.end());
+    all.largest_deviation = std::max(all.largest_deviation, field.largest_deviation);
+    all.largest_change = std::max(all.largest_change, field.largest_change);
+    all.largest_rate = std::max(all.largest_rate, field.largest_rate);
+    all.deviating_points += field.deviating_points;
+  });
+  return all;
+}
+
+/** Moves, but for lifts, on which the surface turns faster than \p rate. */
+std::size_t
+fastMoves(const SpiralPath& path, double rate)
+{
+  std::size_t moves = 0;
+  forPasses(path, [&](const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals) {
+    moves += movesTurningFaster(contacts, normals, rate);
+  });
+  return moves;
 }
 
 } // namespace
@@ -108,6 +166,10 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
   path.normals.resize(curve.size());
   path.turns.resize(curve.size());
   path.over_gap.resize(curve.size());
+  path.passes.clear();
+  for (std::size_t i = 1; i < curve.size(); ++i)
+    if (curve[i].begins_pass)
+      path.passes.push_back(i);
   std::vector<Eigen::Vector3d> queries;
   std::vector<SurfaceFoot> feet;
   for (std::size_t begin = 0; begin < curve.size(); begin += chunk) {
@@ -143,18 +205,15 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
       return {StatusCode::Cancelled, "cancelled"};
   }
   halveStretchedSteps(surface, longest_step, path);
-  path.arc_lengths = arcLengths(path.contacts); // serial: a sum whose rounding depends on its order
+  path.arc_lengths = cutLengths(path);
   return measureGaps(path, settings, figures);
 }
 
 Status
 setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, std::vector<std::string>& warnings)
 {
-  const auto wanted =
-      tiltedAxes(path.contacts, path.normals, radians(settings.tilt_angle), radians(settings.lead_angle));
-  const double rate = radians(settings.max_axis_rate);
-  const SmoothAxes field = smoothAxes(path.contacts, wanted,
-                                      {settings.axis_smoothing, radians(settings.axis_deviation), rate});
+  std::vector<Eigen::Vector3d> wanted;
+  const SmoothAxes field = axesOf(path, settings, wanted);
   const AxisLean lean = largestLean(path.normals, field.axes);
   if (liesInSurface(lean, path.normals, wanted))
     return {StatusCode::Failed,
@@ -171,7 +230,7 @@ setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figur
   figures.largest_deviation = degrees(field.largest_deviation);
   figures.largest_lean = degrees(lean.angle);
   figures.deviating_points = field.deviating_points;
-  if (const std::size_t moves = movesTurningFaster(path.contacts, path.normals, rate); moves > 0)
+  if (const std::size_t moves = fastMoves(path, radians(settings.max_axis_rate)); moves > 0)
     warnings.push_back(textOf("on ", moves, " of ", count - 1,
                                       " moves the surface alone turns faster than the largest axis rate of ",
                                       settings.max_axis_rate,
@@ -187,6 +246,8 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
 {
   figures = PathFigures();
   for (std::size_t i = 1; i < path.contacts.size(); ++i) {
+    if (beginsPass(path.passes, i))
+      continue;
     const double gap = (path.contacts[i] - path.contacts[i - 1]).norm();
     figures.largest_gap = std::max(figures.largest_gap, gap);
     if (!(gap <= slack * longest_step))
@@ -204,7 +265,7 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
     cancelled = progress && !progress(share, "crossings");
     return !cancelled;
   };
-  const auto crossing = firstSelfCrossing(path.contacts, path.normals, settings.chord_error, go_on);
+  const auto crossing = firstSelfCrossing(path.contacts, path.normals, settings.chord_error, go_on, path.passes);
   if (cancelled)
     return {StatusCode::Cancelled, "cancelled"};
   if (crossing)

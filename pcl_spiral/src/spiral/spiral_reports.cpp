@@ -167,6 +167,7 @@ reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, Spi
   report.scallop_lines = figures.lines;
   report.finger_axes = figures.axes;
   report.reversed_share = figures.reversed_share;
+  report.lift_length = figures.lift_length;
   report.least_length = figures.least_length;
   report.turn_radius = figures.turn_radius;
   report.sharpest_place = figures.sharpest_place;

@@ -1,5 +1,7 @@
 #include "turn_radius.h"
 
+#include <pcl_spiral/core/pass_ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -29,8 +31,9 @@ sharpTurns(const LinkedPath& path)
   SharpTurns turns;
   const std::size_t n = path.points.size();
   std::vector<double> arcs(n, 0.0);
+  const std::vector<PassRange> passes = passRanges(path.passes, n);
   for (std::size_t i = 1; i < n; ++i)
-    arcs[i] = arcs[i - 1] + path.metric[i].length(path.points[i] - path.points[i - 1]);
+    arcs[i] = arcs[i - 1] + (beginsPass(path.passes, i) ? 0.0 : path.metric[i].length(path.points[i] - path.points[i - 1]));
   if (n < 3 || arcs.back() < 2.0 * reach)
     return turns;
   const auto at = [&](double s) -> Eigen::Vector3d {
@@ -41,7 +44,8 @@ sharpTurns(const LinkedPath& path)
   const auto count = static_cast<std::int64_t>(n);
 #pragma omp parallel for schedule(static, 1024)
   for (std::int64_t i = 1; i < count - 1; ++i) {
-    if (arcs[i] < reach || arcs[i] > arcs.back() - reach)
+    const PassRange& pass = passes[passOf(path.passes, static_cast<std::size_t>(i))];
+    if (arcs[i] < arcs[pass.begin] + reach || arcs[i] > arcs[pass.end - 1] - reach)
       continue;
     const StepOverMetric& metric = path.metric[i];
     const Eigen::Vector3d before = at(arcs[i] - reach), &here = path.points[i], behind = at(arcs[i] + reach);

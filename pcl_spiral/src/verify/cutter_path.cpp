@@ -1,5 +1,8 @@
 #include <pcl_spiral/verify/cutter_path.h>
 
+#include <pcl_spiral/common/pass_begins.h>
+#include <pcl_spiral/core/pass_ranges.h>
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -45,7 +48,18 @@ readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterP
   }
   if (!with_axes)
     path.axes.clear();
+  path.passes = passBegins(*toolpath);
   return Status::success();
+}
+
+double
+cutLength(const CutterPath& path)
+{
+  double sum = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+    if (!beginsPass(path.passes, i))
+      sum += (path.contacts[i] - path.contacts[i - 1]).norm();
+  return sum;
 }
 
 PathMotion
@@ -54,6 +68,10 @@ pathMotion(const CutterPath& path)
   PathMotion motion;
   Eigen::Vector3d before = Eigen::Vector3d::Zero(); // the last move that is one
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (beginsPass(path.passes, i + 1)) {
+      before.setZero();
+      continue;
+    }
     const Eigen::Vector3d move = path.contacts[i + 1] - path.contacts[i];
     motion.length += move.norm();
     raise(motion.gap, move.norm(), path.contacts[i], i);

@@ -87,8 +87,9 @@ heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p)
   return l * std::sqrt(1.0 + k1 * k1 * u * u + k2 * k2 * v * v);
 }
 
-BallSweep::BallSweep(const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals, double radius)
-: CutterSweep(offset(contacts, normals, radius), radius)
+BallSweep::BallSweep(const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals, double radius,
+                     const std::vector<std::size_t>& passes)
+: CutterSweep(offset(contacts, normals, radius), radius, passes)
 {
 }
 
@@ -98,7 +99,7 @@ BallSweep::enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector
   const Eigen::Vector3d& a = centres()[move];
   const Eigen::Vector3d& b = centres()[move + 1];
   double first = 0.0;
-  if (!entersCapsule(x - a, n, b - a, boundingRadius(), first) || first >= t)
+  if (isLift(move) || !entersCapsule(x - a, n, b - a, boundingRadius(), first) || first >= t)
     return false;
   if (first < -start) {
     if (-start >= t || !contains(move, x - start * n))
@@ -112,7 +113,7 @@ BallSweep::enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector
 bool
 BallSweep::contains(std::size_t move, const Eigen::Vector3d& x) const
 {
-  return squaredDistanceToSegment(x, centres()[move], centres()[move + 1]) <= boundingRadius() * boundingRadius();
+  return !isLift(move) && squaredDistanceToSegment(x, centres()[move], centres()[move + 1]) <= boundingRadius() * boundingRadius();
 }
 
 double

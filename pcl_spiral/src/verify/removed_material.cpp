@@ -124,7 +124,7 @@ Measurement::alongPath()
     std::size_t end = begin;
     for (; end < moves && stations.size() < chunk; ++end) {
       const Eigen::Vector3d &a = path_.contacts[end], &b = path_.contacts[end + 1];
-      const auto pieces = static_cast<std::size_t>(std::clamp(std::ceil((b - a).norm() / longest), 1.0, 1e4));
+      const auto pieces = sweep_.isLift(end) ? 1 : static_cast<std::size_t>(std::clamp(std::ceil((b - a).norm() / longest), 1.0, 1e4));
       for (std::size_t k = 0; k < pieces; ++k) {
         const double f = static_cast<double>(k) / static_cast<double>(pieces);
         stations.push_back({end, f});
@@ -141,6 +141,8 @@ Measurement::alongPath()
       const std::size_t first = static_cast<std::size_t>(b) * block;
       for (std::size_t k = first; k < std::min(first + block, stations.size()); ++k) {
         const Station& station = stations[k];
+        if (sweep_.isLift(station.move))
+          continue;
         const bool ends = k + 1 == stations.size() || stations[k + 1].move != station.move;
         sampler_.along(station.move, station.f, ends ? 1.0 : stations[k + 1].f, feet[k], feet[k + 1], met);
         if (!feet[k].valid)
@@ -184,7 +186,7 @@ Measurement::finish()
   finish(figures_.scallop, ridge_, extremes_.scallop);
   figures_.rim_length = reference_.rimLength();
   figures_.least_length = leastLength(reference_, steps_, feet_, figures_.area);
-  figures_.path_length = length(path_.contacts);
+  figures_.path_length = cutLength(path_);
   if (figures_.path_length > 0.0)
     figures_.efficiency = figures_.least_length / figures_.path_length;
   if (figures_.gouge.value > settings_.tool_radius)

@@ -2,6 +2,9 @@
 
 #include "actors.h"
 
+#include <pcl_spiral/common/pass_begins.h>
+#include <pcl_spiral/core/pass_ranges.h>
+
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
@@ -28,8 +31,10 @@ double
 longestMove(const pcl::PointCloud<ToolpathPoint>& path)
 {
   double longest = 0.0;
+  const std::vector<std::size_t> passes = passBegins(path);
   for (std::size_t i = 1; i < path.size(); ++i)
-    longest = std::max(longest, (placeOf(path[i]) - placeOf(path[i - 1])).norm());
+    if (!beginsPass(passes, i))
+      longest = std::max(longest, (placeOf(path[i]) - placeOf(path[i - 1])).norm());
   return longest;
 }
 
@@ -41,6 +46,7 @@ pathLines(const pcl::PointCloud<ToolpathPoint>& path, double least,
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
   std::vector<vtkIdType> run;
+  const std::vector<std::size_t> passes = passBegins(path);
   std::size_t last = 0;
   const auto add = [&](std::size_t i) {
     run.push_back(points->InsertNextPoint(placeOf(path[i]).data()));
@@ -48,8 +54,10 @@ pathLines(const pcl::PointCloud<ToolpathPoint>& path, double least,
     last = i;
   };
   for (std::size_t i = 0; i < path.size(); ++i) {
+    if (beginsPass(passes, i))
+      run.clear(); // of a single point
     const bool inside = shown(path[i]);
-    const bool ends = !run.empty() && (!inside || i + 1 == path.size());
+    const bool ends = !run.empty() && (!inside || i + 1 == path.size() || beginsPass(passes, i + 1));
     if (ends || (inside && (run.empty() || (placeOf(path[i]) - placeOf(path[last])).norm() >= least)))
       add(i); // a stretch reaches to the first point that is not shown
     if (ends) {

@@ -35,10 +35,10 @@ struct PathLines {
   std::vector<std::uint32_t> points; ///< the path's point at each of the data's
 };
 
-/** The longest move, mm: so far beyond the edge of a view may both ends of a move that crosses it lie. */
+/** The longest move but for lifts, mm: so far beyond the edge of a view may both ends of a move that crosses it lie. */
 double longestMove(const pcl::PointCloud<ToolpathPoint>& path);
 
-/** The stretches of the path for which \p shown is true, without the points nearer than \p least to the last
+/** The stretches of the path's passes for which \p shown is true, without the points nearer than \p least to the last
  * one. */
 PathLines pathLines(const pcl::PointCloud<ToolpathPoint>& path, double least,
                     const std::function<bool(const ToolpathPoint&)>& shown);

@@ -44,7 +44,7 @@ void writeAPT(const std::string& file, const ToolPoses& poses, const AptHeader& 
 
 /** Robot frames as noether nests them: fragments of paths of segments of waypoints {x, y, z, qw, qx, qy, qz},
  * metres; one of each. z is the outward normal, x the direction of travel in the surface. \throw FileError,
- * also for a path without points */
+ * also for a path without points or of several passes */
 void writeRobotFrames(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
 
 } // namespace pcl_spiral

@@ -19,7 +19,7 @@ struct ToolpathMotion {
   double tool_radius = 0.0; ///< ball radius, mm; places the tip
   double feed = 0.0;        ///< at the contact, mm/min
   std::vector<Eigen::Vector3d> tips = {}; ///< of a cutter that is no ball, one a point; empty: of the ball
-  std::vector<std::size_t> passes = {};   ///< where the second pass begins, and each further one; empty: one pass
+  std::vector<std::size_t> passes = {};   ///< where the second pass begins, and each further one; empty: as passBegins finds them
 };
 
 /** More values of a path, one a point; empty: none. */

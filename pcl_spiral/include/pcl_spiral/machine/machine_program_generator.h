@@ -33,6 +33,8 @@ struct ProgramSettings {
 
 /** Poses of a ball cutter along \p path. */
 ToolPoses ballPoses(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);
+/** The same of each pass of \p path, as passBegins finds them. */
+std::vector<ToolPoses> ballPasses(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);
 
 /** Lays a path on a machine: angles on one branch, unwound, blended at the pole; blocks split where the
  * machine would leave the path and thinned where it would not; a finite first axis retracts, unwinds and
@@ -72,7 +74,7 @@ public:
   {
     passes_ = passes;
   }
-  /** The poses of a ball cutter of \p ball_radius mm along \p path; sets the ball radius too. */
+  /** The poses of a ball cutter of \p ball_radius mm along the passes of \p path (ballPasses); sets the ball radius too. */
   void setInputPath(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);
   const std::vector<ToolPoses>&
   getInputPasses() const

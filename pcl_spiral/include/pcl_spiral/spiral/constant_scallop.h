@@ -33,6 +33,8 @@ struct ScallopFigures {
   std::vector<Polyline> axes;   ///< of the fingers
   std::size_t fingers = 0;     ///< places where loops reach out so that no higher ridge is left
   double reversed_share = 0.0; ///< of the path, travelled against the sense asked for, as loops beside the chain must be
+  std::size_t lifts = 0;       ///< from one pass to the next, where the sense asked for is kept everywhere
+  double lift_length = 0.0;    ///< of the straight ways between, which path lengths do not count
   double least_length = 0.0;   ///< integral of dA / largest step-over, and half the rims: no path at this scallop is shorter
   double start_off = 0.0;      ///< mm: the path's end on the rim from the start point asked for
   double rim_length = 0.0;     ///< mm
@@ -51,7 +53,7 @@ makeStepOverField(const Surface& surface, const std::vector<BoundaryLoop>& loops
 
 /** One path over \p loops (linkLoops), which have the surface on their left and the outer rim first, moved where it would leave
  *  more of \p field than asked for; with a null pointer it stays as it was linked. What class LoopLinking gives. Settings used:
- *  direction, sense. */
+ *  direction, sense, one way. Outward every pass runs outward, and the one along the outer rim comes last. */
 Status
 makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, const SpiralSettings& settings,
                 const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopFigures& figures);

@@ -19,6 +19,7 @@ namespace pcl_spiral {
 enum class LoopJointKind {
   Ramp,   ///< of the spiral from the outer rim to the innermost loop, inward
   Bridge, ///< beside it, by a pair of narrow turns
+  Lift,   ///< of the tool, from the end of one pass to the begin of the next: with one_way in place of bridges
   Finger  ///< too small to be travelled: the other reaches out to its middle
 };
 
@@ -39,6 +40,7 @@ struct LinkedPath {
   std::vector<std::uint8_t> reversed; ///< 1 where it travels against the sense of the outer rim's loop
   Polyline links;                  ///< places between the turns of ramps and about bridges, where coverage is to be checked
   std::vector<StepOverMetric> link_metric;
+  std::vector<std::size_t> passes; ///< where the second pass begins, and each further one, with the tool lifted before; empty: one pass
   std::vector<LoopJoint> joints;   ///< one for each loop but the outer rim's; parents before what hangs on them, but for fingers
 
   std::size_t chain_loops = 0; ///< of the spiral from the outer rim to the innermost loop
@@ -49,9 +51,12 @@ struct LinkedPath {
 /** One path over all \p loops, which lie one inside the other one step-over apart, the outer rim first. From the outer rim it
  *  spirals inward to the innermost loop, in ramps one above the other. Each loop beside this chain (in other lobes, round
  *  holes) is joined to a neighbour by a bridge: both are cut side by side, and the ends are joined by two narrow turns, so that
- *  they are travelled as one. With \p start the path begins at the rim near there. Fails where a loop has no neighbour that runs beside it. */
+ *  they are travelled as one. With \p start the path begins at the rim near there. Fails where a loop has no neighbour that runs beside it.
+ *  With \p one_way there are no bridges, and no part runs against the sense of the outer rim's loop: what is left beside the chain
+ *  is cut by further passes, each a spiral from the outermost loop left, or a hole's rim, to the innermost one; the nearest next. */
 Status
-linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::optional<Eigen::Vector3d>& start = std::nullopt);
+linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::optional<Eigen::Vector3d>& start = std::nullopt,
+          bool one_way = false);
 
 /** One continuous path over closed loops: linkLoops, then moved where it would leave more than the loops did, in the direction
  *  asked for. samplePath gives its points for linear moves, putOnSurface and setToolAxes make it a toolpath.
@@ -97,6 +102,10 @@ public:
   /** Which way the cutter travels along the outer rim, seen from outside; CounterClockwise by default. */
   void setSense(SpiralSense sense) { this->settings_.sense = sense; }
   SpiralSense getSense() const { return this->settings_.sense; }
+
+  /** Nothing is travelled against the sense: what a bridge would join becomes a pass of its own (LinkedPath::passes). Off by default. */
+  void setOneWay(bool one_way) { this->settings_.one_way = one_way; }
+  bool getOneWay() const { return this->settings_.one_way; }
 
   /** Link. \p path is empty on failure: no loops, no neighbour that runs beside one, and whatever StepOverField fails on;
    *  getStatus says which and where. */

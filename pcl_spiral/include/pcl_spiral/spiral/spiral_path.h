@@ -21,9 +21,10 @@ struct SpiralPath {
   Polyline contacts;
   std::vector<Eigen::Vector3d> normals; ///< unit, out of the material
   std::vector<Eigen::Vector3f> axes;    ///< unit, tip to shank
-  std::vector<double> arc_lengths;
+  std::vector<double> arc_lengths;    ///< cut so far, mm: lifts do not count
   std::vector<float> turns;
   std::vector<std::uint8_t> over_gap; ///< 1 where the scan has a gap
+  std::vector<std::size_t> passes;    ///< where the second pass begins, and each further one, with the tool lifted before; empty: one
 };
 
 /** What measureGaps met. */

@@ -14,6 +14,7 @@ namespace pcl_spiral {
 struct SpiralPoint {
   Eigen::Vector3d position;
   double turn;
+  bool begins_pass = false; ///< the tool is lifted to it
 };
 
 /** The turns of a spiral as one curve: through line i of turn j at T_i = j + delta_i, delta_i the line's share of the

@@ -57,6 +57,8 @@ struct SpiralReport {
   std::vector<Polyline> scallop_lines; ///< loops of ConstantScallop, closed, thinned for pictures
   std::vector<Polyline> finger_axes;   ///< middles of their fingers, along the ridges
   double reversed_share = 0.0;      ///< of the path, travelled against the sense asked for
+  std::vector<std::size_t> pass_begins; ///< path points before which the tool is lifted; empty: one pass
+  double lift_length = 0.0;         ///< of the straight ways from pass to pass, mm; no part of path_length
   double turn_radius = 0.0;         ///< of the sharpest turns, in step-overs: all but 0.1 % of the path turn no sharper
   Eigen::Vector3d sharpest_place = Eigen::Vector3d::Zero(); ///< where the path turns most sharply
   double least_length = 0.0;        ///< of any path at this scallop height, by the same method; 0: not measured

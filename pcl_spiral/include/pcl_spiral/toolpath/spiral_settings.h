@@ -74,6 +74,7 @@ struct SpiralSettings {
   BoundaryMode boundary_mode = BoundaryMode::Automatic;
   SpiralDirection direction = SpiralDirection::Outward;
   SpiralSense sense = SpiralSense::CounterClockwise;
+  bool one_way = false; ///< ConstantScallop cuts in that sense alone, in several passes where loops lie beside each other
   Pitch pitch = Pitch::AcrossFeed;
   SpiralMethod method = SpiralMethod::Shortest;
   HoleHandling holes = HoleHandling::Around;

@@ -154,6 +154,10 @@ public:
   /** Which way the cutter travels round, seen from outside the material; CounterClockwise by default. */
   void setSense(SpiralSense sense) { settings_.sense = sense; }
   SpiralSense getSense() const { return settings_.sense; }
+  /** Nothing is cut against the sense: ConstantScallop makes several passes where loops lie beside each other, with the tool lifted
+   *  between (getPassBegins), and no bridges. Off by default. Radial and Published paths are spirals, one way in any case. */
+  void setOneWay(bool one_way) { settings_.one_way = one_way; }
+  bool getOneWay() const { return settings_.one_way; }
   /** Along what the distance of turns is measured; AcrossFeed by default. Published ignores it. */
   void setPitch(Pitch pitch) { settings_.pitch = pitch; }
   Pitch getPitch() const { return settings_.pitch; }
@@ -180,6 +184,10 @@ public:
 
   /** Make the toolpath. \p path is empty on failure; see getStatus. */
   void compute(pcl::PointCloud<PointOutT>& path);
+
+  /** Points of the last path at which the second pass begins, and each further one: before them the tool is lifted. Empty: one
+   *  pass. The arc length does not grow there. */
+  const std::vector<std::size_t>& getPassBegins() const { return report_.pass_begins; }
 
   /** Loops, lines, counts, times and warnings of the last compute. */
   const SpiralReport& getReport() const { return report_; }

@@ -22,6 +22,7 @@ struct CutterPath {
   std::vector<Eigen::Vector3d> normals; ///< unit, out of the material
   std::vector<Eigen::Vector3d> axes;    ///< unit, tip to shank; empty when the path has none
   std::vector<float> turns;             ///< turns made up to each point
+  std::vector<std::size_t> passes;      ///< where the second pass begins, and each further one: the move to it is a lift, and cuts nothing
   std::size_t size() const { return contacts.size(); }
 };
 
@@ -45,7 +46,11 @@ raise(PlacedValue& largest, double value, const Eigen::Vector3d& position, std::
 Status
 readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterPath& path);
 
-/** How the path moves. Angles in degrees. */
+/** Of all passes, mm. */
+double
+cutLength(const CutterPath& path);
+
+/** How the path moves between lifts. Angles in degrees. */
 struct PathMotion {
   double length = 0.0;       ///< mm
   PlacedValue gap;           ///< longest move, mm

@@ -3,14 +3,17 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/pass_ranges.h>
 #include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/surface/mls_surface.h>
 
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace pcl_spiral {
 
-/** A cutter of revolution at every point of a path, moved in straight lines from one point to the next.
+/** A cutter of revolution at every point of a path, moved in straight lines from one point to the next but where it is lifted.
  *
  *  The search and the figures know a cutter by these functions alone; a profile other than the ball brings
  * its own class, which keeps the tool axes of the path if its shape needs them. Only the cutting part counts:
@@ -23,6 +26,8 @@ public:
   /** The middle of a ball that holds the cutter, at every point of the path; move i goes from i to i + 1. */
   const Polyline& centres() const { return centres_; }
   std::size_t moves() const { return centres_.size() < 2 ? 0 : centres_.size() - 1; }
+  /** Whether the cutter is lifted on \p move, and sweeps nothing. */
+  bool isLift(std::size_t move) const { return beginsPass(passes_, move + 1); }
   /** Radius of that ball. */
   double boundingRadius() const { return bounding_radius_; }
 
@@ -37,21 +42,24 @@ public:
   virtual double depth(std::size_t move, double f, const SurfaceFoot& foot) const = 0;
 
 protected:
-  CutterSweep(Polyline centres, double bounding_radius)
-  : centres_(std::move(centres)), bounding_radius_(bounding_radius)
+  CutterSweep(Polyline centres, double bounding_radius, std::vector<std::size_t> passes)
+  : centres_(std::move(centres)), bounding_radius_(bounding_radius), passes_(std::move(passes))
   {
   }
 
 private:
   Polyline centres_;
   double bounding_radius_;
+  std::vector<std::size_t> passes_;
 };
 
 /** A ball: each move sweeps a capsule, so every answer is exact and the tool axis has no say. */
 class BallSweep : public CutterSweep {
 public:
-  /** The centres stand a radius off the contacts, along the normals. One unit normal a contact. */
-  BallSweep(const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals, double radius);
+  /** The centres stand a radius off the contacts, along the normals. One unit normal a contact. \p passes: points to which the
+   *  cutter is lifted. */
+  BallSweep(const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals, double radius,
+            const std::vector<std::size_t>& passes = {});
 
   bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start,
              double& t) const override;

@@ -6,6 +6,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/pass_ranges.h>
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
 #include <pcl_spiral/visualization/add_toolpath.h>
@@ -37,16 +38,19 @@ branchColor(std::size_t branch)
 }
 
 /** The branch of each of \p count loops linked by \p joints: 0 the spiral's loops, 1, 2 ... those beside it, all that hang on the
- *  spiral at one place being one branch. */
+ *  spiral at one place, or are cut by one pass, being one branch. */
 inline std::vector<std::size_t>
 branchesOf(const std::vector<LoopJoint>& joints, std::size_t count)
 {
   std::vector<std::size_t> branch(count, 0);
   std::size_t branches = 0;
   const auto follow = [&](bool fingers) { // fingers come before what they hang on
-    for (const LoopJoint& joint : joints)
-      if (joint.kind == LoopJointKind::Bridge ? !fingers : fingers && joint.kind == LoopJointKind::Finger)
-        branch[joint.loop] = branch[joint.parent] > 0 || fingers ? branch[joint.parent] : ++branches;
+    for (const LoopJoint& joint : joints) {
+      if (fingers != (joint.kind == LoopJointKind::Finger))
+        continue;
+      const bool begins = joint.kind == LoopJointKind::Lift || (joint.kind == LoopJointKind::Bridge && branch[joint.parent] == 0);
+      branch[joint.loop] = begins ? ++branches : branch[joint.parent];
+    }
   };
   follow(false);
   follow(true);
@@ -149,7 +153,7 @@ addScallopLoops(pcl::visualization::PCLVisualizer& viewer, const ScallopLoopSet&
 }
 
 /** Shows the tree that \p loops are linked by to \p path: each loop in the colour of its branch as shape ID_branches, ramps of the
- *  spiral, bridges and fingers as short strokes, ID_joints. What was shown under the id before is replaced. */
+ *  spiral, bridges, lifts and fingers as strokes, ID_joints. What was shown under the id before is replaced. */
 inline void
 addLoopTree(pcl::visualization::PCLVisualizer& viewer, const std::vector<ScallopLoop>& loops, const LinkedPath& path,
             const std::string& id = "tree", int viewport = 0)
@@ -173,7 +177,7 @@ addLoopTree(pcl::visualization::PCLVisualizer& viewer, const std::vector<Scallop
   detail::showLines(viewer, joints, 5.0, id + "_joints", viewport);
 }
 
-/** Shows \p path as one line, shape ID_linked, each place in the colour of the branch of the nearest of the \p loops it was linked
+/** Shows \p path as one line a pass, shape ID_linked, each place in the colour of the branch of the nearest of the \p loops it was linked
  *  from. What was shown under the id before is replaced. */
 inline void
 addLinkedPath(pcl::visualization::PCLVisualizer& viewer, const LinkedPath& path, const std::vector<ScallopLoop>& loops,
@@ -195,7 +199,10 @@ addLinkedPath(pcl::visualization::PCLVisualizer& viewer, const LinkedPath& path,
   ColoredLines line;
   pcl::Indices nearest(1);
   std::vector<float> squared(1);
-  for (const Eigen::Vector3d& p : path.points) {
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const Eigen::Vector3d& p = path.points[i];
+    if (beginsPass(path.passes, i))
+      line.end(false);
     tree.nearestKSearch(pcl::PointXYZ(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())), 1, nearest, squared);
     line.add(p, branchColor(branch[owner[nearest[0]]]));
   }

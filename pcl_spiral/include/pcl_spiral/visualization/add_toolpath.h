@@ -6,6 +6,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/common/pass_begins.h>
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/toolpath/radial_line.h>
 #include <pcl_spiral/visualization/colored_lines.h>
@@ -54,7 +55,7 @@ fieldOr(const PointT& point, double otherwise)
   return otherwise;
 }
 
-/** One line through all points, coloured by turn. */
+/** One line a pass, coloured by turn. */
 template <typename PointT>
 ColoredLines
 pathLines(const pcl::PointCloud<PointT>& path)
@@ -66,12 +67,18 @@ pathLines(const pcl::PointCloud<PointT>& path)
       low = std::min(low, turn(point));
       high = std::max(high, turn(point));
     }
+  const auto arc = [](const PointT& point) { return fieldOr<pcl::fields::arc_length>(point, 0.0); };
+  const bool measured = !path.empty() && arc(path.back()) > arc(path.front());
   ColoredLines lines;
+  const auto place = [](const PointT& point) { return Eigen::Vector3d(point.x, point.y, point.z); };
+  const PointT* before = nullptr;
   for (const PointT& point : path) {
+    if (measured && before && isLift((place(point) - place(*before)).norm(), arc(point) - arc(*before)))
+      lines.end(false);
+    before = &point;
     const double share = high > low && std::isfinite(turn(point)) ? (turn(point) - low) / (high - low) : 0.0;
     const bool guessed = fieldOr<pcl::fields::over_gap>(point, 0.0) != 0.0;
-    lines.add(Eigen::Vector3d(point.x, point.y, point.z),
-              guessed ? loopColor(LoopType::ScanGap) : turnColor(share));
+    lines.add(place(point), guessed ? loopColor(LoopType::ScanGap) : turnColor(share));
   }
   lines.end(false);
   return lines;
@@ -136,7 +143,7 @@ removeToolpath(pcl::visualization::PCLVisualizer& viewer, const std::string& id 
  *
  *  | shape | what | colour | width, pixels |
  *  |---|---|---|---|
- *  | ID_path | the path as one line | by turn, see turnColor; over bridged gaps magenta | 1.5 |
+ *  | ID_path | the path as one line a pass | by turn, see turnColor; over bridged gaps magenta | 1.5 |
  *  | ID_loops | a closed line a loop, its curve where it has one | by type, see loopColor | 3 |
  *  | ID_lines | a line a radial line | gray | 1 |
  *

@@ -260,6 +260,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
   const Status checked =
       checkPath(path, used, report_.largest_allowed_step, partOf(progress_, 0.96, 1.0), figures);
   reportPath(gaps, axes, figures, report_);
+  report_.pass_begins = path.passes;
   clock.end("tool axis");
   if (checked.ok() && progress_ && !progress_(1.0, "done"))
     return cancelled;

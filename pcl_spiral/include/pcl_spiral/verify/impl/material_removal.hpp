@@ -71,7 +71,7 @@ MaterialRemoval<PointT>::compute(pcl::PointCloud<pcl::PointXYZI>& output)
   if (this->status_.ok())
     this->status_ = checkCloud();
   if (this->status_.ok()) {
-    const BallSweep ball(path.contacts, path.normals, tool_radius_);
+    const BallSweep ball(path.contacts, path.normals, tool_radius_, path.passes);
     const RemovalSettings settings{tool_radius_, scallop_height_, this->chord_error_, reach_};
     this->status_ = measureRemovedMaterial(*this->reference_, path, ball, settings, this->progress_, heights,
                                            figures_);

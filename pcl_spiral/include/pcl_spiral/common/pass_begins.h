@@ -1,0 +1,38 @@
+/** \file
+ *  Where the passes of a finished toolpath begin.
+ */
+#pragma once
+
+#include <pcl_spiral/common/point_types.h>
+
+#include <pcl/point_cloud.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Whether the tool is lifted on a way of \p distance mm over which the arc length grows by \p grown mm: it does not count lifts. */
+inline bool
+isLift(double distance, double grown)
+{
+  constexpr double least = 0.01;  // mm: shorter ways are none to lift for
+  constexpr double share = 0.001; // of the way: arc lengths are rounded in files
+  return distance > least && grown < share * distance;
+}
+
+/** Points of \p path at which the second pass begins, and each further one: the arc length does not grow on the way there, in whatever
+ *  file the path was kept. Empty for one pass, and for a path without arc lengths. */
+inline std::vector<std::size_t>
+passBegins(const pcl::PointCloud<ToolpathPoint>& path)
+{
+  std::vector<std::size_t> begins;
+  if (path.empty() || !(path.back().arc_length > path.front().arc_length))
+    return begins;
+  for (std::size_t i = 1; i < path.size(); ++i)
+    if (isLift((path[i].getVector3fMap() - path[i - 1].getVector3fMap()).norm(), path[i].arc_length - path[i - 1].arc_length))
+      begins.push_back(i);
+  return begins;
+}
+
+} // namespace pcl_spiral
