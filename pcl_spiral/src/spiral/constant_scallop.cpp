@@ -124,7 +124,9 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
     return {StatusCode::Cancelled, "cancelled"};
   trimEnd(path);
   if (field) {
-    const CoverFigures cover = coverPath(*field, held_rim * rim, path);
+    CoverFigures cover;
+    if (!coverPath(*field, held_rim * rim, partOf(progress, 0.25, 1.0), path, cover))
+      return {StatusCode::Cancelled, "cancelled"};
     trimEnd(path);
     figures.least_length = field->least_length;
     figures.farthest = cover.farthest;

@@ -24,6 +24,8 @@ constexpr double radial_rims = 1.1;  // the last turn runs on the rim, where hal
 constexpr double beside_points = 0.33; // spacings from the outermost points to the outline
 constexpr double turn_radius = 0.25; // step-overs: of ConstantScallop's sharp turns
 constexpr double tie = 1.02;         // foreseen no better than this; then Radial is taken, which has no sharp turns at all
+constexpr double fine_turns = 0.25;  // spacings: where turns lie closer, loops follow the mesh's triangles, and Radial is taken
+constexpr double fine_tie = 1.1;     // up to this
 
 /** \p surface with a part of its points, to be looked at as a whole. */
 SurfaceGraph
@@ -189,7 +191,8 @@ foreseeMethods(const Surface& surface, const std::vector<BoundaryLoop>& loops, c
   if (uneven)
     foresight.radial_length = across * *uneven + radial_rims * rims;
   foresight.radial_time = foresight.radial_length / feed;
-  if (foresight.why_not_radial.empty() && foresight.radial_time <= tie * foresight.scallop_time)
+  const double worth = step_over < fine_turns * surface.spacing() ? fine_tie : tie;
+  if (foresight.why_not_radial.empty() && foresight.radial_time <= worth * foresight.scallop_time)
     foresight.method = SpiralMethod::Radial;
   return foresight;
 }

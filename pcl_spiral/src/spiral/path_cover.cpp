@@ -44,12 +44,13 @@ class Mover {
 public:
   Mover(const StepOverDistance& field, LinkedPath& path) : field_(field), path_(path) {}
 
-  CoverFigures
-  run(double held)
+  bool
+  run(double held, const ProgressCallback& progress, CoverFigures& figures)
   {
-    CoverFigures figures;
     watch(held, figures);
     for (; !watched_.empty() && figures.rounds < most_rounds; ++figures.rounds) {
+      if (progress && !progress(0.5 + 0.5 * figures.rounds / most_rounds, "coverage"))
+        return false;
       const std::vector<std::size_t> open = openPlaces();
       figures.left = open.size();
       figures.farthest = open.empty() ? covered : watched_[open.front()].distance;
@@ -60,7 +61,7 @@ public:
       if (!move())
         break;
     }
-    return figures;
+    return true;
   }
 
 private:
@@ -286,10 +287,11 @@ Mover::move()
 
 } // namespace
 
-CoverFigures
-coverPath(const StepOverDistance& field, double held, LinkedPath& path)
+bool
+coverPath(const StepOverDistance& field, double held, const ProgressCallback& progress, LinkedPath& path, CoverFigures& figures)
 {
-  return Mover(field, path).run(held);
+  figures = CoverFigures();
+  return Mover(field, path).run(held, progress, figures);
 }
 
 } // namespace pcl_spiral

@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/common/progress.h>
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
 #include <pcl_spiral/spiral/step_over_field.h>
@@ -21,8 +22,8 @@ struct CoverFigures {
 /** Move \p path towards places more than half a step-over from it: on and beside the ridges of \p field, in fingers,
  *  between ramps and bridges, and where the field is no distance. A place farther off than that moves the path nearest to it
  *  by what is too much, fading out over 0.8 step-overs to either side; at most 24 times. The first \p held step-overs of the
- *  path, the rim, stay. */
-CoverFigures
-coverPath(const StepOverDistance& field, double held, LinkedPath& path);
+ *  path, the rim, stay. \return false when cancelled. */
+bool
+coverPath(const StepOverDistance& field, double held, const ProgressCallback& progress, LinkedPath& path, CoverFigures& figures);
 
 } // namespace pcl_spiral

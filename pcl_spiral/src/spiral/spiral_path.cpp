@@ -18,6 +18,8 @@ namespace {
 
 constexpr double gap_in_spacings = 2.7; // on random points one in 10^9 lies so far from the next
 constexpr double slack = 1.05;         // steps stretch a little when put on the surface
+constexpr double stretched = 2.0;      // on rough ones more, and are halved again and again
+constexpr int most_halvings = 3;
 constexpr std::size_t chunk = 1u << 16; // path points between progress reports
 
 double
@@ -38,22 +40,22 @@ isOverGap(const SurfaceFoot& foot, const Surface& surface)
   return isOverGap(surface, foot.position, foot.nearest, foot.nearest_distance);
 }
 
-/** Steps that projection stretched beyond the longest one get a point in their middle. Those beyond the slack are left for
- *  checkPath to refuse. */
-void
+/** Steps that projection stretched beyond the longest one get a point in their middle. Those of more than twice that are jumps,
+ *  left for checkPath to refuse, as are those that are as long when halved. \return whether there were any. */
+bool
 halveStretchedSteps(const Surface& surface, double longest, SpiralPath& path)
 {
   std::vector<std::size_t> ends; // of the steps
   std::vector<Eigen::Vector3d> queries;
   for (std::size_t i = 1; i < path.contacts.size(); ++i) {
     const double step = beginsPass(path.passes, i) ? 0.0 : (path.contacts[i] - path.contacts[i - 1]).norm();
-    if (step > longest && step <= slack * longest) {
+    if (step > longest && step <= stretched * longest) {
       ends.push_back(i);
       queries.push_back(0.5 * (path.contacts[i] + path.contacts[i - 1]));
     }
   }
   if (ends.empty())
-    return;
+    return false;
   std::vector<SurfaceFoot> feet;
   pathFeet(surface, queries, feet);
   SpiralPath halved;
@@ -75,6 +77,7 @@ halveStretchedSteps(const Surface& surface, double longest, SpiralPath& path)
     add(path.contacts[i], path.normals[i], path.turns[i], path.over_gap[i] != 0);
   }
   path = std::move(halved);
+  return true;
 }
 
 /** Lengths cut up to each point; serial: a sum whose rounding depends on its order. */
@@ -204,7 +207,8 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
     if (progress && !progress(static_cast<double>(end) / static_cast<double>(curve.size()), "projection"))
       return {StatusCode::Cancelled, "cancelled"};
   }
-  halveStretchedSteps(surface, longest_step, path);
+  for (int round = 0; round < most_halvings && halveStretchedSteps(surface, longest_step, path); ++round)
+    ;
   path.arc_lengths = cutLengths(path);
   return measureGaps(path, settings, figures);
 }
