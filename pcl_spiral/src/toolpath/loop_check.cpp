@@ -135,7 +135,8 @@ checkLoop(const SurfaceGraph& graph, const BoundaryLoop& loop, std::size_t index
     }
   if (!surfaceOnLeft(graph, loop))
     return refused(index, " at ", placeText(loop.curve.front()),
-                   " has the surface on its right: find loops and lines with the same normals, or turn the loop round");
+                   " has the surface on its right. Where it was found, the scan scatters in depth: clean it, or thin it (setThinning). A loop "
+                   "of your own: turn it round, or find it with the same normals");
   return Status::success();
 }
 
