@@ -108,7 +108,7 @@ spiral(SpiralSettings& s)
                     "centre or a hole; constant-scallop: loops along rim and holes, linked to one path; published: the chain of Wu "
                     "et al. 2025, to compare with: --method radial",
                     s.method),
-       numberOption("turn-radius", "R", "least radius of turns, in step-overs, 0 to 0.25; 0.2: --turn-radius 0.1",
+       numberOption("turn-radius", "R", "warn of turns of a smaller radius, in step-overs, 0 to 0.25; 0.2: --turn-radius 0.1",
                     s.least_turn_radius),
        choiceOption("pitch", "distance of turns across the feed, or along the lines as published: --pitch along", s.pitch),
        choiceOption("lines", "how radial lines are found; auto by default: --lines harmonic", s.lines),

@@ -230,7 +230,7 @@ TEST_F(Refusals, PathsTooLargeToMake)
     for (const char* method : {"radial", "constant-scallop", "shortest"})
       expectRefused(part, {"--chord-error", error, "--method", method}, 2, words);
   expectRefused(part, {"--scallop", "1e-6", "--method", "constant-scallop"}, 1,
-                {"turns of a scallop height of 1e-06 mm", "places would be needed", "GB of memory", "--method"});
+                {"turns of a scallop height of 1e-06 mm", "places would be needed", "GB of memory", "raise the scallop height"});
   expectRefused(part, {"--tool-radius", "1e-6", "--scallop", "1e-8", "--chord-error", "1e-8"}, 2, words);
   expectRefused(part, {"--threads", "100000"}, 2, {"--threads 100000", "256"});
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(sanitized ? 600 : 60));

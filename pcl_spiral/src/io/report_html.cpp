@@ -126,6 +126,9 @@ addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
        {"Cutter on the other side", s.flip_normals ? "yes" : "no"},
        {"Boundaries", choiceName(s.boundary_mode)},
        {"Direction, sense", choiceName(s.direction) + ", " + choiceName(s.sense) + (s.one_way ? ", one way" : "")},
+       {"Method asked for", choiceName(s.method)},
+       {"Acceleration", words("%g mm/s2", s.acceleration)},
+       {"Turns warned of below", words("%g step-overs", s.least_turn_radius)},
        {"Pitch measured", choiceName(s.pitch)},
        {"Lines", choiceName(s.lines)},
        {"Holes", choiceName(s.holes) + (s.hole_size > 0.0 ? words(", at least %g mm wide", s.hole_size) : "") +

@@ -13,6 +13,7 @@
 #include <pcl_spiral/spiral/step_over_field.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace pcl_spiral {
@@ -28,6 +29,19 @@ lengthOf(const LinkedPath& path, bool reversed_alone)
     if (!beginsPass(path.passes, i) && (!reversed_alone || path.reversed[i]))
       sum += (path.points[i] - path.points[i - 1]).norm();
   return sum;
+}
+
+/** Of the largest step-overs that the height allows along \p path, the smallest and the largest, mm. */
+std::pair<double, double>
+stepOverRange(const LinkedPath& path)
+{
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const StepOverMetric& metric : path.metric) {
+    const double step_over = longestStepOver(metric);
+    least = std::min(least, step_over);
+    most = std::max(most, step_over);
+  }
+  return {least, most};
 }
 
 /** Loops with the surface on their right in place of their left; they begin where they did. */
@@ -133,12 +147,15 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
     figures.farthest_place = cover.farthest_place;
     clock.end("coverage");
   }
+  const auto [narrow, wide] = stepOverRange(path);
+  figures.smallest_step_over = narrow;
+  figures.largest_step_over = wide;
   figures.chain_loops = path.chain_loops;
   figures.bridges = path.bridges;
   figures.dots = path.dots;
   if (settings.start_point)
     figures.start_off = (path.points.front() - *settings.start_point).norm();
-  const SharpTurns turns = sharpTurns(path);
+  const SharpTurns turns = sharpTurns(path, held_rim * rim);
   figures.turn_radius = turns.radius;
   figures.least_radius = turns.least_radius;
   figures.sharpest_place = path.points[turns.sharpest];

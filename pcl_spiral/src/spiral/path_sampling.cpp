@@ -16,6 +16,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double step_reserve = 0.95;   // feet move apart a little
+constexpr double least_step = 1e-6;     // of the longest: where the ball hardly fits its centre stands, and any step will do
 constexpr double straight_share = 0.2;  // of the chord error
 constexpr std::size_t chunk = 1u << 16; // points whose feet are looked at together
 
@@ -48,7 +49,7 @@ allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSetting
       const bool fits = cutterFits(settings.tool_radius, curvature); // where not, the path is refused on the surface
       const double step =
           fits ? stepFromChordErrorAtCentre(settings.tool_radius, curvature, settings.chord_error, longest) : longest;
-      steps[i] = step_reserve * step;
+      steps[i] = step_reserve * std::max(step, least_step * longest);
     }
   }
   return Status::success();

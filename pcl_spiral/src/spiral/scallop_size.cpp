@@ -46,9 +46,9 @@ checkMeshSize(const StepOverMesh& mesh, const std::vector<std::uint8_t>& chosen,
   if (nodes <= most_nodes && !(memory && bytes_a_node * nodes > *memory))
     return Status::success();
   return {StatusCode::Failed,
-          textOf("turns of a scallop height of ", options.scallop_height, " mm lie far closer than the points of the scan: ", nodes,
-                 " places would be needed between these, and ", 1e-9 * bytes_a_node * nodes,
-                 " GB of memory; raise the scallop height, scan more densely, or choose the radial method (setMethod)")};
+          textOf("turns of a scallop height of ", options.scallop_height, " mm lie far closer than the points of the scan: ",
+                 std::ceil(1e-6 * nodes), " million places would be needed between these, and ", std::ceil(1e-9 * bytes_a_node * nodes),
+                 " GB of memory; raise the scallop height, or scan more densely")};
 }
 
 PathSize

@@ -276,7 +276,8 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
     return {StatusCode::Failed,
             textOf("the path crosses itself at ", placeText(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
                    settings.method == SpiralMethod::ConstantScallop
-                       ? ": choose the radial method (setMethod), or machine the part in pieces"
+                       ? ": ask for the other sense (setSense), for passes with lifts between (setOneWay) or for another scallop height, or "
+                         "choose the radial method (setMethod)"
                        : ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
   return Status::success();
 }

@@ -169,16 +169,18 @@ reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, Spi
   report.reversed_share = figures.reversed_share;
   report.lift_length = figures.lift_length;
   report.least_length = figures.least_length;
+  report.smallest_step_over = figures.smallest_step_over;
+  report.largest_step_over = figures.largest_step_over;
   report.turn_radius = figures.turn_radius;
   report.sharpest_place = figures.sharpest_place;
   if (figures.start_off > far_start * figures.rim_length)
     report.warnings.push_back(textOf("the path meets the rim ", figures.start_off, " mm from the start point asked for: the loops "
-                                     "inside lead to no nearer place"));
+                                     "inside lead to no nearer place; leave the start point out, or give one there (setStartPoint)"));
   if (figures.turn_radius < settings.least_turn_radius)
     report.warnings.push_back(textOf("the path turns more sharply than the radius of ", settings.least_turn_radius,
                                      " step-overs asked for: a thousandth of it with less than ", figures.turn_radius,
                                      ", at most with ", figures.least_radius, " at ", placeText(figures.sharpest_place),
-                                     ": slow down there, or ask for a smaller radius (setLeastTurnRadius)"));
+                                     ": slow down there; a smaller radius (setLeastTurnRadius) leaves the warning out"));
   const double ridge = 4.0 * figures.farthest * figures.farthest * settings.scallop_height;
   if (figures.farthest > 0.52)
     report.warnings.push_back(textOf("a ridge of about ", ridge, " mm is left at ", placeText(figures.farthest_place),

@@ -21,7 +21,7 @@ constexpr double ridge_turn = 14.0;     // degrees
 constexpr double band_width = 1.4;      // step-overs on either side of a ridge
 constexpr double band_gradient = 0.94;  // |grad D| below which triangles join the band
 constexpr double weak_gradient = 0.97;
-constexpr double least_clear = 3.0;     // spacings
+constexpr double least_clear = 2.5;     // spacings
 
 double
 medianEdge(const StepOverMesh& mesh)
@@ -75,7 +75,7 @@ ridgeBand(const StepOverMesh& mesh, const std::vector<double>& distance, double 
 }
 
 /** Refuse a surface whose points lie too far apart for a rim, and feet, to be known: its place farthest from the rims lies less
- *  than three spacings from them. */
+ *  than two and a half spacings from them. */
 Status
 checkWidth(const StepOverMesh& mesh, const std::vector<double>& distance, double spacing)
 {
@@ -91,7 +91,7 @@ checkWidth(const StepOverMesh& mesh, const std::vector<double>& distance, double
     return Status::success();
   return {StatusCode::Failed,
           textOf("the surface is too narrow for its points: its middle ", placeText(mesh.positions[middle]), " lies only ", clear,
-                 " mm from the rim, and points lie ", spacing, " mm apart: scan more densely, for at least seven points across")};
+                 " mm from the rim, and points lie ", spacing, " mm apart: scan more densely, for at least seven points across, or machine the part by other means")};
 }
 
 /** Integral of dA over the largest step-over, and half the rims, which are travelled on their edge. The reserve is no part of it. */

@@ -26,7 +26,7 @@ circumradius(double a, double b, double c)
 } // namespace
 
 SharpTurns
-sharpTurns(const LinkedPath& path)
+sharpTurns(const LinkedPath& path, double rim)
 {
   SharpTurns turns;
   const std::size_t n = path.points.size();
@@ -45,7 +45,7 @@ sharpTurns(const LinkedPath& path)
 #pragma omp parallel for schedule(static, 1024)
   for (std::int64_t i = 1; i < count - 1; ++i) {
     const PassRange& pass = passes[passOf(path.passes, static_cast<std::size_t>(i))];
-    if (arcs[i] < arcs[pass.begin] + reach || arcs[i] > arcs[pass.end - 1] - reach)
+    if (arcs[i] < std::max(rim, arcs[pass.begin] + reach) || arcs[i] > arcs[pass.end - 1] - reach)
       continue;
     const StepOverMetric& metric = path.metric[i];
     const Eigen::Vector3d before = at(arcs[i] - reach), &here = path.points[i], behind = at(arcs[i] + reach);

@@ -16,8 +16,9 @@ struct SharpTurns {
   double least_radius = 0.0; ///< there
 };
 
-/** Radius of the circle through a place of \p path and those 0.12 step-overs before and behind it, in the metric there. */
+/** Radius of the circle through a place of \p path and those 0.12 step-overs before and behind it, in the metric there. The first
+ *  \p rim step-overs of the path do not count: corners of the rim are the part's. */
 SharpTurns
-sharpTurns(const LinkedPath& path);
+sharpTurns(const LinkedPath& path, double rim);
 
 } // namespace pcl_spiral

@@ -39,7 +39,7 @@ struct AptHeader {
 
 /** APT / CLDATA: PARTNO, UNITS/MM, MULTAX/ON, CUTTER/d,r,e,f,alpha,beta,h, SPINDL, FEDRAT, GOTO/x,y,z,i,j,k
  * of tip and unit axis, FINI. A FEDRAT stands wherever the tip's speed changes by a hundredth for the contact
- * to keep the feed. \throw FileError */
+ * to keep the feed. Poses are one pass: of a path with lifts give each of ballPasses a file of its own. \throw FileError */
 void writeAPT(const std::string& file, const ToolPoses& poses, const AptHeader& header);
 
 /** Robot frames as noether nests them: fragments of paths of segments of waypoints {x, y, z, qw, qx, qy, qz},

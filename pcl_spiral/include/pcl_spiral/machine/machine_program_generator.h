@@ -31,7 +31,7 @@ struct ProgramSettings {
   double rapid_height = 50.0; ///< rapids cross this far above the highest tip, mm
 };
 
-/** Poses of a ball cutter along \p path. */
+/** Poses of a ball cutter along \p path, as one pass: over the lifts of a path of several it would cut, see ballPasses. */
 ToolPoses ballPoses(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);
 /** The same of each pass of \p path, as passBegins finds them. */
 std::vector<ToolPoses> ballPasses(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);

@@ -36,6 +36,7 @@ struct ScallopFigures {
   std::size_t lifts = 0;       ///< from one pass to the next, where the sense asked for is kept everywhere
   double lift_length = 0.0;    ///< of the straight ways between, which path lengths do not count
   double least_length = 0.0;   ///< integral of dA / largest step-over, and half the rims: no path at this scallop is shorter
+  double smallest_step_over = 0.0, largest_step_over = 0.0; ///< mm: that the height allows along the path
   double start_off = 0.0;      ///< mm: the path's end on the rim from the start point asked for
   double rim_length = 0.0;     ///< mm
   double turn_radius = 0.0;    ///< step-overs: all but 0.1 % of the path turn no sharper

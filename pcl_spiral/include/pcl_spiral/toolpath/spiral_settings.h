@@ -65,7 +65,7 @@ struct SpiralSettings {
   double axis_deviation = 2.0; ///< that smoothing may cause from the tilt asked for, in the mean over its length
   double feed = 1000.0;        ///< mm/min at the contact
   double acceleration = 2000.0; ///< of the machine along the path, mm/s2: what a sharp turn costs
-  double least_turn_radius = 0.2; ///< of turns, in step-overs; ConstantScallop rounds sharper ones as far as the scallop height allows
+  double least_turn_radius = 0.2; ///< of turns, in step-overs: the report of ConstantScallop warns of sharper ones
   double rim_overhang = 0.0;   ///< of the pass along the rim: above 0 beyond the rim by so much, below 0 inside it
   std::optional<Eigen::Vector3d> centre;      ///< of a surface with one boundary; absent: found
   std::optional<Eigen::Vector3d> start_point; ///< the path meets the rim nearest here; absent: found

@@ -127,8 +127,8 @@ public:
   /** Of the machine along the path, mm/s2; 2000 by default. */
   void setAcceleration(double acceleration) { settings_.acceleration = acceleration; }
   double getAcceleration() const { return settings_.acceleration; }
-  /** Least radius of turns, in step-overs, 0 to 0.25; 0.2 by default. ConstantScallop rounds sharper turns as far as the scallop
-   *  height allows; what it came to is in the report. */
+  /** Least radius of turns, in step-overs, 0 to 0.25; 0.2 by default. The report of ConstantScallop tells what the
+   *  path came to and where, and warns of sharper turns; the outer rim's own corners do not count. */
   void setLeastTurnRadius(double step_overs) { settings_.least_turn_radius = step_overs; }
   double getLeastTurnRadius() const { return settings_.least_turn_radius; }
   /** Where the pass along the rim runs, mm: 0, the default, on the rim; above 0 beyond it by so much, on the surface continued
