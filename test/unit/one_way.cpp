@@ -98,11 +98,11 @@ senseOf(const AnalyticSurface& part, const Path& path, const std::vector<std::si
 }
 
 JudgedFigures
-judged(const AnalyticSurface& part, const Made& made)
+judged(const AnalyticSurface& part, const Made& made, double tool_radius = 5.0, double scallop_height = 0.1)
 {
   JudgeSettings settings;
-  settings.tool_radius = 5.0;
-  settings.scallop_height = 0.1;
+  settings.tool_radius = tool_radius;
+  settings.scallop_height = scallop_height;
   settings.samples = 50000;
   settings.spacing = made.report.spacing;
   std::vector<Polyline> curves;
@@ -143,6 +143,22 @@ TEST_F(OneWay, NothingIsCutAgainstTheSenseAndNoMoreIsLeft)
     EXPECT_EQ(f.inside.uncut_share, 0.0);
     EXPECT_LT(f.inside.p999.value, std::max(1.02, g.inside.p999.value + 0.01));
     EXPECT_LT(f.inside.over_share, g.inside.over_share + 5e-4);
+  }
+}
+
+/** A pass that leaves the edge of a hole at its corner is moved far, away from where it covered all. */
+TEST_F(OneWay, PassesMovedFarUncoverNothing)
+{
+  const SurfacePtr part = flat(Region({rectangle(120.0, 30.0), rectangle(56.0, 10.0)}));
+  for (const SpiralSense sense : {SpiralSense::CounterClockwise, SpiralSense::Clockwise}) {
+    SpiralSettings settings = oneWay();
+    settings.tool_radius = 4.0;
+    settings.scallop_height = 0.07;
+    settings.sense = sense;
+    const JudgedFigures f = judged(*part, made(*part, settings, 6500), 4.0, 0.07);
+    EXPECT_LT(f.inside.max.value, 1.25);
+    EXPECT_LT(f.inside.over_share, 2e-3);
+    std::printf("  largest ridge %.3f h, %.3f %% over 1.05 h\n", f.inside.max.value, 100.0 * f.inside.over_share);
   }
 }
 

@@ -9,6 +9,9 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double suspect = 0.42;      // a node's distance above which the triangles about it are looked at
+constexpr double least_watched = 0.36; // test points nearer than this to the path stay covered
+constexpr double deep_place = 0.55;   // but about a place so far off, which moves the path by more
+constexpr double watch_reach = 1.6;   // of a place that is not covered: test points within it are watched
 constexpr double search_within = 1.5; // step-overs
 constexpr std::uint32_t none = 0xffffffffu;
 
@@ -92,6 +95,32 @@ coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentS
     tests.add(path.links[i], path.link_metric[i]);
   tests.measure(line, nodes);
   return tests;
+}
+
+std::vector<std::size_t>
+testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places)
+{
+  SegmentSet all, deep;
+  for (const std::size_t i : places) {
+    all.add({tests.points[i]}, false);
+    if (tests.distances[i] > deep_place)
+      deep.add({tests.points[i]}, false);
+  }
+  all.build();
+  deep.build();
+  const auto isNear = [&](const SegmentSet& set, std::size_t i) {
+    return set.nearest(tests.points[i], tests.metric[i], watch_reach).segment != NearestSegment::none;
+  };
+  const auto count = static_cast<std::int64_t>(tests.size());
+  std::vector<std::uint8_t> chosen(tests.size(), 0);
+#pragma omp parallel for schedule(dynamic, 1024)
+  for (std::int64_t i = 0; i < count; ++i)
+    chosen[i] = tests.distances[i] > covered || (tests.distances[i] >= least_watched && isNear(all, i)) || isNear(deep, i);
+  std::vector<std::size_t> watched;
+  for (std::size_t i = 0; i < tests.size(); ++i)
+    if (chosen[i])
+      watched.push_back(i);
+  return watched;
 }
 
 } // namespace pcl_spiral

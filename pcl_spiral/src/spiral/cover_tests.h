@@ -8,9 +8,13 @@
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace pcl_spiral {
+
+/** Distance above which a place moves the path. */
+constexpr double covered = 0.503;
 
 /** Places that must not be farther than half a step-over from a path. Parallel arrays. */
 struct CoverTests {
@@ -32,5 +36,9 @@ passLines(const LinkedPath& path);
  *  \p path, whose points \p line holds. */
 CoverTests
 coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentSet& line);
+
+/** Those of \p tests that a path moved towards \p places, which are not covered, may uncover, and the places themselves. */
+std::vector<std::size_t>
+testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places);
 
 } // namespace pcl_spiral

@@ -13,10 +13,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double covered = 0.503;     // distance above which a place moves the path
 constexpr double aim = 0.49;          // to which it is brought
-constexpr double least_watched = 0.36; // test points nearer than this to the path stay covered
-constexpr double watch_reach = 1.6;   // of a place that is not covered: test points within it are watched
 constexpr double moved_reach = 2.2;   // and the path within this may move
 constexpr double looked_at = 1.0;     // of a test point: its nearest segment is one of those within
 constexpr double bell = 0.8;          // half the length of path that one place moves
@@ -67,7 +64,6 @@ public:
 private:
   void watch(double held, CoverFigures& figures);
   void findNear(const SegmentSet& line, const std::vector<std::size_t>& places, const CoverTests& tests, std::vector<std::uint8_t>& near) const;
-  void choose(const CoverTests& tests, const std::vector<std::size_t>& places);
   void findRuns();
   SegmentSet movingLines() const;
   void measure(Watched& at) const;
@@ -109,28 +105,9 @@ Mover::watch(double held, CoverFigures& figures)
   densify(near, held, grain, path_, near_, moves_);
   shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
   taken_.assign(path_.points.size(), 0);
-  choose(tests, places);
+  for (const std::size_t i : testsToWatch(tests, places))
+    watched_.push_back({tests.points[i], tests.metric[i], {}, 0, 0.0, tests.distances[i]});
   findRuns();
-}
-
-/** Watch the test points near \p places that the path may uncover. */
-void
-Mover::choose(const CoverTests& tests, const std::vector<std::size_t>& places)
-{
-  SegmentSet place_set;
-  for (const std::size_t i : places)
-    place_set.add({tests.points[i]}, false);
-  place_set.build();
-  const auto count = static_cast<std::int64_t>(tests.size());
-  std::vector<std::uint8_t> chosen(tests.size(), 0);
-#pragma omp parallel for schedule(dynamic, 1024)
-  for (std::int64_t i = 0; i < count; ++i)
-    chosen[i] = tests.distances[i] >= least_watched &&
-                (tests.distances[i] > covered ||
-                 place_set.nearest(tests.points[i], tests.metric[i], watch_reach).segment != NearestSegment::none);
-  for (std::size_t i = 0; i < tests.size(); ++i)
-    if (chosen[i])
-      watched_.push_back({tests.points[i], tests.metric[i], {}, 0, 0.0, tests.distances[i]});
 }
 
 /** The runs of the path near each watched point, and its nearest segment. */
