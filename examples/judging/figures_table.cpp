@@ -133,6 +133,8 @@ printFigures(const pcl_spiral::Verification& verification)
               uncut > 0.0 ? at(firstUncut(r)).c_str() : "");
   std::printf("efficiency      %.3f: least length %.3f m of %.3f m\n", r.efficiency, r.least_length / 1000.0,
               r.path_length / 1000.0);
+  if (d.motion.lifts > 0)
+    std::printf("lifts           %zu between passes, %.3f m, no cuts\n", d.motion.lifts, d.motion.lift_length / 1000.0);
   std::printf("largest step    %.4g mm %s\n", d.motion.gap.value, at(d.motion.gap).c_str());
   std::printf("largest turn    %.3g degrees a step %s\n", d.motion.turn.value, at(d.motion.turn).c_str());
   std::printf("axis change     %.3g degrees a step %s\n", d.motion.axis_change.value, at(d.motion.axis_change).c_str());

@@ -248,6 +248,24 @@ TEST_F(OneWay, TheJudgeTakesNoLiftForACut)
   EXPECT_TRUE(BallSweep(cut.contacts, cut.normals, 5.0).contains(lift, middle));
 }
 
+/** Arc lengths rounded to 20 mm stand still at most moves: cuts that would be taken for lifts. */
+TEST_F(OneWay, RoundedArcLengthsAreNoLifts)
+{
+  const auto path = pcl::make_shared<Path>(made(*ell(), oneWay()).path);
+  CutterPath cut;
+  for (ToolpathPoint& p : *path)
+    p.arc_length = std::round(100.0 * p.arc_length) / 100.0;
+  EXPECT_TRUE(readCutterPath(path, cut).ok());
+  for (ToolpathPoint& p : *path)
+    p.arc_length = 20.0 * std::round(p.arc_length / 20.0);
+  const Status status = readCutterPath(path, cut);
+  EXPECT_FALSE(status.ok());
+  EXPECT_NE(status.message().find("arc lengths"), std::string::npos) << status.message();
+  for (ToolpathPoint& p : *path)
+    p.arc_length = 0.0;
+  EXPECT_TRUE(readCutterPath(path, cut).ok()) << "without arc lengths all is one pass";
+}
+
 TEST_F(OneWay, ProgramsLiftTheToolBetweenPasses)
 {
   const Made one_way = made(*twoHoles(), oneWay());

@@ -114,6 +114,8 @@ void
 addMotion(Figures& figures, const PathMotion& m, const RemovalFigures& r)
 {
   figures.add("Path length", words("%.3f m", m.length / 1000.0));
+  if (m.lifts > 0)
+    figures.add("Lifts between passes, no cuts", words("%zu, %.3f m", m.lifts, m.lift_length / 1000.0));
   figures.add("Least length of a path with this scallop", words("%.3f m", r.least_length / 1000.0));
   figures.add("Efficiency \u03b7: least length / path length", words("%.3f", r.efficiency));
   figures.add("Longest linear move (largest gap)", words("%.4g mm", m.gap.value), m.gap);

@@ -42,6 +42,8 @@ Json
 motionJson(const PathMotion& m)
 {
   return {{"length", m.length},
+          {"lifts", m.lifts},
+          {"lift_length", m.lift_length},
           {"largest_gap", placed(m.gap)},
           {"largest_turn", placed(m.turn)},
           {"largest_axis_change", placed(m.axis_change)},

@@ -1,5 +1,6 @@
 #include <pcl_spiral/verify/cutter_path.h>
 
+#include <pcl_spiral/common/message.h>
 #include <pcl_spiral/common/pass_begins.h>
 #include <pcl_spiral/core/pass_ranges.h>
 
@@ -15,6 +16,20 @@ double
 degreesBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / M_PI;
+}
+
+/** Ok, or the arc lengths of a path with lifts, which \p grow by so much in all, do not fit its cuts: they tell no lift then. */
+Status
+checkLifts(const CutterPath& path, double grow)
+{
+  constexpr double rounding = 0.02; // of the length
+  const double cut = cutLength(path);
+  if (path.passes.empty() || std::abs(grow - cut) <= rounding * grow)
+    return Status::success();
+  return {StatusCode::InvalidInput,
+          textOf("the arc lengths of the toolpath stand still at ", path.passes.size(), " moves, as over lifts, first at path point ",
+                 path.passes.front(), ", but the other moves are ", cut, " mm long and the arc lengths grow by ", grow,
+                 " mm: write arc lengths to a hundredth of a millimetre, or leave them out")};
 }
 
 } // namespace
@@ -49,7 +64,7 @@ readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterP
   if (!with_axes)
     path.axes.clear();
   path.passes = passBegins(*toolpath);
-  return Status::success();
+  return checkLifts(path, toolpath->back().arc_length - toolpath->front().arc_length);
 }
 
 double
@@ -70,6 +85,8 @@ pathMotion(const CutterPath& path)
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if (beginsPass(path.passes, i + 1)) {
       before.setZero();
+      ++motion.lifts;
+      motion.lift_length += (path.contacts[i + 1] - path.contacts[i]).norm();
       continue;
     }
     const Eigen::Vector3d move = path.contacts[i + 1] - path.contacts[i];

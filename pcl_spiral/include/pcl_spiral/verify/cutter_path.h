@@ -53,6 +53,8 @@ cutLength(const CutterPath& path);
 /** How the path moves between lifts. Angles in degrees. */
 struct PathMotion {
   double length = 0.0;       ///< mm
+  std::size_t lifts = 0;     ///< between passes: no cuts
+  double lift_length = 0.0;  ///< mm
   PlacedValue gap;           ///< longest move, mm
   PlacedValue turn;          ///< largest angle between neighbouring moves
   PlacedValue axis_change;   ///< largest angle between neighbouring axes; 0 without axes
