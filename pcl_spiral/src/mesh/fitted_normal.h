@@ -1,0 +1,33 @@
+/** \file
+ *  The normal of a surface fitted about a vertex. Private to mesh.
+ */
+#pragma once
+
+#include "corner_sectors.h"
+
+#include <Eigen/Core>
+
+namespace pcl_spiral {
+
+/** Fits cubic surfaces, one sector after the other. */
+class NormalFit {
+public:
+  NormalFit(const Triangulation& mesh, const std::vector<Eigen::Vector3d>& positions, const CornerSectors& sectors);
+
+  /** Turn \p normal, of the faces, to that of the cubic surface fitted to two rings about \p sector's vertex, not across
+   *  creases. False, and \p normal as it was, where these do not determine one, or it leans far off. */
+  bool refine(std::uint32_t sector, Eigen::Vector3d& normal);
+
+private:
+  void takeRings(std::uint32_t sector);
+  void takeVertex(std::uint32_t v);
+
+  const Triangulation& mesh_;
+  const std::vector<Eigen::Vector3d>& positions_;
+  const CornerSectors& sectors_;
+  std::vector<std::uint32_t> seen_; ///< of each vertex: the last round that took it
+  std::uint32_t round_ = 0;
+  std::vector<std::uint32_t> ring_; ///< vertices, the sector's own first
+};
+
+} // namespace pcl_spiral

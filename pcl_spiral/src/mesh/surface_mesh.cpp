@@ -1,0 +1,185 @@
+#include <pcl_spiral/mesh/surface_mesh.h>
+
+#include "vertex_normals.h"
+#include "welded_faces.h"
+
+#include <pcl_spiral/common/message.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+using Eigen::Vector3d;
+
+Status
+checkSettings(const MeshSettings& settings)
+{
+  if (!(settings.crease_angle > 0.0) || !(settings.crease_angle <= 180.0))
+    return {StatusCode::InvalidArgument, textOf("the crease angle is ", settings.crease_angle,
+                                                " degrees; set it above 0, up to 180 (setCreaseAngle)")};
+  return Status::success();
+}
+
+/** Six times the volume that the faces enclose, seen from their first corner. */
+double
+enclosed(const WeldedFaces& welded)
+{
+  const Vector3d& origin = welded.positions[0];
+  double sum = 0.0;
+  for (const auto& f : welded.faces)
+    sum += (welded.positions[f[0]] - origin).dot((welded.positions[f[1]] - origin).cross(welded.positions[f[2]] - origin));
+  return sum;
+}
+
+void
+turnAll(WeldedFaces& welded)
+{
+  for (auto& f : welded.faces)
+    std::swap(f[1], f[2]);
+}
+
+bool
+isClosed(const Triangulation& mesh)
+{
+  for (std::uint32_t h = 0; h < mesh.halfEdgeCount(); ++h)
+    if (mesh.opposite(h) == Triangulation::none)
+      return false;
+  return true;
+}
+
+} // namespace
+
+Vector3d
+SurfaceMesh::faceNormal(std::size_t t) const
+{
+  const auto& f = triangles_.triangle(t);
+  return (positions_[f[1]] - positions_[f[0]]).cross(positions_[f[2]] - positions_[f[0]]).normalized();
+}
+
+double
+SurfaceMesh::faceArea(std::size_t t) const
+{
+  const auto& f = triangles_.triangle(t);
+  return 0.5 * (positions_[f[1]] - positions_[f[0]]).cross(positions_[f[2]] - positions_[f[0]]).norm();
+}
+
+MeshPatch
+SurfaceMesh::patch(std::size_t t) const
+{
+  MeshPatch patch;
+  const auto h = static_cast<std::uint32_t>(3 * t);
+  for (int k = 0; k < 3; ++k) {
+    patch.corners.col(k) = positions_[triangles_.origin(h + k)];
+    patch.bows.col(k) = bows_[h + k];
+    patch.normals.col(k) = normal(h + k);
+  }
+  return patch;
+}
+
+double
+SurfaceMesh::sag(std::size_t t) const
+{
+  // sum |bow_ij| b_i b_j is largest, for equal bows, in the middle, where b_i b_j = 1/9.
+  const double most = std::max({bows_[3 * t].squaredNorm(), bows_[3 * t + 1].squaredNorm(), bows_[3 * t + 2].squaredNorm()});
+  return std::sqrt(most) / 3.0;
+}
+
+Status
+SurfaceMesh::make(const pcl::PolygonMesh& mesh, const MeshSettings& settings, ConstPtr& result)
+{
+  result.reset();
+  if (const Status status = checkSettings(settings); !status.ok())
+    return status;
+  const auto made = std::make_shared<SurfaceMesh>();
+  made->settings_ = settings;
+  WeldedFaces welded;
+  if (const Status status = weldFaces(mesh, welded, made->counts_); !status.ok())
+    return status;
+  turnFaces(welded, made->counts_);
+  Triangulation triangles(welded.positions.size(), welded.faces);
+  made->counts_.closed = isClosed(triangles);
+  made->counts_.inside_out = made->counts_.closed && enclosed(welded) < 0.0;
+  if (made->counts_.inside_out != settings.flip) {
+    turnAll(welded);
+    triangles = Triangulation(welded.positions.size(), welded.faces);
+  }
+  made->positions_ = std::move(welded.positions);
+  made->triangles_ = std::move(triangles);
+  made->shape();
+  result = made;
+  return Status::success();
+}
+
+void
+SurfaceMesh::shape()
+{
+  findCreases();
+  const CornerSectors sectors = cornerSectors(triangles_, creases_);
+  std::vector<std::uint8_t> fallback;
+  normals_ = sectorNormals(triangles_, positions_, sectors, settings_.normals, fallback);
+  for (std::size_t s = 0; s < sectors.count(); ++s)
+    if (fallback[s])
+      counts_.other_normals.add(positions_[triangles_.origin(sectors.corners[sectors.begin[s]])]);
+  sector_of_ = sectors.of_corner;
+  bows_.assign(triangles_.halfEdgeCount(), Vector3d::Zero());
+  for (std::uint32_t h = 0; h < triangles_.halfEdgeCount(); ++h)
+    if (const std::uint32_t other = triangles_.opposite(h); other == Triangulation::none || h < other)
+      setBow(h);
+  for (std::size_t t = 0; t < faceCount(); ++t) {
+    area_ += faceArea(t);
+    mean_normal_ += faceArea(t) * faceNormal(t);
+  }
+  mean_normal_ /= area_;
+  counts_.vertices = positions_.size();
+  counts_.faces = faceCount();
+  counts_.loops = triangles_.boundaryLoops().size();
+  std::vector<std::size_t> sizes;
+  triangles_.parts(sizes);
+  counts_.parts = sizes.size();
+}
+
+void
+SurfaceMesh::findCreases()
+{
+  const double least = std::cos(settings_.crease_angle * M_PI / 180.0);
+  creases_.assign(triangles_.halfEdgeCount(), 0);
+  for (std::uint32_t h = 0; h < triangles_.halfEdgeCount(); ++h) {
+    const std::uint32_t other = triangles_.opposite(h);
+    const Vector3d &a = positions_[triangles_.origin(h)], &b = positions_[triangles_.target(h)];
+    if (other == Triangulation::none) {
+      counts_.open_edges.add(0.5 * (a + b));
+      continue;
+    }
+    creases_[h] = faceNormal(h / 3).dot(faceNormal(other / 3)) < least;
+    if (creases_[h] && h < other) {
+      counts_.creases.add(0.5 * (a + b));
+      counts_.crease_length += (b - a).norm();
+    }
+  }
+}
+
+void
+SurfaceMesh::setBow(std::uint32_t h)
+{
+  const Vector3d start = positions_[triangles_.origin(h)], d = positions_[triangles_.target(h)] - start;
+  const Vector3d &n0 = normal(h), &n1 = normal(Triangulation::next(h));
+  const std::uint32_t other = triangles_.opposite(h);
+  Vector3d bow = Vector3d::Zero();
+  if (settings_.edges == MeshEdges::Robust)
+    bow = creases_[h] ? creaseBow(d, n0, n1, normal(Triangulation::next(other)), normal(other)) : robustBow(d, n0, n1);
+  else if (settings_.edges == MeshEdges::Published && !creases_[h])
+    bow = publishedBow(d, n0, n1);
+  if (bow.squaredNorm() > d.squaredNorm()) { // a quarter of the bow is the correction in the middle
+    counts_.limited.add(start + 0.5 * d);
+    bow.setZero();
+  }
+  bows_[h] = bow;
+  if (other != Triangulation::none)
+    bows_[other] = bow;
+}
+
+} // namespace pcl_spiral

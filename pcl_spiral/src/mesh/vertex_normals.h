@@ -1,0 +1,19 @@
+/** \file
+ *  Normals of a mesh's vertices. Private to mesh.
+ */
+#pragma once
+
+#include "corner_sectors.h"
+
+#include <pcl_spiral/mesh/mesh_settings.h>
+
+#include <Eigen/Core>
+
+namespace pcl_spiral {
+
+/** One unit normal a sector, by \p kind. \p fallback has 1 for each sector whose normal is by Max where a fitted one was asked
+ *  for. */
+std::vector<Eigen::Vector3d> sectorNormals(const Triangulation& mesh, const std::vector<Eigen::Vector3d>& positions,
+                                           const CornerSectors& sectors, MeshNormals kind, std::vector<std::uint8_t>& fallback);
+
+} // namespace pcl_spiral

@@ -1,0 +1,28 @@
+/** \file
+ *  Faces of a mesh as a file has them, made one oriented surface. Private to mesh.
+ */
+#pragma once
+
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/mesh/mesh_settings.h>
+#include <pcl_spiral/search/triangulation.h>
+
+#include <pcl/PolygonMesh.h>
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Vertices, each place once, and the faces between them. */
+struct WeldedFaces {
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<Triangulation::Triangle> faces;
+};
+
+/** Weld the corners of \p mesh, cut polygons into triangles, leave faces without area and repeated ones out. */
+Status weldFaces(const pcl::PolygonMesh& mesh, WeldedFaces& welded, MeshCounts& counts);
+
+/** Turn faces so that neighbours face the same way, each part as most of its area did. */
+void turnFaces(WeldedFaces& welded, MeshCounts& counts);
+
+} // namespace pcl_spiral
