@@ -91,7 +91,7 @@ private:
   LevelCrossing
   crossing(std::uint32_t h) const
   {
-    LevelCrossing c{mesh_.origin(h), mesh_.target(h), 0.0};
+    LevelCrossing c{mesh_.origin(h), mesh_.target(h), 0.0, h};
     if (isAbove(c.below))
       std::swap(c.below, c.above);
     c.share = (level_ - values_[c.below]) / (values_[c.above] - values_[c.below]);

@@ -16,6 +16,8 @@ namespace pcl_spiral {
 struct LevelCrossing {
   std::uint32_t below = 0, above = 0;
   double share = 0.0; ///< above 0, up to 1
+  /** Half-edge of the triangle that the line leaves there; at the begin of a line, of the triangle that it enters. */
+  std::uint32_t half_edge = Triangulation::none;
 };
 
 /** A level line from triangle to triangle, the points above the level on its left, seen from outside the

@@ -1,0 +1,18 @@
+/** \file
+ *  Lines of a mesh's faces with parallel planes. Private to mesh.
+ */
+#pragma once
+
+#include <pcl_spiral/mesh/section_settings.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
+#include <pcl_spiral/search/level_lines.h>
+
+namespace pcl_spiral {
+
+/** Lines of each of ascending \p levels of the distance along \p normal (unit): the faces found as \p search says, joined from
+ *  face to face. \p distances has that of each vertex. */
+std::vector<std::vector<LevelLine>> sectionLines(const SurfaceMesh& mesh, const Eigen::Vector3d& normal,
+                                                 const std::vector<double>& distances, const std::vector<double>& levels,
+                                                 MeshSearch search);
+
+} // namespace pcl_spiral

@@ -1,0 +1,17 @@
+/** \file
+ *  Passes along the sections of a mesh. Private to mesh.
+ */
+#pragma once
+
+#include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/mesh/section_settings.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
+#include <pcl_spiral/toolpath/drive_pass.h>
+
+namespace pcl_spiral {
+
+/** As MeshSections describes them; \p settings have been checked. */
+Status sectionPasses(const SurfaceMesh& mesh, const SectionSettings& settings, const ProgressCallback& progress,
+                     DrivePasses& passes, SectionReport& report);
+
+} // namespace pcl_spiral

@@ -1,0 +1,73 @@
+#include "section_rows.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl_spiral {
+namespace {
+
+using Eigen::Vector3d;
+
+/** Where the tool leaves a pass. */
+const Vector3d&
+endOf(const DrivePass& pass)
+{
+  return (pass.closed ? pass.points.front() : pass.points.back()).position;
+}
+
+std::size_t
+nearestOf(const DrivePass& pass, const Vector3d& place)
+{
+  const auto nearest = std::min_element(pass.points.begin(), pass.points.end(), [&](const DrivePoint& a, const DrivePoint& b) {
+    return (a.position - place).squaredNorm() < (b.position - place).squaredNorm();
+  });
+  return static_cast<std::size_t>(nearest - pass.points.begin());
+}
+
+/** The line whose begin is nearest to \p place; of a closed one the nearest point. */
+std::size_t
+nextLine(const DrivePasses& lines, const Vector3d& place)
+{
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::size_t begin = lines[i].closed ? nearestOf(lines[i], place) : 0;
+    const double distance = (lines[i].points[begin].position - place).squaredNorm();
+    if (distance < least) {
+      least = distance;
+      best = i;
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+void
+addRow(DrivePasses lines, const Vector3d& along, bool back, DrivePasses& passes)
+{
+  const Vector3d forward = back ? Vector3d(-along) : along;
+  for (DrivePass& line : lines)
+    if (line.closed ? back : forward.dot(line.points.back().position - line.points.front().position) < 0.0)
+      std::reverse(line.points.begin(), line.points.end());
+  // The first row has no end before it: it begins where it is farthest back.
+  const auto farthestBack = [&]() {
+    Vector3d place = lines.front().points.front().position;
+    for (const DrivePass& line : lines)
+      for (const DrivePoint& p : line.points)
+        if (forward.dot(p.position - place) < 0.0)
+          place = p.position;
+    return place;
+  };
+  while (!lines.empty()) {
+    const Vector3d place = passes.empty() ? farthestBack() : endOf(passes.back());
+    const std::size_t next = nextLine(lines, place);
+    DrivePass& line = lines[next];
+    if (line.closed)
+      std::rotate(line.points.begin(), line.points.begin() + static_cast<std::ptrdiff_t>(nearestOf(line, place)), line.points.end());
+    passes.push_back(std::move(line));
+    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(next));
+  }
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,14 @@
+/** \file
+ *  Section lines in the order of travel. Private to mesh.
+ */
+#pragma once
+
+#include <pcl_spiral/toolpath/drive_pass.h>
+
+namespace pcl_spiral {
+
+/** Add the lines of one row to \p passes: open ones along \p along, or against it on the way \p back; the next is that whose
+ *  begin is nearest to the end of the one before. A closed one begins next to that. */
+void addRow(DrivePasses lines, const Eigen::Vector3d& along, bool back, DrivePasses& passes);
+
+} // namespace pcl_spiral
