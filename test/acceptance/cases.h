@@ -79,4 +79,8 @@ int judgeProperties(const Options& options);
  *  surface. One line an outline, limits beside. */
 int judgeOutlines(const Options& options);
 
+/** Sections of meshes against the exact surface behind them; and with noise. --only grid, moved, random or bonnet. */
+int judgeMeshes(const Options& options);
+int judgeNoisyMeshes(const Options& options);
+
 } // namespace pcl_spiral::acceptance

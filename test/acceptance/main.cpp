@@ -37,6 +37,8 @@ cases()
   all["noise"] = judgeNoise;
   all["field"] = judgeField;
   all["time"] = judgeTime;
+  all["meshes"] = judgeMeshes;
+  all["noisy_meshes"] = judgeNoisyMeshes;
   all["outlines"] = judgeOutlines;
   all["random"] = judgeRandom;
   all["properties"] = judgeProperties;

@@ -27,58 +27,75 @@ cubicTerms(double x, double y)
 } // namespace
 
 NormalFit::NormalFit(const Triangulation& mesh, const std::vector<Vector3d>& positions, const CornerSectors& sectors)
-: mesh_(mesh), positions_(positions), sectors_(sectors), seen_(positions.size(), 0)
+: mesh_(mesh), positions_(positions), sectors_(sectors), vertex_seen_(positions.size(), 0), sector_seen_(sectors.count(), 0)
 {
 }
 
+/** The corners of a fan's faces: vertices, and the fans about them. */
 void
-NormalFit::takeVertex(std::uint32_t v)
+NormalFit::takeFan(std::uint32_t sector)
 {
-  if (seen_[v] == round_)
-    return;
-  seen_[v] = round_;
-  ring_.push_back(v);
-}
-
-void
-NormalFit::takeRings(std::uint32_t sector)
-{
-  ++round_;
-  ring_.clear();
-  takeVertex(mesh_.origin(sectors_.corners[sectors_.begin[sector]]));
   for (std::uint32_t k = sectors_.begin[sector]; k < sectors_.begin[sector + 1]; ++k) {
     const std::uint32_t face = sectors_.corners[k] / 3;
     for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) {
-      const std::uint32_t about = sectors_.of_corner[h]; // the smooth fan about each corner of the first ring's faces
-      for (std::uint32_t j = sectors_.begin[about]; j < sectors_.begin[about + 1]; ++j) {
-        const std::uint32_t corner = sectors_.corners[j];
-        takeVertex(mesh_.target(corner));
-        takeVertex(mesh_.origin(Triangulation::previous(corner)));
+      const std::uint32_t v = mesh_.origin(h), fan = sectors_.of_corner[h];
+      if (vertex_seen_[v] != round_) {
+        vertex_seen_[v] = round_;
+        vertices_.push_back(v);
+      }
+      if (sector_seen_[fan] != round_) {
+        sector_seen_[fan] = round_;
+        next_fans_.push_back(fan);
       }
     }
   }
 }
 
+void
+NormalFit::takeRing()
+{
+  fans_.swap(next_fans_);
+  next_fans_.clear();
+  for (const std::uint32_t fan : fans_)
+    takeFan(fan);
+}
+
 bool
-NormalFit::refine(std::uint32_t sector, Vector3d& normal)
+NormalFit::refine(std::uint32_t sector, Vector3d& normal, double* scatter)
+{
+  constexpr int rings = 2, most_rings = 3;
+  constexpr std::size_t enough = 16; // points: at the boundary, two rings have fewer
+  ++round_;
+  vertices_.assign(1, mesh_.origin(sectors_.corners[sectors_.begin[sector]]));
+  vertex_seen_[vertices_[0]] = round_;
+  next_fans_.assign(1, sector);
+  sector_seen_[sector] = round_;
+  for (int ring = 0; ring < most_rings && (ring < rings || vertices_.size() < enough); ++ring)
+    takeRing();
+  return fit(normal, scatter);
+}
+
+bool
+NormalFit::fit(Vector3d& normal, double* scatter) const
 {
   constexpr double least_determined = 1e-3; // the least over the largest diagonal of the triangular factor
+  constexpr double nearness = 0.1;          // of the reach: nearer points do not weigh more than ten times as much as far ones
   constexpr double least_cosine = 0.9;      // of the angle between the fit's normal and the faces'
-  takeRings(sector);
-  if (ring_.size() < terms)
+  if (vertices_.size() < terms)
     return false;
-  const Vector3d& centre = positions_[ring_[0]];
+  const Vector3d& centre = positions_[vertices_[0]];
   double reach = 0.0;
-  for (const std::uint32_t v : ring_)
+  for (const std::uint32_t v : vertices_)
     reach = std::max(reach, (positions_[v] - centre).norm());
   Vector3d e1, e2;
   tangentFrame(normal, e1, e2);
-  Eigen::Matrix<double, Eigen::Dynamic, terms> system(ring_.size(), terms);
-  Eigen::VectorXd heights(ring_.size());
-  for (std::size_t i = 0; i < ring_.size(); ++i) {
-    const Vector3d x = (positions_[ring_[i]] - centre) / reach;
-    system.row(i) = cubicTerms(e1.dot(x), e2.dot(x));
-    heights[i] = normal.dot(x);
+  Eigen::Matrix<double, Eigen::Dynamic, terms> system(vertices_.size(), terms);
+  Eigen::VectorXd heights(vertices_.size()), weights(vertices_.size());
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    const Vector3d x = (positions_[vertices_[i]] - centre) / reach;
+    weights[i] = 1.0 / (x.norm() + nearness);
+    system.row(i) = weights[i] * cubicTerms(e1.dot(x), e2.dot(x));
+    heights[i] = weights[i] * normal.dot(x);
   }
   const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, terms>> qr(system);
   const auto diagonal = qr.matrixQR().diagonal().cwiseAbs();
@@ -89,6 +106,10 @@ NormalFit::refine(std::uint32_t sector, Vector3d& normal)
   if (!(found.dot(normal) > least_cosine))
     return false;
   normal = found;
+  if (scatter != nullptr) {
+    const auto freedom = static_cast<double>(vertices_.size()) - terms;
+    *scatter = freedom > 0.0 ? reach * std::sqrt(((system * cubic - heights).array().square() / weights.array().square()).sum() / freedom) : 0.0;
+  }
   return true;
 }
 

@@ -15,19 +15,22 @@ public:
   NormalFit(const Triangulation& mesh, const std::vector<Eigen::Vector3d>& positions, const CornerSectors& sectors);
 
   /** Turn \p normal, of the faces, to that of the cubic surface fitted to two rings about \p sector's vertex, not across
-   *  creases. False, and \p normal as it was, where these do not determine one, or it leans far off. */
-  bool refine(std::uint32_t sector, Eigen::Vector3d& normal);
+   *  creases. False, and \p normal as it was, where these do not determine one, or it leans far off. \p scatter, if asked for:
+   *  standard deviation of the vertices about the fit, mm. */
+  bool refine(std::uint32_t sector, Eigen::Vector3d& normal, double* scatter = nullptr);
 
 private:
-  void takeRings(std::uint32_t sector);
-  void takeVertex(std::uint32_t v);
+  bool fit(Eigen::Vector3d& normal, double* scatter) const;
+  void takeFan(std::uint32_t sector);
+  void takeRing();
 
   const Triangulation& mesh_;
   const std::vector<Eigen::Vector3d>& positions_;
   const CornerSectors& sectors_;
-  std::vector<std::uint32_t> seen_; ///< of each vertex: the last round that took it
+  std::vector<std::uint32_t> vertex_seen_, sector_seen_; ///< the last round that took it
   std::uint32_t round_ = 0;
-  std::vector<std::uint32_t> ring_; ///< vertices, the sector's own first
+  std::vector<std::uint32_t> vertices_; ///< the sector's own first
+  std::vector<std::uint32_t> fans_, next_fans_; ///< sectors about the vertices of the outermost ring
 };
 
 } // namespace pcl_spiral

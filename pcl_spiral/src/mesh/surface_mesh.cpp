@@ -117,7 +117,11 @@ SurfaceMesh::make(const pcl::PolygonMesh& mesh, const MeshSettings& settings, Co
 void
 SurfaceMesh::shape()
 {
-  findCreases();
+  findCreases(0.0);
+  counts_.noise = vertexNoise(triangles_, positions_, cornerSectors(triangles_, creases_));
+  if (counts_.noise > 0.0)
+    findCreases(counts_.noise);
+  countEdges();
   const CornerSectors sectors = cornerSectors(triangles_, creases_);
   std::vector<std::uint8_t> fallback;
   normals_ = sectorNormals(triangles_, positions_, sectors, settings_.normals, fallback);
@@ -142,20 +146,40 @@ SurfaceMesh::shape()
   counts_.parts = sizes.size();
 }
 
-void
-SurfaceMesh::findCreases()
+/** Whether the edge of \p h bends by more than the crease angle, and lifts the smaller of its faces by more than noise does. */
+bool
+SurfaceMesh::isBent(std::uint32_t h, double noise) const
 {
-  const double least = std::cos(settings_.crease_angle * M_PI / 180.0);
+  constexpr double beyond_noise = 4.0; // standard deviations
+  const std::uint32_t other = triangles_.opposite(h);
+  if (other == Triangulation::none)
+    return false;
+  const Vector3d n = faceNormal(h / 3), m = faceNormal(other / 3);
+  if (n.dot(m) >= std::cos(settings_.crease_angle * M_PI / 180.0))
+    return false;
+  const double edge = (positions_[triangles_.target(h)] - positions_[triangles_.origin(h)]).norm();
+  const double height = 2.0 * std::min(faceArea(h / 3), faceArea(other / 3)) / edge;
+  return height * std::min(1.0, (n - m).norm()) > beyond_noise * noise;
+}
+
+void
+SurfaceMesh::findCreases(double noise)
+{
   creases_.assign(triangles_.halfEdgeCount(), 0);
+#pragma omp parallel for schedule(static)
+  for (std::int64_t h = 0; h < static_cast<std::int64_t>(creases_.size()); ++h)
+    creases_[h] = isBent(static_cast<std::uint32_t>(h), noise);
+}
+
+void
+SurfaceMesh::countEdges()
+{
   for (std::uint32_t h = 0; h < triangles_.halfEdgeCount(); ++h) {
     const std::uint32_t other = triangles_.opposite(h);
     const Vector3d &a = positions_[triangles_.origin(h)], &b = positions_[triangles_.target(h)];
-    if (other == Triangulation::none) {
+    if (other == Triangulation::none)
       counts_.open_edges.add(0.5 * (a + b));
-      continue;
-    }
-    creases_[h] = faceNormal(h / 3).dot(faceNormal(other / 3)) < least;
-    if (creases_[h] && h < other) {
+    else if (creases_[h] && h < other) {
       counts_.creases.add(0.5 * (a + b));
       counts_.crease_length += (b - a).norm();
     }

@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+
 namespace pcl_spiral {
 namespace {
 
@@ -17,37 +19,62 @@ weighted(const Vector3d& a, const Vector3d& b, MeshNormals kind)
   return kind == MeshNormals::AreaWeighted ? cross : Vector3d(cross / (a.squaredNorm() * b.squaredNorm()));
 }
 
+/** Sum over a sector's faces, of unit length. */
+Vector3d
+faceMean(const Triangulation& mesh, const std::vector<Vector3d>& positions, const CornerSectors& sectors, std::size_t s, MeshNormals kind)
+{
+  Vector3d sum = Vector3d::Zero();
+  for (std::uint32_t k = sectors.begin[s]; k < sectors.begin[s + 1]; ++k) {
+    const std::uint32_t h = sectors.corners[k];
+    const Vector3d& p = positions[mesh.origin(h)];
+    sum += weighted(positions[mesh.target(h)] - p, positions[mesh.origin(Triangulation::previous(h))] - p, kind);
+  }
+  return sum.normalized();
+}
+
 } // namespace
 
 std::vector<Vector3d>
 sectorNormals(const Triangulation& mesh, const std::vector<Vector3d>& positions, const CornerSectors& sectors, MeshNormals kind,
               std::vector<std::uint8_t>& fallback)
 {
+  const auto count = static_cast<std::int64_t>(sectors.count());
   std::vector<Vector3d> normals(sectors.count());
   fallback.assign(sectors.count(), 0);
-#pragma omp parallel for schedule(static)
-  for (std::int64_t s = 0; s < static_cast<std::int64_t>(sectors.count()); ++s) {
-    Vector3d sum = Vector3d::Zero();
-    for (std::uint32_t k = sectors.begin[s]; k < sectors.begin[s + 1]; ++k) {
-      const std::uint32_t h = sectors.corners[k];
-      const Vector3d& p = positions[mesh.origin(h)];
-      sum += weighted(positions[mesh.target(h)] - p, positions[mesh.origin(Triangulation::previous(h))] - p, kind);
-    }
-    normals[s] = sum.normalized();
-  }
-  if (kind != MeshNormals::Fitted)
-    return normals;
-  std::vector<Vector3d> fitted(sectors.count());
 #pragma omp parallel
   {
     NormalFit fit(mesh, positions, sectors);
 #pragma omp for schedule(dynamic, 256)
-    for (std::int64_t s = 0; s < static_cast<std::int64_t>(sectors.count()); ++s) {
-      fitted[s] = normals[s];
-      fallback[s] = !fit.refine(static_cast<std::uint32_t>(s), fitted[s]);
+    for (std::int64_t s = 0; s < count; ++s) {
+      // Small faces, which noise turns most, weigh most by Max: a fit starts from the mean by areas.
+      normals[s] = faceMean(mesh, positions, sectors, s, kind == MeshNormals::Max ? kind : MeshNormals::AreaWeighted);
+      if (kind != MeshNormals::Fitted || fit.refine(static_cast<std::uint32_t>(s), normals[s]))
+        continue;
+      fallback[s] = 1;
+      normals[s] = faceMean(mesh, positions, sectors, s, MeshNormals::Max);
     }
   }
-  return fitted;
+  return normals;
+}
+
+double
+vertexNoise(const Triangulation& mesh, const std::vector<Vector3d>& positions, const CornerSectors& sectors)
+{
+  constexpr std::size_t most = 2000;
+  const std::size_t stride = 1 + sectors.count() / most;
+  NormalFit fit(mesh, positions, sectors);
+  std::vector<double> scatters;
+  std::size_t tried = 0;
+  for (std::size_t s = 0; s < sectors.count(); s += stride, ++tried) {
+    Vector3d normal = faceMean(mesh, positions, sectors, s, MeshNormals::AreaWeighted);
+    double scatter = 0.0;
+    if (fit.refine(static_cast<std::uint32_t>(s), normal, &scatter))
+      scatters.push_back(scatter);
+  }
+  if (2 * scatters.size() < tried || scatters.empty())
+    return 0.0;
+  std::nth_element(scatters.begin(), scatters.begin() + static_cast<std::ptrdiff_t>(scatters.size() / 2), scatters.end());
+  return scatters[scatters.size() / 2];
 }
 
 } // namespace pcl_spiral

@@ -25,7 +25,8 @@ enum class MeshNormals {
 struct MeshSettings {
   MeshNormals normals = MeshNormals::Fitted;
   MeshEdges edges = MeshEdges::Robust;
-  double crease_angle = 30.0; ///< an edge bent by more is a crease: neither normals nor parabolas go across it
+  double crease_angle = 30.0; ///< an edge bent by more is a crease: neither normals nor parabolas go across it. But bends that a
+                              ///< few times the vertices' noise explains are none: small faces stand up in noise
   bool flip = false;          ///< turn all faces to the other side
 };
 
@@ -52,11 +53,12 @@ struct MeshCounts {
   MeshFinding crowded_edges;   ///< edges of more than two faces; two of the faces stay joined there
   MeshFinding one_sided_edges; ///< of a surface with one side alone, as a Moebius strip has: cut there
   MeshFinding open_edges;      ///< on the boundary
-  MeshFinding creases;         ///< edges bent by more than the crease angle
+  MeshFinding creases;         ///< edges bent by more than the crease angle, and not by noise alone
   MeshFinding limited;         ///< edges whose correction would be more than a quarter of their length: left straight
   MeshFinding other_normals;   ///< vertices with normals by Max where fitted ones were asked for
   double crease_length = 0.0;  ///< mm
   std::size_t vertices = 0, faces = 0, parts = 0, loops = 0;
+  double noise = 0.0;          ///< of the vertices about the surface, mm: a crease stands higher
   bool closed = false;         ///< no open edges
   bool inside_out = false;     ///< a closed mesh whose faces all faced inwards: turned
 };

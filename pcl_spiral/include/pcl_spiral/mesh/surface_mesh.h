@@ -74,7 +74,9 @@ public:
 
 private:
   void shape();
-  void findCreases();
+  void findCreases(double noise);
+  void countEdges();
+  bool isBent(std::uint32_t h, double noise) const;
   void setBow(std::uint32_t h);
 
   MeshSettings settings_;

@@ -1,0 +1,40 @@
+/** \file
+ *  Triangle meshes with their vertices on test surfaces, the same on every platform for a given seed.
+ */
+#pragma once
+
+#include "support/surfaces.h"
+
+#include <pcl/PolygonMesh.h>
+
+#include <array>
+#include <cstdint>
+
+namespace pcl_spiral::test {
+
+/** Vertices in double precision, and faces counter-clockwise seen from outside the material. */
+struct TriangleMesh {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::array<std::uint32_t, 3>> faces;
+
+  /** As PCL has it, in floats. */
+  pcl::PolygonMesh::Ptr polygons() const;
+};
+
+/** A grid of cells x cells, each cut in two, over the rectangle from the origin to \p extent. Inner vertices are moved by up to
+ *  \p jitter cells either way, those on the rim along it; diagonals by chance where \p jitter is above 0. */
+TriangleMesh gridMesh(const AnalyticSurface& surface, const Eigen::Vector2d& extent, std::size_t cells, double jitter = 0.0,
+                      std::uint64_t seed = 1);
+
+/** Delaunay triangles over \p count random points of that rectangle, \p on_rim of them spread evenly on its rim with the
+ *  corners. */
+TriangleMesh delaunayMesh(const AnalyticSurface& surface, const Eigen::Vector2d& extent, std::size_t count, std::size_t on_rim,
+                          std::uint64_t seed = 1);
+
+/** The mesh with the same vertices raised by normal noise of \p sigma. */
+TriangleMesh withNoise(TriangleMesh mesh, double sigma, std::uint64_t seed = 1);
+
+/** A binary STL file. */
+void writeStl(const std::string& file, const TriangleMesh& mesh);
+
+} // namespace pcl_spiral::test
