@@ -37,6 +37,8 @@ NormalFit::takeFan(std::uint32_t sector)
 {
   for (std::uint32_t k = sectors_.begin[sector]; k < sectors_.begin[sector + 1]; ++k) {
     const std::uint32_t face = sectors_.corners[k] / 3;
+    const auto& f = mesh_.triangle(face);
+    mean_normal_ += (positions_[f[1]] - positions_[f[0]]).cross(positions_[f[2]] - positions_[f[0]]);
     for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) {
       const std::uint32_t v = mesh_.origin(h), fan = sectors_.of_corner[h];
       if (vertex_seen_[v] != round_) {
@@ -70,6 +72,7 @@ NormalFit::refine(std::uint32_t sector, Vector3d& normal, double* scatter)
   vertex_seen_[vertices_[0]] = round_;
   next_fans_.assign(1, sector);
   sector_seen_[sector] = round_;
+  mean_normal_.setZero();
   for (int ring = 0; ring < most_rings && (ring < rings || vertices_.size() < enough); ++ring)
     takeRing();
   return fit(normal, scatter);
@@ -80,30 +83,31 @@ NormalFit::fit(Vector3d& normal, double* scatter) const
 {
   constexpr double least_determined = 1e-3; // the least over the largest diagonal of the triangular factor
   constexpr double nearness = 0.1;          // of the reach: nearer points do not weigh more than ten times as much as far ones
-  constexpr double least_cosine = 0.9;      // of the angle between the fit's normal and the faces'
+  constexpr double least_cosine = 0.7;      // of the angle between the fit's normal and the mean of the rings' faces
   if (vertices_.size() < terms)
     return false;
   const Vector3d& centre = positions_[vertices_[0]];
   double reach = 0.0;
   for (const std::uint32_t v : vertices_)
     reach = std::max(reach, (positions_[v] - centre).norm());
+  const Vector3d up = mean_normal_.normalized(); // a fan's own may be of narrow faces, and lean far off
   Vector3d e1, e2;
-  tangentFrame(normal, e1, e2);
+  tangentFrame(up, e1, e2);
   Eigen::Matrix<double, Eigen::Dynamic, terms> system(vertices_.size(), terms);
   Eigen::VectorXd heights(vertices_.size()), weights(vertices_.size());
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const Vector3d x = (positions_[vertices_[i]] - centre) / reach;
     weights[i] = 1.0 / (x.norm() + nearness);
     system.row(i) = weights[i] * cubicTerms(e1.dot(x), e2.dot(x));
-    heights[i] = weights[i] * normal.dot(x);
+    heights[i] = weights[i] * up.dot(x);
   }
   const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, terms>> qr(system);
   const auto diagonal = qr.matrixQR().diagonal().cwiseAbs();
   if (!(diagonal.minCoeff() > least_determined * diagonal.maxCoeff()))
     return false;
   const Eigen::Matrix<double, terms, 1> cubic = qr.solve(heights);
-  const Vector3d found = (normal - cubic[1] * e1 - cubic[2] * e2).normalized();
-  if (!(found.dot(normal) > least_cosine))
+  const Vector3d found = (up - cubic[1] * e1 - cubic[2] * e2).normalized();
+  if (!(found.dot(up) > least_cosine))
     return false;
   normal = found;
   if (scatter != nullptr) {

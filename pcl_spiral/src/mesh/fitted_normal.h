@@ -30,6 +30,7 @@ private:
   std::vector<std::uint32_t> vertex_seen_, sector_seen_; ///< the last round that took it
   std::uint32_t round_ = 0;
   std::vector<std::uint32_t> vertices_; ///< the sector's own first
+  Eigen::Vector3d mean_normal_; ///< of the rings' faces, by areas
   std::vector<std::uint32_t> fans_, next_fans_; ///< sectors about the vertices of the outermost ring
 };
 

@@ -1,5 +1,6 @@
 #include <pcl_spiral/mesh/surface_mesh.h>
 
+#include "bent_edges.h"
 #include "vertex_normals.h"
 #include "welded_faces.h"
 
@@ -117,10 +118,7 @@ SurfaceMesh::make(const pcl::PolygonMesh& mesh, const MeshSettings& settings, Co
 void
 SurfaceMesh::shape()
 {
-  findCreases(0.0);
-  counts_.noise = vertexNoise(triangles_, positions_, cornerSectors(triangles_, creases_));
-  if (counts_.noise > 0.0)
-    findCreases(counts_.noise);
+  findCreases();
   countEdges();
   const CornerSectors sectors = cornerSectors(triangles_, creases_);
   std::vector<std::uint8_t> fallback;
@@ -146,29 +144,15 @@ SurfaceMesh::shape()
   counts_.parts = sizes.size();
 }
 
-/** Whether the edge of \p h bends by more than the crease angle, and lifts the smaller of its faces by more than noise does. */
-bool
-SurfaceMesh::isBent(std::uint32_t h, double noise) const
-{
-  constexpr double beyond_noise = 4.0; // standard deviations
-  const std::uint32_t other = triangles_.opposite(h);
-  if (other == Triangulation::none)
-    return false;
-  const Vector3d n = faceNormal(h / 3), m = faceNormal(other / 3);
-  if (n.dot(m) >= std::cos(settings_.crease_angle * M_PI / 180.0))
-    return false;
-  const double edge = (positions_[triangles_.target(h)] - positions_[triangles_.origin(h)]).norm();
-  const double height = 2.0 * std::min(faceArea(h / 3), faceArea(other / 3)) / edge;
-  return height * std::min(1.0, (n - m).norm()) > beyond_noise * noise;
-}
-
 void
-SurfaceMesh::findCreases(double noise)
+SurfaceMesh::findCreases()
 {
-  creases_.assign(triangles_.halfEdgeCount(), 0);
+  const std::vector<std::uint8_t> bent = bentEdges(*this);
+  creases_ = bent;
+  counts_.noise = vertexNoise(triangles_, positions_, cornerSectors(triangles_, creases_));
 #pragma omp parallel for schedule(static)
   for (std::int64_t h = 0; h < static_cast<std::int64_t>(creases_.size()); ++h)
-    creases_[h] = isBent(static_cast<std::uint32_t>(h), noise);
+    creases_[h] = bent[h] && standsOut(*this, bent, counts_.noise, static_cast<std::uint32_t>(h));
 }
 
 void

@@ -25,8 +25,8 @@ enum class MeshNormals {
 struct MeshSettings {
   MeshNormals normals = MeshNormals::Fitted;
   MeshEdges edges = MeshEdges::Robust;
-  double crease_angle = 30.0; ///< an edge bent by more is a crease: neither normals nor parabolas go across it. But bends that a
-                              ///< few times the vertices' noise explains are none: small faces stand up in noise
+  double crease_angle = 30.0; ///< an edge bent by more is a crease: neither normals nor parabolas go across it. But narrow faces that
+                              ///< stand up by no more than noise, or than the mesh's own error, make none
   bool flip = false;          ///< turn all faces to the other side
 };
 

@@ -74,9 +74,8 @@ public:
 
 private:
   void shape();
-  void findCreases(double noise);
+  void findCreases();
   void countEdges();
-  bool isBent(std::uint32_t h, double noise) const;
   void setBow(std::uint32_t h);
 
   MeshSettings settings_;
