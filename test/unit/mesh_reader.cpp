@@ -1,28 +1,17 @@
-// Meshes in every format: the same faces out of each, and a clear error for each broken file.
-#include <pcl_spiral/io/file_error.h>
+// Meshes in every format: the same faces out of each.
 #include <pcl_spiral/io/mesh_reader.h>
 
-#include "support/scratch_folder.h"
+#include "support/mesh_files.h"
 
-#include <gtest/gtest.h>
 #include <pcl/conversions.h>
 #include <pcl/io/obj_io.h>
 #include <pcl/io/vtk_lib_io.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 
 using namespace pcl_spiral;
 
 namespace {
-
-using Triangles = std::vector<std::array<int, 3>>;
-
-/** A tetrahedron's corners, and two faces over the first three and the last. */
-const std::vector<Eigen::Vector3f> corners{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10.5}};
-const Triangles two_faces{{0, 2, 1}, {0, 1, 3}};
 
 pcl::PointCloud<pcl::PointXYZ>
 pointsOf(const pcl::PolygonMesh& mesh)
@@ -69,7 +58,8 @@ bulgedSphere(int rings, int sectors)
   for (int r = 0; r < rings; ++r)
     for (int s = 0; s < sectors; ++s) {
       const int here = r * sectors + s, next = r * sectors + (s + 1) % sectors;
-      for (const std::array<int, 3>& t : {std::array<int, 3>{here, here + sectors, next}, {next, here + sectors, next + sectors}}) {
+      for (const std::array<int, 3>& t :
+           {std::array<int, 3>{here, here + sectors, next}, {next, here + sectors, next + sectors}}) {
         mesh.polygons.emplace_back();
         mesh.polygons.back().vertices.assign(t.begin(), t.end());
       }
@@ -78,26 +68,8 @@ bulgedSphere(int rings, int sectors)
   return mesh;
 }
 
-std::string
-problem(const std::string& file, const ReadOptions& options = {})
-{
-  try {
-    readMesh(file, options);
-  }
-  catch (const FileError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-class MeshReader : public ::testing::Test {
+class MeshReader : public MeshFiles {
 protected:
-  std::string
-  text(const std::string& name, const std::string& content)
-  {
-    writeText(folder_.path(name), content);
-    return folder_.path(name);
-  }
   void
   expectMesh(const std::string& file, const Triangles& faces = two_faces)
   {
@@ -109,55 +81,7 @@ protected:
     EXPECT_EQ(trianglesOf(*read.mesh), faces) << file;
     EXPECT_TRUE(read.warnings.empty());
   }
-  void
-  expectProblem(const std::string& name, const std::string& content, const std::string& words)
-  {
-    const std::string file = text(name, content), said = problem(file);
-    EXPECT_NE(said.find(file), std::string::npos) << "names the file: " << said;
-    EXPECT_NE(said.find(words), std::string::npos) << said;
-  }
-  ScratchFolder folder_;
 };
-
-const std::string obj_corners = "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10.5\n";
-const std::string ply_vertices = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
-const std::string ply_faces = "element face 2\nproperty list uchar int vertex_indices\n";
-const std::string ply_rows = "0 0 0\n10 0 0\n0 10 0\n0 0 10.5\n";
-const std::string ascii = "ply\nformat ascii 1.0\n";
-
-/** A value's bytes, in the other order where swapped. */
-template <typename T>
-std::string
-bytesOf(T value, bool swapped)
-{
-  std::string raw(sizeof(T), '\0');
-  std::memcpy(&raw[0], &value, sizeof(T));
-  if (swapped)
-    std::reverse(raw.begin(), raw.end());
-  return raw;
-}
-
-/** Facets over the corners; binary. */
-std::string
-binaryStl(const Triangles& faces)
-{
-  std::string bytes(80, ' ');
-  bytes += bytesOf(static_cast<std::uint32_t>(faces.size()), false);
-  for (const auto& face : faces) {
-    bytes += std::string(12, '\0');
-    for (const int corner : face)
-      for (int c = 0; c < 3; ++c)
-        bytes += bytesOf(corners[static_cast<std::size_t>(corner)][c], false);
-    bytes += std::string(2, '\0');
-  }
-  return bytes;
-}
-
-std::string
-facet(const std::string& rows)
-{
-  return "facet normal 0 0 1\nouter loop\n" + rows + "endloop\nendfacet\n";
-}
 
 } // namespace
 
@@ -171,8 +95,9 @@ TEST_F(MeshReader, Stl)
     EXPECT_EQ(pointsOf(*read.mesh).size(), 4U) << "corners at one place are one vertex";
   };
   inOrder(readMesh(text("a.stl", binaryStl(two_faces))));
-  inOrder(readMesh(text("b.stl", "solid a\n" + facet("vertex 0 0 0\nvertex 0 10 0\nvertex 10 -0 0\n") +
-                                     facet("VERTEX 0 0 0\r\nVERTEX 10 0 0\r\nVERTEX 0 0 1.05E1\r\n") + "endsolid a\n")));
+  inOrder(
+      readMesh(text("b.stl", "solid a\n" + facet("vertex 0 0 0\nvertex 0 10 0\nvertex 10 -0 0\n") +
+                                 facet("VERTEX 0 0 0\r\nVERTEX 10 0 0\r\nVERTEX 0 0 1.05E1\r\n") + "endsolid a\n")));
 }
 
 TEST_F(MeshReader, Obj)
@@ -180,7 +105,8 @@ TEST_F(MeshReader, Obj)
   expectMesh(text("a.obj", "mtllib m.mtl\n" + obj_corners + "vt 0 0\nvn 0 0 1\ng one\nf 1 3 2\ns 1\nf 1 2 4\n"));
   expectMesh(text("b.obj", obj_corners + "f 1/1 3/1 2/1\nf 1//1 2//1 4//1\n"));
   expectMesh(text("c.obj", obj_corners + "f 1/1/1 3/2/1 2/3/1 # first\nf -4 -3/1/1 -1\n"));
-  expectMesh(text("d.obj", "v 0 0 0\nv 10 0 0\nf 1 3 2\nv 0 10 0\nv 0 0 10.5\nf\t1  2\t4 \n")); // named before it is there
+  expectMesh(
+      text("d.obj", "v 0 0 0\nv 10 0 0\nf 1 3 2\nv 0 10 0\nv 0 0 10.5\nf\t1  2\t4 \n")); // named before it is there
   expectMesh(text("e.obj", obj_corners + "f 1 3 \\\r\n 2\r\nf 1 \\\r\n2\\\r\n4"));
 }
 
@@ -192,7 +118,8 @@ TEST_F(MeshReader, AsciiPly)
                                "property list uchar uint vertex_index\nproperty float quality\n"
                                "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n" +
                                ply_rows + "7 2 .5 .5 3 0 2 1 0.5\n\n8 0 3 0 1 3 nan\n0 1\n"));
-  expectMesh(text("c.ply", ascii + ply_faces + ply_vertices + "end_header\n3 0 2 1\n3 0 1 3\n" + ply_rows)); // faces first
+  expectMesh(
+      text("c.ply", ascii + ply_faces + ply_vertices + "end_header\n3 0 2 1\n3 0 1 3\n" + ply_rows)); // faces first
   expectMesh(text("d.ply", ascii + ply_vertices + "element face 1\nproperty list uchar int vertex_indices\n" +
                                "element face 1\nproperty list uchar int vertex_index\n"
                                "element tristrips 0\nproperty list int int vertex_indices\nend_header\n" +
@@ -202,10 +129,11 @@ TEST_F(MeshReader, AsciiPly)
 TEST_F(MeshReader, BinaryPlyOfBothOrders)
 {
   for (const bool swapped : {false, true}) {
-    std::string bytes = std::string("ply\nformat binary_") + (swapped ? "big" : "little") + "_endian 1.0\n" +
-                        "element vertex 4\nproperty double x\nproperty uchar red\nproperty float y\nproperty double z\n"
-                        "element face 2\nproperty list uchar float texcoord\nproperty list ushort short vertex_indices\n"
-                        "property uchar flags\nend_header\n";
+    std::string bytes =
+        std::string("ply\nformat binary_") + (swapped ? "big" : "little") + "_endian 1.0\n" +
+        "element vertex 4\nproperty double x\nproperty uchar red\nproperty float y\nproperty double z\n"
+        "element face 2\nproperty list uchar float texcoord\nproperty list ushort short vertex_indices\n"
+        "property uchar flags\nend_header\n";
     for (const Eigen::Vector3f& p : corners)
       bytes += bytesOf(static_cast<double>(p.x()), swapped) + "\x7f" + bytesOf(p.y(), swapped) +
                bytesOf(static_cast<double>(p.z()), swapped);
@@ -216,8 +144,8 @@ TEST_F(MeshReader, BinaryPlyOfBothOrders)
       bytes += '\x09';
     }
     expectMesh(text("a.ply", bytes));
-    expectProblem("b.ply", bytes.substr(0, bytes.size() - 4), "is cut off at byte " + std::to_string(bytes.size() - 4) +
-                                                                  ", in face 2 of 2");
+    expectProblem("b.ply", bytes.substr(0, bytes.size() - 4),
+                  "is cut off at byte " + std::to_string(bytes.size() - 4) + ", in face 2 of 2");
   }
 }
 
@@ -228,7 +156,8 @@ TEST_F(MeshReader, AgreesWithVtkOnItsOwnFiles)
   for (const std::string& extension : meshExtensions())
     for (const bool binary : {false, true}) {
       const std::string file = folder_.path("sphere" + extension);
-      ASSERT_TRUE(extension == ".obj" ? pcl::io::saveOBJFile(file, made, 9) == 0 : pcl::io::savePolygonFile(file, made, binary));
+      ASSERT_TRUE(extension == ".obj" ? pcl::io::saveOBJFile(file, made, 9) == 0
+                                      : pcl::io::savePolygonFile(file, made, binary));
       pcl::PolygonMesh theirs;
       ASSERT_GT(pcl::io::loadPolygonFile(file, theirs), 0);
       const std::vector<Eigen::Vector3f> by_us = cornerPlaces(*readMesh(file).mesh), by_vtk = cornerPlaces(theirs);
@@ -247,8 +176,8 @@ TEST_F(MeshReader, VerticesAreThoseOfTheScan)
                           "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
                           "393775.001 3689071.002 3107.003\n393776.001 3689072.002 3108.003\nnan 0 0\n"
                           "393775.501 3689071.002 3107.003\n1 2 3\n3 0 1 3\n";
-  for (const std::string& file : {text("far.ply", ply), text("a.obj", obj_corners + "f 1 3 2\n"),
-                                  text("a.stl", binaryStl(two_faces))}) {
+  for (const std::string& file :
+       {text("far.ply", ply), text("a.obj", obj_corners + "f 1 3 2\n"), text("a.stl", binaryStl(two_faces))}) {
     ReadOptions options;
     options.unit = LengthUnit::Metre;
     options.origin = {393775.0, 3689071.0, 3107.0};
@@ -276,97 +205,9 @@ TEST_F(MeshReader, UnitsHintsAndColumns)
 
 TEST_F(MeshReader, FacesWithoutAreaStayButTheyAreNotCut)
 {
-  expectMesh(text("a.obj", obj_corners + "f 1 3 2\nf 1 1 2\nf 4 4 4 4\nf 1 3 2\n"), {{0, 2, 1}, {0, 0, 1}, {3, 3, 3}, {0, 2, 1}});
+  expectMesh(text("a.obj", obj_corners + "f 1 3 2\nf 1 1 2\nf 4 4 4 4\nf 1 3 2\n"),
+             {{0, 2, 1}, {0, 0, 1}, {3, 3, 3}, {0, 2, 1}});
   const MeshFile read = readMesh(text("b.obj", obj_corners + "f 1 3 2 2\nf 1 2 4 1\n"));
   EXPECT_EQ(trianglesOf(*read.mesh), two_faces) << "corners named twice running count once";
   EXPECT_EQ(read.polygons, 0U);
-}
-
-TEST_F(MeshReader, SaysWhatIsWrongWithTheFile)
-{
-  EXPECT_NE(problem(folder_.path("missing.stl")).find("no such file"), std::string::npos);
-  std::filesystem::create_directory(folder_.path("folder.obj"));
-  EXPECT_NE(problem(folder_.path("folder.obj")).find("is a folder"), std::string::npos);
-  for (const std::string& extension : meshExtensions())
-    expectProblem("empty" + extension, "", "is empty (0 bytes)");
-  expectProblem("a.xyz", "1 2 3\n", "extension '.xyz' is not known for a mesh; use .stl .obj or .ply, or read points as a scan (readCloud)");
-}
-
-TEST_F(MeshReader, SaysThatThereAreNoFaces)
-{
-  const std::string words = "holds no faces, 4 points alone; give it as a scan (readCloud)";
-  expectProblem("a.obj", obj_corners, words);
-  expectProblem("b.ply", ascii + ply_vertices + "end_header\n" + ply_rows, words);
-  expectProblem("c.ply", ascii + ply_vertices + "element face 0\nproperty list uchar int vertex_indices\nend_header\n" + ply_rows, words);
-  expectProblem("d.stl", "solid a\nendsolid a\n", "holds no triangles");
-  expectProblem("e.obj", "f 1 2 3\n", "holds no vertices");
-}
-
-TEST_F(MeshReader, SaysWhichFaceIsBadInObj)
-{
-  expectProblem("a.obj", obj_corners + "f 1 3 2\nf 1 2 5\n", "face 2 (line 6) names vertex 5, where the file has vertices 1 to 4");
-  expectProblem("b.obj", obj_corners + "f 1 3 0\n", "line 5: '0' names no vertex; a face needs numbers from 1");
-  expectProblem("c.obj", obj_corners + "f 1 3 -5/1\n", "line 5: '-5/1' counts back beyond the 4 vertices before it");
-  expectProblem("d.obj", obj_corners + "f 1 3 x\n", "line 5: 'x' names no vertex");
-  expectProblem("e.obj", obj_corners + "f 1 3 99999999999999999999\n", "line 5: '99999999999999999999' names no vertex");
-  expectProblem("f.obj", obj_corners + "f 1 3 2\nf 1 \\\n3\n", "face 2 (line 6) has 2 corners, where a face needs three");
-  expectProblem("g.obj", obj_corners + "f\n", "face 1 (line 5) has 0 corners");
-  expectProblem("h.obj", "v 0 0 0\nv 1 0 inf\nv 0 1 0\nf 1 2 3\n", "face 1 (line 4): its vertex 2 is at (1, 0, inf), which is no place");
-  expectProblem("i.obj", "v 0 0 0\nv 1 0 1e39\nv 0 1 0\nf 1 2 3\n", "vertex 2 is at (1, 0, inf)"); // beyond single precision
-}
-
-TEST_F(MeshReader, SaysWhichFaceIsBadInPly)
-{
-  const std::string start = ascii + ply_vertices + ply_faces + "end_header\n" + ply_rows;
-  expectProblem("a.ply", start + "3 0 2 1\n3 0 1 4\n", "face 2 (line 15) names vertex 4, where the file has vertices 0 to 3");
-  expectProblem("b.ply", start + "3 0 2 1\n3 0 1 -1\n", "face 2 (line 15) names vertex -1");
-  expectProblem("c.ply", start + "3 0 2 1\n3 0 1 1.5\n", "line 15: 1.5 names no vertex");
-  expectProblem("d.ply", start + "3 0 2 1\n3 0 1 nan\n", "line 15: nan names no vertex");
-  expectProblem("e.ply", start + "3 0 2 1\n3 0 x 1\n", "line 15: 'x' is not a number");
-  expectProblem("f.ply", start + "3 0 2 1\n3 0 1\n", "line 15: a list of 3 corners, of which 2 are there");
-  expectProblem("g.ply", start + "3 0 2 1\n", "in face 2 of 2; copy or export it again");
-  expectProblem("h.ply", start + "2 0 2\n3 0 1 3\n", "face 1 (line 14) has 2 corners");
-  expectProblem("i.ply", ascii + "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n" + ply_faces +
-                             "end_header\nnan 1 2\n3 0 0 0\n3 0 0 0\n", "face 1 (line 11): its vertex 0 is at (nan, 1, 2)");
-  expectProblem("j.ply", ascii + ply_vertices + "element face 1\nproperty list uchar int corners\nend_header\n" + ply_rows + "3 0 1 2\n",
-                "has faces without a list 'vertex_indices' or 'vertex_index'");
-  expectProblem("k.ply", ascii + ply_vertices + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" + ply_rows +
-                             "4 0 1 2 3\n", "holds triangle strips (element tristrips), which are not read");
-  const std::string binary = "ply\nformat binary_little_endian 1.0\n";
-  expectProblem("l.ply", binary + "element face 999999999999999\nproperty list uint double vertex_indices\nend_header\n\xff\xff\xff\xff",
-                "cut off");
-  expectProblem("m.ply", binary + "element face 1\nproperty list float int vertex_indices\nend_header\n" + bytesOf(-1.0f, false),
-                "a list of -1.000000 entries");
-}
-
-TEST_F(MeshReader, SaysWhichFacetIsBadInStl)
-{
-  const std::string bytes = binaryStl(two_faces);
-  expectProblem("a.stl", bytes.substr(0, 150), "is cut off at byte 150: its 2 triangles need 184");
-  std::string broken = bytes;
-  broken.replace(84 + 50 + 12 + 24, 4, bytesOf(std::nanf(""), false)); // the last corner of the second
-  expectProblem("b.stl", broken, "face 2 (byte 134): its vertex 4 is at (nan, 0, 10.5), which is no place");
-  expectProblem("c.stl", "solid a\n" + facet("vertex 0 0 0\nvertex 1 0 0\n") + "endsolid\n",
-                "line 6: a facet of 2 corners ends here, where STL has triangles");
-  expectProblem("d.stl", "solid a\n" + facet("vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n") + "endsolid\n",
-                "line 8: a facet of 4 corners");
-  expectProblem("e.stl", "solid a\n" + facet("vertex 0 0 0\nvertex 1 0 0\nvertex inf 1 0\n") + "endsolid\n",
-                "face 1 (line 7): its vertex 3 is at (inf, 1, 0)");
-  expectProblem("f.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", "'endsolid' is missing");
-}
-
-TEST_F(MeshReader, BadFacesDoNotKeepAScanFromBeingRead)
-{
-  const std::string start = ascii + ply_vertices + ply_faces + "end_header\n" + ply_rows;
-  for (const std::string& file :
-       {text("a.ply", start + "3 0 2 9\n3 x\n"), text("b.ply", ascii + ply_vertices + "element tristrips 1\n"
-                                                             "property list int int vertex_indices\nend_header\n" + ply_rows + "2 0\n"),
-        text("c.obj", obj_corners + "f 0 x\nf\nf 9 9 9 \\\n"),
-        text("d.stl", "solid\n" + facet("vertex 0 0 0\nvertex 10 0 0\nvertex 0 10 0\nvertex 0 0 10.5\n") + "endsolid\n")}) {
-    EXPECT_NE(problem(file), "") << file;
-    const Scan scan = readCloud(file);
-    ASSERT_EQ(scan.cloud->size(), corners.size()) << file;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      EXPECT_EQ((*scan.cloud)[i].getVector3fMap(), corners[i]) << file;
-  }
 }

@@ -190,7 +190,8 @@ TEST_F(PolygonCutting, CornersOnStraightSidesAreNoFlatTriangles)
 
 TEST_F(PolygonCutting, HolesJoinedToTheOutlineByADoubleSide)
 {
-  expectBothWays({{0, 0}, {30, 0}, {30, 30}, {0, 30}, {0, 0}, {10, 10}, {10, 20}, {20, 20}, {20, 10}, {10, 10}}, "frame");
+  expectBothWays({{0, 0}, {30, 0}, {30, 30}, {0, 30}, {0, 0}, {10, 10}, {10, 20}, {20, 20}, {20, 10}, {10, 10}},
+                 "frame");
   Outline ring = around(std::vector<double>(24, 40.0));
   ring.push_back(ring.front());
   const Outline hole = around(std::vector<double>(17, 22.0));
@@ -213,12 +214,14 @@ TEST_F(PolygonCutting, RandomStars)
 
 TEST_F(PolygonCutting, SaysWhatCannotBeCut)
 {
-  for (const Outline& outline : {Outline{{0, 0}, {20, 20}, {20, 0}, {0, 20}}, Outline{{0, 0}, {10, 0}, {20, 0}, {30, 0}}}) {
+  for (const Outline& outline :
+       {Outline{{0, 0}, {20, 20}, {20, 0}, {0, 20}}, Outline{{0, 0}, {10, 0}, {20, 0}, {30, 0}}}) {
     const MeshFile read = readFace(outline);
     EXPECT_EQ(read.mesh->polygons.size(), 2U);
     ASSERT_EQ(read.warnings.size(), 1U);
     EXPECT_NE(read.warnings[0].find("face 1 (line 5) cannot be cut into triangles that neither overlap nor are flat"),
-              std::string::npos) << read.warnings[0];
+              std::string::npos)
+        << read.warnings[0];
   }
   std::vector<double> radii(20002, 40.0);
   for (std::size_t i = 0; i < radii.size(); i += 2)
@@ -228,6 +231,8 @@ TEST_F(PolygonCutting, SaysWhatCannotBeCut)
     FAIL();
   }
   catch (const std::exception& error) {
-    EXPECT_NE(std::string(error.what()).find("face 1 (line 20003) has 20002 corners and is not convex"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("face 1 (line 20003) has 20002 corners and is not convex"),
+              std::string::npos)
+        << error.what();
   }
 }

@@ -75,7 +75,8 @@ public:
         add(triangle, *result.mesh);
     }
     if (faulty_ > 0)
-      result.warnings.push_back(file_ + ": " + faces_.nameOf(first_faulty_) + (faulty_ > 1 ? textOf(" and ", faulty_ - 1, " more") : "") +
+      result.warnings.push_back(file_ + ": " + faces_.nameOf(first_faulty_) +
+                                (faulty_ > 1 ? textOf(" and ", faulty_ - 1, " more") : "") +
                                 " cannot be cut into triangles that neither overlap nor are flat: the polygon crosses "
                                 "itself, or has no area; export the mesh in triangles");
   }
@@ -108,8 +109,8 @@ private:
       return polygon.fan();
     if (at.size() > most_ear_corners)
       throw FileError(file_, faces_.nameOf(face) + " has " + std::to_string(at.size()) +
-                                 " corners and is not convex; such are cut up to " +
-                                 std::to_string(most_ear_corners) + " corners; export the mesh in triangles");
+                                 " corners and is not convex; such are cut up to " + std::to_string(most_ear_corners) +
+                                 " corners; export the mesh in triangles");
     const std::vector<CutTriangle> ears = polygon.ears();
     if (polygon.faulty() && faulty_++ == 0)
       first_faulty_ = face;
