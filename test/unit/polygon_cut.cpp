@@ -46,6 +46,24 @@ inside(const Outline& outline, const Eigen::Vector2d& p)
   return odd;
 }
 
+/** Whether two sides meet, by where along them their lines do. */
+bool
+crosses(const Outline& outline)
+{
+  const std::size_t n = outline.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if ((j + 1) % n == i)
+        continue;
+      Eigen::Matrix2d sides;
+      sides << outline[(i + 1) % n] - outline[i], outline[j] - outline[(j + 1) % n];
+      const Eigen::Vector2d along = sides.inverse() * (outline[j] - outline[i]);
+      if (along.minCoeff() > 0.0 && along.maxCoeff() < 1.0)
+        return true;
+    }
+  return false;
+}
+
 /** Reads the outline, laid into a tilted plane, as the one face of an OBJ file; its triangles back in the plane. */
 class PolygonCutting : public ::testing::Test {
 protected:
@@ -209,6 +227,35 @@ TEST_F(PolygonCutting, RandomStars)
     for (double& one : radii)
       one = radius(random);
     expectCut(around(radii), "star " + std::to_string(trial));
+  }
+}
+
+TEST_F(PolygonCutting, RandomOnesAreCutWhereTheyDoNotCrossThemselves)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(0.0, 50.0);
+  int simple = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    Outline outline;
+    for (int i = 0; i < 4 + trial % 4; ++i)
+      outline.emplace_back(place(random), place(random));
+    EXPECT_EQ(readFace(outline).warnings.empty(), !crosses(outline)) << trial;
+    simple += crosses(outline) ? 0 : 1;
+    if (!crosses(outline))
+      expectCut(outline, "outline " + std::to_string(trial));
+  }
+  EXPECT_GT(simple, 50);
+}
+
+TEST_F(PolygonCutting, TwiceRoundIsNoConvexPolygon)
+{
+  Outline limacon; // every corner turns left; it goes round twice, a small loop in a large one
+  for (int i = 0; i < 30; ++i)
+    limacon.push_back((10.0 + 20.0 * std::cos(2.0 * M_PI * i / 30)) *
+                      Eigen::Vector2d(std::cos(2.0 * M_PI * i / 30), std::sin(2.0 * M_PI * i / 30)));
+  for (std::size_t first = 0; first < limacon.size(); ++first) {
+    EXPECT_EQ(readFace(limacon).warnings.size(), 1U) << first;
+    std::rotate(limacon.begin(), limacon.begin() + 1, limacon.end());
   }
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using Points = pcl::PointCloud<pcl::PointXYZ>;
 
-constexpr std::size_t most_ear_corners = 20000; ///< their time grows with the square: 1 s for these
+constexpr std::size_t most_ear_corners = 20000; ///< their time grows with the square: 2 s for these
 
 MeshTable
 readTable(const std::string& file, const std::string& extension)

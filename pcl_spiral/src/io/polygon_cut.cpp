@@ -17,6 +17,15 @@ cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
+/** Whether \p c and \p d lie on either side of the line from \p a to \p b. */
+bool
+parts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c, const Eigen::Vector2d& d)
+{
+  const double least = flat * (b - a).norm();
+  const double one = cross(b - a, c - a), other = cross(b - a, d - a);
+  return (one > least && other < -least) || (one < -least && other > least);
+}
+
 /** Newell's normal, of any length; zero where the polygon has no area. */
 Eigen::Vector3d
 normalOf(const std::vector<Eigen::Vector3d>& corners)
@@ -73,6 +82,7 @@ PolygonCut::fan() const
 std::vector<CutTriangle>
 PolygonCut::ears()
 {
+  faulty_ = crossesItself();
   std::vector<CutTriangle> triangles;
   values_.resize(left_.size());
   for (std::size_t place = 0; place < left_.size(); ++place)
@@ -80,6 +90,20 @@ PolygonCut::ears()
   while (left_.size() > 2)
     cutOff(static_cast<std::size_t>(std::max_element(values_.begin(), values_.end()) - values_.begin()), triangles);
   return triangles;
+}
+
+/** Whether two sides cross, not only touch. */
+bool
+PolygonCut::crossesItself() const
+{
+  const std::size_t n = corners_.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 2; j < n; ++j) {
+      const Eigen::Vector2d &a = corners_[i], &b = corners_[i + 1], &c = corners_[j], &d = corners_[(j + 1) % n];
+      if (parts(a, b, c, d) && parts(c, d, a, b))
+        return true;
+    }
+  return false;
 }
 
 /** Twice the area over the sum of the squared sides: 0.29 for equal sides, 0 for a flat one, below for one that turns

@@ -26,7 +26,7 @@ public:
   /** Ears cut off one after the other, the one nearest to equal sides first (Meisters 1975, two ears theorem). All go
    * round as the polygon does. Time grows with the square of the corners. */
   std::vector<CutTriangle> ears();
-  /** Whether the ears overlap or are flat: the polygon crosses itself, or has no area. */
+  /** Whether the ears may overlap or be flat: the polygon crosses itself, or has no area. */
   bool
   faulty() const
   {
@@ -34,6 +34,7 @@ public:
   }
 
 private:
+  bool crossesItself() const;
   double shape(std::size_t before, std::size_t at, std::size_t after) const;
   bool empty(std::size_t before, std::size_t at, std::size_t after) const;
   double valueOf(std::size_t place) const;
