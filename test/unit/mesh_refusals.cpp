@@ -93,11 +93,11 @@ TEST_F(MeshRefusals, SaysWhichFacetIsBadInStl)
   broken.replace(84 + 50 + 12 + 24, 4, bytesOf(std::nanf(""), false)); // the last corner of the second
   expectProblem("b.stl", broken, "face 2 (byte 134): its vertex 4 is at (nan, 0, 10.5), which is no place");
   expectProblem("c.stl", "solid a\n" + facet("vertex 0 0 0\nvertex 1 0 0\n") + "endsolid\n",
-                "line 6: a facet of 2 corners ends here, where STL has triangles");
+                "line 4: a facet of 2 corners begins here, where STL has triangles");
   expectProblem("d.stl", "solid a\n" + facet("vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n") + "endsolid\n",
-                "line 8: a facet of 4 corners");
+                "line 4: a facet of 4 corners");
   expectProblem("e.stl", "solid a\n" + facet("vertex 0 0 0\nvertex 1 0 0\nvertex inf 1 0\n") + "endsolid\n",
-                "face 1 (line 7): its vertex 3 is at (inf, 1, 0)");
+                "face 1 (line 4): its vertex 3 is at (inf, 1, 0)");
   expectProblem("f.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", "'endsolid' is missing");
 }
 

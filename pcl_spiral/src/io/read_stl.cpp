@@ -117,7 +117,7 @@ readBinary(const std::string& file, std::string_view bytes, FaceList* faces)
   return corners.take();
 }
 
-/** Corners on lines one after the other are a triangle; it ends on the line \p number. */
+/** Corners on lines one after the other are a triangle; the first of them is on line \p number. */
 void
 closeFacet(const std::string& file, std::size_t number, FaceList& faces)
 {
@@ -125,7 +125,7 @@ closeFacet(const std::string& file, std::size_t number, FaceList& faces)
     return;
   if (faces.open() != 3)
     throw FileError(file, atLine(number, "a facet of " + std::to_string(faces.open()) +
-                                             " corners ends here, where STL has triangles; export it again"));
+                                             " corners begins here, where STL has triangles; export it again"));
   faces.close(number);
 }
 
@@ -152,6 +152,7 @@ readText(const std::string& file, std::string_view bytes, FaceList* faces)
   std::string_view line;
   std::vector<std::string_view> words;
   bool ended = false, any = false;
+  std::size_t first = 0; // line of the facet's first corner
   while (lines.next(line)) {
     splitWords(line, ' ', words);
     if (words.empty())
@@ -159,12 +160,14 @@ readText(const std::string& file, std::string_view bytes, FaceList* faces)
     ended = sameWord(words[0], "endsolid");
     const bool vertex = sameWord(words[0], "vertex");
     if (!vertex && faces)
-      closeFacet(file, lines.number(), *faces);
+      closeFacet(file, first, *faces);
     if (!vertex)
       continue;
     const std::size_t number = corners.add(cornerOf(file, words, lines.number()));
-    if (faces)
+    if (faces) {
+      first = faces->open() == 0 ? lines.number() : first;
       faces->corners.push_back(static_cast<std::int64_t>(number));
+    }
     any = true;
   }
   if (!ended)
