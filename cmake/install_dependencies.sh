@@ -6,9 +6,9 @@ set -euo pipefail
 
 build=(g++ cmake ninja-build ccache libpcl-dev libvtk9-dev libx11-dev libeigen3-dev libboost-dev
   libboost-program-options-dev nlohmann-json3-dev libyaml-cpp-dev)
-test=(libgtest-dev pkg-config linuxcnc-uspace) # linuxcnc: its interpreter rs274 runs our programs
+test=(libgtest-dev pkg-config linuxcnc-uspace admesh) # linuxcnc: its interpreter rs274 runs our programs; admesh counts faults of meshes
 display=(xvfb xauth libgl1-mesa-dri) # pictures where there is no screen
-benchmark=(libbenchmark-dev)
+benchmark=(libbenchmark-dev libcgal-dev) # CGAL's slicer of meshes runs beside ours
 fuzz=(clang libclang-rt-dev) # libFuzzer; no test needs it
 doc=(doxygen)
 releases=(debootstrap git) # tests on bare Debian releases
