@@ -124,9 +124,9 @@ patchesOf(const RowCut& cut, int cells, double& low, double& high)
   return patches;
 }
 
-/** Contacts 0.1 mm apart along the rows, wherever they lie over the rectangle and 3 mm beyond it. */
+/** Contacts \p spacing apart along the rows, wherever they lie over the rectangle and 3 mm beyond it. */
 CheckedPath
-ballPath(const RowCut& cut, const std::vector<double>& levels)
+ballPath(const RowCut& cut, const std::vector<double>& levels, double spacing = 0.1)
 {
   CheckedPath path;
   const Vector3d along = cut.along(), across = cut.across();
@@ -135,8 +135,8 @@ ballPath(const RowCut& cut, const std::vector<double>& levels)
   const double begin = along.head<2>().dot(middle) - reach;
   for (const double level : levels) {
     const std::size_t first = path.size();
-    for (int i = 0; i <= static_cast<int>(20.0 * reach); ++i) {
-      const double u = begin + 0.1 * i;
+    for (int i = 0; i <= static_cast<int>(2.0 * reach / spacing); ++i) {
+      const double u = begin + spacing * i;
       double v = level;
       for (int turn = 0; turn < 25; ++turn)
         v += level - across.dot(cut.led(cut.surface->lift((u * along + v * across).head<2>())));
@@ -325,7 +325,7 @@ TEST(RowDistance, LeavesTheHeightMidway)
         const double middle = cut.across().dot(cut.led(x));
         double height = 0.0; // the mean of what the two leave: they differ by how the curvature changes
         for (const double side : {-0.5, 0.5}) {
-          const CheckedPath path = ballPath(cut, {middle + side * apart});
+          const CheckedPath path = ballPath(cut, {middle + side * apart}, 0.02);
           std::vector<Vector3d> centres;
           for (std::size_t i = 0; i < path.size(); ++i)
             centres.push_back(path.contacts[i] + cut.radius * path.normals[i]);
