@@ -1,6 +1,5 @@
 #include "support/height_field.h"
 
-#include <array>
 #include <cmath>
 
 namespace pcl_spiral::test {
@@ -11,15 +10,12 @@ constexpr double pi = 3.14159265358979323846;
 
 class SineSum : public HeightField {
 public:
-  using HeightField::HeightField;
+  SineSum(std::vector<Wave> waves, Region region) : HeightField(std::move(region)), waves_(std::move(waves)) {}
   Jet
   jet(double x, double y) const override
   {
-    static const std::array<std::array<double, 4>, 3> waves{{{105.9, 0.004286, 0.00132, 1.687},
-                                                             {129.2, -0.001399, 0.004411, 2.88},
-                                                             {7.714, 0.004276, -0.008126, 2.695}}};
     Jet j{0, 0, 0, 0, 0, 0};
-    for (const auto& [amplitude, kx, ky, phase] : waves) {
+    for (const auto& [amplitude, kx, ky, phase] : waves_) {
       const double s = amplitude * std::sin(kx * x + ky * y + phase);
       const double c = amplitude * std::cos(kx * x + ky * y + phase);
       j.f += s;
@@ -31,6 +27,9 @@ public:
     }
     return j;
   }
+
+private:
+  std::vector<Wave> waves_;
 };
 
 class Quadric : public HeightField {
@@ -158,7 +157,25 @@ flat(Region region)
 SurfacePtr
 freeform()
 {
-  return std::make_shared<SineSum>(Region({rectangle(1000.0, 1000.0)}));
+  return waves({{105.9, 0.004286, 0.00132, 1.687},
+                {129.2, -0.001399, 0.004411, 2.88},
+                {7.714, 0.004276, -0.008126, 2.695}},
+               Region({rectangle(1000.0, 1000.0)}));
+}
+
+SurfacePtr
+waves(std::vector<Wave> sum, Region region)
+{
+  return std::make_shared<SineSum>(std::move(sum), std::move(region));
+}
+
+SurfacePtr
+landform()
+{
+  constexpr double k60 = 2.0 * pi / 60.0, k38 = 2.0 * pi / 38.0, k25 = 2.0 * pi / 25.0;
+  return waves(
+      {{1.6, k60, 0.3 * k60, 0.3}, {0.9, 0.5 * k38, k38, 1.1}, {0.35, -k25, 0.6 * k25, 2.0}},
+      Region({rectangle(100.0, 100.0, {50.0, 50.0})}));
 }
 
 SurfacePtr

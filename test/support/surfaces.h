@@ -87,6 +87,14 @@ SurfacePtr flat(Region region);
 /** Sums of sines on a square of side 1000: relief 449, smallest curvature radius 301 (concave), 396 convex.
  */
 SurfacePtr freeform();
+/** amplitude sin(kx x + ky y + phase), lengths in mm. */
+struct Wave {
+  double amplitude, kx, ky, phase;
+};
+/** z is the sum of the waves over the region. */
+SurfacePtr waves(std::vector<Wave> sum, Region region);
+/** Waves of 60, 38 and 25 mm on a square of side 100, slopes up to 0.43. */
+SurfacePtr landform();
 /** Upper half of the spheroid of semi-axes a, a, b down to z = 0; chart: parametric latitude from the pole
  * times a. With \p hole_radius the part nearer to the axis than that is missing. */
 SurfacePtr spheroidCap(double a, double b, double hole_radius = 0.0);

@@ -169,6 +169,32 @@ TEST(DrivePath, RefusesWhatCannotBe)
         d.setAxisMode(DriveAxisMode::Cylinder);
       },
       "lies on the axis of the drive cylinder");
+  const auto kept = [](double radius, double height, DriveKind kind, DriveAxisMode mode) {
+    return [=](Drive& d) {
+      d.setStepOver(1.0);
+      d.setRows(DriveRows::Kept);
+      d.setScallop(radius, height);
+      d.setKind(kind);
+      d.setAxisMode(mode);
+    };
+  };
+  refused(plate, kept(0.0, 0.01, DriveKind::Planes, DriveAxisMode::Fixed), "ball of radius 0 mm");
+  refused(plate, kept(nan, 0.01, DriveKind::Planes, DriveAxisMode::Fixed), "setScallop");
+  refused(plate, kept(3.0, 3.0, DriveKind::Planes, DriveAxisMode::Fixed), "the height below the radius");
+  refused(plate, kept(3.0, nan, DriveKind::Planes, DriveAxisMode::Fixed), "setScallop");
+  refused(plate, kept(3.0, 0.01, DriveKind::BoundaryOffset, DriveAxisMode::Fixed), "by section planes alone");
+  refused(plate, kept(3.0, 0.01, DriveKind::Planes, DriveAxisMode::Cylinder), "not out of a cylinder");
+  refused(plate, kept(3.0, 1e-15, DriveKind::Planes, DriveAxisMode::Fixed), "raise the scallop height");
+  const auto linked = [](DriveKind kind, bool zigzag) {
+    return [=](Drive& d) {
+      d.setStepOver(1.0);
+      d.setLinkRows(true);
+      d.setKind(kind);
+      d.setZigzag(zigzag);
+    };
+  };
+  refused(plate, linked(DriveKind::BoundaryOffset, true), "planes alone are linked");
+  refused(plate, linked(DriveKind::Planes, false), "to and fro");
   const std::vector<Vector3d> column = someColumn(3000);
   const auto rings = [](const DriveCylinder& cylinder) {
     return [cylinder](Drive& d) {

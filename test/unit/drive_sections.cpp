@@ -1,6 +1,7 @@
 // Drive paths by section planes: on the plane, on the surface, evenly spaced, all of the surface near a pass.
 #include "support/driven.h"
 
+#include <array>
 #include <set>
 
 using namespace pcl_spiral;
@@ -93,6 +94,91 @@ TEST(DriveSections, AreCutByHolesButNotBySmallGaps)
   for (std::size_t k = 0; k + 1 < run.passes.size(); ++k) // the pieces of a plane in the order of travel
     EXPECT_LT((run.passes[k + 1].points.front().position - run.passes[k].points.back().position).norm(),
               17.5);
+}
+
+TEST(DriveSections, AreLinkedOnTheSurface)
+{
+  const SurfacePtr cap = ball(60.0, Region({circle({0, 0}, 30.0)}));
+  const std::vector<Vector3d> points = sampleUniform(*cap, 30000, 1).points;
+  const auto set = [](Drive& drive) {
+    drive.setStepOver(2.5);
+    drive.setPointSpacing(0.8);
+  };
+  const Driven apart = driven(points, set);
+  const Driven run = driven(points, [&](Drive& drive) {
+    set(drive);
+    drive.setLinkRows(true);
+  });
+  EXPECT_EQ(apart.report.rows, 24U);
+  EXPECT_EQ(apart.report.links, 0U);
+  EXPECT_EQ(run.report.links + run.passes.size(), 24U);
+  EXPECT_EQ(run.report.rows_apart + 1, run.passes.size());
+  // The ends of rows on a circle are more than two step-overs apart where it bends away: the outermost two or three.
+  EXPECT_GE(run.report.links, 18U);
+  std::set<std::array<double, 3>> of_rows;
+  for (const DrivePass& pass : apart.passes)
+    for (const DrivePoint& p : pass.points)
+      of_rows.insert({p.position.x(), p.position.y(), p.position.z()});
+  std::size_t of_links = 0, kept = 0;
+  for (const DrivePass& pass : run.passes) {
+    EXPECT_LE(largestStep(pass), 0.8 + 1e-3);
+    for (const DrivePoint& p : pass.points) {
+      const bool is_row = of_rows.count({p.position.x(), p.position.y(), p.position.z()}) > 0;
+      ++(is_row ? kept : of_links);
+      if (is_row)
+        continue;
+      ASSERT_NEAR(p.position.norm(), 60.0, 2e-3);
+      ASSERT_LT(p.position.head<2>().norm(), 30.3);
+      ASSERT_EQ(p.axis, Vector3d::UnitZ());
+    }
+  }
+  EXPECT_EQ(kept, of_rows.size());
+  EXPECT_GE(of_links, 2 * run.report.links);
+}
+
+TEST(DriveSections, AreNotLinkedAcrossAHole)
+{
+  // A notch in the rim on the right, between two rows; a hole in the middle that three rows run into.
+  const PlaneLoop notched{{-30, -20}, {30, -20}, {30, 0.3}, {24, 0.3}, {24, 2.8}, {30, 2.8}, {30, 20}, {-30, 20}};
+  const SurfacePtr plate = flat(Region({notched, circle({-5.0, -8.0}, 4.5)}));
+  const Driven run = driven(sampleUniform(*plate, 40000, 3).points, [](Drive& drive) { // 0.24 apart
+    drive.setStepOver(3.2);
+    drive.setLinkRows(true);
+    drive.setPointSpacing(0.5);
+  });
+  std::printf("  %zu rows, %zu links, %zu apart\n", run.report.rows, run.report.links, run.report.rows_apart);
+  EXPECT_EQ(run.report.rows, 13U);
+  EXPECT_EQ(run.report.rows_apart, 4U); // one a row across the hole, and one at the notch
+  EXPECT_EQ(run.report.rows_apart + 1, run.passes.size());
+  EXPECT_EQ(run.report.links, 11U);
+  for (const DrivePass& pass : run.passes)
+    for (std::size_t i = 0; i + 1 < pass.points.size(); ++i)
+      for (const double share : {0.0, 0.25, 0.5, 0.75}) {
+        const Vector3d x = pass.points[i].position + share * (pass.points[i + 1].position - pass.points[i].position);
+        ASSERT_FALSE(x.x() > 24.4 && std::abs(x.y() - 1.55) < 0.9) << x.transpose();
+        ASSERT_GT((x.head<2>() - Eigen::Vector2d(-5.0, -8.0)).norm(), 4.0) << x.transpose();
+      }
+}
+
+TEST(DriveSections, KeepTheScallopOfALandform)
+{
+  constexpr double radius = 5.0, height = 0.01;
+  const SurfacePtr land = landform();
+  for (const double sigma : {0.0, 0.005}) {
+    Sampled scan = sampleUniform(*land, 60000, 4); // 0.41 mm apart
+    addNoise(scan, sigma, 5);
+    const Driven run = driven(scan.points, [&](Drive& drive) {
+      drive.setRows(DriveRows::Kept);
+      drive.setScallop(radius, height);
+      drive.setPointSpacing(0.2);
+    });
+    std::printf("  noise %.3f: %zu rows, %.4f to %.4f mm, held on %.5f\n", sigma, run.report.rows,
+                run.report.smallest_step, run.report.step_over, run.report.held_share);
+    for (const std::string& warning : run.report.warnings)
+      std::printf("  %s\n", warning.c_str());
+    EXPECT_LE(run.report.rows, static_cast<std::size_t>(1.12 * 159));
+    EXPECT_TRUE(run.report.warnings.empty());
+  }
 }
 
 TEST(DriveSections, StayWholeUnderNoiseOfTheSpacingAndSaySo)

@@ -6,6 +6,7 @@
 #include <pcl_spiral/common/progress.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/search/surface_graph.h>
+#include <pcl_spiral/surface/surface.h>
 #include <pcl_spiral/toolpath/drive_pass.h>
 #include <pcl_spiral/toolpath/drive_settings.h>
 
@@ -29,7 +30,7 @@ Status checkDriveSize(double points, double crossings, const DriveSettings& sett
  * kept. */
 DrivePass passAlong(const Polyline& line, bool closed, double spacing);
 
-Status planSections(const SurfaceGraph& graph, const DriveSettings& settings, DrivePasses& passes,
+Status planSections(const Surface& surface, const DriveSettings& settings, DrivePasses& passes,
                     DriveReport& report);
 
 /** Helix, rings or arcs about report.column. */

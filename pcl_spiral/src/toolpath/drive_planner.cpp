@@ -32,19 +32,19 @@ planCurve(const DriveSettings& settings, DrivePasses& passes)
 }
 
 Status
-planPasses(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress,
+planPasses(const Surface* surface, const DriveSettings& settings, const ProgressCallback& progress,
            DrivePasses& passes, DriveReport& report)
 {
   switch (settings.kind) {
   case DriveKind::Planes:
-    return planSections(graph, settings, passes, report);
+    return planSections(*surface, settings, passes, report);
   case DriveKind::Helix:
   case DriveKind::Rings:
     return planRings(settings, passes, report);
   case DriveKind::Curve:
     return planCurve(settings, passes);
   case DriveKind::BoundaryOffset:
-    return planOffsets(graph, settings, progress, passes, report);
+    return planOffsets(surface->graph(), settings, progress, passes, report);
   }
   return Status::success();
 }
@@ -105,13 +105,13 @@ planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const
   }
   if (surface)
     warnOfScatter(*surface, settings, report);
-  if (const Status status = planPasses(graph, settings, partOf(progress, 0.0, 0.5), passes, report);
+  if (const Status status = planPasses(surface.get(), settings, partOf(progress, 0.0, 0.5), passes, report);
       !status.ok())
     return status;
   if (passes.empty())
     return {StatusCode::Failed,
             textOf("no line of the scan is longer than its spacing, ", graph.spacing(),
-                   " mm; lower the step-over, ", settings.step_over, " mm, or scan more densely")};
+                   " mm; lower the step-over, ", report.step_over, " mm, or scan more densely")};
   if (!told(0.5, "axes"))
     return cancelled();
   if (const Status status = setAxes(graph, settings, partOf(progress, 0.5, 1.0), passes, report); !status.ok())

@@ -1,6 +1,8 @@
 // Sections of the surface with planes along the tool axis.
 #include "drive_kinds.h"
 #include "drive_lines.h"
+#include "kept_rows.h"
+#include "scan_links.h"
 
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/toolpath/path_size.h>
@@ -62,33 +64,95 @@ turnBack(std::vector<DriveLine>& lines)
     std::reverse(line.points.begin(), line.points.end());
 }
 
+/** How far the points of the scan are across the passes, and the extent of those of \p mesh. */
+struct AcrossPasses {
+  std::vector<double> distance;
+  double low = 1e300, high = -1e300;
+};
+
+AcrossPasses
+acrossPasses(const SurfaceGraph& graph, const Triangulation& mesh, const SectionFrame& frame)
+{
+  AcrossPasses across;
+  across.distance.resize(graph.size());
+  for (std::size_t i = 0; i < graph.size(); ++i)
+    across.distance[i] = frame.across.dot(graph.position(i) - frame.origin);
+  for (std::size_t h = 0; h < mesh.halfEdgeCount(); ++h) {
+    const double distance = across.distance[mesh.origin(static_cast<std::uint32_t>(h))];
+    across.low = std::min(across.low, distance);
+    across.high = std::max(across.high, distance);
+  }
+  return across;
+}
+
+/** Refused where rows that far apart have too many points. */
+Status
+checkSize(const SurfaceGraph& graph, const DriveSettings& settings, double extent, double step)
+{
+  const double rows = surfaceArea(graph) / step;
+  return checkDriveSize(rows / settings.point_spacing + extent / step, 2.0 * rows / graph.spacing(), settings);
+}
+
+Status
+planesOf(const Surface& surface, const DriveSettings& settings, const SectionFrame& frame, const AcrossPasses& across,
+         std::vector<double>& planes, DriveReport& report)
+{
+  const double extent = across.high - across.low;
+  if (const Status status = checkSize(surface.graph(), settings, extent, settings.step_over); !status.ok())
+    return status;
+  if (settings.rows == DriveRows::Even) {
+    EqualSteps steps = equalSteps(across.low, across.high, settings.step_over);
+    report.step_over = report.smallest_step = steps.step;
+    planes = std::move(steps.middles);
+  }
+  else {
+    RowLevels rows = keptRows(surface, settings, frame.across, frame.origin, across.low, across.high, report);
+    report.step_over = rows.levels.size() > 1 ? rows.largest_step : extent;
+    report.smallest_step = rows.levels.size() > 1 ? rows.smallest_step : extent;
+    planes = std::move(rows.levels);
+  }
+  report.rows = planes.size();
+  return checkSize(surface.graph(), settings, extent, extent / static_cast<double>(planes.size()));
+}
+
+/** With the step-over on a plane where rows are kept. */
+DriveSettings
+withStep(DriveSettings settings)
+{
+  if (settings.rows == DriveRows::Kept)
+    settings.step_over =
+        2.0 * std::sqrt((2.0 * settings.tool_radius - settings.scallop_height) * settings.scallop_height);
+  return settings;
+}
+
+void
+link(const Surface& surface, const Triangulation& mesh, const DriveSettings& settings, DrivePasses& passes,
+     DriveReport& report)
+{
+  const LinkLimits limits{2.0 * report.step_over, std::min(settings.point_spacing, 0.5 * surface.spacing()),
+                          settings.point_spacing};
+  const RowLinks links = linkRows(passes, limits, onScan(surface, mesh));
+  report.links = links.made;
+  report.rows_apart = links.not_made;
+}
+
 } // namespace
 
 Status
-planSections(const SurfaceGraph& graph, const DriveSettings& settings, DrivePasses& passes,
-             DriveReport& report)
+planSections(const Surface& surface, const DriveSettings& asked, DrivePasses& passes, DriveReport& report)
 {
+  const DriveSettings settings = withStep(asked);
+  const SurfaceGraph& graph = surface.graph();
   const SectionFrame frame = frameOf(settings, graph.position(0));
-  std::vector<double> distance(graph.size());
-  double low = 1e300, high = -1e300;
   const Triangulation mesh = withoutFlaws(graph);
-  for (std::size_t i = 0; i < graph.size(); ++i)
-    distance[i] = frame.across.dot(graph.position(i) - frame.origin);
-  for (std::size_t h = 0; h < mesh.halfEdgeCount(); ++h) {
-    low = std::min(low, distance[mesh.origin(static_cast<std::uint32_t>(h))]);
-    high = std::max(high, distance[mesh.origin(static_cast<std::uint32_t>(h))]);
-  }
-  if (!(high > low))
+  const AcrossPasses across = acrossPasses(graph, mesh, frame);
+  if (!(across.high > across.low))
     return {StatusCode::InvalidInput,
             "the scan has no extent across the passes; turn the direction of the planes"};
-  const double area = surfaceArea(graph), rows = area / settings.step_over;
-  if (const Status status = checkDriveSize(rows / settings.point_spacing + (high - low) / settings.step_over,
-                                           2.0 * rows / graph.spacing(), settings);
-      !status.ok())
+  std::vector<double> planes;
+  if (const Status status = planesOf(surface, settings, frame, across, planes, report); !status.ok())
     return status;
-  const EqualSteps planes = equalSteps(low, high, settings.step_over);
-  report.step_over = planes.step;
-  const auto lines = levelLines(mesh, distance, planes.middles);
+  const auto lines = levelLines(mesh, across.distance, planes);
   for (std::size_t k = 0; k < lines.size(); ++k) {
     std::vector<DriveLine> pieces = driveLines(lines[k], graph);
     turnAlong(pieces, frame.along);
@@ -100,6 +164,8 @@ planSections(const SurfaceGraph& graph, const DriveSettings& settings, DrivePass
     for (const DriveLine& piece : pieces)
       passes.push_back(passAlong(piece.points, piece.closed, settings.point_spacing));
   }
+  if (settings.link_rows)
+    link(surface, mesh, settings, passes, report);
   return Status::success();
 }
 

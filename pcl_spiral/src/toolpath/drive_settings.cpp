@@ -54,12 +54,43 @@ checkCurve(const DriveSettings& s)
   return Status::success();
 }
 
+/** Whether the step-over is asked for. */
+bool
+needsStep(const DriveSettings& s)
+{
+  return s.kind != DriveKind::Curve && s.rows == DriveRows::Even;
+}
+
+Status
+checkRows(const DriveSettings& s)
+{
+  if (s.link_rows && s.kind != DriveKind::Planes)
+    return bad("rows of section planes alone are linked; drive by planes (setKind), or leave links out (setLinkRows)");
+  if (s.link_rows && !s.zigzag)
+    return bad("rows run one way begin far from the end of the one before, and are not linked; run them to and fro "
+               "(setZigzag), or leave links out (setLinkRows)");
+  if (s.rows == DriveRows::Even)
+    return Status::success();
+  if (s.kind != DriveKind::Planes)
+    return bad("rows are kept to a scallop height by section planes alone; drive by planes (setKind), or take even rows "
+               "(setRows)");
+  if (s.axisMode() == DriveAxisMode::Cylinder)
+    return bad("rows are kept to a scallop height for axes that are fixed or stand on the surface, not out of a cylinder; "
+               "take another axis mode (setAxisMode), or even rows (setRows)");
+  if (!isPositive(s.tool_radius) || !(s.scallop_height > 0.0 && s.scallop_height < s.tool_radius))
+    return bad(textOf("rows are to be kept for a ball of radius ", s.tool_radius, " mm and a scallop height of ",
+                      s.scallop_height, " mm; set both above 0, the height below the radius (setScallop)"));
+  return Status::success();
+}
+
 } // namespace
 
 Status
 checkSettings(const DriveSettings& s)
 {
-  if (s.kind != DriveKind::Curve && !isPositive(s.step_over))
+  if (const Status status = checkRows(s); !status.ok())
+    return status;
+  if (needsStep(s) && !isPositive(s.step_over))
     return bad(textOf("the step-over is ", s.step_over, " mm; set it above 0"));
   if (!(s.overrun >= 0.0) || !std::isfinite(s.overrun))
     return bad(textOf("the overrun is ", s.overrun, " mm; set it to 0 or more"));

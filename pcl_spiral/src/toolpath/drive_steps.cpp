@@ -35,6 +35,8 @@ checkDriveSize(double points, double crossings, const DriveSettings& settings)
               "; is the scan in another unit than mm? Otherwise raise " +
               (settings.kind == DriveKind::Curve
                    ? std::string()
+               : settings.rows == DriveRows::Kept
+                   ? textOf("the scallop height (", settings.scallop_height, " mm) or ")
                    : textOf("the step-over (", settings.step_over, " mm) or ")) +
               textOf("the spacing of points (", settings.point_spacing, " mm)")};
 }

@@ -49,6 +49,7 @@ public:
   using ConstPtr = pcl::shared_ptr<const DrivePath>;
   using Kind = DriveKind;
   using AxisMode = DriveAxisMode;
+  using Rows = DriveRows;
 
   /** Kind::Planes by default. */
   void
@@ -62,8 +63,8 @@ public:
     return settings_.kind;
   }
 
-  /** Largest distance of neighbouring planes, rings, turns or offsets, mm. Must be set, but for a curve. From
-   * the cutter's profile: stepForScallop. */
+  /** Largest distance of neighbouring planes, rings, turns or offsets, mm. Must be set, but for a curve and rows that
+   * are kept, where it does not count. From the cutter's profile: stepForScallop. */
   void
   setStepOver(double step)
   {
@@ -111,6 +112,52 @@ public:
   getPlaneDirection() const
   {
     return settings_.plane_direction;
+  }
+
+  /** DriveRows::Even by default. DriveRows::Kept, of Kind::Planes: each plane as far from the next as the ball of
+   * setScallop leaves no higher ridge anywhere between, by slope and curvature of the fitted surface; as few planes as
+   * that takes. Steps are held at a quarter of that on a plane, 2 sqrt((2 r - h) h), with a warning where less is asked
+   * for, as on walls along the planes. Where a rim leans out across the rows, a ball dropped along a fixed axis reaches
+   * it only from beyond, where no plane is. \see rowDistance, rowLevels */
+  void
+  setRows(DriveRows rows)
+  {
+    settings_.rows = rows;
+  }
+  DriveRows
+  getRows() const
+  {
+    return settings_.rows;
+  }
+  /** Ball and ridge \p height that rows are kept for, mm. Must be set for DriveRows::Kept. */
+  void
+  setScallop(double radius, double height)
+  {
+    settings_.tool_radius = radius;
+    settings_.scallop_height = height;
+  }
+  double
+  getToolRadius() const
+  {
+    return settings_.tool_radius;
+  }
+  double
+  getScallopHeight() const
+  {
+    return settings_.scallop_height;
+  }
+
+  /** Whether rows of planes run to and fro are joined on the surface, to one pass, where the next begins within two
+   * step-overs of the end of this one and the straight way between is over the scan, across no gap; false by default. */
+  void
+  setLinkRows(bool link)
+  {
+    settings_.link_rows = link;
+  }
+  bool
+  getLinkRows() const
+  {
+    return settings_.link_rows;
   }
 
   /** Whether every other plane, or arc of a sector, is run backwards; true by default. */

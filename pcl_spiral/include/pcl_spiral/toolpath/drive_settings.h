@@ -22,6 +22,12 @@ enum class DriveKind {
   BoundaryOffset ///< lines at equal distances along the surface from its outer boundary, inwards
 };
 
+/** How far section planes are apart. */
+enum class DriveRows {
+  Even, ///< all alike, as the step-over says
+  Kept  ///< as the ridge between any two asks, by slope and curvature of the surface there
+};
+
 /** Where tool axes come from. */
 enum class DriveAxisMode {
   Fixed,      ///< one axis: three-axis
@@ -37,7 +43,10 @@ struct DriveSettings {
   double point_spacing = 1.0;
   double plane_angle = 0.0;                                  ///< degrees about the axis
   Eigen::Vector3d plane_direction = Eigen::Vector3d::Zero(); ///< along the passes; zero: plane_angle tells
+  DriveRows rows = DriveRows::Even;
+  double tool_radius = 0.0, scallop_height = 0.0; ///< of the ball that rows are kept for, and its ridges
   bool zigzag = true;
+  bool link_rows = false;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   std::optional<DriveCylinder> cylinder;
   double overrun = 0.0; ///< of helix and rings, beyond both ends of the column
@@ -71,7 +80,13 @@ struct DriveReport {
   std::size_t points = 0;
   double length = 0.0; ///< of all passes, straight from point to point, mm
   double step_over =
-      0.0; ///< taken: the one asked for, made smaller so that the surface divides into equal steps, mm
+      0.0; ///< taken: the one asked for, made smaller so that the surface divides into equal steps, mm; of kept rows the
+           ///< largest
+  std::size_t rows = 0;       ///< section planes
+  double smallest_step = 0.0; ///< of neighbouring planes, mm
+  double held_share = 0.0;    ///< of the surface: asks for kept rows closer than these are put, see DrivePath::setRows
+  std::size_t links = 0;      ///< of rows, joined on the surface
+  std::size_t rows_apart = 0; ///< passes of rows that could not be joined to the one before
   std::optional<DriveColumn> column; ///< where a cylinder drove path or axes
   double largest_axis_step = 0.0;    ///< between consecutive points of a pass, degrees
   std::size_t axes_from_neighbours =

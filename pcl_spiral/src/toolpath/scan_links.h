@@ -1,0 +1,15 @@
+/** \file
+ *  Links of rows over a scan. Private to toolpath.
+ */
+#pragma once
+
+#include <pcl_spiral/surface/surface.h>
+#include <pcl_spiral/toolpath/row_links.h>
+
+namespace pcl_spiral {
+
+/** Places on the fitted surface: over the triangles of \p mesh or within a spacing of them, in no void. Both are
+ * referred to. */
+PlaceOnSurface onScan(const Surface& surface, const Triangulation& mesh);
+
+} // namespace pcl_spiral
