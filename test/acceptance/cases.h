@@ -82,5 +82,7 @@ int judgeOutlines(const Options& options);
 /** Sections of meshes against the exact surface behind them; and with noise. --only grid, moved, random or bonnet. */
 int judgeMeshes(const Options& options);
 int judgeNoisyMeshes(const Options& options);
+/** Ridges between even and kept rows on the landform. */
+int judgeMeshRows(const Options& options);
 
 } // namespace pcl_spiral::acceptance

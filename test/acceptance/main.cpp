@@ -39,6 +39,7 @@ cases()
   all["time"] = judgeTime;
   all["meshes"] = judgeMeshes;
   all["noisy_meshes"] = judgeNoisyMeshes;
+  all["mesh_rows"] = judgeMeshRows;
   all["outlines"] = judgeOutlines;
   all["random"] = judgeRandom;
   all["properties"] = judgeProperties;

@@ -2,40 +2,12 @@
 
 #include "support/height_field.h"
 
-#include <array>
 #include <cmath>
 
 namespace pcl_spiral::test {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-class Landform : public HeightField {
-public:
-  using HeightField::HeightField;
-  Jet
-  jet(double x, double y) const override
-  {
-    struct Wave {
-      double amplitude, length, x, y, phase;
-    };
-    static const std::array<Wave, 3> waves{
-        {{1.6, 60.0, 1.0, 0.3, 0.3}, {0.9, 38.0, 0.5, 1.0, 1.1}, {0.35, 25.0, -1.0, 0.6, 2.0}}};
-    Jet j{0, 0, 0, 0, 0, 0};
-    for (const Wave& wave : waves) {
-      const double k = 2.0 * pi / wave.length, kx = k * wave.x, ky = k * wave.y;
-      const double s = wave.amplitude * std::sin(kx * x + ky * y + wave.phase);
-      const double c = wave.amplitude * std::cos(kx * x + ky * y + wave.phase);
-      j.f += s;
-      j.fx += kx * c;
-      j.fy += ky * c;
-      j.fxx -= kx * kx * s;
-      j.fxy -= kx * ky * s;
-      j.fyy -= ky * ky * s;
-    }
-    return j;
-  }
-};
 
 /** A function of one variable with its first and second derivative. */
 struct Curve {
@@ -91,12 +63,6 @@ private:
 };
 
 } // namespace
-
-SurfacePtr
-landform()
-{
-  return std::make_shared<Landform>(Region({rectangle(100.0, 100.0, {50.0, 50.0})}));
-}
 
 SurfacePtr
 bonnet()

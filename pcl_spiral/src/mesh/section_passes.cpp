@@ -1,11 +1,13 @@
 #include "section_passes.h"
 
 #include "section_curve.h"
+#include "section_levels.h"
 #include "section_lines.h"
 #include "section_rows.h"
 
-#include <pcl_spiral/common/available_memory.h>
 #include <pcl_spiral/common/message.h>
+#include <pcl_spiral/mesh/mesh_feet.h>
+#include <pcl_spiral/toolpath/row_links.h>
 
 #include <Eigen/Geometry>
 
@@ -23,42 +25,6 @@ bad(std::string message)
   return {StatusCode::InvalidArgument, std::move(message)};
 }
 
-/** Distances of the planes along their normal. */
-Status
-levelsOf(const SectionSettings& settings, double low, double high, std::vector<double>& levels)
-{
-  if (!settings.levels.empty()) {
-    levels = settings.levels;
-    return Status::success();
-  }
-  constexpr double most = 1e7;
-  const double count = std::max(1.0, std::ceil((high - low) / settings.step_over - 1e-9));
-  if (!(count <= most))
-    return bad(textOf("a step-over of ", settings.step_over, " mm over ", high - low, " mm makes ", count, " rows, more than ", most,
-                      ": is the mesh in another unit than mm? Otherwise raise the step-over (setStepOver)"));
-  for (double k = 0.5; k < count; k += 1.0)
-    levels.push_back(low + k * (high - low) / count);
-  return Status::success();
-}
-
-/** Refused where the contacts, foretold by the area, take more memory than there is. */
-Status
-checkSize(const SurfaceMesh& mesh, const SectionSettings& settings, const std::vector<double>& levels, double extent)
-{
-  const double rows = static_cast<double>(levels.size());
-  const double step = levels.size() > 1 ? (levels.back() - levels.front()) / (rows - 1.0) : extent;
-  const double length = step > 0.0 ? mesh.area() / step : 0.0;
-  const double edge = std::sqrt(mesh.area() / static_cast<double>(mesh.faceCount()));
-  const double spacing = settings.point_spacing > 0.0 ? std::min(edge, settings.point_spacing) : edge;
-  const double bytes = 3.0 * sizeof(DrivePoint) * length / spacing;
-  const std::optional<double> memory = availableMemory();
-  if (!memory || bytes <= *memory)
-    return Status::success();
-  return bad(textOf("the sections asked for are too large: about ", length / spacing, " contacts and ", bytes / 1e9,
-                    " GB of memory, and ", *memory / 1e9, " GB are free: is the mesh in another unit than mm? Otherwise raise "
-                    "the step-over (setStepOver), now ", settings.step_over, " mm"));
-}
-
 void
 measure(const DrivePasses& passes, SectionReport& report)
 {
@@ -72,25 +38,6 @@ measure(const DrivePasses& passes, SectionReport& report)
 }
 
 
-/** How far each vertex lies along the planes' normal, and from where to where they all do. */
-struct Distances {
-  std::vector<double> of;
-  double low = INFINITY, high = -INFINITY;
-};
-
-Distances
-distancesAlong(const SurfaceMesh& mesh, const Vector3d& normal)
-{
-  Distances distances;
-  distances.of.resize(mesh.vertexCount());
-  for (std::size_t v = 0; v < distances.of.size(); ++v) {
-    distances.of[v] = normal.dot(mesh.position(v));
-    distances.low = std::min(distances.low, distances.of[v]);
-    distances.high = std::max(distances.high, distances.of[v]);
-  }
-  return distances;
-}
-
 /** Direction of the rows: across planes' normal and tool axis; where these are one, any across. */
 Vector3d
 alongRows(const Vector3d& normal, const Vector3d& axis)
@@ -98,6 +45,58 @@ alongRows(const Vector3d& normal, const Vector3d& axis)
   constexpr double most_parallel = 1e-4; // sine
   const Vector3d along = normal.cross(axis.normalized());
   return along.norm() > most_parallel ? Vector3d(along.normalized()) : normal.unitOrthogonal();
+}
+
+/** The contacts of each plane's lines. */
+std::vector<DrivePasses>
+contactRows(const SurfaceMesh& mesh, const SectionSettings& settings, const MeshExtent& extent, const std::vector<double>& levels,
+            const std::vector<std::vector<LevelLine>>& lines, SectionReport& report)
+{
+  const SectionCurve curve(mesh, settings, settings.plane_normal.normalized(), extent.of);
+  std::vector<DrivePasses> rows(levels.size());
+  std::vector<std::size_t> inside(levels.size(), 0);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::int64_t k = 0; k < static_cast<std::int64_t>(levels.size()); ++k)
+    for (const LevelLine& line : lines[k])
+      if (DrivePass pass = curve.contacts(line, levels[k], inside[k]); pass.points.size() > 1)
+        rows[k].push_back(std::move(pass));
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    report.inside_points += inside[k];
+    for (const LevelLine& line : lines[k])
+      report.crossings += line.crossings.size();
+  }
+  return rows;
+}
+
+void
+measureSteps(const std::vector<double>& levels, double extent, SectionReport& report)
+{
+  report.step_over = report.smallest_step = levels.size() > 1 ? levels[1] - levels[0] : extent;
+  for (std::size_t k = 2; k < levels.size(); ++k) {
+    report.step_over = std::max(report.step_over, levels[k] - levels[k - 1]);
+    report.smallest_step = std::min(report.smallest_step, levels[k] - levels[k - 1]);
+  }
+}
+
+/** Join rows on the surface; a link is no longer than two step-overs. */
+void
+link(const SurfaceMesh& mesh, const SectionSettings& settings, DrivePasses& passes, SectionReport& report)
+{
+  const MeshFeet feet(mesh);
+  const double edge = std::sqrt(mesh.area() / static_cast<double>(mesh.faceCount()));
+  const double spacing = settings.point_spacing > 0.0 ? settings.point_spacing : edge;
+  const double beside = 0.02 * report.step_over; // the boundary, which links may run along; it bows, too
+  const RowLinks links = linkRows(passes, {2.0 * report.step_over, 0.1 * report.step_over, std::min(spacing, 0.5 * report.step_over)},
+                                  [&](const Vector3d& place) -> std::optional<DrivePoint> {
+                                    const MeshFoot foot = feet.of(place);
+                                    const Vector3d off = place - foot.position;
+                                    const double across = (off - foot.normal * foot.normal.dot(off)).norm();
+                                    if (foot.beyond && across > beside + mesh.sag(foot.face))
+                                      return std::nullopt;
+                                    return DrivePoint{foot.position, settings.axis.normalized(), foot.normal};
+                                  });
+  report.links = links.made;
+  report.rows_apart = links.not_made;
 }
 
 } // namespace
@@ -111,7 +110,16 @@ checkSettings(const SectionSettings& s)
                "plane (setPlaneNormal)");
   if (!s.axis.allFinite() || !(s.axis.norm() > shortest))
     return bad("the tool axis is " + placeText(s.axis) + ", which has no direction: set it from the tip to the shank (setAxis)");
-  if (s.levels.empty() && (!(s.step_over > 0.0) || !std::isfinite(s.step_over)))
+  const bool kept = s.rows == DriveRows::Kept;
+  if (kept && !s.levels.empty())
+    return bad("rows are to be kept to a scallop, and levels are given: leave one of them out (setRows, setLevels)");
+  if (kept && (!(s.tool_radius > 0.0) || !std::isfinite(s.tool_radius) || !(s.scallop_height > 0.0) || !(s.scallop_height < s.tool_radius)))
+    return bad(textOf("rows are kept for a ball of radius ", s.tool_radius, " mm and a scallop height of ", s.scallop_height,
+                      " mm: set both above 0, the height below the radius (setScallop)"));
+  if (s.link_rows && !s.zigzag)
+    return bad("rows that all run one way begin far from where the one before ends, and cannot be joined: call setZigzag(true), or "
+               "setLinkRows(false)");
+  if (!kept && s.levels.empty() && (!(s.step_over > 0.0) || !std::isfinite(s.step_over)))
     return bad(textOf("the step-over is ", s.step_over, " mm: set it above 0 (setStepOver)"));
   for (std::size_t k = 0; k < s.levels.size(); ++k)
     if (!std::isfinite(s.levels[k]) || (k > 0 && !(s.levels[k] > s.levels[k - 1])))
@@ -130,42 +138,31 @@ sectionPasses(const SurfaceMesh& mesh, const SectionSettings& settings, const Pr
   const auto goesOn = [&](double share, const char* stage) { return !progress || progress(share, stage); };
   const Status cancelled(StatusCode::Cancelled, "cancelled");
   const Vector3d normal = settings.plane_normal.normalized();
-  const Distances distances = distancesAlong(mesh, normal);
+  const MeshExtent extent = extentAlong(mesh, normal);
   std::vector<double> levels;
-  if (const Status status = levelsOf(settings, distances.low, distances.high, levels); !status.ok())
-    return status;
-  if (const Status status = checkSize(mesh, settings, levels, distances.high - distances.low); !status.ok())
+  if (const Status status = sectionLevels(mesh, settings, extent, levels, report); !status.ok())
     return status;
   if (!goesOn(0.0, "sections"))
     return cancelled;
-  const auto lines = sectionLines(mesh, normal, distances.of, levels, settings.search);
+  const auto lines = sectionLines(mesh, normal, extent.of, levels, settings.search);
   if (!goesOn(0.3, "contacts"))
     return cancelled;
-  const SectionCurve curve(mesh, settings, normal, distances.of);
-  std::vector<DrivePasses> rows(levels.size());
-  std::vector<std::size_t> inside(levels.size(), 0);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::int64_t k = 0; k < static_cast<std::int64_t>(levels.size()); ++k)
-    for (const LevelLine& line : lines[k])
-      if (DrivePass pass = curve.contacts(line, levels[k], inside[k]); pass.points.size() > 1)
-        rows[k].push_back(std::move(pass));
-  if (!goesOn(0.9, "order"))
+  std::vector<DrivePasses> rows = contactRows(mesh, settings, extent, levels, lines, report);
+  if (!goesOn(0.8, "order"))
     return cancelled;
   const Vector3d along = alongRows(normal, settings.axis);
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    for (const LevelLine& line : lines[k])
-      report.crossings += line.crossings.size();
-    report.inside_points += inside[k];
-    report.step_over = std::max(report.step_over, k > 0 ? levels[k] - levels[k - 1] : 0.0);
-    if (rows[k].empty())
-      continue;
-    addRow(std::move(rows[k]), along, settings.zigzag && report.rows % 2 == 1, passes);
-    ++report.rows;
-  }
+  for (DrivePasses& row : rows)
+    if (!row.empty()) {
+      addRow(std::move(row), along, settings.zigzag && report.rows % 2 == 1, passes);
+      ++report.rows;
+    }
   if (passes.empty())
     return {StatusCode::InvalidInput, textOf("no plane crosses the mesh: the planes lie at ", levels.front(), " to ", levels.back(),
-                                             " mm along their normal, the mesh from ", distances.low, " to ", distances.high,
+                                             " mm along their normal, the mesh from ", extent.low, " to ", extent.high,
                                              " mm; set levels between these (setLevels)")};
+  measureSteps(levels, extent.high - extent.low, report);
+  if (settings.link_rows)
+    link(mesh, settings, passes, report);
   measure(passes, report);
   return goesOn(1.0, "order") ? Status::success() : cancelled;
 }

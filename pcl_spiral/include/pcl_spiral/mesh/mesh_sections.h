@@ -49,10 +49,30 @@ public:
   void setPlaneNormal(const Eigen::Vector3d& normal) { settings_.plane_normal = normal; }
   const Eigen::Vector3d& getPlaneNormal() const { return settings_.plane_normal; }
 
-  /** Largest distance of neighbouring planes, mm. Must be set, or the levels. For a ball of radius r that leaves ridges of H on
+  /** Largest distance of neighbouring planes, mm. Must be set, or the levels, but for kept rows. For a ball of radius r that leaves ridges of H on
    *  a plane: D = 2 sqrt((2 r - H) H), equation (4). */
   void setStepOver(double step) { settings_.step_over = step; }
   double getStepOver() const { return settings_.step_over; }
+
+  /** DriveRows::Even by default. DriveRows::Kept: each plane as far from the next as the ball of setScallop leaves no higher ridge
+   *  anywhere between, by slope and curvature; as few planes as that takes, and the step-over does not count. Steps are held at a
+   *  quarter of (4), with a warning where less is asked for, as on walls along the planes. \see rowDistance, rowLevels */
+  void setRows(DriveRows rows) { settings_.rows = rows; }
+  DriveRows getRows() const { return settings_.rows; }
+  /** Ball and ridge \p height that rows are kept for, mm. Must be set for DriveRows::Kept. */
+  void
+  setScallop(double radius, double height)
+  {
+    settings_.tool_radius = radius;
+    settings_.scallop_height = height;
+  }
+  double getToolRadius() const { return settings_.tool_radius; }
+  double getScallopHeight() const { return settings_.scallop_height; }
+
+  /** Whether rows run to and fro are joined on the surface, to one pass, where the next begins within two step-overs of the end of
+   *  this one and the straight way between is over the mesh; false by default. */
+  void setLinkRows(bool link) { settings_.link_rows = link; }
+  bool getLinkRows() const { return settings_.link_rows; }
 
   /** Planes at these distances from the origin along the normal, mm, ascending, in place of those by the step-over. */
   void setLevels(std::vector<double> levels) { settings_.levels = std::move(levels); }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/toolpath/drive_settings.h>
 
 #include <Eigen/Core>
 
@@ -25,6 +26,9 @@ struct SectionSettings {
   Eigen::Vector3d plane_normal = Eigen::Vector3d::UnitY();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); ///< of the tool, from the tip to the shank
   double step_over = 0.0;                          ///< largest distance of neighbouring planes
+  DriveRows rows = DriveRows::Even;
+  double tool_radius = 0.0, scallop_height = 0.0; ///< of the ball that rows are kept for, and its ridges
+  bool link_rows = false;
   std::vector<double> levels; ///< distances of the planes from the origin along the normal, ascending; empty: by the step-over
   double chord_error = 0.005; ///< straight moves stay this near the curved surface
   double point_spacing = 0.0; ///< largest distance of consecutive contacts; 0: none
@@ -41,7 +45,10 @@ struct SectionReport {
   std::size_t passes = 0, points = 0;
   std::size_t crossings = 0; ///< of planes with edges
   std::size_t inside_points = 0; ///< put inside faces, for the chord error
-  double step_over = 0.0;    ///< largest distance of neighbouring planes, mm
+  double step_over = 0.0, smallest_step = 0.0; ///< largest and smallest distance of neighbouring planes, mm
+  double held_share = 0.0;    ///< of the surface: asks for kept rows closer than these are put, see MeshSections::setRows
+  std::size_t links = 0;      ///< of rows, joined on the surface
+  std::size_t rows_apart = 0; ///< passes of rows that could not be joined to the one before
   double length = 0.0;       ///< of all passes, mm
   std::vector<std::string> warnings;
 };

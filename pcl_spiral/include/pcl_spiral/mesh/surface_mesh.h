@@ -60,6 +60,9 @@ public:
   /** Unit normal of the surface at the origin of half-edge \p h, on the side of its face: beside a crease a vertex has one on
    *  each side. */
   const Eigen::Vector3d& normal(std::uint32_t h) const { return normals_[sector_of_[h]]; }
+  /** Number of the normal of half-edge \p h's corner: corners about a vertex share it but across creases. */
+  std::uint32_t sector(std::uint32_t h) const { return sector_of_[h]; }
+  std::size_t sectorCount() const { return normals_.size(); }
   /** Bow of the edge of half-edge \p h; see parabola_edge.h. The same for both half-edges. */
   const Eigen::Vector3d& bow(std::uint32_t h) const { return bows_[h]; }
   /** Whether the edge of half-edge \p h is a crease. */

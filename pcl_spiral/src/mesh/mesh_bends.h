@@ -1,0 +1,15 @@
+/** \file
+ *  Curvature of the surface that a mesh stands for. Private to mesh.
+ */
+#pragma once
+
+#include <pcl_spiral/core/row_distance.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
+
+namespace pcl_spiral {
+
+/** Normal and principal curvatures at each sector of the mesh (SurfaceMesh::sector): of the change of the normals over its faces,
+ *  a mean by their areas. */
+std::vector<SurfaceBend> meshBends(const SurfaceMesh& mesh);
+
+} // namespace pcl_spiral

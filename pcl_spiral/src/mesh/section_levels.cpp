@@ -1,0 +1,132 @@
+#include "section_levels.h"
+
+#include "mesh_bends.h"
+
+#include <pcl_spiral/common/available_memory.h>
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/core/row_levels.h>
+#include <pcl_spiral/toolpath/drive_pass.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace pcl_spiral {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double most_rows = 1e7;
+constexpr double floor_share = 0.25; // of the step on a plane: nearer rows are never put
+
+/** Equation (4) of Sun, Li, Li, Liu, 2010: the step on a plane. */
+double
+planeStep(const SectionSettings& settings)
+{
+  return 2.0 * std::sqrt((2.0 * settings.tool_radius - settings.scallop_height) * settings.scallop_height);
+}
+
+Status
+checkRows(double rows, double extent, double step)
+{
+  if (rows <= most_rows)
+    return Status::success();
+  return {StatusCode::InvalidArgument,
+          textOf("a step-over of ", step, " mm over ", extent, " mm makes ", rows, " rows, more than ", most_rows,
+                 ": is the mesh in another unit than mm? Otherwise raise the step-over (setStepOver)")};
+}
+
+/** Refused where the contacts, predicted by the area, take more memory than there is. */
+Status
+checkSize(const SurfaceMesh& mesh, const SectionSettings& settings, double step)
+{
+  const double edge = std::sqrt(mesh.area() / static_cast<double>(mesh.faceCount()));
+  const double spacing = settings.point_spacing > 0.0 ? std::min(edge, settings.point_spacing) : edge;
+  const double contacts = mesh.area() / step / spacing, bytes = 3.0 * sizeof(DrivePoint) * contacts;
+  const std::optional<double> memory = availableMemory();
+  if (!memory || bytes <= *memory)
+    return Status::success();
+  return {StatusCode::InvalidArgument,
+          textOf("the sections asked for are too large: about ", contacts, " contacts and ", bytes / 1e9, " GB of memory, and ",
+                 *memory / 1e9, " GB are free: is the mesh in another unit than mm? Otherwise raise the step-over (setStepOver), now ",
+                 step, " mm")};
+}
+
+/** What each face allows of the rows across it: the least of its corners. */
+std::vector<RowPatch>
+facePatches(const SurfaceMesh& mesh, const SectionSettings& settings, const Vector3d& normal, const MeshExtent& extent)
+{
+  const std::vector<SurfaceBend> bends = meshBends(mesh);
+  std::vector<RowPatch> patches(mesh.faceCount());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t t = 0; t < static_cast<std::int64_t>(patches.size()); ++t) {
+    RowPatch& patch = patches[t];
+    patch = {INFINITY, -INFINITY, INFINITY, mesh.faceArea(t)};
+    for (auto h = static_cast<std::uint32_t>(3 * t); h < 3 * t + 3; ++h) {
+      const double at = extent.of[mesh.triangles().origin(h)];
+      patch.low = std::min(patch.low, at);
+      patch.high = std::max(patch.high, at);
+      patch.most = std::min(patch.most, rowDistance(bends[mesh.sector(h)], normal, settings.tool_radius, settings.scallop_height,
+                                                    RowsThrough::Contacts));
+    }
+  }
+  return patches;
+}
+
+std::vector<double>
+keptLevels(const SurfaceMesh& mesh, const SectionSettings& settings, const Vector3d& normal, const MeshExtent& extent,
+           SectionReport& report)
+{
+  const double floor = floor_share * planeStep(settings);
+  RowLevels rows = rowLevels(facePatches(mesh, settings, normal, extent), extent.low, extent.high, floor);
+  report.held_share = rows.held_share;
+  if (rows.narrowest != RowLevels::none) {
+    const MeshPatch patch = mesh.patch(rows.narrowest);
+    report.warnings.push_back(textOf("rows are held ", floor, " mm apart on ", 100.0 * rows.held_share, " % of the surface, where the "
+                                     "scallop height of ", settings.scallop_height, " mm asks for less, least at ",
+                                     placeText(patch.corners.rowwise().mean()), ": ridges there are higher; turn the planes across "
+                                     "steep walls (setPlaneNormal), or, in a hollow hardly wider than the ball, take a smaller one"));
+  }
+  return std::move(rows.levels);
+}
+
+} // namespace
+
+MeshExtent
+extentAlong(const SurfaceMesh& mesh, const Vector3d& normal)
+{
+  MeshExtent extent{std::vector<double>(mesh.vertexCount()), INFINITY, -INFINITY};
+  for (std::size_t v = 0; v < extent.of.size(); ++v) {
+    extent.of[v] = normal.dot(mesh.position(v));
+    extent.low = std::min(extent.low, extent.of[v]);
+    extent.high = std::max(extent.high, extent.of[v]);
+  }
+  return extent;
+}
+
+Status
+sectionLevels(const SurfaceMesh& mesh, const SectionSettings& settings, const MeshExtent& extent, std::vector<double>& levels,
+              SectionReport& report)
+{
+  const Vector3d normal = settings.plane_normal.normalized();
+  const double width = extent.high - extent.low;
+  if (!(width > 0.0))
+    return {StatusCode::InvalidInput, "the mesh has no extent along the planes' normal " + placeText(normal) + ": turn the planes (setPlaneNormal)"};
+  if (!settings.levels.empty()) {
+    levels = settings.levels;
+    const double step = levels.size() > 1 ? (levels.back() - levels.front()) / static_cast<double>(levels.size() - 1) : width;
+    return checkSize(mesh, settings, step);
+  }
+  const bool kept = settings.rows == DriveRows::Kept;
+  const double step = kept ? planeStep(settings) : settings.step_over, count = std::max(1.0, std::ceil(width / step - 1e-9));
+  if (const Status status = checkRows(kept ? count / floor_share : count, width, step); !status.ok())
+    return status;
+  if (kept)
+    levels = keptLevels(mesh, settings, normal, extent, report);
+  else
+    for (double k = 0.5; k < count; k += 1.0)
+      levels.push_back(extent.low + k * width / count);
+  return checkSize(mesh, settings, width / static_cast<double>(levels.size()));
+}
+
+} // namespace pcl_spiral
