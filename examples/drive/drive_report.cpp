@@ -24,12 +24,25 @@ settingsOf(const Job& job)
             {"flank_angle", c.flank_angle}}},
           {"drive", choiceName(d.kind)},
           {"step_over", d.step_over},
+          {"rows", choiceName(d.rows)},
+          {"link", d.link_rows},
           {"point_spacing", d.point_spacing},
           {"axis_mode", choiceName(d.axisMode())},
           {"tolerance", job.tolerance},
           {"largest", job.largest_part},
           {"thin", job.thinning},
           {"feed", job.feed}};
+}
+
+Json
+rowsOf(const DriveReport& report)
+{
+  return {{"count", report.rows},
+          {"smallest_step", report.smallest_step},
+          {"largest_step", report.step_over},
+          {"held_share", report.held_share},
+          {"links", report.links},
+          {"apart", report.rows_apart}};
 }
 
 Json
@@ -82,6 +95,8 @@ writeDriveReport(const std::string& file, const Job& job, const Result& result)
                  {"locations", locationsOf(result)},
                  {"stages", stages},
                  {"warnings", result.warnings}};
+  if (job.drive.kind == DriveKind::Planes)
+    report["rows"] = rowsOf(result.drive);
   if (result.program)
     report["machine"] = {{"name", result.program->machine.name},
                          {"blocks", result.program->blocks.size()},

@@ -2,6 +2,7 @@
 #include "program/program_check.h"
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
+#include "terminal/setter_names.h"
 
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/common/thread_limit.h>
@@ -68,6 +69,9 @@ requireMeant(const Job& job)
   require("column-axis", usesColumn(job), is + " (or give --axis-mode cylinder)");
   require("column-centre", job.column_axis.has_value(), "no --column-axis is given; give the direction, too");
   require("direction", kind == DriveKind::Planes, is);
+  require("rows", kind == DriveKind::Planes, is);
+  require("link", kind == DriveKind::Planes, is);
+  require("link", !job.one_way, "rows run one way begin far from the end of the one before; leave --one-way or --link out");
   require("one-way", kind == DriveKind::Planes || kind == DriveKind::Rings, is);
   require("step-over", kind != DriveKind::Curve, is);
   require("scallop", kind != DriveKind::Curve, is);
@@ -77,23 +81,39 @@ requireMeant(const Job& job)
   require("pole-cone", isBall(job), "axes are blended for ball cutters alone, whose middle stays where it is; leave it out");
 }
 
+/** The step-over that --scallop gives, or the ball that rows are kept for. */
+void
+completeScallop(Job& job)
+{
+  DriveSettings& d = job.drive;
+  const bool kept = d.rows == DriveRows::Kept;
+  if (isGiven(job, "step-over") && isGiven(job, "scallop"))
+    throw UsageError("--step-over and --scallop are both given; the one follows from the other, leave one out");
+  if (kept && !isGiven(job, "scallop"))
+    throw UsageError("--rows kept: no --scallop is given; give the height of ridges that rows are to keep, in mm, such as "
+                     "--scallop 0.01");
+  if (kept && !isBall(job))
+    throw UsageError("--rows kept: ridges are known for a ball alone; leave --corner-radius and --flank-angle out, or take "
+                     "--rows even");
+  if (!isGiven(job, "scallop"))
+    return;
+  requireOption(job.scallop > 0.0 && job.scallop < job.cutter.radius, "scallop", job.scallop,
+                "must lie above 0 and below the tool radius, which is " + textOf(job.cutter.radius) + " mm");
+  const std::optional<double> step = stepForScallop(CutterProfile(job.cutter), job.scallop);
+  if (!step)
+    throw UsageError("--scallop " + textOf(job.scallop) + ": no step-over of this cutter leaves that; give a --step-over");
+  d.step_over = *step;
+  d.tool_radius = job.cutter.radius;
+  d.scallop_height = job.scallop;
+}
+
 void
 completePath(Job& job)
 {
   DriveSettings& d = job.drive;
   requireMeant(job);
   d.zigzag = !job.one_way;
-  if (isGiven(job, "step-over") && isGiven(job, "scallop"))
-    throw UsageError("--step-over and --scallop are both given; the one follows from the other, leave one out");
-  if (isGiven(job, "scallop")) {
-    requireOption(job.scallop > 0.0 && job.scallop < job.cutter.radius, "scallop", job.scallop,
-            "must lie above 0 and below the tool radius, which is " + textOf(job.cutter.radius) + " mm");
-    const std::optional<double> step = stepForScallop(CutterProfile(job.cutter), job.scallop);
-    if (!step)
-      throw UsageError("--scallop " + textOf(job.scallop) +
-                       ": no step-over of this cutter leaves that; give a --step-over");
-    d.step_over = *step;
-  }
+  completeScallop(job);
   const bool is_curve = d.kind == DriveKind::Curve;
   if (!is_curve && !isGiven(job, "step-over") && !isGiven(job, "scallop"))
     throw UsageError("no --step-over is given; give the largest distance of neighbouring passes in mm, such as "
@@ -111,7 +131,7 @@ completePath(Job& job)
   if (is_curve)
     return; // its points are read later
   if (const Status status = checkSettings(d); !status.ok())
-    throw UsageError(status.message());
+    throw UsageError(inOptions(status.message()));
 }
 
 bool

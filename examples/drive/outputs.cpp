@@ -104,6 +104,11 @@ printSummary(const Job& job, const Result& result, double seconds)
   std::printf("drive path      %s: %zu pass%s, %zu drive points, step-over %.4g mm\n",
               choiceName(job.drive.kind).c_str(), result.passes.size(), result.passes.size() == 1 ? "" : "es",
               result.drive.points, result.drive.step_over);
+  if (job.drive.rows == DriveRows::Kept)
+    std::printf("rows            %zu kept to the scallop, %.4g to %.4g mm apart\n", result.drive.rows,
+                result.drive.smallest_step, result.drive.step_over);
+  if (job.drive.link_rows)
+    std::printf("links           %zu rows joined on the surface, %zu not\n", result.drive.links, result.drive.rows_apart);
   std::printf("locations       %zu, %zu of them put in between; largest error of a move %.3g mm\n", locations,
               result.bisection.inserted, result.bisection.largest_error);
   const LocationFigures& f = result.locations;

@@ -84,6 +84,9 @@ drivePasses(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, 
   drive.setPointSpacing(s.point_spacing);
   drive.setPlaneDirection(s.plane_angle);
   drive.setZigzag(s.zigzag);
+  drive.setRows(s.rows);
+  drive.setScallop(s.tool_radius, s.scallop_height);
+  drive.setLinkRows(s.link_rows);
   drive.setAxis(s.axis);
   drive.setAxisMode(s.axisMode());
   drive.setOverrun(s.overrun);

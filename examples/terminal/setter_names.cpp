@@ -7,7 +7,7 @@
 namespace {
 
 /** Each is replaced where the program has the first option that the second names. */
-constexpr std::array<std::pair<const char*, const char*>, 30> words{{
+constexpr std::array<std::pair<const char*, const char*>, 34> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
@@ -28,6 +28,10 @@ constexpr std::array<std::pair<const char*, const char*>, 30> words{{
     {"setLeastTurnRadius", "--turn-radius"},
     {"setToolRadius", "--tool-radius"},
     {"setScallopHeight", "--scallop"},
+    {"setScallop", "--scallop"},
+    {"setPlaneDirection", "--direction"},
+    {"setAxisMode", "--axis-mode"},
+    {"setRows", "--rows"},
     {"setChordError", "--chord-error"},
     {"setCylinder", "--column-axis and --column-centre"},
     {"MaterialRemoval", "--verify"},

@@ -109,6 +109,32 @@ TEST(Drive, PlanesAreOnePassEachAndLeaveTheSurfaceBetween)
   EXPECT_FALSE(std::filesystem::exists(folder.path("b.apt")));
 }
 
+TEST(Drive, RowsAreKeptToTheScallopAndJoined)
+{
+  const ScratchFolder folder;
+  const std::vector<std::string> call{"cap.xyz", "--tool-radius", "4", "--scallop", "0.2", "--tolerance", "0.05",
+                                      "-o", "a.csv", "-o", "a.json"};
+  const RunResult even = run(folder, call);
+  ASSERT_EQ(even.code, 0) << even.err;
+  expectHas(readText(folder.path("a.json")), "\"links\": 0");
+  std::vector<std::string> kept = call;
+  kept.insert(kept.end(), {"--rows", "kept", "--link"});
+  const RunResult done = run(folder, kept);
+  ASSERT_EQ(done.code, 0) << done.err;
+  expectHas(done.out, " kept to the scallop, ");
+  expectHas(done.out, " rows joined on the surface, ");
+  const std::string report = readText(folder.path("a.json"));
+  expectHas(report, "\"rows\": \"kept\"");
+  expectHas(report, "\"smallest_step\": ");
+  std::size_t passes = 1;
+  const auto all = rows(readText(folder.path("a.csv")));
+  for (std::size_t i = 1; i < all.size(); ++i)
+    passes += all[i][0] != all[i - 1][0];
+  expectHas(report, "\"passes\": " + std::to_string(passes) + ",");
+  expectHas(report, "\"apart\": " + std::to_string(passes - 1));
+  expectHas(done.out, ": " + std::to_string(passes) + " pass");
+}
+
 TEST(Drive, AHolderThatWouldCollideIsRefused)
 {
   const ScratchFolder folder;
@@ -249,6 +275,17 @@ TEST(Drive, WrongCallsAreRefused)
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--overrun", "2"}, 2, "--drive is planes");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--tolerance", "1e-7"}, 2, "0.0001 mm or more");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--holder-clearance", "2"}, 2, "no --holder");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "kept", "--step-over", "1"}, 2, "no --scallop is given");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "kept", "--scallop", "0.1", "--corner-radius", "1"}, 2,
+       "for a ball alone");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "kept", "--scallop", "0.1", "--drive", "offset"}, 2,
+       "--rows: --drive is offset");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "kept", "--scallop", "0.1", "--axis-mode", "cylinder"}, 2,
+       "(--axis-mode)");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "dense", "--scallop", "0.1"}, 2, "even");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--link", "--one-way"}, 2, "leave --one-way");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--link", "--drive", "rings"}, 2,
+       "--link: --drive is rings");
   for (const char* output : {"a.yaml", "a.pcd", "a.ply"})
     said({"cap.xyz", "-o", output, "--tool-radius", "3", "--corner-radius", "1", "--step-over", "1"}, 2, "for a ball alone");
   writeText(folder.path("job.yaml"), "tool-radius: 3\nstep-over: 1\none-way: perhaps\n");

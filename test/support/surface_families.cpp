@@ -170,12 +170,12 @@ waves(std::vector<Wave> sum, Region region)
 }
 
 SurfacePtr
-landform()
+landform(double size)
 {
   constexpr double k60 = 2.0 * pi / 60.0, k38 = 2.0 * pi / 38.0, k25 = 2.0 * pi / 25.0;
   return waves(
       {{1.6, k60, 0.3 * k60, 0.3}, {0.9, 0.5 * k38, k38, 1.1}, {0.35, -k25, 0.6 * k25, 2.0}},
-      Region({rectangle(100.0, 100.0, {50.0, 50.0})}));
+      Region({rectangle(size, size, {0.5 * size, 0.5 * size})}));
 }
 
 SurfacePtr

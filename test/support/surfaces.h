@@ -93,8 +93,8 @@ struct Wave {
 };
 /** z is the sum of the waves over the region. */
 SurfacePtr waves(std::vector<Wave> sum, Region region);
-/** Waves of 60, 38 and 25 mm on a square of side 100, slopes up to 0.43. */
-SurfacePtr landform();
+/** Waves of 60, 38 and 25 mm on a square from the origin, slopes up to 0.43. */
+SurfacePtr landform(double size = 100.0);
 /** Upper half of the spheroid of semi-axes a, a, b down to z = 0; chart: parametric latitude from the pole
  * times a. With \p hole_radius the part nearer to the axis than that is missing. */
 SurfacePtr spheroidCap(double a, double b, double hole_radius = 0.0);

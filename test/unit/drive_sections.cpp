@@ -160,27 +160,6 @@ TEST(DriveSections, AreNotLinkedAcrossAHole)
       }
 }
 
-TEST(DriveSections, KeepTheScallopOfALandform)
-{
-  constexpr double radius = 5.0, height = 0.01;
-  const SurfacePtr land = landform();
-  for (const double sigma : {0.0, 0.005}) {
-    Sampled scan = sampleUniform(*land, 60000, 4); // 0.41 mm apart
-    addNoise(scan, sigma, 5);
-    const Driven run = driven(scan.points, [&](Drive& drive) {
-      drive.setRows(DriveRows::Kept);
-      drive.setScallop(radius, height);
-      drive.setPointSpacing(0.2);
-    });
-    std::printf("  noise %.3f: %zu rows, %.4f to %.4f mm, held on %.5f\n", sigma, run.report.rows,
-                run.report.smallest_step, run.report.step_over, run.report.held_share);
-    for (const std::string& warning : run.report.warnings)
-      std::printf("  %s\n", warning.c_str());
-    EXPECT_LE(run.report.rows, static_cast<std::size_t>(1.12 * 159));
-    EXPECT_TRUE(run.report.warnings.empty());
-  }
-}
-
 TEST(DriveSections, StayWholeUnderNoiseOfTheSpacingAndSaySo)
 {
   Sampled sampled =

@@ -95,6 +95,11 @@ struct ChoiceNames<DriveKind> {
                                                                            {DriveKind::BoundaryOffset, "offset"}}};
 };
 template <>
+struct ChoiceNames<DriveRows> {
+  static constexpr std::array<std::pair<DriveRows, const char*>, 2> words{
+      {{DriveRows::Even, "even"}, {DriveRows::Kept, "kept"}}};
+};
+template <>
 struct ChoiceNames<DriveAxisMode> {
   static constexpr std::array<std::pair<DriveAxisMode, const char*>, 4> words{
       {{DriveAxisMode::Fixed, "fixed"},
