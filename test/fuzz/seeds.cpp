@@ -68,6 +68,8 @@ writeTexts(const fs::path& folder)
   write(folder / "text/header", "\2# made by hand\nz,x,\"y\"\r\n1,2,3\r\n4,5,6\r\n");
   write(folder / "text/comment", "\2//X Y Z I\n1\t2\t3\t4\n");
   write(folder / "obj/mesh", "# a mesh\no part\nv 1 2 3\nv 4 5 6 1\nv 1e-3 .5 -7\nvn 0 0 1\nf 1//1 2//1 3//1\n");
+  write(folder / "obj/faces", "v 0 0 0\nv 20 0 0\nv 20 20 0\nv 10 10 5\nv 0 20 0\nvt 0 0\nf 1 2 3 4 5\nf -5/1 -3/1 \\\n"
+                              " -1/1/1 # last\nf 5 4 3 2\n");
   write(folder / "stl/ascii", "solid a\n facet normal 0 0 1\n  outer loop\n   vertex 1 2 3\n   vertex 4 5 6\n"
                               "   vertex 7 8 -9\n  endloop\n endfacet\nendsolid a\n");
   write(folder / "stl/binary", binaryStl());
@@ -77,6 +79,17 @@ writeTexts(const fs::path& folder)
   write(folder / "ply/big_endian", "ply\nformat binary_big_endian 1.0\nelement face 1\nproperty list uchar short i\n"
                                    "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
                                    "end_header\n" + std::string("\2\0\1\0\2\0\0\0\0\0\0\0\0\0\0\0\0", 17));
+  const std::string corners = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+  write(folder / "ply/faces", "ply\nformat ascii 1.0\n" + corners +
+                                  "element face 3\nproperty uchar red\nproperty list uchar int vertex_indices\nend_header\n"
+                                  "0 0 0\n9 3 0\n0 6 0\n2 3 1\n1 3 0 1 2\n2 4 0 1 2 3\n3 4 3 2 1 0\n");
+  for (const std::string order : {"little", "big"}) {
+    std::string bytes = "ply\nformat binary_" + order + "_endian 1.0\n" + corners +
+                        "element face 2\nproperty list uchar uchar vertex_index\nend_header\n";
+    for (std::size_t byte = 0; byte < 48; ++byte)
+      bytes += static_cast<char>(byte * 37 % 64);
+    write(folder / ("ply/faces_" + order), bytes + std::string("\3\0\1\2\4\0\1\2\3", 9));
+  }
   write(folder / "job/plain.yaml", "scan: part.pcd\ntool-radius: 10\nscallop: 0.05\noutput: [a.csv, a.vtp]\n"
                                    "center: [1, 2, 3]\nboundaries: two\nverify: true\n");
   write(folder / "job/block.yaml", "# a job\nscan: 'part.xyz'\ncolumns: id,x,y,z\nunits: inch\noutput:\n  - a.png\n"

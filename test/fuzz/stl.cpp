@@ -1,12 +1,14 @@
-// Scans in STL files, ascii and binary.
+// Scans and meshes in STL files, ascii and binary.
 #include "harness.h"
+#include "mesh_harness.h"
 
 using namespace pcl_spiral;
 
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  return fuzzTable(data, size, 3, [](std::string_view bytes) {
+  fuzzTable(data, size, 3, [](std::string_view bytes) {
     return readStlTable("scan.stl", bytes);
   });
+  return fuzzMesh(".stl", data, size);
 }

@@ -1,33 +1,105 @@
-#include "point_table.h"
+#include "face_list.h"
 #include "text_scan.h"
 
 #include <pcl_spiral/io/file_error.h>
 
-namespace pcl_spiral {
+#include <charconv>
 
+namespace pcl_spiral {
+namespace {
+
+/** Whether the line is one of this kind: a letter and a blank. */
+bool
+startsWith(std::string_view line, char kind)
+{
+  return line.size() > 1 && line[0] == kind && (line[1] == ' ' || line[1] == '\t');
+}
+
+void
+takeVertex(const std::string& file, const std::vector<std::string_view>& words, std::size_t number, PointTable& table)
+{
+  if (words.size() < 4)
+    throw FileError(file, atLine(number, "a vertex needs x y z; is the file cut off?"));
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::optional<double> value = toNumber(words[c + 1]);
+    if (!value)
+      throw FileError(file, atLine(number, quoted(words[c + 1]) + " is not a number"));
+    table[c].push_back(*value);
+  }
+}
+
+/** The vertex that a corner names as v, v/vt, v//vn or v/vt/vn: from 1, or below 0 counted back from the last one so
+ * far. */
+std::int64_t
+vertexOf(const std::string& file, std::string_view word, std::size_t number, std::size_t vertices)
+{
+  const std::string_view digits = word.substr(0, word.find('/'));
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || value == 0)
+    throw FileError(file, atLine(number, quoted(word) + " names no vertex; a face needs numbers from 1, or below 0 "
+                                                        "counted back; export it again"));
+  const auto so_far = static_cast<std::int64_t>(vertices);
+  if (value < -so_far)
+    throw FileError(file, atLine(number, quoted(word) + " counts back beyond the " + std::to_string(vertices) +
+                                             " vertices before it; export it again"));
+  return value > 0 ? value - 1 : so_far + value;
+}
+
+/** One line of a face; a backslash at its end continues it on the next. */
+void
+takeFace(const std::string& file, LineScanner& lines, std::string_view line, std::size_t vertices, FaceList& faces)
+{
+  const std::size_t first = lines.number();
+  std::vector<std::string_view> words;
+  line.remove_prefix(1);
+  for (bool more = true; more;) {
+    line = line.substr(0, line.find('#'));
+    more = !line.empty() && line.back() == '\\';
+    splitWords(more ? line.substr(0, line.size() - 1) : line, ' ', words);
+    for (const std::string_view word : words)
+      faces.corners.push_back(vertexOf(file, word, lines.number(), vertices));
+    more = more && lines.next(line);
+  }
+  faces.close(first);
+}
+
+/** Vertices, and faces where a list for them is given. */
 PointTable
-readObjTable(const std::string& file, std::string_view bytes)
+readObj(const std::string& file, std::string_view bytes, FaceList* faces)
 {
   PointTable table(3);
   LineScanner lines(bytes);
   std::string_view line;
   std::vector<std::string_view> words;
   while (lines.next(line)) {
-    if (line.substr(0, 2) != "v " && line.substr(0, 2) != "v\t")
-      continue;
-    splitWords(line, ' ', words);
-    if (words.size() < 4)
-      throw FileError(file, atLine(lines.number(), "a vertex needs x y z; is the file cut off?"));
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::optional<double> value = toNumber(words[c + 1]);
-      if (!value)
-        throw FileError(file, atLine(lines.number(), quoted(words[c + 1]) + " is not a number"));
-      table[c].push_back(*value);
+    if (startsWith(line, 'v')) {
+      splitWords(line, ' ', words);
+      takeVertex(file, words, lines.number(), table);
     }
+    else if (faces && (startsWith(line, 'f') || line == "f"))
+      takeFace(file, lines, line, table[0].size(), *faces);
   }
   if (table[0].empty())
     throw FileError(file, "holds no vertices ('v x y z')");
   return table;
+}
+
+} // namespace
+
+PointTable
+readObjTable(const std::string& file, std::string_view bytes)
+{
+  return readObj(file, bytes, nullptr);
+}
+
+MeshTable
+readObjMesh(const std::string& file, std::string_view bytes)
+{
+  MeshTable mesh;
+  mesh.faces.first_vertex = 1;
+  mesh.vertices = readObj(file, bytes, &mesh.faces);
+  return mesh;
 }
 
 } // namespace pcl_spiral

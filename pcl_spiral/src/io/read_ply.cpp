@@ -1,11 +1,11 @@
-#include "field_layout.h"
-#include "point_table.h"
-#include "text_scan.h"
+#include "face_list.h"
+#include "ply_header.h"
 
+#include <pcl_spiral/common/message.h>
 #include <pcl_spiral/io/file_error.h>
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 
 namespace pcl_spiral {
 namespace {
@@ -13,42 +13,35 @@ namespace {
 // Own reading, because PCL 1.13's takes words that are no numbers for NaN without a complaint and reports
 // what is wrong on the console alone.
 
-struct PlyProperty {
-  std::string name;
-  FieldType type;
-  bool list = false;
-  FieldType count_type;
-};
-
-struct PlyElement {
-  std::string name;
-  std::size_t count = 0;
-  std::vector<PlyProperty> properties;
-};
+const Names face_lists{"vertex_indices", "vertex_index"};
 
 /** Reads a PLY file: ascii, or binary of either byte order. */
 class PlyTable {
 public:
-  PlyTable(const std::string& file, std::string_view bytes, const Names& wanted)
-      : file_(file), bytes_(bytes), wanted_(wanted), lines_(bytes)
+  /** Faces are taken where a list for them is given, else passed over. */
+  PlyTable(const std::string& file, std::string_view bytes, const Names& wanted, FaceList* faces)
+      : file_(file), bytes_(bytes), wanted_(wanted), lines_(bytes), header_(readPlyHeader(file, lines_)),
+        at_(lines_.position()), faces_(faces)
   {
   }
 
   PointTable
   read()
   {
-    readHeader();
-    at_ = lines_.position();
     bool found = false;
-    for (const PlyElement& element : elements_) {
+    for (const PlyElement& element : header_.elements) {
       const bool vertices = element.name == "vertex";
+      column_of_.assign(element.properties.size(), wanted_.size());
+      list_of_faces_ = element.properties.size();
       if (vertices)
         settleColumns(element);
+      else if (faces_ && element.count > 0)
+        settleFaces(element);
       found = found || vertices;
-      if (element.properties.empty() && !ascii_) // nothing there, however many
+      if (element.properties.empty() && !header_.ascii) // nothing there, however many
         continue;
       for (std::size_t i = 0; i < element.count; ++i)
-        ascii_ ? readLine(element, vertices, i) : readRecord(element, vertices, i);
+        header_.ascii ? readLine(element, vertices, i) : readRecord(element, i);
     }
     if (!found || table_[0].empty())
       throw FileError(file_, "holds no vertices");
@@ -70,94 +63,38 @@ private:
                                "; copy or export it again");
   }
 
-  FieldType
-  typeOf(std::string_view word) const
-  {
-    static const std::map<std::string_view, FieldType> types{
-        {"char", {'I', 1}},  {"int8", {'I', 1}},    {"uchar", {'U', 1}},  {"uint8", {'U', 1}},
-        {"short", {'I', 2}}, {"int16", {'I', 2}},   {"ushort", {'U', 2}}, {"uint16", {'U', 2}},
-        {"int", {'I', 4}},   {"int32", {'I', 4}},   {"uint", {'U', 4}},   {"uint32", {'U', 4}},
-        {"float", {'F', 4}}, {"float32", {'F', 4}}, {"double", {'F', 8}}, {"float64", {'F', 8}}};
-    const auto found = types.find(word);
-    if (found == types.end())
-      failLine(quoted(word) + " is no type of a property");
-    return found->second;
-  }
-
-  void
-  readHeader()
-  {
-    std::string_view line;
-    std::vector<std::string_view> words;
-    if (!lines_.next(line) || line != "ply")
-      failLine("a PLY file begins with 'ply'; is this a PLY file?");
-    while (lines_.next(line)) {
-      if (line == "end_header")
-        return;
-      splitWords(line, ' ', words);
-      if (words.empty() || words[0] == "comment" || words[0] == "obj_info")
-        continue;
-      if (words[0] == "format" && words.size() > 1)
-        takeFormat(words[1]);
-      else if (words[0] == "element" && words.size() == 3)
-        takeElement(words);
-      else if (words[0] == "property" && words.size() >= 3 && !elements_.empty())
-        takeProperty(words);
-      else
-        failLine(quoted(line) + " is no line of a PLY header");
-    }
-    throw FileError(file_, "has no end_header: cut off in its header");
-  }
-
-  void
-  takeFormat(std::string_view format)
-  {
-    if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
-      failLine("format " + quoted(format) + " is not known");
-    ascii_ = format == "ascii";
-    swapped_ = format == "binary_big_endian";
-  }
-
-  void
-  takeElement(const std::vector<std::string_view>& words)
-  {
-    const std::optional<std::size_t> count = toCount(words[2]);
-    if (!count)
-      failLine(quoted(words[2]) + " is not a count");
-    elements_.push_back({std::string(words[1]), *count, {}});
-  }
-
-  void
-  takeProperty(const std::vector<std::string_view>& words)
-  {
-    PlyProperty property;
-    property.name = words.back();
-    property.list = words[1] == "list";
-    if (words.size() != (property.list ? 5U : 3U))
-      failLine("a property has a type and a name");
-    property.type = typeOf(words[property.list ? 3 : 1]);
-    if (property.list)
-      property.count_type = typeOf(words[2]);
-    elements_.back().properties.push_back(property);
-  }
-
   void
   settleColumns(const PlyElement& element)
   {
-    Names names;
-    for (const PlyProperty& property : element.properties)
-      names.push_back(property.name);
-    column_of_.assign(names.size(), wanted_.size());
-    const std::vector<std::size_t> positions = columnsOf(file_, names, wanted_);
+    const std::vector<std::size_t> positions = columnsOf(file_, element.propertyNames(), wanted_);
     for (std::size_t c = 0; c < positions.size(); ++c) {
       if (element.properties[positions[c]].list)
         throw FileError(file_, "has a list for '" + wanted_[c] + "', where a number a vertex is needed");
       column_of_[positions[c]] = c;
     }
     table_.resize(wanted_.size());
-    if (!ascii_) // enough bytes for that many, before memory is taken for them
+    if (!header_.ascii) // enough bytes for that many, before memory is taken for them
       for (std::vector<double>& column : table_)
         column.reserve(std::min(element.count, bytes_.size()));
+  }
+
+  /** Which property of the faces lists their corners. */
+  void
+  settleFaces(const PlyElement& element)
+  {
+    if (element.name == "tristrips")
+      throw FileError(file_, "holds triangle strips (element tristrips), which are not read; export it with faces");
+    if (element.name != "face")
+      return;
+    const auto lists_corners = [](const PlyProperty& property) {
+      return property.list && std::find(face_lists.begin(), face_lists.end(), property.name) != face_lists.end();
+    };
+    const auto& properties = element.properties;
+    const auto found = std::find_if(properties.begin(), properties.end(), lists_corners);
+    if (found == properties.end())
+      throw FileError(file_, "has faces without a list 'vertex_indices' or 'vertex_index'; export it again");
+    list_of_faces_ = static_cast<std::size_t>(found - properties.begin());
+    faces_->place_word = header_.ascii ? "line" : "byte";
   }
 
   void
@@ -168,7 +105,7 @@ private:
       if (!lines_.next(line))
         failEnd(element, i);
     while (line.empty());
-    if (!vertices)
+    if (!vertices && list_of_faces_ == element.properties.size())
       return;
     splitWords(line, ' ', words_);
     if (words_.size() < element.properties.size())
@@ -178,30 +115,67 @@ private:
     for (std::size_t p = 0; p < element.properties.size(); ++p, ++word) {
       if (word >= words_.size())
         failLine(std::to_string(words_.size()) + " values, too few for the lists among them");
-      const std::optional<double> value = toNumber(words_[word]);
-      if (!value)
-        failLine(quoted(words_[word]) + " is not a number");
+      const double value = numberIn(word);
       if (column_of_[p] < wanted_.size())
-        table_[column_of_[p]].push_back(*value);
-      if (element.properties[p].list)
-        word += listSize(*value);
+        table_[column_of_[p]].push_back(value);
+      const std::size_t count = element.properties[p].list ? listSize(value) : 0;
+      if (p == list_of_faces_)
+        takeFaceWords(word + 1, count);
+      word += count;
     }
   }
 
-  void
-  readRecord(const PlyElement& element, bool vertices, std::size_t i)
+  double
+  numberIn(std::size_t word) const
   {
+    const std::optional<double> value = toNumber(words_[word]);
+    if (!value)
+      failLine(quoted(words_[word]) + " is not a number");
+    return *value;
+  }
+
+  void
+  takeFaceWords(std::size_t first, std::size_t count)
+  {
+    if (count > words_.size() - first)
+      failLine("a list of " + std::to_string(count) + " corners, of which " + std::to_string(words_.size() - first) +
+               " are there; is the file cut off?");
+    for (std::size_t k = 0; k < count; ++k)
+      takeCorner(numberIn(first + k), lines_.number());
+    faces_->close(lines_.number());
+  }
+
+  void
+  readRecord(const PlyElement& element, std::size_t i)
+  {
+    const std::size_t start = at_;
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
       const PlyProperty& property = element.properties[p];
       if (property.list) {
         const std::size_t count = listSize(take(element, i, property.count_type));
-        skip(element, i, count * static_cast<std::size_t>(property.type.size));
+        const std::size_t size = static_cast<std::size_t>(property.type.size);
+        skip(element, i, count * size);
+        if (p == list_of_faces_) {
+          for (std::size_t from = at_ - count * size; from < at_; from += size)
+            takeCorner(loadField(bytes_.data() + from, property.type, header_.swapped), start);
+          faces_->close(start);
+        }
         continue;
       }
       const double value = take(element, i, property.type);
-      if (vertices && column_of_[p] < wanted_.size())
+      if (column_of_[p] < wanted_.size())
         table_[column_of_[p]].push_back(value);
     }
+  }
+
+  void
+  takeCorner(double value, std::size_t place)
+  {
+    constexpr double most = 1e15;
+    if (!(std::abs(value) < most) || value != std::floor(value))
+      throw FileError(file_, std::string(faces_->place_word) + " " + std::to_string(place) + ": " +
+                                 textOf(value) + " names no vertex; export it again");
+    faces_->corners.push_back(static_cast<std::int64_t>(value));
   }
 
   /** What stands before a list, as a count; a file that ends before it is found to when it is skipped. */
@@ -218,7 +192,7 @@ private:
   {
     const std::size_t from = at_;
     skip(element, i, static_cast<std::size_t>(type.size));
-    return loadField(bytes_.data() + from, type, swapped_);
+    return loadField(bytes_.data() + from, type, header_.swapped);
   }
 
   void
@@ -234,12 +208,12 @@ private:
   Names wanted_;
   LineScanner lines_;
   std::vector<std::string_view> words_;
-  std::vector<PlyElement> elements_;
-  std::vector<std::size_t> column_of_; ///< for each vertex property, the wanted column; their count for none
+  PlyHeader header_;
+  std::vector<std::size_t> column_of_; ///< for each property of the element, the wanted column; their count for none
+  std::size_t list_of_faces_ = 0; ///< which property of the element lists corners; their count for none
   PointTable table_;
-  std::size_t at_ = 0;
-  bool ascii_ = true;
-  bool swapped_ = false;
+  std::size_t at_;
+  FaceList* faces_;
 };
 
 } // namespace
@@ -247,7 +221,15 @@ private:
 PointTable
 readPlyTable(const std::string& file, std::string_view bytes, const Names& wanted)
 {
-  return PlyTable(file, bytes, wanted).read();
+  return PlyTable(file, bytes, wanted, nullptr).read();
+}
+
+MeshTable
+readPlyMesh(const std::string& file, std::string_view bytes)
+{
+  MeshTable mesh;
+  mesh.vertices = PlyTable(file, bytes, {"x", "y", "z"}, &mesh.faces).read();
+  return mesh;
 }
 
 } // namespace pcl_spiral

@@ -1,5 +1,5 @@
+#include "face_list.h"
 #include "field_layout.h"
-#include "point_table.h"
 #include "text_scan.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -47,15 +47,17 @@ struct SameCorner {
 /** Corners in the order of the file, each once. */
 class Corners {
 public:
-  void
+  /** \return its number, from 0 */
+  std::size_t
   add(Corner corner)
   {
     for (float& value : corner)
       value += 0.0f; // -0 becomes 0
-    if (!seen_.emplace(corner, table_[0].size()).second)
-      return;
-    for (std::size_t c = 0; c < 3; ++c)
-      table_[c].push_back(corner[c]);
+    const auto [place, added] = seen_.emplace(corner, table_[0].size());
+    if (added)
+      for (std::size_t c = 0; c < 3; ++c)
+        table_[c].push_back(corner[c]);
+    return place->second;
   }
   PointTable
   take()
@@ -86,7 +88,7 @@ isText(std::string_view bytes)
 }
 
 PointTable
-readBinary(const std::string& file, std::string_view bytes)
+readBinary(const std::string& file, std::string_view bytes, FaceList* faces)
 {
   if (bytes.size() < header_bytes)
     throw FileError(file,
@@ -100,41 +102,72 @@ readBinary(const std::string& file, std::string_view bytes)
                               std::to_string(header_bytes + triangles * triangle_bytes) +
                               "; copy or export it again");
   Corners corners;
-  for (std::size_t t = 0; t < triangles; ++t)
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const std::size_t place = header_bytes + t * triangle_bytes;
     for (std::size_t k = 0; k < 3; ++k) {
       Corner corner;
-      std::memcpy(corner.data(), bytes.data() + header_bytes + t * triangle_bytes + normal_bytes + k * sizeof(corner),
-                  sizeof(corner));
-      corners.add(corner);
+      std::memcpy(corner.data(), bytes.data() + place + normal_bytes + k * sizeof(corner), sizeof(corner));
+      const std::size_t number = corners.add(corner);
+      if (faces)
+        faces->corners.push_back(static_cast<std::int64_t>(number));
     }
+    if (faces)
+      faces->close(place);
+  }
   return corners.take();
 }
 
+/** Corners on lines one after the other are a triangle; the first of them is on line \p number. */
+void
+closeFacet(const std::string& file, std::size_t number, FaceList& faces)
+{
+  if (faces.open() == 0)
+    return;
+  if (faces.open() != 3)
+    throw FileError(file, atLine(number, "a facet of " + std::to_string(faces.open()) +
+                                             " corners begins here, where STL has triangles; export it again"));
+  faces.close(number);
+}
+
+Corner
+cornerOf(const std::string& file, const std::vector<std::string_view>& words, std::size_t number)
+{
+  if (words.size() != 4)
+    throw FileError(file, atLine(number, "a vertex needs x y z; is the file cut off?"));
+  Corner corner;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::optional<double> value = toNumber(words[c + 1]);
+    if (!value)
+      throw FileError(file, atLine(number, quoted(words[c + 1]) + " is not a number"));
+    corner[c] = static_cast<float>(*value);
+  }
+  return corner;
+}
+
 PointTable
-readText(const std::string& file, std::string_view bytes)
+readText(const std::string& file, std::string_view bytes, FaceList* faces)
 {
   Corners corners;
   LineScanner lines(bytes);
   std::string_view line;
   std::vector<std::string_view> words;
   bool ended = false, any = false;
+  std::size_t first = 0; // line of the facet's first corner
   while (lines.next(line)) {
     splitWords(line, ' ', words);
     if (words.empty())
       continue;
     ended = sameWord(words[0], "endsolid");
-    if (!sameWord(words[0], "vertex"))
+    const bool vertex = sameWord(words[0], "vertex");
+    if (!vertex && faces)
+      closeFacet(file, first, *faces);
+    if (!vertex)
       continue;
-    if (words.size() != 4)
-      throw FileError(file, atLine(lines.number(), "a vertex needs x y z; is the file cut off?"));
-    Corner corner;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::optional<double> value = toNumber(words[c + 1]);
-      if (!value)
-        throw FileError(file, atLine(lines.number(), quoted(words[c + 1]) + " is not a number"));
-      corner[c] = static_cast<float>(*value);
+    const std::size_t number = corners.add(cornerOf(file, words, lines.number()));
+    if (faces) {
+      first = faces->open() == 0 ? lines.number() : first;
+      faces->corners.push_back(static_cast<std::int64_t>(number));
     }
-    corners.add(corner);
     any = true;
   }
   if (!ended)
@@ -144,12 +177,28 @@ readText(const std::string& file, std::string_view bytes)
   return corners.take();
 }
 
+PointTable
+readStl(const std::string& file, std::string_view bytes, FaceList* faces)
+{
+  return isText(bytes) ? readText(file, bytes, faces) : readBinary(file, bytes, faces);
+}
+
 } // namespace
 
 PointTable
 readStlTable(const std::string& file, std::string_view bytes)
 {
-  return isText(bytes) ? readText(file, bytes) : readBinary(file, bytes);
+  return readStl(file, bytes, nullptr);
+}
+
+MeshTable
+readStlMesh(const std::string& file, std::string_view bytes)
+{
+  MeshTable mesh;
+  mesh.faces.first_vertex = 1;
+  mesh.faces.place_word = isText(bytes) ? "line" : "byte";
+  mesh.vertices = readStl(file, bytes, &mesh.faces);
+  return mesh;
 }
 
 } // namespace pcl_spiral

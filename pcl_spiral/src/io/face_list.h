@@ -1,0 +1,60 @@
+/** \file
+ *  Faces as they stand in a file: polygons over numbered vertices.
+ */
+#pragma once
+
+#include "point_table.h"
+
+#include <cstdint>
+
+namespace pcl_spiral {
+
+/** Corners of all faces one after the other, each face with its place in the file. */
+struct FaceList {
+  std::vector<std::int64_t> corners; ///< vertices counted from 0; not yet known to be there
+  std::vector<std::size_t> ends;     ///< for each face, the end of its corners
+  std::vector<std::size_t> places;   ///< for each face, its line or byte
+  const char* place_word = "line";
+  std::int64_t first_vertex = 0; ///< how the file counts: its first vertex is this number
+
+  std::size_t
+  begin(std::size_t face) const
+  {
+    return face == 0 ? 0 : ends[face - 1];
+  }
+  /** Corners added since the last close. */
+  std::size_t
+  open() const
+  {
+    return corners.size() - begin(ends.size());
+  }
+  /** The corners added since the last close are a face. */
+  void
+  close(std::size_t place)
+  {
+    ends.push_back(corners.size());
+    places.push_back(place);
+  }
+  /** "face 3 (line 17)" */
+  std::string
+  nameOf(std::size_t face) const
+  {
+    return "face " + std::to_string(face + 1) + " (" + place_word + " " + std::to_string(places[face]) + ")";
+  }
+};
+
+/** What a file of a mesh holds. */
+struct MeshTable {
+  PointTable vertices;
+  FaceList faces;
+};
+
+/** Vertices, the same as those of the tables of points, and faces. \throw FileError as readers of tables do, and where
+ * a face cannot be made out
+ *  @{ */
+MeshTable readStlMesh(const std::string& file, std::string_view bytes);
+MeshTable readObjMesh(const std::string& file, std::string_view bytes);
+MeshTable readPlyMesh(const std::string& file, std::string_view bytes);
+/** @} */
+
+} // namespace pcl_spiral
