@@ -7,7 +7,11 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double sliver = 1e-12; // projected area over squared length: less has edges alone
+// Twice the projected area over squared length:
+constexpr double sliver = 1e-12; // less has edges alone
+constexpr double thin = 1e-6;    // less has all its edges looked at, for rounding
+constexpr double full = 1e-3;    // more, and not steep, is known well enough by its plane
+constexpr double steep = 100.0;
 
 double
 cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
@@ -71,8 +75,10 @@ TriangleTouch::alongCorner(double p, double slope, double wider) const
 {
   const double R2 = profile_.flatRadius() + wider, r = profile_.cornerRadius();
   double low = std::max(0.0, (p - R2) / r), high = cos_angle_;
-  double v = std::clamp(slope / std::sqrt(1.0 + slope * slope), low, high);
-  for (int i = 0; i < 60 && high - low > 1e-14; ++i) {
+  const double lean = slope / std::sqrt(1.0 + slope * slope); // sine; of the touch, where p is 0
+  const double on_ball = (std::sqrt(p * p + lean * lean * (R2 + r - p) * (R2 + r + p)) - R2) / r; // of the touch on a ball of the radius R2 + r
+  double v = std::clamp(R2 < r ? on_ball : lean, low, high);
+  for (int i = 0; i < 60; ++i) {
     const double l = R2 + r * v, s = halfChord(l, p), c = std::sqrt(std::max(0.0, 1.0 - v * v));
     const double value = v * s - slope * l * c;
     (value < 0.0 ? low : high) = v;
@@ -81,7 +87,7 @@ TriangleTouch::alongCorner(double p, double slope, double wider) const
     const bool inside = next > low && next < high;
     const double step = inside ? next - v : 0.5 * (low + high) - v;
     v += step;
-    if (std::abs(step) < 1e-13)
+    if (std::abs(step) < 1e-8) // the next would be its square
       break;
   }
   return halfChord(R2 + r * v, p);
@@ -117,9 +123,10 @@ TriangleTouch::touchEdge(const Eigen::Matrix3d& corners, int from, double wider,
   take(std::clamp((s - start) / length, 0.0, 1.0), std::sqrt(p * p + s * s));
 }
 
-/** Whether the touch of the plane lies in the triangle; otherwise the best of the edges it is outside of. */
+/** The touch of the plane if it lies in the triangle; otherwise the best of the edges it is outside of. False where all edges
+ *  are to be looked at. */
 bool
-TriangleTouch::touchFace(const Eigen::Matrix3d& corners, double wider, TouchedTriangle& best) const
+TriangleTouch::touchFace(const Eigen::Matrix3d& corners, double wider, double floor, TouchedTriangle& best) const
 {
   const Eigen::Vector3d origin = corners.col(0), a = corners.col(1) - origin, b = corners.col(2) - origin;
   const double area = cross(a, b);
@@ -131,25 +138,27 @@ TriangleTouch::touchFace(const Eigen::Matrix3d& corners, double wider, TouchedTr
   Eigen::Vector3d d = -origin;
   if (slope > 0.0)
     d.head<2>() += l / slope * rise;
+  const double profile = heightAt(slope > 0.0 ? l : 0.0, wider);
+  if (slope < steep && std::abs(area) > full * size && origin.z() + rise.dot(d.head<2>()) - profile <= floor)
+    return true;
   const double w1 = cross(d, b) / area, w2 = cross(a, d) / area;
   const Eigen::Vector3d weights(1.0 - w1 - w2, w1, w2);
-  if (weights.minCoeff() >= 0.0) {
-    best.found = true;
-    best.weights = weights;
-    best.height = corners.row(2).dot(weights) - heightAt(slope > 0.0 ? l : 0.0, wider);
-    return true;
-  }
-  for (int k = 0; k < 3; ++k)
+  const bool inside = weights.minCoeff() >= 0.0;
+  if (inside)
+    best = {true, corners.row(2).dot(weights) - profile, weights};
+  if (std::abs(area) <= thin * size)
+    return false;
+  for (int k = 0; k < 3 && !inside; ++k)
     if (weights[(k + 2) % 3] < 0.0)
       touchEdge(corners, k, wider, best);
   return true;
 }
 
 TouchedTriangle
-TriangleTouch::touch(const Eigen::Matrix3d& corners, double wider) const
+TriangleTouch::touch(const Eigen::Matrix3d& corners, double wider, double floor) const
 {
   TouchedTriangle best;
-  if (!touchFace(corners, wider, best))
+  if (!touchFace(corners, wider, floor, best))
     for (int k = 0; k < 3; ++k)
       touchEdge(corners, k, wider, best);
   return best;

@@ -100,7 +100,7 @@ private:
     const bool flat = !(cell.sag() > sag_);
     const double wider = flat ? 0.0 : std::sqrt(cell.bows.topRows<2>().colwise().squaredNorm().maxCoeff()) / 3.0;
     const double higher = flat ? 0.0 : std::max(0.0, -cell.bows.row(2).minCoeff()) / 3.0;
-    const TouchedTriangle touched = touch_.touch(cell.corners, wider);
+    const TouchedTriangle touched = touch_.touch(cell.corners, wider, floor_ - higher - slack);
     const double height = touched.height + higher;
     if (!touched.found || !(flat ? height > floor_ : height + slack >= floor_))
       return;

@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <limits>
+
 namespace pcl_spiral {
 
 /** What a triangle does to a cutter that comes down on it. */
@@ -28,8 +30,10 @@ public:
   const CutterProfile& profile() const { return profile_; }
 
   /** \p corners, one a column: along two directions across the axis, from the axis, and along it. \p wider: the profile is
-   *  moved out by it all round, z(l - wider), a bound for triangles that are known across the axis to so much. */
-  TouchedTriangle touch(const Eigen::Matrix3d& corners, double wider = 0.0) const;
+   *  moved out by it all round, z(l - wider), a bound for triangles that are known across the axis to so much. Triangles whose
+   *  plane holds the tip no higher than \p floor may be passed by. */
+  TouchedTriangle touch(const Eigen::Matrix3d& corners, double wider = 0.0,
+                        double floor = -std::numeric_limits<double>::infinity()) const;
 
 private:
   double heightAt(double l, double wider) const;
@@ -37,7 +41,7 @@ private:
   double alongEdge(double p, double slope, double wider) const;
   double alongCorner(double p, double slope, double wider) const;
   void touchEdge(const Eigen::Matrix3d& corners, int from, double wider, TouchedTriangle& best) const;
-  bool touchFace(const Eigen::Matrix3d& corners, double wider, TouchedTriangle& best) const;
+  bool touchFace(const Eigen::Matrix3d& corners, double wider, double floor, TouchedTriangle& best) const;
 
   CutterProfile profile_;
   double cos_angle_, steepest_; ///< of the flank to the axis; the flank's slope, infinite of a cylinder
