@@ -5,18 +5,21 @@
 
 namespace pcl_spiral {
 
-BoxTree::BoxTree(const std::vector<Box>& boxes) : order_(boxes.size()), boxes_(boxes.empty() ? 0 : 2 * boxes.size() - 1)
+BoxTree::BoxTree(const std::vector<Box>& boxes) : order_(boxes.size()), boxes_(boxes.empty() ? 0 : 2 * boxes.size() - 1), lowest_(boxes_.size())
 {
   std::iota(order_.begin(), order_.end(), 0u);
   if (!boxes.empty())
     build(boxes, root());
 }
 
-Box
+void
 BoxTree::build(const std::vector<Box>& boxes, const Node& node)
 {
-  if (node.isItem())
-    return boxes_[node.number] = boxes[order_[node.begin]];
+  if (node.isItem()) {
+    lowest_[node.number] = order_[node.begin];
+    boxes_[node.number] = boxes[order_[node.begin]];
+    return;
+  }
   const auto middle = [&](std::uint32_t i, int d) { return boxes[i].low[d] + boxes[i].high[d]; };
   Box middles;
   for (std::uint32_t k = node.begin; k < node.end; ++k) {
@@ -32,9 +35,11 @@ BoxTree::build(const std::vector<Box>& boxes, const Node& node)
                      const float x = middle(a, longest), y = middle(b, longest);
                      return x != y ? x < y : a < b;
                    });
-  Box box = build(boxes, node.lower());
-  box.extend(build(boxes, node.upper()));
-  return boxes_[node.number] = box;
+  build(boxes, node.lower());
+  build(boxes, node.upper());
+  boxes_[node.number] = box(node.lower());
+  boxes_[node.number].extend(box(node.upper()));
+  lowest_[node.number] = std::min(lowestItem(node.lower()), lowestItem(node.upper()));
 }
 
 } // namespace pcl_spiral

@@ -11,17 +11,18 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double slack = 1e-9; // rounding never leaves a face out
+constexpr std::uint32_t nothing = 0xffffffffu;
 
 /** What waits in the search: a node of boxes, a part of a face, or a contact. */
 struct Waiting {
   enum Kind : std::uint8_t { Boxes, Part, Contact };
   double height; ///< bound of what is in it; of a contact, its own
   Kind kind;
-  std::uint32_t face;  ///< of parts and contacts: as given
+  std::uint32_t face;  ///< the lowest in it
   std::uint32_t place; ///< of parts and contacts, in the list
   BoxTree::Node node;
 
-  /** Whether \p other is to be looked at first: the higher; contacts last of all as high, by their faces. */
+  /** Whether \p other is to be looked at first: the higher; of all as high contacts last, and by their faces. */
   bool
   operator<(const Waiting& other) const
   {
@@ -53,22 +54,36 @@ public:
       waiting_.pop_back();
       if (top.kind == Waiting::Contact)
         return contactOf(top);
-      if (top.kind == Waiting::Part) {
-        const PatchCell cell = parts_[top.place];
-        for (int k = 0; k < 4; ++k)
-          addPart(cell.quarter(k), top.face);
-      }
-      else if (top.node.isItem())
-        addPart(seen(patches_.cell(top.node.begin)), patches_.index(top.node.begin));
-      else {
-        addNode(top.node.lower());
-        addNode(top.node.upper());
-      }
+      if (!isSurpassed(top))
+        open(top);
     }
     return {};
   }
 
 private:
+  /** Whether what is in it is no higher than a contact found, but for the slack, and on no lower face. */
+  bool
+  isSurpassed(const Waiting& waiting) const
+  {
+    return waiting.height <= best_.height + 2.0 * slack && waiting.face >= best_.face;
+  }
+
+  void
+  open(const Waiting& top)
+  {
+    if (top.kind == Waiting::Part) {
+      const PatchCell cell = parts_[top.place];
+      for (int k = 0; k < 4; ++k)
+        addPart(cell.quarter(k), top.face);
+    }
+    else if (top.node.isItem())
+      addPart(seen(patches_.cell(top.node.begin)), patches_.index(top.node.begin));
+    else {
+      addNode(top.node.lower());
+      addNode(top.node.upper());
+    }
+  }
+
   void
   push(const Waiting& waiting)
   {
@@ -85,7 +100,7 @@ private:
       return;
     const double height = box.high - touch_.profile().height(nearest) + slack;
     if (height >= floor_)
-      push({height, Waiting::Boxes, 0, 0, node});
+      push({height, Waiting::Boxes, patches_.boxes().lowestItem(node), 0, node});
   }
 
   PatchCell
@@ -111,7 +126,10 @@ private:
       parts_.back().corners.col(0) = touched.weights; // the corners have served
       parts_.back().corners.col(1) = std::isfinite(sag_) ? cell.position(touched.weights) : cell.corners * touched.weights;
     }
-    push({flat ? height : height + slack, flat ? Waiting::Contact : Waiting::Part, face, place, {}});
+    const Waiting waiting{flat ? height : height + slack, flat ? Waiting::Contact : Waiting::Part, face, place, {}};
+    if (flat && (best_.place == nothing || best_ < waiting))
+      best_ = waiting;
+    push(waiting);
   }
 
   MeshContact
@@ -133,6 +151,7 @@ private:
   const AxisFrame& frame_;
   AxisView view_;
   double floor_; ///< no contact below it counts any more
+  Waiting best_{-std::numeric_limits<double>::infinity(), Waiting::Contact, 0, nothing, {}}; ///< of the contacts found
   Matrix3d axes_;
   std::vector<Waiting> waiting_; ///< a heap
   std::vector<PatchCell> parts_;

@@ -13,7 +13,7 @@ namespace pcl_spiral {
 
 /** Items under a binary tree of their boxes: each node's items are halved across the longest side of the box of their boxes'
  *  middles. A node is a range of items; its number is that of its place when the tree is walked, the first half first. Memory:
- *  52 bytes an item. The same for any number of threads. */
+ *  60 bytes an item. The same for any number of threads. */
 class BoxTree {
 public:
   struct Node {
@@ -33,6 +33,8 @@ public:
   const Box& box(const Node& node) const { return boxes_[node.number]; }
   /** Which of the boxes given stands at \p place in tree order. */
   std::uint32_t item(std::size_t place) const { return order_[place]; }
+  /** The lowest item() of a node. */
+  std::uint32_t lowestItem(const Node& node) const { return lowest_[node.number]; }
 
   /** Call \p visit(place) for every item under boxes that all pass \p keep(box), in a fixed order. */
   template <typename Keep, typename Visit>
@@ -57,10 +59,11 @@ public:
   }
 
 private:
-  Box build(const std::vector<Box>& boxes, const Node& node);
+  void build(const std::vector<Box>& boxes, const Node& node);
 
   std::vector<std::uint32_t> order_;
   std::vector<Box> boxes_;
+  std::vector<std::uint32_t> lowest_;
 };
 
 } // namespace pcl_spiral

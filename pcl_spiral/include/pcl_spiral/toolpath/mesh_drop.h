@@ -37,7 +37,7 @@ public:
   const CutterProfile& profile() const { return touch_.profile(); }
   double sag() const { return sag_; }
 
-  /** The location without gouge; of contacts as high, that on the face of the lowest index. Only what holds the tip above
+  /** The location without gouge; of contacts as high, to 2e-9, that on the face of the lowest index. Only what holds the tip above
    *  \p floor counts. */
   MeshContact highest(const AxisFrame& frame, double floor = -std::numeric_limits<double>::infinity()) const;
 
