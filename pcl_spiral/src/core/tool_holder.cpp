@@ -72,4 +72,20 @@ HolderProfile::inside(double l, double height, double& depth) const
   return found;
 }
 
+double
+HolderProfile::deepest(double l, double low, double high) const
+{
+  double depth = 0.0;
+  for (const Part& part : parts_) {
+    if (high <= part.bottom || low > part.top)
+      continue;
+    const double highest = std::min(high, part.top);
+    const double widest_at = part.slope > 0.0 ? highest : low;
+    const double radius = part.radius + part.slope * std::max(0.0, widest_at - part.start);
+    const double down = l > part.below ? highest - part.bottom : std::numeric_limits<double>::infinity();
+    depth = std::max(depth, std::min((radius - l) * part.cosine, down));
+  }
+  return depth;
+}
+
 } // namespace pcl_spiral

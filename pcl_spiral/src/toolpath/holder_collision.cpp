@@ -10,19 +10,11 @@ findCollision(const PointBlocks& blocks, const HolderProfile& holder, const Axis
   if (holder.empty())
     return worst;
   constexpr double slack = 1e-9;
-  const Eigen::Vector3d a1 = frame.e1.cwiseAbs(), a2 = frame.e2.cwiseAbs(), a3 = frame.axis.cwiseAbs();
+  const AxisView view(frame);
   const double low = tip + holder.bottom() - slack, high = tip + holder.top() + slack;
   const auto keep = [&](const Box& box) {
-    const Eigen::Vector3d lower(box.low[0], box.low[1], box.low[2]),
-        upper(box.high[0], box.high[1], box.high[2]);
-    const Eigen::Vector3d half = 0.5 * (upper - lower), middle = 0.5 * (upper + lower);
-    const double along = frame.along(middle), reach = half.dot(a3);
-    if (along + reach < low || along - reach > high)
-      return false;
-    const Eigen::Vector2d x = frame.across(middle);
-    const double dx = std::max(0.0, std::abs(x.x()) - half.dot(a1));
-    const double dy = std::max(0.0, std::abs(x.y()) - half.dot(a2));
-    return std::sqrt(dx * dx + dy * dy) <= holder.radius() + slack;
+    const AxisBox seen = view.see(box);
+    return seen.high >= low && seen.low <= high && seen.nearest <= holder.radius() + slack;
   };
   double deepest = tolerance;
   blocks.forBlocks(keep, [&](std::size_t block) {

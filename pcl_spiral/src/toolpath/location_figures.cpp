@@ -1,3 +1,5 @@
+#include "location_ground.h"
+
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/toolpath/cutter_locator.h>
 
@@ -9,8 +11,6 @@ LocationFigures
 CutterLocator::figures(const ToolLocations& locations) const
 {
   LocationFigures f;
-  f.noise_allowance = surface_.noiseAllowance();
-  f.stray_points = surface_.hasSurface() ? surface_.strayPoints() : 0;
   for (std::size_t i = 0; i < locations.size(); ++i) {
     const ToolLocation& location = locations[i];
     ++f.states[static_cast<std::size_t>(location.state)];
@@ -44,8 +44,8 @@ CutterLocator::figures(const ToolLocations& locations) const
     if (count > 0)
       f.warnings.push_back(textOf(count, " of ", locations.size(), " locations ", what));
   };
-  warn(f.count(LocationState::NoCloud), "have no point of the scan under the cutter: they have no height");
-  warn(f.over_rim, textOf("stand partly beyond the rim of the scan or over a gap in it, at least ",
+  warn(f.count(LocationState::NoCloud), textOf("have no ", ground_->item(), " of the ", ground_->name(), " under the cutter: they have no height"));
+  warn(f.over_rim, textOf("stand partly beyond the rim of the ", ground_->name(), " or over a gap in it, at least ",
                           f.least_rim_clearance, " mm above it: what is higher there is not known"));
   warn(f.unbounded, "rest on single points, and how far the cutter sinks between them has no bound");
   warn(f.count(LocationBasis::PointsAndBound),
@@ -58,27 +58,13 @@ CutterLocator::figures(const ToolLocations& locations) const
     const auto segment = static_cast<std::size_t>(worst.segment);
     const std::string& name = options_.holder[segment].name;
     warn(f.collisions,
-         textOf("put the holder into the scan, the deepest ", worst.depth,
+         textOf("put the holder into the ", ground_->name(), ", the deepest ", worst.depth,
                 " mm, clearance included: ", name.empty() ? textOf("segment ", segment + 1) : name,
                 " of location ", f.most_collided, " at ", placeText(worst.place),
                 "; lengthen the tool, lean the axis away, or allow it "
                 "to be tilted"));
   }
-  const std::size_t asked =
-      f.count(LocationState::Reached) + f.count(LocationState::Lifted) + f.count(LocationState::Clear);
-  if (asked > 0 && surface_.hasSurface() && surface_.surface().fitNoise() > options_.tolerance)
-    f.warnings.push_back(
-        textOf("the scan's noise leaves its surface known to ", surface_.surface().fitNoise(),
-               " mm, more than the contact tolerance of ", options_.tolerance,
-               " mm: contacts count as lifted or clear by chance; raise the tolerance to three times "
-               "that"));
-  if (f.stray_points > 0)
-    f.warnings.push_back(textOf(f.stray_points,
-                                " points of the scan stand alone off its surface; the cutter stays off "
-                                "them as well: remove them before if they are false echoes (StrayRemoval)"));
-  if (!surface_.hasSurface())
-    f.warnings.push_back("the points form no surface, so the rim of the scan is not known: " +
-                         surface_.whyNone().message());
+  ground_->describe(locations, f);
   return f;
 }
 

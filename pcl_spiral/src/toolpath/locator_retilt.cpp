@@ -1,5 +1,6 @@
-#include "asked_location.h"
+#include "location_ground.h"
 
+#include <pcl_spiral/core/frame.h>
 #include <pcl_spiral/toolpath/cutter_locator.h>
 
 #include <algorithm>
@@ -54,15 +55,6 @@ isWanting(const ToolLocation& location)
 
 } // namespace
 
-bool
-CutterLocator::clears(const DrivePoint& drive) const
-{
-  const AskedLocation asked(drive, profile_);
-  const bool clear = !drop_.highest(asked.frame, options_.tolerance).found || holds(asked);
-  return asked.contact.touches && clear &&
-         !findCollision(surface_.obstacles(), holder_, asked.frame, 0.0, options_.tolerance).found();
-}
-
 void
 CutterLocator::retilt(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const
 {
@@ -86,7 +78,7 @@ CutterLocator::retilt(const DrivePoint* drive, std::size_t count, ToolLocation* 
     for (std::int64_t k = 0; k < static_cast<std::int64_t>(pending.size()); ++k) {
       Pending& p = pending[k];
       const DrivePoint& asked = drive[p.index];
-      while (p.next < ConeOfAxes::size && !clears({asked.position, p.cone[p.next], asked.normal}))
+      while (p.next < ConeOfAxes::size && !ground_->clears({asked.position, p.cone[p.next], asked.normal}))
         ++p.next;
     }
     const auto none_left = [](const Pending& p) { return p.next == ConeOfAxes::size; };
@@ -95,7 +87,7 @@ CutterLocator::retilt(const DrivePoint* drive, std::size_t count, ToolLocation* 
     for (const Pending& p : pending)
       tilted.push_back({drive[p.index].position, p.cone[p.next], drive[p.index].normal});
     ToolLocations found(tilted.size());
-    locateSome(tilted.data(), tilted.size(), found.data());
+    ground_->locate(tilted.data(), tilted.size(), found.data());
     std::vector<Pending> left;
     for (std::size_t k = 0; k < pending.size(); ++k) {
       Pending& p = pending[k];

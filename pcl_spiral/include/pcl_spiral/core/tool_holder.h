@@ -61,6 +61,10 @@ public:
    * the shortest way out, through the flank or through a lower face that sticks out. */
   int inside(double l, double height, double& depth) const;
 
+  /** A bound: no place at \p l or more from the axis and between the heights \p low and \p high above the tip lies deeper in
+   * a segment than this; 0 where none lies in one. */
+  double deepest(double l, double low, double high) const;
+
 private:
   struct Part {
     double bottom, start,

@@ -40,6 +40,36 @@ struct AxisFrame {
   }
 };
 
+/** A box as seen along a tool axis. */
+struct AxisBox {
+  double nearest = 0.0; ///< of its places, to the axis: a bound
+  double low = 0.0, high = 0.0; ///< along the axis
+};
+
+/** Sees boxes along the axis of a frame, which must outlive it. */
+class AxisView {
+public:
+  explicit AxisView(const AxisFrame& frame)
+      : frame_(frame), a1_(frame.e1.cwiseAbs()), a2_(frame.e2.cwiseAbs()), a3_(frame.axis.cwiseAbs())
+  {
+  }
+
+  AxisBox
+  see(const Box& box) const
+  {
+    const Eigen::Vector3d lower(box.low[0], box.low[1], box.low[2]), upper(box.high[0], box.high[1], box.high[2]);
+    const Eigen::Vector3d half = 0.5 * (upper - lower), middle = 0.5 * (upper + lower);
+    const Eigen::Vector2d x = frame_.across(middle);
+    const double dx = std::max(0.0, std::abs(x.x()) - half.dot(a1_)), dy = std::max(0.0, std::abs(x.y()) - half.dot(a2_));
+    const double along = frame_.along(middle), reach = half.dot(a3_);
+    return {std::sqrt(dx * dx + dy * dy), along - reach, along + reach};
+  }
+
+private:
+  const AxisFrame& frame_;
+  Eigen::Vector3d a1_, a2_, a3_;
+};
+
 /** What a cutter coming down along its axis meets first. */
 struct DropContact {
   bool found = false; ///< false: no point within the cutter's radius of the axis
@@ -89,17 +119,12 @@ public:
   visitAbove(const AxisFrame& frame, const double& floor, Visit visit) const
   {
     constexpr double slack = 1e-9; // rounding never leaves a point out
-    const Eigen::Vector3d a1 = frame.e1.cwiseAbs(), a2 = frame.e2.cwiseAbs(), a3 = frame.axis.cwiseAbs();
+    const AxisView view(frame);
     const double R = profile_.radius();
     const auto keep = [&](const Box& box) {
-      const Eigen::Vector3d low(box.low[0], box.low[1], box.low[2]),
-          high(box.high[0], box.high[1], box.high[2]);
-      const Eigen::Vector3d half = 0.5 * (high - low), middle = 0.5 * (high + low);
-      const Eigen::Vector2d x = frame.across(middle);
-      const double dx = std::max(0.0, std::abs(x.x()) - half.dot(a1)),
-                   dy = std::max(0.0, std::abs(x.y()) - half.dot(a2));
-      const double nearest = std::max(0.0, std::sqrt(dx * dx + dy * dy) - slack);
-      return nearest <= R && frame.along(middle) + half.dot(a3) - profile_.height(nearest) + slack >= floor;
+      const AxisBox seen = view.see(box);
+      const double nearest = std::max(0.0, seen.nearest - slack);
+      return nearest <= R && seen.high - profile_.height(nearest) + slack >= floor;
     };
     blocks_.forBlocks(keep, [&](std::size_t block) {
       for (std::size_t i = blocks_.blockBegin(block); i < blocks_.blockEnd(block); ++i) {

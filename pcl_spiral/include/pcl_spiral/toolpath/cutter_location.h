@@ -1,5 +1,5 @@
 /** \file
- *  Five-axis gouge-free cutter locations from a cloud.
+ *  Five-axis gouge-free cutter locations from a cloud or a mesh.
  */
 #pragma once
 
@@ -10,7 +10,9 @@
 #include <pcl_spiral/toolpath/cutter_locator.h>
 #include <pcl_spiral/toolpath/drive_pass.h>
 #include <pcl_spiral/toolpath/location_bisection.h>
+#include <pcl_spiral/toolpath/location_mesh.h>
 
+#include <pcl/PolygonMesh.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -25,7 +27,9 @@ namespace pcl_spiral {
  * touched.
  *
  *  Takes a cloud or a surface, see SurfaceInput. The cutter stays off every finite point, those left out of the surface too.
- *  A cloud of which no surface can be made may still be located on by its points (Evaluation::Points).
+ *  A cloud of which no surface can be made may still be located on by its points (Evaluation::Points). Or takes a mesh: the
+ *  cutter stays off all its faces, or the curved surface they stand for: exactly on flat triangles, to a hundredth of the
+ *  contact tolerance, and 1e-4 mm, on curved ones.
  *  Source: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. Lengths in mm. The output does not
  *  depend on the order of the cloud nor on the number of threads.
  */
@@ -152,13 +156,13 @@ public:
   }
 
   /** Locate on what the last compute of an object made of the same cloud or surface: saves making obstacles, fit and rim
-   * again. Null, the default: make it at every compute. setInputCloud and setInputSurface forget it. */
+   * again. Null, the default: make it at every compute. setInputCloud, setInputSurface and setInputMesh forget it. */
   void
   setLocationSurface(const std::shared_ptr<const LocationSurface>& surface)
   {
     given_location_ = surface;
   }
-  /** What the last compute located on; null before. */
+  /** What the last compute located on; null before, and on a mesh. */
   std::shared_ptr<const LocationSurface>
   getLocationSurface() const
   {
@@ -168,19 +172,43 @@ public:
   setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
   {
     SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputCloud(cloud);
-    given_location_.reset();
+    forgetInputs();
   }
   /** \see SurfaceInput::setInputSurface */
   void
   setInputSurface(const Surface::ConstPtr& surface)
   {
     SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputSurface(surface);
-    given_location_.reset();
+    forgetInputs();
   }
-
+  /** Locate on a mesh, of which SurfaceMesh is made with its default settings; what is set last counts, cloud, surface or mesh.
+   * Settings of clouds (normals, view point, indices, thinning and so on) must be as they are by default. With
+   * Evaluation::FittedSurface the curved surface counts that the faces stand for: less the facets' own sag in hollows, more
+   * of it on ridges; with Evaluation::Points the faces as they are. Cutters stay off both sides of a face. The mesh is put in
+   * order by the first compute, and kept for further ones. */
+  void
+  setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
+  {
+    useMesh();
+    polygons_ = mesh;
+  }
+  /** The same, made with settings of one's own. */
+  void
+  setInputMesh(const SurfaceMesh::ConstPtr& mesh)
+  {
+    useMesh();
+    mesh_ = mesh;
+  }
+  /** The mesh given, or made by the last compute of the polygons given; null before, and of clouds. */
+  SurfaceMesh::ConstPtr
+  getInputMesh() const
+  {
+    return mesh_;
+  }
   /** Locate. \p locations has one a drive point, in their order, and with a path tolerance those put in
-   * between, cloud_index in the input cloud; it is empty on failure: no cloud, no finite point, no drive point or one that is not finite or has no axis, a setting
-   * out of range, no surface in the points (unless Evaluation::Points), or cancelled. */
+   * between, cloud_index in the input cloud or the face of getInputMesh; it is empty on failure: no cloud, no finite point, no drive point or
+   * one that is not finite or has no axis, a setting out of range, no surface in the points (unless Evaluation::Points), no mesh
+   * or one that SurfaceMesh::make refuses, or cancelled. */
   void compute(ToolLocations& locations);
   /** The same by passes. */
   void compute(std::vector<ToolLocations>& passes);
@@ -201,8 +229,27 @@ public:
 private:
   Status check() const;
   Status makeLocationSurface();
+  Status makeLocationMesh();
+  Status checkBesideMesh() const;
   Status run(std::vector<ToolLocations>& passes);
+  Status locate(const CutterLocator& locator, std::vector<ToolLocations>& passes);
   std::vector<ToolLocations> inPasses(const ToolLocations& locations) const;
+  void
+  forgetInputs()
+  {
+    given_location_.reset();
+    on_mesh_ = false;
+    polygons_.reset();
+    mesh_.reset();
+    location_mesh_.reset();
+  }
+  void
+  useMesh()
+  {
+    this->given_surface_.reset();
+    forgetInputs();
+    on_mesh_ = true;
+  }
 
   DrivePoints drive_points_; ///< of all passes
   std::vector<std::size_t> pass_sizes_;
@@ -211,6 +258,10 @@ private:
   LocationOptions options_;
   ProgressCallback progress_;
   std::shared_ptr<const LocationSurface> given_location_, location_surface_;
+  bool on_mesh_ = false; ///< a mesh was set last
+  pcl::PolygonMesh::ConstPtr polygons_;
+  SurfaceMesh::ConstPtr mesh_;
+  std::shared_ptr<const LocationMesh> location_mesh_;
   LocationFigures figures_;
   BisectionFigures bisection_figures_;
 };

@@ -1,24 +1,28 @@
 /** \file
- *  Gouge-free locations of a cutter on a scan.
+ *  Gouge-free locations of a cutter on a scan or a mesh.
  */
 #pragma once
 
 #include <pcl_spiral/common/progress.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/toolpath/drive_point.h>
-#include <pcl_spiral/toolpath/fitted_drop.h>
+#include <pcl_spiral/toolpath/location_mesh.h>
+#include <pcl_spiral/toolpath/location_surface.h>
 #include <pcl_spiral/toolpath/tool_location.h>
+
+#include <memory>
 
 namespace pcl_spiral {
 
-struct AskedLocation;
+class LocationGround;
 
 /** How the height of a location is found. */
 enum class LocationEvaluation {
-  FittedSurface,  ///< on the surface fitted to the points; where there is none to trust, as PointsAndBound
+  FittedSurface,  ///< on the surface fitted to the points; where there is none to trust, as PointsAndBound. On a mesh: on the
+                  ///< curved surface that its faces stand for
   PointsAndBound, ///< on the points, raised by the bound of how far the cutter would sink between them, where
-                  ///< there is one
-  Points          ///< on the points alone, as published: sharp cutters sink between them
+                  ///< there is one. None of a mesh, which has no gaps between points
+  Points          ///< on the points alone, as published: sharp cutters sink between them. On a mesh: on its flat faces
 };
 
 struct LocationOptions {
@@ -30,12 +34,14 @@ struct LocationOptions {
   double max_retilt = 0.0; ///< degrees the axis may turn where its contact is not reached otherwise; 0: none
 };
 
-/** Locates one cutter on one scan, as often as asked. The surface must outlive it.
+/** Locates one cutter on one scan or mesh, as often as asked. The surface or mesh must outlive it.
  *
  *  Source of the drop: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. */
 class CutterLocator {
 public:
   CutterLocator(const LocationSurface& surface, const CutterProfile& profile, const LocationOptions& options);
+  /** On a mesh, with the curved surface it stands for held to a hundredth of the tolerance, and to 1e-4 mm. */
+  CutterLocator(const LocationMesh& mesh, const CutterProfile& profile, const LocationOptions& options);
 
   /** One location a drive point, in their order; the same for any number of threads. \p drive must be finite,
    * with axes of some length. Fails when cancelled, or where the surface is needed and there is none. */
@@ -50,31 +56,11 @@ public:
   }
 
 private:
-  void locateSome(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const;
-  ToolLocation resolve(const AskedLocation& asked, const DropContact& drop, const FittedContact& fitted,
-                       const SurfaceFoot& foot) const;
-  void settle(const AskedLocation& asked, double height, ToolLocation& location) const;
-  /** Whether the contact asked for is steep, and no point is deeper in the cutter there than near(), along
-   * the cutter's normal. */
-  bool holds(const AskedLocation& asked) const;
-  /** How near, along a normal, the scan is where it is touched. */
-  double
-  near() const
-  {
-    return options_.tolerance + surface_.noiseAllowance();
-  }
-  void standOn(const AskedLocation& asked, const SurfaceFoot& foot, ToolLocation& location) const;
-  bool trusted(const FittedContact& fitted, const DropContact& drop) const;
-  /** Whether the points let the cutter and what holds it stand at the contact asked for. */
-  bool clears(const DrivePoint& drive) const;
   void retilt(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const;
 
-  const LocationSurface& surface_;
   LocationOptions options_;
   CutterProfile profile_;
-  CutterDrop drop_, rim_drop_, inner_drop_; ///< the last with a cutter smaller by near() all round
-  FittedDrop fitted_drop_;
-  HolderProfile holder_;
+  std::shared_ptr<const LocationGround> ground_;
 };
 
 } // namespace pcl_spiral

@@ -25,16 +25,16 @@ enum class LocationState {
   Clear, ///< the contact asked for stands off the scan by more than the tolerance; the cutter was left there
   Unreachable, ///< the surface leans over the flank at the contact; the cutter stands beside it, free of
                ///< gouge
-  NoCloud      ///< no point within the cutter's radius of the axis, nor a contact asked for on the surface:
+  NoCloud      ///< no point, or part of a mesh, within the cutter's radius of the axis, nor a contact asked for on the surface:
                ///< nothing is known, and the tip is not a number
 };
 constexpr std::size_t location_states = 6;
 
 /** What the height of a location was taken from. */
 enum class LocationBasis {
-  FittedSurface,  ///< the surface fitted to the points about the contact
+  FittedSurface,  ///< the surface fitted to the points about the contact; the curved surface of a mesh
   PointsAndBound, ///< the points, and the bound of how far the cutter would sink between them on top (gap)
-  Points,         ///< the points alone: as published, or where there is no bound (gap_bound infinite)
+  Points,         ///< the points alone: as published, or where there is no bound (gap_bound infinite); a mesh's flat faces
   AskedContact    ///< the contact asked for, where a height along the axis says nothing: flanks along steep
                   ///< walls, and cutters between the points. No point is deeper in the cutter, along its
                   ///< surface's normal, than the tolerance and the noise allowance
@@ -47,7 +47,7 @@ struct ToolLocation {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); ///< unit, tip to shank
   Eigen::Vector3d contact =
       Eigen::Vector3d::Zero(); ///< what the cutter met first: on the surface, or a point of the scan
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< of the fitted surface there; zero without
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< of the fitted surface, or of the mesh, there; zero without
   LocationState state = LocationState::NoCloud;
   LocationBasis basis = LocationBasis::Points;
   double lift = 0.0; ///< above the place where the cutter touches at the contact asked for; negative where it
@@ -60,7 +60,8 @@ struct ToolLocation {
                          ///< something higher may be
   double rim_clearance =
       0.0; ///< of the cutter above the rim there, the least; 0 where it is not over the rim
-  std::uint32_t cloud_index = 0; ///< of the point that a cutter on the points alone meets first
+  std::uint32_t cloud_index = 0; ///< of the point that a cutter on the points alone meets first; on a mesh, of the face
+                                 ///< that is touched, among those of its SurfaceMesh
   double retilt = 0.0;           ///< degrees between the axis asked for and axis
   HolderCollision collision;     ///< of shank or holder with the scan
 };

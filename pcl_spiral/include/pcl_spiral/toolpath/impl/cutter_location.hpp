@@ -100,14 +100,59 @@ CutterLocation<PointT>::makeLocationSurface()
 
 template <typename PointT>
 Status
+CutterLocation<PointT>::checkBesideMesh() const
+{
+  std::string setter = disagreement(this->scanned_.getSettings(), SurfaceSettings());
+  if (this->scanned_.getInputNormals())
+    setter = "setInputNormals";
+  else if (this->givenIndices())
+    setter = "setIndices";
+  else if (given_location_)
+    setter = "setLocationSurface";
+  if (!setter.empty())
+    return {StatusCode::InvalidArgument, setter + " was called beside setInputMesh, and has no meaning for a mesh: leave it out, "
+                                                  "or give a cloud; a mesh is turned by MeshSettings::flip"};
+  return checkThreads(this->getNumberOfThreads());
+}
+
+template <typename PointT>
+Status
+CutterLocation<PointT>::makeLocationMesh()
+{
+  if (const Status status = checkBesideMesh(); !status.ok())
+    return status;
+  if (location_mesh_)
+    return Status::success();
+  if (progress_ && !progress_(0.0, "surface"))
+    return {StatusCode::Cancelled, "cancelled"};
+  if (polygons_)
+    if (const Status status = SurfaceMesh::make(*polygons_, MeshSettings(), mesh_); !status.ok())
+      return status;
+  if (!mesh_)
+    return {StatusCode::InvalidInput, "the input mesh is missing: call setInputMesh with a mesh that has faces"};
+  location_mesh_ = std::make_shared<LocationMesh>(mesh_);
+  return Status::success();
+}
+
+template <typename PointT>
+Status
 CutterLocation<PointT>::run(std::vector<ToolLocations>& passes)
 {
   const ThreadLimit limit(this->getNumberOfThreads());
   if (const Status status = check(); !status.ok())
     return status;
-  if (const Status status = makeLocationSurface(); !status.ok())
+  if (const Status status = on_mesh_ ? makeLocationMesh() : makeLocationSurface(); !status.ok())
     return status;
-  const CutterLocator locator(*location_surface_, CutterProfile(cutter_), options_);
+  const CutterProfile profile(cutter_);
+  return locate(on_mesh_ ? CutterLocator(*location_mesh_, profile, options_)
+                         : CutterLocator(*location_surface_, profile, options_),
+                passes);
+}
+
+template <typename PointT>
+Status
+CutterLocation<PointT>::locate(const CutterLocator& locator, std::vector<ToolLocations>& passes)
+{
   const bool bisected = path_tolerance_ > 0.0;
   ToolLocations locations;
   if (const Status status = locator.locate(drive_points_, partOf(progress_, 0.0, bisected ? 0.5 : 1.0), locations); !status.ok())

@@ -1,0 +1,122 @@
+#include "mesh_collision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pcl_spiral {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double precision = 1e-3;          // mm, of the depth
+constexpr std::size_t most_parts = 1000000; // looked at for one location; the rest is then taken as deep as it may be
+
+/** A part of a face that may be deeper than what was found, and how deep it may be. */
+struct DeepPart {
+  PatchCell cell;
+  double bound = 0.0;
+  std::uint32_t face = 0;
+
+  bool
+  operator<(const DeepPart& other) const
+  {
+    return bound != other.bound ? bound < other.bound : face > other.face;
+  }
+};
+
+class CollisionSearch {
+public:
+  CollisionSearch(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, double tip,
+                  double tolerance, double sag)
+  : patches_(patches), holder_(holder), frame_(frame), tip_(tip), least_(tolerance), sag_(sag)
+  {
+    axes_ << frame.e1.transpose(), frame.e2.transpose(), frame.axis.transpose();
+  }
+
+  HolderCollision
+  run()
+  {
+    constexpr double slack = 1e-9;
+    const AxisView view(frame_);
+    const auto keep = [&](const Box& box) {
+      const AxisBox seen = view.see(box);
+      return holder_.deepest(seen.nearest - slack, seen.low - tip_ - slack, seen.high - tip_ + slack) > least_;
+    };
+    patches_.boxes().forItems(keep, [&](std::uint32_t place) {
+      const PatchCell cell = patches_.cell(place);
+      const Vector3d base = frame_.origin + tip_ * frame_.axis;
+      look({axes_ * (cell.corners.colwise() - base), axes_ * cell.bows}, patches_.index(place));
+    });
+    for (std::size_t looked = 0; !parts_.empty(); ++looked) {
+      std::pop_heap(parts_.begin(), parts_.end());
+      const DeepPart top = parts_.back();
+      parts_.pop_back();
+      if (top.bound <= least_ + precision)
+        break;
+      if (looked == most_parts) {
+        take(top.cell.corners.col(0), top.bound, 0, top.face);
+        break;
+      }
+      for (int k = 0; k < 4; ++k)
+        look(top.cell.quarter(k), top.face);
+    }
+    return worst_;
+  }
+
+private:
+  /** Take the deepest of some places of \p cell, and keep it where others may be deeper. */
+  void
+  look(const PatchCell& cell, std::uint32_t face)
+  {
+    Matrix3d across = cell.corners;
+    across.row(2).setZero();
+    const Vector3d nearest = nearestOnTriangle(across, Vector3d::Zero());
+    const bool flat = !(cell.sag() > sag_);
+    for (const Vector3d& b : {nearest, Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, 1)}) {
+      const Vector3d p = std::isfinite(sag_) ? cell.position(b) : cell.corners * b;
+      double depth = 0.0;
+      if (const int segment = holder_.inside(p.head<2>().norm(), p.z(), depth); segment >= 0)
+        take(p, depth, segment, face);
+    }
+    const double off = flat ? 0.0 : cell.sag();
+    const double bound = holder_.deepest(std::max(0.0, (across * nearest).norm() - off), cell.corners.row(2).minCoeff() - off,
+                                         cell.corners.row(2).maxCoeff() + off);
+    if (bound > least_ + precision) {
+      parts_.push_back({cell, bound, face});
+      std::push_heap(parts_.begin(), parts_.end());
+    }
+  }
+
+  void
+  take(const Vector3d& p, double depth, int segment, std::uint32_t face)
+  {
+    if (!(depth > least_) && !(depth == least_ && worst_.found() && face < worst_.cloud_index))
+      return;
+    least_ = depth;
+    worst_ = {segment, depth, frame_.place(p.head<2>(), p.z() + tip_), face};
+  }
+
+  const PatchTree& patches_;
+  const HolderProfile& holder_;
+  const AxisFrame& frame_;
+  double tip_, least_; ///< the depth found, or the tolerance
+  double sag_;
+  Matrix3d axes_;
+  std::vector<DeepPart> parts_; ///< a heap
+  HolderCollision worst_;
+};
+
+} // namespace
+
+HolderCollision
+findCollision(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance,
+              double sag)
+{
+  if (holder.empty())
+    return {};
+  return CollisionSearch(patches, holder, frame, tip, tolerance, sag).run();
+}
+
+} // namespace pcl_spiral

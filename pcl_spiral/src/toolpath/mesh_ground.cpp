@@ -1,0 +1,140 @@
+#include "mesh_ground.h"
+
+#include "mesh_collision.h"
+
+#include <pcl_spiral/common/message.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double finest = 1e-4;     // mm: faces are taken for the curved surface when nearer to it
+constexpr double fine_share = 0.01; // the same, of the tolerance
+
+double
+sagFor(const LocationOptions& options)
+{
+  if (options.evaluation == LocationEvaluation::Points)
+    return std::numeric_limits<double>::infinity();
+  return std::min(finest, fine_share * options.tolerance);
+}
+
+} // namespace
+
+MeshGround::MeshGround(const LocationMesh& mesh, const CutterProfile& profile, const LocationOptions& options)
+    : mesh_(mesh), options_(options), profile_(profile), sag_(sagFor(options)), drop_(mesh.faces(), profile, sag_),
+      rim_drop_(mesh.rim(), profile, sag_), inner_drop_(mesh.faces(), insetCutter(profile, near()), sag_),
+      holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance)
+{
+}
+
+Status
+MeshGround::check() const
+{
+  if (options_.evaluation == LocationEvaluation::PointsAndBound)
+    return {StatusCode::InvalidArgument,
+            "locations by points and bound were asked for on a mesh, which has no gaps between points: set the evaluation to "
+            "LocationEvaluation::FittedSurface, for the curved surface, or to Points, for the faces as they are (setEvaluation)"};
+  return Status::success();
+}
+
+void
+MeshGround::touch(std::uint32_t face, const Eigen::Vector3d& weights, const Eigen::Vector3d& contact,
+                  ToolLocation& location) const
+{
+  const Eigen::Vector3d normal =
+      std::isfinite(sag_) ? mesh_.mesh()->patch(face).normal(weights) : mesh_.mesh()->faceNormal(face);
+  location.cloud_index = face;
+  location.contact = contact;
+  location.normal = normal.dot(location.axis) < 0.0 ? Eigen::Vector3d(-normal) : normal;
+  location.basis = std::isfinite(sag_) ? LocationBasis::FittedSurface : LocationBasis::Points;
+}
+
+bool
+MeshGround::findAsked(const AskedLocation& asked, PatchPlace& place) const
+{
+  return asked.asks && asked.contact.touches && mesh_.faces().nearest(asked.position, near(), sag_, place);
+}
+
+bool
+MeshGround::holds(const AskedLocation& asked) const
+{
+  return asked.isSteep() && asked.contact.touches && !inner_drop_.highest(asked.frame, near()).found;
+}
+
+void
+MeshGround::settle(const AskedLocation& asked, double height, ToolLocation& location) const
+{
+  height = asked.settle(height, options_.tolerance, location);
+  location.tip = asked.frame.place(Eigen::Vector2d::Zero(), height);
+  const MeshContact rim = rim_drop_.highest(asked.frame, height - rim_reach * profile_.radius());
+  location.over_rim = rim.found;
+  location.rim_clearance = rim.found ? std::max(0.0, height - rim.height) : 0.0;
+  location.collision = findCollision(mesh_.faces(), holder_, asked.frame, height, options_.tolerance, sag_);
+}
+
+ToolLocation
+MeshGround::resolve(const AskedLocation& asked) const
+{
+  ToolLocation location;
+  location.axis = asked.frame.axis;
+  const MeshContact drop = drop_.highest(asked.frame);
+  if (drop.found)
+    touch(drop.face, drop.weights, drop.contact, location);
+  double height = drop.height;
+  const bool missed = !drop.found || (asked.isSteep() && height < -options_.tolerance); // a flank beside it, by rounding
+  PatchPlace place;
+  if (missed && findAsked(asked, place)) {
+    touch(place.patch, place.weights, place.position, location);
+    location.basis = LocationBasis::AskedContact;
+    height = 0.0;
+  }
+  else if (!drop.found)
+    return location;
+  else if (height > options_.tolerance && holds(asked)) {
+    if (findAsked(asked, place))
+      touch(place.patch, place.weights, place.position, location);
+    location.basis = LocationBasis::AskedContact;
+    location.contact = asked.position;
+    height = 0.0;
+  }
+  settle(asked, height, location);
+  return location;
+}
+
+void
+MeshGround::locate(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const
+{
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i)
+    locations[i] = resolve(AskedLocation(drive[i], profile_));
+}
+
+bool
+MeshGround::clears(const DrivePoint& drive) const
+{
+  const AskedLocation asked(drive, profile_);
+  const bool clear = !drop_.highest(asked.frame, options_.tolerance).found || holds(asked);
+  return asked.contact.touches && clear &&
+         !findCollision(mesh_.faces(), holder_, asked.frame, 0.0, options_.tolerance, sag_).found();
+}
+
+void
+MeshGround::describe(const ToolLocations& locations, LocationFigures& f) const
+{
+  f.noise_allowance = mesh_.rounding() + (std::isfinite(sag_) ? sag_ : 0.0);
+  const auto lift = [](const ToolLocation& l) { return l.state == LocationState::Lifted ? l.lift : 0.0; };
+  const auto most = std::max_element(locations.begin(), locations.end(), [&](const ToolLocation& a, const ToolLocation& b) {
+    return lift(a) < lift(b);
+  });
+  if (const std::size_t lifted = f.count(LocationState::Lifted); lifted > 0)
+    f.warnings.push_back(textOf(lifted, " of ", locations.size(), " locations are lifted off the contact asked for, the most ",
+                                most->lift, " mm: location ", most - locations.begin(), ", held at ",
+                                placeText(most->contact),
+                                "; material is left there: use a smaller cutter, or allow the axis to be tilted"));
+}
+
+} // namespace pcl_spiral
