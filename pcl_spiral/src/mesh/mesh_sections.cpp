@@ -51,7 +51,7 @@ MeshSections::compute(DrivePasses& passes)
   if (status_.ok())
     return;
   passes.clear();
-  if (status_.code() != StatusCode::Cancelled)
+  if (!quiet_ && status_.code() != StatusCode::Cancelled)
     PCL_ERROR("[pcl_spiral::MeshSections::compute] %s\n", status_.message().c_str());
 }
 

@@ -151,11 +151,17 @@ sectionPasses(const SurfaceMesh& mesh, const SectionSettings& settings, const Pr
   if (!goesOn(0.8, "order"))
     return cancelled;
   const Vector3d along = alongRows(normal, settings.axis);
-  for (DrivePasses& row : rows)
+  for (DrivePasses& row : rows) {
+    if (settings.facing)
+      row = facingParts(row, settings.axis.normalized(), report.facing_away);
     if (!row.empty()) {
       addRow(std::move(row), along, settings.zigzag && report.rows % 2 == 1, passes);
       ++report.rows;
     }
+  }
+  if (passes.empty() && report.facing_away > 0)
+    return {StatusCode::InvalidInput, "the whole mesh faces away from the tool axis " + placeText(settings.axis) + ", set from the tip "
+                                      "to the shank: turn the axis (setAxis), or the mesh's faces over (setFlipNormals)"};
   if (passes.empty())
     return {StatusCode::InvalidInput, textOf("no plane crosses the mesh: the planes lie at ", levels.front(), " to ", levels.back(),
                                              " mm along their normal, the mesh from ", extent.low, " to ", extent.high,

@@ -70,4 +70,34 @@ addRow(DrivePasses lines, const Vector3d& along, bool back, DrivePasses& passes)
   }
 }
 
+DrivePasses
+facingParts(const DrivePasses& lines, const Vector3d& axis, std::size_t& left_out)
+{
+  constexpr double away = -1e-6; // cosine: upright walls face the axis still
+  const auto faces = [&](const DrivePoint& p) { return p.normal.dot(axis) >= away; };
+  DrivePasses parts;
+  for (const DrivePass& line : lines) {
+    const auto turned = static_cast<std::size_t>(std::count_if(line.points.begin(), line.points.end(), [&](const DrivePoint& p) { return !faces(p); }));
+    left_out += turned;
+    if (turned == 0) {
+      parts.push_back(line);
+      continue;
+    }
+    DrivePoints points = line.points;
+    if (line.closed) // from the first that faces away
+      std::rotate(points.begin(), std::find_if_not(points.begin(), points.end(), faces), points.end());
+    DrivePass part;
+    for (std::size_t i = 0; i <= points.size(); ++i) {
+      if (i < points.size() && faces(points[i])) {
+        part.points.push_back(points[i]);
+        continue;
+      }
+      if (part.points.size() > 1)
+        parts.push_back(std::move(part));
+      part = DrivePass();
+    }
+  }
+  return parts;
+}
+
 } // namespace pcl_spiral

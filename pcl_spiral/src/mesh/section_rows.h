@@ -11,4 +11,7 @@ namespace pcl_spiral {
  *  begin is nearest to the end of the one before. A closed one begins next to that. */
 void addRow(DrivePasses lines, const Eigen::Vector3d& along, bool back, DrivePasses& passes);
 
+/** The stretches of \p lines whose normals do not lean away from \p axis (unit); \p left_out is raised by the others' points. */
+DrivePasses facingParts(const DrivePasses& lines, const Eigen::Vector3d& axis, std::size_t& left_out);
+
 } // namespace pcl_spiral

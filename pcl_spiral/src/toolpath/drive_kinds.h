@@ -30,6 +30,12 @@ Status checkDriveSize(double points, double crossings, const DriveSettings& sett
  * kept. */
 DrivePass passAlong(const Polyline& line, bool closed, double spacing);
 
+/** Normal of the section planes: across the tool axis and the direction of the passes; unit. */
+Eigen::Vector3d acrossPlanes(const DriveSettings& settings);
+
+/** Points, length and largest step of the axes of finished passes. */
+void measureDrive(const DrivePasses& passes, DriveReport& report);
+
 Status planSections(const Surface& surface, const DriveSettings& settings, DrivePasses& passes,
                     DriveReport& report);
 

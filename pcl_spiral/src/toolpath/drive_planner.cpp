@@ -64,8 +64,10 @@ warnOfScatter(const Surface& surface, const DriveSettings& settings, DriveReport
                                      4.0 * noise, " mm (setThinning)"));
 }
 
+} // namespace
+
 void
-measure(const DrivePasses& passes, DriveReport& report)
+measureDrive(const DrivePasses& passes, DriveReport& report)
 {
   for (const DrivePass& pass : passes) {
     const std::size_t n = pass.points.size();
@@ -81,8 +83,6 @@ measure(const DrivePasses& passes, DriveReport& report)
   }
   report.largest_axis_step *= 180.0 / M_PI;
 }
-
-} // namespace
 
 Status
 planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const ProgressCallback& progress,
@@ -116,7 +116,7 @@ planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const
     return cancelled();
   if (const Status status = setAxes(graph, settings, partOf(progress, 0.5, 1.0), passes, report); !status.ok())
     return status;
-  measure(passes, report);
+  measureDrive(passes, report);
   if (!told(1.0, "axes"))
     return cancelled();
   return Status::success();

@@ -138,6 +138,12 @@ link(const Surface& surface, const Triangulation& mesh, const DriveSettings& set
 
 } // namespace
 
+Vector3d
+acrossPlanes(const DriveSettings& settings)
+{
+  return frameOf(settings, Vector3d::Zero()).across;
+}
+
 Status
 planSections(const Surface& surface, const DriveSettings& asked, DrivePasses& passes, DriveReport& report)
 {

@@ -96,6 +96,8 @@ checkSettings(const DriveSettings& s)
     return bad(textOf("the overrun is ", s.overrun, " mm; set it to 0 or more"));
   if (!isPositive(s.point_spacing))
     return bad(textOf("the spacing of drive points is ", s.point_spacing, " mm; set it above 0"));
+  if (!isPositive(s.chord_error))
+    return bad(textOf("the chord error is ", s.chord_error, " mm; set it above 0 (setChordError)"));
   if (s.cylinder)
     if (const Status status = checkCylinder(*s.cylinder); !status.ok())
       return status;

@@ -94,6 +94,11 @@ public:
   void setAxis(const Eigen::Vector3d& axis) { settings_.axis = axis; }
   const Eigen::Vector3d& getAxis() const { return settings_.axis; }
 
+  /** Whether to leave out contacts whose normal leans away from the tool axis by more than 90 degrees, as on the lower side of a
+   *  solid: no cutter reaches them along that axis. Passes are cut there; false by default. */
+  void setFacing(bool facing) { settings_.facing = facing; }
+  bool getFacing() const { return settings_.facing; }
+
   /** MeshSearch::LevelLines by default. */
   void setSearch(MeshSearch search) { settings_.search = search; }
   MeshSearch getSearch() const { return settings_.search; }
@@ -101,6 +106,10 @@ public:
   /** Threads to use; 0, the default, means all. */
   void setNumberOfThreads(unsigned int threads = 0) { number_of_threads_ = threads; }
   unsigned int getNumberOfThreads() const { return number_of_threads_; }
+
+  /** Whether compute leaves the console alone where it fails; false by default. */
+  void setQuiet(bool quiet) { quiet_ = quiet; }
+  bool getQuiet() const { return quiet_; }
 
   /** Called with the share done; returning false cancels. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
@@ -121,6 +130,7 @@ private:
   MeshSettings mesh_settings_;
   SectionSettings settings_;
   unsigned int number_of_threads_ = 0;
+  bool quiet_ = false;
   ProgressCallback progress_;
   Status status_;
   SectionReport report_;

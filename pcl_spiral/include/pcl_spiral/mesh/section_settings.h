@@ -29,6 +29,7 @@ struct SectionSettings {
   DriveRows rows = DriveRows::Even;
   double tool_radius = 0.0, scallop_height = 0.0; ///< of the ball that rows are kept for, and its ridges
   bool link_rows = false;
+  bool facing = false; ///< leave out what faces away from the tool axis
   std::vector<double> levels; ///< distances of the planes from the origin along the normal, ascending; empty: by the step-over
   double chord_error = 0.005; ///< straight moves stay this near the curved surface
   double point_spacing = 0.0; ///< largest distance of consecutive contacts; 0: none
@@ -47,6 +48,7 @@ struct SectionReport {
   std::size_t inside_points = 0; ///< put inside faces, for the chord error
   double step_over = 0.0, smallest_step = 0.0; ///< largest and smallest distance of neighbouring planes, mm
   double held_share = 0.0;    ///< of the surface: asks for kept rows closer than these are put, see MeshSections::setRows
+  std::size_t facing_away = 0; ///< contacts left out, see MeshSections::setFacing
   std::size_t links = 0;      ///< of rows, joined on the surface
   std::size_t rows_apart = 0; ///< passes of rows that could not be joined to the one before
   double length = 0.0;       ///< of all passes, mm

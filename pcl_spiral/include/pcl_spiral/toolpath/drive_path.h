@@ -1,14 +1,16 @@
 /** \file
- *  Places and axes that drive a cutter over a scan.
+ *  Places and axes that drive a cutter over a scan or a mesh.
  */
 #pragma once
 
 #include <pcl_spiral/common/progress.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
 #include <pcl_spiral/surface/surface_input.h>
 #include <pcl_spiral/toolpath/drive_pass.h>
 #include <pcl_spiral/toolpath/drive_settings.h>
 
+#include <pcl/PolygonMesh.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -44,6 +46,44 @@ template <typename PointT>
 class DrivePath : public SurfaceInput<pcl::PCLBase<PointT>, PointT> {
 public:
   DrivePath() { this->scanned_.setStrict(false); } // a rough surface is driven on all the same, with a warning
+
+  /** Drive over a mesh, of which SurfaceMesh is made with its default settings; what is set last counts, cloud, surface or mesh.
+   *  Planes are its sections (MeshSections): contacts with normals, on the curved surface behind the faces; with AxisMode::Fixed
+   *  what faces away from the axis is left out. Helix, rings and curves are as on a cloud, of points of the mesh (MeshSampling).
+   *  Kind::BoundaryOffset is refused. Settings of clouds (normals, view point, thinning and so on) must be as they are by
+   *  default. */
+  void
+  setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
+  {
+    useMesh();
+    polygons_ = mesh;
+  }
+  /** The same, made with settings of one's own. */
+  void
+  setInputMesh(const SurfaceMesh::ConstPtr& mesh)
+  {
+    useMesh();
+    mesh_ = mesh;
+  }
+  /** The mesh given, or made by the last compute of the polygons given; null before, and of clouds. */
+  SurfaceMesh::ConstPtr
+  getInputMesh() const
+  {
+    return mesh_;
+  }
+  void
+  setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
+  {
+    SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputCloud(cloud);
+    forgetMesh();
+  }
+  /** \see SurfaceInput::setInputSurface */
+  void
+  setInputSurface(const Surface::ConstPtr& surface)
+  {
+    SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputSurface(surface);
+    forgetMesh();
+  }
 
   using Ptr = pcl::shared_ptr<DrivePath>;
   using ConstPtr = pcl::shared_ptr<const DrivePath>;
@@ -86,6 +126,18 @@ public:
   getPointSpacing() const
   {
     return settings_.point_spacing;
+  }
+
+  /** Of sections of a mesh: straight moves stay this near the curved surface, mm; 0.005 by default. */
+  void
+  setChordError(double error)
+  {
+    settings_.chord_error = error;
+  }
+  double
+  getChordError() const
+  {
+    return settings_.chord_error;
   }
 
   /** Direction of planes' passes: degrees about the tool axis, right-handed, from X, or from Y where the axis
@@ -257,7 +309,25 @@ public:
 
 private:
   Status run(DrivePasses& passes);
+  Status runOnMesh(DrivePasses& passes);
+  void
+  forgetMesh()
+  {
+    on_mesh_ = false;
+    polygons_.reset();
+    mesh_.reset();
+  }
+  void
+  useMesh()
+  {
+    this->given_surface_.reset();
+    forgetMesh();
+    on_mesh_ = true;
+  }
 
+  bool on_mesh_ = false; ///< a mesh was set last
+  pcl::PolygonMesh::ConstPtr polygons_;
+  SurfaceMesh::ConstPtr mesh_;
   DriveSettings settings_;
   ProgressCallback progress_;
   DriveReport report_;

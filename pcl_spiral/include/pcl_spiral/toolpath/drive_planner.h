@@ -5,6 +5,7 @@
 
 #include <pcl_spiral/common/progress.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
 #include <pcl_spiral/surface/surface.h>
 #include <pcl_spiral/toolpath/drive_pass.h>
 #include <pcl_spiral/toolpath/drive_settings.h>
@@ -15,5 +16,8 @@ namespace pcl_spiral {
 
 /** Passes over \p surface, as DrivePath describes them; null where DriveSettings::needsSurface() is false. */
 Status planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const ProgressCallback& progress, DrivePasses& passes, DriveReport& report);
+
+/** Passes over \p mesh, as DrivePath::setInputMesh describes them. */
+Status planMeshDrive(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& settings, const ProgressCallback& progress, DrivePasses& passes, DriveReport& report);
 
 } // namespace pcl_spiral

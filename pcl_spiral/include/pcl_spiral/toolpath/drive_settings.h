@@ -41,6 +41,7 @@ struct DriveSettings {
   DriveKind kind = DriveKind::Planes;
   double step_over = 0.0;
   double point_spacing = 1.0;
+  double chord_error = 0.005; ///< of sections of a mesh: straight moves stay this near the curved surface
   double plane_angle = 0.0;                                  ///< degrees about the axis
   Eigen::Vector3d plane_direction = Eigen::Vector3d::Zero(); ///< along the passes; zero: plane_angle tells
   DriveRows rows = DriveRows::Even;
@@ -85,6 +86,7 @@ struct DriveReport {
   std::size_t rows = 0;       ///< section planes
   double smallest_step = 0.0; ///< of neighbouring planes, mm
   double held_share = 0.0;    ///< of the surface: asks for kept rows closer than these are put, see DrivePath::setRows
+  std::size_t facing_away = 0; ///< contacts on a mesh left out: they face away from a fixed tool axis
   std::size_t links = 0;      ///< of rows, joined on the surface
   std::size_t rows_apart = 0; ///< passes of rows that could not be joined to the one before
   std::optional<DriveColumn> column; ///< where a cylinder drove path or axes

@@ -4,6 +4,7 @@
 #include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/toolpath/cutter_location.h>
+#include <pcl_spiral/toolpath/mesh_input.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,16 +103,12 @@ template <typename PointT>
 Status
 CutterLocation<PointT>::checkBesideMesh() const
 {
-  std::string setter = disagreement(this->scanned_.getSettings(), SurfaceSettings());
-  if (this->scanned_.getInputNormals())
-    setter = "setInputNormals";
-  else if (this->givenIndices())
-    setter = "setIndices";
-  else if (given_location_)
-    setter = "setLocationSurface";
-  if (!setter.empty())
-    return {StatusCode::InvalidArgument, setter + " was called beside setInputMesh, and has no meaning for a mesh: leave it out, "
-                                                  "or give a cloud; a mesh is turned by MeshSettings::flip"};
+  if (given_location_)
+    return {StatusCode::InvalidArgument, "setLocationSurface was called beside setInputMesh, whose surface is its own: leave it out"};
+  if (const Status status = pcl_spiral::checkBesideMesh(this->scanned_.getSettings(), this->scanned_.getInputNormals() != nullptr,
+                                                        this->givenIndices() != nullptr);
+      !status.ok())
+    return status;
   return checkThreads(this->getNumberOfThreads());
 }
 

@@ -4,14 +4,37 @@
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/toolpath/drive_path.h>
 #include <pcl_spiral/toolpath/drive_planner.h>
+#include <pcl_spiral/toolpath/mesh_input.h>
 
 namespace pcl_spiral {
 
 template <typename PointT>
 Status
+DrivePath<PointT>::runOnMesh(DrivePasses& passes)
+{
+  if (const Status status = checkBesideMesh(this->scanned_.getSettings(), this->scanned_.getInputNormals() != nullptr,
+                                            this->givenIndices() != nullptr);
+      !status.ok())
+    return status;
+  if (const Status status = checkSettings(settings_); !status.ok())
+    return status;
+  if (polygons_)
+    if (const Status status = SurfaceMesh::make(*polygons_, MeshSettings(), mesh_); !status.ok())
+      return status;
+  if (!mesh_)
+    return {StatusCode::InvalidInput, "the input mesh is missing: call setInputMesh with a mesh that has faces"};
+  return planMeshDrive(mesh_, settings_, progress_, passes, report_);
+}
+
+template <typename PointT>
+Status
 DrivePath<PointT>::run(DrivePasses& passes)
 {
+  if (const Status status = checkThreads(this->getNumberOfThreads()); !status.ok())
+    return status;
   const ThreadLimit limit(this->getNumberOfThreads());
+  if (on_mesh_)
+    return runOnMesh(passes);
   if (settings_.needsSurface())
     if (const Status status = this->checkInput(); !status.ok())
       return status;
