@@ -25,6 +25,13 @@ files(Job& job)
             ".json  report: settings, counts, states, collisions, times\n"
             ".png  rotary angles along the program; needs --machine",
             [&job](const std::string& value) { job.outputs.push_back(value); }},
+           switchOption("mesh",
+                        "the file is a mesh, .stl .obj .ply, and its faces count: planes are sections of the curved surface behind "
+                        "them; without it the vertices are a scan",
+                        job.mesh),
+           numberOption("crease-angle", "A",
+                        "edges of a mesh bent by more stay sharp, degrees; 30: --crease-angle 20", job.mesh_settings.crease_angle),
+           switchOption("flip-normals", "the cutter is on the other side of a mesh's faces", job.mesh_settings.flip),
            choiceOption("units", "unit of the numbers in the scan; mm by default: --units m", job.read.unit),
            placeOption("origin", "subtracted from the scan, in its own unit: --origin 393775,3689071,0", job.read.origin),
            {"columns", "NAMES", "columns of a text file from the left; x, y and z are taken: --columns id,x,y,z",
@@ -103,6 +110,10 @@ path(Job& job)
                         "locations are put between until no straight move cuts deeper or leaves more; 0.01: "
                         "--tolerance 0.005",
                         job.tolerance),
+           switchOption("no-gouge-check",
+                        "stand the cutter at the contacts of a mesh's sections without a look at the rest of the mesh: quicker, and "
+                        "narrow hollows are cut into",
+                        job.no_gouge_check),
            numberOption("direction", "A", "of planes' passes about the tool axis, from X; 0: --direction 45", s.plane_angle),
            choiceOption("rows", "planes even steps apart, or kept as close as --scallop of a ball asks anywhere; even: --rows kept",
                         s.rows),
@@ -167,8 +178,9 @@ printHelp(std::ostream& out)
 {
   Job job;
   out << "Gouge-free locations of any cutter along planes, a helix, rings, a curve or offsets of the boundary of a\n"
-         "scanned surface, three-axis or five-axis.\n\n"
+         "scanned surface or a mesh, three-axis or five-axis.\n\n"
          "  pcl_spiral_drive SCAN -o OUT... --tool-radius R --step-over D [options]\n\n"
+         "  pcl_spiral_drive part.stl --mesh --tool-radius 5 --scallop 0.01 --rows kept --link -o part.csv\n"
          "  pcl_spiral_drive column.pcd --drive helix --tool-radius 4 --step-over 0.8 --machine xyzac.yaml -o part.ngc\n\n"
          "Lengths are millimetres and angles degrees. Ends with 0 when done, 1 when the data or a file fails,\n"
          "2 when the call is wrong; then no output is written or changed.\n";

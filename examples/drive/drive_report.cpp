@@ -2,6 +2,7 @@
 
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/setting_names.h>
+#include <pcl_spiral/mesh/mesh_findings.h>
 
 #include <nlohmann/json.hpp>
 
@@ -29,6 +30,7 @@ settingsOf(const Job& job)
           {"point_spacing", d.point_spacing},
           {"axis_mode", choiceName(d.axisMode())},
           {"tolerance", job.tolerance},
+          {"gouge_check", !job.no_gouge_check},
           {"largest", job.largest_part},
           {"thin", job.thinning},
           {"feed", job.feed}};
@@ -43,6 +45,23 @@ rowsOf(const DriveReport& report)
           {"held_share", report.held_share},
           {"links", report.links},
           {"apart", report.rows_apart}};
+}
+
+Json
+meshOf(const SurfaceMesh& mesh)
+{
+  const MeshCounts& counts = mesh.counts();
+  Json found;
+  for (const auto& [words, finding] : mendedFindings(counts))
+    found[words] = finding.count;
+  return {{"faces", counts.faces},
+          {"vertices", counts.vertices},
+          {"parts", counts.parts},
+          {"boundary_loops", counts.loops},
+          {"crease_length", counts.crease_length},
+          {"noise", counts.noise},
+          {"uncorrected_edges", counts.limited.count},
+          {"found", found}};
 }
 
 Json
@@ -87,7 +106,6 @@ writeDriveReport(const std::string& file, const Job& job, const Result& result)
     stages.push_back({{"stage", stage.name}, {"seconds", stage.seconds}});
   Json report = {{"program", "pcl_spiral_drive"},
                  {"scan", job.scan},
-                 {"points", result.scan.cloud->size()},
                  {"settings", settingsOf(job)},
                  {"passes", result.passes.size()},
                  {"step_over", result.drive.step_over},
@@ -95,6 +113,10 @@ writeDriveReport(const std::string& file, const Job& job, const Result& result)
                  {"locations", locationsOf(result)},
                  {"stages", stages},
                  {"warnings", result.warnings}};
+  if (result.mesh)
+    report["mesh"] = meshOf(*result.mesh);
+  else
+    report["points"] = result.scan.cloud->size();
   if (job.drive.kind == DriveKind::Planes)
     report["rows"] = rowsOf(result.drive);
   if (result.program)

@@ -8,6 +8,7 @@
 #include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/mesh/mesh_settings.h>
 #include <pcl_spiral/toolpath/drive_settings.h>
 
 #include <optional>
@@ -22,6 +23,9 @@ struct Job {
   std::string scan;
   std::vector<std::string> outputs;
   pcl_spiral::ReadOptions read;
+  bool mesh = false; ///< the scan is a mesh, and its faces count
+  pcl_spiral::MeshSettings mesh_settings;
+  bool no_gouge_check = false; ///< stand the cutter at the contacts of a mesh without a look at the rest of it
   pcl_spiral::CutterShape cutter;
   std::vector<pcl_spiral::ToolSegment> holder;
   double holder_clearance = 0.0;

@@ -107,9 +107,33 @@ completeScallop(Job& job)
   d.scallop_height = job.scallop;
 }
 
+/** Options of scans beside a mesh, and those of meshes beside a scan. */
+void
+requireMeshMeant(const Job& job)
+{
+  for (const char* option : {"columns", "leave-out-strays", "largest", "thin"})
+    if (job.mesh && isGiven(job, option))
+      throw UsageError(std::string("--") + option + ": belongs to scans, and --mesh takes the faces of a mesh; leave one of them out");
+  for (const char* option : {"crease-angle", "flip-normals", "no-gouge-check"})
+    if (!job.mesh && isGiven(job, option))
+      throw UsageError(std::string("--") + option + ": belongs to meshes; add --mesh where the file's faces count, or leave it out");
+  requireOption(job.mesh_settings.crease_angle > 0.0 && job.mesh_settings.crease_angle <= 180.0, "crease-angle",
+                job.mesh_settings.crease_angle, "must lie above 0 degrees, up to 180, such as 30");
+  const DriveKind kind = job.drive.kind;
+  if (job.mesh && kind == DriveKind::BoundaryOffset)
+    throw UsageError("--drive " + choiceName(kind) + ": offsets run over a scan's points, not over a mesh; take --drive planes, or leave "
+                                                     "--mesh out: then the vertices are a scan");
+  if (job.no_gouge_check && kind != DriveKind::Planes)
+    throw UsageError("--no-gouge-check: --drive is " + choiceName(kind) + ", whose places are not on the mesh before the cutter comes "
+                                                                          "down to it; leave it out");
+  if (job.no_gouge_check && !job.holder.empty())
+    throw UsageError("--no-gouge-check: a --holder is given, which is looked at by that check; leave one of them out");
+}
+
 void
 completePath(Job& job)
 {
+  requireMeshMeant(job);
   DriveSettings& d = job.drive;
   requireMeant(job);
   d.zigzag = !job.one_way;

@@ -1,5 +1,7 @@
 #include "planning.h"
 #include "column_ends.h"
+#include "mesh_part.h"
+#include "program/program_check.h"
 #include "scan_surface.h"
 #include "terminal/setter_names.h"
 #include "terminal/terminal.h"
@@ -72,13 +74,27 @@ smooth(const Job& job, DrivePasses& passes, std::vector<std::string>& warnings)
     warnings.push_back(textOf("smoothing and rate lead axes up to ", largest, " degrees off those asked for"));
 }
 
+/** The mesh, or the scan's points and the surface through them. */
+template <typename Stage>
+void
+setPart(const Job& job, const Result& result, const Surface::ConstPtr& surface, Stage& stage)
+{
+  if (result.mesh) {
+    stage.setInputMesh(result.mesh);
+    stage.setNumberOfThreads(job.threads);
+    return;
+  }
+  stage.setInputCloud(result.scan.cloud);
+  stage.setInputSurface(surface); // null: it says what is wrong
+  setSurface(job, stage);
+}
+
 DrivePasses
 drivePasses(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, Result& result)
 {
   DrivePath<pcl::PointXYZ> drive;
   const DriveSettings& s = job.drive;
-  drive.setInputCloud(result.scan.cloud);
-  drive.setInputSurface(surface); // null: it says what is wrong
+  setPart(job, result, surface, drive);
   drive.setKind(s.kind);
   drive.setStepOver(s.step_over);
   drive.setPointSpacing(s.point_spacing);
@@ -94,7 +110,7 @@ drivePasses(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, 
     drive.setCylinder({job.column_centre, *job.column_axis});
   if (s.kind == DriveKind::Curve)
     drive.setCurve(curveOf(job, result));
-  setSurface(job, drive);
+  drive.setChordError(0.5 * job.tolerance); // half is for the moves between locations
   drive.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.5 * share, stage); });
   DrivePasses passes;
   drive.compute(passes);
@@ -109,14 +125,12 @@ std::vector<ToolLocations>
 locate(const Job& job, const Surface::ConstPtr& surface, const DrivePasses& passes, ProgressBar& bar, Result& result)
 {
   CutterLocation<pcl::PointXYZ> location;
-  location.setInputCloud(result.scan.cloud);
-  location.setInputSurface(surface);
+  setPart(job, result, surface, location);
   location.setCutter(job.cutter);
   location.setHolder(job.holder);
   location.setHolderClearance(job.holder_clearance);
   location.setPathTolerance(job.tolerance);
   location.setDrivePasses(passes);
-  setSurface(job, location);
   location.setProgressCallback(
       [&bar](double share, const std::string& stage) { return bar.update(0.5 + 0.5 * share, stage); });
   std::vector<ToolLocations> located;
@@ -218,6 +232,9 @@ warningsOf(const Job& job, const Result& result)
     warnings.push_back(textOf(result.off_scan,
                               " locations have no point of the scan below the cutter and were left out; passes were cut "
                               "there"));
+  if (job.no_gouge_check)
+    warnings.push_back("the cutter was not checked against the rest of the mesh (--no-gouge-check): hollows narrower than the "
+                       "cutter are cut into");
   const double flat = CutterProfile(job.cutter).flatRadius();
   if (job.scallop > 0.0 && flat > 0.0)
     warnings.push_back(textOf("the step-over of ", job.drive.step_over, " mm leaves ridges of ", job.scallop,
@@ -231,15 +248,10 @@ warningsOf(const Job& job, const Result& result)
   return warnings;
 }
 
-} // namespace
-
-Result
-plan(const Job& job)
+/** The scan, and the surface through its points. */
+Surface::ConstPtr
+readScan(const Job& job, ProgressBar& bar, Result& result, StageClock& clock)
 {
-  ProgressBar bar(job.quiet);
-  bar.update(0.0, "reading " + job.scan);
-  Result result;
-  StageClock clock(result.stages);
   result.scan = readCloud(job.scan, job.read);
   result.scan.warnings = inOptions(result.scan.warnings);
   result.whole_scan = result.scan.cloud;
@@ -253,15 +265,39 @@ plan(const Job& job)
   }
   const Surface::ConstPtr surface = surfaceOf(job, bar, result);
   clock.end("surface");
+  return surface;
+}
+
+} // namespace
+
+Result
+plan(const Job& job)
+{
+  ProgressBar bar(job.quiet);
+  bar.update(0.0, "reading " + job.scan);
+  Result result;
+  StageClock clock(result.stages);
+  Surface::ConstPtr surface;
+  if (job.mesh) {
+    readMeshPart(job, result);
+    clock.end("mesh");
+    if (hasProgram(job.program, job.outputs) || job.drive.goesRound()) {
+      sampleMeshPart(job, result);
+      clock.end("samples");
+    }
+  }
+  else
+    surface = readScan(job, bar, result, clock);
   const DrivePasses passes = drivePasses(job, surface, bar, result);
   clock.end("drive path");
-  const std::vector<ToolLocations> located = locate(job, surface, passes, bar, result);
+  const std::vector<ToolLocations> located =
+      job.no_gouge_check ? standAtContacts(job, passes) : locate(job, surface, passes, bar, result);
   clock.end("locations");
   bar.clear();
   requireNoCollision(job, located, result.locations);
   takePoses(CutterProfile(job.cutter), located, result);
   if (result.passes.empty())
-    throw FileError(job.scan, "no pass has two locations over the scan; check the drive path and the tool axis");
+    throw FileError(job.scan, "no pass has two locations over the part; check the drive path and the tool axis");
   if (job.drive.goesRound())
     warnOfEnds(job, located, result);
   result.warnings = inOptions(warningsOf(job, result));

@@ -8,6 +8,7 @@
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/common/stage_clock.h>
 #include <pcl_spiral/machine/machine_program.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
 #include <pcl_spiral/toolpath/location_bisection.h>
 
 #include <optional>
@@ -16,7 +17,8 @@
 
 /** All that a run came to. */
 struct Result {
-  pcl_spiral::Scan scan;
+  pcl_spiral::Scan scan; ///< of a mesh the points it was sampled at, where they were needed
+  pcl_spiral::SurfaceMesh::ConstPtr mesh; ///< null for a scan
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole_scan; ///< with the strays that were left out
   pcl_spiral::DriveReport drive;
   pcl_spiral::LocationFigures locations;
@@ -29,5 +31,5 @@ struct Result {
   std::optional<pcl_spiral::MachineProgram> program; ///< where a machine is given
 };
 
-/** Reads the scan, makes the drive path, locates the cutter. \throw UsageError, pcl_spiral::FileError, Cancelled */
+/** Reads the scan or the mesh, makes the drive path, locates the cutter. \throw UsageError, pcl_spiral::FileError, Cancelled */
 Result plan(const Job& job);
