@@ -24,18 +24,6 @@ onSphere(const Vector3d& place)
   return point;
 }
 
-/** The same of many places. */
-PlacesOnSurface
-each(std::function<std::optional<DrivePoint>(const Vector3d&)> on_surface)
-{
-  return [on_surface](const Polyline& places) {
-    std::vector<std::optional<DrivePoint>> points;
-    for (const Vector3d& place : places)
-      points.push_back(on_surface(place));
-    return points;
-  };
-}
-
 DrivePass
 arc(double y, bool back)
 {
@@ -59,7 +47,7 @@ rows(int count)
 TEST(RowLinks, RunOnTheSurfaceAtTheSpacingAsked)
 {
   DrivePasses passes = rows(5);
-  const RowLinks links = linkRows(passes, {4.0, 0.2, 0.7}, each(onSphere));
+  const RowLinks links = linkRows(passes, {4.0, 0.2, 0.7}, onSphere);
   EXPECT_EQ(links.made, 4U);
   EXPECT_EQ(links.not_made, 0U);
   ASSERT_EQ(passes.size(), 1U);
@@ -80,7 +68,7 @@ TEST(RowLinks, AreNotMadeOverPlacesThatAreNoSurface)
   const auto slit = [](const Vector3d& place) { // 0.3 mm wide, between the second and the third row
     return std::abs(onSphere(place)->position.y() - 2.9) < 0.15 ? std::nullopt : onSphere(place);
   };
-  const RowLinks links = linkRows(passes, {4.0, 0.2, 5.0}, each(slit));
+  const RowLinks links = linkRows(passes, {4.0, 0.2, 5.0}, slit);
   EXPECT_EQ(links.made, 2U);
   EXPECT_EQ(links.not_made, 1U);
   ASSERT_EQ(passes.size(), 2U);
@@ -90,7 +78,7 @@ TEST(RowLinks, AreNotMadeOverPlacesThatAreNoSurface)
 TEST(RowLinks, AreNoLongerThanAskedNorLedOffNorMadeToRings)
 {
   DrivePasses far = rows(3);
-  EXPECT_EQ(linkRows(far, {1.5, 0.2, 0.7}, each(onSphere)).made, 0U);
+  EXPECT_EQ(linkRows(far, {1.5, 0.2, 0.7}, onSphere).made, 0U);
   EXPECT_EQ(far.size(), 3U);
   DrivePasses off = rows(3);
   const auto other = [](const Vector3d& place) { // another sheet, 5 mm below
@@ -98,14 +86,14 @@ TEST(RowLinks, AreNoLongerThanAskedNorLedOffNorMadeToRings)
     point->position *= 0.75;
     return point;
   };
-  EXPECT_EQ(linkRows(off, {4.0, 0.2, 0.7}, each(other)).not_made, 2U);
+  EXPECT_EQ(linkRows(off, {4.0, 0.2, 0.7}, other).not_made, 2U);
   DrivePasses rings = rows(4);
   rings[1].closed = true;
-  const RowLinks links = linkRows(rings, {4.0, 0.2, 0.7}, each(onSphere));
+  const RowLinks links = linkRows(rings, {4.0, 0.2, 0.7}, onSphere);
   EXPECT_EQ(links.made, 1U);
   EXPECT_EQ(links.not_made, 2U);
   EXPECT_TRUE(rings[1].closed);
   EXPECT_EQ(rings[1].points.size(), 21U);
   DrivePasses none;
-  EXPECT_EQ(linkRows(none, {4.0, 0.2, 0.7}, each(onSphere)).not_made, 0U);
+  EXPECT_EQ(linkRows(none, {4.0, 0.2, 0.7}, onSphere).not_made, 0U);
 }

@@ -35,7 +35,8 @@ straightWays(const DrivePasses& passes, const LinkLimits& limits)
   return ways;
 }
 
-/** Put the ways on the surface, but for their ends; empty what leaves it. \p points: those between the ends of each. */
+/** Put the ways on the surface, but for their ends; empty what leaves it. \p points: those between the ends
+ * of each. */
 void
 putOn(const PlacesOnSurface& on_surface, std::vector<Way>& ways, std::vector<DrivePoints>& points)
 {
@@ -89,6 +90,17 @@ linkRows(DrivePasses& passes, const LinkLimits& limits, const PlacesOnSurface& o
   }
   passes = std::move(joined);
   return links;
+}
+
+RowLinks
+linkRows(DrivePasses& passes, const LinkLimits& limits, const PlaceOnSurface& on_surface)
+{
+  return linkRows(passes, limits, [&on_surface](const Polyline& places) {
+    std::vector<std::optional<DrivePoint>> points;
+    for (const Vector3d& place : places)
+      points.push_back(on_surface(place));
+    return points;
+  });
 }
 
 } // namespace pcl_spiral
