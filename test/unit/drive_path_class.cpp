@@ -69,6 +69,29 @@ TEST(DrivePath, OrderOfTheCloudAndThreadsChangeNothing)
     }
 }
 
+TEST(DrivePath, KeptAndLinkedRowsAreTheSameForAnyOrderAndThreads)
+{
+  const std::vector<Vector3d> patch =
+      sampleUniform(*quadric(90.0, -60.0, Region({circle({0, 0}, 20.0)})), 9000, 2).points;
+  const auto set = [](unsigned int threads, double height) {
+    return [=](Drive& drive) {
+      drive.setRows(DriveRows::Kept);
+      drive.setScallop(5.0, height);
+      drive.setLinkRows(true);
+      drive.setNumberOfThreads(threads);
+    };
+  };
+  for (const double height : {0.01, 0.1}) { // the cloud denser than half a step, or not
+    const Driven one = driven(patch, set(1, height)), three = driven(patch, set(3, height));
+    EXPECT_EQ(difference(one.passes, three.passes), 0.0);
+    EXPECT_GT(one.report.links, 10U);
+    std::vector<Vector3d> mixed;
+    for (const std::size_t i : shuffled(patch.size(), 3))
+      mixed.push_back(patch[i]);
+    EXPECT_LT(difference(one.passes, driven(mixed, set(2, height)).passes), 1e-6);
+  }
+}
+
 TEST(DrivePath, MovesWithThePart)
 {
   const std::vector<Vector3d> patch =

@@ -43,7 +43,7 @@ bendAt(const AnalyticSurface& surface, const Vector3d& x)
 /** A ball in rows along a direction of the plane, over a rectangle about the origin or elsewhere. */
 struct RowCut {
   SurfacePtr surface;
-  Vector2d low, high; ///< of the charts x and y
+  Vector2d low, high;     ///< of the charts x and y
   double direction = 0.0; ///< of the rows, degrees from x
   double radius = 5.0, height = 0.01;
   RowsThrough through = RowsThrough::Centres;
@@ -151,8 +151,9 @@ keptRowsLeave(const RowCut& cut, int cells, std::size_t samples, double least)
   const double even = std::ceil((high - low) / cut.nominal());
   const auto [p99, p999, largest] = heightsInside(cut, rows.levels, samples);
   const double more = static_cast<double>(rows.levels.size()) / even;
-  std::printf("  %zu rows for %.0f even ones, steps %.4f to %.4f mm: p99 %.4f h, p99.9 %.4f h, largest %.4f h\n",
-              rows.levels.size(), even, rows.smallest_step, rows.largest_step, p99, p999, largest);
+  std::printf(
+      "  %zu rows for %.0f even ones, steps %.4f to %.4f mm: p99 %.4f h, p99.9 %.4f h, largest %.4f h\n",
+      rows.levels.size(), even, rows.smallest_step, rows.largest_step, p99, p999, largest);
   EXPECT_LE(largest, 1.02);
   EXPECT_GE(largest, least);
   return more;
@@ -175,7 +176,8 @@ TEST(RowDistance, OfAPlaneIsTheStepByItsSlopeAcross)
     for (const RowsThrough through : {RowsThrough::Contacts, RowsThrough::Centres}) {
       SurfaceBend plane;
       plane.normal = Vector3d(0.0, -slope, 1.0).normalized();
-      EXPECT_NEAR(rowDistance(plane, Vector3d::UnitY(), 5.0, 0.01, through), step / std::hypot(1.0, slope), 1e-12);
+      EXPECT_NEAR(rowDistance(plane, Vector3d::UnitY(), 5.0, 0.01, through), step / std::hypot(1.0, slope),
+                  1e-12);
       EXPECT_NEAR(rowDistance(plane, Vector3d::UnitX(), 5.0, 0.01, through), step, 1e-12);
     }
   EXPECT_EQ(rowDistance({}, Vector3d::UnitZ(), 5.0, 0.01, RowsThrough::Contacts), 0.0);
@@ -183,7 +185,8 @@ TEST(RowDistance, OfAPlaneIsTheStepByItsSlopeAcross)
   EXPECT_EQ(rowDistance(groove, Vector3d::UnitY(), 5.0, 0.01, RowsThrough::Centres), infinity);
 }
 
-/** Two circles of ball centres about a cylinder's axis, or contacts: the ridge between them by the triangle. */
+/** Two circles of ball centres about a cylinder's axis, or contacts: the ridge between them by the triangle.
+ */
 TEST(RowDistance, OfACylinderIsExactForLongSteps)
 {
   constexpr double radius = 5.0, height = 0.5;
@@ -203,11 +206,13 @@ TEST(RowDistance, LeavesTheRidgeOnPlanesSpheresAndTwistedSurfaces)
   const Vector2d half(10.0, 10.0);
   for (const RowsThrough through : {RowsThrough::Contacts, RowsThrough::Centres}) {
     keptRowsLeave({tilted(0.4, 0.8), -half, half, 0.0, 5.0, 0.01, through}, 60, 4000, 0.95);
-    keptRowsLeave({ball(40.0, Region({rectangle(20.0, 20.0)})), -half, half, 20.0, 5.0, 0.01, through}, 60, 4000,
-                  0.95);
-    keptRowsLeave({quadric(12.0, -12.0, Region({rectangle(8.0, 8.0)})), -0.4 * half, 0.4 * half, 45.0, 5.0, 0.02, through},
+    keptRowsLeave({ball(40.0, Region({rectangle(20.0, 20.0)})), -half, half, 20.0, 5.0, 0.01, through}, 60,
+                  4000, 0.95);
+    keptRowsLeave({quadric(12.0, -12.0, Region({rectangle(8.0, 8.0)})), -0.4 * half, 0.4 * half, 45.0, 5.0,
+                   0.02, through},
                   100, 8000, 0.85);
-    keptRowsLeave({waves({{1.0, 0.35, 0.2, 0.3}}, Region({rectangle(20.0, 20.0)})), -half, half, 70.0, 3.0, 0.01, through},
+    keptRowsLeave({waves({{1.0, 0.35, 0.2, 0.3}}, Region({rectangle(20.0, 20.0)})), -half, half, 70.0, 3.0,
+                   0.01, through},
                   100, 8000, 0.95);
   }
 }
@@ -216,8 +221,8 @@ TEST(RowDistance, LeavesTheRidgeOnPlanesSpheresAndTwistedSurfaces)
 TEST(RowDistance, LeavesTheHeightMidway)
 {
   const Region square({rectangle(20.0, 20.0)});
-  for (const SurfacePtr& surface : {quadric(12.0, -12.0, square), quadric(-9.0, 30.0, square), tilted(0.9, 0.7),
-                                    waves({{1.0, 0.35, 0.2, 1.9}}, square)})
+  for (const SurfacePtr& surface : {quadric(12.0, -12.0, square), quadric(-9.0, 30.0, square),
+                                    tilted(0.9, 0.7), waves({{1.0, 0.35, 0.2, 1.9}}, square)})
     for (const RowsThrough through : {RowsThrough::Contacts, RowsThrough::Centres})
       for (const double direction : {0.0, 30.0, 45.0, 80.0}) {
         const RowCut cut{surface, {-3.0, -3.0}, {3.0, 3.0}, direction, 4.0, 0.01, through};
@@ -241,5 +246,7 @@ TEST(RowDistance, KeepsTheScallopOfTheLandformWithFewRowsMore)
 {
   for (const RowsThrough through : {RowsThrough::Contacts, RowsThrough::Centres})
     for (const double direction : {0.0, 90.0})
-      EXPECT_LE(keptRowsLeave({landform(), {0.0, 0.0}, {100.0, 100.0}, direction, 5.0, 0.01, through}, 300, 25000, 0.97), 1.12);
+      EXPECT_LE(keptRowsLeave({landform(), {0.0, 0.0}, {100.0, 100.0}, direction, 5.0, 0.01, through}, 300,
+                              25000, 0.97),
+                1.12);
 }

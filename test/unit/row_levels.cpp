@@ -28,8 +28,8 @@ largestShare(const std::vector<RowPatch>& patches, const std::vector<double>& le
   for (std::size_t k = 0; k + 1 < stops.size(); ++k)
     for (const RowPatch& patch : patches)
       if (patch.high > stops[k] + 1e-9 && patch.low < stops[k + 1] - 1e-9)
-        largest = std::max(largest, (k == 0 || k + 2 == stops.size() ? 2.0 : 1.0) * (stops[k + 1] - stops[k]) /
-                                        std::max(floor, patch.most));
+        largest = std::max(largest, (k == 0 || k + 2 == stops.size() ? 2.0 : 1.0) *
+                                        (stops[k + 1] - stops[k]) / std::max(floor, patch.most));
   return largest;
 }
 
@@ -113,7 +113,9 @@ TEST(RowLevels, AreHeldAtTheFloorAndSayWhere)
   EXPECT_LT(rows.levels.size(), 15U);
   EXPECT_LE(largestShare(patches, rows.levels, 0.0, 10.0, 0.2), 1.0 + 1e-9);
   const double nan = std::nan("");
-  EXPECT_EQ(rowLevels({{nan, nan, 1.0, 1.0}, {0.0, 1.0, nan, 1.0}, {0.0, 4.0, 1.0, 1.0}}, 0.0, 4.0, 0.1).levels.size(), 4U);
+  EXPECT_EQ(rowLevels({{nan, nan, 1.0, 1.0}, {0.0, 1.0, nan, 1.0}, {0.0, 4.0, 1.0, 1.0}}, 0.0, 4.0, 0.1)
+                .levels.size(),
+            4U);
   EXPECT_EQ(rowLevels({}, 0.0, 4.0, 0.1).levels.size(), 1U);
   EXPECT_EQ(rowLevels(patches, 3.0, 3.0, 0.2).levels, std::vector<double>{3.0});
 }

@@ -24,8 +24,9 @@ public:
     enter(patches, floor);
   }
 
-  /** The farthest row from one at \p from such that all between allow their distance, times \p share; the end at the
-   * most. It does not come closer as \p from goes on, so that going as far as can be makes the fewest rows. */
+  /** The farthest row from one at \p from such that all between allow their distance, times \p share; the end
+   * at the most. It does not come closer as \p from goes on, so that going as far as can be makes the fewest
+   * rows. */
   double
   farthest(double from, double share) const
   {
@@ -41,7 +42,8 @@ public:
     return high_;
   }
 
-  /** The rows where all take up that \p share of what is allowed; one more than \p limit where these do not do. */
+  /** The rows where all take up that \p share of what is allowed; one more than \p limit where these do not
+   * do. */
   std::vector<double>
   rows(double share, std::size_t limit) const
   {
@@ -125,7 +127,8 @@ rowLevels(const std::vector<RowPatch>& patches, double low, double high, double 
 {
   RowLevels rows;
   findHeld(patches, floor, rows);
-  rows.levels = !(high > low) ? std::vector<double>{low} : evenRows(AllowedDistance(patches, low, high, floor));
+  rows.levels =
+      !(high > low) ? std::vector<double>{low} : evenRows(AllowedDistance(patches, low, high, floor));
   for (std::size_t k = 0; k + 1 < rows.levels.size(); ++k) {
     const double step = rows.levels[k + 1] - rows.levels[k];
     rows.smallest_step = k == 0 ? step : std::min(rows.smallest_step, step);

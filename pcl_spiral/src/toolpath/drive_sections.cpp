@@ -90,12 +90,13 @@ Status
 checkSize(const SurfaceGraph& graph, const DriveSettings& settings, double extent, double step)
 {
   const double rows = surfaceArea(graph) / step;
-  return checkDriveSize(rows / settings.point_spacing + extent / step, 2.0 * rows / graph.spacing(), settings);
+  return checkDriveSize(rows / settings.point_spacing + extent / step, 2.0 * rows / graph.spacing(),
+                        settings);
 }
 
 Status
-planesOf(const Surface& surface, const DriveSettings& settings, const SectionFrame& frame, const AcrossPasses& across,
-         std::vector<double>& planes, DriveReport& report)
+planesOf(const Surface& surface, const DriveSettings& settings, const SectionFrame& frame,
+         const AcrossPasses& across, std::vector<double>& planes, DriveReport& report)
 {
   const double extent = across.high - across.low;
   if (const Status status = checkSize(surface.graph(), settings, extent, settings.step_over); !status.ok())

@@ -41,19 +41,19 @@ placesOf(const SurfaceGraph& graph, double edge)
 void
 warnOfFloor(const DriveSettings& settings, double floor, const Vector3d& narrowest, DriveReport& report)
 {
-  report.warnings.push_back(textOf(
-      "rows are held ", floor, " mm apart on ", 100.0 * report.held_share,
-      " % of the surface, where the scallop height of ", settings.scallop_height,
-      " mm asks for less, least at ", placeText(narrowest),
-      ": ridges there are higher; turn the planes across steep walls (setPlaneDirection), or, in a hollow hardly "
-      "wider than the ball, take a smaller one"));
+  report.warnings.push_back(textOf("rows are held ", floor, " mm apart on ", 100.0 * report.held_share,
+                                   " % of the surface, where the scallop height of ", settings.scallop_height,
+                                   " mm asks for less, least at ", placeText(narrowest),
+                                   ": ridges there are higher; turn the planes across steep walls "
+                                   "(setPlaneDirection), or, in a hollow hardly "
+                                   "wider than the ball, take a smaller one"));
 }
 
 } // namespace
 
 RowLevels
-keptRows(const Surface& surface, const DriveSettings& settings, const Vector3d& across, const Vector3d& origin,
-         double low, double high, DriveReport& report)
+keptRows(const Surface& surface, const DriveSettings& settings, const Vector3d& across,
+         const Vector3d& origin, double low, double high, DriveReport& report)
 {
   const double radius = settings.tool_radius, height = settings.scallop_height, step = settings.step_over;
   const bool fixed = settings.axisMode() == DriveAxisMode::Fixed;
@@ -61,7 +61,8 @@ keptRows(const Surface& surface, const DriveSettings& settings, const Vector3d& 
   const double edge = cell_share * step;
   std::vector<SurfaceFoot> feet;
   surface.fit().project(placesOf(surface.graph(), edge), feet);
-  feet.erase(std::remove_if(feet.begin(), feet.end(), [](const SurfaceFoot& foot) { return !foot.valid; }), feet.end());
+  feet.erase(std::remove_if(feet.begin(), feet.end(), [](const SurfaceFoot& foot) { return !foot.valid; }),
+             feet.end());
   std::vector<RowPatch> patches;
   for (const SurfaceFoot& foot : feet) {
     const double width = std::max(edge, surface.graph().spacing(foot.nearest));

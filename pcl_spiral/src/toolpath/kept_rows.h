@@ -9,9 +9,10 @@
 
 namespace pcl_spiral {
 
-/** Planes between \p low and \p high, mm along \p across from \p origin. With a fixed tool axis the ball's centres are
- * in the planes; otherwise, dropped along the surface's normal, its contacts. Of a cloud denser than half a step one
- * place a cell of that size is looked at. Steps are held at a quarter of that on a plane, with a warning. */
+/** Planes between \p low and \p high, mm along \p across from \p origin. With a fixed tool axis the ball's
+ * centres are in the planes; otherwise, dropped along the surface's normal, its contacts. Of a cloud denser
+ * than half a step one place a cell of that size is looked at. Steps are held at a quarter of that on a
+ * plane, with a warning. */
 RowLevels keptRows(const Surface& surface, const DriveSettings& settings, const Eigen::Vector3d& across,
                    const Eigen::Vector3d& origin, double low, double high, DriveReport& report);
 

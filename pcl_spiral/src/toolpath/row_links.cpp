@@ -1,7 +1,5 @@
 #include <pcl_spiral/toolpath/row_links.h>
 
-#include <pcl_spiral/core/polyline.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,68 +8,99 @@ namespace {
 
 using Eigen::Vector3d;
 
-std::size_t
-stepsOf(double length, double spacing)
+/** The way from a pass to the next; empty where they are not joined. */
+using Way = Polyline;
+
+/** The line divided into equal steps no longer than \p spacing. */
+Way
+divided(const Way& line, double spacing)
 {
-  return static_cast<std::size_t>(std::max(1.0, std::ceil(length / spacing - 1e-9)));
+  const double steps = std::max(1.0, std::ceil(length(line) / spacing - 1e-9));
+  return resampled(line, static_cast<std::size_t>(steps) + 1);
 }
 
-/** The places of \p line but its ends, on the surface; none where one is not. */
-std::optional<DrivePoints>
-between(const Polyline& line, const PlaceOnSurface& on_surface)
+/** Straight from each pass to the next, where they are near and open. */
+std::vector<Way>
+straightWays(const DrivePasses& passes, const LinkLimits& limits)
 {
-  DrivePoints points;
-  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-    const std::optional<DrivePoint> point = on_surface(line[i]);
-    if (!point)
-      return std::nullopt;
-    points.push_back(*point);
+  std::vector<Way> ways(passes.size());
+  for (std::size_t k = 0; k + 1 < passes.size(); ++k) {
+    const DrivePass &pass = passes[k], &next = passes[k + 1];
+    if (pass.closed || next.closed || pass.points.empty() || next.points.empty())
+      continue;
+    const Vector3d &from = pass.points.back().position, &to = next.points.front().position;
+    if ((to - from).norm() <= limits.longest)
+      ways[k] = divided({from, to}, limits.look);
   }
-  return points;
+  return ways;
 }
 
-/** What joins two places; none where nothing may. */
-std::optional<DrivePoints>
-linkOf(const Vector3d& from, const Vector3d& to, const LinkLimits& limits, const PlaceOnSurface& on_surface)
+/** Put the ways on the surface, but for their ends; empty what leaves it. \p points: those between the ends
+ * of each. */
+void
+putOn(const PlacesOnSurface& on_surface, std::vector<Way>& ways, std::vector<DrivePoints>& points)
 {
-  const double straight = (to - from).norm();
-  if (!(straight <= limits.longest))
-    return std::nullopt;
-  const auto looked = between(resampled({from, to}, stepsOf(straight, limits.look) + 1), on_surface);
-  if (!looked)
-    return std::nullopt;
-  Polyline way{from};
-  for (const DrivePoint& point : *looked)
-    way.push_back(point.position);
-  way.push_back(to);
-  if (!(length(way) <= limits.longest)) // led off by another sheet
-    return std::nullopt;
-  return between(resampled(way, stepsOf(length(way), limits.spacing) + 1), on_surface);
+  Polyline places;
+  for (const Way& way : ways)
+    for (std::size_t i = 1; i + 1 < way.size(); ++i)
+      places.push_back(way[i]);
+  const std::vector<std::optional<DrivePoint>> found = on_surface(places);
+  points.assign(ways.size(), {});
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    bool whole = true;
+    for (std::size_t i = 1; i + 1 < ways[k].size(); ++i, ++next) {
+      whole = whole && found[next];
+      if (!whole)
+        continue;
+      points[k].push_back(*found[next]);
+      ways[k][i] = found[next]->position;
+    }
+    if (!whole)
+      ways[k].clear();
+  }
 }
 
 } // namespace
 
 RowLinks
-linkRows(DrivePasses& passes, const LinkLimits& limits, const PlaceOnSurface& on_surface)
+linkRows(DrivePasses& passes, const LinkLimits& limits, const PlacesOnSurface& on_surface)
 {
+  std::vector<Way> ways = straightWays(passes, limits);
+  std::vector<DrivePoints> between;
+  putOn(on_surface, ways, between);
+  for (Way& way : ways)
+    if (length(way) <= limits.longest)
+      way = way.empty() ? way : divided(way, limits.spacing);
+    else
+      way.clear(); // led off by another sheet
+  putOn(on_surface, ways, between);
   RowLinks links;
   DrivePasses joined;
-  for (DrivePass& pass : passes) {
-    std::optional<DrivePoints> link;
-    if (!joined.empty() && !joined.back().closed && !pass.closed)
-      link = linkOf(joined.back().points.back().position, pass.points.front().position, limits, on_surface);
-    if (!link) {
-      links.not_made += joined.empty() ? 0 : 1;
-      joined.push_back(std::move(pass));
+  for (std::size_t k = 0; k < passes.size(); ++k) {
+    if (k == 0 || ways[k - 1].empty()) {
+      links.not_made += k > 0 ? 1 : 0;
+      joined.push_back(std::move(passes[k]));
       continue;
     }
     ++links.made;
     DrivePoints& points = joined.back().points;
-    points.insert(points.end(), link->begin(), link->end());
-    points.insert(points.end(), pass.points.begin(), pass.points.end());
+    points.insert(points.end(), between[k - 1].begin(), between[k - 1].end());
+    points.insert(points.end(), passes[k].points.begin(), passes[k].points.end());
   }
   passes = std::move(joined);
   return links;
+}
+
+RowLinks
+linkRows(DrivePasses& passes, const LinkLimits& limits, const PlaceOnSurface& on_surface)
+{
+  return linkRows(passes, limits, [&on_surface](const Polyline& places) {
+    std::vector<std::optional<DrivePoint>> points;
+    for (const Vector3d& place : places)
+      points.push_back(on_surface(place));
+    return points;
+  });
 }
 
 } // namespace pcl_spiral

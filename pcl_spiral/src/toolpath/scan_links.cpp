@@ -35,7 +35,8 @@ distanceToTriangle(const Vector3d& x, const std::array<Vector3d, 3>& corners)
 
 /** Whether a triangle about \p vertex comes within \p most of \p x. */
 bool
-reaches(const SurfaceGraph& graph, const Triangulation& mesh, std::uint32_t vertex, const Vector3d& x, double most)
+reaches(const SurfaceGraph& graph, const Triangulation& mesh, std::uint32_t vertex, const Vector3d& x,
+        double most)
 {
   for (std::uint32_t i = mesh.outgoingBegin(vertex); i < mesh.outgoingBegin(vertex + 1); ++i) {
     const auto& [a, b, c] = mesh.triangle(mesh.outgoing(i) / 3);
@@ -60,17 +61,22 @@ isOver(const SurfaceGraph& graph, const Triangulation& mesh, std::uint32_t neare
 
 } // namespace
 
-PlaceOnSurface
+PlacesOnSurface
 onScan(const Surface& surface, const Triangulation& mesh)
 {
-  return [&surface, &mesh](const Vector3d& place) -> std::optional<DrivePoint> {
-    const SurfaceFoot foot = surface.fit().project(place);
-    if (!foot.valid || surface.voids().contains(foot.position, foot.nearest) ||
-        !isOver(surface.graph(), mesh, foot.nearest, foot.position))
-      return std::nullopt;
-    DrivePoint point;
-    point.position = foot.position;
-    return point;
+  return [&surface, &mesh](const Polyline& places) {
+    std::vector<SurfaceFoot> feet;
+    surface.fit().project(places, feet);
+    std::vector<std::optional<DrivePoint>> points(places.size());
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+      const SurfaceFoot& foot = feet[i];
+      if (!foot.valid || surface.voids().contains(foot.position, foot.nearest) ||
+          !isOver(surface.graph(), mesh, foot.nearest, foot.position))
+        continue;
+      points[i].emplace();
+      points[i]->position = foot.position;
+    }
+    return points;
   };
 }
 

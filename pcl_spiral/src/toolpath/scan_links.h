@@ -8,8 +8,8 @@
 
 namespace pcl_spiral {
 
-/** Places on the fitted surface: over the triangles of \p mesh or within a spacing of them, in no void. Both are
- * referred to. */
-PlaceOnSurface onScan(const Surface& surface, const Triangulation& mesh);
+/** Places on the fitted surface: over the triangles of \p mesh or within a spacing of them, in no void. Both
+ * are referred to. */
+PlacesOnSurface onScan(const Surface& surface, const Triangulation& mesh);
 
 } // namespace pcl_spiral

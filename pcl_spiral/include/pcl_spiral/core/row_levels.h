@@ -19,18 +19,18 @@ struct RowPatch {
 struct RowLevels {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  std::vector<double> levels;                        ///< ascending
-  double smallest_step = 0.0, largest_step = 0.0;    ///< of neighbours; 0 with one row
-  double held_share = 0.0;        ///< of the area: patches that allow less than the floor, and get it
-  std::size_t narrowest = none;   ///< the patch that allows least of these
+  std::vector<double> levels;                     ///< ascending
+  double smallest_step = 0.0, largest_step = 0.0; ///< of neighbours; 0 with one row
+  double held_share = 0.0;      ///< of the area: patches that allow less than the floor, and get it
+  std::size_t narrowest = none; ///< the patch that allows least of these
 };
 
-/** As few rows over \p low to \p high as leave no patch between two neighbours farther apart than it allows, nor
- * between the first or last and the end next to it where half as much is allowed. Patches that allow less than
- * \p floor, above 0, count as if they allowed that. Rows take up the same share of what is allowed, as small as
- * their number permits, so that none is a sliver. What patches allow is looked up in bins of an eighth of the
- * floor: time grows with patches and bins. Values that are not numbers, and patches out of the extent, do not
- * count. */
+/** As few rows over \p low to \p high as leave no patch between two neighbours farther apart than it allows,
+ * nor between the first or last and the end next to it where half as much is allowed. Patches that allow less
+ * than \p floor, above 0, count as if they allowed that. Rows take up the same share of what is allowed, as
+ * small as their number permits, so that none is a sliver. What patches allow is looked up in bins of an
+ * eighth of the floor: time grows with patches and bins. Values that are not numbers, and patches out of the
+ * extent, do not count. */
 RowLevels rowLevels(const std::vector<RowPatch>& patches, double low, double high, double floor);
 
 } // namespace pcl_spiral

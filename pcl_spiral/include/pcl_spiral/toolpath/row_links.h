@@ -3,15 +3,22 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/toolpath/drive_pass.h>
 
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace pcl_spiral {
 
-/** The drive point on the surface at a place next to it; none where there is no surface, beyond its rim or over a gap. */
+/** The drive points on the surface at places next to it, in their order; none where there is no surface,
+ * beyond its rim or over a gap. Called with the places of all links together, so that they can be looked at
+ * side by side. */
+using PlacesOnSurface = std::function<std::vector<std::optional<DrivePoint>>(const Polyline& places)>;
+
+/** The same of one place. */
 using PlaceOnSurface = std::function<std::optional<DrivePoint>(const Eigen::Vector3d& place)>;
 
 /** What a link may be. Lengths in mm. */
@@ -27,9 +34,12 @@ struct RowLinks {
   std::size_t not_made = 0; ///< passes but the first that stay passes of their own
 };
 
-/** Join each open pass to the one before it where it begins no farther from that one's end than the longest link, and
- * all of the straight way between lies over the surface. Links run on the surface. Order and directions are kept;
- * closed passes stay alone. */
+/** Join each open pass to the one before it where it begins no farther from that one's end than the longest
+ * link, and all of the straight way between lies over the surface. Links run on the surface. Order and
+ * directions are kept; closed passes stay alone. */
+RowLinks linkRows(DrivePasses& passes, const LinkLimits& limits, const PlacesOnSurface& on_surface);
+
+/** The same, with places looked at one by one. */
 RowLinks linkRows(DrivePasses& passes, const LinkLimits& limits, const PlaceOnSurface& on_surface);
 
 } // namespace pcl_spiral
