@@ -101,7 +101,7 @@ path(Job& job)
            numberOption("scallop", "H", "ridge left between passes on a plane; gives the step-over by the cutter's "
                                         "profile: --scallop 0.02",
                         job.scallop),
-           numberOption("point-spacing", "D", "largest distance of drive points along a pass; 1: --point-spacing 0.5",
+           numberOption("point-spacing", "D", "largest distance of drive points along a pass; 1, on a mesh the tool radius: --point-spacing 0.5",
                         s.point_spacing),
            numberOption("overrun", "L",
                         "helix and rings go on so far beyond the ends of the column, where it leans; 0: --overrun 1.5",

@@ -134,6 +134,8 @@ void
 completePath(Job& job)
 {
   requireMeshMeant(job);
+  if (job.mesh && !isGiven(job, "point-spacing"))
+    job.drive.point_spacing = job.cutter.radius; // the chord error puts points where the surface bends
   DriveSettings& d = job.drive;
   requireMeant(job);
   d.zigzag = !job.one_way;

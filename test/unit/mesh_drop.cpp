@@ -1,85 +1,23 @@
-// Cutters brought down on triangles and meshes, against search in two dimensions and against all triangles one by one.
+// Cutters brought down on meshes, against all triangles one by one.
 #include <pcl_spiral/toolpath/mesh_drop.h>
 
-#include "support/cutters.h"
 #include "support/plain_mesh.h"
+#include "support/searched_triangle.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 using namespace pcl_spiral;
 using namespace pcl_spiral::test;
 using Eigen::Matrix3d;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 namespace {
 
 constexpr double as_they_are = std::numeric_limits<double>::infinity();
-
-/** The largest of a concave function on [0, 1]. */
-template <typename Function>
-double
-largest(const Function& f)
-{
-  constexpr double golden = 0.6180339887498949;
-  double a = 0.0, b = 1.0, x = 1.0 - golden, y = golden, fx = f(x), fy = f(y);
-  double best = std::max({f(0.0), f(1.0), fx, fy});
-  for (int i = 0; i < 70; ++i) {
-    if (fx < fy) {
-      a = x, x = y, fx = fy;
-      y = a + golden * (b - a), fy = f(y);
-    }
-    else {
-      b = y, y = x, fy = fx;
-      x = b - golden * (b - a), fx = f(x);
-    }
-    best = std::max({best, fx, fy});
-  }
-  return best;
-}
-
-/** Height at which the cutter stands on a triangle seen along its axis, by golden section within golden section; beyond the
- *  cutter the profile rises steeply instead of ending. */
-double
-searched(const Matrix3d& c, const CutterProfile& cutter, double steep)
-{
-  const double R = cutter.radius();
-  return largest([&](double t) {
-    const Vector3d a = (1.0 - t) * c.col(0) + t * c.col(1), b = (1.0 - t) * c.col(0) + t * c.col(2);
-    return largest([&](double u) {
-      const Vector3d p = (1.0 - u) * a + u * b;
-      const double l = p.head<2>().norm();
-      return p.z() - cutter.height(std::min(l, R)) - steep * std::max(0.0, l - R);
-    });
-  });
-}
-
-/** Corners at random about a cutter of radius \p R: of any size, some level, upright, thin, or about the axis. */
-Matrix3d
-randomTriangle(double R, Random& random)
-{
-  const double size = R * std::pow(10.0, random.uniform(-2.0, 0.7));
-  Vector3d middle(random.uniform(-1.2, 1.2) * R, random.uniform(-1.2, 1.2) * R, random.uniform(-5.0, 5.0));
-  const auto kind = random.below(8);
-  if (kind == 0)
-    middle.head<2>().setZero();
-  Matrix3d c;
-  for (int k = 0; k < 3; ++k)
-    c.col(k) = middle + size * Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-  if (kind == 1)
-    c.row(2).setConstant(middle.z());
-  if (kind == 2)
-    c.row(1).setConstant(middle.y());
-  if (kind == 3)
-    c.col(2).head<2>() = c.col(1).head<2>();
-  if (kind == 4)
-    c.col(2) = 0.5 * (c.col(0) + c.col(1)) + 1e-4 * size * Vector3d(0.3, -0.8, 0.5);
-  return c;
-}
 
 Matrix3d
 seenBy(const AxisFrame& frame, const Matrix3d& corners)
@@ -130,46 +68,6 @@ highestOf(const std::vector<Matrix3d>& triangles, const CutterProfile& cutter, c
 }
 
 } // namespace
-
-TEST(TriangleTouch, IsTheHighestPlaceOfTheTriangle)
-{
-  Random random(1);
-  std::size_t touched = 0;
-  for (int i = 0; touched < 10000; ++i) {
-    const CutterProfile cutter(randomCutter(random));
-    const Matrix3d c = randomTriangle(cutter.radius(), random);
-    const TouchedTriangle t = TriangleTouch(cutter).touch(c);
-    constexpr double steep = 1e8;
-    const double expected = searched(c, cutter, steep);
-    if (expected < -1e5 || !t.found) { // beyond the cutter, or by less than a thousandth of a micrometre
-      EXPECT_TRUE(!t.found || expected > -1e5) << i;
-      EXPECT_TRUE(t.found || expected < 50.0 - 1e-9 * steep) << i << ' ' << expected;
-      continue;
-    }
-    ++touched;
-    ASSERT_NEAR(t.height, expected, 1e-6) << i << '\n' << c;
-    ASSERT_NEAR(t.weights.sum(), 1.0, 1e-12);
-    ASSERT_GE(t.weights.minCoeff(), 0.0);
-    const Vector3d p = c * t.weights;
-    ASSERT_LE(p.head<2>().norm(), cutter.radius() * (1.0 + 1e-9));
-  }
-}
-
-TEST(TriangleTouch, AWiderCutterIsTheOneOfSoMuchMoreRadius)
-{
-  Random random(2);
-  for (int i = 0; i < 5000; ++i) {
-    CutterShape shape = randomCutter(random);
-    const CutterProfile cutter(shape);
-    const Matrix3d c = randomTriangle(shape.radius, random);
-    const double wider = random.uniform(0.0, 1.0);
-    shape.radius += wider;
-    const TouchedTriangle a = TriangleTouch(cutter).touch(c, wider), b = TriangleTouch(CutterProfile(shape)).touch(c);
-    ASSERT_EQ(a.found, b.found);
-    if (a.found)
-      ASSERT_NEAR(a.height, b.height, 1e-7) << i;
-  }
-}
 
 TEST(MeshDrop, OnFlatTrianglesIsTheHighestOfAll)
 {

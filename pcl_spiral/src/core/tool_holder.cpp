@@ -72,20 +72,24 @@ HolderProfile::inside(double l, double height, double& depth) const
   return found;
 }
 
-double
-HolderProfile::deepest(double l, double low, double high) const
+int
+HolderProfile::mayBeInside(double l, double low, double high, double& depth) const
 {
-  double depth = 0.0;
-  for (const Part& part : parts_) {
+  int found = -1;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Part& part = parts_[i];
     if (high <= part.bottom || low > part.top)
       continue;
-    const double highest = std::min(high, part.top);
-    const double widest_at = part.slope > 0.0 ? highest : low;
+    const double highest = std::min(high, part.top), widest_at = part.slope > 0.0 ? highest : low;
     const double radius = part.radius + part.slope * std::max(0.0, widest_at - part.start);
     const double down = l > part.below ? highest - part.bottom : std::numeric_limits<double>::infinity();
-    depth = std::max(depth, std::min((radius - l) * part.cosine, down));
+    const double out = std::min((radius - l) * part.cosine, down);
+    if (out > 0.0 && (found < 0 || out > depth)) {
+      depth = out;
+      found = static_cast<int>(i);
+    }
   }
-  return depth;
+  return found;
 }
 
 } // namespace pcl_spiral

@@ -11,12 +11,13 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double precision = 1e-3;          // mm, of the depth
-constexpr std::size_t most_parts = 1000000; // looked at for one location; the rest is then taken as deep as it may be
+constexpr std::size_t most_parts = 20000; // cut up for one location; the deepest left is then taken as deep as it may be
 
 /** A part of a face that may be deeper than what was found, and how deep it may be. */
 struct DeepPart {
   PatchCell cell;
   double bound = 0.0;
+  int segment = -1;
   std::uint32_t face = 0;
 
   bool
@@ -42,7 +43,9 @@ public:
     const AxisView view(frame_);
     const auto keep = [&](const Box& box) {
       const AxisBox seen = view.see(box);
-      return holder_.deepest(seen.nearest - slack, seen.low - tip_ - slack, seen.high - tip_ + slack) > least_;
+      double depth = 0.0;
+      return holder_.mayBeInside(seen.nearest - slack, seen.low - tip_ - slack, seen.high - tip_ + slack, depth) >= 0 &&
+             depth > least_;
     };
     patches_.boxes().forItems(keep, [&](std::uint32_t place) {
       const PatchCell cell = patches_.cell(place);
@@ -56,7 +59,7 @@ public:
       if (top.bound <= least_ + precision)
         break;
       if (looked == most_parts) {
-        take(top.cell.corners.col(0), top.bound, 0, top.face);
+        take(top.cell.corners.col(0), top.bound, top.segment, top.face);
         break;
       }
       for (int k = 0; k < 4; ++k)
@@ -81,10 +84,11 @@ private:
         take(p, depth, segment, face);
     }
     const double off = flat ? 0.0 : cell.sag();
-    const double bound = holder_.deepest(std::max(0.0, (across * nearest).norm() - off), cell.corners.row(2).minCoeff() - off,
-                                         cell.corners.row(2).maxCoeff() + off);
-    if (bound > least_ + precision) {
-      parts_.push_back({cell, bound, face});
+    double bound = 0.0;
+    const int segment = holder_.mayBeInside(std::max(0.0, (across * nearest).norm() - off), cell.corners.row(2).minCoeff() - off,
+                                            cell.corners.row(2).maxCoeff() + off, bound);
+    if (segment >= 0 && bound > least_ + precision) {
+      parts_.push_back({cell, bound, segment, face});
       std::push_heap(parts_.begin(), parts_.end());
     }
   }

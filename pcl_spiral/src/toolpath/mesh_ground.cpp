@@ -13,6 +13,7 @@ namespace {
 
 constexpr double finest = 1e-4;     // mm: faces are taken for the curved surface when nearer to it
 constexpr double fine_share = 0.01; // the same, of the tolerance
+constexpr double expected_share = 2.0; // of the tolerance, below the drive point
 
 double
 sagFor(const LocationOptions& options)
@@ -76,12 +77,20 @@ MeshGround::settle(const AskedLocation& asked, double height, ToolLocation& loca
   location.collision = findCollision(mesh_.faces(), holder_, asked.frame, height, options_.tolerance, sag_);
 }
 
+/** Drive points lie on the surface, or between locations on it: what is lower is looked at only where nothing is met. */
+MeshContact
+MeshGround::highest(const AxisFrame& frame) const
+{
+  const MeshContact near = drop_.highest(frame, -expected_share * options_.tolerance);
+  return near.found ? near : drop_.highest(frame);
+}
+
 ToolLocation
 MeshGround::resolve(const AskedLocation& asked) const
 {
   ToolLocation location;
   location.axis = asked.frame.axis;
-  const MeshContact drop = drop_.highest(asked.frame);
+  const MeshContact drop = highest(asked.frame);
   if (drop.found)
     touch(drop.face, drop.weights, drop.contact, location);
   double height = drop.height;

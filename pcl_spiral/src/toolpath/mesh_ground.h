@@ -24,6 +24,7 @@ public:
   const char* item() const override { return "face"; }
 
 private:
+  MeshContact highest(const AxisFrame& frame) const;
   ToolLocation resolve(const AskedLocation& asked) const;
   void settle(const AskedLocation& asked, double height, ToolLocation& location) const;
   /** Set what the cutter touches. */

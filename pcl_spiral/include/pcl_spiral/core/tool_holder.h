@@ -61,9 +61,9 @@ public:
    * the shortest way out, through the flank or through a lower face that sticks out. */
   int inside(double l, double height, double& depth) const;
 
-  /** A bound: no place at \p l or more from the axis and between the heights \p low and \p high above the tip lies deeper in
-   * a segment than this; 0 where none lies in one. */
-  double deepest(double l, double low, double high) const;
+  /** A bound of inside(): no place at \p l or more from the axis and between the heights \p low and \p high above the tip lies
+   * deeper in a segment than \p depth. The segment, or -1 where none of them lies in one. */
+  int mayBeInside(double l, double low, double high, double& depth) const;
 
 private:
   struct Part {
