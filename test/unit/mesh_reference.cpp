@@ -200,7 +200,8 @@ TEST(MeshReference, CreasesAreKeptApart)
     const auto height = hollow ? valley : roof;
     const auto mesh = roofMesh(40.0, hollow ? -0.5 : 0.5).made();
     Path::Ptr path(new Path); // along the crease; in the valley only where the ball touches one side
-    for (const ToolpathPoint& p : *rows(height, 19.75, 0.5, 0.5, true, true))
+    const Path::Ptr every = rows(height, 19.75, 0.5, 0.5, true, true);
+    for (const ToolpathPoint& p : *every)
       if (!hollow || std::abs(p.x) > 2.4f)
         path->push_back(p);
     measureRows(*path, true);
