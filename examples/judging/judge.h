@@ -14,7 +14,7 @@ struct JudgeSettings {
   bool flip_normals = false;
   unsigned int threads = 0;
   pcl_spiral::Surface::ConstPtr surface; ///< of the scan, where one was made already; null: it is made
-  pcl_spiral::SurfaceMesh::ConstPtr mesh; ///< to judge by in place of a scan; null: there is none
+  pcl_spiral::SurfaceMesh::ConstPtr mesh = nullptr; ///< to judge by in place of a scan; null: there is none
   double sample_spacing = 0.0;            ///< of its samples, mm; 0: as they are chosen
 };
 
