@@ -134,6 +134,65 @@ TEST_F(Verify, ReadsBackEveryFormat)
   }
 }
 
+TEST_F(Verify, AMeshTakesTheScansPlace)
+{
+  const auto height = [](double x, double y) { return 0.5 * std::cos(0.2 * x) * std::cos(0.2 * y); };
+  constexpr int cells = 20;
+  std::ostringstream obj, csv;
+  const auto place = [](int i) { return 1.0 * i - 10.0; };
+  for (int j = 0; j <= cells; ++j)
+    for (int i = 0; i <= cells; ++i)
+      obj << "v " << place(i) << ' ' << place(j) << ' ' << height(place(i), place(j)) << '\n';
+  writeText(folder_.path("points.obj"), obj.str());
+  for (int j = 0; j < cells; ++j)
+    for (int i = 0; i < cells; ++i) {
+      const int a = j * (cells + 1) + i + 1;
+      obj << "f " << a << ' ' << a + 1 << ' ' << a + cells + 2 << ' ' << a + cells + 1 << '\n';
+    }
+  writeText(folder_.path("part.obj"), obj.str());
+  csv << "turn,arc_length,cc_x,cc_y,cc_z,normal_x,normal_y,normal_z,axis_x,axis_y,axis_z\n" << std::setprecision(10);
+  double length = 0.0;
+  for (int row = 0; row <= 40; ++row)
+    for (int i = 0; i <= 80; ++i) {
+      const double x = (row % 2 ? -1.0 : 1.0) * (0.25 * i - 10.0), y = 0.5 * row - 10.0, d = 1e-5;
+      const double nx = -(height(x + d, y) - height(x - d, y)) / (2 * d), ny = -(height(x, y + d) - height(x, y - d)) / (2 * d);
+      length += i > 0 ? 0.25 : 0.0; // flat enough
+      csv << row << ',' << length << ',' << x << ',' << y << ',' << height(x, y) << ',' << nx << ',' << ny << ",1,0,0,1\n";
+    }
+  writeText(folder_.path("rows.csv"), csv.str());
+  const auto run = [&](Arguments arguments) {
+    arguments.insert(arguments.end(), {"--tool-radius", "3", "--scallop", "0.02"});
+    return endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM, arguments, folder_), folder_);
+  };
+  const RunResult good = run({"part.obj", "rows.csv", "--mesh", "--max-gouge", "0.02", "--max-deviation", "0.002", "--max-uncut", "0", "-o",
+                              "mesh.json", "-o", "mesh.html", "-o", "mesh.png"});
+  EXPECT_EQ(good.code, 0) << good.out << good.err;
+  EXPECT_NE(good.out.find("samples of the mesh"), std::string::npos) << good.out;
+  EXPECT_NE(good.out.find("40 between passes"), std::string::npos) << good.out;
+  EXPECT_EQ(good.err, "");
+  const auto json = nlohmann::json::parse(readText(folder_.path("mesh.json")));
+  EXPECT_EQ(json["input"]["mesh"]["faces"], 2 * cells * cells);
+  EXPECT_EQ(json["input"]["mesh"]["crease_edges"], 0);
+  EXPECT_EQ(json["paths"][0]["motion"]["lifts"], 40);
+  EXPECT_NE(readText(folder_.path("mesh.html")).find("Faces judged"), std::string::npos);
+  EXPECT_GT(readText(folder_.path("mesh.png")).size(), 10000u);
+
+  const auto fails = [&](const Arguments& arguments, int code, const std::string& words) {
+    const RunResult bad = run(arguments);
+    EXPECT_EQ(bad.code, code) << words << ": " << bad.out << bad.err;
+    EXPECT_NE(bad.err.find(words), std::string::npos) << words << ": " << bad.err;
+  };
+  fails({"points.obj", "rows.csv", "--mesh"}, 1, "faces");
+  fails({"missing.stl", "rows.csv", "--mesh"}, 1, "missing.stl");
+  fails({"part.obj", "rows.csv", "--mesh", "--units", "m"}, 1, "another unit");
+  fails({"part.obj", "rows.csv", "--crease", "20"}, 2, "--mesh");
+  fails({"part.obj", "rows.csv", "--mesh", "--crease", "0"}, 2, "--crease");
+  fails({"part.obj", "rows.csv", "--mesh", "--view-point", "0,0,100"}, 2, "--view-point");
+  const RunResult flipped = run({"part.obj", "rows.csv", "--mesh", "--flip", "--max-gouge", "0.02"});
+  EXPECT_EQ(flipped.code, 1);
+  EXPECT_NE(flipped.out.find("normal that points into the material"), std::string::npos) << flipped.out;
+}
+
 TEST_F(Verify, FindsAGougeAndWhereItIs)
 {
   constexpr std::size_t place = 2000;

@@ -194,13 +194,38 @@ TEST(MeshReference, ARowToRowLiftCutsNothing)
   }
 }
 
+TEST(MeshReference, PassesMayBeGivenBesideThePath)
+{
+  const auto ridge = [](double, double y) { return 4.0 * std::exp(-y * y / 30.0); };
+  const auto path = rows(ridge, 16.0, 32.0, 1.0, false); // arc lengths that count the way through the ridge
+  MaterialRemoval<pcl::PointXYZ> judge;
+  judge.setQuiet(true);
+  judge.setInputMesh(heightMesh(ridge, 40.0, 40).made());
+  judge.setSampleSpacing(0.5);
+  judge.setToolRadius(R);
+  judge.setScallopHeight(h);
+  Values output;
+  judge.setInputToolpath(path, {path->size() / 2});
+  judge.compute(output);
+  ASSERT_TRUE(judge.getStatus().ok()) << judge.getStatus().message();
+  EXPECT_LT(judge.getFigures().gouge.value, 0.01);
+  EXPECT_NEAR(judge.getFigures().path_length, 64.0, 1e-3);
+  judge.setInputToolpath(path, {path->size() / 2, 3});
+  judge.compute(output);
+  EXPECT_EQ(judge.getStatus().code(), StatusCode::InvalidInput);
+  judge.setInputToolpath(path);
+  judge.compute(output);
+  EXPECT_GT(judge.getFigures().gouge.value, 3.0);
+}
+
 TEST(MeshReference, CreasesAreKeptApart)
 {
   for (const bool hollow : {false, true}) {
     const auto height = hollow ? valley : roof;
     const auto mesh = roofMesh(40.0, hollow ? -0.5 : 0.5).made();
     Path::Ptr path(new Path); // along the crease; in the valley only where the ball touches one side
-    for (const ToolpathPoint& p : *rows(height, 19.75, 0.5, 0.5, true, true))
+    const Path::Ptr every = rows(height, 19.75, 0.5, 0.5, true, true);
+    for (const ToolpathPoint& p : *every)
       if (!hollow || std::abs(p.x) > 2.4f)
         path->push_back(p);
     measureRows(*path, true);

@@ -286,6 +286,32 @@ TEST(ToolpathFiles, GapsOfTheScanAreMarkedInEveryFormat)
   }
 }
 
+TEST(ToolpathFiles, EveryPolylineIsAPassWhateverTheArcLengthsSay)
+{
+  const ScratchFolder folder;
+  auto path = spiral(30);
+  for (std::size_t i = 0; i < path.size(); ++i)
+    path[i].x = 0.3f * static_cast<float>(i); // shorter ways are none to lift for
+  ToolpathMotion passes = motion;
+  passes.passes = {10, 20, 29}; // the arc lengths grow all along, as another program may have made them
+  writeToolpath(folder.path("a.vtp"), path, passes);
+  const auto read = readToolpath(folder.path("a.vtp")).path;
+  EXPECT_EQ(passBegins(read), passes.passes);
+  EXPECT_NEAR(read[9].arc_length, path[9].arc_length, 1e-12);
+  EXPECT_NEAR(read[28].arc_length - read[20].arc_length, path[28].arc_length - path[20].arc_length, 1e-9);
+  // Points that the polylines leave out, or take in another order, are told.
+  const std::string whole = readText(folder.path("a.vtp"));
+  std::string entries;
+  for (const std::int64_t i : {10, 11, 12})
+    entries.append(reinterpret_cast<const char*>(&i), sizeof i);
+  const std::size_t at = whole.rfind(entries);
+  ASSERT_NE(at, std::string::npos);
+  std::string changed = whole;
+  changed[at] = 11;
+  writeText(folder.path("b.vtp"), changed);
+  EXPECT_THROW(readToolpath(folder.path("b.vtp")), FileError);
+}
+
 TEST(ToolpathFiles, TipLiesBelowTheBallCentre)
 {
   for (const ToolpathPoint& point : spiral(100)) {

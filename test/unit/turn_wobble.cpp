@@ -93,3 +93,19 @@ TEST(TurnWobble, NothingIsMeasuredWithoutDeviationsOrTurns)
   path.turns.clear();
   EXPECT_EQ(turnWobble(path, deviation).measured, 0u);
 }
+
+TEST(TurnWobble, RowsThatTheTurnCountsHaveNone)
+{
+  CutterPath path; // the deviation of a row has nothing to do with where the row beside ends
+  std::vector<float> deviation;
+  for (int row = 0; row < 10; ++row)
+    for (int i = 0; i < 20; ++i) {
+      path.contacts.emplace_back(i, row, 0.0);
+      path.normals.push_back(Eigen::Vector3d::UnitZ());
+      path.turns.push_back(static_cast<float>(row));
+      deviation.push_back(0.01f * static_cast<float>(i));
+      if (row > 0 && i == 0)
+        path.passes.push_back(path.contacts.size() - 1);
+    }
+  EXPECT_EQ(turnWobble(path, deviation).measured, 0u);
+}

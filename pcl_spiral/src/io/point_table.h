@@ -29,6 +29,8 @@ PointTable readObjTable(const std::string& file, std::string_view bytes);
 PointTable readStlTable(const std::string& file, std::string_view bytes);
 /** Points, Normals, ToolAxis, ArcLength, Turn, and Feed where there is one, of a polyline as our writer makes it. */
 PointTable readVtpTable(const std::string& file, std::string_view bytes);
+/** Points at which its second polyline begins, and each further one; each goes on in the order of the points. */
+std::vector<std::size_t> readVtpPasses(const std::string& file, std::string_view bytes);
 /** @} */
 
 /** Where each wanted name stands in \p names, upper or lower case. \throw FileError with the names there are

@@ -57,6 +57,48 @@ public:
     }
   }
 
+  /** An array of whole numbers of the lines. */
+  std::vector<std::size_t>
+  lineNumbers(const std::string& name) const
+  {
+    const auto found = arrays_.find("Lines " + name);
+    if (found == arrays_.end())
+      fail("has no array " + name + " of its lines, in which its polylines stand; it is not a toolpath of ours");
+    const auto width = static_cast<std::size_t>(found->second.type.size);
+    const std::string_view data = block(name, found->second);
+    std::vector<std::size_t> numbers(data.size() / width);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const double number = loadField(data.data() + i * width, found->second.type);
+      if (!(number >= 0.0 && number < 1e12))
+        fail("has the number " + std::to_string(number) + " among the " + name + " of its lines");
+      numbers[i] = static_cast<std::size_t>(number);
+    }
+    return numbers;
+  }
+
+  std::vector<std::size_t>
+  passes() const
+  {
+    const std::vector<std::size_t> points = lineNumbers("connectivity"), ends = lineNumbers("offsets");
+    std::vector<std::size_t> begins;
+    std::size_t next = 0, begin = 0; // the point and the entry that come next
+    for (const std::size_t end : ends) {
+      if (end <= begin || end > points.size())
+        fail("has polylines that end at entries " + std::to_string(begin) + " and " + std::to_string(end) + " of " + std::to_string(points.size()));
+      if (next > 0)
+        begins.push_back(next);
+      const bool alone = end == begin + 2 && points[begin] == points[begin + 1]; // a pass of one point, twice
+      for (std::size_t i = begin; i < end - (alone ? 1 : 0); ++i, ++next)
+        if (points[i] != next)
+          fail("has polylines whose points do not follow one another: " + std::to_string(points[i]) + " stands where " + std::to_string(next) +
+               " does in the order of the points; give the path as .csv");
+      begin = end;
+    }
+    if (next != points_)
+      fail("has polylines of " + std::to_string(next) + " of its " + std::to_string(points_) + " points; a path goes through all of them");
+    return begins;
+  }
+
 private:
   using Attributes = std::map<std::string_view, std::string_view>;
 
@@ -96,7 +138,9 @@ private:
       of_points_ = true;
     else if (name == "/PointData" || name == "/Points")
       of_points_ = false;
-    else if (name == "DataArray" && of_points_)
+    else if (name == "Lines" || name == "/Lines")
+      of_lines_ = name == "Lines";
+    else if (name == "DataArray" && (of_points_ || of_lines_))
       takeArray(attributes);
     else if (name == "AppendedData" && value(attributes, "encoding") != "raw")
       fail("holds encoded data; save it with raw appended data, or give the path as .csv");
@@ -166,7 +210,7 @@ private:
     if (attributes.count("NumberOfComponents") > 0)
       array.components = countIn(attributes, "NumberOfComponents");
     array.offset = countIn(attributes, "offset");
-    arrays_[std::string(value(attributes, "Name"))] = array;
+    arrays_[(of_lines_ ? "Lines " : "") + std::string(value(attributes, "Name"))] = array;
   }
 
   template <typename T>
@@ -199,6 +243,7 @@ private:
   std::size_t begin_ = 0; ///< of the appended data
   std::size_t points_ = 0;
   bool of_points_ = false; ///< within the tags whose arrays have a value a point
+  bool of_lines_ = false;  ///< within the tag of the polylines
   bool wide_headers_ = false;
   std::map<std::string, VtpArray> arrays_;
 };
@@ -218,6 +263,12 @@ readVtpTable(const std::string& file, std::string_view bytes)
   if (vtp.has("Feed"))
     vtp.append(table, "Feed", 1);
   return table;
+}
+
+std::vector<std::size_t>
+readVtpPasses(const std::string& file, std::string_view bytes)
+{
+  return VtpFile(file, bytes).passes();
 }
 
 } // namespace pcl_spiral

@@ -31,6 +31,21 @@ fromColumns(const PointTable& table)
   return file;
 }
 
+/** Arc lengths that stand still on the way to each of \p passes, whatever they did: a polyline of its own is a pass of its own. */
+void
+liftBetween(const std::vector<std::size_t>& passes, pcl::PointCloud<ToolpathPoint>& path)
+{
+  double lifted = 0.0;
+  std::size_t next = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (next < passes.size() && passes[next] == i) {
+      lifted += path[i].arc_length - (path[i - 1].arc_length + lifted);
+      ++next;
+    }
+    path[i].arc_length -= lifted;
+  }
+}
+
 } // namespace
 
 ToolpathFile
@@ -52,8 +67,12 @@ readToolpath(const std::string& file)
         readPcdTable(file, readBytes(file), names({"x", "y", "z", "normal_x", "normal_y", "normal_z"})));
   if (extension == ".ply")
     return fromColumns(readPlyTable(file, readBytes(file), names({"x", "y", "z", "nx", "ny", "nz"})));
-  if (extension == ".vtp")
-    return fromColumns(readVtpTable(file, readBytes(file)));
+  if (extension == ".vtp") {
+    const auto bytes = readBytes(file);
+    ToolpathFile read = fromColumns(readVtpTable(file, bytes));
+    liftBetween(readVtpPasses(file, bytes), read.path);
+    return read;
+  }
   throw FileError(file,
                   "extension '" + extension + "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");
 }

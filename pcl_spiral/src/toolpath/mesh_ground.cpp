@@ -11,8 +11,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double finest = 1e-4;     // mm: faces are taken for the curved surface when nearer to it
-constexpr double fine_share = 0.01; // the same, of the tolerance
+constexpr double finest = 5e-4;     // mm: faces are taken for the curved surface when nearer to it
+constexpr double fine_share = 0.05; // the same, of the tolerance
 constexpr double expected_share = 2.0; // of the tolerance, below the drive point
 
 double

@@ -32,10 +32,24 @@ checkLifts(const CutterPath& path, double grow)
                  " mm: write arc lengths to a hundredth of a millimetre, or leave them out")};
 }
 
+/** Ok, or the passes given do not begin one after the other within a path of \p size points. */
+Status
+checkPasses(const std::vector<std::size_t>& passes, std::size_t size)
+{
+  std::size_t before = 0;
+  for (const std::size_t begin : passes) {
+    if (begin <= before || begin >= size)
+      return {StatusCode::InvalidInput, textOf("a pass begins at path point ", begin, ", after ", before, " of ", size,
+                                               ": give where the second pass begins, and each further one, ascending (setInputToolpath)")};
+    before = begin;
+  }
+  return Status::success();
+}
+
 } // namespace
 
 Status
-readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterPath& path)
+readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterPath& path, const std::vector<std::size_t>& passes)
 {
   path = CutterPath();
   if (!toolpath)
@@ -63,6 +77,10 @@ readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterP
   }
   if (!with_axes)
     path.axes.clear();
+  if (!passes.empty()) {
+    path.passes = passes;
+    return checkPasses(passes, path.size());
+  }
   path.passes = passBegins(*toolpath);
   return checkLifts(path, toolpath->back().arc_length - toolpath->front().arc_length);
 }

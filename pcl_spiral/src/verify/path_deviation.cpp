@@ -141,6 +141,7 @@ measureDeviation(const ReferenceSurface& reference, const CutterPath& path, doub
   figures.noise = reference.noise();
   figures.fit_noise = reference.fitNoise();
   figures.crease_band = reference.creaseBand();
+  figures.by_mesh = reference.mesh() != nullptr;
   figures.warnings = reference.warnings();
   for (std::string& warning : noiseWarnings(reference, 0.0, chord_error))
     figures.warnings.push_back(std::move(warning));

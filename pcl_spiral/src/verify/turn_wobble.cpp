@@ -18,6 +18,16 @@ deviationAt(double turn, const std::vector<float>& turns, const std::vector<floa
   return share == 0.0 ? deviation[next - 1] : (1.0 - share) * deviation[next - 1] + share * deviation[next];
 }
 
+/** Whether the turns of most moves do not grow: they count rows, and tell no place beside. */
+bool
+countRows(const CutterPath& path)
+{
+  std::size_t still = 0;
+  for (std::size_t i = 1; i < path.turns.size(); ++i)
+    still += path.turns[i] == path.turns[i - 1];
+  return 2 * still > path.turns.size();
+}
+
 } // namespace
 
 TurnWobble
@@ -25,7 +35,7 @@ turnWobble(const CutterPath& path, const std::vector<float>& deviation)
 {
   TurnWobble wobble;
   const std::vector<float>& turns = path.turns;
-  if (turns.size() != deviation.size() || !std::is_sorted(turns.begin(), turns.end()))
+  if (turns.size() != deviation.size() || !std::is_sorted(turns.begin(), turns.end()) || countRows(path))
     return wobble;
   double squares = 0.0;
   for (std::size_t i = 0; i < turns.size(); ++i) {

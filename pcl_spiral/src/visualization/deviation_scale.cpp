@@ -73,9 +73,10 @@ Title
 deviationTitle(const VerificationScene& scene)
 {
   const DeviationFigures& figures = scene.deviation_figures;
-  return {scene.part.title + ": deviation of the path from the scan",
+  return {scene.part.title + ": deviation of the path from the " + std::string(figures.by_mesh ? "mesh" : "scan"),
           text("99 %% within %.5f mm, rms %.5f mm; ", figures.p99, figures.rms) +
-              text("the surface of the scan is known to %.2g mm", figures.fit_noise)};
+              text(figures.by_mesh ? "the surface of the mesh is known to %.2g mm" : "the surface of the scan is known to %.2g mm",
+                   figures.fit_noise)};
 }
 
 } // namespace pcl_spiral

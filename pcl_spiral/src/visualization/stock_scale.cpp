@@ -111,10 +111,11 @@ Title
 stockTitle(const VerificationScene& scene)
 {
   const SpiralSettings& asked = scene.part.settings;
-  return {scene.part.title + ": stock left on the scan",
+  return {scene.part.title + ": stock left on the " + std::string(scene.deviation_figures.by_mesh ? "mesh" : "scan"),
           text("ball radius %g mm, scallop %g mm, chord error %g mm; ", asked.tool_radius,
                asked.scallop_height, asked.chord_error) +
-              text("the surface of the scan is known to %.2g mm", scene.removal_figures.fit_noise)};
+              text(scene.deviation_figures.by_mesh ? "the surface of the mesh is known to %.2g mm" : "the surface of the scan is known to %.2g mm",
+                   scene.removal_figures.fit_noise)};
 }
 
 } // namespace pcl_spiral

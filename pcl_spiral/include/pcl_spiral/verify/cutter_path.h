@@ -42,9 +42,10 @@ raise(PlacedValue& largest, double value, const Eigen::Vector3d& position, std::
 }
 
 /** Read a toolpath. Fails on none, fewer than two points, a point that is not finite, and a normal without
- * length; an axis without length at any point leaves the path without axes. */
+ * length; an axis without length at any point leaves the path without axes. \p passes: where the second pass begins, and each
+ * further one; empty: by the arc lengths, see passBegins. Fails where they do not ascend within the path. */
 Status
-readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterPath& path);
+readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterPath& path, const std::vector<std::size_t>& passes = {});
 
 /** Of all passes, mm. */
 double

@@ -37,6 +37,7 @@ struct DeviationFigures {
   TurnWobble wobble;          ///< of the deviation, from turn to turn
   PathMotion motion;
   std::size_t reference_points = 0;
+  bool by_mesh = false;   ///< its samples are the reference points; else it is a scan's
   double noise = 0.0;     ///< ReferenceSurface::noise
   double fit_noise = 0.0; ///< ReferenceSurface::fitNoise: deviations below three times this are not known
   double seconds = 0.0;

@@ -52,9 +52,17 @@ public:
   void setSampleSpacing(double spacing) { sample_spacing_ = spacing; }
   double getSampleSpacing() const { return sample_spacing_; }
 
-  /** The path to judge. Its points carry contact and normal; the axis is used where there is one. */
-  void setInputToolpath(const ToolpathConstPtr& toolpath) { toolpath_ = toolpath; }
+  /** The path to judge. Its points carry contact and normal; the axis is used where there is one. \p passes: where its second
+   *  pass begins, and each further one, to which the tool is lifted and cuts nothing on the way; empty, the default: where the arc
+   *  length stands still, see passBegins. */
+  void
+  setInputToolpath(const ToolpathConstPtr& toolpath, std::vector<std::size_t> passes = {})
+  {
+    toolpath_ = toolpath;
+    passes_ = std::move(passes);
+  }
   ToolpathConstPtr getInputToolpath() const { return toolpath_; }
+  const std::vector<std::size_t>& getPasses() const { return passes_; }
 
   /** Chord error asked of the path, mm, compared with the noise; 0.005 by default. */
   void setChordError(double error) { chord_error_ = error; }
@@ -102,6 +110,7 @@ protected:
   }
 
   ToolpathConstPtr toolpath_;
+  std::vector<std::size_t> passes_;
   pcl::PolygonMesh::ConstPtr polygons_;
   SurfaceMesh::ConstPtr mesh_;
   MeshSettings mesh_settings_;

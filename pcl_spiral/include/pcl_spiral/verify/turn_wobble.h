@@ -22,7 +22,8 @@ struct TurnWobble {
   PlacedValue max; ///< the largest in amount, with its sign
 };
 
-/** \p deviation: of each contact, NaN where it is not measured. Nothing is measured on a path without ascending turns. */
+/** \p deviation: of each contact, NaN where it is not measured. Nothing is measured on a path without ascending turns, nor on one whose
+ *  turns stand still along its passes, as rows that are counted have them. */
 TurnWobble
 turnWobble(const CutterPath& path, const std::vector<float>& deviation);
 

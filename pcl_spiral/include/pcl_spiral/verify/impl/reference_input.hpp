@@ -14,7 +14,7 @@ Status
 ReferenceInput<PointT>::prepare(CutterPath& path)
 {
   reference_.reset();
-  if (const Status status = readCutterPath(toolpath_, path); !status.ok())
+  if (const Status status = readCutterPath(toolpath_, path, passes_); !status.ok())
     return status;
   if (const Status status = this->checkShared(); !status.ok())
     return status;
