@@ -23,7 +23,7 @@ files(Job& job)
             ".ngc .nc  program of a five-axis machine; see --machine\n"
             ".apt .cls  CLDATA    .yaml  robot frames of a ball cutter; a single pass\n"
             ".json  report: settings, counts, states, collisions, times\n"
-            ".png  rotary angles along the program; needs --machine",
+            ".png  the passes on the shaded part; with a machine NAME_rotary.png beside it: rotary angles",
             [&job](const std::string& value) { job.outputs.push_back(value); }},
            choiceOption("units", "unit of the numbers in the scan; mm by default: --units m", job.read.unit),
            placeOption("origin", "subtracted from the scan, in its own unit: --origin 393775,3689071,0", job.read.origin),
