@@ -6,7 +6,7 @@
 
 #include <pcl_spiral/common/pass_begins.h>
 
-#include <cmath>
+#include <algorithm>
 #include <stdexcept>
 
 namespace pcl_spiral {
@@ -51,26 +51,24 @@ writePasses(const std::string& file, const PassScene& scene)
   const DisplaySurface surface = surfaceOf(scene);
   const pcl::PointCloud<ToolpathPoint>& path = *scene.path;
   Canvas canvas(surface);
-  const std::size_t lifts = passBegins(path).size();
   const ShownPasses shown = choosePasses(path, canvas, DepthMap(surface, canvas), least_turn_pitch);
-  const bool turns = lifts == 0 && shown.shown.size() > 1; // one pass goes round and round
+  const std::size_t count = shown.shown.size();
+  const bool turns = count > 1 && passBegins(path).empty(); // one pass goes round and round
   const std::string turn = turns ? "turn" : "pass";
-  const bool many = shown.shown.size() > 1;
-  const auto colors = colorScale(0.0, many ? static_cast<double>(shown.shown.size()) - (turns ? 0.0 : 1.0) : 2.0);
+  const auto colors = colorScale(0.0, static_cast<double>(turns ? count : std::max<std::size_t>(count, 2) - 1));
   addPath(canvas, path, [&shown](double at) { return shown.shows(at); }, colors);
   canvas.addAxes();
-  if (many)
+  if (count > 1)
     canvas.addColorBar(turn, colors);
   std::vector<LegendEntry> legend{{shown.caption(turn), middle_color}};
-  if (lifts > 0)
-    legend.push_back({counted(lifts, "lift", "lifts") + " between, not drawn", lift_color});
+  if (count > 1 && !turns)
+    legend.push_back({counted(count - 1, "lift", "lifts") + " between, not drawn", lift_color});
   for (const LegendEntry& end : markEnds(canvas, path))
     legend.push_back(end);
   canvas.addLegend(legend);
   const double size = (surface.high - surface.low).norm();
   addEndViews(canvas, path, scene.step_over > 0.0 ? scene.step_over : lone_pitch * size, turn, colors);
-  canvas.addTitle(scene.title + ": " + counted(lifts + 1, "pass", "passes") +
-                      (turns ? ", " + counted(shown.shown.size(), "turn", "turns") : "") +
+  canvas.addTitle(scene.title + ": " + (turns ? "1 pass, " + std::to_string(count) + " turns" : counted(count, "pass", "passes")) +
                       text(", %.2f m", (path.back().arc_length - path.front().arc_length) / 1000.0),
                   cutterInWords(scene.cutter) + (scene.step_over > 0.0 ? text(", step-over %.3g mm", scene.step_over) : ""));
   canvas.save(file);

@@ -11,12 +11,13 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double free_share = 0.5; ///< of what is seen of a pass
+constexpr double free_share = 0.5;         ///< of what is seen of a pass
+constexpr double most_passes = 16777216.0; ///< single precision counts no further
 
 std::size_t
 numberOf(double turn)
 {
-  return turn > 0.0 ? static_cast<std::size_t>(turn) : 0;
+  return turn > 0.0 ? static_cast<std::size_t>(std::min(turn, most_passes)) : 0;
 }
 
 /** Pixels near lines that were chosen. */
