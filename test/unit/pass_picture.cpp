@@ -178,7 +178,7 @@ TEST(PassPicture, WordsStayInsideTheSheet)
   if (!displayProblem().empty())
     GTEST_SKIP() << "no display here";
   const ScratchFolder folder;
-  PassScene scene = plate(12000);
+  PassScene scene = plate(8000);
   scene.cutter = CutterShape::taperedBullNose(6.125, 1.0625, 20.0, 7.5);
   writePasses(folder.path("a.png"), scene);
   const auto image = readPicture(folder.path("a.png"));

@@ -11,7 +11,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double free_share = 0.5;         ///< of what is seen of a pass
+constexpr double free_share = 0.4;         ///< of what is seen of a pass
 constexpr double most_passes = 16777216.0; ///< single precision counts no further
 
 std::size_t

@@ -24,7 +24,7 @@ struct ShownPasses {
   std::string caption(const std::string& turn) const;
 };
 
-/** In the path's order each pass that over half of what is seen of it keeps \p least pixels from those chosen before. Passes may
+/** In the path's order each pass of which two fifths of what is seen keep \p least pixels from those chosen before. Passes may
  *  follow one another in any order, lie beside several others, and end anywhere. */
 ShownPasses choosePasses(const pcl::PointCloud<ToolpathPoint>& path, const Canvas& canvas, const DepthMap& depth, double least);
 
