@@ -1,4 +1,4 @@
-// Toolpath files judged by the raw scan.
+// Toolpath files judged by the raw scan, or by a mesh.
 #include "judging/figures_table.h"
 #include "judging/tip_check.h"
 #include "terminal/setter_names.h"
@@ -8,6 +8,7 @@
 
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/io/toolpath_reader.h>
 
 #include <pcl/console/print.h>
@@ -29,9 +30,27 @@ warn(const VerifyJob& job, const std::vector<std::string>& warnings)
       std::cerr << "pcl_spiral_verify: warning: " << warning << '\n';
 }
 
-/** \p reference is the fit to the scan, made for the first path. */
+/** The scan, or the mesh made ready. */
+JudgedPart
+readPart(const VerifyJob& job)
+{
+  JudgedPart part;
+  if (!job.mesh) {
+    Scan scan = readCloud(job.scan, job.read);
+    part.cloud = scan.cloud;
+    part.warnings = inOptions(scan.warnings);
+    return part;
+  }
+  const MeshFile file = readMesh(job.scan, job.read);
+  part.warnings = inOptions(file.warnings);
+  if (const Status status = SurfaceMesh::make(*file.mesh, job.mesh->settings, part.mesh); !status.ok())
+    throw FileError(job.scan, inOptions(status.message()));
+  return part;
+}
+
+/** \p reference is the fit to the scan or the mesh, made for the first path. */
 JudgedPath
-judge(const VerifyJob& job, const Scan& scan, const std::string& file, std::shared_ptr<const ReferenceSurface>& reference)
+judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, std::shared_ptr<const ReferenceSurface>& reference)
 {
   JudgedPath judged;
   ToolpathFile read = readToolpath(file);
@@ -41,7 +60,12 @@ judge(const VerifyJob& job, const Scan& scan, const std::string& file, std::shar
   judged.feed = std::move(read.feed);
   judged.verification.path = file;
   ProgressBar bar(job.quiet);
-  const Status status = judgePath(scan.cloud, judged.path, job.settings,
+  JudgeSettings settings = job.settings;
+  settings.mesh = part.mesh;
+  settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
+  if (part.mesh && part.mesh->counts().closed) // the faces that are judged are those the path touches
+    reference.reset();
+  const Status status = judgePath(part.cloud, judged.path, settings,
                                   [&](double share, const std::string& stage) { return bar.update(share, stage); },
                                   reference, judged.verification, judged.heights);
   bar.clear();
@@ -60,20 +84,19 @@ run(const VerifyJob& job)
 {
   VerifyOutputs outputs(job);
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
-  Scan scan = readCloud(job.scan, job.read);
-  scan.warnings = inOptions(scan.warnings);
-  warn(job, scan.warnings);
+  const JudgedPart part = readPart(job);
+  warn(job, part.warnings);
   std::shared_ptr<const ReferenceSurface> reference;
   bool all_hold = true;
   for (const std::string& file : job.paths) {
-    const JudgedPath judged = judge(job, scan, file, reference);
+    const JudgedPath judged = judge(job, part, file, reference);
     all_hold = all_hold && judged.verification.broken.empty();
     if (!job.quiet)
       printFigures(judged.verification);
     warn(job, warningsOf(judged.verification));
-    outputs.take(scan, *reference, judged);
+    outputs.take(part, *reference, judged);
   }
-  outputs.finish(scan);
+  outputs.finish(part);
   return all_hold;
 }
 

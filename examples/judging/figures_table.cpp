@@ -61,7 +61,7 @@ brokenLimits(const Limits& limits, const pcl_spiral::Verification& verification)
       broken.push_back("no limit can hold: " + std::to_string(count) + " of " + std::to_string(deviation.points) +
                        " path points " + what);
   };
-  fault(deviation.unmeasured, "lie off the scanned surface and were not judged");
+  fault(deviation.unmeasured, "lie off the surface and were not judged");
   fault(deviation.opposed, "have a normal that points into the material, first " + at(deviation.first_opposed));
   fault(deviation.inward_axes, "have a tool axis that points into the material, first " + at(deviation.first_inward));
   fault(verification.tips_off, "have a tool tip that is not this cutter's, the farthest " + at(verification.tip_error));
@@ -78,7 +78,10 @@ unprovenLimits(const Limits& limits, const pcl_spiral::Verification& verificatio
       return;
     std::ostringstream text;
     text << option << " " << *limit << " mm lies below " << std::setprecision(2) << least
-         << " mm, three times the noise of the scan's surface: this scan cannot show that it holds";
+         << (verification.deviation.by_mesh
+                 ? " mm, three times what the surface fitted to the mesh's samples is off by: these cannot show that it holds; "
+                   "sample more closely (--sample-spacing)"
+                 : " mm, three times the noise of the scan's surface: this scan cannot show that it holds");
     unproven.push_back(text.str());
   };
   check("--max-deviation", limits.deviation, std::abs(verification.deviation.max.value));
@@ -97,8 +100,11 @@ printFigures(const pcl_spiral::Verification& verification)
   const pcl_spiral::RemovalFigures& r = verification.removal;
   if (!verification.path.empty())
     std::printf("path            %s: %zu points, %.3f m\n", verification.path.c_str(), d.points, d.motion.length / 1000.0);
-  std::printf("reference       %zu points, noise %.2g mm; its surface is known to %.2g mm\n", d.reference_points, d.noise,
-              d.fit_noise);
+  if (d.by_mesh)
+    std::printf("reference       %zu samples of the mesh; their surface is known to %.2g mm\n", d.reference_points, d.fit_noise);
+  else
+    std::printf("reference       %zu points, noise %.2g mm; its surface is known to %.2g mm\n", d.reference_points, d.noise,
+                d.fit_noise);
   std::printf("deviation       rms %.4f, p99 %.4f, max %.4f mm %s\n", d.rms, d.p99, d.max.value, at(d.max).c_str());
   if (d.wobble.measured > 0)
     std::printf("turn to turn    wobble rms %.4f, max %.4f mm %s\n", d.wobble.rms, d.wobble.max.value,
@@ -108,6 +114,12 @@ printFigures(const pcl_spiral::Verification& verification)
   if (d.in_gaps > 0)
     std::printf("in scan gaps    %zu points, %.4f mm off the surface carried on %s\n", d.in_gaps, d.gap_max.value,
                 at(d.gap_max).c_str());
+  if (d.in_crease_band > 0)
+    std::printf("at creases      %zu points within %.3g mm, up to %.4f mm off the rounded fit %s\n", d.in_crease_band, d.crease_band,
+                d.crease_max.value, at(d.crease_max).c_str());
+  if (r.crease.samples > 0)
+    std::printf("                stock up to %.4f mm %s, gouge %.4f mm; no verdict\n", r.crease.max.value, at(r.crease.max).c_str(),
+                r.crease_gouge.value);
   if (d.unmeasured > 0)
     std::printf("off the surface %zu points\n", d.unmeasured);
   std::printf("normals         p99 %.3g, max %.3g degrees %s\n", d.normal_p99, d.normal_error.value,

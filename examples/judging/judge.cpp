@@ -19,13 +19,18 @@ void
 prepare(Judge& judge, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
         const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings)
 {
-  judge.setInputCloud(scan);
+  if (settings.mesh) {
+    judge.setInputMesh(settings.mesh);
+    judge.setSampleSpacing(settings.sample_spacing);
+  }
+  else
+    judge.setInputCloud(scan);
   if (settings.surface)
     judge.setInputSurface(settings.surface);
   judge.setInputToolpath(path);
   judge.setChordError(settings.chord_error);
   judge.setNumberOfThreads(settings.threads);
-  if (settings.surface)
+  if (settings.surface || settings.mesh)
     return; // oriented already
   judge.setFlipNormals(settings.flip_normals);
   if (settings.view_point)
@@ -39,6 +44,18 @@ intensities(const pcl::PointCloud<pcl::PointXYZI>& cloud)
   for (const pcl::PointXYZI& point : cloud)
     values.push_back(point.intensity);
   return values;
+}
+
+/** The points that heights belong to: those of the scan, or the samples of the mesh. */
+pcl::PointCloud<pcl::PointXYZ>::ConstPtr
+judgedPoints(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const ReferenceSurface& reference)
+{
+  if (!reference.mesh())
+    return scan;
+  const auto samples = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (const pcl::PointNormal& sample : *reference.mesh()->samples())
+    samples->emplace_back(sample.x, sample.y, sample.z);
+  return samples;
 }
 
 /** For every path point the ridge next to the nearest point of the surface. */
@@ -109,12 +126,13 @@ judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
   removal.setProgressCallback(
       [&](double share, const std::string&) { return progress(0.3 + 0.7 * share, "removed material"); });
   removal.compute(values);
+  heights.points = judgedPoints(scan, *reference);
   heights.stock = intensities(values);
   heights.ridges = removal.getRidgeHeights();
   verification.removal = removal.getFigures();
   verification.removal.warnings = inOptions(verification.removal.warnings);
   if (removal.getStatus().ok())
-    heights.scallop = ridgesAlong(*path, scan, heights);
+    heights.scallop = ridgesAlong(*path, heights.points, heights);
   verification.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return removal.getStatus();
 }

@@ -14,13 +14,16 @@ struct JudgeSettings {
   bool flip_normals = false;
   unsigned int threads = 0;
   pcl_spiral::Surface::ConstPtr surface; ///< of the scan, where one was made already; null: it is made
+  pcl_spiral::SurfaceMesh::ConstPtr mesh; ///< to judge by in place of a scan; null: there is none
+  double sample_spacing = 0.0;            ///< of its samples, mm; 0: as they are chosen
 };
 
 /** Values behind the figures, mm; see DeviationEstimation and MaterialRemoval. */
 struct Heights {
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr points; ///< of the scan, or the samples of the mesh
   std::vector<float> deviation;     ///< one a path point
   std::vector<float> scallop; ///< one a path point: the ridge next to the nearest point of the scan; NaN: it has none
-  std::vector<float> stock, ridges; ///< one a point of the scan
+  std::vector<float> stock, ridges; ///< one a point of the scan, or a sample of the mesh
 };
 
 /** How far \p path stands off \p scan, without a cutter: the figures of deviation alone. \p reference is

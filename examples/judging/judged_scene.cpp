@@ -37,7 +37,7 @@ judgedScene(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
 {
   VerificationScene scene;
   scene.part.title = std::filesystem::path(verification.path).filename().string();
-  scene.part.cloud = scan;
+  scene.part.cloud = surface.mesh() ? heights.points : scan;
   scene.part.path = path;
   scene.part.settings.tool_radius = settings.tool_radius;
   scene.part.settings.scallop_height = settings.scallop_height;

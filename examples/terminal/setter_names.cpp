@@ -7,7 +7,7 @@
 namespace {
 
 /** Each is replaced where the program has the first option that the second names. */
-constexpr std::array<std::pair<const char*, const char*>, 30> words{{
+constexpr std::array<std::pair<const char*, const char*>, 33> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
@@ -34,6 +34,9 @@ constexpr std::array<std::pair<const char*, const char*>, 30> words{{
     {"StrayRemoval", "--leave-out-strays"},
     {"Scale it to mm", "Say its unit (--units m), or scale it to mm"},
     {"in another unit than mm?", "in another unit than mm (--units)?"},
+    {"setSampleSpacing", "--sample-spacing"},
+    {"setCreaseAngle", "--crease"},
+    {"setMeshSettings, flip", "--flip"},
     {"setNumberOfThreads", "--threads"},
     {"ReadOptions::columns", "--columns"},
     {"ReadOptions::origin", "--origin X,Y,Z"},

@@ -31,12 +31,14 @@ VerifyOutputs::VerifyOutputs(const VerifyJob& job) : job_(job), files_(filesOf(j
 }
 
 void
-VerifyOutputs::take(const Scan& scan, const ReferenceSurface& surface, const JudgedPath& judged)
+VerifyOutputs::take(const JudgedPart& part, const ReferenceSurface& surface, const JudgedPath& judged)
 {
+  if (const ReferenceMesh* mesh = surface.mesh())
+    mesh_ = JudgedMesh{part.mesh->counts(), part.mesh->settings(), mesh->faceCount(), mesh->spacing()};
   const bool report = writes(job_, ".html");
   if (report || writes(job_, ".png")) {
     const VerificationScene scene =
-        judgedScene(scan.cloud, judged.path, job_.settings, surface, judged.verification, judged.heights);
+        judgedScene(part.cloud, judged.path, job_.settings, surface, judged.verification, judged.heights);
     if (report)
       pictures_.drawPath(scene.part, false);
     pictures_.drawJudging(scene);
@@ -51,15 +53,16 @@ VerifyOutputs::take(const Scan& scan, const ReferenceSurface& surface, const Jud
 }
 
 void
-VerifyOutputs::finish(const Scan& scan)
+VerifyOutputs::finish(const JudgedPart& part)
 try {
   const VerificationRun run{job_.scan,
                             job_.read.unit,
                             job_.settings.tool_radius,
                             job_.settings.scallop_height,
                             job_.settings.chord_error,
-                            scan.warnings,
-                            job_.limits};
+                            part.warnings,
+                            job_.limits,
+                            mesh_};
   const std::string title = std::filesystem::path(job_.paths.front()).filename().string() +
                             (job_.paths.size() > 1 ? " and others" : "");
   std::size_t i = 0;

@@ -8,6 +8,13 @@
 #include <pcl_spiral/io/output_files.h>
 #include <pcl_spiral/io/toolpath_reader.h>
 
+/** What paths are judged by. */
+struct JudgedPart {
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud; ///< the scan; null: there is a mesh
+  pcl_spiral::SurfaceMesh::ConstPtr mesh;
+  std::vector<std::string> warnings; ///< from reading
+};
+
 /** A path and how it was judged. */
 struct JudgedPath {
   pcl::PointCloud<pcl_spiral::ToolpathPoint>::Ptr path =
@@ -25,13 +32,13 @@ public:
   explicit VerifyOutputs(const VerifyJob& job);
 
   /** Draws its pictures, where any are asked for, and writes it where it is asked for as .vtp. */
-  void take(const pcl_spiral::Scan& scan, const pcl_spiral::ReferenceSurface& surface,
-            const JudgedPath& judged);
+  void take(const JudgedPart& part, const pcl_spiral::ReferenceSurface& surface, const JudgedPath& judged);
   /** Writes the rest and puts all files in their places. \throw pcl_spiral::FileError, Cancelled */
-  void finish(const pcl_spiral::Scan& scan);
+  void finish(const JudgedPart& part);
 
 private:
   const VerifyJob& job_;
+  std::optional<pcl_spiral::JudgedMesh> mesh_; ///< absent: a scan
   pcl_spiral::OutputFiles files_;
   PictureFiles pictures_;
   std::vector<pcl_spiral::Verification> verifications_;

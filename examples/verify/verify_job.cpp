@@ -27,7 +27,7 @@ allOptions()
       limits("Limits: one that is broken ends the program with 1", width, width / 2),
       run("Run", width, width / 2);
   files.add_options()("file", values("FILE"),
-                      "the scan, then the paths: .csv .pcd .ply .vtp; the names alone are enough")(
+                      "the scan, or with --mesh the mesh, then the paths: .csv .pcd .ply .vtp; the names alone are enough")(
       "output,o", values("FILE"),
       "what to write, by extension; give it once a file: -o verified.json -o verified.html\n"
       ".json  the figures\n"
@@ -37,6 +37,7 @@ allOptions()
       "the scallops are\n"
       ".vtp  of one path: the path with the point data Deviation and Scallop, mm");
   addScanOptions(files);
+  addMeshOptions(files);
   addCutterOptions(cutter, "radius of the ball cutter; needed: --tool-radius 10");
   limits.add_options()("max-gouge", value("G"), "mm: --max-gouge 0.01")("max-scallop", value("S"),
                                                                         "mm: --max-scallop 0.06")(
@@ -104,6 +105,7 @@ fromMap(const po::variables_map& given)
   if (given.count("output") > 0)
     job.outputs = given["output"].as<std::vector<std::string>>();
   job.read = scanOptions(given);
+  job.mesh = meshOptions(given);
   job.settings = cutterOptions(given);
   limit("max-gouge", job.limits.gouge);
   limit("max-scallop", job.limits.scallop);
@@ -154,8 +156,9 @@ hasOption(const std::string& name)
 void
 printVerifyHelp(std::ostream& out)
 {
-  out << "Judge toolpaths by the raw scan: deviation, scallop, gouge, uncut places, efficiency.\n\n"
+  out << "Judge toolpaths by the raw scan, or by a mesh: deviation, scallop, gouge, uncut places, efficiency.\n\n"
          "  pcl_spiral_verify SCAN PATH... --tool-radius R [options]\n\n"
+         "  pcl_spiral_verify part.stl part.csv --mesh --tool-radius 10\n"
          "  pcl_spiral_verify part.pcd part.csv --tool-radius 10 --scallop 0.05 --max-gouge 0.01 -o "
          "verified.json\n\n"
          "Lengths are millimetres and angles degrees. Ends with 0 when every limit holds, 1 when a limit is "

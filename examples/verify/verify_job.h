@@ -5,6 +5,7 @@
 
 #include "judging/figures_table.h"
 #include "judging/judge.h"
+#include "judging/judge_options.h"
 #include "report/picture_files.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
@@ -20,6 +21,7 @@ struct VerifyJob {
   std::vector<std::string> paths;
   std::vector<std::string> outputs; ///< .json .html .png .vtp
   pcl_spiral::ReadOptions read;
+  std::optional<MeshChoice> mesh; ///< absent: the first file is a scan
   JudgeSettings settings;
   pcl_spiral::Limits limits;
   bool quiet = false;

@@ -49,7 +49,7 @@ limitText(const std::optional<double>& limit, double value, const char* unit)
 void
 addDeviation(Figures& figures, const DeviationFigures& d, const Limits& limits)
 {
-  figures.add("Deviation of contacts from the scanned surface, largest (+ out of the material)",
+  figures.add("Deviation of contacts from the surface, largest (+ out of the material)",
               words("%+.4f mm", d.max.value), d.max,
               limitText(limits.deviation, std::abs(d.max.value), "mm"));
   figures.add("Deviation, amount: 99 % below", words("%.4f mm", d.p99));
@@ -65,8 +65,12 @@ addDeviation(Figures& figures, const DeviationFigures& d, const Limits& limits)
   if (d.in_gaps > 0)
     figures.add(words("Distance of %zu contacts in gaps of the scan from the surface carried on, largest", d.in_gaps),
                 words("%+.4f mm", d.gap_max.value), d.gap_max);
+  if (d.in_crease_band > 0)
+    figures.add(words("Within %.3g mm of creases, where fits round them: %zu contacts, largest distance from the fit; no verdict",
+                      d.crease_band, d.in_crease_band),
+                words("%+.4f mm", d.crease_max.value), d.crease_max);
   if (d.unmeasured > 0)
-    figures.add("Contacts off the scanned surface, not measured",
+    figures.add("Contacts off the surface, not measured",
                 words("%zu of %zu", d.unmeasured, d.points));
   figures.add("Normal error, largest", words("%.3g\u00b0", d.normal_error.value), d.normal_error);
   figures.add("Normal error, 99 % below", words("%.3g\u00b0", d.normal_p99));
@@ -102,12 +106,16 @@ addMaterial(Figures& figures, const RemovalFigures& r, const Limits& limits)
   if (r.rim_gouge.value > 0.0)
     figures.add("Gouge beyond the outermost scan points, deepest", words("%.4f mm", r.rim_gouge.value),
                 r.rim_gouge, limitText(limits.gouge, r.rim_gouge.value, "mm"));
+  if (r.crease.samples > 0) {
+    figures.add(words("Stock within %.3g mm of creases, highest; no verdict", r.crease_band), words("%.4f mm", r.crease.max.value), r.crease.max);
+    figures.add("Gouge there, deepest; no verdict", words("%.4f mm", r.crease_gouge.value), r.crease_gouge);
+  }
   const double uncut = uncutPercent(r);
   const std::string uncut_limit = limitText(limits.uncut, uncut, "%");
   if (uncut > 0.0)
-    figures.add("Uncut scan points, and the first", words("%.3g %%", uncut), firstUncut(r), uncut_limit);
+    figures.add("Uncut points, and the first", words("%.3g %%", uncut), firstUncut(r), uncut_limit);
   else
-    figures.add("Uncut scan points", "0 %" + (uncut_limit.empty() ? "" : "; limit " + uncut_limit));
+    figures.add("Uncut points", "0 %" + (uncut_limit.empty() ? "" : "; limit " + uncut_limit));
 }
 
 void
@@ -124,8 +132,9 @@ addMotion(Figures& figures, const PathMotion& m, const RemovalFigures& r)
 }
 
 void
-addStatement(HtmlPage& page, const Limits& limits, const Verification& v)
+addStatement(HtmlPage& page, const VerificationRun& run, const Verification& v)
 {
+  const Limits& limits = run.limits;
   const RemovalFigures& r = v.removal;
   Row grounds = v.broken;
   grounds.insert(grounds.end(), v.unproven.begin(), v.unproven.end());
@@ -137,12 +146,12 @@ addStatement(HtmlPage& page, const Limits& limits, const Verification& v)
   if (!v.broken.empty())
     page.addStatement(Tone::Bad, "Limits are broken", grounds);
   else if (!v.unproven.empty())
-    page.addStatement(Tone::Doubtful, "No limit is seen broken, but this scan cannot show that all hold",
+    page.addStatement(Tone::Doubtful, run.mesh ? "No limit is seen broken, but these samples cannot show that all hold" : "No limit is seen broken, but this scan cannot show that all hold",
                       grounds);
   else if (limits.any())
     page.addStatement(Tone::Good, "All stated limits hold", grounds);
   else
-    page.addStatement(Tone::Neutral, "Judged by the scan; no limits were stated", grounds);
+    page.addStatement(Tone::Neutral, run.mesh ? "Judged by the mesh; no limits were stated" : "Judged by the scan; no limits were stated", grounds);
 }
 
 /** Whether a value that was asked for can be told from the noise of the surface that it is measured against.
@@ -154,18 +163,20 @@ shownRow(const char* name, const std::optional<double>& value, const DeviationFi
     return {};
   const double least = 3.0 * d.fit_noise;
   return {words("%s %.4g mm", name, *value),
-          *value >= least
-              ? "shown by this scan"
-              : words("NOT shown by this scan: below %.2g mm, three times its surface's noise", least)};
+          *value >= least ? (d.by_mesh ? "shown" : "shown by this scan")
+          : d.by_mesh     ? words("NOT shown: below %.2g mm, three times what the fit is off the mesh by; sample more closely", least)
+                          : words("NOT shown by this scan: below %.2g mm, three times its surface's noise", least)};
 }
 
 void
 addNoise(HtmlPage& page, const VerificationRun& run, const DeviationFigures& d)
 {
-  page.addHeading("What the scan can show");
-  HtmlRows rows{{"Scan points judged by", std::to_string(d.reference_points)},
-                {"Noise of a single point, standard deviation", words("%.2g mm", d.noise)},
-                {"Noise of the surface fitted to the points", words("%.2g mm", d.fit_noise)}};
+  page.addHeading(d.by_mesh ? "What the samples of the mesh can show" : "What the scan can show");
+  HtmlRows rows{{d.by_mesh ? "Samples judged by" : "Scan points judged by", std::to_string(d.reference_points)}};
+  if (!d.by_mesh)
+    rows.push_back({"Noise of a single point, standard deviation", words("%.2g mm", d.noise)});
+  rows.push_back({d.by_mesh ? "Distance of the mesh from the surface fitted to them, rms" : "Noise of the surface fitted to the points",
+                  words("%.2g mm", d.fit_noise)});
   for (const Row& row : {shownRow("Scallop asked for, h", run.scallop_height, d),
                          shownRow("Chord error asked for, e", run.chord_error, d),
                          shownRow("Limit on the deviation", run.limits.deviation, d),
@@ -176,13 +187,24 @@ addNoise(HtmlPage& page, const VerificationRun& run, const DeviationFigures& d)
   page.addTable(rows, false);
 }
 
+void
+addMesh(HtmlRows& rows, const JudgedMesh& mesh)
+{
+  const MeshCounts& counts = mesh.counts;
+  rows.push_back({"Faces judged", words("%zu of %zu%s", mesh.judged_faces, counts.faces, counts.closed ? ", closed" : "")});
+  rows.push_back({"Rims", std::to_string(counts.loops)});
+  rows.push_back({words("Creases, edges bent by more than %g\u00b0", mesh.settings.crease_angle),
+                  words("%zu edges, %.1f mm", counts.creases.count, counts.crease_length)});
+  rows.push_back({"Samples of the curved surface", words("every %.3g mm", mesh.sample_spacing)});
+}
+
 } // namespace
 
 void
 addVerification(HtmlPage& page, const VerificationRun& run, const Verification& verification,
                 const std::vector<ReportPicture>& pictures)
 {
-  addStatement(page, run.limits, verification);
+  addStatement(page, run, verification);
   page.addHeading("Figures");
   Figures figures;
   addDeviation(figures, verification.deviation, run.limits);
@@ -198,7 +220,7 @@ HtmlRows
 judgingTimes(const Verification& v)
 {
   const double rest = std::max(0.0, v.seconds - v.deviation.seconds - v.removal.seconds);
-  return {{"judging: surface of the scan", words("%.2f s", rest)},
+  return {{v.deviation.by_mesh ? "judging: samples of the mesh and their surface" : "judging: surface of the scan", words("%.2f s", rest)},
           {"judging: deviation", words("%.2f s", v.deviation.seconds)},
           {"judging: removed material", words("%.2f s", v.removal.seconds)}};
 }
@@ -217,7 +239,7 @@ writeVerificationHTML(const std::string& file, const ReportPage& page, const Ver
                       const std::vector<Verification>& verifications,
                       const std::vector<std::vector<ReportPicture>>& pictures)
 {
-  HtmlPage html(page.title, words("Toolpath judged by a scan; ball cutter, radius %g mm", run.tool_radius));
+  HtmlPage html(page.title, words("Toolpath judged by a %s; ball cutter, radius %g mm", run.mesh ? "mesh" : "scan", run.tool_radius));
   for (std::size_t i = 0; i < verifications.size(); ++i) {
     const Verification& v = verifications[i];
     if (verifications.size() > 1)
@@ -230,7 +252,10 @@ writeVerificationHTML(const std::string& file, const ReportPage& page, const Ver
   if (verifications.size() > 1)
     html.addPart("Input");
   html.addHeading("Settings");
-  HtmlRows rows{{"Scan", run.scan}, {"Unit of the scan", choiceName(run.unit)}};
+  const std::string part = run.mesh ? "mesh" : "scan";
+  HtmlRows rows{{run.mesh ? "Mesh" : "Scan", run.scan}, {"Unit of the " + part, choiceName(run.unit)}};
+  if (run.mesh)
+    addMesh(rows, *run.mesh);
   for (const Verification& v : verifications)
     rows.push_back({"Path", words("%zu points, ", v.deviation.points) + v.path});
   rows.push_back({"Ball cutter, radius R", words("%g mm", run.tool_radius)});
@@ -238,7 +263,7 @@ writeVerificationHTML(const std::string& file, const ReportPage& page, const Ver
   rows.push_back({"Chord error asked for, e", words("%g mm", run.chord_error)});
   html.addTable(rows, false);
   if (!run.warnings.empty()) {
-    html.addHeading("Warnings from reading the scan");
+    html.addHeading("Warnings from reading the " + part);
     html.addList(run.warnings);
   }
   if (!page.command.empty()) {

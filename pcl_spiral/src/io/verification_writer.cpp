@@ -23,12 +23,15 @@ deviationJson(const DeviationFigures& d)
           {"measured", d.measured},
           {"beyond_rim", d.beyond_rim},
           {"in_gaps", d.in_gaps},
+          {"in_crease_band", d.in_crease_band},
+          {"crease_band", d.crease_band},
           {"unmeasured", d.unmeasured},
           {"rms", d.rms},
           {"p99", d.p99},
           {"max", placed(d.max)},
           {"beyond_rim_max", placed(d.rim_max)},
           {"gap_max", placed(d.gap_max)},
+          {"crease_max", placed(d.crease_max)},
           {"turn_wobble_rms", d.wobble.rms},
           {"turn_wobble_max", placed(d.wobble.max)},
           {"normal_p99", d.normal_p99},
@@ -74,6 +77,8 @@ removalJson(const RemovalFigures& r)
           {"scallop", stockJson(r.scallop)},
           {"stock", stockJson(r.stock)},
           {"rim_band", stockJson(r.rim)},
+          {"crease_band", stockJson(r.crease)},
+          {"crease_gouge", placed(r.crease_gouge)},
           {"gouge", placed(r.gouge)},
           {"rim_gouge", placed(r.rim_gouge)},
           {"area", r.area},
@@ -81,6 +86,26 @@ removalJson(const RemovalFigures& r)
           {"least_length", r.least_length},
           {"efficiency", r.efficiency},
           {"seconds", r.seconds}};
+}
+
+/** null for a scan. */
+Json
+meshJson(const std::optional<JudgedMesh>& mesh)
+{
+  if (!mesh)
+    return Json();
+  const MeshCounts& counts = mesh->counts;
+  return {{"faces", counts.faces},
+          {"vertices", counts.vertices},
+          {"parts", counts.parts},
+          {"rims", counts.loops},
+          {"closed", counts.closed},
+          {"judged_faces", mesh->judged_faces},
+          {"crease_angle", mesh->settings.crease_angle},
+          {"crease_edges", counts.creases.count},
+          {"crease_length", counts.crease_length},
+          {"flipped", mesh->settings.flip},
+          {"sample_spacing", mesh->sample_spacing}};
 }
 
 Json
@@ -153,7 +178,7 @@ writeVerificationJSON(const std::string& file, const VerificationRun& run,
   }
   const Json json = {
       {"units", {{"length", "mm"}, {"angle", "degree"}, {"time", "s"}}},
-      {"input", {{"file", run.scan}, {"unit", choiceName(run.unit)}}},
+      {"input", {{"file", run.scan}, {"unit", choiceName(run.unit)}, {"mesh", meshJson(run.mesh)}}},
       {"settings",
        {{"tool_radius", run.tool_radius}, {"scallop", run.scallop_height}, {"chord_error", run.chord_error}}},
       {"limits", limitsJson(run.limits)},

@@ -25,6 +25,8 @@ public:
   float
   take(std::size_t i, const SurfaceFoot& foot)
   {
+    if (reference_.inCreaseBand(path_.contacts[i]))
+      return takeCrease(i, foot);
     if (!foot.valid) {
       ++(reference_.inGap(path_.contacts[i]) ? figures_.in_gaps : figures_.unmeasured);
       return std::numeric_limits<float>::quiet_NaN();
@@ -60,6 +62,19 @@ public:
   }
 
 private:
+  /** Of a contact in the band about a crease: apart, for the fit rounds it. */
+  float
+  takeCrease(std::size_t i, const SurfaceFoot& foot)
+  {
+    ++figures_.in_crease_band;
+    if (!foot.valid)
+      return std::numeric_limits<float>::quiet_NaN();
+    const double deviation = (path_.contacts[i] - foot.position).dot(foot.normal);
+    if (std::abs(deviation) > std::abs(figures_.crease_max.value))
+      figures_.crease_max = {deviation, path_.contacts[i], i};
+    return std::numeric_limits<float>::quiet_NaN();
+  }
+
   void
   takeNormal(std::size_t i, const SurfaceFoot& foot)
   {
@@ -86,14 +101,16 @@ private:
 };
 
 void
-warn(DeviationFigures& figures)
+warn(const ReferenceSurface& reference, DeviationFigures& figures)
 {
   const auto of = [&](std::size_t count) {
     return std::to_string(count) + " of " + std::to_string(figures.points) + " path points";
   };
   if (figures.unmeasured > 0)
     figures.warnings.push_back(of(figures.unmeasured) +
-                               " have no scanned surface near them: is it another part, or another unit?");
+                               " have no " +
+                               (reference.mesh() ? "surface of the mesh" : "scanned surface") +
+                               " near them: is it another part, or another unit?");
   const bool reversed = 2 * figures.opposed > figures.measured + figures.beyond_rim;
   if (reversed)
     figures.warnings.push_back("the normals of " + of(figures.opposed) +
@@ -123,6 +140,8 @@ measureDeviation(const ReferenceSurface& reference, const CutterPath& path, doub
   figures.reference_points = reference.graph().size();
   figures.noise = reference.noise();
   figures.fit_noise = reference.fitNoise();
+  figures.crease_band = reference.creaseBand();
+  figures.by_mesh = reference.mesh() != nullptr;
   figures.warnings = reference.warnings();
   for (std::string& warning : noiseWarnings(reference, 0.0, chord_error))
     figures.warnings.push_back(std::move(warning));
@@ -142,7 +161,7 @@ measureDeviation(const ReferenceSurface& reference, const CutterPath& path, doub
   }
   tally.finish();
   figures.wobble = turnWobble(path, deviation);
-  warn(figures);
+  warn(reference, figures);
   figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (figures.unmeasured == path.size())
     return {StatusCode::InvalidInput, "none of the " + std::to_string(path.size()) +

@@ -59,12 +59,18 @@ ReferenceSurface::findRim()
     rims_.back().push_back(loop.curve.front());
     rim_length_ += loop.length;
   }
-  for (const Polyline& rim : rims_) // in place for good
-    rim_index_.push_back(std::make_unique<MoveIndex>(rim));
+  indexRims();
   std::size_t k = 0;
   for (const BoundaryLoop& loop : loops_)
     if (loop.type != LoopType::ScanGap)
       rim_strip_ += stripOutside(loop, *rim_index_[k++], graph());
+}
+
+void
+ReferenceSurface::indexRims()
+{
+  for (const Polyline& rim : rims_) // in place for good
+    rim_index_.push_back(std::make_unique<MoveIndex>(rim));
 }
 
 void
@@ -123,6 +129,15 @@ std::vector<std::string>
 noiseWarnings(const ReferenceSurface& reference, double scallop_height, double chord_error)
 {
   std::vector<std::string> warnings;
+  if (const ReferenceMesh* mesh = reference.mesh()) {
+    const double least = 3.0 * reference.fitNoise();
+    for (const auto& [what, asked] : {std::pair{"scallop height", scallop_height}, std::pair{"chord error", chord_error}})
+      if (asked > 0.0 && asked < least)
+        warnings.push_back(textOf("the ", what, " asked for, ", asked, " mm, lies below ", least, " mm, three times the distance of the "
+                                  "mesh from the surface fitted to its samples every ", mesh->spacing(),
+                                  " mm: sample more closely (setSampleSpacing ", 0.5 * mesh->spacing(), ")"));
+    return warnings;
+  }
   for (const auto& [what, asked] : {std::pair{"scallop height", scallop_height}, std::pair{"chord error", chord_error}})
     if (const auto warning = noiseWarning(reference.surface(), what, asked))
       warnings.push_back(*warning);

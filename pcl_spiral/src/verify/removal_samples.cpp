@@ -24,6 +24,8 @@ RemovalExtremes::merge(const RemovalExtremes& later)
   raise(scallop, later.scallop.value, later.scallop.position, later.scallop.index);
   raise(rim, later.rim.value, later.rim.position, later.rim.index);
   raise(gouge, later.gouge.value, later.gouge.position, later.gouge.index);
+  raise(crease, later.crease.value, later.crease.position, later.crease.index);
+  raise(crease_gouge, later.crease_gouge.value, later.crease_gouge.position, later.crease_gouge.index);
   raise(rim_gouge, later.rim_gouge.value, later.rim_gouge.position, later.rim_gouge.index);
 }
 
@@ -55,6 +57,8 @@ RemovalSampler::stepAcross(const SurfaceFoot& foot, const Eigen::Vector3d& w) co
 Zone
 RemovalSampler::zoneOf(const SurfaceFoot& foot, const Eigen::Vector3d& position, double step) const
 {
+  if (reference_.inCreaseBand(position))
+    return Zone::Crease;
   return foot.overhang > 0.0 || reference_.rimDistance(position, step) < step ? Zone::Rim : Zone::Main;
 }
 
@@ -85,9 +89,10 @@ RemovalSampler::at(const SurfaceFoot& foot, std::size_t& guess, RemovalExtremes&
   result.step = static_cast<float>(largest);
   if (stock.met)
     guess = stock.move;
-  raise(extremes.gouge, -stock.height, foot.position, stock.move);
-  raise(result.zone == Zone::Rim ? extremes.rim : extremes.stock, stock.height, foot.position, stock.move);
-  if (!stock.met || result.zone == Zone::Rim)
+  const bool crease = result.zone == Zone::Crease;
+  raise(crease ? extremes.crease_gouge : extremes.gouge, -stock.height, foot.position, stock.move);
+  raise(crease ? extremes.crease : result.zone == Zone::Rim ? extremes.rim : extremes.stock, stock.height, foot.position, stock.move);
+  if (!stock.met || result.zone != Zone::Main)
     return result;
   const double step = stepAcross(foot, field_.across(foot, stock.move));
   const double limit = std::min(farthest_ridge * step, std::max(fit_radius_, 0.25 * step));
@@ -119,7 +124,8 @@ RemovalSampler::along(std::size_t move, double f0, double f1, const SurfaceFoot&
     return;
   const SurfaceFoot& first = foot0.valid ? foot0 : foot1;
   const SurfaceFoot& last = foot1.valid ? foot1 : foot0;
-  if (reference_.inGap(first.position) || reference_.inGap(last.position))
+  if (reference_.inGap(first.position) || reference_.inGap(last.position) || reference_.inCreaseBand(first.position) ||
+      reference_.inCreaseBand(last.position))
     return;
   for (int k = 0; k <= stations; ++k) {
     const double g = static_cast<double>(k) / stations, f = f0 + g * (f1 - f0);

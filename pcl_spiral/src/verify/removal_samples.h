@@ -13,13 +13,13 @@
 namespace pcl_spiral {
 
 /** Where a sample counts. */
-enum class Zone : std::uint8_t { None, Main, Rim };
+enum class Zone : std::uint8_t { None, Main, Rim, Crease };
 
 /** The extremes met, in a fixed order. */
 struct RemovalExtremes {
   static constexpr double none = -1e300; ///< below every height
-  PlacedValue stock{none, Eigen::Vector3d::Zero(), 0}, scallop = stock, rim = stock;
-  PlacedValue gouge, rim_gouge;
+  PlacedValue stock{none, Eigen::Vector3d::Zero(), 0}, scallop = stock, rim = stock, crease = stock;
+  PlacedValue gouge, rim_gouge, crease_gouge;
   void merge(const RemovalExtremes& later);
 };
 
@@ -38,7 +38,7 @@ public:
   RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index,
                  const RemovalSettings& settings, double reach);
 
-  /** Over the foot of a reference point. \p guess is a move tried first, and becomes the one met. */
+  /** Over the foot of a reference point; of one in the crease band over its place in the mesh. \p guess is a move tried first, and becomes the one met. */
   SampleResult at(const SurfaceFoot& foot, std::size_t& guess, RemovalExtremes& extremes) const;
   /** The ridge on one side, 1 or -1, of a place on the path. */
   void beside(const SurfaceFoot& foot, std::size_t move, double side, RemovalExtremes& extremes) const;

@@ -43,7 +43,7 @@ private:
   MoveIndex index_;
   RemovalSampler sampler_;
   RemovalExtremes extremes_;
-  std::vector<float> main_, ridge_, rim_, steps_;
+  std::vector<float> main_, ridge_, rim_, crease_, steps_;
   std::vector<Eigen::Vector3f> feet_;
 };
 
@@ -57,12 +57,12 @@ Measurement::count(std::size_t i, const SampleResult& result)
     ++figures_.unmeasured;
     return;
   }
-  const bool rim = result.zone == Zone::Rim;
-  (rim ? rim_ : main_).push_back(result.stock);
+  const Zone zone = result.zone;
+  (zone == Zone::Crease ? crease_ : zone == Zone::Rim ? rim_ : main_).push_back(result.stock);
   if (result.ridge == result.ridge)
     ridge_.push_back(result.ridge);
   if (!result.met) {
-    StockFigures& figures = rim ? figures_.rim : figures_.stock;
+    StockFigures& figures = zone == Zone::Crease ? figures_.crease : zone == Zone::Rim ? figures_.rim : figures_.stock;
     if (figures.uncut++ == 0)
       figures.first_uncut = {result.stock, feet_[i].cast<double>(), result.move};
   }
@@ -84,6 +84,9 @@ Measurement::overReference()
     for (std::size_t i = begin; i < end; ++i)
       queries.push_back(reference_.graph().position(i));
     reference_.surface().project(queries, feet);
+    for (std::size_t i = begin; i < end; ++i)
+      if (reference_.inCreaseBand(queries[i - begin]))
+        feet[i - begin] = reference_.meshPlace(i);
     const auto blocks = static_cast<std::ptrdiff_t>((end - begin + block - 1) / block);
     std::vector<SampleResult> results(end - begin);
     std::vector<RemovalExtremes> extremes(static_cast<std::size_t>(blocks));
@@ -183,6 +186,8 @@ Measurement::finish()
   figures_.rim_gouge = extremes_.rim_gouge;
   finish(figures_.stock, main_, extremes_.stock);
   finish(figures_.rim, rim_, extremes_.rim);
+  finish(figures_.crease, crease_, extremes_.crease);
+  figures_.crease_gouge = extremes_.crease_gouge;
   finish(figures_.scallop, ridge_, extremes_.scallop);
   figures_.rim_length = reference_.rimLength();
   figures_.least_length = leastLength(reference_, steps_, feet_, figures_.area);
@@ -235,6 +240,7 @@ measureRemovedMaterial(const ReferenceSurface& reference, const CutterPath& path
   figures.warnings = reference.warnings();
   for (std::string& warning : noiseWarnings(reference, settings.scallop_height, settings.chord_error))
     figures.warnings.push_back(std::move(warning));
+  figures.crease_band = reference.creaseBand();
   figures.limit = 1.02 * settings.scallop_height + settings.chord_error;
   figures.reach =
       settings.reach > 0.0 ? settings.reach : std::max(20.0 * settings.scallop_height, 10.0 * figures.noise);

@@ -5,6 +5,7 @@
 
 #include <pcl_spiral/io/length_unit.h>
 #include <pcl_spiral/io/report_page.h>
+#include <pcl_spiral/mesh/mesh_settings.h>
 #include <pcl_spiral/verify/path_deviation.h>
 #include <pcl_spiral/verify/removed_material.h>
 
@@ -51,15 +52,24 @@ const PlacedValue& highestScallop(const RemovalFigures& removal);
 /** Warnings of both measurements, each once. */
 std::vector<std::string> warningsOf(const Verification& verification);
 
+/** A mesh that toolpaths were judged by. Lengths in mm. */
+struct JudgedMesh {
+  MeshCounts counts;
+  MeshSettings settings;
+  std::size_t judged_faces = 0; ///< all but of a closed mesh: those the last path touched
+  double sample_spacing = 0.0;
+};
+
 /** What toolpaths were judged by. */
 struct VerificationRun {
-  std::string scan;
+  std::string scan; ///< or mesh
   LengthUnit unit = LengthUnit::Millimetre; ///< of the numbers in the scan
   double tool_radius = 0.0;                 ///< mm
   double scallop_height = 0.0;              ///< mm
   double chord_error = 0.0;                 ///< mm
   std::vector<std::string> warnings;        ///< from reading
   Limits limits;
+  std::optional<JudgedMesh> mesh = std::nullopt; ///< absent: by a scan
 };
 
 /** Settings, and deviation, scallop, gouge, uncut share, efficiency and motion of each path with the places of the

@@ -1,5 +1,5 @@
 /** \file
- *  How far the contacts of a path stand off the scanned surface.
+ *  How far the contacts of a path stand off the surface they are judged by.
  */
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace pcl_spiral {
 
-/** Figures of a path against a scan. Lengths in mm, angles in degrees. */
+/** Figures of a path against a scan or a mesh. Lengths in mm, angles in degrees. */
 struct DeviationFigures {
   std::size_t points = 0;     ///< of the path
   std::size_t measured = 0;   ///< among the points of the scan: the figures are theirs
@@ -25,6 +25,9 @@ struct DeviationFigures {
   PlacedValue rim_max;        ///< the same of those beyond the rim
   std::size_t in_gaps = 0;    ///< in gaps of the scan: nothing there to judge by
   PlacedValue gap_max;        ///< the largest distance of those near its edge from the surface carried on
+  std::size_t in_crease_band = 0; ///< within crease_band of a crease of the mesh, where a fit rounds it: no part of the other figures
+  double crease_band = 0.0;   ///< ReferenceSurface::creaseBand
+  PlacedValue crease_max;     ///< the largest distance of those from the rounded fit, with its sign: no verdict
   PlacedValue normal_error;   ///< largest angle between the path's normal and the surface's
   double normal_p99 = 0.0;
   std::size_t opposed = 0; ///< points whose normal points into the material
@@ -34,6 +37,7 @@ struct DeviationFigures {
   TurnWobble wobble;          ///< of the deviation, from turn to turn
   PathMotion motion;
   std::size_t reference_points = 0;
+  bool by_mesh = false;   ///< its samples are the reference points; else it is a scan's
   double noise = 0.0;     ///< ReferenceSurface::noise
   double fit_noise = 0.0; ///< ReferenceSurface::fitNoise: deviations below three times this are not known
   double seconds = 0.0;

@@ -42,6 +42,10 @@ struct RemovalFigures {
   StockFigures rim;     ///< at the reference points within one step-over of the rim
   PlacedValue gouge;    ///< deepest, at reference points and along every move; 0 when there is none
   PlacedValue rim_gouge; ///< the same of moves just outside the outermost points, below the surface carried on; in gaps of the scan none is sought
+  StockFigures crease;  ///< at the reference points within crease_band of a crease of the mesh, over the mesh itself: no part of the
+                        ///< other figures, for a ball leaves stock in every hollow crease
+  PlacedValue crease_gouge; ///< the deepest there
+  double crease_band = 0.0; ///< ReferenceSurface::creaseBand
   double limit = 0.0;   ///< 1.02 scallop heights and the chord error
   double reach = 0.0;   ///< as used
   double area = 0.0;         ///< mm^2

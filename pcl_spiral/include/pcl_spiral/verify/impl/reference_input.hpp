@@ -4,6 +4,9 @@
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/verify/reference_input.h>
 
+#include <cmath>
+#include <string>
+
 namespace pcl_spiral {
 
 template <typename PointT>
@@ -21,6 +24,8 @@ ReferenceInput<PointT>::prepare(CutterPath& path)
   }
   if (progress_ && !progress_(0.0, "reference"))
     return {StatusCode::Cancelled, "cancelled"};
+  if (polygons_ || mesh_)
+    return prepareMesh(path);
   Surface::ConstPtr surface;
   if (const Status status = this->prepareSurface(surface); !status.ok())
     return status;
@@ -30,6 +35,26 @@ ReferenceInput<PointT>::prepare(CutterPath& path)
                    "give the surface as it was before GapBridging")};
   reference_ = std::make_shared<ReferenceSurface>(surface);
   return Status::success();
+}
+
+template <typename PointT>
+Status
+ReferenceInput<PointT>::prepareMesh(const CutterPath& path)
+{
+  if (const std::string setter = disagreement(this->scanned_.getSettings(), SurfaceSettings()); !setter.empty() || this->getInputNormals())
+    return {StatusCode::InvalidArgument,
+            (setter.empty() ? "setInputNormals" : setter) + " was called beside setInputMesh: it belongs to scans, and a mesh's side is "
+                                                            "that of its faces; leave it, or turn them over (setMeshSettings, flip)"};
+  if (!(sample_spacing_ >= 0.0) || !std::isfinite(sample_spacing_))
+    return {StatusCode::InvalidArgument,
+            textOf("the sample spacing is ", sample_spacing_, " mm; set it above 0, or to 0 to have it chosen (setSampleSpacing)")};
+  if (polygons_)
+    if (const Status status = SurfaceMesh::make(*polygons_, mesh_settings_, mesh_); !status.ok())
+      return status;
+  ReferenceMesh::ConstPtr samples;
+  if (const Status status = ReferenceMesh::make(mesh_, path, sample_spacing_, samples); !status.ok())
+    return status;
+  return ReferenceSurface::make(samples, progress_, reference_);
 }
 
 } // namespace pcl_spiral

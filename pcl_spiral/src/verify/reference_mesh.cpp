@@ -1,0 +1,161 @@
+#include <pcl_spiral/verify/reference_mesh.h>
+
+#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/mesh/mesh_sampling.h>
+#include <pcl_spiral/search/point_blocks.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace pcl_spiral {
+namespace {
+
+using Eigen::Vector3d;
+using Samples = pcl::PointCloud<pcl::PointNormal>;
+
+constexpr double least_agreement = 0.85; // cosine of the angle between a contact's normal and that of the face below it
+constexpr double farthest = 4.0;         // spacings from a contact to the sample it touches
+constexpr double away = 0.1;             // cosine
+
+/** Number of the smooth area each face belongs to: faces joined by edges that are no creases. */
+std::vector<std::uint32_t>
+smoothAreas(const SurfaceMesh& mesh)
+{
+  constexpr std::uint32_t none = Triangulation::none;
+  std::vector<std::uint32_t> area(mesh.faceCount(), none), open;
+  std::uint32_t count = 0;
+  for (std::uint32_t first = 0; first < mesh.faceCount(); ++first) {
+    if (area[first] != none)
+      continue;
+    area[first] = count;
+    for (open.assign(1, first); !open.empty();) {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        const std::uint32_t other = mesh.triangles().opposite(h);
+        if (other == none || mesh.isCrease(h) || area[other / 3] != none)
+          continue;
+        area[other / 3] = count;
+        open.push_back(other / 3);
+      }
+    }
+    ++count;
+  }
+  return area;
+}
+
+/** The faces of the smooth areas on which a contact lies; \p nearest becomes the least distance of a contact from a sample. */
+std::vector<std::uint8_t>
+touchedFaces(const SurfaceMesh& mesh, const CutterPath& path, const MeshSampling& sampling, const Samples& samples, double& nearest)
+{
+  std::vector<Eigen::Vector3f> points;
+  for (const pcl::PointNormal& sample : samples)
+    points.push_back(sample.getVector3fMap());
+  const PointBlocks blocks(std::move(points));
+  const std::vector<std::uint32_t> areas = smoothAreas(mesh);
+  std::vector<std::uint8_t> touched(mesh.faceCount(), 0); // by the number of the area, of which there are no more
+  nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const std::uint32_t at = blocks.nearest(path.contacts[i]), sample = blocks.originalIndex(at);
+    const double distance = (blocks.position(at) - path.contacts[i]).norm();
+    nearest = std::min(nearest, distance);
+    if (distance < farthest * sampling.getUsedSpacing() &&
+        samples[sample].getNormalVector3fMap().cast<double>().dot(path.normals[i]) > least_agreement)
+      touched[areas[sampling.getFaceIndices()[sample]]] = 1;
+  }
+  std::vector<std::uint8_t> faces(mesh.faceCount());
+  for (std::size_t t = 0; t < faces.size(); ++t)
+    faces[t] = touched[areas[t]];
+  return faces;
+}
+
+/** Leave faces out that look away from the cutter, where it comes from one side at all. */
+void
+dropAway(const SurfaceMesh& mesh, const CutterPath& path, std::vector<std::uint8_t>& faces)
+{
+  constexpr double least_common = 0.5; // length of the mean of the axes
+  const std::vector<Vector3d>& axes = path.axes.empty() ? path.normals : path.axes;
+  const Vector3d axis = std::accumulate(axes.begin(), axes.end(), Vector3d(0, 0, 0)) / static_cast<double>(axes.size());
+  if (axis.norm() < least_common)
+    return;
+  double lowest = 0.0;
+  for (const Vector3d& normal : path.normals)
+    lowest = std::min(lowest, normal.dot(axis.normalized()));
+  for (std::size_t t = 0; t < faces.size(); ++t)
+    if (mesh.faceNormal(t).dot(axis.normalized()) < lowest - away)
+      faces[t] = 0;
+}
+
+} // namespace
+
+std::size_t
+ReferenceMesh::faceCount() const
+{
+  return faces_.empty() ? mesh_->faceCount() : static_cast<std::size_t>(std::count(faces_.begin(), faces_.end(), 1));
+}
+
+double
+ReferenceMesh::area() const
+{
+  double sum = 0.0;
+  for (std::size_t t = 0; t < mesh_->faceCount(); ++t)
+    if (faces_.empty() || faces_[t])
+      sum += mesh_->faceArea(t);
+  return sum;
+}
+
+Status
+ReferenceMesh::chooseFaces(const CutterPath& path)
+{
+  MeshSampling sampling;
+  sampling.setInputMesh(mesh_);
+  Samples samples;
+  sampling.compute(samples);
+  if (!sampling.getStatus().ok())
+    return sampling.getStatus();
+  double nearest = 0.0;
+  faces_ = touchedFaces(*mesh_, path, sampling, samples, nearest);
+  dropAway(*mesh_, path, faces_);
+  if (faceCount() == 0)
+    return {StatusCode::InvalidInput,
+            textOf("no contact of the toolpath lies on the closed mesh on the side of its normal, the nearest is ", nearest,
+                   " mm off: is it another part, another unit, or the mesh's other side?")};
+  if (faceCount() == mesh_->faceCount())
+    faces_.clear();
+  else
+    warnings_.push_back(textOf("the mesh is closed: ", faceCount(), " of its ", mesh_->faceCount(), " faces are judged, ", area(),
+                               " mm2, the smooth areas that the path touches; cut the mesh down to what is to be machined to have "
+                               "all of it judged"));
+  return Status::success();
+}
+
+Status
+ReferenceMesh::make(const SurfaceMesh::ConstPtr& mesh, const CutterPath& path, double spacing, ConstPtr& result)
+{
+  result.reset();
+  const auto made = std::make_shared<ReferenceMesh>();
+  made->mesh_ = mesh;
+  if (mesh->counts().closed)
+    if (const Status status = made->chooseFaces(path); !status.ok())
+      return status;
+  MeshSampling sampling;
+  sampling.setInputMesh(mesh);
+  sampling.setFaces(made->faces_);
+  sampling.setSpacing(spacing);
+  const auto samples = pcl::make_shared<Samples>();
+  sampling.compute(*samples);
+  if (!sampling.getStatus().ok())
+    return sampling.getStatus();
+  made->samples_ = samples;
+  made->spacing_ = sampling.getUsedSpacing();
+  made->rims_ = meshRims(*mesh, made->faces_);
+  made->creases_ = std::make_unique<CreaseLines>(*mesh, made->faces_);
+  result = made;
+  return Status::success();
+}
+
+} // namespace pcl_spiral
