@@ -13,21 +13,26 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t most_lines = 150; ///< more would run together
+constexpr double height_opacity = 0.6; ///< of a mesh's colours over its shades
 constexpr Color line_color{0.05, 0.05, 0.08}, finger_color{0.80, 0.10, 0.45}, centre_color{0.10, 0.30, 0.90};
 
-/** The cloud's points coloured by height, in a size that leaves gaps between them. */
+/** Heights in colours: of the cloud's points, in a size that leaves gaps between them; of a mesh all over. */
 vtkSmartPointer<vtkActor>
-pointActor(const DisplaySurface& surface, vtkScalarsToColors* colors, double mm_per_pixel)
+heightActor(const DisplaySurface& surface, vtkScalarsToColors* colors, double mm_per_pixel)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(surface.mesh);
   mapper->SetLookupTable(colors);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  if (surface.of_mesh) {
+    actor->GetProperty()->SetOpacity(height_opacity);
+    return actor;
+  }
   actor->GetProperty()->SetRepresentationToPoints();
   actor->GetProperty()->SetPointSize(
       static_cast<float>(std::clamp(0.6 * surface.spacing / mm_per_pixel, 1.0, 6.0)));
-  actor->GetProperty()->LightingOff();
   return actor;
 }
 
@@ -113,7 +118,7 @@ std::vector<LegendEntry>
 addBoundaries(PartView& view, const SpiralReport& report, vtkScalarsToColors* height_colors)
 {
   view.add(surfaceActor(view.surface().mesh, surface_color));
-  view.add(pointActor(view.surface(), height_colors, view.projection().mm_per_pixel));
+  view.add(heightActor(view.surface(), height_colors, view.projection().mm_per_pixel));
   std::vector<LegendEntry> legend;
   addLoops(view, report, legend);
   addLines(view, report, legend);
@@ -126,16 +131,21 @@ addBoundaries(PartView& view, const SpiralReport& report, vtkScalarsToColors* he
 }
 
 std::string
-boundariesTitle(const std::string& title, const SpiralReport& report)
+boundariesTitle(const PictureScene& scene)
 {
-  return title + (!report.radial_lines.empty()    ? ": boundaries and radial lines"
+  const SpiralReport& report = scene.report;
+  return scene.title + (!report.radial_lines.empty()    ? ": boundaries and radial lines"
                   : !report.scallop_lines.empty() ? ": boundaries, loops and fingers"
+                  : scene.mesh                    ? ": the mesh and its boundaries"
                                                   : ": the scan and its boundaries");
 }
 
 std::string
-scanInWords(const SpiralReport& report)
+partInWords(const PictureScene& scene)
 {
+  if (scene.mesh)
+    return std::to_string(scene.mesh->faceCount()) + " faces, " + std::to_string(scene.mesh->vertexCount()) + " vertices";
+  const SpiralReport& report = scene.report;
   return std::to_string(report.used_points) + " points, spacing " + text("%.3g mm", report.spacing) +
          text(", noise %.2g mm", report.noise);
 }

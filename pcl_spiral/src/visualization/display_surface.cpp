@@ -160,8 +160,11 @@ displaySurface(const PictureScene& scene, double beyond)
   measurePath(scene, surface);
   measurePart(scene, beyond, surface);
   const Eigen::Vector3d up = surface.outward.isZero() ? Eigen::Vector3d::UnitZ() : surface.outward;
-  if (scene.mesh)
+  surface.of_mesh = scene.mesh != nullptr;
+  if (surface.of_mesh) {
     surface.mesh = meshTriangles(*scene.mesh, (surface.high - surface.low).norm(), up);
+    surface.spacing = scene.report.spacing;
+  }
   else
     addScan(scene, up, surface);
   return surface;
@@ -170,7 +173,7 @@ displaySurface(const PictureScene& scene, double beyond)
 double
 clearance(const DisplaySurface& surface)
 {
-  return std::max(0.7 * surface.spacing, 0.004 * (surface.high - surface.low).norm());
+  return std::max(surface.of_mesh ? 0.0 : 0.7 * surface.spacing, 0.004 * (surface.high - surface.low).norm());
 }
 
 vtkSmartPointer<vtkPolyData>

@@ -15,7 +15,8 @@ struct DisplaySurface {
   vtkSmartPointer<vtkPolyData> mesh; ///< point data: normals, and Height along the outer direction, mm
   Eigen::Vector3d low, high;         ///< bounding box of the path, the loops and the mesh
   Eigen::Vector3d outward; ///< mean normal of the path, unit; zero where it cancels out (a ring wall)
-  double spacing = 0.0;    ///< of the drawn points, mm; 0: the surface is drawn as it is
+  bool of_mesh = false;    ///< the triangles are the part's own
+  double spacing = 0.0;    ///< of the scan's drawn points, or of the samples of a mesh, mm; 0: there are none
 };
 
 /** Triangulate what is shown of the scan: up to \p beyond of the size of path and loops around them. A mesh is shown whole. */
