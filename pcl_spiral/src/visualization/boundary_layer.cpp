@@ -13,12 +13,21 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t most_lines = 150; ///< more would run together
-constexpr double height_opacity = 0.6; ///< of a mesh's colours over its shades
 constexpr Color line_color{0.05, 0.05, 0.08}, finger_color{0.80, 0.10, 0.45}, centre_color{0.10, 0.30, 0.90};
 
-/** Heights in colours: of the cloud's points, in a size that leaves gaps between them; of a mesh all over. */
+/** A mesh coloured by height all over. */
 vtkSmartPointer<vtkActor>
-heightActor(const DisplaySurface& surface, vtkScalarsToColors* colors, double mm_per_pixel)
+coloredSurface(const DisplaySurface& surface, vtkScalarsToColors* colors)
+{
+  const auto actor = surfaceActor(surface.mesh, surface_color);
+  actor->GetMapper()->ScalarVisibilityOn();
+  actor->GetMapper()->SetLookupTable(colors);
+  return actor;
+}
+
+/** The cloud's points coloured by height, in a size that leaves gaps between them. */
+vtkSmartPointer<vtkActor>
+pointActor(const DisplaySurface& surface, vtkScalarsToColors* colors, double mm_per_pixel)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(surface.mesh);
@@ -26,10 +35,6 @@ heightActor(const DisplaySurface& surface, vtkScalarsToColors* colors, double mm
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();
-  if (surface.of_mesh) {
-    actor->GetProperty()->SetOpacity(height_opacity);
-    return actor;
-  }
   actor->GetProperty()->SetRepresentationToPoints();
   actor->GetProperty()->SetPointSize(
       static_cast<float>(std::clamp(0.6 * surface.spacing / mm_per_pixel, 1.0, 6.0)));
@@ -117,8 +122,12 @@ heightColors(const DisplaySurface& surface)
 std::vector<LegendEntry>
 addBoundaries(PartView& view, const SpiralReport& report, vtkScalarsToColors* height_colors)
 {
-  view.add(surfaceActor(view.surface().mesh, surface_color));
-  view.add(heightActor(view.surface(), height_colors, view.projection().mm_per_pixel));
+  if (view.surface().of_mesh)
+    view.add(coloredSurface(view.surface(), height_colors));
+  else {
+    view.add(surfaceActor(view.surface().mesh, surface_color));
+    view.add(pointActor(view.surface(), height_colors, view.projection().mm_per_pixel));
+  }
   std::vector<LegendEntry> legend;
   addLoops(view, report, legend);
   addLines(view, report, legend);
