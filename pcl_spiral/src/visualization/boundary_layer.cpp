@@ -22,6 +22,8 @@ coloredSurface(const DisplaySurface& surface, vtkScalarsToColors* colors)
   const auto actor = surfaceActor(surface.mesh, surface_color);
   actor->GetMapper()->ScalarVisibilityOn();
   actor->GetMapper()->SetLookupTable(colors);
+  actor->GetMapper()->UseLookupTableScalarRangeOn();
+  actor->GetMapper()->InterpolateScalarsBeforeMappingOn(); // on large faces, too, the colours are those of the scale
   return actor;
 }
 
