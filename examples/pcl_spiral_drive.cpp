@@ -29,7 +29,7 @@ void
 run(const Job& job)
 {
   const auto start = std::chrono::steady_clock::now();
-  OutputFiles files(job.outputs);
+  OutputFiles files(filesOf(job));
   for (const std::string& output : job.outputs)
     requireDisplay(output);
   if (!job.verbose)

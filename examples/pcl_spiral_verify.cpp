@@ -6,9 +6,7 @@
 #include "verify/outputs.h"
 #include "verify/verify_job.h"
 
-#include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/file_error.h>
-#include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/io/toolpath_reader.h>
 
 #include <pcl/console/print.h>
@@ -28,24 +26,6 @@ warn(const VerifyJob& job, const std::vector<std::string>& warnings)
   if (!job.quiet)
     for (const std::string& warning : warnings)
       std::cerr << "pcl_spiral_verify: warning: " << warning << '\n';
-}
-
-/** The scan, or the mesh made ready. */
-JudgedPart
-readPart(const VerifyJob& job)
-{
-  JudgedPart part;
-  if (!job.mesh) {
-    Scan scan = readCloud(job.scan, job.read);
-    part.cloud = scan.cloud;
-    part.warnings = inOptions(scan.warnings);
-    return part;
-  }
-  const MeshFile file = readMesh(job.scan, job.read);
-  part.warnings = inOptions(file.warnings);
-  if (const Status status = SurfaceMesh::make(*file.mesh, job.mesh->settings, part.mesh); !status.ok())
-    throw FileError(job.scan, inOptions(status.message()));
-  return part;
 }
 
 /** \p reference is the fit to the scan or the mesh, made for the first path. */
@@ -84,7 +64,7 @@ run(const VerifyJob& job)
 {
   VerifyOutputs outputs(job);
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
-  const JudgedPart part = readPart(job);
+  const JudgedPart part = readPart(job.scan, job.read, job.mesh);
   warn(job, part.warnings);
   std::shared_ptr<const ReferenceSurface> reference;
   bool all_hold = true;

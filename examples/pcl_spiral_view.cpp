@@ -1,10 +1,10 @@
-// A toolpath on its scan, in a window.
+// A toolpath on its scan or mesh, in a window.
+#include "judging/judged_part.h"
 #include "judging/judged_scene.h"
 #include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 #include "view/view_job.h"
 
-#include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/toolpath_reader.h>
 #include <pcl_spiral/visualization/spiral_viewer.h>
@@ -35,10 +35,13 @@ requireWindow()
 VerificationScene
 judgedScene(const ViewJob& job)
 {
-  const Scan scan = readCloud(job.scan, job.read);
+  const JudgedPart part = readPart(job.scan, job.read, job.mesh);
   if (!job.quiet)
-    for (const std::string& warning : scan.warnings)
-      std::cerr << "pcl_spiral_view: warning: " << inOptions(warning) << '\n';
+    for (const std::string& warning : part.warnings)
+      std::cerr << "pcl_spiral_view: warning: " << warning << '\n';
+  JudgeSettings settings = job.settings;
+  settings.mesh = part.mesh;
+  settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
   const auto path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(readToolpath(job.path).path);
   std::shared_ptr<const ReferenceSurface> reference;
   Verification verification;
@@ -47,7 +50,7 @@ judgedScene(const ViewJob& job)
   ProgressBar bar(job.quiet);
   const auto judge = job.settings.tool_radius > 0.0 ? judgePath : judgeDeviation;
   const Status status = judge(
-      scan.cloud, path, job.settings,
+      part.cloud, path, settings,
       [&](double share, const std::string& stage) { return bar.update(share, stage); }, reference, verification,
       heights);
   bar.clear();
@@ -55,7 +58,7 @@ judgedScene(const ViewJob& job)
     throw std::runtime_error("cancelled");
   if (!status.ok())
     throw FileError(job.path, inOptions(status.message()));
-  return judgedScene(scan.cloud, path, job.settings, *reference, verification, heights);
+  return judgedScene(part.cloud, path, settings, *reference, verification, heights);
 }
 
 void

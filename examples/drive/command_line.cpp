@@ -23,7 +23,7 @@ files(Job& job)
             ".ngc .nc  program of a five-axis machine; see --machine\n"
             ".apt .cls  CLDATA    .yaml  robot frames of a ball cutter; a single pass\n"
             ".json  report: settings, counts, states, collisions, times\n"
-            ".png  rotary angles along the program; needs --machine",
+            ".png  the passes on the shaded part; with a machine NAME_rotary.png beside it: rotary angles",
             [&job](const std::string& value) { job.outputs.push_back(value); }},
            switchOption("mesh",
                         "the file is a mesh, .stl .obj .ply, and its faces count: planes are sections of the curved surface behind "

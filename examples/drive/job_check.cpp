@@ -174,22 +174,23 @@ checkOutputs(const Job& job)
 {
   if (job.outputs.empty())
     throw UsageError("no output is named; give at least one, such as -o part.csv");
-  for (auto file = job.outputs.begin(); file != job.outputs.end(); ++file) {
-    if (!isWritten(*file))
-      throw UsageError("-o " + *file + ": extension '" + extensionOf(*file) +
+  for (const std::string& file : job.outputs) {
+    if (!isWritten(file))
+      throw UsageError("-o " + file + ": extension '" + extensionOf(file) +
                        "' is not known; use .csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .json or .png");
+    if (const std::string extension = extensionOf(file);
+        !isBall(job) && (extension == ".pcd" || extension == ".ply" || extension == ".yaml"))
+      throw UsageError("-o " + file + ": holds contacts, from which tips follow for a ball alone; write this cutter's "
+                       "path as .csv, .vtp, .apt or a program");
+  }
+  const std::vector<std::string> files = filesOf(job);
+  for (auto file = files.begin(); file != files.end(); ++file) {
     requireNoInput(*file, {{"the scan", job.scan},
                            {"the curve", job.curve_file},
                            {"the machine's file", job.program.machine_file},
                            {"the job file", job.config_file}});
-    if (const std::string extension = extensionOf(*file);
-        !isBall(job) && (extension == ".pcd" || extension == ".ply" || extension == ".yaml"))
-      throw UsageError("-o " + *file + ": holds contacts, from which tips follow for a ball alone; write this cutter's "
-                       "path as .csv, .vtp, .apt or a program");
-    if (std::find(job.outputs.begin(), file, *file) != file)
+    if (std::find(files.begin(), file, *file) != file)
       throw UsageError("-o " + *file + ": is given twice");
-    if (extensionOf(*file) == ".png" && !hasProgram(job.program, job.outputs))
-      throw UsageError("-o " + *file + ": shows a machine's angles; give the --machine");
   }
 }
 
@@ -200,6 +201,18 @@ isBall(const Job& job)
 {
   const CutterShape& c = job.cutter;
   return c.flank_angle == 0.0 && c.corner_radius == c.radius;
+}
+
+std::vector<std::string>
+filesOf(const Job& job)
+{
+  std::vector<std::string> files;
+  for (const std::string& output : job.outputs) {
+    files.push_back(output);
+    if (extensionOf(output) == ".png" && hasProgram(job.program, job.outputs))
+      files.push_back(besideName(output, "_rotary"));
+  }
+  return files;
 }
 
 void

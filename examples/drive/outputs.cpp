@@ -1,5 +1,7 @@
 #include "outputs.h"
 #include "drive_report.h"
+#include "job_check.h"
+#include "pass_scene.h"
 #include "program/machine_moves.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
@@ -46,16 +48,30 @@ joined(const Job& job, const Result& result, ToolpathMotion& motion)
   return path;
 }
 
+std::string
+titleOf(const Job& job)
+{
+  return std::filesystem::path(job.scan).filename().string();
+}
+
+/** The passes, and the angles of a program beside them: as many files as filesOf names. */
+void
+writePictures(const Job& job, const Result& result, const OutputFiles& files, std::size_t& next)
+{
+  ToolpathMotion motion;
+  writePasses(files.temporary(next++), passScene(job, result, titleOf(job), joined(job, result, motion)));
+  if (result.program)
+    writeRotaryAngles(files.temporary(next++), titleOf(job), *result.program);
+}
+
 void
 writeOne(const Job& job, const Result& result, const std::string& output, const std::string& file)
 {
-  const std::string extension = extensionOf(output), title = std::filesystem::path(job.scan).filename().string();
+  const std::string extension = extensionOf(output), title = titleOf(job);
   ProgramHeader header = job.program.header;
   header.title = title;
   if (isProgram(output))
     return writeProgram(file, *result.program, extension == ".ngc" ? Dialect::LinuxCNC : job.program.dialect, header);
-  if (extension == ".png")
-    return writeRotaryAngles(file, title, *result.program);
   if (extension == ".json")
     return writeDriveReport(file, job, result);
   ToolpathMotion motion;
@@ -78,10 +94,14 @@ writeOutputs(const Job& job, const Result& result, OutputFiles& files)
 try {
   for (const std::string& output : job.outputs)
     requireOnePass(result.passes.size(), output, "drive one pass (--drive helix, curve)");
-  for (std::size_t i = 0; i < job.outputs.size(); ++i) {
+  std::size_t next = 0;
+  for (const std::string& output : job.outputs) {
     if (cancelled())
       throw Cancelled();
-    writeOne(job, result, job.outputs[i], files.temporary(i));
+    if (extensionOf(output) == ".png")
+      writePictures(job, result, files, next);
+    else
+      writeOne(job, result, output, files.temporary(next++));
   }
   if (cancelled())
     throw Cancelled();
@@ -128,7 +148,7 @@ printSummary(const Job& job, const Result& result, double seconds)
     for (const StageCost& stage : result.stages)
       std::printf("  %-16s %9.2f s\n", stage.name.c_str(), stage.seconds);
   std::printf("written        ");
-  for (const std::string& file : job.outputs)
+  for (const std::string& file : filesOf(job))
     std::printf(" %s", file.c_str());
   std::printf("\n");
 }

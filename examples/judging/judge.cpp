@@ -97,6 +97,7 @@ judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
   deviation.compute(values);
   if (deviation.getStatus().ok()) {
     reference = deviation.getReferenceSurface();
+    heights.points = judgedPoints(scan, *reference);
     heights.deviation = intensities(values);
     verification.deviation = deviation.getFigures();
     verification.deviation.warnings = inOptions(verification.deviation.warnings);
@@ -126,7 +127,6 @@ judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
   removal.setProgressCallback(
       [&](double share, const std::string&) { return progress(0.3 + 0.7 * share, "removed material"); });
   removal.compute(values);
-  heights.points = judgedPoints(scan, *reference);
   heights.stock = intensities(values);
   heights.ridges = removal.getRidgeHeights();
   verification.removal = removal.getFigures();

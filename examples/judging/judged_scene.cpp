@@ -38,6 +38,7 @@ judgedScene(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
   VerificationScene scene;
   scene.part.title = std::filesystem::path(verification.path).filename().string();
   scene.part.cloud = surface.mesh() ? heights.points : scan;
+  scene.part.mesh = settings.mesh;
   scene.part.path = path;
   scene.part.settings.tool_radius = settings.tool_radius;
   scene.part.settings.scallop_height = settings.scallop_height;

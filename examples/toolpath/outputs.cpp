@@ -28,7 +28,7 @@ void
 draw(const Job& job, const Result& result, const std::string& title, PictureFiles& pictures)
 {
   VerificationScene scene;
-  scene.part = {title, result.scan.cloud, result.path, job.settings, result.report};
+  scene.part = {title, result.scan.cloud, nullptr, result.path, job.settings, result.report};
   pictures.drawPath(scene.part, true);
   if (result.program)
     pictures.drawProgram(title, *result.program);

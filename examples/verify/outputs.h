@@ -3,17 +3,11 @@
  */
 #pragma once
 
+#include "judging/judged_part.h"
 #include "verify_job.h"
 
 #include <pcl_spiral/io/output_files.h>
 #include <pcl_spiral/io/toolpath_reader.h>
-
-/** What paths are judged by. */
-struct JudgedPart {
-  pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud; ///< the scan; null: there is a mesh
-  pcl_spiral::SurfaceMesh::ConstPtr mesh;
-  std::vector<std::string> warnings; ///< from reading
-};
 
 /** A path and how it was judged. */
 struct JudgedPath {

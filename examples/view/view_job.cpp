@@ -1,6 +1,5 @@
 #include "view_job.h"
 
-#include "judging/judge_options.h"
 #include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 
@@ -21,8 +20,9 @@ allOptions()
   po::options_description files("Files", width, width / 2),
       cutter("Cutter and finish (mm)", width, width / 2), run("Run", width, width / 2);
   files.add_options()("file", po::value<Files>()->value_name("FILE"),
-                      "the scan, then the path: .csv .pcd .ply .vtp; the names alone are enough");
+                      "the scan, or with --mesh the mesh, then the path: .csv .pcd .ply .vtp; the names alone are enough");
   addScanOptions(files);
+  addMeshOptions(files);
   addCutterOptions(cutter,
                    "radius of the ball cutter; without it the stock map and the histogram stay empty: "
                    "--tool-radius 10");
@@ -49,10 +49,11 @@ parseViewCommandLine(int argc, const char* const* argv)
   const Files named = given.count("file") > 0 ? given["file"].as<Files>() : Files();
   require(named.size() == 2,
           std::to_string(named.size()) +
-              " files are named; give the scan and then one path, such as part.pcd part.csv");
+              " files are named; give the scan, or with --mesh the mesh, and then one path, such as part.pcd part.csv");
   job.scan = named[0];
   job.path = named[1];
   job.read = scanOptions(given);
+  job.mesh = meshOptions(given);
   job.settings = cutterOptions(given);
   return job;
 }
@@ -66,9 +67,10 @@ hasOption(const std::string& name)
 void
 printViewHelp(std::ostream& out)
 {
-  out << "Show a toolpath on its scan: boundaries, path, deviation map, stock map, scallop histogram.\n\n"
-         "  pcl_spiral_view SCAN PATH [options]\n\n"
-         "  pcl_spiral_view part.pcd part.csv --tool-radius 10 --scallop 0.05\n\n"
+  out << "Show a toolpath on its scan or mesh: boundaries, path, deviation map, stock map, scallop histogram.\n\n"
+         "  pcl_spiral_view PART PATH [options]\n\n"
+         "  pcl_spiral_view part.pcd part.csv --tool-radius 10 --scallop 0.05\n"
+         "  pcl_spiral_view part.stl part.csv --mesh --tool-radius 10\n\n"
          "The keys are listed in the window. Saved views are PATH_view_1.png and so on, in the current "
          "folder.\n"
          "Lengths are millimetres. Ends with 0 when the window is closed, 1 when the data or a file fails or "

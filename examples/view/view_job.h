@@ -4,6 +4,7 @@
 #pragma once
 
 #include "judging/judge.h"
+#include "judging/judge_options.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
 
@@ -14,6 +15,7 @@
 struct ViewJob {
   std::string scan, path;
   pcl_spiral::ReadOptions read;
+  std::optional<MeshChoice> mesh; ///< absent: the first file is a scan
   JudgeSettings settings; ///< tool radius 0: none is given
   bool quiet = false;
   bool help = false;

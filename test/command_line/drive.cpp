@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 namespace {
@@ -82,6 +83,7 @@ TEST(Drive, AColumnByAHelixForAnyCutter)
   expectHas(readText(folder.path("a.json")), "\"unresolved_moves\": 0");
   expectHas(readText(folder.path("a.apt")), "CUTTER/6.000000,0.500000,2.500000,0.500000,0.000000,0.000000,");
   EXPECT_TRUE(std::filesystem::exists(folder.path("a.png")));
+  EXPECT_TRUE(std::filesystem::exists(folder.path("a_rotary.png")));
 }
 
 TEST(Drive, PlanesAreOnePassEachAndLeaveTheSurfaceBetween)
@@ -133,6 +135,34 @@ TEST(Drive, RowsAreKeptToTheScallopAndJoined)
   expectHas(report, "\"passes\": " + std::to_string(passes) + ",");
   expectHas(report, "\"apart\": " + std::to_string(passes - 1));
   expectHas(done.out, ": " + std::to_string(passes) + " pass");
+}
+
+TEST(Drive, APictureOfThePassesNeedsADisplayAndNoMachine)
+{
+  const ScratchFolder folder;
+  const std::vector<std::string> call{"cap.xyz", "--tool-radius", "4", "--step-over", "4", "--tolerance", "0.1", "-o", "a.png"};
+  if (std::getenv("DISPLAY")) {
+    const RunResult done = run(folder, call);
+    ASSERT_EQ(done.code, 0) << done.err;
+    expectHas(done.out, "written         a.png\n");
+    EXPECT_GT(std::filesystem::file_size(folder.path("a.png")), 20000U);
+    EXPECT_FALSE(std::filesystem::exists(folder.path("a_rotary.png")));
+  }
+  std::vector<std::string> twice = call;
+  twice.insert(twice.end(), {"-o", "a_rotary.png", "--machine", machines + "/xyzac.yaml"});
+  const RunResult clash = run(folder, twice);
+  EXPECT_EQ(clash.code, 2);
+  expectHas(clash.err, "-o a_rotary.png: is given twice");
+  const char* const before = std::getenv("DISPLAY");
+  const std::string kept = before ? before : "";
+  ::unsetenv("DISPLAY");
+  const RunResult blind = run(folder, {"cap.xyz", "--tool-radius", "4", "--step-over", "4", "-o", "b.png", "-o", "b.csv"});
+  if (before)
+    ::setenv("DISPLAY", kept.c_str(), 1);
+  EXPECT_EQ(blind.code, 1);
+  expectHas(blind.err, "DISPLAY is not set");
+  expectHas(blind.err, "xvfb-run -a");
+  EXPECT_FALSE(std::filesystem::exists(folder.path("b.csv")));
 }
 
 TEST(Drive, AHolderThatWouldCollideIsRefused)
@@ -268,7 +298,6 @@ TEST(Drive, WrongCallsAreRefused)
   said({"cap.xyz", "--tool-radius", "3", "--step-over", "1"}, 2, "no output is named");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--corner-radius", "4", "--step-over", "1"}, 2, "corner");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--scallop", "0.1"}, 2, "both given");
-  said({"cap.xyz", "-o", "a.png", "--tool-radius", "3", "--step-over", "1"}, 2, "give the --machine");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--holder", "5"}, 2, "--holder 5");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--drive", "curve"}, 2, "no --curve is given");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--drive", "helix"}, 1, "cap.xyz: ");

@@ -88,6 +88,8 @@ TEST_F(View, WrongCallsAreRefused)
       {{"disc.xyz", "a.csv", "--tool-radius", "x"}, "--tool-radius x"},
       {{"disc.xyz", "a.csv", "--tool-radius", "0"}, "--tool-radius must be above 0"},
       {{"disc.xyz", "a.csv", "--units", "yard"}, "--units yard"},
+      {{"disc.xyz", "a.csv", "--crease", "20"}, "--crease belongs to meshes"},
+      {{"disc.ply", "a.csv", "--mesh", "--view-point", "0,0,9"}, "--view-point belongs to scans"},
       {{"disc.xyz", "a.csv", "--no-such"}, "no-such"}};
   for (const auto& [arguments, message] : calls) {
     const RunResult result = view(arguments);
@@ -136,6 +138,30 @@ TEST_F(View, TheWindowOpensAndClosesOnRequest)
   const RunResult ended = endOf(process, folder_);
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(ended.err, "");
+}
+
+TEST_F(View, AMeshIsShownByItsFaces)
+{
+  if (!std::getenv("DISPLAY"))
+    GTEST_SKIP() << "no display here";
+  const RunResult points = view({"disc.xyz", "plate.csv", "--mesh"});
+  EXPECT_EQ(points.code, 1);
+  EXPECT_NE(points.err.find("disc.xyz"), std::string::npos) << points.err;
+  writeText(folder_.path("bare.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  const RunResult bare = view({"bare.obj", "plate.csv", "--mesh"});
+  EXPECT_EQ(bare.code, 1);
+  EXPECT_NE(bare.err.find("face"), std::string::npos) << bare.err;
+  writeText(folder_.path("plate.obj"), "v -20 -20 0\nv 20 -20 0\nv 20 20 0\nv -20 20 0\nf 1 2 3 4\n");
+  const RunResult made =
+      endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM,
+                         {"disc.xyz", "--tool-radius", "3", "--scallop", "0.05", "-o", "plate.csv"}, folder_),
+            folder_);
+  ASSERT_EQ(made.code, 0) << made.err;
+  const pid_t process = startProgram(PCL_SPIRAL_VIEW_PROGRAM, {"plate.obj", "plate.csv", "--mesh", "--tool-radius", "3"}, folder_);
+  EXPECT_TRUE(NamedWindow("pcl_spiral: plate.csv").appears());
+  ::kill(process, SIGTERM);
+  const RunResult ended = endOf(process, folder_);
+  EXPECT_EQ(ended.code, 0) << ended.err;
 }
 
 } // namespace

@@ -2,22 +2,19 @@
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/visualization/pictures.h>
 
+#include "support/picture_pixels.h"
 #include "support/scratch_folder.h"
 
 #include <gtest/gtest.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
-#include <vtkSmartPointer.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 #include <random>
 
 using namespace pcl_spiral;
+using namespace pcl_spiral::test;
 
 namespace {
 
@@ -79,58 +76,6 @@ scene(const Paraboloid& part = {})
   return result;
 }
 
-using Pixel = std::array<int, 3>;
-
-vtkSmartPointer<vtkImageData>
-read(const std::string& file)
-{
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  int size[3];
-  reader->GetOutput()->GetDimensions(size);
-  EXPECT_EQ(size[0], 1600);
-  EXPECT_EQ(size[1], 1200);
-  return reader->GetOutput();
-}
-
-Pixel
-at(vtkImageData* image, int x, int y)
-{
-  const auto* const p = static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0));
-  return {p[0], p[1], p[2]};
-}
-
-/** How often each colour occurs in the columns of pixels from \p first to before \p last. */
-std::map<Pixel, std::size_t>
-colors(const std::string& file, int first = 0, int last = 1600)
-{
-  const auto image = read(file);
-  std::map<Pixel, std::size_t> counts;
-  for (int y = 0; y < 1200; ++y)
-    for (int x = first; x < last; ++x)
-      ++counts[at(image, x, y)];
-  return counts;
-}
-
-template <typename Matches>
-double
-share(const std::map<Pixel, std::size_t>& counts, Matches matches)
-{
-  double all = 0.0, matching = 0.0;
-  for (const auto& [pixel, count] : counts) {
-    all += static_cast<double>(count);
-    matching += matches(pixel) ? static_cast<double>(count) : 0.0;
-  }
-  return matching / all;
-}
-
-bool
-isWhite(const Pixel& p)
-{
-  return p[0] == 255 && p[1] == 255 && p[2] == 255;
-}
-
 bool
 isRed(const Pixel& p)
 {
@@ -141,14 +86,6 @@ bool
 isGreen(const Pixel& p)
 {
   return p[0] < 60 && p[1] > 150 && p[2] < 80;
-}
-
-/** The surface is gray, lines on it are not. */
-bool
-isGray(const Pixel& p)
-{
-  const auto [low, high] = std::minmax({p[0], p[1], p[2]});
-  return high - low < 25 && high < 245 && low > 60;
 }
 
 } // namespace
@@ -168,17 +105,17 @@ TEST(Pictures, ShowSurfaceLinesAndSpiral)
   pictures.writeSpiral(folder.path("spiral.png"));
   pictures.writeLines(folder.path("lines.png"));
   for (const char* name : {"spiral.png", "lines.png"}) {
-    const auto counts = colors(folder.path(name));
+    const auto counts = colorsOf(folder.path(name));
     EXPECT_GT(counts.size(), 1000U) << name << " is shaded";
     EXPECT_GT(share(counts, isWhite), 0.30) << name;
     EXPECT_LT(share(counts, isWhite), 0.75) << name << ": the part fills its place";
   }
   // the rim is red: it is there with the loops, and gone without them
-  const double rim = share(colors(folder.path("lines.png")), isRed);
+  const double rim = share(colorsOf(folder.path("lines.png")), isRed);
   with.report.loops.clear();
   SpiralPictures(with).writeLines(folder.path("bare.png"));
   EXPECT_GT(rim, 0.002);
-  EXPECT_LT(share(colors(folder.path("bare.png")), isRed), 0.5 * rim);
+  EXPECT_LT(share(colorsOf(folder.path("bare.png")), isRed), 0.5 * rim);
   EXPECT_THROW(pictures.writeLines(folder.path("nowhere/a.png")), FileError);
 }
 
@@ -190,7 +127,7 @@ TEST(Pictures, DenseTurnsStandApartAndAreCountableEnlarged)
   for (const int turns : {50, 500, 1500}) {
     SpiralPictures(scene({40.0, turns})).writeSpiral(folder.path("spiral.png"));
     // across the part, through its middle: gray between the lines, and lines between the gray
-    const auto image = read(folder.path("spiral.png"));
+    const auto image = readPicture(folder.path("spiral.png"));
     int gray = 0, lines = 0;
     bool on_gray = false;
     for (int x = 200; x < 1000; ++x) {
@@ -229,10 +166,10 @@ TEST(Pictures, StartAndEndAreMarkedAndWhatThePartHidesIsARing)
   // steeper than the view: the far side of the rim is hidden
   for (const bool far : {false, true}) {
     SpiralPictures(scene({250.0, 60, far ? M_PI_2 : -M_PI_2})).writeSpiral(folder.path("spiral.png"));
-    const auto main = colors(folder.path("spiral.png"), 0, lines_end);
+    const auto main = colorsOf(folder.path("spiral.png"), 0, lines_end);
     EXPECT_NEAR(count(main, isRed), far ? ring : disc, 20.0);
     EXPECT_NEAR(count(main, isGreen), disc, 20.0);
-    const auto side = colors(folder.path("spiral.png"), lines_end); // the legend's and the enlarged view's
+    const auto side = colorsOf(folder.path("spiral.png"), lines_end); // the legend's and the enlarged view's
     EXPECT_NEAR(count(side, isRed), far ? ring + disc : 2.0 * disc, 40.0);
     EXPECT_NEAR(count(side, isGreen), 2.0 * disc, 40.0);
   }

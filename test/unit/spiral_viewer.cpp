@@ -3,6 +3,8 @@
 
 #include "support/scratch_folder.h"
 
+#include <pcl/conversions.h>
+
 #include <gtest/gtest.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -10,11 +12,13 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 
 using namespace pcl_spiral;
@@ -232,6 +236,46 @@ private:
 std::unique_ptr<SpiralViewer> Viewer::shared_;
 
 } // namespace
+
+TEST_F(Viewer, AMeshIsDrawnWithItsOwnFaces)
+{
+  VerificationScene with = scene(2000, 10);
+  pcl::PolygonMesh plate; // wider than the path, level
+  pcl::PointCloud<pcl::PointXYZ> corners;
+  for (const float x : {-150.0f, 150.0f})
+    for (const float y : {-150.0f, 150.0f})
+      corners.emplace_back(x, y, -1.0f);
+  pcl::toPCLPointCloud2(corners, plate.cloud);
+  plate.polygons.resize(2);
+  plate.polygons[0].vertices = {0, 2, 3};
+  plate.polygons[1].vertices = {0, 3, 1};
+  ASSERT_TRUE(SurfaceMesh::make(plate, {}, with.part.mesh).ok());
+  with.part.report.spacing = 2.0;
+  const auto viewer = open(with);
+  const auto levels = [&] { // pixels in one shade, as a level face has
+    const Frame frame(viewer->getInteractor()->GetRenderWindow());
+    std::map<Pixel, std::size_t> shades;
+    for (int y = 0; y < frame.height(); ++y)
+      for (int x = 0; x < frame.width() - column_room; ++x)
+        if (const Pixel p = frame.at(x, y); !is_white(p))
+          ++shades[p];
+    std::size_t largest = 0;
+    for (const auto& [shade, count] : shades)
+      largest = std::max(largest, count);
+    return largest;
+  };
+  for (const char* page : {"2", "3", "4"}) {
+    press(*viewer, page);
+    EXPECT_GT(levels(), 10000U) << page;
+  }
+  press(*viewer, "1"); // by height, along the path's mean normal
+  const Frame heights(viewer->getInteractor()->GetRenderWindow());
+  const auto is_colored = [](const Pixel& p) { return std::max({p[0], p[1], p[2]}) - std::min({p[0], p[1], p[2]}) > 40; };
+  const auto is_drawn = [](const Pixel& p) { return !is_white(p); };
+  const int last = heights.width() - column_room;
+  const auto colored = static_cast<double>(heights.count(is_colored, 0, last, 0, heights.height()));
+  EXPECT_GT(colored, 0.8 * static_cast<double>(heights.count(is_drawn, 0, last, 0, heights.height()))) << "all over";
+}
 
 TEST_F(Viewer, EveryKeyShowsItsOwnView)
 {

@@ -71,7 +71,7 @@ colorScale(double low, double high)
   // swallow
   return scaleOf({{{0.267, 0.005, 0.329},
                    {0.230, 0.322, 0.546},
-                   {0.128, 0.567, 0.551},
+                   middle_color,
                    {0.369, 0.789, 0.383},
                    {0.640, 0.790, 0.100}}},
                  low, high);

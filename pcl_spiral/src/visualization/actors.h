@@ -21,6 +21,9 @@ vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface, const Color& color)
 vtkSmartPointer<vtkActor> lineActor(const std::vector<Polyline>& lines, bool closed, const Color& color,
                                     float width);
 
+/** In the middle of colorScale. */
+constexpr Color middle_color{0.128, 0.567, 0.551};
+
 /** From dark blue through green to yellow. */
 vtkSmartPointer<vtkScalarsToColors> colorScale(double low, double high);
 

@@ -15,6 +15,18 @@ namespace {
 constexpr std::size_t most_lines = 150; ///< more would run together
 constexpr Color line_color{0.05, 0.05, 0.08}, finger_color{0.80, 0.10, 0.45}, centre_color{0.10, 0.30, 0.90};
 
+/** A mesh coloured by height all over. */
+vtkSmartPointer<vtkActor>
+coloredSurface(const DisplaySurface& surface, vtkScalarsToColors* colors)
+{
+  const auto actor = surfaceActor(surface.mesh, surface_color);
+  actor->GetMapper()->ScalarVisibilityOn();
+  actor->GetMapper()->SetLookupTable(colors);
+  actor->GetMapper()->UseLookupTableScalarRangeOn();
+  actor->GetMapper()->InterpolateScalarsBeforeMappingOn(); // on large faces, too, the colours are those of the scale
+  return actor;
+}
+
 /** The cloud's points coloured by height, in a size that leaves gaps between them. */
 vtkSmartPointer<vtkActor>
 pointActor(const DisplaySurface& surface, vtkScalarsToColors* colors, double mm_per_pixel)
@@ -24,10 +36,10 @@ pointActor(const DisplaySurface& surface, vtkScalarsToColors* colors, double mm_
   mapper->SetLookupTable(colors);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetRepresentationToPoints();
   actor->GetProperty()->SetPointSize(
       static_cast<float>(std::clamp(0.6 * surface.spacing / mm_per_pixel, 1.0, 6.0)));
-  actor->GetProperty()->LightingOff();
   return actor;
 }
 
@@ -112,8 +124,12 @@ heightColors(const DisplaySurface& surface)
 std::vector<LegendEntry>
 addBoundaries(PartView& view, const SpiralReport& report, vtkScalarsToColors* height_colors)
 {
-  view.add(surfaceActor(view.surface().mesh, surface_color));
-  view.add(pointActor(view.surface(), height_colors, view.projection().mm_per_pixel));
+  if (view.surface().of_mesh)
+    view.add(coloredSurface(view.surface(), height_colors));
+  else {
+    view.add(surfaceActor(view.surface().mesh, surface_color));
+    view.add(pointActor(view.surface(), height_colors, view.projection().mm_per_pixel));
+  }
   std::vector<LegendEntry> legend;
   addLoops(view, report, legend);
   addLines(view, report, legend);
@@ -126,16 +142,21 @@ addBoundaries(PartView& view, const SpiralReport& report, vtkScalarsToColors* he
 }
 
 std::string
-boundariesTitle(const std::string& title, const SpiralReport& report)
+boundariesTitle(const PictureScene& scene)
 {
-  return title + (!report.radial_lines.empty()    ? ": boundaries and radial lines"
+  const SpiralReport& report = scene.report;
+  return scene.title + (!report.radial_lines.empty()    ? ": boundaries and radial lines"
                   : !report.scallop_lines.empty() ? ": boundaries, loops and fingers"
+                  : scene.mesh                    ? ": the mesh and its boundaries"
                                                   : ": the scan and its boundaries");
 }
 
 std::string
-scanInWords(const SpiralReport& report)
+partInWords(const PictureScene& scene)
 {
+  if (scene.mesh)
+    return std::to_string(scene.mesh->faceCount()) + " faces, " + std::to_string(scene.mesh->vertexCount()) + " vertices";
+  const SpiralReport& report = scene.report;
   return std::to_string(report.used_points) + " points, spacing " + text("%.3g mm", report.spacing) +
          text(", noise %.2g mm", report.noise);
 }

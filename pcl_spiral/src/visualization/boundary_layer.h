@@ -12,15 +12,15 @@ namespace pcl_spiral {
 /** Colours of the drawn surface's heights. */
 vtkSmartPointer<vtkScalarsToColors> heightColors(const DisplaySurface& surface);
 
-/** The surface, its points coloured by height, the loops, the radial lines and the centre of \p report as far
+/** The surface coloured by height, at its points or all over, the loops, the radial lines and the centre of \p report as far
  * as it has them. Returns the legend. */
 std::vector<LegendEntry> addBoundaries(PartView& view, const SpiralReport& report,
                                        vtkScalarsToColors* height_colors);
 
 /** "scan.pcd: boundaries and radial lines", as far as there are any. */
-std::string boundariesTitle(const std::string& title, const SpiralReport& report);
+std::string boundariesTitle(const PictureScene& scene);
 
-/** "107198 points, spacing 1.2 mm, noise 0.018 mm" */
-std::string scanInWords(const SpiralReport& report);
+/** "107198 points, spacing 1.2 mm, noise 0.018 mm", or "1200 faces, 602 vertices" */
+std::string partInWords(const PictureScene& scene);
 
 } // namespace pcl_spiral

@@ -26,28 +26,51 @@ constexpr double hiding_clearance = 0.01;  ///< of the part's size
 constexpr double least_mean_normal = 0.25; ///< a shorter mean of unit normals tells no side
 
 void
+extend(DisplaySurface& surface, const Eigen::Vector3d& p)
+{
+  surface.low = surface.low.cwiseMin(p);
+  surface.high = surface.high.cwiseMax(p);
+}
+
+void
 measurePath(const PictureScene& scene, DisplaySurface& surface)
 {
   surface.low.setConstant(std::numeric_limits<double>::max());
   surface.high = -surface.low;
   surface.outward.setZero();
-  const auto extend = [&surface](const Eigen::Vector3d& p) {
-    surface.low = surface.low.cwiseMin(p);
-    surface.high = surface.high.cwiseMax(p);
-  };
   double weight = 0.0;
   for (std::size_t i = 0; i < scene.path->size(); ++i) {
     const ToolpathPoint& point = (*scene.path)[i];
-    extend(point.getVector3fMap().cast<double>());
+    extend(surface, point.getVector3fMap().cast<double>());
     const double step = i > 0 ? point.arc_length - (*scene.path)[i - 1].arc_length : 0.0;
     surface.outward += step * point.getNormalVector3fMap().cast<double>();
     weight += step;
   }
   for (const BoundaryLoop& loop : scene.report.loops)
     for (const Eigen::Vector3d& p : loop.points)
-      extend(p);
+      extend(surface, p);
   const bool clear = weight > 0.0 && surface.outward.norm() > least_mean_normal * weight;
   surface.outward = clear ? surface.outward.normalized() : Eigen::Vector3d::Zero().eval();
+}
+
+/** The box about the part, too: the scan no farther than \p beyond of the box's size from it. */
+void
+measurePart(const PictureScene& scene, double beyond, DisplaySurface& surface)
+{
+  if (scene.mesh) {
+    for (std::size_t t = 0; t < scene.mesh->faceCount(); ++t)
+      for (const std::uint32_t v : scene.mesh->triangles().triangle(t))
+        extend(surface, scene.mesh->position(v));
+    return;
+  }
+  const Eigen::Array3d reach = Eigen::Array3d::Constant(beyond * (surface.high - surface.low).norm());
+  const Eigen::Array3d low = surface.low.array() - reach, high = surface.high.array() + reach;
+  if (!(beyond > 0.0))
+    return;
+  for (const pcl::PointXYZ& point : *scene.cloud)
+    if (const Eigen::Vector3d p = point.getVector3fMap().cast<double>();
+        (p.array() >= low).all() && (p.array() <= high).all())
+      extend(surface, p);
 }
 
 /** Finite points inside the box. Where there are too many, those of the loops and a fixed share of the
@@ -98,15 +121,11 @@ graphOf(std::vector<Eigen::Vector3f> points, const SpiralSettings& settings)
   return graph;
 }
 
-} // namespace
-
-DisplaySurface
-displaySurface(const PictureScene& scene)
+/** Triangles over the scan. */
+void
+addScan(const PictureScene& scene, const Eigen::Vector3d& up, DisplaySurface& surface)
 {
-  DisplaySurface surface;
-  measurePath(scene, surface);
   const SurfaceGraph graph = graphOf(shownPoints(scene, surface), scene.settings);
-  const Eigen::Vector3d up = surface.outward.isZero() ? Eigen::Vector3d::UnitZ() : surface.outward;
   vtkNew<vtkPoints> points;
   vtkNew<vtkFloatArray> normals, heights;
   normals->SetNumberOfComponents(3);
@@ -130,13 +149,31 @@ displaySurface(const PictureScene& scene)
   surface.mesh->SetPolys(triangles);
   surface.mesh->GetPointData()->SetNormals(normals);
   surface.mesh->GetPointData()->SetScalars(heights);
+}
+
+} // namespace
+
+DisplaySurface
+displaySurface(const PictureScene& scene, double beyond)
+{
+  DisplaySurface surface;
+  measurePath(scene, surface);
+  measurePart(scene, beyond, surface);
+  const Eigen::Vector3d up = surface.outward.isZero() ? Eigen::Vector3d::UnitZ() : surface.outward;
+  surface.of_mesh = scene.mesh != nullptr;
+  if (surface.of_mesh) {
+    surface.mesh = meshTriangles(*scene.mesh, (surface.high - surface.low).norm(), up);
+    surface.spacing = scene.report.spacing;
+  }
+  else
+    addScan(scene, up, surface);
   return surface;
 }
 
 double
 clearance(const DisplaySurface& surface)
 {
-  return std::max(0.7 * surface.spacing, 0.004 * (surface.high - surface.low).norm());
+  return std::max(surface.of_mesh ? 0.0 : 0.7 * surface.spacing, 0.004 * (surface.high - surface.low).norm());
 }
 
 vtkSmartPointer<vtkPolyData>

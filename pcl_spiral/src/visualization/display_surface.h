@@ -10,16 +10,20 @@
 
 namespace pcl_spiral {
 
-/** Triangles with normals over the scan, thinned where it has more points than a picture can show. */
+/** Triangles with normals: over the scan, thinned where it has more points than a picture can show, or those of the mesh. */
 struct DisplaySurface {
   vtkSmartPointer<vtkPolyData> mesh; ///< point data: normals, and Height along the outer direction, mm
-  Eigen::Vector3d low, high;         ///< bounding box of the path and the loops
+  Eigen::Vector3d low, high;         ///< bounding box of the path, the loops and the mesh
   Eigen::Vector3d outward; ///< mean normal of the path, unit; zero where it cancels out (a ring wall)
-  double spacing = 0.0;    ///< of the drawn points, mm
+  bool of_mesh = false;    ///< the triangles are the part's own
+  double spacing = 0.0;    ///< of the scan's drawn points, or of the samples of a mesh, mm; 0: there are none
 };
 
-/** Triangulate what is shown of the scan. */
-DisplaySurface displaySurface(const PictureScene& scene);
+/** Triangulate what is shown of the scan: up to \p beyond of the size of path and loops around them. A mesh is shown whole. */
+DisplaySurface displaySurface(const PictureScene& scene, double beyond = 0.0);
+
+/** The faces of a mesh; curved ones in pieces so small that they look round in a picture of \p size mm. */
+vtkSmartPointer<vtkPolyData> meshTriangles(const SurfaceMesh& mesh, double size, const Eigen::Vector3d& up);
 
 /** How far what is drawn on the surface may lie below it, mm: the drawn surface is coarser than the scan. */
 double clearance(const DisplaySurface& surface);

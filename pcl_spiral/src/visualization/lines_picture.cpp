@@ -12,7 +12,7 @@ SpiralPictures::writeLines(const std::string& file) const
   canvas.addAxes();
   canvas.addLegend(legend);
   canvas.addColorBar("height, mm", colors);
-  canvas.addTitle(boundariesTitle(scene_.title, scene_.report), scanInWords(scene_.report));
+  canvas.addTitle(boundariesTitle(scene_), partInWords(scene_));
   canvas.save(file);
 }
 

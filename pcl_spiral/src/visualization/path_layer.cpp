@@ -86,20 +86,27 @@ turnActor(const pcl::PointCloud<ToolpathPoint>& path, const PathLines& lines, vt
   return actor;
 }
 
-LegendEntry
-addSpiral(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns,
-          vtkScalarsToColors* colors)
+void
+addPath(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const std::function<bool(double)>& shows,
+        vtkScalarsToColors* colors)
 {
   view.add(surfaceActor(view.surface().mesh, surface_color));
   const auto lines = turnActor(path,
                                pathLines(path, least_path_move * view.projection().mm_per_pixel,
                                          [&](const ToolpathPoint& point) {
-                                           return turns.shows(point.turn) && view.isNear(placeOf(point));
+                                           return shows(point.turn) && view.isNear(placeOf(point));
                                          }),
                                colors);
   lines->GetProperty()->SetLineWidth(1.6f);
   view.addOver(lines);
-  return {"spiral, " + turns.caption(), {0.128, 0.567, 0.551}};
+}
+
+LegendEntry
+addSpiral(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns,
+          vtkScalarsToColors* colors)
+{
+  addPath(view, path, [&turns](double turn) { return turns.shows(turn); }, colors);
+  return {"spiral, " + turns.caption(), middle_color};
 }
 
 void

@@ -47,6 +47,10 @@ PathLines pathLines(const pcl::PointCloud<ToolpathPoint>& path, double least,
 vtkSmartPointer<vtkActor> turnActor(const pcl::PointCloud<ToolpathPoint>& path, const PathLines& lines,
                                     vtkScalarsToColors* colors);
 
+/** The surface, and of the path coloured by turn the points whose turn \p shows. */
+void addPath(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const std::function<bool(double)>& shows,
+             vtkScalarsToColors* colors);
+
 /** The surface and the shown turns. Returns the entry of the legend. */
 LegendEntry addSpiral(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns,
                       vtkScalarsToColors* colors);

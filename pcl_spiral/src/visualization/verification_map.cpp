@@ -164,6 +164,8 @@ addPointInset(Canvas& canvas, int slot, const DisplaySurface& surface, const Wor
 double
 discRadius(const DisplaySurface& surface, std::size_t points)
 {
+  if (surface.of_mesh)
+    return disc_of_spacing * surface.spacing;
   const double drawn = static_cast<double>(std::max<vtkIdType>(surface.mesh->GetNumberOfPoints(), 1));
   return disc_of_spacing * surface.spacing * std::sqrt(drawn / std::max(static_cast<double>(points), drawn));
 }

@@ -13,7 +13,7 @@ struct KeyLine {
   const char *keys, *meaning;
 };
 
-constexpr KeyLine lines[] = {{"1", "scan and boundaries"},
+constexpr KeyLine lines[] = {{"1", "part and boundaries"},
                              {"2", "path on the surface"},
                              {"3", "deviation map"},
                              {"4", "stock map"},

@@ -61,7 +61,7 @@ ViewerPages::fill(const ViewerChoice& choice)
     return scene_.deviation.empty() ? absent("the deviation of the path") : deviation(choice);
   case ViewerPage::Stock: {
     if (scene_.stock.empty())
-      return absent("the stock left on the scan");
+      return absent("the stock left on the part");
     const int below = stock();
     addChosen(choice);
     return below;
@@ -78,8 +78,7 @@ ViewerPages::boundaries()
   const auto colors = heightColors(window_.surface());
   const std::vector<LegendEntry> legend = addBoundaries(window_, scene_.part.report, colors);
   window_.addMeasures();
-  const SpiralReport& report = scene_.part.report;
-  return addWords({boundariesTitle(scene_.part.title, report), scanInWords(report)}, "height, mm", colors, legend);
+  return addWords({boundariesTitle(scene_.part), partInWords(scene_.part)}, "height, mm", colors, legend);
 }
 
 int

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
 #include <pcl_spiral/toolpath/spiral_report.h>
 #include <pcl_spiral/toolpath/spiral_settings.h>
 
@@ -19,6 +20,7 @@ namespace pcl_spiral {
 struct PictureScene {
   std::string title; ///< such as the scan's name
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud;
+  SurfaceMesh::ConstPtr mesh; ///< in place of the cloud, whose points are triangulated where there is none
   pcl::PointCloud<ToolpathPoint>::ConstPtr path;
   SpiralSettings settings;
   SpiralReport report;
@@ -35,7 +37,7 @@ struct DisplaySurface;
 /** The pictures of one scene, each a PNG of 1600 x 1200. */
 class SpiralPictures {
 public:
-  /** Thins and triangulates the cloud for drawing. */
+  /** Thins and triangulates the cloud for drawing; a mesh is drawn with its own triangles. */
   explicit SpiralPictures(PictureScene scene);
   ~SpiralPictures();
 

@@ -1,0 +1,12 @@
+/** \file
+ *  The picture of a run of pcl_spiral_drive.
+ */
+#pragma once
+
+#include "planning.h"
+
+#include <pcl_spiral/visualization/pass_picture.h>
+
+/** \p path: all passes one after the other, the turn counting them. In the picture the turns of a helix count, too. */
+pcl_spiral::PassScene passScene(const Job& job, const Result& result, const std::string& title,
+                                pcl::PointCloud<pcl_spiral::ToolpathPoint> path);

@@ -1,0 +1,18 @@
+/** \file
+ *  The part that paths are judged by.
+ */
+#pragma once
+
+#include "judge_options.h"
+
+#include <string>
+#include <vector>
+
+struct JudgedPart {
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud; ///< the scan; null: there is a mesh
+  pcl_spiral::SurfaceMesh::ConstPtr mesh;
+  std::vector<std::string> warnings; ///< from reading
+};
+
+/** The scan, or the mesh made ready. \throw pcl_spiral::FileError */
+JudgedPart readPart(const std::string& file, const pcl_spiral::ReadOptions& read, const std::optional<MeshChoice>& mesh);
