@@ -19,13 +19,18 @@ void
 prepare(Judge& judge, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
         const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings)
 {
-  judge.setInputCloud(scan);
+  if (settings.mesh) {
+    judge.setInputMesh(settings.mesh);
+    judge.setSampleSpacing(settings.sample_spacing);
+  }
+  else
+    judge.setInputCloud(scan);
   if (settings.surface)
     judge.setInputSurface(settings.surface);
   judge.setInputToolpath(path);
   judge.setChordError(settings.chord_error);
   judge.setNumberOfThreads(settings.threads);
-  if (settings.surface)
+  if (settings.surface || settings.mesh)
     return; // oriented already
   judge.setFlipNormals(settings.flip_normals);
   if (settings.view_point)
@@ -41,10 +46,19 @@ intensities(const pcl::PointCloud<pcl::PointXYZI>& cloud)
   return values;
 }
 
+/** The samples of a mesh that a path was judged by. */
+pcl::PointCloud<pcl::PointXYZ>::ConstPtr
+samplesOf(const ReferenceMesh& mesh)
+{
+  const auto places = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (const pcl::PointNormal& sample : *mesh.samples())
+    places->emplace_back(sample.x, sample.y, sample.z);
+  return places;
+}
+
 /** For every path point the ridge next to the nearest point of the surface. */
 std::vector<float>
-ridgesAlong(const pcl::PointCloud<ToolpathPoint>& path, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
-            const Heights& heights)
+ridgesAlong(const pcl::PointCloud<ToolpathPoint>& path, const Heights& heights)
 {
   const auto on_surface = pcl::make_shared<pcl::Indices>();
   for (std::size_t i = 0; i < heights.stock.size(); ++i)
@@ -54,7 +68,7 @@ ridgesAlong(const pcl::PointCloud<ToolpathPoint>& path, const pcl::PointCloud<pc
   if (on_surface->empty())
     return ridges;
   pcl::KdTreeFLANN<pcl::PointXYZ> tree;
-  tree.setInputCloud(scan, on_surface);
+  tree.setInputCloud(heights.places, on_surface);
   pcl::Indices nearest(1);
   std::vector<float> squared(1);
   for (std::size_t i = 0; i < path.size(); ++i)
@@ -111,10 +125,11 @@ judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
   removal.compute(values);
   heights.stock = intensities(values);
   heights.ridges = removal.getRidgeHeights();
+  heights.places = reference->mesh() ? samplesOf(*reference->mesh()) : scan;
   verification.removal = removal.getFigures();
   verification.removal.warnings = inOptions(verification.removal.warnings);
   if (removal.getStatus().ok())
-    heights.scallop = ridgesAlong(*path, scan, heights);
+    heights.scallop = ridgesAlong(*path, heights);
   verification.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return removal.getStatus();
 }

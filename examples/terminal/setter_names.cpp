@@ -7,7 +7,7 @@
 namespace {
 
 /** Each is replaced where the program has the first option that the second names. */
-constexpr std::array<std::pair<const char*, const char*>, 34> words{{
+constexpr std::array<std::pair<const char*, const char*>, 36> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
@@ -42,6 +42,8 @@ constexpr std::array<std::pair<const char*, const char*>, 34> words{{
     {"ReadOptions::columns", "--columns"},
     {"ReadOptions::origin", "--origin X,Y,Z"},
     {"ReadOptions::unit", "--units m, --units inch"},
+    {"setSampleSpacing", "--sample-spacing"},
+    {"readCloud", "leave --mesh out"},
 }};
 
 /** "thin" of "--thin". */

@@ -1,0 +1,31 @@
+#include <pcl_spiral/mesh/mesh_findings.h>
+
+#include <pcl_spiral/common/message.h>
+
+namespace pcl_spiral {
+
+std::vector<std::pair<const char*, MeshFinding>>
+mendedFindings(const MeshCounts& counts)
+{
+  return {{"vertices welded", counts.welded},
+          {"faces without area left out", counts.without_area},
+          {"repeated faces left out", counts.repeated},
+          {"faces turned", counts.turned},
+          {"edges of more than two faces cut open", counts.crowded_edges},
+          {"edges of a one-sided surface cut open", counts.one_sided_edges}};
+}
+
+std::string
+findingsText(const MeshCounts& counts)
+{
+  std::string all;
+  const auto add = [&all](const std::string& words) { all += (all.empty() ? "" : ", ") + words; };
+  for (const auto& [words, finding] : mendedFindings(counts))
+    if (finding.count > 0)
+      add(textOf(finding.count, " ", words, " (first at ", placeText(finding.place), ")"));
+  if (counts.parts > 1)
+    add(textOf(counts.parts, " separate parts"));
+  return all;
+}
+
+} // namespace pcl_spiral
