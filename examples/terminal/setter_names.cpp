@@ -7,7 +7,7 @@
 namespace {
 
 /** Each is replaced where the program has the first option that the second names. */
-constexpr std::array<std::pair<const char*, const char*>, 36> words{{
+constexpr std::array<std::pair<const char*, const char*>, 37> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
@@ -43,6 +43,7 @@ constexpr std::array<std::pair<const char*, const char*>, 36> words{{
     {"ReadOptions::origin", "--origin X,Y,Z"},
     {"ReadOptions::unit", "--units m, --units inch"},
     {"setSampleSpacing", "--sample-spacing"},
+    {"setSpacing", "--sample-spacing"},
     {"readCloud", "leave --mesh out"},
 }};
 

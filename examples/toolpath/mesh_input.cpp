@@ -20,6 +20,7 @@ using namespace pcl_spiral;
 namespace {
 
 constexpr double spacings_a_hole = 6.0;       // triangles over samples close circles of three spacings and less
+constexpr double spacings_a_radius = 6.0;     // beside an edge fits go hollow, by a radius of 15 spacings where it is bent by 62 degrees
 constexpr double most_samples = 5e5, samples_a_square = 1.6; // the latter: of one spacing
 
 void
@@ -41,18 +42,20 @@ stepOnPlane(const Job& job)
   return stepOver(job.settings.tool_radius, 0.0, job.settings.scallop_height).value_or(2.0 * job.settings.tool_radius);
 }
 
-/** By the curvature of the mesh, close enough to show the holes asked for, and no wider than turns are apart; but of these two no
- *  closer than gives half a million points. */
+/** By the curvature of the mesh, no wider than turns are apart; with creases wide enough for the ball to fit into what local fits
+ *  make beside them; close enough to show the holes asked for. */
 double
 spacingFor(const Job& job, const SurfaceMesh& mesh)
 {
   if (job.sample_spacing > 0.0)
     return job.sample_spacing;
-  double wanted = stepOnPlane(job);
-  if (job.settings.hole_size > 0.0)
-    wanted = std::min(wanted, job.settings.hole_size / spacings_a_hole);
   const double closest = std::sqrt(mesh.area() * samples_a_square / most_samples);
-  return std::min(defaultSampleSpacing(mesh), std::max(wanted, closest));
+  double spacing = std::min(defaultSampleSpacing(mesh), std::max(stepOnPlane(job), closest));
+  if (mesh.counts().creases.count > 0)
+    spacing = std::max(spacing, job.settings.tool_radius / spacings_a_radius);
+  if (job.settings.hole_size > 0.0)
+    spacing = std::min(spacing, std::max(job.settings.hole_size / spacings_a_hole, closest));
+  return spacing;
 }
 
 /** Parts of the mesh as they hang together at edges: one number a face. */
@@ -172,6 +175,9 @@ inMesh(std::string message)
       {"scan it again, more densely", "sample it more closely (--sample-spacing)"},
       {"scan more densely", "sample it more closely (--sample-spacing)"},
       {"scan it again", "close it in the mesh"},
+      {"the whole scan", "the whole mesh"},
+      {"would gouge; use a smaller tool",
+       "would gouge; use a smaller tool, or where that is but roughness of the mesh, sample it less closely (--sample-spacing)"},
       {"scanned surface", "surface"},
       {"the scan", "the mesh"},
       {"on a scan only", "on a mesh only"},
