@@ -193,13 +193,13 @@ TEST_F(MeshToolpath, HolesAreHolesOfThePart)
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(result.err.find("scan"), std::string::npos) << result.err;
   EXPECT_LT(distanceFrom(middle), 1.5);
-  // As wide as a step-over: over it, but where --hole-size asks for it.
-  const TriangleMesh narrow = without(hills(), square(1.0));
-  result = run(narrow, {"--scallop", "0.2"});
+  // One cell, less than a step-over wide: over it, but where --hole-size asks for it.
+  const TriangleMesh narrow = without(hills(), [](const Eigen::Vector3d& p) { return std::max(std::abs(p.x() - 21.0), std::abs(p.y() - 21.0)) < 1.0; });
+  result = run(narrow, {"--scallop", "0.5"});
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(result.err.find("scan"), std::string::npos) << result.err;
   EXPECT_EQ(report().at("holes").at(0).at("path"), "over") << result.err;
-  result = run(narrow, {"--scallop", "0.2", "--hole-size", "1.5"});
+  result = run(narrow, {"--scallop", "0.5", "--hole-size", "1.5"});
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(report().at("holes").at(0).at("path"), "around") << result.err;
   EXPECT_EQ(report().at("settings").at("hole_size"), 1.5);
