@@ -1,4 +1,4 @@
-// From a scan to toolpath files: the main program.
+// From a scan or a mesh to toolpath files: the main program.
 #include "judging/figures_table.h"
 #include "judging/judge.h"
 #include "program/free_leads.h"
@@ -10,11 +10,10 @@
 #include "toolpath/console.h"
 #include "toolpath/job_check.h"
 #include "toolpath/outputs.h"
+#include "toolpath/planning.h"
 
-#include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/output_files.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
 
 #include <pcl/console/print.h>
 
@@ -38,83 +37,22 @@ warn(const Job& job, const std::vector<std::string>& warnings)
 }
 
 void
-require(const Job& job, const Status& status)
-{
-  if (status.code() == StatusCode::Cancelled || cancelled())
-    throw Cancelled();
-  if (status.code() == StatusCode::InvalidArgument)
-    throw UsageError(job.scan + ": " + inOptions(status.message()));
-  if (!status.ok())
-    throw FileError(job.scan, inOptions(status.message()));
-}
-
-/** Whether the planner's surface has all points that a path is to be judged by: none was filtered out. */
-bool
-judgedByTheSameSurface(const SpiralSettings& settings)
-{
-  return settings.thinning == 0.0 && settings.outlier_neighbours == 0;
-}
-
-/** The surface that the planner and the judge share. */
-Surface::ConstPtr
-surfaceOf(const Job& job, const Scan& scan, ProgressBar& bar)
-{
-  ScannedSurface<pcl::PointXYZ> scanned;
-  scanned.setInputCloud(scan.cloud);
-  if (job.settings.view_point)
-    scanned.setViewPoint(*job.settings.view_point);
-  scanned.setFlipNormals(job.settings.flip_normals);
-  scanned.setLargestPart(job.settings.largest_part);
-  scanned.setNumberOfThreads(job.settings.threads);
-  scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.25 * share, stage); });
-  Surface::ConstPtr surface;
-  scanned.compute(surface);
-  require(job, scanned.getStatus());
-  return surface;
-}
-
-Result
-compute(const Job& job)
-{
-  ProgressBar bar(job.quiet);
-  bar.update(0.0, "reading " + job.scan);
-  Result result;
-  std::vector<StageCost> stages;
-  StageClock clock(stages);
-  result.scan = readCloud(job.scan, job.read);
-  result.scan.warnings = inOptions(result.scan.warnings);
-  clock.end("reading");
-  if (cancelled())
-    throw Cancelled();
-  if (job.verify && judgedByTheSameSurface(job.settings)) {
-    result.surface = surfaceOf(job, result.scan, bar);
-    clock.end("surface");
-  }
-  SpiralToolpathGenerator<pcl::PointXYZ> generator;
-  generator.setInputCloud(result.scan.cloud);
-  if (result.surface)
-    generator.setInputSurface(result.surface);
-  generator.setSettings(job.settings);
-  generator.setProgressCallback(
-      [&bar](double share, const std::string& stage) { return bar.update(share, stage); });
-  generator.compute(*result.path);
-  bar.clear();
-  require(job, generator.getStatus());
-  result.report = generator.getReport();
-  result.report.warnings = inOptions(result.report.warnings);
-  if (result.surface)
-    result.report.passes += result.surface->counts().passes;
-  result.report.stages.insert(result.report.stages.begin(), stages.begin(), stages.end());
-  return result;
-}
-
-void
 verify(const Job& job, Result& result)
 {
   ProgressBar bar(job.quiet);
   const SpiralSettings& s = job.settings;
-  const JudgeSettings settings{s.tool_radius, s.scallop_height, s.chord_error, s.view_point, s.flip_normals, s.threads,
-                               result.surface};
+  JudgeSettings settings;
+  settings.tool_radius = s.tool_radius;
+  settings.scallop_height = s.scallop_height;
+  settings.chord_error = s.chord_error;
+  settings.view_point = s.view_point;
+  settings.flip_normals = s.flip_normals;
+  settings.threads = s.threads;
+  settings.sample_spacing = job.sample_spacing;
+  if (result.mesh)
+    settings.mesh = result.mesh->mesh;
+  else
+    settings.surface = result.surface;
   std::shared_ptr<const ReferenceSurface> reference;
   Verification verification;
   const Status status = judgePath(result.scan.cloud, result.path, settings,
@@ -125,7 +63,7 @@ verify(const Job& job, Result& result)
     throw Cancelled();
   if (!status.ok())
     throw FileError(job.scan, "the path was made but could not be judged: " + inOptions(status.message()));
-  if (!result.surface)
+  if (!settings.surface)
     result.report.passes += reference->scanned().counts().passes;
   result.verification = std::move(verification);
 }
@@ -158,7 +96,7 @@ run(const Job& job)
   if (!job.verbose)
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
   const std::optional<Machine> machine = hasProgram(job.program, job.outputs) ? std::optional(machineOf(job.program)) : std::nullopt;
-  Result result = compute(job);
+  Result result = computePath(job);
   if (machine)
     layOnMachine(job, *machine, result);
   if (job.verify)

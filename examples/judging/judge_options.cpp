@@ -102,8 +102,7 @@ addMeshOptions(po::options_description& options)
 {
   options.add_options()("mesh", "the first file is a mesh, .stl .obj .ply: judge by the surface behind its faces; without it their "
                                 "corners are taken for a scan")(
-      "crease", value("DEG"), "edges of the mesh bent by more are creases, and kept apart; 30: --crease 20")(
-      "flip", "the cutter is on the other side of the mesh")(
+      "crease-angle", value("A"), "edges of the mesh bent by more are creases, and kept apart, degrees; 30: --crease-angle 20")(
       "sample-spacing", value("S"), "of the points that the mesh is judged at, mm; found from area and curvature: --sample-spacing 0.2");
 }
 
@@ -111,20 +110,20 @@ std::optional<MeshChoice>
 meshOptions(const po::variables_map& given)
 {
   const bool mesh = given.count("mesh") > 0;
-  for (const char* name : {"crease", "flip", "sample-spacing"})
+  for (const char* name : {"crease-angle", "sample-spacing"})
     require(mesh || given.count(name) == 0, "--" + std::string(name) + " belongs to meshes; add --mesh, or leave it out");
-  for (const char* name : {"columns", "view-point", "flip-normals"})
+  for (const char* name : {"columns", "view-point"})
     require(!mesh || given.count(name) == 0, "--" + std::string(name) + " belongs to scans, and the side of a mesh is that of its "
-                                             "faces; leave it out, or turn the mesh over (--flip)");
+                                             "faces; leave it out, or turn the mesh over (--flip-normals)");
   if (!mesh)
     return std::nullopt;
   MeshChoice choice;
-  choice.settings.flip = given.count("flip") > 0;
-  if (given.count("crease") > 0)
-    choice.settings.crease_angle = numberValue("crease", given["crease"].as<std::string>());
+  choice.settings.flip = given.count("flip-normals") > 0;
+  if (given.count("crease-angle") > 0)
+    choice.settings.crease_angle = numberValue("crease-angle", given["crease-angle"].as<std::string>());
   if (given.count("sample-spacing") > 0)
     choice.sample_spacing = numberValue("sample-spacing", given["sample-spacing"].as<std::string>());
-  require(choice.settings.crease_angle > 0.0 && choice.settings.crease_angle <= 180.0, "--crease must be above 0, up to 180 degrees, such as 30");
+  require(choice.settings.crease_angle > 0.0 && choice.settings.crease_angle <= 180.0, "--crease-angle must be above 0, up to 180 degrees, such as 30");
   require(choice.sample_spacing >= 0.0, "--sample-spacing must be above 0 mm, or 0 to have it chosen");
   return choice;
 }

@@ -30,7 +30,7 @@ void addCutterOptions(boost::program_options::options_description& options, cons
 /** How to read the scan. \throw UsageError */
 pcl_spiral::ReadOptions scanOptions(const boost::program_options::variables_map& given);
 
-/** --mesh, --crease, --flip, --sample-spacing */
+/** --mesh, --crease-angle, --sample-spacing; the side of a mesh is --flip-normals, too */
 void addMeshOptions(boost::program_options::options_description& options);
 
 /** How a part given as a mesh is taken; none without --mesh. \throw UsageError where an option does not go with the part */

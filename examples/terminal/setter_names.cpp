@@ -7,7 +7,7 @@
 namespace {
 
 /** Each is replaced where the program has the first option that the second names. */
-constexpr std::array<std::pair<const char*, const char*>, 37> words{{
+constexpr std::array<std::pair<const char*, const char*>, 40> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
@@ -30,6 +30,7 @@ constexpr std::array<std::pair<const char*, const char*>, 37> words{{
     {"setScallopHeight", "--scallop"},
     {"setScallop", "--scallop"},
     {"setPlaneDirection", "--direction"},
+    {"setPlaneNormal", "--direction"},
     {"setAxisMode", "--axis-mode"},
     {"setRows", "--rows"},
     {"setChordError", "--chord-error"},
@@ -39,12 +40,14 @@ constexpr std::array<std::pair<const char*, const char*>, 37> words{{
     {"Scale it to mm", "Say its unit (--units m), or scale it to mm"},
     {"in another unit than mm?", "in another unit than mm (--units)?"},
     {"setSampleSpacing", "--sample-spacing"},
-    {"setCreaseAngle", "--crease"},
-    {"setMeshSettings, flip", "--flip"},
+    {"setCreaseAngle", "--crease-angle"},
+    {"setMeshSettings, flip", "--flip-normals"},
     {"setNumberOfThreads", "--threads"},
     {"ReadOptions::columns", "--columns"},
     {"ReadOptions::origin", "--origin X,Y,Z"},
     {"ReadOptions::unit", "--units m, --units inch"},
+    {"setSpacing", "--sample-spacing"},
+    {"readCloud", "leave --mesh out"},
 }};
 
 /** "thin" of "--thin". */

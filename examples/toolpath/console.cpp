@@ -3,6 +3,8 @@
 #include "program/machine_moves.h"
 #include "terminal/terminal.h"
 
+#include <pcl_spiral/mesh/mesh_findings.h>
+
 #include <algorithm>
 #include <cstdio>
 
@@ -47,10 +49,24 @@ printMethod(const pcl_spiral::SpiralReport& report)
               report.path_points, report.smallest_step_over, report.largest_step_over);
 }
 
+/** What was found in the mesh, and how it was sampled; leaves the line of the samples open. */
 void
-printSurface(const Job& job, const pcl_spiral::SpiralReport& report)
+printMesh(const Job& job, const MeshInput& mesh, const pcl_spiral::SpiralReport& report)
 {
-  std::printf("scan            %s: %zu points", job.scan.c_str(), report.input_points);
+  std::printf("mesh            %s: %zu faces, %zu vertices\n", job.scan.c_str(), mesh.counts.faces, mesh.counts.vertices);
+  if (const std::string found = pcl_spiral::findingsText(mesh.counts); !found.empty())
+    std::printf("found in it     %s\n", found.c_str());
+  std::printf("samples         %zu, one a %.4g mm", report.input_points, mesh.spacing);
+}
+
+void
+printSurface(const Job& job, const Result& result)
+{
+  const pcl_spiral::SpiralReport& report = result.report;
+  if (result.mesh)
+    printMesh(job, *result.mesh, report);
+  else
+    std::printf("scan            %s: %zu points", job.scan.c_str(), report.input_points);
   const auto dropped = [](std::size_t count, const char* why) {
     if (count > 0)
       std::printf(", %zu %s", count, why);
@@ -61,7 +77,7 @@ printSurface(const Job& job, const pcl_spiral::SpiralReport& report)
   dropped(report.surplus_points, "surplus along scan lines or beside sparser parts");
   dropped(report.left_out_points, "in other parts");
   std::printf(", %zu used\n", report.used_points);
-  std::printf("surface         spacing %.4g mm, noise %.2g mm\n", report.spacing, report.noise);
+  std::printf("surface         spacing %.4g mm, %s %.2g mm\n", report.spacing, result.mesh ? "samples off the fits" : "noise", report.noise);
   std::size_t gaps = 0;
   for (const pcl_spiral::BoundaryLoop& loop : report.loops) {
     gaps += loop.type == pcl_spiral::LoopType::ScanGap;
@@ -71,7 +87,7 @@ printSurface(const Job& job, const pcl_spiral::SpiralReport& report)
                   loop.corners.size(), plural(loop.corners.size()));
   }
   if (gaps > 0)
-    std::printf("scan gaps       %zu, bridged\n", gaps);
+    std::printf("%s %zu, bridged\n", result.mesh ? "narrow holes   " : "scan gaps      ", gaps);
   printHoles(report);
   if (report.boundaries == 1 && report.method != pcl_spiral::SpiralMethod::ConstantScallop)
     std::printf("centre          %.3f, %.3f, %.3f\n", report.centre.x(), report.centre.y(),
@@ -113,7 +129,7 @@ void
 printStages(const Result& result, double seconds)
 {
   std::printf("neighbourhoods  %d pass%s over all of them%s\n", result.report.passes, result.report.passes == 1 ? "" : "es",
-              result.surface        ? "; planner and judge share the surface"
+              result.surface && !result.mesh ? "; planner and judge share the surface"
               : result.verification ? ", of planner and judge"
                                     : "");
   std::printf("  %-16s %9s %7s %9s %9s\n", "stage", "s", "%", "MB", "peak MB");
@@ -135,7 +151,7 @@ void
 printSummary(const Job& job, const Result& result, double seconds)
 {
   const pcl_spiral::SpiralReport& report = result.report;
-  printSurface(job, report);
+  printSurface(job, result);
   printPath(job, report);
   if (result.program)
     printProgram(*result.program);

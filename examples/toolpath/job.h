@@ -22,7 +22,9 @@ struct Job {
   pcl_spiral::ReadOptions read;
   pcl_spiral::SpiralSettings settings;
   ProgramJob program;
-  bool verify = false; ///< judge the path by the scan
+  bool mesh = false;           ///< the scan is a mesh, and its faces count
+  double sample_spacing = 0.0; ///< of the points the mesh is sampled at, mm; 0: found
+  bool verify = false;         ///< judge the path by the scan or the mesh
   bool verbose = false;
   bool quiet = false;
   bool help = false;

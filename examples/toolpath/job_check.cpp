@@ -3,6 +3,7 @@
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
 
+#include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
@@ -52,6 +53,26 @@ checkCutter(const Job& job)
           "must lie between 0 and 90 degrees");
   requireOption(s.feed > 0.0, "feed", s.feed, "must be above 0 mm/min");
   requireOption(s.thinning >= 0.0, "thin", s.thinning, "must be above 0 mm, or 0 for none");
+}
+
+/** --mesh, and the options that belong to scans or to meshes alone. */
+void
+checkMesh(const Job& job)
+{
+  if (!job.mesh) {
+    if (job.given.count("sample-spacing") > 0)
+      throw UsageError("--sample-spacing: a scan has its own points; give --mesh too where the faces of the file count, or leave it out");
+    return;
+  }
+  const auto& known = pcl_spiral::meshExtensions();
+  if (const std::string extension = extensionOf(job.scan); std::find(known.begin(), known.end(), extension) == known.end())
+    throw UsageError(job.scan + ": --mesh takes .stl .obj and .ply, and '" + extension + "' holds no faces; leave --mesh out for points");
+  for (const char* option : {"columns", "view-point", "thin", "outliers"})
+    if (job.given.count(option) > 0)
+      throw UsageError(std::string("--") + option + " belongs to scans, and --mesh is given: " +
+                       (std::string(option) == "view-point" ? "the faces tell the side (--flip-normals turns them); " : "") +
+                       "leave one of the two out");
+  requireOption(job.sample_spacing >= 0.0, "sample-spacing", job.sample_spacing, "must be above 0 mm, or 0 to have it found");
 }
 
 bool
@@ -117,6 +138,7 @@ checkJob(const Job& job)
   if (job.scan.empty())
     throw UsageError("no scan is named; give one, such as part.pcd");
   checkCutter(job);
+  checkMesh(job);
   checkOutputs(job);
   checkProgram(job.program, job.outputs, job.given);
   if (job.given.count("accept-collisions") > 0 && !hasProgram(job.program, job.outputs))

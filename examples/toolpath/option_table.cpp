@@ -41,7 +41,7 @@ files(Job& job)
   return {
       "Files",
       {{"scan", "FILE",
-        "the scan: .pcd .ply .xyz .txt .csv .asc .stl .obj; the name alone is enough: part.pcd",
+        "the scan: .pcd .ply .xyz .txt .csv .asc .stl .obj, or with --mesh a mesh; the name alone is enough: part.pcd",
         [&job](const std::string& value) { job.scan = value; }},
        {"output", "FILE",
         "what to write, by extension; give it once a file: -o part.csv -o part.vtp\n"
@@ -96,7 +96,10 @@ spiral(SpiralSettings& s)
        choiceOption("boundaries", "one: the rim; two: and the longest hole; all: and every hole; auto by default: --boundaries two",
                     s.boundary_mode),
        choiceOption("holes", "the path runs around holes, the default, or over them; or refuses them: --holes over", s.holes),
-       numberOption("hole-size", "W", "a narrower hole, mm, is but a gap in the data; found by default: --hole-size 8", s.hole_size),
+       numberOption("hole-size", "W",
+                    "a narrower hole, mm, is but a gap in the data, ridden over and marked; found by default, with --mesh one "
+                    "step-over, or six of its samples if that is more: --hole-size 8",
+                    s.hole_size),
        numberOption("hole-margin", "D", "the path stays this far from holes, mm; 0: --hole-margin 1", s.hole_margin),
        {"rim", "on|inside,D|beyond,D", "where the pass along the rim runs, D mm off it; on by default: --rim beyond,2",
         [&s](const std::string& value) { setRim(s.rim_overhang, value); }},
@@ -119,8 +122,15 @@ OptionGroup
 surface(Job& job)
 {
   return {"Surface",
-          {placeOption("view-point", "where the scanner stood, mm; normals face it: --view-point 0,0,3000", job.settings.view_point),
-           switchOption("flip-normals", "the cutter is on the other side", job.settings.flip_normals),
+          {switchOption("mesh",
+                        "the file is a mesh, .stl .obj .ply: the path follows samples of the curved surface behind its faces, which tell "
+                        "the side; without it vertices are points of a scan",
+                        job.mesh),
+           numberOption("sample-spacing", "D",
+                        "of the samples of --mesh, mm; by default found from its curvature and the step-over: --sample-spacing 0.5",
+                        job.sample_spacing),
+           placeOption("view-point", "where the scanner stood, mm; normals face it: --view-point 0,0,3000", job.settings.view_point),
+           switchOption("flip-normals", "the cutter is on the other side of the scan or mesh", job.settings.flip_normals),
            switchOption("largest", "of several separate parts keep the largest one alone: --largest", job.settings.largest_part),
            numberOption("thin", "EDGE", "thin to one point a cube of this edge, mm; 0, none: --thin 2", job.settings.thinning),
            {"outliers", "K,SIGMA", "drop points that far, in deviations, from K neighbours: --outliers 16,3",
@@ -132,7 +142,7 @@ running(Job& job)
 {
   return {"Run",
           {threadsOption("the path does not depend on it", job.settings.threads),
-           switchOption("verify", "judge the path by the scan: deviation, scallop, gouge; adds about as much time again", job.verify),
+           switchOption("verify", "judge the path by the scan or mesh: deviation, scallop, gouge; adds about as much time again", job.verify),
            switchOption("verbose", "say more: what each stage cost", job.verbose),
            switchOption("quiet", "say nothing but errors", job.quiet),
            switchOption("help", "this text", job.help),

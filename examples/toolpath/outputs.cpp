@@ -25,10 +25,11 @@ hasPictures(const std::string& output)
 }
 
 void
-draw(const Job& job, const Result& result, const std::string& title, PictureFiles& pictures)
+draw(const Result& result, const std::string& title, PictureFiles& pictures)
 {
   VerificationScene scene;
-  scene.part = {title, result.scan.cloud, nullptr, result.path, job.settings, result.report};
+  scene.part = {title, result.heights.points ? result.heights.points : result.scan.cloud, result.mesh ? result.mesh->mesh : nullptr, result.path,
+                result.settings, result.report};
   pictures.drawPath(scene.part, true);
   if (result.program)
     pictures.drawProgram(title, *result.program);
@@ -52,12 +53,14 @@ void
 writeReport(const Job& job, const Result& result, const std::string& title, PictureFiles& pictures,
             const std::string& file)
 {
-  const RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings};
+  RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings, {}};
+  if (result.mesh)
+    run.mesh = RunMesh{result.mesh->counts, result.mesh->spacing};
   const Verification* const verification = result.verification ? &*result.verification : nullptr;
   if (extensionOf(file) == ".json")
-    writeReportJSON(file, run, job.settings, result.report, verification);
+    writeReportJSON(file, run, result.settings, result.report, verification);
   else
-    writeReportHTML(file, {title, madeBy("pcl_spiral_toolpath"), job.command}, run, job.settings, result.report,
+    writeReportHTML(file, {title, madeBy("pcl_spiral_toolpath"), job.command}, run, result.settings, result.report,
                     pictures.forReport({PictureKind::Spiral, PictureKind::Lines, PictureKind::Rotary}), verification,
                     pictures.forReport({PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram}));
 }
@@ -91,7 +94,7 @@ try {
   PictureFiles pictures;
   StageClock clock(result.report.stages);
   if (std::any_of(job.outputs.begin(), job.outputs.end(), hasPictures)) {
-    draw(job, result, title, pictures);
+    draw(result, title, pictures);
     clock.end("pictures");
   }
   std::vector<std::string> reports;

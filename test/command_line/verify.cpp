@@ -185,10 +185,10 @@ TEST_F(Verify, AMeshTakesTheScansPlace)
   fails({"points.obj", "rows.csv", "--mesh"}, 1, "faces");
   fails({"missing.stl", "rows.csv", "--mesh"}, 1, "missing.stl");
   fails({"part.obj", "rows.csv", "--mesh", "--units", "m"}, 1, "another unit");
-  fails({"part.obj", "rows.csv", "--crease", "20"}, 2, "--mesh");
-  fails({"part.obj", "rows.csv", "--mesh", "--crease", "0"}, 2, "--crease");
+  fails({"part.obj", "rows.csv", "--crease-angle", "20"}, 2, "--mesh");
+  fails({"part.obj", "rows.csv", "--mesh", "--crease-angle", "0"}, 2, "--crease-angle");
   fails({"part.obj", "rows.csv", "--mesh", "--view-point", "0,0,100"}, 2, "--view-point");
-  const RunResult flipped = run({"part.obj", "rows.csv", "--mesh", "--flip", "--max-gouge", "0.02"});
+  const RunResult flipped = run({"part.obj", "rows.csv", "--mesh", "--flip-normals", "--max-gouge", "0.02"});
   EXPECT_EQ(flipped.code, 1);
   EXPECT_NE(flipped.out.find("normal that points into the material"), std::string::npos) << flipped.out;
 }

@@ -2,6 +2,7 @@
 
 #include <pcl_spiral/io/report_writer.h>
 #include <pcl_spiral/io/setting_names.h>
+#include <pcl_spiral/mesh/mesh_findings.h>
 
 #include <algorithm>
 
@@ -70,11 +71,24 @@ addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
   page.addTable(rows, false);
 }
 
-void
-addSurface(HtmlPage& page, const SpiralReport& r)
+HtmlRows
+meshRows(const RunMesh& mesh)
 {
-  page.addHeading("Scanned surface");
-  HtmlRows rows{{"Points", words("%zu, of them %zu used", r.input_points, r.used_points)}};
+  const MeshCounts& c = mesh.counts;
+  HtmlRows rows{{"Mesh", words("%zu faces, %zu vertices, %zu boundaries", c.faces, c.vertices, c.loops)}};
+  if (const std::string found = findingsText(c); !found.empty())
+    rows.push_back({"Found in it", found});
+  if (c.creases.count > 0)
+    rows.push_back({"Creases", words("%.1f mm, %zu edges", c.crease_length, c.creases.count)});
+  return rows;
+}
+
+void
+addSurface(HtmlPage& page, const std::optional<RunMesh>& mesh, const SpiralReport& r)
+{
+  page.addHeading(mesh ? "Surface" : "Scanned surface");
+  HtmlRows rows = mesh ? meshRows(*mesh) : HtmlRows();
+  rows.push_back({mesh ? "Samples of its curved surface" : "Points", words("%zu, of them %zu used", r.input_points, r.used_points)});
   const auto dropped = [&](std::size_t count, const char* why) {
     if (count > 0)
       rows.push_back({std::string("Left out: ") + why, std::to_string(count)});
@@ -85,10 +99,12 @@ addSurface(HtmlPage& page, const SpiralReport& r)
   dropped(r.surplus_points, "surplus along scan lines or beside sparser parts");
   dropped(r.left_out_points, "in other parts");
   rows.push_back({"Point spacing, median", words("%.4g mm", r.spacing)});
-  rows.push_back({"Noise of a single point, standard deviation", words("%.2g mm", r.noise)});
+  rows.push_back({mesh ? "Samples off the local fits, standard deviation" : "Noise of a single point, standard deviation",
+                  words("%.2g mm", r.noise)});
   for (const BoundaryLoop& loop : r.loops) {
     const char* const name = loop.type == LoopType::Outer   ? "Outer rim"
                              : loop.type == LoopType::Inner ? "Inner loop"
+                             : mesh                          ? "Narrow hole, bridged"
                                                             : "Gap in the scan, bridged";
     rows.push_back({name, words("%.1f mm long, %zu corners", loop.length, loop.corners.size())});
   }
@@ -199,7 +215,7 @@ writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles&
   for (const ReportPicture& picture : pictures)
     html.addPicture(picture);
   addPath(html, report, settings);
-  addSurface(html, report);
+  addSurface(html, files.mesh, report);
   html.addPart("Run");
   addWarnings(html, warnings);
   addSettings(html, files, settings);

@@ -1,4 +1,5 @@
 #include "byte_file.h"
+#include "mesh_json.h"
 #include "verification_json.h"
 
 #include <pcl_spiral/io/report_writer.h>
@@ -217,6 +218,8 @@ writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSett
       {"seconds", secondsJson(report.stages)},
       {"memory", memoryJson(report.stages)},
       {"warnings", warnings}};
+  if (files.mesh)
+    json["mesh"] = meshJson(*files.mesh);
   if (verification)
     json["verification"] = verificationJson(*verification);
   ByteFile out(file);

@@ -5,13 +5,21 @@
 
 #include <pcl_spiral/io/length_unit.h>
 #include <pcl_spiral/io/verification_writer.h>
+#include <pcl_spiral/mesh/mesh_settings.h>
 #include <pcl_spiral/toolpath/spiral_report.h>
 #include <pcl_spiral/toolpath/spiral_settings.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl_spiral {
+
+/** A mesh whose samples are a run's points. */
+struct RunMesh {
+  MeshCounts counts;
+  double sample_spacing = 0.0; ///< mm
+};
 
 /** Where a run's points came from and where its path went. */
 struct RunFiles {
@@ -20,6 +28,7 @@ struct RunFiles {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< subtracted from the scan, mm
   std::vector<std::string> outputs;
   std::vector<std::string> warnings; ///< from reading
+  std::optional<RunMesh> mesh;       ///< where the points are samples of one
 };
 
 /** Input, settings, loops, counts, time and memory of each stage and warnings of a run, and the path's figures where it was
