@@ -65,7 +65,8 @@ private:
   take(const PatchCell& cell)
   {
     const double sag = cell.sag(), off = sag > sag_ ? sag : 0.0;
-    if (!isNearer(strip_.toBox(cell.corners.rowwise().minCoeff(), cell.corners.rowwise().maxCoeff()), off))
+    if (!isNearer(strip_.toBox(cell.corners.rowwise().minCoeff(), cell.corners.rowwise().maxCoeff()), off) ||
+        !isNearer(strip_.toPlane(cell.corners, cell.bows)))
       return;
     const double squared = strip_.toTriangle(cell.corners);
     if (!isNearer(squared, off))

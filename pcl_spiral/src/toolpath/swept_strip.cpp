@@ -85,6 +85,18 @@ SweptStrip::toBox(const Vector3d& low, const Vector3d& high) const
   return off * off + best;
 }
 
+double
+SweptStrip::toPlane(const Matrix3d& corners, const Matrix3d& bows) const
+{
+  const Vector3d origin = corners.col(0);
+  Vector3d normal = (corners.col(1) - origin).cross(corners.col(2) - origin);
+  if (normal.z() < 0.0) // upwards the strip has no end
+    normal = -normal;
+  const double lowest = std::min(0.0, length_ * normal.x() + rise_ * normal.z()) - normal.dot(origin);
+  const double off = lowest - std::max(0.0, -(normal.transpose() * bows).minCoeff()) / 3.0;
+  return off > 0.0 ? off * off / normal.squaredNorm() : 0.0;
+}
+
 /** Whether the way between two places of its plane meets the strip: cut by the three lines it lies beside. */
 bool
 SweptStrip::meetsInPlane(const Vector2d& from, const Vector2d& to) const

@@ -21,6 +21,9 @@ public:
   double toPlace(const Eigen::Vector3d& p) const;
   /** To a box along the frame. */
   double toBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high) const;
+  /** To the side of a curved triangle's plane that it may lead to, by its bows as of PatchCell; 0 where the strip is not above
+   *  all of it: a bound. */
+  double toPlane(const Eigen::Matrix3d& corners, const Eigen::Matrix3d& bows) const;
   /** To a flat triangle, exactly: strip and triangle are convex, so where they do not meet a corner of one or an edge of each
    *  is nearest. */
   double toTriangle(const Eigen::Matrix3d& corners) const;
