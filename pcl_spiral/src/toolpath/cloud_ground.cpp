@@ -163,6 +163,12 @@ CloudGround::check() const
   return Status::success();
 }
 
+double
+CloudGround::moveError(const CutterPlace& from, const CutterPlace& to, double) const
+{
+  return sweptError(profile_, from, to);
+}
+
 void
 CloudGround::describe(const ToolLocations&, LocationFigures& f) const
 {

@@ -19,6 +19,8 @@ public:
   Status check() const override;
   void locate(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const override;
   bool clears(const DrivePoint& drive) const override;
+  /** sweptError: between points nothing is known. */
+  double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const override;
   void describe(const ToolLocations& locations, LocationFigures& figures) const override;
   const char* name() const override { return "scan"; }
   const char* item() const override { return "point"; }

@@ -23,6 +23,12 @@ CutterLocator::CutterLocator(const LocationMesh& mesh, const CutterProfile& prof
 {
 }
 
+double
+CutterLocator::moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const
+{
+  return ground_->moveError(from, to, allowed);
+}
+
 Status
 CutterLocator::locate(const DrivePoints& drive, const ProgressCallback& progress,
                       ToolLocations& locations) const

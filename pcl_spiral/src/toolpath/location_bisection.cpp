@@ -2,7 +2,6 @@
 
 #include <pcl_spiral/common/available_memory.h>
 #include <pcl_spiral/common/message.h>
-#include <pcl_spiral/core/swept_error.h>
 #include <pcl_spiral/toolpath/location_bisection.h>
 #include <pcl_spiral/toolpath/path_size.h>
 
@@ -27,7 +26,7 @@ constexpr std::int8_t settled = -1;
 /** A move that is to be judged. */
 struct OpenMove {
   std::size_t pass = 0, from = 0;
-  double swept = 0.0; ///< sweptError
+  double error = 0.0;
 };
 
 bool
@@ -60,7 +59,7 @@ public:
       const ProgressCallback inside = [&](double, const std::string&) {
         return !progress || progress(share, "bisection");
       };
-      const std::vector<OpenMove> moves = openMoves();
+      std::vector<OpenMove> moves = openMoves();
       if (moves.empty())
         break;
       if (const Status status = checkSize(moves.size()); !status.ok())
@@ -71,6 +70,7 @@ public:
       ToolLocations located;
       if (const Status status = locator_.locate(middles, inside, located); !status.ok())
         return status;
+      judge(moves, located);
       insert(moves, located);
     }
     for (OpenPass& pass : open_)
@@ -129,7 +129,7 @@ private:
           continue;
         const ToolLocation &a = open_[p].locations[i], &b = open_[p].locations[i + 1];
         if (isKnown(a) && isKnown(b)) {
-          moves.push_back({p, i, sweptError(locator_.profile(), {a.tip, a.axis}, {b.tip, b.axis})});
+          moves.push_back({p, i});
           continue;
         }
         halvings = settled;
@@ -138,7 +138,20 @@ private:
     return moves;
   }
 
-  /** Judge \p moves by their middles; those that err too much are halved. */
+  /** Find what \p moves cut, or leave in their middles. */
+  void
+  judge(std::vector<OpenMove>& moves, const ToolLocations& middles) const
+  {
+#pragma omp parallel for schedule(dynamic, 64)
+    for (std::int64_t m = 0; m < static_cast<std::int64_t>(moves.size()); ++m) {
+      const ToolLocation &a = from(moves[m]), &b = to(moves[m]);
+      const double left = isKnown(middles[m]) ? leftAbove(moves[m], middles[m]) : 0.0;
+      const double allowed = std::max(left, 0.5 * settings_.tolerance);
+      moves[m].error = std::max(left, locator_.moveError({a.tip, a.axis}, {b.tip, b.axis}, allowed));
+    }
+  }
+
+  /** Halve those of \p moves that err too much. */
   void
   insert(const std::vector<OpenMove>& moves, const ToolLocations& middles)
   {
@@ -167,13 +180,12 @@ private:
   isHalved(const OpenMove& move, const ToolLocation& middle, int halvings)
   {
     const Eigen::Vector3d straight = 0.5 * (from(move).tip + to(move).tip);
-    const double error = isKnown(middle) ? std::max(move.swept, leftAbove(move, middle)) : move.swept;
-    const bool kept = error <= 0.5 * settings_.tolerance;
+    const bool kept = move.error <= 0.5 * settings_.tolerance;
     if (!kept && isKnown(middle) && halvings < settings_.most_halvings)
       return true;
     figures_.unresolved += !kept;
-    if (!(error <= figures_.largest_error)) {
-      figures_.largest_error = error;
+    if (!(move.error <= figures_.largest_error)) {
+      figures_.largest_error = move.error;
       figures_.worst_place = straight;
     }
     return false;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/core/swept_error.h>
 #include <pcl_spiral/toolpath/drive_point.h>
 #include <pcl_spiral/toolpath/tool_location.h>
 
@@ -25,6 +26,9 @@ public:
   /** Whether the cutter and what holds it can stand at the contact that \p drive asks for: a quick test, by the points or by
    * the surface alone. */
   virtual bool clears(const DrivePoint& drive) const = 0;
+
+  /** Bound of how deep a straight move may cut, tip and axis led evenly; \p allowed where it is known to be no more than that. */
+  virtual double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const = 0;
 
   /** What figures and warnings there are besides those of all grounds, which \p figures has. */
   virtual void describe(const ToolLocations& locations, LocationFigures& figures) const = 0;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double finest = 5e-4;     // mm: faces are taken for the curved surface when nearer to it
 constexpr double fine_share = 0.05; // the same, of the tolerance
+constexpr double same_axis = 1e-9; // between unit axes
 constexpr double expected_share = 2.0; // of the tolerance, below the drive point
 
 double
@@ -28,6 +29,7 @@ sagFor(const LocationOptions& options)
 MeshGround::MeshGround(const LocationMesh& mesh, const CutterProfile& profile, const LocationOptions& options)
     : mesh_(mesh), options_(options), profile_(profile), sag_(sagFor(options)), drop_(mesh.faces(), profile, sag_),
       rim_drop_(mesh.rim(), profile, sag_), inner_drop_(mesh.faces(), insetCutter(profile, near()), sag_),
+      sweep_(mesh.faces(), profile.radius(), sag_),
       holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance)
 {
 }
@@ -129,6 +131,17 @@ MeshGround::clears(const DrivePoint& drive) const
   const bool clear = !drop_.highest(asked.frame, options_.tolerance).found || holds(asked);
   return asked.contact.touches && clear &&
          !findCollision(mesh_.faces(), holder_, asked.frame, 0.0, options_.tolerance, sag_).found();
+}
+
+double
+MeshGround::moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const
+{
+  const double swept = sweptError(profile_, from, to), off = std::isfinite(sag_) ? sag_ : 0.0, R = profile_.radius();
+  const bool ball = profile_.cornerRadius() == R && profile_.flankAngle() == 0.0;
+  if (swept <= allowed || allowed <= off || !ball || (to.axis - from.axis).norm() > same_axis)
+    return swept;
+  const double depth = sweep_.depth(from.tip + R * from.axis, to.tip + R * to.axis, from.axis, allowed - off);
+  return depth > allowed - off ? std::min(swept, depth + off) : allowed;
 }
 
 void

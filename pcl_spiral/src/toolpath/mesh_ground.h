@@ -5,6 +5,7 @@
 
 #include "asked_location.h"
 #include "location_ground.h"
+#include "mesh_sweep.h"
 
 #include <pcl_spiral/toolpath/cutter_locator.h>
 #include <pcl_spiral/toolpath/mesh_drop.h>
@@ -19,6 +20,8 @@ public:
   Status check() const override;
   void locate(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const override;
   bool clears(const DrivePoint& drive) const override;
+  /** Of balls whose axis does not turn what they cut into the mesh, where that is less than sweptError. */
+  double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const override;
   void describe(const ToolLocations& locations, LocationFigures& figures) const override;
   const char* name() const override { return "mesh"; }
   const char* item() const override { return "face"; }
@@ -41,6 +44,7 @@ private:
   CutterProfile profile_;
   double sag_;
   MeshDrop drop_, rim_drop_, inner_drop_; ///< the last with a cutter smaller by near() all round
+  MeshSweep sweep_;
   HolderProfile holder_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <pcl_spiral/common/progress.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/core/swept_error.h>
 #include <pcl_spiral/toolpath/drive_point.h>
 #include <pcl_spiral/toolpath/location_mesh.h>
 #include <pcl_spiral/toolpath/location_surface.h>
@@ -46,6 +47,11 @@ public:
   /** One location a drive point, in their order; the same for any number of threads. \p drive must be finite,
    * with axes of some length. Fails when cancelled, or where the surface is needed and there is none. */
   Status locate(const DrivePoints& drive, const ProgressCallback& progress, ToolLocations& locations) const;
+
+  /** Bound of how deep the cutter may cut on a straight move between two locations, mm along the normal: sweptError. On a
+   * mesh, for balls whose axis does not turn, what they do cut into it if that is less, as deep as the shank goes too; the
+   * mesh is looked at only for what is deeper than \p allowed, which is returned where there is none. */
+  double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const;
 
   LocationFigures figures(const ToolLocations& locations) const;
 

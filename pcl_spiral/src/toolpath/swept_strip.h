@@ -1,0 +1,42 @@
+/** \file
+ *  What the axis of a ball cutter sweeps on a straight move. Private to toolpath.
+ */
+#pragma once
+
+#include <Eigen/Core>
+
+namespace pcl_spiral {
+
+/** The flat strip between the axes at both ends of a move, above the way of the ball's centre, without end upwards. The ball and
+ *  the shank of the same radius above it sweep all places within the radius of it. Squared distances, all in the strip's frame:
+ *  along the way across the axis, off the strip's plane, and along the axis, from the first centre. */
+class SweptStrip {
+public:
+  /** \p axis unit. */
+  SweptStrip(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& axis);
+
+  const Eigen::Vector3d& origin() const { return origin_; }
+  const Eigen::Matrix3d& axes() const { return axes_; } ///< one a row
+
+  double toPlace(const Eigen::Vector3d& p) const;
+  /** To a box along the frame. */
+  double toBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high) const;
+  /** To the side of a curved triangle's plane that it may lead to, by its bows as of PatchCell; 0 where the strip is not above
+   *  all of it: a bound. */
+  double toPlane(const Eigen::Matrix3d& corners, const Eigen::Matrix3d& bows) const;
+  /** To a flat triangle, exactly: strip and triangle are convex, so where they do not meet a corner of one or an edge of each
+   *  is nearest. */
+  double toTriangle(const Eigen::Matrix3d& corners) const;
+
+private:
+  double inPlane(double x, double z) const;
+  bool meets(const Eigen::Matrix3d& corners) const;
+  bool meetsInPlane(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
+  double toEdge(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+
+  Eigen::Vector3d origin_;
+  Eigen::Matrix3d axes_;
+  double length_, rise_; ///< of the lower edge, from (0, 0) to (length, rise)
+};
+
+} // namespace pcl_spiral
