@@ -150,14 +150,16 @@ TEST_F(Verify, AMeshTakesTheScansPlace)
       obj << "f " << a << ' ' << a + 1 << ' ' << a + cells + 2 << ' ' << a + cells + 1 << '\n';
     }
   writeText(folder_.path("part.obj"), obj.str());
-  csv << "turn,arc_length,cc_x,cc_y,cc_z,normal_x,normal_y,normal_z,axis_x,axis_y,axis_z\n" << std::setprecision(10);
+  csv << "turn,arc_length,cc_x,cc_y,cc_z,normal_x,normal_y,normal_z,tip_x,tip_y,tip_z,axis_x,axis_y,axis_z,feed\n" << std::setprecision(10);
   double length = 0.0;
   for (int row = 0; row <= 40; ++row)
     for (int i = 0; i <= 80; ++i) {
       const double x = (row % 2 ? -1.0 : 1.0) * (0.25 * i - 10.0), y = 0.5 * row - 10.0, d = 1e-5;
       const double nx = -(height(x + d, y) - height(x - d, y)) / (2 * d), ny = -(height(x, y + d) - height(x, y - d)) / (2 * d);
       length += i > 0 ? 0.25 : 0.0; // flat enough
-      csv << row << ',' << length << ',' << x << ',' << y << ',' << height(x, y) << ',' << nx << ',' << ny << ",1,0,0,1\n";
+      const double steep = std::sqrt(nx * nx + ny * ny + 1.0), z = height(x, y); // a ball of 3 mm stands on the contact
+      csv << row << ',' << length << ',' << x << ',' << y << ',' << z << ',' << nx / steep << ',' << ny / steep << ',' << 1.0 / steep << ',' << x + 3.0 * nx / steep << ','
+          << y + 3.0 * ny / steep << ',' << z + 3.0 / steep - 3.0 << ",0,0,1,1000\n";
     }
   writeText(folder_.path("rows.csv"), csv.str());
   const auto run = [&](Arguments arguments) {

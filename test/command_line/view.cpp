@@ -88,7 +88,7 @@ TEST_F(View, WrongCallsAreRefused)
       {{"disc.xyz", "a.csv", "--tool-radius", "x"}, "--tool-radius x"},
       {{"disc.xyz", "a.csv", "--tool-radius", "0"}, "--tool-radius must be above 0"},
       {{"disc.xyz", "a.csv", "--units", "yard"}, "--units yard"},
-      {{"disc.xyz", "a.csv", "--crease-angle", "20"}, "--crease belongs to meshes"},
+      {{"disc.xyz", "a.csv", "--crease-angle", "20"}, "--crease-angle belongs to meshes"},
       {{"disc.ply", "a.csv", "--mesh", "--view-point", "0,0,9"}, "--view-point belongs to scans"},
       {{"disc.xyz", "a.csv", "--no-such"}, "no-such"}};
   for (const auto& [arguments, message] : calls) {

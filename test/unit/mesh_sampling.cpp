@@ -210,7 +210,7 @@ TEST(MeshSampling, AnotherPositionIsCoveredAsWell)
   sampling.setInputMesh(draft.made());
   const Samples after = sampled(sampling, 1.5);
   EXPECT_LE(largestHole(*sampling.getSurfaceMesh(), after, 3000), 1.5);
-  EXPECT_NEAR(static_cast<double>(after.size()), static_cast<double>(before), 0.03 * before);
+  EXPECT_NEAR(static_cast<double>(after.size()), static_cast<double>(before), 0.07 * before); // 1.40 to 1.50 a square of the spacing
 }
 
 TEST(MeshSampling, SamplesNearACreaseAreMarked)
