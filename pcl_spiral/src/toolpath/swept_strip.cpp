@@ -1,7 +1,6 @@
 #include "swept_strip.h"
 
 #include <pcl_spiral/core/frame.h>
-#include <pcl_spiral/mesh/patch_tree.h>
 
 #include <Eigen/Geometry>
 
@@ -47,6 +46,7 @@ SweptStrip::SweptStrip(const Vector3d& from, const Vector3d& to, const Vector3d&
     tangentFrame(axis, across, side);
   }
   axes_ << across.transpose(), axis.cross(across).transpose(), axis.transpose();
+  turned_ = axes_.cwiseAbs();
 }
 
 /** From (\p x, \p z) in the plane of the strip. */
@@ -70,6 +70,14 @@ double
 SweptStrip::toPlace(const Vector3d& p) const
 {
   return p.y() * p.y() + inPlane(p.x(), p.z());
+}
+
+double
+SweptStrip::toTurnedBox(const Box& box) const
+{
+  const Vector3d low(box.low[0], box.low[1], box.low[2]), high(box.high[0], box.high[1], box.high[2]);
+  const Vector3d middle = axes_ * (0.5 * (low + high) - origin_), half = turned_ * (0.5 * (high - low));
+  return toBox(middle - half, middle + half);
 }
 
 /** The strip has no upper end: the upper side of the box is nearest, and of it an end, or the place below or beside a corner. */
