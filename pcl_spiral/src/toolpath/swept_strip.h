@@ -47,6 +47,7 @@ private:
   Eigen::Vector3d origin_;
   Eigen::Matrix3d axes_, turned_; ///< one a row; the same without signs
   double length_, rise_; ///< of the lower edge, from (0, 0) to (length, rise)
+  double per_squared_;   ///< one over its squared length; 0 of none
 };
 
 } // namespace pcl_spiral
