@@ -113,6 +113,31 @@ TEST(MeshMoves, DoNotCutWhatStandsBetweenTwoLocations)
   }
 }
 
+TEST(MeshMoves, LeaveNothingInAGrooveBetweenTwoLocations)
+{
+  for (const double width : {0.8, 1.2, 1.6})
+    for (const double x : {-1.0, 0.0, 0.7}) { // between locations at -2 and 2
+      PlainMesh mesh;
+      const double a = x - 0.5 * width, b = x + 0.5 * width;
+      mesh.addQuad({-30, -30, 0}, {a, -30, 0}, {a, 30, 0}, {-30, 30, 0});
+      mesh.addQuad({a, -30, 0}, {a, -30, -3}, {a, 30, -3}, {a, 30, 0});
+      mesh.addQuad({a, -30, -3}, {b, -30, -3}, {b, 30, -3}, {a, 30, -3});
+      mesh.addQuad({b, -30, -3}, {b, -30, 0}, {b, 30, 0}, {b, 30, -3});
+      mesh.addQuad({b, -30, 0}, {30, -30, 0}, {30, 30, 0}, {b, 30, 0});
+      BisectionFigures figures;
+      const ToolLocations row = led(mesh, tolerance, figures);
+      DrivePoints between;
+      for (std::size_t i = 0; i + 1 < row.size(); ++i)
+        for (double t = 0.0; t < 1.0; t += 0.05)
+          between.push_back({row[i].tip + t * (row[i + 1].tip - row[i].tip), Vector3d::UnitZ(), none});
+      const Located touching = onMesh(mesh.polygons(), ball_end, between);
+      double left = 0.0;
+      for (std::size_t i = 0; i < between.size(); ++i)
+        left = std::max(left, (between[i].position - touching.locations[i].tip).z());
+      EXPECT_LE(left, tolerance) << width << ' ' << x;
+    }
+}
+
 TEST(MeshMoves, AreTheSameForAnyNumberOfThreads)
 {
   for (const PlainMesh& mesh : traps()) {

@@ -161,3 +161,52 @@ TEST(MeshSweep, IntoCurvedTrianglesIsTheDeepestOfTheirParts)
     ASSERT_NEAR(depthIn(faces, move, sag, -0.5), depthIn(flat, move, as_they_are, -0.5), 1e-9) << i;
   }
 }
+
+TEST(MeshSweep, TouchesWhereNoPlaceOfTheWayIsFartherOffAllTriangles)
+{
+  Random random(15);
+  constexpr int steps = 400;
+  int touching = 0, free = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Move move = randomMove(random);
+    std::vector<PatchCell> cells;
+    for (int k = 0; k < 12; ++k) {
+      Matrix3d c = randomTriangle(5.0, random);
+      c.colwise() += Vector3d(move.from + random.uniform(0.0, 1.0) * (move.to - move.from) - 0.7 * c.rowwise().mean());
+      cells.push_back(flatCell(c));
+    }
+    double farthest = 0.0;
+    for (int s = 0; s <= steps; ++s) {
+      const Vector3d centre = move.from + static_cast<double>(s) / steps * (move.to - move.from);
+      double nearest = as_they_are;
+      for (const PatchCell& cell : cells)
+        nearest = std::min(nearest, (cell.corners * nearestOnTriangle(cell.corners, centre) - centre).norm());
+      farthest = std::max(farthest, nearest);
+    }
+    const double between = 0.5 * (move.to - move.from).norm() / steps, reach = farthest * random.uniform(0.8, 1.2);
+    const bool found = MeshSweep(PatchTree(cells), move.radius, 0.0).touches(move.from, move.to, move.axis, reach - move.radius);
+    if (found)
+      ASSERT_GT(reach, farthest - 1e-6) << i;
+    else
+      ASSERT_LT(reach, farthest + between + 1e-6) << i;
+    ++(found ? touching : free);
+  }
+  EXPECT_GT(touching, 100);
+  EXPECT_GT(free, 100);
+}
+
+TEST(MeshSweep, TouchesCurvedTrianglesToTheSag) // on a sphere, the ends of the move the farthest off
+{
+  const auto round = [](double x, double y) { return std::sqrt(900.0 - x * x - y * y); };
+  const PatchTree faces = facesOf(*graphMesh(round, 6.0, 2.0).surface());
+  const MeshSweep sweep(faces, 5.0, 1e-4);
+  for (const double angle : {0.0, 0.5, 1.0}) {
+    const Vector3d side(std::cos(angle), std::sin(angle), 0.0), up = std::sqrt(35.0 * 35.0 - 1.0) * Vector3d::UnitZ();
+    for (const double lift : {0.0, 0.002, 0.01}) {
+      const Vector3d raised = up + lift * Vector3d::UnitZ();
+      EXPECT_TRUE(sweep.touches(raised - side, raised + side, Vector3d::UnitZ(), 1.4 * lift + 2e-3)) << angle << ' ' << lift;
+      if (lift > 0.0)
+        EXPECT_FALSE(sweep.touches(raised - side, raised + side, Vector3d::UnitZ(), 0.5 * lift)) << angle << ' ' << lift;
+    }
+  }
+}

@@ -96,7 +96,7 @@ private:
   {
     const AxisBox box = view_.see(patches_.boxes().box(node));
     const double nearest = std::max(0.0, box.nearest - slack);
-    if (nearest > touch_.profile().radius())
+    if (box.high + slack < floor_ || nearest > touch_.profile().radius())
       return;
     const double height = box.high - touch_.profile().height(nearest) + slack;
     if (height >= floor_)

@@ -140,8 +140,10 @@ MeshGround::moveError(const CutterPlace& from, const CutterPlace& to, double all
   const bool ball = profile_.cornerRadius() == R && profile_.flankAngle() == 0.0;
   if (swept <= allowed || allowed <= off || !ball || (to.axis - from.axis).norm() > same_axis)
     return swept;
-  const double depth = sweep_.depth(from.tip + R * from.axis, to.tip + R * to.axis, from.axis, allowed - off);
-  return depth > allowed - off ? std::min(swept, depth + off) : allowed;
+  const Eigen::Vector3d start = from.tip + R * from.axis, end = to.tip + R * to.axis;
+  if (const double depth = sweep_.depth(start, end, from.axis, allowed - off); depth > allowed - off)
+    return std::min(swept, depth + off);
+  return sweep_.touches(start, end, from.axis, allowed) ? allowed : swept;
 }
 
 void

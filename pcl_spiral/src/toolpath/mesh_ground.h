@@ -20,7 +20,8 @@ public:
   Status check() const override;
   void locate(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const override;
   bool clears(const DrivePoint& drive) const override;
-  /** Of balls whose axis does not turn what they cut into the mesh, where that is less than sweptError. */
+  /** Of balls whose axis does not turn what they cut into the mesh, where that is less than sweptError, if they
+   * touch the mesh all the way. */
   double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const override;
   void describe(const ToolLocations& locations, LocationFigures& figures) const override;
   const char* name() const override { return "mesh"; }

@@ -1,6 +1,7 @@
 #include "mesh_sweep.h"
 
 #include "swept_strip.h"
+#include "way_cover.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,14 +10,15 @@
 namespace pcl_spiral {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+constexpr double coarse_share = 0.25; // of how far off is allowed: what the sag may take of it
 
 /** Looks for the place nearest to a strip, the nearer half of the boxes first. */
 class NearestToStrip {
 public:
   NearestToStrip(const PatchTree& patches, double sag, const SweptStrip& strip, double limit)
-  : patches_(patches), sag_(sag), strip_(strip), turned_(strip.axes().cwiseAbs()), nearest_(limit)
+  : patches_(patches), sag_(sag), strip_(strip), nearest_(limit)
   {
   }
 
@@ -33,10 +35,7 @@ private:
   double
   distanceTo(const BoxTree::Node& node) const
   {
-    const Box& box = patches_.boxes().box(node);
-    const Vector3d low(box.low[0], box.low[1], box.low[2]), high(box.high[0], box.high[1], box.high[2]);
-    const Vector3d middle = strip_.axes() * (0.5 * (low + high) - strip_.origin()), half = turned_ * (0.5 * (high - low));
-    return strip_.toBox(middle - half, middle + half);
+    return strip_.toTurnedBox(patches_.boxes().box(node));
   }
 
   bool isNearer(double squared, double off = 0.0) const { return squared < (nearest_ + off) * (nearest_ + off); }
@@ -45,8 +44,7 @@ private:
   open(const BoxTree::Node& node)
   {
     if (node.isItem()) {
-      const PatchCell cell = patches_.cell(node.begin);
-      take({strip_.axes() * (cell.corners.colwise() - strip_.origin()), strip_.axes() * cell.bows});
+      take(strip_.seen(patches_.cell(node.begin)));
       return;
     }
     BoxTree::Node first = node.lower(), second = node.upper();
@@ -65,8 +63,8 @@ private:
   take(const PatchCell& cell)
   {
     const double sag = cell.sag(), off = sag > sag_ ? sag : 0.0;
-    if (!isNearer(strip_.toBox(cell.corners.rowwise().minCoeff(), cell.corners.rowwise().maxCoeff()), off) ||
-        !isNearer(strip_.toPlane(cell.corners, cell.bows)))
+    if (!isNearer(strip_.toPlane(cell.corners, cell.bows)) ||
+        !isNearer(strip_.toBox(cell.corners.rowwise().minCoeff(), cell.corners.rowwise().maxCoeff()), off))
       return;
     const double squared = strip_.toTriangle(cell.corners);
     if (!isNearer(squared, off))
@@ -81,9 +79,23 @@ private:
   const PatchTree& patches_;
   double sag_;
   const SweptStrip& strip_;
-  Matrix3d turned_;
   double nearest_;
 };
+
+/** Add what of \p cell is within \p reach of the way; parts of it are taken for flat when within \p sag of that. */
+void
+cover(const PatchCell& cell, const SweptStrip& strip, double reach, double sag, WayCover& covered)
+{
+  const double off = std::isfinite(sag) ? cell.sag() : 0.0, wider = reach + off;
+  if (strip.toPlane(cell.corners, cell.bows) > reach * reach ||
+      strip.toBox(cell.corners.rowwise().minCoeff(), cell.corners.rowwise().maxCoeff()) > wider * wider)
+    return;
+  if (!(off > sag))
+    covered.add(cell.corners, reach - off);
+  else
+    for (int k = 0; k < 4; ++k)
+      cover(cell.quarter(k), strip, reach, sag, covered);
+}
 
 } // namespace
 
@@ -93,6 +105,17 @@ MeshSweep::depth(const Vector3d& from, const Vector3d& to, const Vector3d& axis,
   const SweptStrip strip(from, to, axis);
   const double limit = radius_ - allowed, nearest = limit > 0.0 ? NearestToStrip(patches_, sag_, strip, limit).run() : limit;
   return nearest < limit ? radius_ - nearest : allowed;
+}
+
+bool
+MeshSweep::touches(const Vector3d& from, const Vector3d& to, const Vector3d& axis, double off) const
+{
+  const SweptStrip strip(from, to, axis);
+  const double reach = radius_ + off, sag = std::isfinite(sag_) ? std::max(sag_, coarse_share * off) : sag_;
+  WayCover covered(strip.way());
+  patches_.boxes().forItems([&](const Box& box) { return strip.toTurnedBox(box) <= reach * reach; },
+                            [&](std::uint32_t i) { cover(strip.seen(patches_.cell(i)), strip, reach, sag, covered); });
+  return covered.isWhole();
 }
 
 } // namespace pcl_spiral

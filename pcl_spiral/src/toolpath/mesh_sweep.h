@@ -18,6 +18,8 @@ public:
   /** Depth of the deepest place, to the sag, of a move of the ball's centre between \p from and \p to; \p allowed where none is
    *  deeper. \p axis unit. */
   double depth(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& axis, double allowed) const;
+  /** Whether, all the way, some place of the patches is no farther than \p off off the ball. */
+  bool touches(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& axis, double off) const;
 
 private:
   const PatchTree& patches_;

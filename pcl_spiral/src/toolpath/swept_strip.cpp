@@ -1,7 +1,6 @@
 #include "swept_strip.h"
 
 #include <pcl_spiral/core/frame.h>
-#include <pcl_spiral/mesh/patch_tree.h>
 
 #include <Eigen/Geometry>
 
@@ -47,6 +46,9 @@ SweptStrip::SweptStrip(const Vector3d& from, const Vector3d& to, const Vector3d&
     tangentFrame(axis, across, side);
   }
   axes_ << across.transpose(), axis.cross(across).transpose(), axis.transpose();
+  turned_ = axes_.cwiseAbs();
+  const double squared = length_ * length_ + rise_ * rise_;
+  per_squared_ = squared > 0.0 ? 1.0 / squared : 0.0;
 }
 
 /** From (\p x, \p z) in the plane of the strip. */
@@ -55,8 +57,7 @@ SweptStrip::inPlane(double x, double z) const
 {
   if (x >= 0.0 && x <= length_ && z * length_ >= rise_ * x && z >= std::min(0.0, rise_))
     return 0.0;
-  const double squared = length_ * length_ + rise_ * rise_;
-  const double t = squared > 0.0 ? std::clamp((x * length_ + z * rise_) / squared, 0.0, 1.0) : 0.0;
+  const double t = std::clamp((x * length_ + z * rise_) * per_squared_, 0.0, 1.0);
   const double dx = x - t * length_, dz = z - t * rise_;
   double best = dx * dx + dz * dz;
   if (z >= 0.0)
@@ -72,11 +73,23 @@ SweptStrip::toPlace(const Vector3d& p) const
   return p.y() * p.y() + inPlane(p.x(), p.z());
 }
 
+double
+SweptStrip::toTurnedBox(const Box& box) const
+{
+  const Vector3d low(box.low[0], box.low[1], box.low[2]), high(box.high[0], box.high[1], box.high[2]);
+  const Vector3d middle = axes_ * (0.5 * (low + high) - origin_), half = turned_ * (0.5 * (high - low));
+  return toBox(middle - half, middle + half);
+}
+
 /** The strip has no upper end: the upper side of the box is nearest, and of it an end, or the place below or beside a corner. */
 double
 SweptStrip::toBox(const Vector3d& low, const Vector3d& high) const
 {
   const double off = gap(low.y(), high.y(), 0.0), z = high.z();
+  if (z >= std::max(0.0, rise_)) {
+    const double beside = std::max({low.x() - length_, -high.x(), 0.0});
+    return off * off + beside * beside;
+  }
   double best = std::min(inPlane(low.x(), z), inPlane(high.x(), z));
   for (const Vector2d& corner : {Vector2d(0.0, 0.0), Vector2d(length_, rise_)}) {
     const double dx = gap(low.x(), high.x(), corner.x()), dz = std::max(0.0, corner.y() - z);

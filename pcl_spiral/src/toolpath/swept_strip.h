@@ -3,6 +3,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/mesh/patch_tree.h>
+
 #include <Eigen/Core>
 
 namespace pcl_spiral {
@@ -15,10 +17,18 @@ public:
   /** \p axis unit. */
   SweptStrip(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& axis);
 
-  const Eigen::Vector3d& origin() const { return origin_; }
-  const Eigen::Matrix3d& axes() const { return axes_; } ///< one a row
+  /** \p cell in the frame. */
+  PatchCell
+  seen(const PatchCell& cell) const
+  {
+    return {axes_ * (cell.corners.colwise() - origin_), axes_ * cell.bows};
+  }
+  /** The way of the centre, in the frame. */
+  Eigen::Vector3d way() const { return {length_, 0.0, rise_}; }
 
   double toPlace(const Eigen::Vector3d& p) const;
+  /** To a box as given, not along the frame: a bound. */
+  double toTurnedBox(const Box& box) const;
   /** To a box along the frame. */
   double toBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high) const;
   /** To the side of a curved triangle's plane that it may lead to, by its bows as of PatchCell; 0 where the strip is not above
@@ -35,8 +45,9 @@ private:
   double toEdge(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
   Eigen::Vector3d origin_;
-  Eigen::Matrix3d axes_;
+  Eigen::Matrix3d axes_, turned_; ///< one a row; the same without signs
   double length_, rise_; ///< of the lower edge, from (0, 0) to (length, rise)
+  double per_squared_;   ///< one over its squared length; 0 of none
 };
 
 } // namespace pcl_spiral

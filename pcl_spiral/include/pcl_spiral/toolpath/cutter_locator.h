@@ -49,8 +49,8 @@ public:
   Status locate(const DrivePoints& drive, const ProgressCallback& progress, ToolLocations& locations) const;
 
   /** Bound of how deep the cutter may cut on a straight move between two locations, mm along the normal: sweptError. On a
-   * mesh, for balls whose axis does not turn, what they do cut into it if that is less, as deep as the shank goes too; the
-   * mesh is looked at only for what is deeper than \p allowed, which is returned where there is none. */
+   * mesh, for balls whose axis does not turn, what ball and shank do cut into it if that is less; \p allowed where that is no
+   * more than \p allowed and the ball, all the way, is no farther off the mesh either. */
   double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const;
 
   LocationFigures figures(const ToolLocations& locations) const;
