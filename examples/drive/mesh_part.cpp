@@ -4,15 +4,35 @@
 #include "terminal/setter_names.h"
 
 #include <pcl_spiral/common/message.h>
+#include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/mesh/mesh_findings.h>
 #include <pcl_spiral/mesh/mesh_sampling.h>
 
 #include <pcl/common/io.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 
 using namespace pcl_spiral;
+
+namespace {
+
+/** A part that is smaller than the cutter is in another unit. */
+void
+requireLargerThanCutter(const Job& job, const SurfaceMesh& mesh)
+{
+  Eigen::AlignedBox3d box;
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
+    box.extend(mesh.position(v));
+  if (box.diagonal().norm() < job.cutter.radius)
+    throw FileError(job.scan, textOf("the mesh, from ", placeText(box.min()), " to ", placeText(box.max()), ", is smaller than the "
+                                     "cutter's radius of ", job.cutter.radius, " mm: is it in another unit? Say so, such as --units m, "
+                                     "or give a smaller --tool-radius"));
+}
+
+} // namespace
 
 void
 readMeshPart(const Job& job, Result& result)
@@ -20,6 +40,7 @@ readMeshPart(const Job& job, Result& result)
   const MeshFile file = readMesh(job.scan, job.read);
   result.scan.warnings = inOptions(file.warnings);
   require(job, SurfaceMesh::make(*file.mesh, job.mesh_settings, result.mesh));
+  requireLargerThanCutter(job, *result.mesh);
   const MeshCounts& counts = result.mesh->counts();
   if (const std::string found = findingsText(counts); !found.empty())
     result.warnings.push_back("the mesh: " + found);

@@ -7,7 +7,7 @@
 namespace {
 
 /** Each is replaced where the program has the first option that the second names. */
-constexpr std::array<std::pair<const char*, const char*>, 40> words{{
+constexpr std::array<std::pair<const char*, const char*>, 43> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
@@ -31,6 +31,9 @@ constexpr std::array<std::pair<const char*, const char*>, 40> words{{
     {"setScallop", "--scallop"},
     {"setPlaneDirection", "--direction"},
     {"setPlaneNormal", "--direction"},
+    {"setStepOver", "--step-over"},
+    {"setPointSpacing", "--point-spacing"},
+    {"setAxis", "--axis"},
     {"setAxisMode", "--axis-mode"},
     {"setRows", "--rows"},
     {"setChordError", "--chord-error"},

@@ -38,13 +38,37 @@ curvatureAbout(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& bent, s
   return 1.5 * bend / area;
 }
 
-/** The face beyond a narrow one, across the longer of its other two edges; none at the boundary. */
-std::uint32_t
-faceBeyond(const SurfaceMesh& mesh, std::uint32_t h)
+/** Whether the face beyond \p narrow, across the longer of its other two edges, or either where they are as long, is bent
+ *  against \p wide by more than the crease angle. */
+bool
+bendsOnBeyond(const SurfaceMesh& mesh, std::uint32_t narrow, std::uint32_t wide)
 {
-  const std::uint32_t a = Triangulation::next(h), b = Triangulation::previous(h);
-  const std::uint32_t other = mesh.triangles().opposite(lengthOf(mesh, a) > lengthOf(mesh, b) ? a : b);
-  return other == Triangulation::none ? other : other / 3;
+  constexpr double as_long = 0.999;
+  const double least = std::cos(mesh.settings().crease_angle * M_PI / 180.0);
+  const std::uint32_t sides[2] = {Triangulation::next(narrow), Triangulation::previous(narrow)};
+  const double longest = std::max(lengthOf(mesh, sides[0]), lengthOf(mesh, sides[1]));
+  for (const std::uint32_t side : sides) {
+    const std::uint32_t other = mesh.triangles().opposite(side);
+    if (lengthOf(mesh, side) >= as_long * longest && other != Triangulation::none &&
+        mesh.faceNormal(other / 3).dot(mesh.faceNormal(wide / 3)) < least)
+      return true;
+  }
+  return false;
+}
+
+/** Whether the part is bent at an edge, of whose faces \p narrow is the narrow one. */
+bool
+standsOutAs(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& bent, double noise, std::uint32_t narrow, std::uint32_t wide)
+{
+  if (bendsOnBeyond(mesh, narrow, wide))
+    return true; // as along a chamfer
+  const Triangulation& t = mesh.triangles();
+  const double edge = std::max({lengthOf(mesh, narrow), lengthOf(mesh, Triangulation::next(narrow)), lengthOf(mesh, Triangulation::previous(narrow))});
+  const double sine = std::min(1.0, (mesh.faceNormal(narrow / 3) - mesh.faceNormal(wide / 3)).norm());
+  const double height = 2.0 * mesh.faceArea(narrow / 3) / edge * sine;
+  const double curvature = std::max(curvatureAbout(mesh, bent, t.origin(narrow)), curvatureAbout(mesh, bent, t.target(narrow)));
+  const double sag = curvature * edge * edge / 8.0;
+  return height > 4.0 * (noise + sag);
 }
 
 } // namespace
@@ -64,20 +88,14 @@ bentEdges(const SurfaceMesh& mesh)
 bool
 standsOut(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& bent, double noise, std::uint32_t h)
 {
-  const Triangulation& t = mesh.triangles();
-  const std::uint32_t other = t.opposite(h);
-  const bool own_is_narrow = mesh.faceArea(h / 3) < mesh.faceArea(other / 3);
-  const std::uint32_t narrow = own_is_narrow ? h : other, wide = own_is_narrow ? other : h;
-  const std::uint32_t beyond = faceBeyond(mesh, narrow);
-  const double least = std::cos(mesh.settings().crease_angle * M_PI / 180.0);
-  if (beyond != Triangulation::none && mesh.faceNormal(beyond).dot(mesh.faceNormal(wide / 3)) < least)
-    return true; // the part bends beyond the narrow face too, as along a chamfer
-  const double edge = std::max({lengthOf(mesh, narrow), lengthOf(mesh, Triangulation::next(narrow)), lengthOf(mesh, Triangulation::previous(narrow))});
-  const double sine = std::min(1.0, (mesh.faceNormal(narrow / 3) - mesh.faceNormal(wide / 3)).norm());
-  const double height = 2.0 * mesh.faceArea(narrow / 3) / edge * sine;
-  const double curvature = std::max(curvatureAbout(mesh, bent, t.origin(h)), curvatureAbout(mesh, bent, t.target(h)));
-  const double sag = curvature * edge * edge / 8.0;
-  return height > 4.0 * (noise + sag);
+  constexpr double as_large = 0.999;
+  const std::uint32_t other = mesh.triangles().opposite(h);
+  const double own = mesh.faceArea(h / 3), theirs = mesh.faceArea(other / 3);
+  if (own < as_large * theirs)
+    return standsOutAs(mesh, bent, noise, h, other);
+  if (theirs < as_large * own)
+    return standsOutAs(mesh, bent, noise, other, h);
+  return standsOutAs(mesh, bent, noise, h, other) && standsOutAs(mesh, bent, noise, other, h);
 }
 
 } // namespace pcl_spiral

@@ -51,15 +51,11 @@ SectionCurve::onEdge(std::uint32_t h, const Vector3d& b) const
 /** Barycentric coordinates of the curved surface's place in the plane, between the crossings \p from and \p to: from the
  *  straight way towards the corner that lies alone on its side of the plane, a quadratic equation. */
 Vector3d
-SectionCurve::inPlane(const MeshPatch& patch, const Vector3d& from, const Vector3d& to, double share, double level) const
+SectionCurve::inPlane(const MeshPatch& patch, const Chord& chord, double share, double level) const
 {
-  const Vector3d b = (1.0 - share) * from + share * to;
-  // The straight way runs along edges' crossings: the corner common to both edges is nonzero in both.
-  int lone = 0;
-  while (lone < 2 && !(from[lone] * to[lone] > 0.0))
-    ++lone;
+  const Vector3d b = (1.0 - share) * chord.from + share * chord.to;
   Vector3d w = Vector3d::Constant(-0.5);
-  w[lone] = 1.0;
+  w[chord.lone] = 1.0;
   const auto value = [&](double s) { return normal_.dot(patch.position(b + s * w)) - level; };
   const double q0 = value(0.0), plus = value(1.0), minus = value(-1.0);
   const double q1 = 0.5 * (plus - minus), q2 = 0.5 * (plus + minus) - q0;
@@ -78,13 +74,13 @@ SectionCurve::add(const DrivePoint& point, DrivePass& pass) const
 }
 
 void
-SectionCurve::addInside(std::uint32_t face, const Vector3d& from, const Vector3d& to, double level, DrivePass& pass) const
+SectionCurve::addInside(std::uint32_t face, const Chord& chord, double level, DrivePass& pass) const
 {
   const MeshPatch patch = mesh_.patch(face);
-  const Vector3d begin = patch.position(from), end = patch.position(to);
+  const Vector3d begin = patch.position(chord.from), end = patch.position(chord.to);
   double parts = 1.0;
   if (mesh_.sag(face) > 0.0) {
-    const Vector3d middle = patch.position(inPlane(patch, from, to, 0.5, level));
+    const Vector3d middle = patch.position(inPlane(patch, chord, 0.5, level));
     // The section is nearly a parabola, whose chords' errors fall by the square of their number.
     parts = std::sqrt((middle - 0.5 * (begin + end)).norm() / settings_.chord_error);
   }
@@ -92,7 +88,7 @@ SectionCurve::addInside(std::uint32_t face, const Vector3d& from, const Vector3d
     parts = std::max(parts, (end - begin).norm() / settings_.point_spacing);
   const int count = static_cast<int>(std::ceil(parts - 1e-9));
   for (int k = 1; k < count; ++k) {
-    const Vector3d b = inPlane(patch, from, to, static_cast<double>(k) / count, level);
+    const Vector3d b = inPlane(patch, chord, static_cast<double>(k) / count, level);
     add({patch.position(b), settings_.axis.normalized(), patch.normal(b)}, pass);
   }
 }
@@ -110,7 +106,9 @@ SectionCurve::contacts(const LevelLine& line, double level, std::size_t& inside)
     const Vector3d from = atCrossing(in, level), to = atCrossing(out, level);
     add(onEdge(in, from), pass);
     const std::size_t before = pass.points.size();
-    addInside(in / 3, from, to, level, pass);
+    // The corner alone on its side of the plane is that of both edges.
+    const int lone = static_cast<int>(in % 3 == out % 3 || in % 3 == (out + 1) % 3 ? in % 3 : (in + 1) % 3);
+    addInside(in / 3, {from, to, lone}, level, pass);
     inside += pass.points.size() - before;
     add(onEdge(out, to), pass);
   }

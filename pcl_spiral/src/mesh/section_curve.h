@@ -24,8 +24,13 @@ public:
 private:
   Eigen::Vector3d atCrossing(std::uint32_t half_edge, double level) const;
   DrivePoint onEdge(std::uint32_t half_edge, const Eigen::Vector3d& b) const;
-  Eigen::Vector3d inPlane(const MeshPatch& patch, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double share, double level) const;
-  void addInside(std::uint32_t face, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double level, DrivePass& pass) const;
+  /** The straight way through a face, in barycentric coordinates, and the corner that lies alone on its side of the plane. */
+  struct Chord {
+    Eigen::Vector3d from, to;
+    int lone;
+  };
+  Eigen::Vector3d inPlane(const MeshPatch& patch, const Chord& chord, double share, double level) const;
+  void addInside(std::uint32_t face, const Chord& chord, double level, DrivePass& pass) const;
   void add(const DrivePoint& point, DrivePass& pass) const;
 
   const SurfaceMesh& mesh_;

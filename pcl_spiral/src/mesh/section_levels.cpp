@@ -36,20 +36,24 @@ checkRows(double rows, double extent, double step)
                  ": is the mesh in another unit than mm? Otherwise raise the step-over (setStepOver)")};
 }
 
-/** Refused where the contacts, predicted by the area, take more memory than there is. */
+/** Refused where the contacts, predicted by the area, are too many, or take more memory with what is made of them than there is. */
 Status
 checkSize(const SurfaceMesh& mesh, const SectionSettings& settings, double step)
 {
+  constexpr double crossings_an_edge = 2.5;  // edges crossed on the length of one
+  constexpr double most_contacts = 1e8, bytes_a_contact = 600.0; // of contact, location and pose
   const double edge = std::sqrt(mesh.area() / static_cast<double>(mesh.faceCount()));
-  const double spacing = settings.point_spacing > 0.0 ? std::min(edge, settings.point_spacing) : edge;
-  const double contacts = mesh.area() / step / spacing, bytes = 3.0 * sizeof(DrivePoint) * contacts;
+  const double rate = std::max(crossings_an_edge / edge, settings.point_spacing > 0.0 ? 1.0 / settings.point_spacing : 0.0);
+  const double contacts = mesh.area() / step * rate, bytes = bytes_a_contact * contacts;
   const std::optional<double> memory = availableMemory();
-  if (!memory || bytes <= *memory)
+  if (contacts <= most_contacts && (!memory || bytes <= *memory))
     return Status::success();
   return {StatusCode::InvalidArgument,
-          textOf("the sections asked for are too large: about ", contacts, " contacts and ", bytes / 1e9, " GB of memory, and ",
-                 *memory / 1e9, " GB are free: is the mesh in another unit than mm? Otherwise raise the step-over (setStepOver), now ",
-                 step, " mm")};
+          textOf("the sections asked for are too large: about ", contacts, " contacts and ", bytes / 1e9, " GB of memory, where ",
+                 most_contacts, " contacts are the most") +
+              (memory ? textOf(" and ", *memory / 1e9, " GB are free") : std::string()) +
+              textOf(": is the mesh in another unit than mm? Otherwise put rows farther apart, now ", step,
+                     " mm (setStepOver, setScallop), or contacts (setPointSpacing)")};
 }
 
 /** What each face allows of the rows across it: the least of its corners. */

@@ -37,7 +37,6 @@ measure(const DrivePasses& passes, SectionReport& report)
   }
 }
 
-
 /** Direction of the rows: across planes' normal and tool axis; where these are one, any across. */
 Vector3d
 alongRows(const Vector3d& normal, const Vector3d& axis)
@@ -124,8 +123,9 @@ checkSettings(const SectionSettings& s)
   for (std::size_t k = 0; k < s.levels.size(); ++k)
     if (!std::isfinite(s.levels[k]) || (k > 0 && !(s.levels[k] > s.levels[k - 1])))
       return bad(textOf("level ", k, " of the planes is ", s.levels[k], " mm: set levels that ascend (setLevels)"));
-  if (!(s.chord_error > 0.0) || !std::isfinite(s.chord_error))
-    return bad(textOf("the chord error is ", s.chord_error, " mm: set it above 0 (setChordError)"));
+  constexpr double least_error = 1e-6; // mm: the single precision of a mesh knows no less
+  if (!(s.chord_error >= least_error) || !std::isfinite(s.chord_error))
+    return bad(textOf("the chord error is ", s.chord_error, " mm: set it to ", least_error, " or more (setChordError)"));
   if (!(s.point_spacing >= 0.0) || !std::isfinite(s.point_spacing))
     return bad(textOf("the spacing of contacts is ", s.point_spacing, " mm: set it above 0, or to 0 for none (setPointSpacing)"));
   return Status::success();

@@ -152,7 +152,8 @@ SurfaceMesh::findCreases()
   counts_.noise = vertexNoise(triangles_, positions_, cornerSectors(triangles_, creases_));
 #pragma omp parallel for schedule(static)
   for (std::int64_t h = 0; h < static_cast<std::int64_t>(creases_.size()); ++h)
-    creases_[h] = bent[h] && standsOut(*this, bent, counts_.noise, static_cast<std::uint32_t>(h));
+    if (const std::uint32_t other = triangles_.opposite(static_cast<std::uint32_t>(h)); bent[h] && h < other)
+      creases_[h] = creases_[other] = standsOut(*this, bent, counts_.noise, static_cast<std::uint32_t>(h));
 }
 
 void

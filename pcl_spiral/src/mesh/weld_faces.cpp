@@ -22,7 +22,7 @@ hasCoordinates(const pcl::PCLPointCloud2& cloud)
 {
   int found = 0;
   for (const auto& field : cloud.fields)
-    found += field.name == "x" || field.name == "y" || field.name == "z";
+    found += (field.name == "x" || field.name == "y" || field.name == "z") && field.datatype == pcl::PCLPointField::FLOAT32;
   return found == 3;
 }
 
@@ -110,8 +110,8 @@ dropRepeated(WeldedFaces& welded, MeshCounts& counts)
 Status
 weldFaces(const pcl::PolygonMesh& mesh, WeldedFaces& welded, MeshCounts& counts)
 {
-  if (!hasCoordinates(mesh.cloud) || mesh.cloud.width * mesh.cloud.height == 0)
-    return {StatusCode::InvalidInput, "the mesh has no points with x, y and z: call setInputMesh with a mesh"};
+  if (!hasCoordinates(mesh.cloud) || mesh.cloud.width == 0 || mesh.cloud.height == 0)
+    return {StatusCode::InvalidInput, "the mesh has no points with x, y and z in single precision: call setInputMesh with such a mesh"};
   if (mesh.polygons.empty())
     return {StatusCode::InvalidInput, textOf("the mesh has ", mesh.cloud.width * mesh.cloud.height,
                                              " points but no faces: give its points as a cloud (setInputCloud), or export it with faces")};

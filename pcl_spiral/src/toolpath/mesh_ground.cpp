@@ -68,11 +68,29 @@ MeshGround::holds(const AskedLocation& asked) const
   return asked.isSteep() && asked.contact.touches && !inner_drop_.highest(asked.frame, near()).found;
 }
 
+/** The contact asked for where it is reached, raised with the cutter by what the tolerance lets it; else a ball's normal is the way
+ *  from its contact to its middle, which a contact known to the sag of a face, or on an edge, tells better than the face. */
+void
+MeshGround::settleContact(const AskedLocation& asked, double height, ToolLocation& location) const
+{
+  if (location.state == LocationState::Reached) {
+    location.contact = asked.position + height * location.axis;
+    location.normal = asked.normal;
+    return;
+  }
+  const CutterShape& cutter = profile_.shape();
+  const Eigen::Vector3d out = location.tip + cutter.radius * location.axis - location.contact;
+  const bool at_ball = cutter.corner_radius == cutter.radius && cutter.flank_angle == 0.0 && out.dot(location.axis) > 0.0;
+  if (at_ball && location.state != LocationState::Clear && std::abs(out.norm() - cutter.radius) < 0.1 * cutter.radius)
+    location.normal = out.normalized();
+}
+
 void
 MeshGround::settle(const AskedLocation& asked, double height, ToolLocation& location) const
 {
   height = asked.settle(height, options_.tolerance, location);
   location.tip = asked.frame.place(Eigen::Vector2d::Zero(), height);
+  settleContact(asked, height, location);
   const MeshContact rim = rim_drop_.highest(asked.frame, height - rim_reach * profile_.radius());
   location.over_rim = rim.found;
   location.rim_clearance = rim.found ? std::max(0.0, height - rim.height) : 0.0;
