@@ -42,7 +42,7 @@ stepOnPlane(const Job& job)
   return stepOver(job.settings.tool_radius, 0.0, job.settings.scallop_height).value_or(2.0 * job.settings.tool_radius);
 }
 
-/** By the curvature of the mesh, no wider than turns are apart; on a mesh of a rough scan as far apart as its vertices; with creases wide enough for the ball to fit into what local fits
+/** By the curvature of the mesh, no wider than turns are apart; with creases wide enough for the ball to fit into what local fits
  *  make beside them; close enough to show the holes asked for. */
 double
 spacingFor(const Job& job, const SurfaceMesh& mesh)
@@ -51,8 +51,6 @@ spacingFor(const Job& job, const SurfaceMesh& mesh)
     return job.sample_spacing;
   const double closest = std::sqrt(mesh.area() * samples_a_square / most_samples);
   double spacing = std::min(defaultSampleSpacing(mesh), std::max(stepOnPlane(job), closest));
-  if (mesh.counts().noise > job.settings.chord_error) // closer samples would show every rough facet as a hollow
-    spacing = std::max(spacing, std::sqrt(mesh.area() / static_cast<double>(mesh.vertexCount())));
   if (mesh.counts().creases.count > 0)
     spacing = std::max(spacing, job.settings.tool_radius / spacings_a_radius);
   if (job.settings.hole_size > 0.0)

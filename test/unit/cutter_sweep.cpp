@@ -90,7 +90,7 @@ TEST(BallSweep, DepthIsThatBelowTheExactSurface)
       const SurfaceFoot foot = footOf(surface, x, curvature, curvature);
       for (const double f : {0.0, 0.4, 1.0}) {
         const Eigen::Vector3d centre = (1.0 - f) * sweep.centres()[0] + f * sweep.centres()[1];
-        EXPECT_NEAR(sweep.depth(0, f, foot), radius - surface.signedDistance(centre), 3e-6) << convex << ' ' << f;
+        EXPECT_NEAR(sweep.lowest(0, f, foot, rho).height, surface.signedDistance(centre) - radius, 3e-6) << convex << ' ' << f;
       }
     }
 }
@@ -180,7 +180,7 @@ TEST(HeightAbove, IsTheDistanceToTheNearestPointOfTheQuadric)
       reach *= 0.05;
     }
     const double over = z + 0.5 * (foot.curvature1 * a * a + foot.curvature2 * b * b);
-    const double height = heightAbove(foot, foot.position + a * foot.direction1 + b * e2 + z * foot.normal);
+    const double height = heightAbove(foot, foot.position + a * foot.direction1 + b * e2 + z * foot.normal, 1e9).height;
     EXPECT_NEAR(std::abs(height), nearest, 1e-5) << foot.curvature1 << ' ' << foot.curvature2;
     EXPECT_EQ(height > 0.0, over > 0.0);
   }
@@ -190,7 +190,7 @@ TEST(HeightAbove, BeyondTheCentreOfAHollowEveryDirectionIsAsNear)
 {
   SurfaceFoot foot;
   foot.curvature1 = foot.curvature2 = -0.25; // centre of curvature at 4 above it
-  EXPECT_NEAR(heightAbove(foot, Eigen::Vector3d(0.0, 0.0, 3.0)), 3.0, 1e-6);
+  EXPECT_NEAR(heightAbove(foot, Eigen::Vector3d(0.0, 0.0, 3.0), 100.0).height, 3.0, 1e-6);
   // nearest to (0, 0, 6): of u^2 + (6 - u^2 / 8)^2 the least, at u^2 = 16: sqrt(32)
-  EXPECT_NEAR(heightAbove(foot, Eigen::Vector3d(0.0, 0.0, 6.0)), std::sqrt(32.0), 1e-6);
+  EXPECT_NEAR(heightAbove(foot, Eigen::Vector3d(0.0, 0.0, 6.0), 100.0).height, std::sqrt(32.0), 1e-6);
 }

@@ -62,8 +62,8 @@ entersCapsule(const Eigen::Vector3d& x, const Eigen::Vector3d& n, const Eigen::V
 
 } // namespace
 
-double
-heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p)
+SurfaceHeight
+heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p, double reach)
 {
   const Eigen::Vector3d e2 = foot.normal.cross(foot.direction1), d = p - foot.position;
   const double a = d.dot(foot.direction1), b = d.dot(e2), z = d.dot(foot.normal);
@@ -84,7 +84,12 @@ heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p)
     if (std::abs(l - before) < 1e-13 * (1.0 + std::abs(l)))
       break;
   }
-  return l * std::sqrt(1.0 + k1 * k1 * u * u + k2 * k2 * v * v);
+  const double inside = std::min(1.0, reach / std::hypot(u, v));
+  u *= a < 0.0 ? -inside : inside;
+  v *= b < 0.0 ? -inside : inside;
+  const Eigen::Vector3d place = u * foot.direction1 + v * e2 - 0.5 * (k1 * u * u + k2 * v * v) * foot.normal;
+  const double distance = inside < 1.0 ? std::copysign((d - place).norm(), (d - place).dot(foot.normal)) : l * std::sqrt(1.0 + k1 * k1 * u * u + k2 * k2 * v * v);
+  return {distance, foot.position + place};
 }
 
 BallSweep::BallSweep(const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals, double radius,
@@ -116,10 +121,11 @@ BallSweep::contains(std::size_t move, const Eigen::Vector3d& x) const
   return !isLift(move) && squaredDistanceToSegment(x, centres()[move], centres()[move + 1]) <= boundingRadius() * boundingRadius();
 }
 
-double
-BallSweep::depth(std::size_t move, double f, const SurfaceFoot& foot) const
+SurfaceHeight
+BallSweep::lowest(std::size_t move, double f, const SurfaceFoot& foot, double reach) const
 {
-  return boundingRadius() - heightAbove(foot, (1.0 - f) * centres()[move] + f * centres()[move + 1]);
+  const SurfaceHeight centre = heightAbove(foot, (1.0 - f) * centres()[move] + f * centres()[move + 1], reach);
+  return {centre.height - boundingRadius(), centre.place};
 }
 
 } // namespace pcl_spiral

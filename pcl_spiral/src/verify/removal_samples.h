@@ -49,6 +49,8 @@ public:
 private:
   double largestStep(const SurfaceFoot& foot) const;
   double stepAcross(const SurfaceFoot& foot, const Eigen::Vector3d& w) const;
+  /** What the cutter cuts off the surface about the place of \p guess. */
+  void takeGouge(std::size_t move, double f, const SurfaceHeight& guess, RemovalExtremes& extremes) const;
   Zone zoneOf(const SurfaceFoot& foot, const Eigen::Vector3d& position, double step) const;
   void takeRidge(const SurfaceFoot& foot, const Ridge& ridge, double step, RemovalExtremes& extremes,
                  float* height) const;

@@ -13,6 +13,12 @@
 
 namespace pcl_spiral {
 
+/** How far something stands above a surface, mm, negative in the material, and the place of the surface nearest to it. */
+struct SurfaceHeight {
+  double height = 0.0;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+};
+
 /** A cutter of revolution at every point of a path, moved in straight lines from one point to the next but where it is lifted.
  *
  *  The search and the figures know a cutter by these functions alone; a profile other than the ball brings
@@ -37,9 +43,9 @@ public:
                      double& t) const = 0;
   /** Whether \p x lies in the solid swept along \p move. */
   virtual bool contains(std::size_t move, const Eigen::Vector3d& x) const = 0;
-  /** How deep the cutter reaches below the surface about \p foot (a quadric) when it stands at the share \p f of
-   *  \p move; negative: the clearance. */
-  virtual double depth(std::size_t move, double f, const SurfaceFoot& foot) const = 0;
+  /** How high the cutter stands above the surface about \p foot, a quadric no wider than \p reach, when it is at the share
+   *  \p f of \p move; negative: how deep it cuts below it. */
+  virtual SurfaceHeight lowest(std::size_t move, double f, const SurfaceFoot& foot, double reach) const = 0;
 
 protected:
   CutterSweep(Polyline centres, double bounding_radius, std::vector<std::size_t> passes)
@@ -64,11 +70,12 @@ public:
   bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start,
              double& t) const override;
   bool contains(std::size_t move, const Eigen::Vector3d& x) const override;
-  double depth(std::size_t move, double f, const SurfaceFoot& foot) const override;
+  SurfaceHeight lowest(std::size_t move, double f, const SurfaceFoot& foot, double reach) const override;
 };
 
-/** Height of \p p above the quadric about \p foot: signed distance, positive out of the material. */
-double
-heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p);
+/** Height of \p p above the quadric about \p foot: signed distance, positive out of the material. Where the place nearest to it
+ *  lies farther than \p reach from the foot, across the normal, that from the place on the way there that does not. */
+SurfaceHeight
+heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p, double reach);
 
 } // namespace pcl_spiral
