@@ -162,6 +162,15 @@ creaseWarnings(const MeshInput& input, const Surface& surface)
                  "along them and machine the sides one by one")};
 }
 
+Status
+withSpacings(const Status& status, const MeshInput& input)
+{
+  if (status.ok() || status.code() == StatusCode::Cancelled)
+    return status;
+  const double vertices = std::sqrt(input.mesh->area() / static_cast<double>(input.mesh->vertexCount()));
+  return {status.code(), textOf(status.message(), "; samples stand ", input.spacing, " mm apart, vertices of the mesh ", vertices, " mm")};
+}
+
 std::string
 inMesh(std::string message)
 {

@@ -20,5 +20,8 @@ double meshHoleSize(const Job& job, const MeshInput& mesh);
 /** What creases mean for a path that follows \p surface; empty without creases. */
 std::vector<std::string> creaseWarnings(const MeshInput& mesh, const pcl_spiral::Surface& surface);
 
+/** A failure to make a path over samples of \p mesh, which tells how far apart these stand and the vertices. */
+pcl_spiral::Status withSpacings(const pcl_spiral::Status& status, const MeshInput& mesh);
+
 /** A message about a cloud of samples, as one about the mesh. */
 std::string inMesh(std::string message);

@@ -109,7 +109,7 @@ computePath(const Job& job)
       [&bar](double share, const std::string& stage) { return bar.update(share, stage); });
   generator.compute(*result.path);
   bar.clear();
-  requireOk(job, generator.getStatus());
+  requireOk(job, result.mesh ? withSpacings(generator.getStatus(), *result.mesh) : generator.getStatus());
   result.report = generator.getReport();
   for (std::string& warning : result.report.warnings)
     warning = inWords(job, warning);

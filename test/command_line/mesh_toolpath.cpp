@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 #include <sstream>
 
 namespace {
@@ -230,6 +231,16 @@ TEST_F(MeshToolpath, SeveralParts)
 TEST_F(MeshToolpath, ClosedMeshes)
 {
   expectRefused(run(icoSphere(20.0, 4), {}), 1, {"part.stl", "from (-", "to (", "is closed", "cut it down", "pcl_spiral_drive --mesh"});
+}
+
+TEST_F(MeshToolpath, ARoughMeshIsSampledLessClosely)
+{
+  TriangleMesh rough = hills();
+  std::mt19937 random(1);
+  for (Eigen::Vector3d& v : rough.vertices)
+    v.z() += std::uniform_real_distribution<double>(-0.3, 0.3)(random);
+  expectRefused(run(rough, {}), 1, {"is hollow with radius", "(--sample-spacing)", "samples stand 0.", "vertices of the mesh 1.9"});
+  EXPECT_EQ(run("part.stl", {"--sample-spacing", "1.9"}).code, 0);
 }
 
 TEST_F(MeshToolpath, MeshesThatCannotBe)
