@@ -129,6 +129,7 @@ locate(const Job& job, const Surface::ConstPtr& surface, const DrivePasses& pass
   location.setCutter(job.cutter);
   location.setHolder(job.holder);
   location.setHolderClearance(job.holder_clearance);
+  location.setContactTolerance(std::min(location.getContactTolerance(), job.tolerance));
   location.setPathTolerance(job.tolerance);
   location.setDrivePasses(passes);
   location.setProgressCallback(

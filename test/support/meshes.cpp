@@ -134,6 +134,24 @@ withNoise(TriangleMesh mesh, double sigma, std::uint64_t seed)
   return mesh;
 }
 
+TriangleMesh
+ruggedMesh(std::uint64_t seed)
+{
+  constexpr std::uint32_t cells = 24;
+  Random random(seed);
+  TriangleMesh mesh;
+  for (std::uint32_t j = 0; j <= cells; ++j)
+    for (std::uint32_t i = 0; i <= cells; ++i) {
+      const double x = i + random.uniform(-0.4, 0.4), y = j + random.uniform(-0.4, 0.4);
+      mesh.vertices.emplace_back(x, y, 5.0 * std::sin(x) + std::cos(0.7 * y) + random.uniform(-0.4, 0.4));
+      if (const std::uint32_t v = j * (cells + 1) + i; i < cells && j < cells) {
+        mesh.faces.push_back({v, v + 1, v + cells + 2});
+        mesh.faces.push_back({v, v + cells + 2, v + cells + 1});
+      }
+    }
+  return mesh;
+}
+
 void
 writeStl(const std::string& file, const TriangleMesh& mesh)
 {

@@ -34,6 +34,9 @@ TriangleMesh delaunayMesh(const AnalyticSurface& surface, const Eigen::Vector2d&
 /** The mesh with the same vertices raised by normal noise of \p sigma. */
 TriangleMesh withNoise(TriangleMesh mesh, double sigma, std::uint64_t seed = 1);
 
+/** Steep waves with vertices moved by chance, 24 x 24 cells of 1 mm: walls, creases, and faces that bow far. */
+TriangleMesh ruggedMesh(std::uint64_t seed);
+
 /** A binary STL file. */
 void writeStl(const std::string& file, const TriangleMesh& mesh);
 

@@ -49,7 +49,8 @@ SectionCurve::onEdge(std::uint32_t h, const Vector3d& b) const
 }
 
 /** Barycentric coordinates of the curved surface's place in the plane, between the crossings \p from and \p to: from the
- *  straight way towards the corner that lies alone on its side of the plane, a quadratic equation. */
+ *  straight way towards the corner that lies alone on its side of the plane, a quadratic equation. On the straight way itself where
+ *  the surface has left the plane within the face. */
 Vector3d
 SectionCurve::inPlane(const MeshPatch& patch, const Chord& chord, double share, double level) const
 {
@@ -59,8 +60,10 @@ SectionCurve::inPlane(const MeshPatch& patch, const Chord& chord, double share, 
   const auto value = [&](double s) { return normal_.dot(patch.position(b + s * w)) - level; };
   const double q0 = value(0.0), plus = value(1.0), minus = value(-1.0);
   const double q1 = 0.5 * (plus - minus), q2 = 0.5 * (plus + minus) - q0;
-  const double root = std::sqrt(std::max(0.0, q1 * q1 - 4.0 * q2 * q0)), q = q1 + std::copysign(root, q1);
-  return q != 0.0 ? Vector3d(b - 2.0 * q0 / q * w) : b;
+  const double discriminant = q1 * q1 - 4.0 * q2 * q0;
+  const double q = q1 + std::copysign(std::sqrt(std::max(0.0, discriminant)), q1);
+  const Vector3d in_plane = b - (q != 0.0 ? 2.0 * q0 / q : 0.0) * w; // the root nearer to the straight way
+  return discriminant >= 0.0 && in_plane.minCoeff() >= 0.0 ? in_plane : b;
 }
 
 void
