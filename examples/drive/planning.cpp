@@ -231,8 +231,7 @@ warningsOf(const Job& job, const Result& result)
   warnings.insert(warnings.end(), result.locations.warnings.begin(), result.locations.warnings.end());
   if (result.off_scan > 0)
     warnings.push_back(textOf(result.off_scan,
-                              " locations have no point of the scan below the cutter and were left out; passes were cut "
-                              "there"));
+                              " locations have nothing of the part below the cutter and were left out; passes were cut there"));
   if (job.no_gouge_check)
     warnings.push_back("the cutter was not checked against the rest of the mesh (--no-gouge-check): hollows narrower than the "
                        "cutter are cut into");

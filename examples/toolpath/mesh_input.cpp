@@ -91,6 +91,20 @@ meshOf(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& is_kept)
   return made;
 }
 
+/** The mesh tells the side; most cutters come from above. */
+void
+warnOfSide(const Job& job, const pcl::PointCloud<pcl::Normal>& normals, Result& result)
+{
+  constexpr double down = -0.25; // of the mean normal
+  double sum = 0.0;
+  for (const pcl::Normal& n : normals)
+    sum += n.normal_z;
+  if (sum < down * static_cast<double>(normals.size()))
+    result.scan.warnings.push_back(std::string("the faces of the mesh look down, along -z, and the cutter comes from there: ") +
+                                   (job.settings.flip_normals ? "leave --flip-normals out" : "give --flip-normals") +
+                                   " if it is to come from above");
+}
+
 } // namespace
 
 void
@@ -124,6 +138,7 @@ readMeshSamples(const Job& job, ProgressBar& bar, Result& result)
     normals->emplace_back(sample.normal_x, sample.normal_y, sample.normal_z);
   }
   input.normals = normals;
+  warnOfSide(job, *normals, result);
   result.mesh = std::move(input);
 }
 

@@ -154,9 +154,13 @@ TEST_F(MeshToolpath, TheSideIsTheMeshs)
   TriangleMesh below = hills();
   for (auto& f : below.faces)
     std::swap(f[1], f[2]);
-  ASSERT_EQ(run(below, {}).code, 0);
+  RunResult result = run(below, {});
+  ASSERT_EQ(result.code, 0);
+  EXPECT_NE(result.err.find("look down, along -z, and the cutter comes from there: give --flip-normals"), std::string::npos) << result.err;
   EXPECT_LT(path()[100].normal_z, 0.0F);
-  ASSERT_EQ(run(below, {"--flip-normals", "--verify"}).code, 0);
+  result = run(below, {"--flip-normals", "--verify"});
+  ASSERT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "");
   EXPECT_GT(path()[100].normal_z, 0.0F);
   EXPECT_EQ(report().at("settings").at("flip_normals"), true);
 }

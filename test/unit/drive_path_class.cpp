@@ -228,7 +228,7 @@ TEST(DrivePath, RefusesWhatCannotBe)
   };
   refused(column, rings({{0, 0, 0}, {0, 0, 0}, 0.0, 1.0}), "no length");
   refused(column, rings({{0, 0, 0}, {0, 0, 1}, 5.0, 4.0}), "last beyond the first");
-  refused(column, rings({{0, 0, 0}, {0, 0, 1}, 50.0, 60.0}), "no point of the scan");
+  refused(column, rings({{0, 0, 0}, {0, 0, 1}, 50.0, 60.0}), "nothing of the part");
   Drive empty;
   DrivePasses passes(3);
   empty.compute(passes);

@@ -49,8 +49,8 @@ SectionCurve::onEdge(std::uint32_t h, const Vector3d& b) const
 }
 
 /** Barycentric coordinates of the curved surface's place in the plane, between the crossings \p from and \p to: from the
- *  straight way towards the corner that lies alone on its side of the plane, a quadratic equation. On the straight way itself where
- *  the surface has left the plane within the face. */
+ *  straight way towards the corner that lies alone on its side of the plane, a quadratic equation. Where that is not within the
+ *  face, the place next to it that is. */
 Vector3d
 SectionCurve::inPlane(const MeshPatch& patch, const Chord& chord, double share, double level) const
 {
@@ -62,8 +62,9 @@ SectionCurve::inPlane(const MeshPatch& patch, const Chord& chord, double share, 
   const double q1 = 0.5 * (plus - minus), q2 = 0.5 * (plus + minus) - q0;
   const double discriminant = q1 * q1 - 4.0 * q2 * q0;
   const double q = q1 + std::copysign(std::sqrt(std::max(0.0, discriminant)), q1);
-  const Vector3d in_plane = b - (q != 0.0 ? 2.0 * q0 / q : 0.0) * w; // the root nearer to the straight way
-  return discriminant >= 0.0 && in_plane.minCoeff() >= 0.0 ? in_plane : b;
+  const double root = discriminant < 0.0 ? -0.5 * q1 / q2 : q != 0.0 ? -2.0 * q0 / q : 0.0; // nearest to the straight way, or to the plane
+  const double others = std::min(b[(chord.lone + 1) % 3], b[(chord.lone + 2) % 3]);
+  return b + std::clamp(root, -b[chord.lone], 2.0 * std::max(0.0, others)) * w;
 }
 
 void

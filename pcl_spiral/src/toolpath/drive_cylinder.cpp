@@ -30,7 +30,7 @@ areaAt(const SurfaceGraph& graph, std::size_t i)
 Status
 noColumn(const std::string& why)
 {
-  return {StatusCode::InvalidInput, "the scan is not shaped like a column: " + why +
+  return {StatusCode::InvalidInput, "the part is not shaped like a column: " + why +
                                         "; leave out what does not belong to the column, give its axis "
                                         "(setCylinder), or drive it by planes"};
 }
@@ -196,7 +196,7 @@ findColumn(const SurfaceGraph& graph, const std::optional<DriveCylinder>& given,
     return status;
   if (!measure(graph, column) || !(column.radius > 0.0))
     return {StatusCode::InvalidInput,
-            textOf("no point of the scan lies between ", column.cylinder.first, " and ", column.cylinder.last,
+            textOf("nothing of the part lies between ", column.cylinder.first, " and ", column.cylinder.last,
                    " mm along the axis of the drive cylinder from ", placeText(column.cylinder.origin),
                    "; set its ends to where the surface is")};
   measureSector(graph, column);

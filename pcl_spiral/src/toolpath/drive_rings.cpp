@@ -73,7 +73,7 @@ planRings(const DriveSettings& settings, DrivePasses& passes, DriveReport& repor
   const bool sector = column.covered_angle < 360.0;
   if (sector && settings.kind == DriveKind::Helix)
     return {StatusCode::InvalidInput,
-            textOf("the scan covers only ", column.covered_angle,
+            textOf("the part covers only ", column.covered_angle,
                    " degrees about the axis of the column, from ", column.first_angle,
                    " on: a helix would leave it in every turn; drive it by rings, which become arcs")};
   const double first = column.cylinder.first - settings.overrun, last = column.cylinder.last + settings.overrun;

@@ -32,7 +32,7 @@ checkDriveSize(double points, double crossings, const DriveSettings& settings)
           textOf("the drive path asked for is too large: about ", points, " points and ", bytes / 1e9,
                  " GB of memory, where ", most_path_points, " points are the most") +
               (memory ? textOf(" and ", *memory / 1e9, " GB are free") : std::string()) +
-              "; is the scan in another unit than mm? Otherwise raise " +
+              "; is the part in another unit than mm? Otherwise raise " +
               (settings.kind == DriveKind::Curve
                    ? std::string()
                : settings.rows == DriveRows::Kept

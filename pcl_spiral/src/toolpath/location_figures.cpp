@@ -45,8 +45,11 @@ CutterLocator::figures(const ToolLocations& locations) const
       f.warnings.push_back(textOf(count, " of ", locations.size(), " locations ", what));
   };
   warn(f.count(LocationState::NoCloud), textOf("have no ", ground_->item(), " of the ", ground_->name(), " under the cutter: they have no height"));
-  warn(f.over_rim, textOf("stand partly beyond the rim of the ", ground_->name(), " or over a gap in it, at least ",
-                          f.least_rim_clearance, " mm above it: what is higher there is not known"));
+  constexpr double touched = 1e-3; // mm
+  warn(f.over_rim, textOf("stand partly beyond the rim of the ", ground_->name(), " or over a gap in it, ",
+                          f.least_rim_clearance < touched ? std::string("down to it")
+                                                          : textOf("at least ", f.least_rim_clearance, " mm above it"),
+                          ": what is higher there is not known"));
   warn(f.unbounded, "rest on single points, and how far the cutter sinks between them has no bound");
   warn(f.count(LocationBasis::PointsAndBound),
        textOf("are raised by up to ", f.largest_gap_bound,
