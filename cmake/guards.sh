@@ -17,7 +17,7 @@ level() { # FOLDER -> its height; a folder includes its own height and below
     common | search) echo 1 ;;
     features | surface) echo 2 ;;
     geodesic) echo 3 ;;
-    toolpath | spiral | mesh) echo 4 ;;
+    toolpath | spiral | mesh | ridge) echo 4 ;;
     verify | machine) echo 5 ;;
     io | visualization) echo 6 ;;
     *) echo unknown ;;

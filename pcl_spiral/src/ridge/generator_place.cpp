@@ -1,0 +1,152 @@
+#include "generator_place.h"
+
+#include <pcl_spiral/common/message.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_spiral {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double degree = M_PI / 180.0;
+constexpr double largest_corner = 30.0;              // degrees
+constexpr double warned_tilt = 2.0, most_tilt = 15.0; // degrees
+constexpr double least_chord = 0.05;                 // of the generator's length
+
+/** Of a ring: twice the area it goes round, along its normal. */
+Vector3d
+areaOf(const SmoothLine& ring)
+{
+  constexpr int stations = 400;
+  const Vector3d centre = ring.position(0.0);
+  Vector3d sum = Vector3d::Zero();
+  for (int k = 0; k < stations; ++k)
+    sum += (ring.position(ring.length() * k / stations) - centre).cross(ring.position(ring.length() * (k + 1) / stations) - centre);
+  return sum;
+}
+
+/** Where both lines come nearest: arc length of the rail, place of the generator. */
+double
+meetingOf(const SmoothLine& rail, const SmoothLine& generator, Vector3d& place)
+{
+  constexpr int stations = 100;
+  const auto apart = [&](double v) {
+    const Vector3d p = generator.position(v);
+    return (rail.position(rail.nearest(p)) - p).norm();
+  };
+  const double step = generator.length() / stations;
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= stations; ++k)
+    if (const double d = apart(k * step); d < least) {
+      least = d;
+      best = k;
+    }
+  double low = std::max(0, best - 1) * step, high = std::min(stations, best + 1) * step;
+  for (int i = 0; i < 40; ++i) {
+    const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
+    (apart(a) < apart(b) ? high : low) = apart(a) < apart(b) ? b : a;
+  }
+  place = generator.position(0.5 * (low + high));
+  return rail.nearest(place);
+}
+
+/** Angle of the generator's plane with the plane across \p tangent; of one that is nearly straight, of its chord. */
+double
+tiltOf(const Polyline& points, const Vector3d& tangent)
+{
+  constexpr double straight = 0.05; // height over length
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& p : points)
+    mean += p / static_cast<double>(points.size());
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vector3d& p : points)
+    spread += (p - mean) * (p - mean).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  const Vector3d chord = (points.back() - points.front()).normalized();
+  if (solver.eigenvalues()[1] < straight * straight * solver.eigenvalues()[2])
+    return std::asin(std::min(1.0, std::abs(chord.dot(tangent)))) / degree;
+  const Vector3d normal = solver.eigenvectors().col(0);
+  return std::atan2(normal.cross(tangent).norm(), std::abs(normal.dot(tangent))) / degree;
+}
+
+} // namespace
+
+Status
+checkCorners(const MeasuredLine& rail, double error)
+{
+  constexpr double steady = 20.0; // times the error of a point: shorter pieces do not tell a direction
+  const std::size_t n = rail.points.size();
+  const auto reach = static_cast<std::size_t>(std::max(2.0, std::ceil(steady * error / rail.spacing)));
+  const auto turnAt = [&](std::size_t i) {
+    if (!rail.closed && (i < reach || i + reach >= n))
+      return 0.0;
+    const Vector3d a = rail.points[i] - rail.points[(i + n - reach) % n], b = rail.points[(i + reach) % n] - rail.points[i];
+    return std::atan2(a.cross(b).norm(), a.dot(b)) / degree;
+  };
+  for (std::size_t i = 0; i < n && 4 * reach < n; ++i) {
+    const double turn = turnAt(i), beside = std::max(turnAt((i + 2 * reach) % n), turnAt((i + n - 2 * reach) % n));
+    if (turn > largest_corner && beside < 0.5 * turn)
+      return {StatusCode::InvalidInput,
+              textOf("the rail has a corner of ", turn, " degrees at ", placeText(rail.points[i]), "; it has to be smooth, with less than ",
+                     largest_corner, " degrees at one place: make a ridge of each side of it")};
+  }
+  return Status::success();
+}
+
+Status
+placeGenerator(const Polyline& points, const SmoothLine& rail, const RidgeSettings& settings, bool may_turn, GeneratorPlace& place)
+{
+  place = GeneratorPlace();
+  const LineFit fit = fitLine({points, false, 0.0}, settings.measuring_error);
+  Vector3d chord = fit.line.position(fit.line.length()) - fit.line.position(0.0);
+  place.chord_length = chord.norm();
+  if (!(place.chord_length > least_chord * fit.line.length()))
+    return {StatusCode::InvalidInput, textOf("start and end of the generator at ", placeText(points.front()), " are ", place.chord_length,
+                                             " mm apart, under a twentieth of its length, ", fit.line.length(),
+                                             " mm: its chord tells no direction; measure an open profile")};
+  Vector3d meeting;
+  place.meeting = meetingOf(rail, fit.line, meeting);
+  const Vector3d foot = rail.position(place.meeting), tangent = rail.tangent(place.meeting);
+  place.distance = (meeting - foot).norm();
+  const double beyond = std::abs((meeting - foot).dot(tangent));
+  if (!rail.closed() && beyond > 0.5 * place.distance && beyond > least_chord * place.chord_length)
+    return {StatusCode::InvalidInput, textOf("the generator at ", placeText(meeting), " lies ", beyond, " mm beyond the end of the rail at ",
+                                             placeText(foot), ": measure it across the rail, or the rail further")};
+  if (place.distance > fit.line.length())
+    return {StatusCode::InvalidInput, textOf("the generator at ", placeText(meeting), " is ", place.distance, " mm from the rail, at ",
+                                             placeText(foot), ", more than its own length, ", fit.line.length(),
+                                             " mm: are both lines of one ridge, and in one unit?")};
+  place.turns_rail = !may_turn ? false : rail.closed() ? areaOf(rail).dot(settings.reference) < 0.0 : place.meeting > 0.5005 * rail.length();
+  if (place.turns_rail)
+    return Status::success();
+  place.tilt = tiltOf(points, tangent);
+  const std::string tilted = textOf("the generator at ", placeText(meeting), " is tilted by ", place.tilt,
+                                    " degrees against the normal plane of the rail");
+  if (place.tilt > most_tilt)
+    return {StatusCode::InvalidInput, tilted + textOf("; ", most_tilt, " go: measure it square to the rail")};
+  if (place.tilt > warned_tilt)
+    place.warnings.push_back(tilted + ": its shape is taken as measured, stretched by that");
+  const bool turned = (chord.dot(settings.reference.cross(tangent)) < 0.0) != settings.flip;
+  if (turned)
+    chord = -chord;
+  place.chord = ridgeChord(tangent, (chord - chord.dot(tangent) * tangent).normalized(), settings.reference);
+  const std::optional<RidgeFrame> frame = ridgeFrame(tangent, place.chord);
+  if (!frame)
+    return {StatusCode::InvalidInput,
+            textOf("the chord of the generator at ", placeText(meeting), " stands as steeply to the reference plane as the rail there lets "
+                   "it, so that it is not known on which side of it it is to stay: take a reference normal across the rail (setReferenceNormal)")};
+  for (const Vector3d& p : points)
+    place.local.push_back(frame->localOf(p - foot));
+  if (turned)
+    std::reverse(place.local.begin(), place.local.end());
+  return Status::success();
+}
+
+} // namespace pcl_spiral

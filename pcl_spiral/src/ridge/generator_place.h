@@ -1,0 +1,34 @@
+/** \file
+ *  Where a measured generator stands on its rail. Private to ridge.
+ */
+#pragma once
+
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/core/ridge_frame.h>
+#include <pcl_spiral/ridge/ridge_settings.h>
+#include <pcl_spiral/ridge/smooth_line.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A generator in the frame of the rail. Lengths in mm, the tilt in degrees. */
+struct GeneratorPlace {
+  bool turns_rail = false; ///< the rail is to run the other way; nothing else is known then
+  double meeting = 0.0, distance = 0.0; ///< arc length of the rail, and of both lines there
+  double chord_length = 0.0, tilt = 0.0, spacing = 0.0;
+  RidgeChord chord;
+  Polyline local; ///< its points in the order from start to end, along m1, m2, m3
+  std::vector<std::string> warnings;
+};
+
+/** Put the ordered points of a generator in the frame of \p rail where both meet. \p may_turn: the rail may be asked to run the
+ *  other way. */
+Status placeGenerator(const Polyline& points, const SmoothLine& rail, const RidgeSettings& settings, bool may_turn,
+                      GeneratorPlace& place);
+
+/** Refuses a rail that turns by more than 30 degrees at one place. \p error of its points. */
+Status checkCorners(const MeasuredLine& rail, double error);
+
+} // namespace pcl_spiral

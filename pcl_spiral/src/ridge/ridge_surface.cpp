@@ -1,0 +1,212 @@
+#include <pcl_spiral/ridge/ridge_surface.h>
+
+#include "generator_place.h"
+
+#include <pcl_spiral/common/message.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double degree = M_PI / 180.0;
+constexpr int stations_across = 128; // of the generator
+
+/** Stations along the rail that see how it bends. */
+int
+stationsAlong(const SmoothLine& rail)
+{
+  constexpr double a_mm = 2.0;
+  constexpr int least = 400, most = 20000;
+  return static_cast<int>(std::clamp(a_mm * rail.length(), static_cast<double>(least), static_cast<double>(most)));
+}
+
+Vector3d
+circleCentre(const Vector3d& a, const Vector3d& b, const Vector3d& c)
+{
+  const Vector3d u = b - a, v = c - a, w = u.cross(v);
+  return a + (v.squaredNorm() * w.cross(u) + u.squaredNorm() * v.cross(w)) / (2.0 * w.squaredNorm());
+}
+
+} // namespace
+
+RidgeFrame
+RidgeSurface::frame(double u) const
+{
+  return *ridgeFrame(rail_.tangent(u), chord_);
+}
+
+Vector3d
+RidgeSurface::position(double u, double v) const
+{
+  return rail_.position(u) + frame(u).turned(generator_.position(v));
+}
+
+/** By the length of the rail: m1 + omega x (a, b, c), in the frame. */
+Vector3d
+RidgeSurface::alongRail(double u, double v) const
+{
+  const RidgeFrame at = frame(u);
+  const Vector3d turn = ridgeTurn(at, rail_.curvature(u), chord_.reference);
+  return at.turned(Vector3d::UnitX() + turn.cross(generator_.position(v)));
+}
+
+Vector3d
+RidgeSurface::alongGenerator(double u, double v) const
+{
+  return frame(u).turned(generator_.tangent(v));
+}
+
+Vector3d
+RidgeSurface::normal(double u, double v, RidgeNormals normals) const
+{
+  if (normals == RidgeNormals::True)
+    return alongRail(u, v).cross(alongGenerator(u, v)).normalized();
+  const Vector3d along = generator_.tangent(v);
+  Vector3d local = Vector3d::UnitX().cross(along);
+  if (normals == RidgeNormals::Arc && arc_centre_.allFinite()) {
+    const Vector3d out = (generator_.position(v) - arc_centre_).cwiseProduct(Vector3d(0.0, 1.0, 1.0));
+    local = out.dot(local) < 0.0 ? Vector3d(-out) : out;
+  }
+  return frame(u).turned(local).normalized();
+}
+
+Status
+RidgeSurface::checkRail()
+{
+  const double limit = std::acos(std::min(1.0, std::abs(chord_.sin_angle)));
+  const int stations = stationsAlong(rail_);
+  Vector3d sensitive = Vector3d::Zero();
+  for (int k = 0; k <= stations; ++k) {
+    const double u = rail_.length() * k / stations;
+    const Vector3d tangent = rail_.tangent(u);
+    const double slope = std::atan2(std::abs(tangent.dot(chord_.reference)), tangent.cross(chord_.reference).norm());
+    const std::optional<RidgeFrame> at = ridgeFrame(tangent, chord_);
+    if (!at)
+      return {StatusCode::InvalidInput,
+              textOf("the rail has a slope of ", slope / degree, " degrees at ", placeText(rail_.position(u)), "; a generator whose chord keeps ",
+                     std::abs(report_.chord_angle), " degrees goes up to ", limit / degree,
+                     ": take a reference normal across the rail (setReferenceNormal), or make the ridge in pieces")};
+    if (slope / degree > report_.largest_slope) {
+      report_.largest_slope = slope / degree;
+      report_.steepest_place = rail_.position(u);
+    }
+    if (at->slopeFactor() > report_.slope_factor) {
+      report_.slope_factor = at->slopeFactor();
+      sensitive = rail_.position(u);
+    }
+  }
+  constexpr double much = 5.0;
+  if (report_.slope_factor > much)
+    report_.warnings.push_back(textOf("at ", placeText(sensitive), " an error of the rail's slope turns the generator ", report_.slope_factor,
+                                      " times as far: measure the rail closely there, or take a reference normal across the rail "
+                                      "(setReferenceNormal)"));
+  return Status::success();
+}
+
+/** The surface folds where 1 + omega2 c - omega3 b <= 0: the share of its length along the rail. */
+Status
+RidgeSurface::checkFolds()
+{
+  const int stations = stationsAlong(rail_);
+  double worst_u = 0.0, worst_v = 0.0;
+  std::vector<Vector3d> across;
+  for (int j = 0; j <= stations_across; ++j)
+    across.push_back(generator_.position(generator_.length() * j / stations_across));
+  for (int k = 0; k <= stations; ++k) {
+    const double u = rail_.length() * k / stations;
+    const Vector3d turn = ridgeTurn(frame(u), rail_.curvature(u), chord_.reference);
+    for (int j = 0; j <= stations_across; ++j)
+      if (const double stretch = 1.0 + turn.y() * across[j].z() - turn.z() * across[j].y(); stretch < report_.least_stretch) {
+        report_.least_stretch = stretch;
+        worst_u = u;
+        worst_v = generator_.length() * j / stations_across;
+      }
+  }
+  if (report_.least_stretch > 0.0)
+    return Status::success();
+  const double offset = generator_.position(worst_v).tail<2>().norm();
+  return {StatusCode::InvalidInput,
+          textOf("the ridge folds at ", placeText(position(worst_u, worst_v)), ": the generator reaches ", offset, " mm from the rail, and ",
+                 offset / (1.0 - report_.least_stretch), " mm is the most there, where the rail bends: measure a shorter generator")};
+}
+
+Status
+RidgeSurface::place(const Polyline& points, bool may_turn, bool& turned)
+{
+  GeneratorPlace found;
+  if (const Status status = placeGenerator(points, rail_, settings_, may_turn, found); !status.ok())
+    return status;
+  turned = found.turns_rail;
+  if (turned)
+    return Status::success();
+  report_.meeting = found.meeting;
+  report_.meeting_place = rail_.position(found.meeting);
+  report_.meeting_distance = found.distance;
+  report_.tilt = found.tilt;
+  report_.chord = found.chord_length;
+  report_.chord_angle = std::asin(std::clamp(found.chord.sin_angle, -1.0, 1.0)) / degree;
+  report_.warnings.insert(report_.warnings.end(), found.warnings.begin(), found.warnings.end());
+  chord_ = found.chord;
+  const LineFit fit = fitLine({found.local, false, found.spacing}, settings_.measuring_error);
+  generator_ = fit.line;
+  report_.generator_error = fit.error;
+  report_.generator_length = generator_.length();
+  const double v = generator_.length();
+  arc_centre_ = circleCentre(generator_.position(0.0), generator_.position(0.5 * v), generator_.position(v));
+  return Status::success();
+}
+
+Status
+RidgeSurface::make(const Polyline& rail, const Polyline& generator, const RidgeSettings& settings, ConstPtr& result)
+{
+  result.reset();
+  if (!settings.reference.allFinite() || !(settings.reference.norm() > 0.0))
+    return {StatusCode::InvalidArgument, "the reference normal has no direction: set a vector such as (0, 0, 1) (setReferenceNormal)"};
+  if (!(settings.measuring_error >= 0.0))
+    return {StatusCode::InvalidArgument, textOf("the measuring error is ", settings.measuring_error,
+                                                " mm: set it above 0, or 0 to have it found (setMeasuringError)")};
+  const auto made = std::make_shared<RidgeSurface>();
+  made->settings_ = settings;
+  made->settings_.reference.normalize();
+  MeasuredLine measured_rail, measured_generator;
+  if (const Status status = orderLine(rail, "the rail", measured_rail); !status.ok())
+    return status;
+  if (const Status status = orderLine(generator, "the generator", measured_generator); !status.ok())
+    return status;
+  LineFit fit = fitLine(measured_rail, settings.measuring_error);
+  if (const Status status = checkCorners(measured_rail, fit.error); !status.ok())
+    return status;
+  RidgeReport& report = made->report_;
+  report.rail_points = measured_rail.points.size();
+  report.generator_points = measured_generator.points.size();
+  report.closed = measured_rail.closed;
+  report.rail_error = fit.error;
+  report.rail_length = fit.line.length();
+  made->rail_ = fit.line;
+  bool turned = false;
+  if (const Status status = made->place(measured_generator.points, true, turned); !status.ok())
+    return status;
+  if (turned) {
+    made->rail_ = made->rail_.reversed();
+    if (const Status status = made->place(measured_generator.points, false, turned); !status.ok())
+      return status;
+  }
+  if (report.closed) {
+    made->rail_ = made->rail_.startingAt(report.meeting);
+    report.meeting = 0.0;
+  }
+  if (const Status status = made->checkRail(); !status.ok())
+    return status;
+  if (const Status status = made->checkFolds(); !status.ok())
+    return status;
+  result = made;
+  return Status::success();
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,17 @@
+/** \file
+ *  How close rows over a ridge have to lie. Private to ridge.
+ */
+#pragma once
+
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/ridge/ridge_rows.h>
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Places of the rows, along the generator or the rail, so that neighbours are nowhere farther apart than asked; and how far they
+ *  are at most. */
+Status rowPlaces(const RidgeSurface& surface, const RidgeRowSettings& settings, std::vector<double>& places, double& largest_step);
+
+} // namespace pcl_spiral

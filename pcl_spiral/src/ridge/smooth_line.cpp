@@ -1,0 +1,186 @@
+#include <pcl_spiral/ridge/smooth_line.h>
+
+#include <pcl_spiral/core/bspline_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace pcl_spiral {
+
+SmoothLine::SmoothLine(BSplineCurve curve, double begin, double end, bool closed)
+: curve_(std::move(curve)), begin_(begin), end_(end), closed_(closed)
+{
+}
+
+double
+SmoothLine::parameterAt(double s) const
+{
+  if (closed_) {
+    s += shift_;
+    s -= length() * std::floor(s / length());
+  }
+  return curve_.parameterAt(begin_ + s);
+}
+
+Eigen::Vector3d
+SmoothLine::position(double s) const
+{
+  return curve_.position(parameterAt(s));
+}
+
+Eigen::Vector3d
+SmoothLine::tangent(double s) const
+{
+  return curve_.derivative(parameterAt(s)).normalized();
+}
+
+Eigen::Vector3d
+SmoothLine::curvature(double s) const
+{
+  const double u = parameterAt(s);
+  const Eigen::Vector3d first = curve_.derivative(u), second = curve_.secondDerivative(u);
+  const double squared = first.squaredNorm();
+  return (second - first * (first.dot(second) / squared)) / squared;
+}
+
+double
+SmoothLine::nearest(const Eigen::Vector3d& p) const
+{
+  constexpr double stations_a_span = 4.0;
+  const int stations = static_cast<int>(stations_a_span * static_cast<double>(curve_.spans())) + 1;
+  const double step = length() / stations;
+  double best = 0.0, least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= stations; ++k)
+    if (const double d = (position(k * step) - p).squaredNorm(); d < least) {
+      least = d;
+      best = k * step;
+    }
+  double low = best - step, high = best + step;
+  if (!closed_) {
+    low = std::max(low, 0.0);
+    high = std::min(high, length());
+  }
+  // The distance falls before the nearest place and rises behind it.
+  for (int i = 0; i < 60 && high - low > 1e-12 * length(); ++i) {
+    const double middle = 0.5 * (low + high);
+    ((position(middle) - p).dot(tangent(middle)) < 0.0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+SmoothLine
+SmoothLine::reversed() const
+{
+  const double last = curve_.lastParameter();
+  std::vector<double> knots;
+  for (auto knot = curve_.knots().rbegin(); knot != curve_.knots().rend(); ++knot)
+    knots.push_back(last - *knot);
+  Polyline control(curve_.controlPoints().rbegin(), curve_.controlPoints().rend());
+  SmoothLine result(BSplineCurve(std::move(knots), std::move(control)), curve_.length() - end_, curve_.length() - begin_, closed_);
+  result.shift_ = -shift_;
+  return result;
+}
+
+SmoothLine
+SmoothLine::startingAt(double s) const
+{
+  SmoothLine result = *this;
+  result.shift_ += s;
+  return result;
+}
+
+namespace {
+
+/** A fit by a given number of spans. */
+struct Trial {
+  BSplineFit fit;
+  double squares = 0.0; ///< of the deviations, added up
+  double free = 0.0;    ///< points less control points
+};
+
+std::optional<Trial>
+tryFit(const Polyline& points, std::size_t spans)
+{
+  BSplineFitOptions options;
+  options.tolerance = std::numeric_limits<double>::min();
+  options.min_spans = options.max_spans = spans;
+  std::optional<BSplineFit> fit = fitBSpline(points, options);
+  if (!fit)
+    return std::nullopt;
+  const auto n = static_cast<double>(points.size());
+  const double squares = n * fit->rms_deviation * fit->rms_deviation;
+  return Trial{std::move(*fit), squares, n - static_cast<double>(spans) - 3.0};
+}
+
+/** The error along the line does not show: it goes into the parameter, the chord length. */
+double
+coordinateError(const Trial& trial)
+{
+  return trial.free > 0.0 ? std::sqrt(trial.squares / (2.0 * trial.free)) : 0.0;
+}
+
+/** With more and more spans until the error is left, or by cross validation. */
+std::optional<Trial>
+chooseFit(const Polyline& points, std::size_t repeated, double error)
+{
+  constexpr double growth = 1.3, most = 0.6; // spans a point
+  constexpr double fast = 0.5; // of the score before: without noise it falls with the eighth power of the spans' length
+  const std::size_t last = static_cast<std::size_t>(most * static_cast<double>(points.size()));
+  std::optional<Trial> best;
+  double least = std::numeric_limits<double>::infinity(), before = least;
+  bool falls = true;
+  for (std::size_t spans = 1; repeated * spans <= last; spans = std::max(spans + 1, static_cast<std::size_t>(growth * static_cast<double>(spans)))) {
+    std::optional<Trial> trial = tryFit(points, repeated * spans);
+    if (!trial)
+      return std::nullopt;
+    if (error > 0.0 && coordinateError(*trial) <= error)
+      return trial;
+    const double score = trial->squares / (trial->free * trial->free);
+    falls = score < fast * before;
+    before = score;
+    if (score < least) {
+      least = score;
+      best = std::move(trial);
+    }
+  }
+  if (falls) // to the last, so that no noise is seen: through the points
+    return tryFit(points, points.size() - 3);
+  return best;
+}
+
+} // namespace
+
+LineFit
+fitLine(const MeasuredLine& measured, double error)
+{
+  Polyline points = measured.points;
+  const std::size_t n = points.size(), half = measured.closed ? n / 2 : 0;
+  if (measured.closed) {
+    points.assign(measured.points.end() - static_cast<std::ptrdiff_t>(half), measured.points.end());
+    points.insert(points.end(), measured.points.begin(), measured.points.end());
+    points.insert(points.end(), measured.points.begin(), measured.points.begin() + static_cast<std::ptrdiff_t>(n - half + 1));
+  }
+  LineFit result;
+  const std::optional<Trial> trial = chooseFit(points, measured.closed ? 2 : 1, error);
+  if (!trial)
+    return result;
+  result.error = coordinateError(*trial);
+  result.spans = trial->fit.curve.spans() / (measured.closed ? 2 : 1);
+  const BSplineCurve& curve = trial->fit.curve;
+  if (!measured.closed) {
+    result.line = SmoothLine(curve, 0.0, curve.length(), false);
+    return result;
+  }
+  double along = 0.0, round = 0.0; // chord lengths, the curve's parameter: to the first point, once round
+  for (std::size_t i = 0; i < half; ++i)
+    along += (points[i + 1] - points[i]).norm();
+  for (std::size_t i = half; i < half + n; ++i)
+    round += (points[i + 1] - points[i]).norm();
+  result.line = SmoothLine(curve, curve.arcLength(along), curve.arcLength(along + round), true);
+  return result;
+}
+
+} // namespace pcl_spiral
