@@ -149,8 +149,8 @@ completePath(Job& job)
   if (!is_curve && !job.curve_file.empty())
     throw UsageError("--curve " + job.curve_file + ": --drive is " + choiceName(d.kind) + "; use --drive curve");
   requireOption(job.tolerance >= least_tolerance, "tolerance", job.tolerance, "must be 0.0001 mm or more, such as 0.01");
-  requireOption(job.tolerance <= 0.1 * job.cutter.radius, "tolerance", job.tolerance,
-                textOf("must be a tenth of the tool radius, ", job.cutter.radius, " mm, or less, such as ", 0.01 * job.cutter.radius));
+  requireOption(job.tolerance <= std::max(least_tolerance, 0.1001 * job.cutter.radius), "tolerance", job.tolerance,
+                textOf("must be a tenth of the tool radius, ", job.cutter.radius, " mm, or less, such as ", std::max(least_tolerance, 0.01 * job.cutter.radius)));
   if (job.column_axis && !(job.column_axis->norm() > 0.0))
     throw UsageError("--column-axis: is no direction, such as 0,0,1");
   requireOption(job.axis_smoothing >= 0.0, "axis-smoothing", job.axis_smoothing, "must be above 0 mm, or 0 for none");

@@ -180,7 +180,7 @@ creaseWarnings(const MeshInput& input, const Surface& surface)
 Status
 withSpacings(const Status& status, const MeshInput& input)
 {
-  if (status.ok() || status.code() == StatusCode::Cancelled)
+  if (status.code() != StatusCode::InvalidInput && status.code() != StatusCode::Failed)
     return status;
   const double vertices = std::sqrt(input.mesh->area() / static_cast<double>(input.mesh->vertexCount()));
   return {status.code(), textOf(status.message(), "; samples stand ", input.spacing, " mm apart, vertices of the mesh ", vertices, " mm")};

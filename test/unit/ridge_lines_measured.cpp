@@ -110,6 +110,7 @@ TEST(RidgeLines, ThatAreNoneAreRefused)
   refused(bad, generator, "point 7 of the rail is not finite");
   refused({rail[0], rail[1], rail[2]}, generator, "the rail has 3 points that differ");
   refused(rail, {generator[0], generator[0], generator[1]}, "the generator has 2 points");
+  refused(Polyline(20001, rail[0]), generator, "the rail has 20001 points");
   bad = rail;
   bad.erase(bad.begin() + 80, bad.begin() + 100);
   refused(bad, generator, "the rail has a gap of ");

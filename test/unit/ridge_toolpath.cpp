@@ -218,6 +218,9 @@ TEST(RidgeToolpath, RefusesWhatCannotBe)
   refused([](Ridge& r) { r.setPointSpacing(0.0); }, "the spacing of points is 0");
   refused([](Ridge& r) { r.setLead(90.0); }, "lead and tilt");
   refused([](Ridge& r) { r.setRunIn(-1.0); }, "run-in");
+  refused([](Ridge& r) { r.setRunOut(1e12); }, "run-out");
+  refused([](Ridge& r) { r.setStepOver(std::numeric_limits<double>::infinity()); }, "step-over");
+  refused([](Ridge& r) { r.setPointSpacing(1e-6); }, "raise the spacing of points");
   refused([](Ridge& r) { r.setReferenceNormal(Vector3d::Zero()); }, "has no direction");
   refused([](Ridge& r) { r.setNumberOfThreads(static_cast<unsigned int>(-1)); }, "number of threads");
   refused([](Ridge& r) { r.setFlipNormals(true); r.setStepOver(0.0); r.setScallop(60.0, 0.02); }, "the ridge is hollow with radius");

@@ -62,9 +62,12 @@ SectionCurve::inPlane(const MeshPatch& patch, const Chord& chord, double share, 
   const double q1 = 0.5 * (plus - minus), q2 = 0.5 * (plus + minus) - q0;
   const double discriminant = q1 * q1 - 4.0 * q2 * q0;
   const double q = q1 + std::copysign(std::sqrt(std::max(0.0, discriminant)), q1);
-  const double root = discriminant < 0.0 ? -0.5 * q1 / q2 : q != 0.0 ? -2.0 * q0 / q : 0.0; // nearest to the straight way, or to the plane
   const double others = std::min(b[(chord.lone + 1) % 3], b[(chord.lone + 2) % 3]);
-  return b + std::clamp(root, -b[chord.lone], 2.0 * std::max(0.0, others)) * w;
+  const double low = -b[chord.lone], high = 2.0 * std::max(0.0, others);
+  const double near = discriminant < 0.0 ? -0.5 * q1 / q2 : q != 0.0 ? -2.0 * q0 / q : 0.0; // to the straight way, or to the plane
+  const double far = q2 != 0.0 && discriminant >= 0.0 ? -0.5 * q / q2 : near;
+  const bool is_far = (near < low || near > high) && far >= low && far <= high;
+  return b + (is_far ? far : std::clamp(near, low, high)) * w;
 }
 
 void

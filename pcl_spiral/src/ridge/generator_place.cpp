@@ -81,7 +81,7 @@ tiltOf(const Polyline& points, const Vector3d& tangent)
 Status
 checkCorners(const MeasuredLine& rail, double error)
 {
-  constexpr double steady = 20.0; // times the error of a point: shorter pieces do not tell a direction
+  constexpr double steady = 40.0; // times the error of a point: shorter pieces do not tell a direction
   const std::size_t n = rail.points.size();
   const auto reach = static_cast<std::size_t>(std::max(2.0, std::ceil(steady * error / rail.spacing)));
   const auto turnAt = [&](std::size_t i) {
@@ -105,6 +105,8 @@ placeGenerator(const Polyline& points, const SmoothLine& rail, const RidgeSettin
 {
   place = GeneratorPlace();
   const LineFit fit = fitLine({points, false, 0.0}, settings.measuring_error);
+  if (!(fit.line.length() > 0.0))
+    return {StatusCode::InvalidInput, "no curve can be laid through the points of the generator: are they spread along a line?"};
   Vector3d chord = fit.line.position(fit.line.length()) - fit.line.position(0.0);
   place.chord_length = chord.norm();
   if (!(place.chord_length > least_chord * fit.line.length()))
@@ -132,7 +134,7 @@ placeGenerator(const Polyline& points, const SmoothLine& rail, const RidgeSettin
   if (place.tilt > most_tilt)
     return {StatusCode::InvalidInput, tilted + textOf("; ", most_tilt, " go: measure it square to the rail")};
   if (place.tilt > warned_tilt)
-    place.warnings.push_back(tilted + ": its shape is taken as measured, stretched by that");
+    place.warnings.push_back(tilted + ": its shape is taken as measured");
   const bool turned = (chord.dot(settings.reference.cross(tangent)) < 0.0) != settings.flip;
   if (turned)
     chord = -chord;
@@ -142,6 +144,11 @@ placeGenerator(const Polyline& points, const SmoothLine& rail, const RidgeSettin
     return {StatusCode::InvalidInput,
             textOf("the chord of the generator at ", placeText(meeting), " stands as steeply to the reference plane as the rail there lets "
                    "it, so that it is not known on which side of it it is to stay: take a reference normal across the rail (setReferenceNormal)")};
+  constexpr double sure = 0.1; // of the chord's length, out of the upright plane through the rail
+  if (std::abs(frame->up.dot(settings.reference)) < sure)
+    place.warnings.push_back(textOf("the generator at ", placeText(meeting), " stands nearly upright, so that errors of its points may choose the "
+                                    "side that is up: look at the normals, and flip them (setFlipNormals) or take a reference normal across "
+                                    "the generator (setReferenceNormal)"));
   for (const Vector3d& p : points)
     place.local.push_back(frame->localOf(p - foot));
   if (turned)

@@ -15,6 +15,7 @@ namespace {
 constexpr double largest_gap = 5.0;    // spacings, and the longest side way
 constexpr double largest_join = 2.0;   // spacings between the ends of a closed line
 constexpr std::size_t least_ring = 12; // points
+constexpr std::size_t most_points = 20000; // of one line: some seconds
 constexpr std::uint32_t none = 0xffffffffu;
 
 /** The tree of least total length over points, from the first (Prim 1957). */
@@ -137,21 +138,23 @@ lineOf(const LeastTree& tree, const Polyline& points, const std::string& name, M
   std::vector<std::uint8_t> on_line(points.size(), 0);
   for (std::uint32_t i = end; i != none; i = before[i])
     on_line[i] = 1;
-  std::vector<std::pair<double, std::uint32_t>> stations; // along the line, of the place where a side way leads off
+  // Along the line, of the place where a side way leads off; how far along that; the point itself, so that the order given has no say.
+  std::vector<std::tuple<double, double, double, double, double, std::uint32_t>> stations;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     std::uint32_t foot = i;
     while (!on_line[foot])
       foot = before[foot];
     if (ways[i] - ways[foot] > largest_gap * line.spacing)
       return {StatusCode::InvalidInput, textOf(name, " has a branch at ", placeText(points[foot]), ", ", ways[i] - ways[foot],
-                                               " mm long or more: leave out what does not belong to the line")};
-    stations.emplace_back(ways[foot], i);
+                                               " mm long or more: leave out what does not belong to the line, or thin points that lie closer than they err")};
+    const Eigen::Vector3d& p = points[i];
+    stations.emplace_back(ways[foot], ways[i] - ways[foot], p.x(), p.y(), p.z(), i);
   }
   std::sort(stations.begin(), stations.end());
   if (end < start)
     std::reverse(stations.begin(), stations.end());
   for (const auto& station : stations)
-    line.points.push_back(points[station.second]);
+    line.points.push_back(points[std::get<5>(station)]);
   return Status::success();
 }
 
@@ -161,6 +164,9 @@ Status
 orderLine(const Polyline& given, const std::string& name, MeasuredLine& line)
 {
   line = MeasuredLine();
+  if (given.size() > most_points)
+    return {StatusCode::InvalidInput, textOf(name, " has ", given.size(), " points; a line of more than ", most_points,
+                                             " is not put in order: is it a whole scan? Else thin it")};
   for (std::size_t i = 0; i < given.size(); ++i)
     if (!given[i].allFinite())
       return {StatusCode::InvalidInput, textOf("point ", i, " of ", name, " is not finite: leave it out")};

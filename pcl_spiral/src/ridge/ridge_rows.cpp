@@ -21,6 +21,8 @@ invalid(const std::string& message)
   return {StatusCode::InvalidArgument, message};
 }
 
+constexpr double longest = 1e5; // mm
+
 Status
 checkSettings(const RidgeRowSettings& s)
 {
@@ -28,8 +30,9 @@ checkSettings(const RidgeRowSettings& s)
   if (told != 1)
     return invalid(textOf(told == 0 ? "nothing tells" : "more than one setting tells",
                           " how far rows are apart: set the step-over (setStepOver), or the spot (setSpot), or ball and scallop height (setScallop)"));
-  if (!(s.step_over >= 0.0) || !(s.spot_size >= 0.0) || !(s.tool_radius >= 0.0))
-    return invalid("step-over, spot size and tool radius must be above 0 mm");
+  for (const double length : {s.step_over, s.spot_size, s.tool_radius, s.point_spacing, s.run_in, s.run_out})
+    if (!(length >= 0.0 && length <= longest))
+      return invalid(textOf("a length is ", length, " mm: set step-over, spot, tool radius, spacing, run-in and run-out from 0 to ", longest, " mm"));
   if (!(s.overlap >= 0.0 && s.overlap < 1.0))
     return invalid(textOf("the overlap is ", s.overlap, ": set it from 0 to below 1 (setSpot)"));
   if (s.tool_radius > 0.0 && !(s.scallop_height > 0.0 && s.scallop_height < s.tool_radius))
@@ -37,8 +40,8 @@ checkSettings(const RidgeRowSettings& s)
                           " mm (setScallop)"));
   if (!(s.point_spacing > 0.0))
     return invalid(textOf("the spacing of points is ", s.point_spacing, " mm: set it above 0 (setPointSpacing)"));
-  if (!(s.run_in >= 0.0) || !(s.run_out >= 0.0) || !std::isfinite(s.stand_off))
-    return invalid("run-in and run-out must be 0 mm or more, the stand-off a number (setRunIn, setRunOut, setStandOff)");
+  if (!(std::abs(s.stand_off) <= longest))
+    return invalid(textOf("the stand-off is ", s.stand_off, " mm: set it up to ", longest, " mm (setStandOff)"));
   if (!(std::abs(s.lead) < 90.0) || !(std::abs(s.tilt) < 90.0))
     return invalid(textOf("lead and tilt are ", s.lead, " and ", s.tilt, " degrees: set them below 90 (setLead, setTilt)"));
   return Status::success();
@@ -102,7 +105,7 @@ private:
       fine.push_back(length);
       ways.push_back(length);
     }
-    const int count = std::max(1, static_cast<int>(std::ceil(ways.back() / settings_.point_spacing - 1e-9)));
+    const int count = std::max(closed() ? 3 : 1, static_cast<int>(std::ceil(ways.back() / settings_.point_spacing - 1e-9)));
     std::vector<double> result;
     std::size_t piece = 1;
     for (int k = 0; k < count + (closed() ? 0 : 1); ++k) {
@@ -158,9 +161,9 @@ planRidgeRows(const RidgeSurface& surface, const RidgeRowSettings& settings, Dri
   std::vector<double> places;
   if (const Status status = rowPlaces(surface, settings, places, report.largest_step); !status.ok())
     return status;
-  constexpr double most_points = 1e8;
-  const double longest = std::max(surface.rail().length(), surface.generator().length());
-  if (static_cast<double>(places.size()) * longest / settings.point_spacing > most_points)
+  constexpr double most_points = 2e7;
+  const double row = std::max(surface.rail().length(), surface.generator().length()) + settings.run_in + settings.run_out;
+  if (static_cast<double>(places.size()) * row / settings.point_spacing > most_points)
     return invalid(textOf("the rows would have more than ", most_points, " points: raise the spacing of points (setPointSpacing) or the step-over"));
   passes.resize(places.size());
 #pragma omp parallel for schedule(dynamic, 1)

@@ -38,7 +38,7 @@ circleCentre(const Vector3d& a, const Vector3d& b, const Vector3d& c)
 RidgeFrame
 RidgeSurface::frame(double u) const
 {
-  return *ridgeFrame(rail_.tangent(u), chord_);
+  return ridgeFrame(rail_.tangent(u), chord_).value_or(RidgeFrame());
 }
 
 Vector3d
@@ -168,7 +168,7 @@ RidgeSurface::make(const Polyline& rail, const Polyline& generator, const RidgeS
   result.reset();
   if (!settings.reference.allFinite() || !(settings.reference.norm() > 0.0))
     return {StatusCode::InvalidArgument, "the reference normal has no direction: set a vector such as (0, 0, 1) (setReferenceNormal)"};
-  if (!(settings.measuring_error >= 0.0))
+  if (!(settings.measuring_error >= 0.0) || !std::isfinite(settings.measuring_error))
     return {StatusCode::InvalidArgument, textOf("the measuring error is ", settings.measuring_error,
                                                 " mm: set it above 0, or 0 to have it found (setMeasuringError)")};
   const auto made = std::make_shared<RidgeSurface>();
@@ -180,6 +180,8 @@ RidgeSurface::make(const Polyline& rail, const Polyline& generator, const RidgeS
   if (const Status status = orderLine(generator, "the generator", measured_generator); !status.ok())
     return status;
   LineFit fit = fitLine(measured_rail, settings.measuring_error);
+  if (!(fit.line.length() > 0.0))
+    return {StatusCode::InvalidInput, "no curve can be laid through the points of the rail: are they spread along a line?"};
   if (const Status status = checkCorners(measured_rail, fit.error); !status.ok())
     return status;
   RidgeReport& report = made->report_;

@@ -112,7 +112,8 @@ tryFit(const Polyline& points, std::size_t spans)
     return std::nullopt;
   const auto n = static_cast<double>(points.size());
   const double squares = n * fit->rms_deviation * fit->rms_deviation;
-  return Trial{std::move(*fit), squares, n - static_cast<double>(spans) - 3.0};
+  const double free = n - static_cast<double>(fit->curve.spans()) - 3.0;
+  return Trial{std::move(*fit), squares, free};
 }
 
 /** The error along the line does not show: it goes into the parameter, the chord length. */
@@ -134,8 +135,8 @@ chooseFit(const Polyline& points, std::size_t repeated, double error)
   bool falls = true;
   for (std::size_t spans = 1; repeated * spans <= last; spans = std::max(spans + 1, static_cast<std::size_t>(growth * static_cast<double>(spans)))) {
     std::optional<Trial> trial = tryFit(points, repeated * spans);
-    if (!trial)
-      return std::nullopt;
+    if (!trial || !(trial->free > 0.0))
+      break;
     if (error > 0.0 && coordinateError(*trial) <= error)
       return trial;
     const double score = trial->squares / (trial->free * trial->free);
@@ -146,7 +147,7 @@ chooseFit(const Polyline& points, std::size_t repeated, double error)
       best = std::move(trial);
     }
   }
-  if (falls) // to the last, so that no noise is seen: through the points
+  if (!best || falls) // to the last, so that no noise is seen: through the points
     return tryFit(points, points.size() - 3);
   return best;
 }

@@ -88,7 +88,9 @@ heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p, double reach)
   u *= a < 0.0 ? -inside : inside;
   v *= b < 0.0 ? -inside : inside;
   const Eigen::Vector3d place = u * foot.direction1 + v * e2 - 0.5 * (k1 * u * u + k2 * v * v) * foot.normal;
-  const double distance = inside < 1.0 ? std::copysign((d - place).norm(), (d - place).dot(foot.normal)) : l * std::sqrt(1.0 + k1 * k1 * u * u + k2 * k2 * v * v);
+  // Farther off than the reach, the side is told by the tangent plane at the place.
+  const Eigen::Vector3d across = k1 * u * foot.direction1 + k2 * v * e2 + foot.normal;
+  const double distance = inside < 1.0 ? std::copysign((d - place).norm(), (d - place).dot(across)) : l * std::sqrt(1.0 + k1 * k1 * u * u + k2 * k2 * v * v);
   return {distance, foot.position + place};
 }
 

@@ -127,33 +127,30 @@ RemovalSampler::along(std::size_t move, double f0, double f1, const SurfaceFoot&
   if (reference_.inGap(first.position) || reference_.inGap(last.position) || reference_.inCreaseBand(first.position) ||
       reference_.inCreaseBand(last.position))
     return;
-  SurfaceHeight deepest;
-  double f_deepest = f0;
   for (int k = 0; k <= stations; ++k) {
     const double g = static_cast<double>(k) / stations, f = f0 + g * (f1 - f0);
     const SurfaceHeight at_first = g < 1.0 ? sweep_.lowest(move, f, first, fit_radius_) : SurfaceHeight();
     const SurfaceHeight at_last = g > 0.0 ? sweep_.lowest(move, f, last, fit_radius_) : SurfaceHeight();
-    const double height = (1.0 - g) * at_first.height + g * at_last.height;
-    if (height < deepest.height) {
-      deepest = {height, (1.0 - g) * at_first.place + g * at_last.place};
-      f_deepest = f;
-    }
+    const SurfaceHeight guess{(1.0 - g) * at_first.height + g * at_last.height, (1.0 - g) * at_first.place + g * at_last.place};
+    const bool outside = (g < 1.0 && first.overhang > 0.0) || (g > 0.0 && last.overhang > 0.0);
+    if (-guess.height > (outside ? std::min(extremes.gouge.value, extremes.rim_gouge.value) : extremes.gouge.value))
+      takeGouge(move, f, g < 0.5 ? first : last, guess.place, extremes);
   }
-  if (-deepest.height > std::min(extremes.gouge.value, extremes.rim_gouge.value))
-    takeGouge(move, f_deepest, deepest, extremes);
 }
 
 void
-RemovalSampler::takeGouge(std::size_t move, double f, const SurfaceHeight& guess, RemovalExtremes& extremes) const
+RemovalSampler::takeGouge(std::size_t move, double f, const SurfaceFoot& nearest, const Eigen::Vector3d& place,
+                          RemovalExtremes& extremes) const
 {
   std::vector<SurfaceFoot> feet;
-  reference_.surface().project({guess.place}, feet);
-  const SurfaceFoot& foot = feet.front();
-  if (!foot.valid)
-    return;
+  reference_.surface().project({place}, feet);
   // A quadric, carried on as far as a fit reaches, tells where to look; how deep the cutter stands there, the surface itself.
-  const double depth = -sweep_.lowest(move, f, foot, 0.0).height;
-  raise(foot.overhang > 0.0 ? extremes.rim_gouge : extremes.gouge, depth, foot.position, f < 0.5 ? move : move + 1);
+  const SurfaceFoot& foot = feet.front().valid ? feet.front() : nearest;
+  const SurfaceHeight lowest = sweep_.lowest(move, f, foot, 0.0);
+  if (lowest.height < -sweep_.boundingRadius() || reference_.inGap(foot.position))
+    return; // its middle behind the foot: another side of the part, or so deep that the reference points tell it
+  PlacedValue& gouge = reference_.inCreaseBand(foot.position) ? extremes.crease_gouge : foot.overhang > 0.0 ? extremes.rim_gouge : extremes.gouge;
+  raise(gouge, -lowest.height, foot.position, f < 0.5 ? move : move + 1);
 }
 
 } // namespace pcl_spiral

@@ -42,15 +42,15 @@ public:
   SampleResult at(const SurfaceFoot& foot, std::size_t& guess, RemovalExtremes& extremes) const;
   /** The ridge on one side, 1 or -1, of a place on the path. */
   void beside(const SurfaceFoot& foot, std::size_t move, double side, RemovalExtremes& extremes) const;
-  /** The deepest gouge on a move between the shares \p f0 and \p f1, by the fits at both ends. */
+  /** The deepest gouge on a move between the shares \p f0 and \p f1, sought by the fits at both ends. */
   void along(std::size_t move, double f0, double f1, const SurfaceFoot& foot0, const SurfaceFoot& foot1,
              RemovalExtremes& extremes) const;
 
 private:
   double largestStep(const SurfaceFoot& foot) const;
   double stepAcross(const SurfaceFoot& foot, const Eigen::Vector3d& w) const;
-  /** What the cutter cuts off the surface about the place of \p guess. */
-  void takeGouge(std::size_t move, double f, const SurfaceHeight& guess, RemovalExtremes& extremes) const;
+  /** What the cutter cuts off the surface next to \p place; of \p nearest where there is none. */
+  void takeGouge(std::size_t move, double f, const SurfaceFoot& nearest, const Eigen::Vector3d& place, RemovalExtremes& extremes) const;
   Zone zoneOf(const SurfaceFoot& foot, const Eigen::Vector3d& position, double step) const;
   void takeRidge(const SurfaceFoot& foot, const Ridge& ridge, double step, RemovalExtremes& extremes,
                  float* height) const;

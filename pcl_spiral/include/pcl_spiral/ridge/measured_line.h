@@ -22,7 +22,7 @@ struct MeasuredLine {
  *  line. Which end it begins at is nothing to rely on. Repeated points are left out. \p name is said in messages.
  *  Time grows by the square of the number of points.
  *
- *  InvalidInput, with the place: fewer than four points, one that is not finite, a gap of more than five spacings, a branch: a
+ *  InvalidInput, with the place: fewer than four points or more than 20,000, one that is not finite, a gap of more than five spacings, a branch: a
  *  side way of the tree of more than five spacings. Shorter side ways, as noise makes them where points lie close, become part of the line. */
 Status orderLine(const Polyline& points, const std::string& name, MeasuredLine& line);
 

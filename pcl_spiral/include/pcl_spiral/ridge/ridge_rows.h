@@ -44,7 +44,7 @@ struct RidgeRowSettings {
 struct RidgeRowReport {
   std::size_t rows = 0, points = 0;
   double length = 0.0;        ///< of all rows
-  double largest_step = 0.0;  ///< between neighbouring rows, at most
+  double largest_step = 0.0;  ///< between neighbouring rows, by the length of the generator, or of the rail for rows across it
 };
 
 /** Rows over \p surface. Between the outermost rows and the edges of the ridge lies half a step-over. Round a closed rail rows along it are closed, and
