@@ -1,6 +1,7 @@
 // Measured lines: any order, any place, and lines that are none.
 #include <pcl_spiral/ridge/ridge_surface.h>
 
+#include "support/made_ridge.h"
 #include "support/ridges.h"
 #include "support/sampling.h"
 
@@ -25,15 +26,6 @@ shuffled(Polyline points, std::uint64_t seed)
   for (std::size_t i = points.size(); i > 1; --i)
     std::swap(points[i - 1], points[static_cast<std::size_t>(random.uniform() * static_cast<double>(i))]);
   return points;
-}
-
-RidgeSurface::ConstPtr
-made(const Polyline& rail, const Polyline& generator, const RidgeSettings& settings = {})
-{
-  RidgeSurface::ConstPtr surface;
-  const Status status = RidgeSurface::make(rail, generator, settings, surface);
-  EXPECT_TRUE(status.ok()) << status.message();
-  return surface;
 }
 
 void
@@ -66,13 +58,13 @@ const ExactRidge die = dieRidge();
 TEST(RidgeLines, MayComeInAnyOrder)
 {
   const Polyline rail = moved(die.railPoints(300), 0.02, 1), generator = moved(die.generatorPoints(0.37, 60), 0.02, 2);
-  const auto surface = made(rail, generator);
+  const auto surface = madeRidge(rail, generator);
   for (const std::uint64_t seed : {1, 2, 3})
-    EXPECT_LT(difference(*surface, *made(shuffled(rail, seed), shuffled(generator, 10 + seed))), 1e-9);
-  EXPECT_LT(difference(*surface, *made(Polyline(rail.rbegin(), rail.rend()), Polyline(generator.rbegin(), generator.rend()))), 1e-9);
+    EXPECT_LT(difference(*surface, *madeRidge(shuffled(rail, seed), shuffled(generator, 10 + seed))), 1e-9);
+  EXPECT_LT(difference(*surface, *madeRidge(Polyline(rail.rbegin(), rail.rend()), Polyline(generator.rbegin(), generator.rend()))), 1e-9);
   Polyline twice = rail;
   twice.insert(twice.end(), rail.begin(), rail.begin() + 50);
-  EXPECT_LT(difference(*surface, *made(twice, generator)), 1e-9);
+  EXPECT_LT(difference(*surface, *madeRidge(twice, generator)), 1e-9);
 }
 
 TEST(RidgeLines, MayLieAnywhereWithTheirReference)
@@ -81,21 +73,21 @@ TEST(RidgeLines, MayLieAnywhereWithTheirReference)
   motion.linear() = Eigen::AngleAxisd(1.1, Vector3d(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
   motion.translation() = Vector3d(120.0, -80.0, 45.0);
   Polyline rail = moved(die.railPoints(300), 0.02, 1), generator = moved(die.generatorPoints(0.37, 60), 0.02, 2);
-  const auto surface = made(rail, generator);
+  const auto surface = madeRidge(rail, generator);
   for (Polyline* line : {&rail, &generator})
     for (Vector3d& p : *line)
       p = motion * p;
   RidgeSettings settings;
   settings.reference = motion.linear() * Vector3d::UnitZ();
-  EXPECT_LT(difference(*surface, *made(rail, generator, settings), motion), 1e-6);
+  EXPECT_LT(difference(*surface, *madeRidge(rail, generator, settings), motion), 1e-6);
 }
 
 TEST(RidgeLines, TheOtherSideIsUpWhereAsked)
 {
   RidgeSettings settings;
   settings.flip = true;
-  const auto up = made(die.railPoints(300), die.generatorPoints(0.37, 60));
-  const auto down = made(die.railPoints(300), die.generatorPoints(0.37, 60), settings);
+  const auto up = madeRidge(die.railPoints(300), die.generatorPoints(0.37, 60));
+  const auto down = madeRidge(die.railPoints(300), die.generatorPoints(0.37, 60), settings);
   const double v = 0.5 * up->generator().length();
   EXPECT_GT(up->normal(100.0, v).z(), 0.0);
   EXPECT_LT((up->normal(100.0, v) + down->normal(100.0, v)).norm(), 1e-3);
@@ -153,8 +145,8 @@ TEST(RidgeLines, ATiltedGeneratorIsSaid)
       p = foot + turn * (p - foot);
     return points;
   };
-  EXPECT_TRUE(made(die.railPoints(300), tilted(1.0))->report().warnings.empty());
-  const auto warned = made(die.railPoints(300), tilted(5.0));
+  EXPECT_TRUE(madeRidge(die.railPoints(300), tilted(1.0))->report().warnings.empty());
+  const auto warned = madeRidge(die.railPoints(300), tilted(5.0));
   EXPECT_NEAR(warned->report().tilt, 5.0, 0.1);
   ASSERT_EQ(warned->report().warnings.size(), 1u);
   EXPECT_NE(warned->report().warnings[0].find("is tilted by"), std::string::npos);

@@ -1,6 +1,7 @@
 // Ridges of measured lines against ridges known exactly.
 #include <pcl_spiral/ridge/ridge_surface.h>
 
+#include "support/made_ridge.h"
 #include "support/ridges.h"
 #include "support/sampling.h"
 
@@ -18,15 +19,6 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double degree = M_PI / 180.0;
-
-RidgeSurface::ConstPtr
-made(const Polyline& rail, const Polyline& generator, const RidgeSettings& settings = {})
-{
-  RidgeSurface::ConstPtr surface;
-  const Status status = RidgeSurface::make(rail, generator, settings, surface);
-  EXPECT_TRUE(status.ok()) << status.message();
-  return surface;
-}
 
 std::string
 refusal(const Polyline& rail, const Polyline& generator, const RidgeSettings& settings = {})
@@ -73,7 +65,7 @@ TEST(RidgeSurface, OfAStraightRailIsThePrism)
   ExactRidge exact = dieRidge();
   exact.rail = [](double t) { return Vector3d(3.0 + 200.0 * t, 1.0 + 40.0 * t, 30.0 * t); };
   const Polyline generator = exact.generatorPoints(0.3, 60);
-  const auto surface = made(exact.railPoints(101), generator);
+  const auto surface = madeRidge(exact.railPoints(101), generator);
   ASSERT_TRUE(surface);
   const Vector3d along = surface->rail().tangent(0.0);
   for (double u = 0.0; u <= surface->rail().length(); u += 7.3)
@@ -95,7 +87,7 @@ TEST(RidgeSurface, OfARingIsATorusWithoutASeam)
   const ExactRidge exact = ringRidge(50.0, arch, -15.0 * degree);
   Polyline rail = exact.railPoints(315);
   rail.pop_back(); // the first comes again
-  const auto surface = made(rail, exact.generatorPoints(0.2, 80));
+  const auto surface = madeRidge(rail, exact.generatorPoints(0.2, 80));
   ASSERT_TRUE(surface);
   EXPECT_TRUE(surface->report().closed);
   EXPECT_NEAR(surface->rail().length(), 100.0 * M_PI, 1e-5);
@@ -114,7 +106,7 @@ TEST(RidgeSurface, FoldsWhereTheGeneratorReachesTheMiddleOfTheBend)
   const auto inward = [](double reach) { return ringRidge(50.0, [reach](double w) { return Vector3d(0.0, reach * w, 0.0); }, 0.0); };
   Polyline rail = inward(1.0).railPoints(315);
   rail.pop_back();
-  EXPECT_TRUE(made(rail, inward(49.0).generatorPoints(0.2, 50)));
+  EXPECT_TRUE(madeRidge(rail, inward(49.0).generatorPoints(0.2, 50)));
   const std::string message = refusal(rail, inward(51.0).generatorPoints(0.2, 50));
   EXPECT_NE(message.find("folds at ("), std::string::npos) << message;
   EXPECT_NE(message.find("51 mm from the rail, and 50 mm is the most"), std::string::npos) << message;
@@ -127,7 +119,7 @@ TEST(RidgeSurface, OfAHelixTwists)
     ExactRidge exact = helixRidge(radius, slope, [](double w) { return Vector3d(0.0, 20.0 * w, 0.0); }, -15.0 * degree);
     if (side < 0.0)
       exact.rail = [first = exact.rail](double t) { return first(1.0 - t); };
-    const auto surface = made(exact.railPoints(2100), exact.generatorPoints(0.4, 40));
+    const auto surface = madeRidge(exact.railPoints(2100), exact.generatorPoints(0.4, 40));
     ASSERT_TRUE(surface);
     for (double u = 50.0; u < surface->rail().length() - 50.0; u += 37.0) {
       const RidgeFrame frame = surface->frame(u);
@@ -160,7 +152,7 @@ TEST(RidgeSurface, TheRailMayBeAsSteepAsTheChordLets)
     return exact;
   };
   ExactRidge steep = rising(59.5 * degree);
-  const auto surface = made(steep.railPoints(400), steep.generatorPoints(0.3, 40));
+  const auto surface = madeRidge(steep.railPoints(400), steep.generatorPoints(0.3, 40));
   ASSERT_TRUE(surface);
   ASSERT_EQ(surface->report().warnings.size(), 1u);
   EXPECT_NEAR(surface->report().slope_factor, 9.7, 0.1);
@@ -180,7 +172,7 @@ TEST(RidgeSurface, AnUprightRailTakesAReferenceNormalAcross)
   exact.reference = Vector3d::UnitX();
   RidgeSettings settings;
   settings.reference = Vector3d::UnitX();
-  const auto surface = made(exact.railPoints(101), exact.generatorPoints(0.3, 60), settings);
+  const auto surface = madeRidge(exact.railPoints(101), exact.generatorPoints(0.3, 60), settings);
   ASSERT_TRUE(surface);
   EXPECT_LT(offOf(*surface, exact).largest, 1e-4);
   const std::string message = refusal(exact.railPoints(101), exact.generatorPoints(0.3, 60));
@@ -190,7 +182,7 @@ TEST(RidgeSurface, AnUprightRailTakesAReferenceNormalAcross)
 TEST(RidgeSurface, OfADieWithoutNoise)
 {
   const ExactRidge exact = dieRidge();
-  const auto surface = made(exact.railPoints(600), exact.generatorPoints(0.37, 100));
+  const auto surface = madeRidge(exact.railPoints(600), exact.generatorPoints(0.37, 100));
   ASSERT_TRUE(surface);
   EXPECT_TRUE(surface->report().warnings.empty());
   EXPECT_LT(offOf(*surface, exact).largest, 0.002);
@@ -202,7 +194,7 @@ TEST(RidgeSurface, OfADieMeasuredWithNoise)
 {
   const ExactRidge exact = dieRidge();
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const auto surface = made(moved(exact.railPoints(300), 0.02, seed), moved(exact.generatorPoints(0.37, 60), 0.02, 100 + seed));
+    const auto surface = madeRidge(moved(exact.railPoints(300), 0.02, seed), moved(exact.generatorPoints(0.37, 60), 0.02, 100 + seed));
     ASSERT_TRUE(surface);
     const Off off = offOf(*surface, exact);
     std::printf("seed %2d: rms %.4f, largest %.4f mm, error found %.4f, %.4f\n", static_cast<int>(seed), off.rms, off.largest,

@@ -185,8 +185,14 @@ TEST(RidgeToolpath, RingsOfRowsAreClosed)
   ridge.setInputGenerator(cloudOf(exact.generatorPoints(0.2, 80)));
   ridge.setStepOver(4.0);
   ridge.setRunIn(5.0);
+  ridge.setLead(20.0);
   for (const DrivePass& row : rowsOf(ridge)) {
     EXPECT_TRUE(row.closed);
+    for (std::size_t i = 0; i < row.points.size(); ++i) { // the axis leads alike all round, over the seam, too
+      const DrivePoint &p = row.points[i], &q = row.points[row.points.size() / 2];
+      const auto lead = [](const DrivePoint& at) { return at.axis.dot(Vector3d::UnitZ().cross(at.position).normalized()); };
+      EXPECT_NEAR(lead(p), lead(q), 1e-4);
+    }
     const double step = (row.points[1].position - row.points[0].position).norm();
     EXPECT_NEAR((row.points.back().position - row.points.front().position).norm(), step, 1e-3 * step);
   }

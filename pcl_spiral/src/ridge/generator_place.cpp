@@ -76,6 +76,45 @@ tiltOf(const Polyline& points, const Vector3d& tangent)
   return std::atan2(normal.cross(tangent).norm(), std::abs(normal.dot(tangent))) / degree;
 }
 
+/** Where \p generator meets \p rail; refused where it does not, or has no chord. */
+Status
+findMeeting(const SmoothLine& generator, const SmoothLine& rail, Vector3d& meeting, GeneratorPlace& place)
+{
+  if (!(generator.length() > 0.0))
+    return {StatusCode::InvalidInput, "no curve can be laid through the points of the generator: are they spread along a line?"};
+  place.chord_length = (generator.position(generator.length()) - generator.position(0.0)).norm();
+  if (!(place.chord_length > least_chord * generator.length()))
+    return {StatusCode::InvalidInput, textOf("start and end of the generator at ", placeText(generator.position(0.0)), " are ",
+                                             place.chord_length, " mm apart, under a twentieth of its length, ", generator.length(),
+                                             " mm: its chord tells no direction; measure an open profile")};
+  place.meeting = meetingOf(rail, generator, meeting);
+  const Vector3d foot = rail.position(place.meeting);
+  place.distance = (meeting - foot).norm();
+  const double beyond = std::abs((meeting - foot).dot(rail.tangent(place.meeting)));
+  if (!rail.closed() && beyond > 0.5 * place.distance && beyond > least_chord * place.chord_length)
+    return {StatusCode::InvalidInput, textOf("the generator at ", placeText(meeting), " lies ", beyond, " mm beyond the end of the rail at ",
+                                             placeText(foot), ": measure it across the rail, or the rail further")};
+  if (place.distance > generator.length())
+    return {StatusCode::InvalidInput, textOf("the generator at ", placeText(meeting), " is ", place.distance, " mm from the rail, at ",
+                                             placeText(foot), ", more than its own length, ", generator.length(),
+                                             " mm: are both lines of one ridge, and in one unit?")};
+  return Status::success();
+}
+
+/** The tilt of \p points against the plane across \p tangent: said, or refused. */
+Status
+checkTilt(const Polyline& points, const Vector3d& tangent, const Vector3d& meeting, GeneratorPlace& place)
+{
+  place.tilt = tiltOf(points, tangent);
+  const std::string tilted = textOf("the generator at ", placeText(meeting), " is tilted by ", place.tilt,
+                                    " degrees against the normal plane of the rail");
+  if (place.tilt > most_tilt)
+    return {StatusCode::InvalidInput, tilted + textOf("; ", most_tilt, " go: measure it square to the rail")};
+  if (place.tilt > warned_tilt)
+    place.warnings.push_back(tilted + ": its shape is taken as measured");
+  return Status::success();
+}
+
 } // namespace
 
 Status
@@ -104,37 +143,17 @@ Status
 placeGenerator(const Polyline& points, const SmoothLine& rail, const RidgeSettings& settings, bool may_turn, GeneratorPlace& place)
 {
   place = GeneratorPlace();
-  const LineFit fit = fitLine({points, false, 0.0}, settings.measuring_error);
-  if (!(fit.line.length() > 0.0))
-    return {StatusCode::InvalidInput, "no curve can be laid through the points of the generator: are they spread along a line?"};
-  Vector3d chord = fit.line.position(fit.line.length()) - fit.line.position(0.0);
-  place.chord_length = chord.norm();
-  if (!(place.chord_length > least_chord * fit.line.length()))
-    return {StatusCode::InvalidInput, textOf("start and end of the generator at ", placeText(points.front()), " are ", place.chord_length,
-                                             " mm apart, under a twentieth of its length, ", fit.line.length(),
-                                             " mm: its chord tells no direction; measure an open profile")};
+  const SmoothLine generator = fitLine({points, false, 0.0}, settings.measuring_error).line;
   Vector3d meeting;
-  place.meeting = meetingOf(rail, fit.line, meeting);
-  const Vector3d foot = rail.position(place.meeting), tangent = rail.tangent(place.meeting);
-  place.distance = (meeting - foot).norm();
-  const double beyond = std::abs((meeting - foot).dot(tangent));
-  if (!rail.closed() && beyond > 0.5 * place.distance && beyond > least_chord * place.chord_length)
-    return {StatusCode::InvalidInput, textOf("the generator at ", placeText(meeting), " lies ", beyond, " mm beyond the end of the rail at ",
-                                             placeText(foot), ": measure it across the rail, or the rail further")};
-  if (place.distance > fit.line.length())
-    return {StatusCode::InvalidInput, textOf("the generator at ", placeText(meeting), " is ", place.distance, " mm from the rail, at ",
-                                             placeText(foot), ", more than its own length, ", fit.line.length(),
-                                             " mm: are both lines of one ridge, and in one unit?")};
-  place.turns_rail = !may_turn ? false : rail.closed() ? areaOf(rail).dot(settings.reference) < 0.0 : place.meeting > 0.5005 * rail.length();
+  if (const Status status = findMeeting(generator, rail, meeting, place); !status.ok())
+    return status;
+  place.turns_rail = may_turn && (rail.closed() ? areaOf(rail).dot(settings.reference) < 0.0 : place.meeting > 0.5005 * rail.length());
   if (place.turns_rail)
     return Status::success();
-  place.tilt = tiltOf(points, tangent);
-  const std::string tilted = textOf("the generator at ", placeText(meeting), " is tilted by ", place.tilt,
-                                    " degrees against the normal plane of the rail");
-  if (place.tilt > most_tilt)
-    return {StatusCode::InvalidInput, tilted + textOf("; ", most_tilt, " go: measure it square to the rail")};
-  if (place.tilt > warned_tilt)
-    place.warnings.push_back(tilted + ": its shape is taken as measured");
+  const Vector3d foot = rail.position(place.meeting), tangent = rail.tangent(place.meeting);
+  if (const Status status = checkTilt(points, tangent, meeting, place); !status.ok())
+    return status;
+  Vector3d chord = generator.position(generator.length()) - generator.position(0.0);
   const bool turned = (chord.dot(settings.reference.cross(tangent)) < 0.0) != settings.flip;
   if (turned)
     chord = -chord;

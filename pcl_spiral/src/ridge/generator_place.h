@@ -17,7 +17,7 @@ namespace pcl_spiral {
 struct GeneratorPlace {
   bool turns_rail = false; ///< the rail is to run the other way; nothing else is known then
   double meeting = 0.0, distance = 0.0; ///< arc length of the rail, and of both lines there
-  double chord_length = 0.0, tilt = 0.0, spacing = 0.0;
+  double chord_length = 0.0, tilt = 0.0;
   RidgeChord chord;
   Polyline local; ///< its points in the order from start to end, along m1, m2, m3
   std::vector<std::string> warnings;

@@ -74,8 +74,7 @@ public:
     }
     if (!pass.closed)
       runOver(places, normals);
-    const double degree = M_PI / 180.0;
-    const std::vector<Vector3d> axes = tiltedAxes(places, normals, settings_.tilt * degree, settings_.lead * degree);
+    const std::vector<Vector3d> axes = axesOf(places, normals);
     for (std::size_t i = 0; i < places.size(); ++i)
       pass.points.push_back({places[i], axes[i], normals[i]});
     return pass;
@@ -121,6 +120,25 @@ private:
   at(double t) const
   {
     return along_rail_ ? surface_.position(t, place_) : surface_.position(place_, t);
+  }
+
+  /** Of a ring too, whose first and last point are neighbours. */
+  std::vector<Vector3d>
+  axesOf(Polyline places, std::vector<Vector3d> normals) const
+  {
+    const double degree = M_PI / 180.0;
+    if (closed()) {
+      places.insert(places.begin(), places.back());
+      normals.insert(normals.begin(), normals.back());
+      places.push_back(places[1]);
+      normals.push_back(normals[1]);
+    }
+    std::vector<Vector3d> axes = tiltedAxes(places, normals, settings_.tilt * degree, settings_.lead * degree);
+    if (closed()) {
+      axes.erase(axes.begin());
+      axes.pop_back();
+    }
+    return axes;
   }
 
   /** Straight on at both ends. */

@@ -35,10 +35,15 @@ circleCentre(const Vector3d& a, const Vector3d& b, const Vector3d& c)
 
 } // namespace
 
+/** The rail was looked at in stations; where it is a little steeper between them, the chord stands as steeply as it may. */
 RidgeFrame
 RidgeSurface::frame(double u) const
 {
-  return ridgeFrame(rail_.tangent(u), chord_).value_or(RidgeFrame());
+  const Vector3d tangent = rail_.tangent(u);
+  const double most = (1.0 - 1e-9) * tangent.cross(chord_.reference).norm();
+  RidgeChord chord = chord_;
+  chord.sin_angle = std::clamp(chord_.sin_angle, -most, most);
+  return ridgeFrame(tangent, chord).value_or(RidgeFrame());
 }
 
 Vector3d
@@ -153,13 +158,39 @@ RidgeSurface::place(const Polyline& points, bool may_turn, bool& turned)
   report_.chord_angle = std::asin(std::clamp(found.chord.sin_angle, -1.0, 1.0)) / degree;
   report_.warnings.insert(report_.warnings.end(), found.warnings.begin(), found.warnings.end());
   chord_ = found.chord;
-  const LineFit fit = fitLine({found.local, false, found.spacing}, settings_.measuring_error);
+  const LineFit fit = fitLine({found.local, false, 0.0}, settings_.measuring_error);
   generator_ = fit.line;
   report_.generator_error = fit.error;
   report_.generator_length = generator_.length();
   const double v = generator_.length();
   arc_centre_ = circleCentre(generator_.position(0.0), generator_.position(0.5 * v), generator_.position(v));
   return Status::success();
+}
+
+Status
+RidgeSurface::fit(const Polyline& rail, const Polyline& generator)
+{
+  MeasuredLine measured_rail, measured_generator;
+  if (const Status status = orderLine(rail, "the rail", measured_rail); !status.ok())
+    return status;
+  if (const Status status = orderLine(generator, "the generator", measured_generator); !status.ok())
+    return status;
+  const LineFit fit = fitLine(measured_rail, settings_.measuring_error);
+  if (!(fit.line.length() > 0.0))
+    return {StatusCode::InvalidInput, "no curve can be laid through the points of the rail: are they spread along a line?"};
+  if (const Status status = checkCorners(measured_rail, fit.error); !status.ok())
+    return status;
+  report_.rail_points = measured_rail.points.size();
+  report_.generator_points = measured_generator.points.size();
+  report_.closed = measured_rail.closed;
+  report_.rail_error = fit.error;
+  report_.rail_length = fit.line.length();
+  rail_ = fit.line;
+  bool turned = false;
+  if (const Status status = place(measured_generator.points, true, turned); !status.ok() || !turned)
+    return status;
+  rail_ = rail_.reversed();
+  return place(measured_generator.points, false, turned);
 }
 
 Status
@@ -174,32 +205,9 @@ RidgeSurface::make(const Polyline& rail, const Polyline& generator, const RidgeS
   const auto made = std::make_shared<RidgeSurface>();
   made->settings_ = settings;
   made->settings_.reference.normalize();
-  MeasuredLine measured_rail, measured_generator;
-  if (const Status status = orderLine(rail, "the rail", measured_rail); !status.ok())
+  if (const Status status = made->fit(rail, generator); !status.ok())
     return status;
-  if (const Status status = orderLine(generator, "the generator", measured_generator); !status.ok())
-    return status;
-  LineFit fit = fitLine(measured_rail, settings.measuring_error);
-  if (!(fit.line.length() > 0.0))
-    return {StatusCode::InvalidInput, "no curve can be laid through the points of the rail: are they spread along a line?"};
-  if (const Status status = checkCorners(measured_rail, fit.error); !status.ok())
-    return status;
-  RidgeReport& report = made->report_;
-  report.rail_points = measured_rail.points.size();
-  report.generator_points = measured_generator.points.size();
-  report.closed = measured_rail.closed;
-  report.rail_error = fit.error;
-  report.rail_length = fit.line.length();
-  made->rail_ = fit.line;
-  bool turned = false;
-  if (const Status status = made->place(measured_generator.points, true, turned); !status.ok())
-    return status;
-  if (turned) {
-    made->rail_ = made->rail_.reversed();
-    if (const Status status = made->place(measured_generator.points, false, turned); !status.ok())
-      return status;
-  }
-  if (report.closed) {
+  if (RidgeReport& report = made->report_; report.closed) {
     made->rail_ = made->rail_.startingAt(report.meeting);
     report.meeting = 0.0;
   }

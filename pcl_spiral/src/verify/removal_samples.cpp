@@ -120,6 +120,7 @@ RemovalSampler::along(std::size_t move, double f0, double f1, const SurfaceFoot&
                       RemovalExtremes& extremes) const
 {
   constexpr int stations = 8;
+  const double reach = 2.0 * fit_radius_; // the longest piece of a move
   if (!foot0.valid && !foot1.valid)
     return;
   const SurfaceFoot& first = foot0.valid ? foot0 : foot1;
@@ -129,8 +130,8 @@ RemovalSampler::along(std::size_t move, double f0, double f1, const SurfaceFoot&
     return;
   for (int k = 0; k <= stations; ++k) {
     const double g = static_cast<double>(k) / stations, f = f0 + g * (f1 - f0);
-    const SurfaceHeight at_first = g < 1.0 ? sweep_.lowest(move, f, first, fit_radius_) : SurfaceHeight();
-    const SurfaceHeight at_last = g > 0.0 ? sweep_.lowest(move, f, last, fit_radius_) : SurfaceHeight();
+    const SurfaceHeight at_first = g < 1.0 ? sweep_.lowest(move, f, first, reach) : SurfaceHeight();
+    const SurfaceHeight at_last = g > 0.0 ? sweep_.lowest(move, f, last, reach) : SurfaceHeight();
     const SurfaceHeight guess{(1.0 - g) * at_first.height + g * at_last.height, (1.0 - g) * at_first.place + g * at_last.place};
     const bool outside = (g < 1.0 && first.overhang > 0.0) || (g > 0.0 && last.overhang > 0.0);
     if (-guess.height > (outside ? std::min(extremes.gouge.value, extremes.rim_gouge.value) : extremes.gouge.value))
@@ -144,7 +145,7 @@ RemovalSampler::takeGouge(std::size_t move, double f, const SurfaceFoot& nearest
 {
   std::vector<SurfaceFoot> feet;
   reference_.surface().project({place}, feet);
-  // A quadric, carried on as far as a fit reaches, tells where to look; how deep the cutter stands there, the surface itself.
+  // A quadric carried on tells where to look; how deep the cutter stands there, the surface itself.
   const SurfaceFoot& foot = feet.front().valid ? feet.front() : nearest;
   const SurfaceHeight lowest = sweep_.lowest(move, f, foot, 0.0);
   if (lowest.height < -sweep_.boundingRadius() || reference_.inGap(foot.position))

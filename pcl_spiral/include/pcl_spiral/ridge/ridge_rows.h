@@ -32,7 +32,7 @@ struct RidgeRowSettings {
   double spot_size = 0.0;       ///< diameter of a beam's spot
   double overlap = 0.0;         ///< share of the spot that the next row covers again, from 0 to below 1
   double tool_radius = 0.0, scallop_height = 0.0; ///< of a ball
-  double point_spacing = 1.0;   ///< largest distance of consecutive points
+  double point_spacing = 1.0;   ///< largest distance of consecutive points on the surface
   RidgeSteps steps = RidgeSteps::EqualOnRow;
   RidgeNormals normals = RidgeNormals::True;
   double stand_off = 0.0;       ///< of the tool from the surface, along the normal

@@ -19,7 +19,8 @@ namespace pcl_spiral {
  *  any number of threads may ask.
  *
  *  The rail runs from the end that is nearer to the generator, a ring counter-clockwise about the reference normal from where it meets it;
- *  the generator runs so that up, m3, leads to the side of the reference normal. So points may come in any order. */
+ *  the generator runs so that up, m3, leads to the side of the reference normal. So points may come in any order, but for the direction of a rail
+ *  that is measured in its very middle. */
 class RidgeSurface {
 public:
   using ConstPtr = std::shared_ptr<const RidgeSurface>;
@@ -48,6 +49,7 @@ public:
   Eigen::Vector3d alongGenerator(double u, double v) const;
 
 private:
+  Status fit(const Polyline& rail, const Polyline& generator);
   Status place(const Polyline& generator, bool may_turn, bool& turned);
   Status checkRail();
   Status checkFolds();

@@ -77,7 +77,7 @@ public:
   double getToolRadius() const { return rows_.tool_radius; }
   double getScallopHeight() const { return rows_.scallop_height; }
 
-  /** Largest distance of consecutive points, mm; 1 by default. */
+  /** Largest distance of consecutive points on the surface, mm; 1 by default. Of RidgeSteps::Stations, along the rail or the generator. */
   void setPointSpacing(double spacing) { rows_.point_spacing = spacing; }
   double getPointSpacing() const { return rows_.point_spacing; }
   void setSteps(RidgeSteps steps) { rows_.steps = steps; }
