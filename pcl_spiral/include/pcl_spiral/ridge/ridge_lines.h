@@ -1,0 +1,93 @@
+/** \file
+ *  Rail and generator of a ridge out of a full scan.
+ */
+#pragma once
+
+#include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/ridge/scan_ridge.h>
+#include <pcl_spiral/surface/surface_input.h>
+
+#include <pcl/pcl_base.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <utility>
+
+namespace pcl_spiral {
+
+/** The two lines of a ridge, out of a scan of the whole part and a few rough points of the ridge; and how well the surface that they
+ *  sweep fits the part.
+ *  \code
+ *  RidgeLines<pcl::PointXYZ> lines;
+ *  lines.setInputCloud(scan);
+ *  lines.setRoughPoints({begin, between, end}); // some mm off the ridge will do
+ *  lines.setHalfWidth(12.0);                    // mm, to either side
+ *  lines.compute(*rail, *generator);
+ *  if (!lines.getStatus().ok()) ...             // names place, value and remedy
+ *  if (lines.getReport().misfit > ...) ...      // is the part a ridge in this sense?
+ *  \endcode
+ *  Rail and generator go to RidgeToolpath::setInputCloud and setInputGenerator. Takes a cloud or a surface, see SurfaceInput; the side to which its
+ *  normals point is that of the tool: ridges are convex there. Where a ridge is a hollow of that side, setFlipNormals. Lengths in
+ *  mm. The output does not depend on the order of the cloud nor on the number of threads. \sa findScanRidge */
+template <typename PointT>
+class RidgeLines : public SurfaceInput<pcl::PCLBase<PointT>, PointT> {
+public:
+  using Ptr = pcl::shared_ptr<RidgeLines>;
+  using ConstPtr = pcl::shared_ptr<const RidgeLines>;
+  using Cloud = pcl::PointCloud<PointT>;
+
+  /** Two or more places on the ridge in their order along it: at its wanted ends and, where it bends, between; of a closed ridge three or
+   *  more, all round it. The crest is looked for within the half width of a smooth curve through them. Must be set. */
+  void setRoughPoints(Polyline points) { settings_.rough_points = std::move(points); }
+  const Polyline& getRoughPoints() const { return settings_.rough_points; }
+  /** The ridge is a ring; false by default. */
+  void setClosed(bool closed) { settings_.closed = closed; }
+  bool getClosed() const { return settings_.closed; }
+  /** How far the generator goes to either side of the crest, along the surface, mm. Less where the scan ends before, which is
+   *  warned of. Must be set. */
+  void setHalfWidth(double width) { settings_.half_width = width; }
+  double getHalfWidth() const { return settings_.half_width; }
+
+  /** Normal of the plane with which the generator's chord keeps its angle; (0, 0, 1) by default. For a ridge that stands upright take
+   *  one across it. The same goes to RidgeToolpath. */
+  void setReferenceNormal(const Eigen::Vector3d& normal) { settings_.reference = normal; }
+  const Eigen::Vector3d& getReferenceNormal() const { return settings_.reference; }
+
+  /** Distance of the points of both lines, mm; 0, the default: twice that of the scan's points. */
+  void setPointSpacing(double spacing) { settings_.point_spacing = spacing; }
+  double getPointSpacing() const { return settings_.point_spacing; }
+  /** Most rounds of aligning the sections; 30 by default. */
+  void setMaximumIterations(int rounds) { settings_.most_rounds = rounds; }
+  int getMaximumIterations() const { return settings_.most_rounds; }
+  /** Called with the share done; returning false cancels. */
+  void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
+
+  /** Points of both lines; empty on failure. */
+  void compute(Cloud& rail, Cloud& generator);
+
+  /** The same lines in double precision, for RidgeSurface::make; empty on failure. */
+  const Polyline& getRail() const { return found_.rail; }
+  const Polyline& getGenerator() const { return found_.generator; }
+  /** The ridge that they make, up where the scan's normals point; null on failure. RidgeToolpath::setFlipNormals takes its
+   *  settings().flip. */
+  RidgeSurface::ConstPtr getRidge() const { return found_.ridge; }
+  /** Misfit, noise, rounds, warnings. */
+  const ScanRidgeReport& getReport() const { return found_.report; }
+
+private:
+  Status run();
+
+  ScanRidgeSettings settings_;
+  ScanRidge found_;
+  ProgressCallback progress_;
+};
+
+} // namespace pcl_spiral
+
+#include <pcl_spiral/ridge/impl/ridge_lines.hpp>
+
+namespace pcl_spiral {
+extern template class RidgeLines<pcl::PointXYZ>;
+extern template class RidgeLines<pcl::PointXYZRGB>;
+extern template class RidgeLines<pcl::PointNormal>;
+} // namespace pcl_spiral

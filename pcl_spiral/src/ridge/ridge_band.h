@@ -1,0 +1,46 @@
+/** \file
+ *  The points of a scan beside a rail, in the coordinates of its frames.
+ */
+#pragma once
+
+#include "station_line.h"
+
+#include <pcl_spiral/core/ridge_frame.h>
+#include <pcl_spiral/surface/surface.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A point of the band of a ridge. */
+struct BandPoint {
+  Eigen::Vector3d place;
+  std::uint32_t station = 0;         ///< of the rail, near it
+  std::uint32_t profile_station = 0; ///< of the generator, near it
+  double u = 0.0;                    ///< of its foot on the rail
+  Eigen::Vector3d local = Eigen::Vector3d::Zero(); ///< along tangent, chord and up
+  bool inside = false;               ///< beside the rail, not beyond its ends
+};
+
+/** Rail, chord and points. */
+struct RidgeBand {
+  SmoothLine rail;
+  RidgeChord chord;
+  std::vector<BandPoint> points;
+};
+
+/** The points of \p surface within \p reach of the rail, on that side of it. */
+std::vector<BandPoint> bandPoints(const Surface& surface, const StationLine& rail, double reach);
+
+/** Coordinates of all points anew, by the band's rail and chord. */
+void placePoints(const StationLine& rail, RidgeBand& band);
+
+/** Points by sections of \p length about stations of the rail, \p count of them: indices, and where each section begins among them. */
+struct SectionPoints {
+  std::vector<std::uint32_t> order, begin;
+};
+SectionPoints pointsBySection(const RidgeBand& band, std::size_t count, double length);
+
+} // namespace pcl_spiral

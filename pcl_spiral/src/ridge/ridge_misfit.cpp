@@ -1,0 +1,43 @@
+#include "ridge_misfit.h"
+
+#include <pcl_spiral/common/message.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+
+void
+findMisfit(SectionRounds& rounds, double half_width, ScanRidgeReport& report)
+{
+  constexpr std::uint32_t fewest = 4;         // points in a cell whose median counts
+  constexpr double much = 1.5, far = 4.0;     // times the noise: of all points, of a cell
+  constexpr double smallest = 1e-3;           // of the half width; less is no misfit of a scan without noise
+  const std::vector<SectionShift> lying = rounds.lying();
+  const Profile& profile = rounds.profile();
+  double squares = 0.0;
+  std::size_t worst_section = 0, worst_cell = 0;
+  for (std::size_t i = 0; i < lying.size(); ++i) {
+    squares += lying[i].squares;
+    report.points += lying[i].points;
+    for (std::size_t k = 0; k < lying[i].count.size(); ++k) {
+      const double s = profile.line.s(k), off = std::abs(static_cast<double>(lying[i].median[k]));
+      if (lying[i].count[k] < fewest || s < 0.0 || s > profile.length || off <= report.largest_misfit)
+        continue;
+      report.largest_misfit = off;
+      worst_section = i;
+      worst_cell = k;
+    }
+  }
+  report.misfit = report.points > 0 ? std::sqrt(squares / static_cast<double>(report.points)) : 0.0;
+  const double u = rounds.stationOf(worst_section);
+  if (const auto frame = ridgeFrame(rounds.rail().tangent(u), rounds.chord()))
+    report.largest_place = rounds.rail().position(u) + frame->turned(profile.line.position(worst_cell));
+  if (report.misfit > std::max(much * report.noise, smallest * half_width) || report.largest_misfit > std::max(far * report.noise, smallest * half_width))
+    report.warnings.push_back(textOf("the part is off the surface that the generator sweeps by ", report.misfit, " mm rms, and by ",
+                                     report.largest_misfit, " mm at ", placeText(report.largest_place), ", where the scan scatters by ", report.noise,
+                                     " mm: its profile does not keep its shape along the ridge; take the ridge in parts, or a "
+                                     "smaller half width (setHalfWidth)"));
+}
+
+} // namespace pcl_spiral

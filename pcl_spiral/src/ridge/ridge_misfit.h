@@ -1,0 +1,15 @@
+/** \file
+ *  How far a scan is from the surface that its rail and generator sweep.
+ */
+#pragma once
+
+#include "section_rounds.h"
+
+#include <pcl_spiral/ridge/scan_ridge.h>
+
+namespace pcl_spiral {
+
+/** Misfit of the scan's points to the ridge of \p rounds; with a warning where it is well above the noise. */
+void findMisfit(SectionRounds& rounds, double half_width, ScanRidgeReport& report);
+
+} // namespace pcl_spiral

@@ -1,0 +1,213 @@
+#include "section_rounds.h"
+
+#include <pcl_spiral/common/message.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace pcl_spiral {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::size_t extra_cells = 2;  // by which the generator may grow in a round, at each end
+constexpr double section_spacings = 4.0; // of the scan's points in a section's length
+constexpr double section_share = 0.3;    // of the half width, at least: a rail that bends in less would fold the band
+constexpr double cell_spacings = 1.5;
+constexpr std::size_t fewest_sections = 12, most_sections = 4000;
+constexpr int rounds_of_ends = 5; // after which the generator's ends stand
+
+Vector3d
+turnedBy(double angle, const Vector3d& local)
+{
+  return Eigen::AngleAxisd(angle, Vector3d::UnitX()) * local;
+}
+
+} // namespace
+
+SectionRounds::SectionRounds(const RoundSettings& settings, RidgeBand band, const SmoothLine& generator)
+: settings_(settings), band_(std::move(band)), generator_(generator)
+{
+  const double length = std::max(section_spacings * settings_.spacing, section_share * settings_.half_width);
+  const double pieces = std::clamp(band_.rail.length() / length, static_cast<double>(fewest_sections), static_cast<double>(most_sections));
+  count_ = static_cast<std::size_t>(pieces) + (band_.rail.closed() ? 0 : 1);
+  Polyline points;
+  const auto cells = static_cast<int>(std::max(12.0, generator.length() / (cell_spacings * settings_.spacing)));
+  for (int k = 0; k <= cells; ++k)
+    points.push_back(generator.position(generator.length() * k / cells));
+  setGenerator(points);
+}
+
+/** Through \p points, a cell a point; the chord is turned to it. */
+void
+SectionRounds::setGenerator(const Polyline& points)
+{
+  generator_ = fitLine({points, false, 0.0}).line;
+  const Vector3d chord = generator_.position(generator_.length()) - generator_.position(0.0);
+  const double angle = std::atan2(chord.z(), chord.y());
+  Polyline turned;
+  for (const Vector3d& p : points)
+    turned.push_back(turnedBy(-angle, p));
+  generator_ = fitLine({turned, false, 0.0}).line;
+  profile_.line = StationLine(generator_, generator_.length() / static_cast<double>(points.size() - 1), extra_cells);
+  profile_.length = generator_.length();
+  const Vector3d tangent = band_.rail.tangent(meeting_share * band_.rail.length());
+  if (const std::optional<RidgeFrame> frame = ridgeFrame(tangent, band_.chord))
+    band_.chord = ridgeChord(tangent, frame->turned(turnedBy(angle, Vector3d::UnitY())), band_.chord.reference);
+}
+
+Status
+SectionRounds::place()
+{
+  length_ = band_.rail.length() / static_cast<double>(band_.rail.closed() ? count_ : count_ - 1);
+  rail_stations_ = StationLine(band_.rail, std::min(length_, std::max(settings_.spacing, 0.2 * length_)));
+  for (std::size_t i = 0; i < rail_stations_.size(); ++i)
+    if (!ridgeFrame(rail_stations_.tangent(i), band_.chord))
+      return {StatusCode::InvalidInput,
+              textOf("the ridge is too steep at ", placeText(rail_stations_.position(i)), " for a chord that keeps ",
+                     std::asin(std::clamp(band_.chord.sin_angle, -1.0, 1.0)) * 180.0 / M_PI,
+                     " degrees with the reference plane: take a reference normal across the ridge (setReferenceNormal), or make it in pieces")};
+  placePoints(rail_stations_, band_);
+  section_points_ = pointsBySection(band_, count_, length_);
+  return Status::success();
+}
+
+std::vector<SectionShift>
+SectionRounds::shifts(int most_steps)
+{
+  std::vector<SectionShift> result(count_);
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(count_); ++i)
+    result[i] = shiftOnto(band_, section_points_, static_cast<std::size_t>(i), profile_, settings_.noise, 0.5 * settings_.half_width, most_steps);
+  return result;
+}
+
+std::vector<SectionShift>
+SectionRounds::lying()
+{
+  return shifts(0);
+}
+
+/** The run of cells about the origin that nine sections in ten have. */
+std::pair<std::size_t, std::size_t>
+SectionRounds::coveredCells(const std::vector<SectionShift>& shifts) const
+{
+  const std::size_t cells = profile_.line.size();
+  std::vector<std::size_t> have(cells, 0);
+  std::size_t found = 0;
+  for (const SectionShift& shift : shifts)
+    if (shift.found) {
+      ++found;
+      for (std::size_t k = 0; k < cells; ++k)
+        have[k] += shift.count[k] > 0;
+    }
+  const std::size_t origin = profile_.line.nearestStation(Vector3d::Zero(), 1e30);
+  const double at = profile_.line.s(origin);
+  const auto goes = [&](std::size_t k) {
+    return 10 * have[k] >= 9 * found && std::abs(profile_.line.s(k) - at) <= settings_.half_width + 0.5 * profile_.line.step();
+  };
+  std::size_t first = origin, last = origin;
+  while (first > 0 && goes(first - 1))
+    --first;
+  while (last + 1 < cells && goes(last + 1))
+    ++last;
+  return {first, last};
+}
+
+/** The mean of the shifted sections, from the place of it, \p gauge, where the origin goes. */
+bool
+SectionRounds::meanSection(const std::vector<SectionShift>& shifts, Polyline& points, Vector3d& gauge)
+{
+  constexpr std::size_t fewest_cells = 6;
+  if (rounds_ <= rounds_of_ends)
+    std::tie(first_cell_, last_cell_) = coveredCells(shifts);
+  else
+    std::tie(first_cell_, last_cell_) = std::pair(extra_cells, profile_.line.size() - 1 - extra_cells);
+  if (last_cell_ < first_cell_ + fewest_cells)
+    return false;
+  for (std::size_t k = first_cell_; k <= last_cell_; ++k) {
+    double sum = 0.0, weights = 0.0;
+    for (const SectionShift& shift : shifts)
+      if (shift.found) {
+        sum += shift.count[k] * static_cast<double>(shift.mean[k]);
+        weights += shift.count[k];
+      }
+    const Vector3d& along = profile_.line.tangent(k);
+    points.push_back(profile_.line.position(k) + (weights > 0.0 ? sum / weights : 0.0) * Vector3d(0.0, -along.z(), along.y()));
+  }
+  const SmoothLine mean = fitLine({points, false, 0.0}).line;
+  gauge = mean.position(mean.nearest(Vector3d::Zero()));
+  for (Vector3d& p : points)
+    p -= gauge;
+  return true;
+}
+
+Status
+SectionRounds::moveRail(const std::vector<SectionShift>& shifts, const Vector3d& gauge)
+{
+  MeasuredLine origins;
+  origins.closed = band_.rail.closed();
+  std::size_t missing = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const std::optional<RidgeFrame> frame = ridgeFrame(band_.rail.tangent(stationOf(i)), band_.chord);
+    missing = shifts[i].found ? 0 : missing + 1;
+    if (shifts[i].found && frame)
+      origins.points.push_back(band_.rail.position(stationOf(i)) + frame->turned(shifts[i].shift + gauge));
+    if (3 * missing > count_)
+      return {StatusCode::InvalidInput, textOf("the band of the ridge has too few points of the scan, or no bend, at ",
+                                               placeText(band_.rail.position(stationOf(i))),
+                                               ": choose rough points where the ridge was scanned, or a larger half width (setHalfWidth)")};
+  }
+  const SmoothLine before = band_.rail;
+  band_.rail = fitLine(origins).line;
+  const StationLine stations(band_.rail, length_);
+  double squares = 0.0;
+  std::uint32_t station = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Vector3d p = before.position(stationOf(i));
+    squares += (p - stations.foot(p, station).position).squaredNorm();
+  }
+  last_move_ = std::sqrt(squares / static_cast<double>(count_));
+  return Status::success();
+}
+
+Status
+SectionRounds::round()
+{
+  if (const Status status = place(); !status.ok())
+    return status;
+  const std::vector<SectionShift> found = shifts(10);
+  Polyline generator;
+  Vector3d gauge;
+  if (!meanSection(found, generator, gauge))
+    return {StatusCode::InvalidInput, textOf("the sections at ", placeText(band_.rail.position(0.5 * band_.rail.length())),
+                                             " have no common part about the crest: is the ridge's band on the scan all the way?")};
+  if (const Status status = moveRail(found, gauge); !status.ok())
+    return status;
+  setGenerator(generator);
+  return Status::success();
+}
+
+Status
+SectionRounds::run(const ProgressCallback& progress)
+{
+  constexpr double still = 0.02; // of the noise
+  const double limit = std::max(still * settings_.noise, 1e-5 * settings_.half_width);
+  for (rounds_ = 1; rounds_ <= settings_.most_rounds; ++rounds_) {
+    if (progress && !progress(static_cast<double>(rounds_) / (settings_.most_rounds + 1), "sections"))
+      return {StatusCode::Cancelled, "cancelled"};
+    if (const Status status = round(); !status.ok())
+      return status;
+    if (last_move_ < limit && rounds_ > rounds_of_ends)
+      return place();
+  }
+  return {StatusCode::InvalidInput,
+          textOf("after ", settings_.most_rounds, " rounds the rail still moves by ", last_move_, " mm a round: the sections have no common shape; "
+                 "take a smaller half width (setHalfWidth), a part of the ridge, or more rounds (setMaximumIterations)")};
+}
+
+} // namespace pcl_spiral

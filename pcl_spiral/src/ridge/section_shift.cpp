@@ -1,0 +1,140 @@
+#include "section_shift.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/** A point off the shifted generator. */
+struct Residual {
+  double off = 0.0;  ///< to the outer side
+  Vector2d normal;   ///< of the generator, along chord and up
+  std::size_t cell = 0;
+  bool within = false; ///< of the generator's own length
+};
+
+std::vector<Residual>
+residualsOf(RidgeBand& band, const SectionPoints& sections, std::size_t section, const Profile& profile, const Vector3d& shift, double gate)
+{
+  std::vector<Residual> residuals;
+  for (std::uint32_t n = sections.begin[section]; n < sections.begin[section + 1]; ++n) {
+    BandPoint& point = band.points[sections.order[n]];
+    const Vector3d q(0.0, point.local.y() - shift.y(), point.local.z() - shift.z());
+    const LineFoot foot = profile.line.foot(q, point.profile_station);
+    if (!foot.inside)
+      continue;
+    Residual r;
+    r.normal = Vector2d(-foot.tangent.z(), foot.tangent.y());
+    r.off = (q - foot.position).tail<2>().dot(r.normal);
+    if (std::abs(r.off) > gate)
+      continue;
+    r.cell = static_cast<std::size_t>((foot.s - profile.line.s(0)) / profile.line.step() + 0.5);
+    r.within = foot.s >= 0.0 && foot.s <= profile.length;
+    residuals.push_back(r);
+  }
+  return residuals;
+}
+
+double
+medianOf(std::vector<double>& values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** Where Tukey's weights end: 4.685 standard deviations, of the median distance, but no less than the noise. */
+double
+cutOf(const std::vector<Residual>& residuals, double noise)
+{
+  std::vector<double> off;
+  for (const Residual& r : residuals)
+    if (r.within)
+      off.push_back(std::abs(r.off));
+  return 4.685 * std::max(noise, off.empty() ? 0.0 : 1.4826 * medianOf(off));
+}
+
+double
+weightOf(double off, double cut)
+{
+  const double share = off / cut;
+  return std::abs(share) < 1.0 ? (1.0 - share * share) * (1.0 - share * share) : 0.0;
+}
+
+/** The step of Gauss and Newton; false where the normals tell one direction alone. */
+bool
+stepOf(const std::vector<Residual>& residuals, double cut, Vector2d& step)
+{
+  constexpr double least_spread = 7e-4; // of the normals, squared: 1.5 degrees
+  constexpr double fewest = 8.0;
+  Eigen::Matrix2d a = Eigen::Matrix2d::Zero();
+  Vector2d right = Vector2d::Zero();
+  double weights = 0.0;
+  for (const Residual& r : residuals)
+    if (r.within) {
+      const double w = weightOf(r.off, cut);
+      a += w * r.normal * r.normal.transpose();
+      right += w * r.off * r.normal;
+      weights += w;
+    }
+  if (weights < fewest || Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(a).eigenvalues()[0] < least_spread * weights)
+    return false;
+  step = a.inverse() * right;
+  return true;
+}
+
+void
+sumCells(const std::vector<Residual>& residuals, double cut, std::size_t cells, SectionShift& result)
+{
+  std::vector<std::vector<double>> off(cells);
+  std::vector<double> sum(cells, 0.0), weight(cells, 0.0);
+  result.mean.assign(cells, 0.0f);
+  result.median.assign(cells, 0.0f);
+  result.count.assign(cells, 0);
+  for (const Residual& r : residuals) {
+    const double w = weightOf(r.off, cut);
+    off[r.cell].push_back(r.off);
+    sum[r.cell] += w * r.off;
+    weight[r.cell] += w;
+    ++result.count[r.cell];
+    if (r.within) {
+      result.squares += r.off * r.off;
+      ++result.points;
+    }
+  }
+  for (std::size_t k = 0; k < cells; ++k)
+    if (result.count[k] > 0) {
+      result.median[k] = static_cast<float>(medianOf(off[k]));
+      result.mean[k] = weight[k] > 0.0 ? static_cast<float>(sum[k] / weight[k]) : result.median[k];
+    }
+}
+
+} // namespace
+
+SectionShift
+shiftOnto(RidgeBand& band, const SectionPoints& sections, std::size_t section, const Profile& profile, double noise, double gate, int most_steps)
+{
+  constexpr double still = 1e-3; // of the noise
+  SectionShift result;
+  std::vector<Residual> residuals = residualsOf(band, sections, section, profile, result.shift, gate);
+  for (int i = 0; i < most_steps; ++i) {
+    Vector2d step;
+    result.found = stepOf(residuals, cutOf(residuals, noise), step) && step.norm() < gate;
+    if (!result.found)
+      break;
+    result.shift.tail<2>() += step;
+    residuals = residualsOf(band, sections, section, profile, result.shift, gate);
+    if (step.norm() < still * noise)
+      break;
+  }
+  sumCells(residuals, cutOf(residuals, noise), profile.line.size(), result);
+  return result;
+}
+
+} // namespace pcl_spiral
