@@ -3,16 +3,36 @@
 #include "terminal/option_values.h"
 
 #include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/readable_text.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/setting_names.h>
 
 #include <algorithm>
+#include <utility>
 
 using namespace pcl_spiral;
 
 namespace {
 
 constexpr double degrees = 180.0 / 3.14159265358979323846;
+
+/** Codes that are lines of a program, both or none. */
+void
+checkCodes(const ProgramHeader& header, bool any_program, const std::set<std::string>& given)
+{
+  for (const auto& [name, code] : {std::pair("pass-begin", header.pass_begin), std::pair("pass-end", header.pass_end)}) {
+    if (given.count(name) == 0)
+      continue;
+    const std::string option = std::string("--") + name + " " + readableText(code) + ": ";
+    if (const std::string fault = faultOfCode(code); !fault.empty())
+      throw UsageError(option + "the code " + fault);
+    if (!any_program)
+      throw UsageError(option + "no output is a program; write a .ngc or .nc, or leave it out");
+    if (given.count("pass-begin") != given.count("pass-end"))
+      throw UsageError(option + "is given alone, and a beam that is switched on but never off burns; give both, such as "
+                                "--pass-begin \"M62 P0\" --pass-end \"M63 P0\"");
+  }
+}
 
 } // namespace
 
@@ -81,4 +101,5 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
   requireOption(header.spindle_speed >= 0.0, "spindle", header.spindle_speed, "must be above 0 rev/min");
   requireOption(header.tool >= 0, "tool", header.tool, "must be above 0");
   requireOption(header.decimals >= 3 && header.decimals <= 6, "decimals", header.decimals, "must be 3 to 6");
+  checkCodes(header, std::any_of(outputs.begin(), outputs.end(), isProgram), given);
 }

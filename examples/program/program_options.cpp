@@ -54,5 +54,13 @@ programOptions(ProgramJob& program)
                     program.header.spindle_speed),
        wholeNumberOption("tool", "N", "tool that is called; none by default: --tool 3", program.header.tool),
        wholeNumberOption("decimals", "N", "of mm and degrees in programs, 3 to 6; 4: --decimals 3",
-                         program.header.decimals)}};
+                         program.header.decimals),
+       textOption("pass-begin", "CODE",
+                  "code on a line of its own where each row begins, such as one that switches a beam on; none by default: "
+                  "--pass-begin \"M62 P0\"",
+                  program.header.pass_begin),
+       textOption("pass-end", "CODE",
+                  "code on a line of its own where each row ends: the beam is off on leads, between rows and while a rotary "
+                  "axis unwinds; none by default: --pass-end \"M63 P0\"",
+                  program.header.pass_end)}};
 }

@@ -124,6 +124,26 @@ TEST(Program, OneWayPathsAreLiftedBetweenPassesAndRefusedWhereNoLiftCanBeSaid)
   }
 }
 
+TEST(Program, CodesStandBeforeAndAfterThePass)
+{
+  const ScratchFolder folder;
+  const RunResult done =
+      run(folder, {"-o", "a.ngc", "-o", "b.nc", "--dialect", "heidenhain", "--tool", "3", "--machine", machines + "/xyzac.yaml",
+                   "--pass-begin", "M62 P0", "--pass-end", "M63 P0", "--quiet"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  for (const char* code : {"M62 P0", "M63 P0"}) {
+    EXPECT_EQ(linesWith(readText(folder.path("a.ngc")), code), 1U);
+    EXPECT_EQ(linesWith(readText(folder.path("b.nc")), std::string(" ") + code), 1U); // its lines count
+  }
+  const std::string call = "cd '" + folder.root().string() + "' && rs274 -g a.ngc canon.txt 2>messages.txt";
+  ASSERT_EQ(std::system(call.c_str()), 0) << readText(folder.path("messages.txt"));
+  EXPECT_EQ(linesWith(readText(folder.path("canon.txt")), "SET_MOTION_OUTPUT_BIT(0)"), 1U);
+  EXPECT_EQ(linesWith(readText(folder.path("canon.txt")), "CLEAR_MOTION_OUTPUT_BIT(0)"), 1U);
+  writeText(folder.path("job.yaml"), "output: c.ngc\nmachine: " + machines + "/xyzac.yaml\npass-begin: M62 P0\npass-end: M63 P0\n");
+  ASSERT_EQ(run(folder, {"--config", "job.yaml", "--quiet"}).code, 0);
+  EXPECT_EQ(linesWith(readText(folder.path("c.ngc")), "M62 P0"), 1U);
+}
+
 TEST(Program, AJobFileHoldsTheSameNames)
 {
   const ScratchFolder folder;
@@ -175,6 +195,20 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
             "--decimals 2: must be 3 to 6");
   expectHas(said({"-o", "a.ngc", "--machine", machine, "--thin-blocks", "1"}, 2),
             "--thin-blocks 1: mm of the tip and degrees");
+  const std::vector<std::string> on{"--pass-begin", "M62 P0"}, off{"--pass-end", "M63 P0"};
+  const auto codes = [&](const std::string& output, std::vector<std::string> begin, const std::vector<std::string>& end) {
+    begin.insert(begin.begin(), {"-o", output});
+    begin.insert(begin.end(), end.begin(), end.end());
+    return said(begin, 2);
+  };
+  expectHas(codes("a.ngc", on, {}), "--pass-begin M62 P0: is given alone, and a beam that is switched on but never off burns; give both");
+  expectHas(codes("a.ngc", {}, off), "--pass-end M63 P0: is given alone");
+  expectHas(codes("a.csv", on, off), "--pass-begin M62 P0: no output is a program; write a .ngc or .nc, or leave it out");
+  expectHas(codes("a.ngc", on, {"--pass-end", "M63 P0\nM3"}), "the code holds a line break");
+  expectHas(codes("a.ngc", {"--pass-begin", "M62 (on)"}, off), "--pass-begin M62 (on): the code holds (, which belongs to comments");
+  expectHas(codes("a.ngc", {"--pass-begin", "%"}, off), "--pass-begin %: the code holds %, which ends the program");
+  expectHas(codes("a.ngc", {"--pass-begin", " "}, off), "the code is blank; give one line such as M62 P0");
+  EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv")));
   expectHas(said({"-o", "a.nc", "--machine", machines + "/head_table.yaml", "--dialect", "siemens", "--tool", "1"}, 1),
             "rtcp: false");
 }

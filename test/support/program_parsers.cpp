@@ -79,6 +79,23 @@ ParsedProgram::has(const std::string& line) const
   return std::find(others.begin(), others.end(), line) != others.end();
 }
 
+void
+ParsedProgram::addOther(const std::string& line)
+{
+  others.push_back(line);
+  moves_before.push_back(moves.size());
+}
+
+std::vector<std::size_t>
+ParsedProgram::placesOf(const std::string& line) const
+{
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < others.size(); ++i)
+    if (others[i] == line)
+      places.push_back(moves_before[i]);
+  return places;
+}
+
 ParsedProgram
 parseFanuc(const std::string& file)
 {
@@ -87,7 +104,7 @@ parseFanuc(const std::string& file)
   for (const std::string& line : linesOf(file)) {
     inverse_time = line == "G93" || (inverse_time && line != "G94");
     if (line.find(" X") == std::string::npos || (line.rfind("G0 ", 0) != 0 && line.rfind("G1 ", 0) != 0)) {
-      program.others.push_back(line);
+      program.addOther(line);
       continue;
     }
     const auto words = wordsOf(line, false);
@@ -110,7 +127,7 @@ parseSiemens(const std::string& file)
   ParsedProgram program;
   for (const std::string& line : linesOf(file)) {
     if (line.find("A3=") == std::string::npos) {
-      program.others.push_back(line);
+      program.addOther(line);
       continue;
     }
     const auto words = wordsOf(line, true);
@@ -136,7 +153,7 @@ parseHeidenhain(const std::string& file)
       throw std::runtime_error("lines do not count on: " + line);
     const std::string text = line.substr(space + 1);
     if (text.rfind("LN ", 0) != 0) {
-      program.others.push_back(text);
+      program.addOther(text);
       continue;
     }
     const auto words = wordsOf(text.substr(3), false);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,8 +27,12 @@ struct ParsedMove {
 struct ParsedProgram {
   std::vector<ParsedMove> moves;
   std::vector<std::string> others;
+  std::vector<std::size_t> moves_before; ///< each of the others
 
   bool has(const std::string& line) const;
+  void addOther(const std::string& line);
+  /** How many moves stand before each of the lines that are \p line. */
+  std::vector<std::size_t> placesOf(const std::string& line) const;
 };
 
 ParsedProgram parseFanuc(const std::string& file); ///< reads LinuxCNC's too

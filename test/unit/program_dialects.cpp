@@ -6,7 +6,7 @@
 #include <pcl_spiral/machine/machine_program_generator.h>
 
 #include "support/dome_spiral.h"
-#include "support/program_parsers.h"
+#include "support/parsed_place.h"
 #include "support/scratch_folder.h"
 #include "support/test_machines.h"
 
@@ -41,20 +41,6 @@ programFor(const Machine& machine, const ToolPoses& poses)
   generator.compute(program);
   EXPECT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
   return program;
-}
-
-/** Tip and tool axis of a move: what it says, or the oracle's chain of the angles it says. */
-TipAndAxis
-where(const Machine& machine, const ParsedMove& move)
-{
-  if (move.vector)
-    return {move.xyz, move.vector->normalized()};
-  const auto& rotary = machine.rotary;
-  TipAndAxis found = forward(
-      chainOf(machine), {move.xyz, move.degrees.at(rotary[0].letter), move.degrees.at(rotary[1].letter)});
-  if (machine.rtcp)
-    found.tip = move.xyz;
-  return found;
 }
 
 /** Every pose behind the pole's zone is passed in order, within 1e-3 mm and 1e-3 degree; the times are those

@@ -57,13 +57,13 @@ writeFanuc(const std::string& file, const MachineProgram& program, const Program
     requireRTCP(file, program, "fanuc's G43.5");
   PostText out(file, header.decimals);
   writeStart(out, program, header, vectors);
-  for (const ProgramBlock& block : program.blocks) {
+  writeBlocks(out, program, header, [&](const ProgramBlock& block) {
     out.text(block.rapid ? "G0 " : "G1 ");
     writePlace(out, program, block, vectors);
     if (!block.rapid)
       out.word("F", 1.0 / block.minutes);
     out.endLine();
-  }
+  });
   out.text("G94\nG49\n");
   writeRetract(out, program.machine);
   if (header.spindle_speed > 0.0)

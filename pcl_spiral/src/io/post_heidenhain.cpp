@@ -79,7 +79,7 @@ writeHeidenhain(const std::string& file, const MachineProgram& program, const Pr
   writeRetract(lines, program.machine);
   lines.line("M128");
   const ProgramBlock* before = &program.blocks.front();
-  for (const ProgramBlock& block : program.blocks) {
+  writeBlocks(lines, program, header, [&](const ProgramBlock& block) {
     lines.begin().text("LN ");
     out.word("X", block.tip.x(), header.decimals, true);
     out.word("Y", block.tip.y(), header.decimals, true);
@@ -90,7 +90,7 @@ writeHeidenhain(const std::string& file, const MachineProgram& program, const Pr
       out.word("F", tipFeed(*before, block), 3);
     out.endLine(block.rapid ? " FMAX\n" : "\n");
     before = &block;
-  }
+  });
   lines.line("M129");
   writeRetract(lines, program.machine);
   if (header.spindle_speed > 0.0)

@@ -41,7 +41,7 @@ writeLinuxCNC(const std::string& file, const MachineProgram& program, const Prog
   requireProgram(file, program, header);
   PostText out(file, header.decimals);
   writeStart(out, program, header);
-  for (const ProgramBlock& block : program.blocks) {
+  writeBlocks(out, program, header, [&](const ProgramBlock& block) {
     const Eigen::Vector3d& position = positionOf(program, block);
     out.word(block.rapid ? "G0 X" : "G1 X", position.x());
     out.word("Y", position.y());
@@ -50,7 +50,7 @@ writeLinuxCNC(const std::string& file, const MachineProgram& program, const Prog
     if (!block.rapid)
       out.word("F", 1.0 / block.minutes);
     out.endLine();
-  }
+  });
   out.text("G94\n");
   writeRetract(out, program.machine);
   if (header.spindle_speed > 0.0)

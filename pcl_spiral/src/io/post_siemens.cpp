@@ -31,7 +31,7 @@ writeSiemens(const std::string& file, const MachineProgram& program, const Progr
   requireRTCP(file, program, "siemens");
   PostText out(file, header.decimals);
   writeStart(out, program, header);
-  for (const ProgramBlock& block : program.blocks) {
+  writeBlocks(out, program, header, [&](const ProgramBlock& block) {
     out.word(block.rapid ? "G0 X" : "G1 X", block.tip.x());
     out.word("Y", block.tip.y());
     out.word("Z", block.tip.z());
@@ -39,7 +39,7 @@ writeSiemens(const std::string& file, const MachineProgram& program, const Progr
     if (!block.rapid)
       out.word("F", 1.0 / block.minutes);
     out.endLine();
-  }
+  });
   out.text("G94\nTRAFOOF\n");
   writeRetract(out, program.machine);
   if (header.spindle_speed > 0.0)

@@ -11,6 +11,16 @@ namespace {
 
 constexpr std::size_t full = 1 << 20; ///< bytes to write at once
 
+/** \p text with what is no plain character, or one of \p others, turned to spaces. */
+std::string
+plainText(std::string text, std::string_view others)
+{
+  for (char& c : text)
+    if (c < ' ' || c > '~' || others.find(c) != std::string_view::npos)
+      c = ' ';
+  return text;
+}
+
 } // namespace
 
 void
@@ -93,6 +103,24 @@ writeVector(PostText& out, const std::array<std::string_view, 3>& letters, const
     out.word(letters[i], v[i], 8, signs);
 }
 
+std::string
+faultOfCode(const std::string& code)
+{
+  constexpr std::string_view remedy = "; give one line such as M62 P0";
+  constexpr std::size_t longest = 80; // LinuxCNC reads 255 characters a line, older controls fewer
+  const auto fault = [&](std::string_view what) { return std::string(what) + std::string(remedy); };
+  if (code != plainText(code, ""))
+    return fault("holds a line break or another character that is not plain");
+  if (code.find_first_not_of(' ') == std::string::npos)
+    return fault("is blank");
+  if (code.size() > longest)
+    return fault("has more than " + std::to_string(longest) + " characters");
+  for (const char* const mark : {"(", ")", ";", "%"})
+    if (code.find(mark) != std::string::npos)
+      return fault(std::string("holds ") + mark + (*mark == '%' ? ", which ends the program" : ", which belongs to comments"));
+  return {};
+}
+
 void
 requireProgram(const std::string& file, const MachineProgram& program, const ProgramHeader& header)
 {
@@ -101,6 +129,9 @@ requireProgram(const std::string& file, const MachineProgram& program, const Pro
   if (header.decimals < 3 || header.decimals > 6)
     throw FileError(file,
                     textOf("not written: ", header.decimals, " decimals were asked for; 3 to 6 can be"));
+  for (const std::string& code : {header.pass_begin, header.pass_end})
+    if (const std::string fault = code.empty() ? std::string() : faultOfCode(code); !fault.empty())
+      throw FileError(file, "not written: the code '" + plainText(code, "") + "' of a pass " + fault);
 }
 
 void
@@ -115,11 +146,7 @@ requireRTCP(const std::string& file, const MachineProgram& program, const std::s
 std::string
 commentText(const std::string& title)
 {
-  std::string text = title;
-  for (char& c : text)
-    if (c < ' ' || c > '~' || std::string_view("()[]{};\"%").find(c) != std::string_view::npos)
-      c = ' ';
-  return text;
+  return plainText(title, "()[]{};\"%");
 }
 
 std::string

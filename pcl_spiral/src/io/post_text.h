@@ -32,6 +32,13 @@ public:
     bytes_ += text;
   }
   void endLine(std::string_view end = "\n");
+  /** A whole line as it is. */
+  void
+  line(std::string_view words)
+  {
+    text(words);
+    endLine();
+  }
   /** \throw FileError */
   void close();
 
@@ -59,7 +66,7 @@ void writeTool(PostText& out, const ProgramHeader& header, std::string_view afte
 void writeVector(PostText& out, const std::array<std::string_view, 3>& letters, const Eigen::Vector3d& v,
                  bool signs = false);
 
-/** \throw FileError for a program without blocks, or a count of decimals out of range */
+/** \throw FileError for a program without blocks, a count of decimals out of range, or a code that is no line */
 void requireProgram(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
 
 /** \throw FileError where the machine has no RTCP, which \p language needs */
@@ -70,6 +77,25 @@ inline const Eigen::Vector3d&
 positionOf(const MachineProgram& program, const ProgramBlock& block)
 {
   return program.machine.rtcp ? block.tip : block.machine;
+}
+
+/** All blocks of \p program by \p write, and the header's codes as a line of \p lines before and after each run of cutting. */
+template <typename Lines, typename Write>
+void
+writeBlocks(Lines& lines, const MachineProgram& program, const ProgramHeader& header, const Write& write)
+{
+  bool cutting = false;
+  const auto turn = [&](bool cuts) {
+    const std::string& code = cuts ? header.pass_begin : header.pass_end;
+    if (cuts != cutting && !code.empty())
+      lines.line(code);
+    cutting = cuts;
+  };
+  for (const ProgramBlock& block : program.blocks) {
+    turn(block.section == BlockSection::Cut);
+    write(block);
+  }
+  turn(false);
 }
 
 /** Radians to degrees. */

@@ -24,11 +24,19 @@ struct ProgramHeader {
   double spindle_speed = 0.0; ///< rev/min; 0: the spindle is left alone
   int tool = 0;               ///< called at the start; 0: the tool is left alone
   int decimals = 4;           ///< of mm and degrees, 3 to 6
+  std::string pass_begin = {}; ///< a line before each run of cutting blocks, such as M62 P0 for a beam; empty: none
+  std::string pass_end = {};   ///< a line after each of them, such as M63 P0; empty: none
 };
 
+/** Why \p code cannot stand on a line of its own, with the remedy: not one line of plain characters, opens a comment, or ends the
+ *  program. Empty where it can. */
+std::string faultOfCode(const std::string& code);
+
 /** A program in the language of \p dialect. Rotary axes in degrees that count on turn by turn; F, but in
- * Heidenhain's, is inverse time (G93) and stands in every G1. \throw FileError the file cannot be written,
- * the program has no blocks, or the language takes tips and tool axes alone and the machine has no RTCP */
+ * Heidenhain's, is inverse time (G93) and stands in every G1. The codes of a pass stand where the tool is at the first
+ * point of a row, after its lead, and at the last: a beam is off on leads, between rows, and while an axis unwinds in a row.
+ * \throw FileError the file cannot be written, the program has no blocks, a code is no line of it, or the language takes
+ * tips and tool axes alone and the machine has no RTCP */
 void writeProgram(const std::string& file, const MachineProgram& program, Dialect dialect,
                   const ProgramHeader& header);
 

@@ -1,0 +1,38 @@
+/** \file
+ *  Programs run by LinuxCNC's interpreter, rs274.
+ */
+#pragma once
+
+#include "support/scratch_folder.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral::test {
+
+struct CanonicalMotion {
+  bool rapid;
+  std::array<double, 6> xyzabc;
+  double feed; ///< as the interpreter would have the speed, mm/min
+};
+
+/** A digital output, switched as the next motion begins. */
+struct CanonicalOutput {
+  bool on;
+  int bit;
+  std::size_t motions_before;
+};
+
+struct CanonicalRun {
+  int code;
+  std::string messages;
+  std::vector<CanonicalMotion> motions;
+  std::vector<CanonicalOutput> outputs;
+};
+
+/** Runs the interpreter; motions in order. */
+CanonicalRun interpret(const std::string& program, const ScratchFolder& folder);
+
+} // namespace pcl_spiral::test
