@@ -3,12 +3,9 @@
 #include "drive/job_check.h"
 #include "drive/outputs.h"
 #include "drive/planning.h"
-#include "program/free_leads.h"
-#include "program/machine_moves.h"
-#include "program/program_check.h"
+#include "passes/pass_program.h"
 #include "report/picture_files.h"
-#include "terminal/setter_names.h"
-#include "terminal/terminal.h"
+#include "terminal/program_main.h"
 
 #include <pcl_spiral/io/output_files.h>
 
@@ -22,9 +19,6 @@ using namespace pcl_spiral;
 
 namespace {
 
-constexpr int failed_on_data = 1;
-constexpr int bad_usage = 2;
-
 void
 run(const Job& job)
 {
@@ -34,20 +28,10 @@ run(const Job& job)
     requireDisplay(output);
   if (!job.verbose)
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
-  const std::optional<Machine> machine =
-      hasProgram(job.program, job.outputs) ? std::optional(machineOf(job.program)) : std::nullopt;
+  const std::optional<Machine> machine = machineOf(job);
   Result result = plan(job);
-  if (machine) {
-    ProgramJob program = job.program;
-    if (!isBall(job))
-      program.settings.pole_cone = 0.0; // a blended axis would lead any other cutter into the surface
-    result.program =
-        makeProgram(program, *machine, job.feed, isBall(job) ? job.cutter.radius : 0.0, result.passes, result.warnings);
-    requireFreeLeads(job.scan, result.whole_scan,
-                     {job.cutter, job.holder, job.holder_clearance, job.tolerance + result.locations.noise_allowance,
-                      job.threads},
-                     *result.program, program.accept_collisions, job.quiet, result.warnings);
-  }
+  if (machine)
+    addProgram(job, *machine, result);
   if (!job.quiet)
     for (const std::string& warning : result.warnings)
       std::cerr << "pcl_spiral_drive: warning: " << warning << '\n';
@@ -62,8 +46,7 @@ run(const Job& job)
 int
 main(int argc, char** argv)
 {
-  catchSignals();
-  try {
+  return runProgram("pcl_spiral_drive", [&] {
     const Job job = parseCommandLine(argc, argv);
     if (job.help)
       printHelp(std::cout);
@@ -72,13 +55,5 @@ main(int argc, char** argv)
     else
       run(job);
     return 0;
-  }
-  catch (const UsageError& error) {
-    std::cerr << "pcl_spiral_drive: " << error.what() << "\npcl_spiral_drive --help lists the options\n";
-    return bad_usage;
-  }
-  catch (const std::exception& error) {
-    std::cerr << "pcl_spiral_drive: " << inOptions(error.what()) << '\n';
-    return failed_on_data;
-  }
+  });
 }

@@ -4,6 +4,7 @@
 #include "program/free_leads.h"
 #include "program/machine_moves.h"
 #include "program/program_check.h"
+#include "terminal/program_main.h"
 #include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 #include "toolpath/command_line.h"
@@ -24,9 +25,6 @@
 using namespace pcl_spiral;
 
 namespace {
-
-constexpr int failed_on_data = 1;
-constexpr int bad_usage = 2;
 
 void
 warn(const Job& job, const std::vector<std::string>& warnings)
@@ -118,8 +116,7 @@ run(const Job& job)
 int
 main(int argc, char** argv)
 {
-  catchSignals();
-  try {
+  return runProgram("pcl_spiral_toolpath", [&] {
     const Job job = parseCommandLine(argc, argv);
     if (job.help)
       printHelp(std::cout);
@@ -128,14 +125,5 @@ main(int argc, char** argv)
     else
       run(job);
     return 0;
-  }
-  catch (const UsageError& error) {
-    std::cerr << "pcl_spiral_toolpath: " << error.what()
-              << "\npcl_spiral_toolpath --help lists the options\n";
-    return bad_usage;
-  }
-  catch (const std::exception& error) {
-    std::cerr << "pcl_spiral_toolpath: " << inOptions(error.what()) << '\n';
-    return failed_on_data;
-  }
+  });
 }

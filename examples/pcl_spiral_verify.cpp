@@ -1,6 +1,7 @@
 // Toolpath files judged by the raw scan, or by a mesh.
 #include "judging/figures_table.h"
 #include "judging/tip_check.h"
+#include "terminal/program_main.h"
 #include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 #include "verify/outputs.h"
@@ -18,7 +19,6 @@ using namespace pcl_spiral;
 namespace {
 
 constexpr int failed = 1;
-constexpr int bad_usage = 2;
 
 void
 warn(const VerifyJob& job, const std::vector<std::string>& warnings)
@@ -85,8 +85,7 @@ run(const VerifyJob& job)
 int
 main(int argc, char** argv)
 {
-  catchSignals();
-  try {
+  return runProgram("pcl_spiral_verify", [&] {
     const VerifyJob job = parseVerifyCommandLine(argc, argv);
     if (job.help)
       printVerifyHelp(std::cout);
@@ -95,13 +94,5 @@ main(int argc, char** argv)
     else
       return run(job) ? 0 : failed;
     return 0;
-  }
-  catch (const UsageError& error) {
-    std::cerr << "pcl_spiral_verify: " << error.what() << "\npcl_spiral_verify --help lists the options\n";
-    return bad_usage;
-  }
-  catch (const std::exception& error) {
-    std::cerr << "pcl_spiral_verify: " << inOptions(error.what()) << '\n';
-    return failed;
-  }
+  });
 }

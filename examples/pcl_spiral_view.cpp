@@ -1,6 +1,7 @@
 // A toolpath on its scan or mesh, in a window.
 #include "judging/judged_part.h"
 #include "judging/judged_scene.h"
+#include "terminal/program_main.h"
 #include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 #include "view/view_job.h"
@@ -18,9 +19,6 @@
 using namespace pcl_spiral;
 
 namespace {
-
-constexpr int failed = 1;
-constexpr int bad_usage = 2;
 
 void
 requireWindow()
@@ -78,8 +76,7 @@ run(const ViewJob& job)
 int
 main(int argc, char** argv)
 {
-  catchSignals();
-  try {
+  return runProgram("pcl_spiral_view", [&] {
     const ViewJob job = parseViewCommandLine(argc, argv);
     if (job.help)
       printViewHelp(std::cout);
@@ -88,13 +85,5 @@ main(int argc, char** argv)
     else
       run(job);
     return 0;
-  }
-  catch (const UsageError& error) {
-    std::cerr << "pcl_spiral_view: " << error.what() << "\npcl_spiral_view --help lists the options\n";
-    return bad_usage;
-  }
-  catch (const std::exception& error) {
-    std::cerr << "pcl_spiral_view: " << inOptions(error.what()) << '\n';
-    return failed;
-  }
+  });
 }

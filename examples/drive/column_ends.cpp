@@ -1,10 +1,12 @@
 #include "column_ends.h"
 
+#include <pcl_spiral/common/message.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-using pcl_spiral::DriveCylinder;
+using namespace pcl_spiral;
 
 namespace {
 
@@ -41,4 +43,26 @@ ColumnEnds::missedBy(ColumnEnds& inner)
     missed = std::max(missed, reached.empty() ? last - first : std::max(reached.front() - first, last - reached.back()));
   }
   return missed;
+}
+
+void
+warnOfEnds(const Job& job, const std::vector<ToolLocations>& located, Result& result)
+{
+  ColumnEnds scan(result.drive.column->cylinder), contacts(result.drive.column->cylinder);
+  for (const pcl::PointXYZ& p : *result.scan.cloud)
+    if (p.getVector3fMap().allFinite())
+      scan.add(p.getVector3fMap().cast<double>());
+  for (const ToolLocations& pass : located)
+    for (const ToolLocation& location : pass)
+      if (location.state != LocationState::NoCloud)
+        contacts.add(location.contact);
+  const double missed = scan.missedBy(contacts);
+  if (!(missed > result.drive.step_over))
+    return;
+  const double most = job.cutter.radius + result.drive.step_over, overrun = std::min(job.drive.overrun + missed, most);
+  const bool helps = job.drive.axisMode() == DriveAxisMode::Cylinder && job.drive.overrun < most;
+  result.warnings.push_back(textOf("up to ", missed, " mm at an end of the column are not cut",
+                                   helps ? textOf("; where it leans the cutter touches it beside its axis: let the path go "
+                                                  "on beyond the ends, such as --overrun ", std::ceil(10.0 * overrun) / 10.0)
+                                         : std::string(": check the path there")));
 }

@@ -3,7 +3,10 @@
  */
 #pragma once
 
+#include "planning.h"
+
 #include <pcl_spiral/toolpath/drive_cylinder.h>
+#include <pcl_spiral/toolpath/tool_location.h>
 
 #include <vector>
 
@@ -21,3 +24,6 @@ private:
   Eigen::Vector3d e1_, e2_;
   std::vector<std::vector<double>> along_; ///< of each sector
 };
+
+/** Says what of a column's ends no contact comes to. */
+void warnOfEnds(const Job& job, const std::vector<pcl_spiral::ToolLocations>& located, Result& result);

@@ -1,4 +1,5 @@
 #include "job_check.h"
+#include "passes/pass_check.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
@@ -17,36 +18,6 @@
 using namespace pcl_spiral;
 
 namespace {
-
-constexpr double least_tolerance = 1e-4; // mm: single precision of a scan knows no less
-constexpr double radians = 3.14159265358979323846 / 180.0;
-
-bool
-isGiven(const Job& job, const std::string& option)
-{
-  return job.given.count(option) > 0;
-}
-
-/** Without a corner radius the cutter is a ball, or a tapered one. */
-void
-completeCutter(Job& job)
-{
-  CutterShape& c = job.cutter;
-  if (!isGiven(job, "tool-radius"))
-    throw UsageError("no --tool-radius is given; give the radius where the cutter's flank ends, in mm, such as "
-                     "--tool-radius 6");
-  if (!isGiven(job, "corner-radius")) {
-    const double angle = c.flank_angle * radians;
-    c.corner_radius = (c.radius - c.flank_length * std::sin(angle)) / std::cos(angle);
-  }
-  if (const std::string fault = faultOf(c); !fault.empty())
-    throw UsageError("the cutter of --tool-radius, --corner-radius, --flank-length and --flank-angle: " + fault);
-  if (const std::string fault = faultOf(job.holder); !fault.empty())
-    throw UsageError("--holder: " + fault);
-  requireOption(job.holder_clearance >= 0.0, "holder-clearance", job.holder_clearance, "must not be below 0 mm");
-  if (!job.holder.empty() && !(c.flank_length > 0.0))
-    throw UsageError("--holder: give the cutter its --flank-length, above which the holder stands");
-}
 
 /** Whether the cylinder of a column leads path or axes. */
 bool
@@ -75,10 +46,8 @@ requireMeant(const Job& job)
   require("one-way", kind == DriveKind::Planes || kind == DriveKind::Rings, is);
   require("step-over", kind != DriveKind::Curve, is);
   require("scallop", kind != DriveKind::Curve, is);
-  require("holder-clearance", !job.holder.empty(), "no --holder is given");
   require("accept-collisions", !job.holder.empty() || hasProgram(job.program, job.outputs),
           "no --holder is given, nor a program asked for");
-  require("pole-cone", isBall(job), "axes are blended for ball cutters alone, whose middle stays where it is; leave it out");
 }
 
 /** The step-over that --scallop gives, or the ball that rows are kept for. */
@@ -148,62 +117,15 @@ completePath(Job& job)
     throw UsageError("--drive curve: no --curve is given; name a file with its points in order");
   if (!is_curve && !job.curve_file.empty())
     throw UsageError("--curve " + job.curve_file + ": --drive is " + choiceName(d.kind) + "; use --drive curve");
-  requireOption(job.tolerance >= least_tolerance, "tolerance", job.tolerance, "must be 0.0001 mm or more, such as 0.01");
-  requireOption(job.tolerance <= std::max(least_tolerance, 0.1001 * job.cutter.radius), "tolerance", job.tolerance,
-                textOf("must be a tenth of the tool radius, ", job.cutter.radius, " mm, or less, such as ", std::max(least_tolerance, 0.01 * job.cutter.radius)));
   if (job.column_axis && !(job.column_axis->norm() > 0.0))
     throw UsageError("--column-axis: is no direction, such as 0,0,1");
-  requireOption(job.axis_smoothing >= 0.0, "axis-smoothing", job.axis_smoothing, "must be above 0 mm, or 0 for none");
-  requireOption(job.max_axis_rate >= 0.0, "max-axis-rate", job.max_axis_rate, "must be above 0 degrees a mm, or 0 for no limit");
-  requireOption(job.feed > 0.0, "feed", job.feed, "must be above 0 mm/min");
   if (is_curve)
     return; // its points are read later
   if (const Status status = checkSettings(d); !status.ok())
     throw UsageError(inOptions(status.message()));
 }
 
-bool
-isWritten(const std::string& file)
-{
-  const std::string extension = extensionOf(file);
-  const auto& known = toolpathExtensions();
-  return isProgram(file) || isExchange(file) || extension == ".json" || extension == ".png" ||
-         std::find(known.begin(), known.end(), extension) != known.end();
-}
-
-void
-checkOutputs(const Job& job)
-{
-  if (job.outputs.empty())
-    throw UsageError("no output is named; give at least one, such as -o part.csv");
-  for (const std::string& file : job.outputs) {
-    if (!isWritten(file))
-      throw UsageError("-o " + file + ": extension '" + extensionOf(file) +
-                       "' is not known; use .csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .json or .png");
-    if (const std::string extension = extensionOf(file);
-        !isBall(job) && (extension == ".pcd" || extension == ".ply" || extension == ".yaml"))
-      throw UsageError("-o " + file + ": holds contacts, from which tips follow for a ball alone; write this cutter's "
-                       "path as .csv, .vtp, .apt or a program");
-  }
-  const std::vector<std::string> files = filesOf(job);
-  for (auto file = files.begin(); file != files.end(); ++file) {
-    requireNoInput(*file, {{"the scan", job.scan},
-                           {"the curve", job.curve_file},
-                           {"the machine's file", job.program.machine_file},
-                           {"the job file", job.config_file}});
-    if (std::find(files.begin(), file, *file) != file)
-      throw UsageError("-o " + *file + ": is given twice");
-  }
-}
-
 } // namespace
-
-bool
-isBall(const Job& job)
-{
-  const CutterShape& c = job.cutter;
-  return c.flank_angle == 0.0 && c.corner_radius == c.radius;
-}
 
 std::vector<std::string>
 filesOf(const Job& job)
@@ -223,8 +145,12 @@ completeJob(Job& job)
   if (job.scan.empty())
     throw UsageError("no scan is named; give one, such as part.pcd");
   requireOption(job.thinning >= 0.0, "thin", job.thinning, "must be above 0 mm, or 0 for none");
+  if (!isGiven(job, "tool-radius"))
+    throw UsageError("no --tool-radius is given; give the radius where the cutter's flank ends, in mm, such as "
+                     "--tool-radius 6");
   completeCutter(job);
   completePath(job);
-  checkOutputs(job);
+  checkTool(job);
+  checkOutputs(job, filesOf(job), {{"the scan", job.scan}, {"the curve", job.curve_file}});
   checkProgram(job.program, job.outputs, job.given);
 }

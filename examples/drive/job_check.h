@@ -5,9 +5,6 @@
 
 #include "job.h"
 
-/** Whether the cutter is a ball, whose tip follows from its contact. */
-bool isBall(const Job& job);
-
 /** The files of all outputs, in the job's order: beside part.png part_rotary.png, where there is a program. */
 std::vector<std::string> filesOf(const Job& job);
 

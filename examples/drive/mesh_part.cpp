@@ -1,15 +1,12 @@
 #include "mesh_part.h"
 
-#include "scan_surface.h"
+#include "passes/scan_surface.h"
 #include "terminal/setter_names.h"
 
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/mesh/mesh_findings.h>
-#include <pcl_spiral/mesh/mesh_sampling.h>
-
-#include <pcl/common/io.h>
 
 #include <Eigen/Geometry>
 
@@ -39,7 +36,7 @@ readMeshPart(const Job& job, Result& result)
 {
   const MeshFile file = readMesh(job.scan, job.read);
   result.scan.warnings = inOptions(file.warnings);
-  require(job, SurfaceMesh::make(*file.mesh, job.mesh_settings, result.mesh));
+  require(job.scan, SurfaceMesh::make(*file.mesh, job.mesh_settings, result.mesh));
   requireLargerThanCutter(job, *result.mesh);
   const MeshCounts& counts = result.mesh->counts();
   if (const std::string found = findingsText(counts); !found.empty())
@@ -48,22 +45,6 @@ readMeshPart(const Job& job, Result& result)
     result.warnings.push_back(textOf("the mesh has ", counts.crease_length, " mm of creases, sharp edges bent by more than ",
                                      job.mesh_settings.crease_angle, " degrees, the first at ", placeText(counts.creases.place),
                                      ": they stay sharp; if the part is round there, raise --crease-angle"));
-}
-
-void
-sampleMeshPart(const Job& job, Result& result)
-{
-  constexpr double share = 0.3; // of the cutter's radius: the sag between points is a hundredth of it
-  MeshSampling sampling;
-  sampling.setInputMesh(result.mesh);
-  sampling.setNumberOfThreads(job.threads);
-  sampling.setSpacing(std::min(defaultSampleSpacing(*result.mesh), share * job.cutter.radius));
-  pcl::PointCloud<pcl::PointNormal> samples;
-  sampling.compute(samples);
-  require(job, sampling.getStatus());
-  result.scan.cloud.reset(new pcl::PointCloud<pcl::PointXYZ>);
-  pcl::copyPointCloud(samples, *result.scan.cloud);
-  result.whole_scan = result.scan.cloud;
 }
 
 std::vector<ToolLocations>

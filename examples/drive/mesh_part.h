@@ -10,8 +10,5 @@
 /** Reads the mesh, makes it ready, and tells what was found in it. \throw UsageError, pcl_spiral::FileError, Cancelled */
 void readMeshPart(const Job& job, Result& result);
 
-/** Points of the mesh for what looks at points: leads of a program, ends of a column. */
-void sampleMeshPart(const Job& job, Result& result);
-
 /** The cutter at the contacts asked for, unchecked. */
 std::vector<pcl_spiral::ToolLocations> standAtContacts(const Job& job, const pcl_spiral::DrivePasses& passes);

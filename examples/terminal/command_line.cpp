@@ -4,6 +4,7 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace po = boost::program_options;
@@ -38,12 +39,13 @@ allOptions(const OptionTable& table)
 
 /** Names and values in the order given; a switch's value is "true". */
 NamedValues
-splitArguments(const OptionTable& table, int argc, const char* const* argv)
+splitArguments(const OptionTable& table, const std::vector<std::string>& files, int argc, const char* const* argv)
 {
   namespace style = po::command_line_style;
   const po::options_description options = allOptions(table);
   po::positional_options_description positional;
-  positional.add("scan", -1);
+  for (const std::string& name : files)
+    positional.add(name.c_str(), name == files.back() ? -1 : 1);
   try {
     const po::parsed_options parsed =
         po::command_line_parser(argc, argv)
@@ -67,17 +69,15 @@ splitArguments(const OptionTable& table, int argc, const char* const* argv)
 }
 
 void
-setValues(const OptionTable& table, const NamedValues& values)
+setValues(const OptionTable& table, const std::vector<std::string>& files, const NamedValues& values)
 {
-  std::set<std::string> seen;
-  std::string scan;
+  std::map<std::string, std::string> seen;
   for (const auto& [name, value] : values) {
-    if (name == "scan" && !seen.insert(name).second)
-      throw UsageError("a second scan, " + value + ", after " + scan + "; write -o before every output");
-    if (name != "output" && name != "scan" && !seen.insert(name).second)
+    const bool again = name != "output" && !seen.emplace(name, value).second;
+    if (again && std::find(files.begin(), files.end(), name) != files.end())
+      throw UsageError("a second " + name + ", " + value + ", after " + seen[name] + "; write -o before every output");
+    if (again)
       throw UsageError("--" + name + " is given twice");
-    if (name == "scan")
-      scan = value;
     findOption(table, name)->set(value);
   }
 }
@@ -92,9 +92,9 @@ holds(const NamedValues& values, const std::string& name)
 } // namespace
 
 std::set<std::string>
-setOptions(const OptionTable& table, int argc, const char* const* argv)
+setOptions(const OptionTable& table, int argc, const char* const* argv, const std::vector<std::string>& files)
 {
-  const NamedValues given = splitArguments(table, argc, argv);
+  const NamedValues given = splitArguments(table, files, argc, argv);
   NamedValues filed;
   const auto config =
       std::find_if(given.begin(), given.end(), [](const auto& v) { return v.first == "config"; });
@@ -106,7 +106,7 @@ setOptions(const OptionTable& table, int argc, const char* const* argv)
   }
   std::set<std::string> names;
   for (const NamedValues* values : {static_cast<const NamedValues*>(&filed), &given}) {
-    setValues(table, *values);
+    setValues(table, files, *values);
     for (const auto& value : *values)
       names.insert(value.first);
   }

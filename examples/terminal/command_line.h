@@ -8,10 +8,12 @@
 #include <ostream>
 #include <set>
 #include <string>
+#include <vector>
 
-/** Sets the options of \p table as called; a word without a name is the option scan, and what --config names is
+/** Sets the options of \p table as called; words without a name are the options \p files in that order, and what --config names is
  *  read as a job file, which the command line wins over. \return the names that were set. \throw UsageError,
  *  pcl_spiral::FileError (job file) */
-std::set<std::string> setOptions(const OptionTable& table, int argc, const char* const* argv);
+std::set<std::string> setOptions(const OptionTable& table, int argc, const char* const* argv,
+                                 const std::vector<std::string>& files = {"scan"});
 
 void printOptions(std::ostream& out, const OptionTable& table);

@@ -27,6 +27,12 @@ editDistance(const std::string& a, const std::string& b)
 
 } // namespace
 
+void
+addOptions(OptionGroup& group, const std::vector<Option>& more)
+{
+  group.options.insert(group.options.end(), more.begin(), more.end());
+}
+
 const Option*
 findOption(const OptionTable& table, const std::string& name)
 {

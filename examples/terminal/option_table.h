@@ -26,6 +26,9 @@ struct OptionGroup {
 /** All options of a program, bound to what they set, which must outlive them. */
 using OptionTable = std::vector<OptionGroup>;
 
+/** Puts \p more behind the options of \p group. */
+void addOptions(OptionGroup& group, const std::vector<Option>& more);
+
 /** The option of that name; null where there is none. */
 const Option* findOption(const OptionTable& table, const std::string& name);
 

@@ -25,6 +25,8 @@ counted(std::size_t count, const std::string& one, const std::string& many)
 std::string
 cutterInWords(const CutterShape& cutter)
 {
+  if (!(cutter.radius > 0.0))
+    return "a beam";
   const bool ball = cutter.flank_angle == 0.0 && cutter.corner_radius == cutter.radius;
   return ball ? text("ball radius %g mm", cutter.radius)
               : text("tool radius %g mm, corner radius %g mm", cutter.radius, cutter.corner_radius) +

@@ -6,6 +6,7 @@
 #include <pcl_spiral/io/length_unit.h>
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
+#include <pcl_spiral/ridge/ridge_rows.h>
 #include <pcl_spiral/toolpath/drive_settings.h>
 #include <pcl_spiral/toolpath/spiral_settings.h>
 
@@ -106,6 +107,22 @@ struct ChoiceNames<DriveAxisMode> {
        {DriveAxisMode::Cylinder, "cylinder"},
        {DriveAxisMode::LocalPlane, "plane"},
        {DriveAxisMode::Surface, "surface"}}};
+};
+
+template <>
+struct ChoiceNames<RidgeDirection> {
+  static constexpr std::array<std::pair<RidgeDirection, const char*>, 2> words{
+      {{RidgeDirection::AlongRail, "along"}, {RidgeDirection::AcrossRail, "across"}}};
+};
+template <>
+struct ChoiceNames<RidgeSteps> {
+  static constexpr std::array<std::pair<RidgeSteps, const char*>, 2> words{
+      {{RidgeSteps::EqualOnRow, "equal"}, {RidgeSteps::Stations, "stations"}}};
+};
+template <>
+struct ChoiceNames<RidgeNormals> {
+  static constexpr std::array<std::pair<RidgeNormals, const char*>, 3> words{
+      {{RidgeNormals::True, "true"}, {RidgeNormals::InNormalPlane, "in-plane"}, {RidgeNormals::Arc, "arc"}}};
 };
 
 /** The word for \p choice. */

@@ -22,7 +22,7 @@ struct PassScene {
   /** Contacts with normals, in travel order. Turn: the number of the pass from 0, or in a single pass of several turns the
    *  turns; the arc length does not grow where the tool is lifted to the next pass, see passBegins. */
   pcl::PointCloud<ToolpathPoint>::ConstPtr path;
-  CutterShape cutter;
+  CutterShape cutter;     ///< of radius 0: a beam
   double step_over = 0.0; ///< of neighbouring passes; 0: there are none
 };
 

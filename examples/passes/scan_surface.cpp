@@ -8,26 +8,18 @@
 
 using namespace pcl_spiral;
 
-void
-require(const Job& job, const Status& status)
-{
-  if (status.code() == StatusCode::Cancelled || cancelled())
-    throw Cancelled();
-  if (status.code() == StatusCode::InvalidArgument)
-    throw UsageError(job.scan + ": " + inOptions(status.message()));
-  if (!status.ok())
-    throw FileError(job.scan, inOptions(status.message()));
-}
+namespace {
 
+/** The scan less the points off its surface, which are reported. */
 void
-leaveOutStrays(const Job& job, Result& result)
+leaveOutStrays(const PassJob& job, PassResult& result)
 {
   StrayRemoval<pcl::PointXYZ> removal;
   removal.setNumberOfThreads(job.threads);
   removal.setInputCloud(result.scan.cloud);
   const pcl::PointCloud<pcl::PointXYZ>::Ptr kept(new pcl::PointCloud<pcl::PointXYZ>);
   removal.filter(*kept);
-  require(job, removal.getStatus());
+  require(job.scan, removal.getStatus());
   const StrayFigures& f = removal.getFigures();
   if (f.strays > 0)
     result.warnings.push_back(textOf(f.strays, " of ", result.scan.cloud->size(),
@@ -38,8 +30,9 @@ leaveOutStrays(const Job& job, Result& result)
   result.scan.cloud = kept;
 }
 
+/** The surface of the scan; null where the points form none. */
 Surface::ConstPtr
-surfaceOf(const Job& job, ProgressBar& bar, const Result& result)
+surfaceOf(const PassJob& job, ProgressBar& bar, const PassResult& result)
 {
   ScannedSurface<pcl::PointXYZ> scanned;
   scanned.setInputCloud(result.scan.cloud);
@@ -51,5 +44,38 @@ surfaceOf(const Job& job, ProgressBar& bar, const Result& result)
   scanned.compute(surface);
   if (scanned.getStatus().code() == StatusCode::Cancelled)
     throw Cancelled();
+  return surface;
+}
+
+} // namespace
+
+void
+require(const std::string& file, const Status& status)
+{
+  if (status.code() == StatusCode::Cancelled || cancelled())
+    throw Cancelled();
+  if (status.code() == StatusCode::InvalidArgument)
+    throw UsageError(file + ": " + inOptions(status.message()));
+  if (!status.ok())
+    throw FileError(file, inOptions(status.message()));
+}
+
+Surface::ConstPtr
+readScan(const PassJob& job, ProgressBar& bar, PassResult& result, StageClock& clock)
+{
+  bar.update(0.0, "reading " + job.scan);
+  result.scan = readCloud(job.scan, job.read);
+  result.scan.warnings = inOptions(result.scan.warnings);
+  result.whole_scan = result.scan.cloud;
+  clock.end("reading");
+  if (cancelled())
+    throw Cancelled();
+  if (job.leave_out_strays) {
+    bar.update(0.0, "strays");
+    leaveOutStrays(job, result);
+    clock.end("strays");
+  }
+  const Surface::ConstPtr surface = surfaceOf(job, bar, result);
+  clock.end("surface");
   return surface;
 }

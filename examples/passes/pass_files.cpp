@@ -1,0 +1,96 @@
+#include "pass_files.h"
+
+#include "program/program_check.h"
+#include "terminal/file_names.h"
+#include "terminal/terminal.h"
+
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/path_exchange.h>
+#include <pcl_spiral/io/pose_list.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+using namespace pcl_spiral;
+
+bool
+isPassFile(const std::string& output)
+{
+  const std::string extension = extensionOf(output);
+  const auto& known = toolpathExtensions();
+  return isProgram(output) || isExchange(output) || extension == ".6d" || extension == ".5d" || extension == ".json" ||
+         extension == ".png" || std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+pcl::PointCloud<ToolpathPoint>
+joinedPasses(const PassJob& job, const PassResult& result, ToolpathMotion& motion)
+{
+  pcl::PointCloud<ToolpathPoint> path;
+  motion.tool_radius = job.cutter.radius;
+  motion.feed = job.feed;
+  double length = 0.0;
+  for (std::size_t pass = 0; pass < result.passes.size(); ++pass) {
+    if (pass > 0)
+      motion.passes.push_back(path.size());
+    const ToolPose* before = nullptr;
+    for (const ToolPose& pose : result.passes[pass]) {
+      length += before ? (pose.contact - before->contact).norm() : 0.0;
+      before = &pose;
+      ToolpathPoint p;
+      p.getVector3fMap() = pose.contact.cast<float>();
+      p.getNormalVector3fMap() = pose.normal.cast<float>();
+      p.getAxisVector3fMap() = pose.axis.cast<float>();
+      p.arc_length = length;
+      p.turn = static_cast<float>(pass);
+      path.push_back(p);
+      motion.tips.push_back(pose.tip);
+    }
+  }
+  return path;
+}
+
+void
+writePassFile(const PassJob& job, const PassResult& result, const std::string& title, const std::string& output,
+              const std::string& file)
+{
+  const std::string extension = extensionOf(output);
+  ProgramHeader header = job.program.header;
+  header.title = title;
+  if (isProgram(output))
+    return writeProgram(file, *result.program, extension == ".ngc" ? Dialect::LinuxCNC : job.program.dialect, header);
+  if (extension == ".6d")
+    return writePoseVectors(file, result.passes);
+  if (extension == ".5d")
+    return writePoseAngles(file, result.passes);
+  ToolpathMotion motion;
+  const pcl::PointCloud<ToolpathPoint> path = joinedPasses(job, result, motion);
+  if (extension == ".yaml")
+    return writeRobotFrames(file, path);
+  if (isExchange(output)) {
+    ToolPoses poses;
+    for (const ToolPoses& pass : result.passes)
+      poses.insert(poses.end(), pass.begin(), pass.end());
+    return writeAPT(file, poses, {title, aptCutter(CutterProfile(job.cutter)), header.spindle_speed, job.feed});
+  }
+  writeToolpath(file, path, motion);
+}
+
+void
+writeAll(const PassJob& job, const PassResult& result, const std::string& one_pass, OutputFiles& files,
+         const std::function<void(const std::string& output, std::size_t& next)>& write)
+try {
+  for (const std::string& output : job.outputs)
+    requireOnePass(result.passes.size(), output, one_pass);
+  std::size_t next = 0;
+  for (const std::string& output : job.outputs) {
+    if (cancelled())
+      throw Cancelled();
+    write(output, next);
+  }
+  if (cancelled())
+    throw Cancelled();
+  files.commit();
+}
+catch (const FileError& error) {
+  throw std::runtime_error(files.asGiven(error.what()) + "; no output has been changed");
+}

@@ -1,0 +1,13 @@
+/** \file
+ *  What passes came to, for people.
+ */
+#pragma once
+
+#include "pass_job.h"
+#include "pass_result.h"
+
+#include <string>
+#include <vector>
+
+/** Locations, length, program, times, and the files written. */
+void printPasses(const PassJob& job, const PassResult& result, const std::vector<std::string>& files, double seconds);

@@ -1,0 +1,43 @@
+/** \file
+ *  From a scan to the surface that drive paths and locations share.
+ */
+#pragma once
+
+#include "pass_job.h"
+#include "pass_result.h"
+#include "terminal/terminal.h"
+
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/surface/surface.h>
+
+/** What a stage's failure is to the user; \p file is the one it worked on. \throw UsageError, pcl_spiral::FileError, Cancelled */
+void require(const std::string& file, const pcl_spiral::Status& status);
+
+/** How the surface is made, whichever stage makes it. */
+template <typename Stage>
+void
+setSurface(const PassJob& job, Stage& stage)
+{
+  stage.setLargestPart(job.largest_part);
+  stage.setThinning(job.thinning);
+  stage.setNumberOfThreads(job.threads);
+}
+
+/** The part a stage works on: the mesh, or the scan's points and the surface through them. */
+template <typename Stage>
+void
+setPart(const PassJob& job, const PassResult& result, const pcl_spiral::Surface::ConstPtr& surface, Stage& stage)
+{
+  if (result.mesh) {
+    stage.setInputMesh(result.mesh);
+    stage.setNumberOfThreads(job.threads);
+    return;
+  }
+  stage.setInputCloud(result.scan.cloud);
+  stage.setInputSurface(surface); // null: it says what is wrong
+  setSurface(job, stage);
+}
+
+/** Reads the scan, without its strays where that is asked for, and makes the surface through its points; null where they form
+ *  none. \throw UsageError, pcl_spiral::FileError, Cancelled */
+pcl_spiral::Surface::ConstPtr readScan(const PassJob& job, ProgressBar& bar, PassResult& result, pcl_spiral::StageClock& clock);
