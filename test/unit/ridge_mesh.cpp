@@ -211,3 +211,19 @@ TEST(RidgeMesh, ChordErrorsThatCannotBeAreRefused)
   EXPECT_FALSE(ridgeMesh(*surface, 0.0, curved).ok());
   EXPECT_FALSE(curved);
 }
+
+TEST(RidgeMesh, OfASlenderRidgeIsMadeInPieces)
+{
+  const auto slender = [](double length) {
+    ExactRidge exact = dieRidge();
+    exact.rail = [length](double t) { return Vector3d(length * t, 0.0, 0.0); };
+    exact.generator = [](double w) { return Vector3d(0.0, w, w * (1.0 - w)); };
+    return madeRidge(exact.railPoints(200), exact.generatorPoints(0.3, 40));
+  };
+  RidgeMesh mesh;
+  const Status status = ridgeMesh(*slender(50000.0), 0.1, mesh);
+  EXPECT_EQ(status.code(), StatusCode::InvalidInput);
+  EXPECT_NE(status.message().find("make it in pieces"), std::string::npos) << status.message();
+  const Status piece = ridgeMesh(*slender(25000.0), 0.1, mesh);
+  EXPECT_TRUE(piece.ok()) << piece.message();
+}

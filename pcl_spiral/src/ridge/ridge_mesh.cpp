@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl_spiral {
 namespace {
@@ -81,12 +82,11 @@ struct Cells {
 /** A right-angled face with legs du and dv lies off by (|L| du^2 + 2 |M| du dv + |N| dv^2) / 8 at most, L, M, N the second fundamental
  *  form. Of all such cells those are fewest where both legs sag as far. */
 Cells
-cellsFor(const RidgeSurface& surface, double chord_error)
+cellsFor(const RidgeSurface& surface, const Bending& most, double chord_error)
 {
   constexpr double longest = 4.0;              // times as long as wide
   constexpr double least_across = 8.0, least_along = 8.0;
   constexpr double share = 0.95;               // the curvature is looked at in stations
-  const Bending most = largestBending(surface);
   const double tiny = 1e-12; // 1/mm
   const double ratio = std::clamp(std::sqrt((most.along + tiny) / (most.across + tiny)), 1.0 / longest, longest); // dv / du
   const double bending = most.along + 2.0 * most.mixed * ratio + most.across * ratio * ratio + tiny;
@@ -147,7 +147,11 @@ ridgeMesh(const RidgeSurface& surface, double chord_error, RidgeMesh& mesh)
   mesh = {};
   if (!(chord_error > 0.0) || !std::isfinite(chord_error))
     return {StatusCode::InvalidArgument, textOf("the chord error of the ridge's mesh is ", chord_error, " mm: set it above 0")};
-  const Cells cells = cellsFor(surface, chord_error);
+  const Bending bending = largestBending(surface);
+  const Cells cells = cellsFor(surface, bending, chord_error), fewest = cellsFor(surface, bending, std::numeric_limits<double>::infinity());
+  if (fewest.faces() > most_faces)
+    return {StatusCode::InvalidInput, textOf("a ridge ", surface.rail().length(), " mm long and ", surface.generator().length(),
+                                             " mm wide takes ", fewest.faces(), " faces, and ", most_faces, " are the most: make it in pieces")};
   if (cells.faces() > most_faces) { // they grow as the chord error falls
     constexpr double rounded_up = 1.1;
     return {StatusCode::InvalidArgument, textOf("a chord error of ", chord_error, " mm takes ", cells.faces(), " faces, and ", most_faces,

@@ -39,6 +39,17 @@ surfaceActor(vtkPolyData* surface, const Color& color)
 }
 
 vtkSmartPointer<vtkActor>
+coloredSurface(vtkPolyData* surface, vtkScalarsToColors* colors)
+{
+  const auto actor = surfaceActor(surface, surface_color);
+  actor->GetMapper()->ScalarVisibilityOn();
+  actor->GetMapper()->SetLookupTable(colors);
+  actor->GetMapper()->UseLookupTableScalarRangeOn();
+  actor->GetMapper()->InterpolateScalarsBeforeMappingOn(); // on large faces, too, the colours are those of the scale
+  return actor;
+}
+
+vtkSmartPointer<vtkActor>
 lineActor(const std::vector<Polyline>& lines, bool closed, const Color& color, float width)
 {
   vtkNew<vtkPoints> points;

@@ -15,18 +15,6 @@ namespace {
 constexpr std::size_t most_lines = 150; ///< more would run together
 constexpr Color line_color{0.05, 0.05, 0.08}, finger_color{0.80, 0.10, 0.45}, centre_color{0.10, 0.30, 0.90};
 
-/** A mesh coloured by height all over. */
-vtkSmartPointer<vtkActor>
-coloredSurface(const DisplaySurface& surface, vtkScalarsToColors* colors)
-{
-  const auto actor = surfaceActor(surface.mesh, surface_color);
-  actor->GetMapper()->ScalarVisibilityOn();
-  actor->GetMapper()->SetLookupTable(colors);
-  actor->GetMapper()->UseLookupTableScalarRangeOn();
-  actor->GetMapper()->InterpolateScalarsBeforeMappingOn(); // on large faces, too, the colours are those of the scale
-  return actor;
-}
-
 /** The cloud's points coloured by height, in a size that leaves gaps between them. */
 vtkSmartPointer<vtkActor>
 pointActor(const DisplaySurface& surface, vtkScalarsToColors* colors, double mm_per_pixel)
@@ -125,7 +113,7 @@ std::vector<LegendEntry>
 addBoundaries(PartView& view, const SpiralReport& report, vtkScalarsToColors* height_colors)
 {
   if (view.surface().of_mesh)
-    view.add(coloredSurface(view.surface(), height_colors));
+    view.add(coloredSurface(view.surface().mesh, height_colors));
   else {
     view.add(surfaceActor(view.surface().mesh, surface_color));
     view.add(pointActor(view.surface(), height_colors, view.projection().mm_per_pixel));

@@ -71,6 +71,14 @@ Canvas::addAxes()
 Inset
 Canvas::addInset(int slot, const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double across)
 {
+  const Eigen::Vector3d up =
+      std::abs(normal.dot(projection_.top)) < 0.9 ? projection_.top : projection_.towards();
+  return addInset(slot, centre, normal, across, up);
+}
+
+Inset
+Canvas::addInset(int slot, const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double across, const Eigen::Vector3d& up)
+{
   auto view = vtkSmartPointer<vtkRenderer>::New();
   const double bottom = inset_bottom + (1 - slot) * (inset_size + inset_apart);
   view->SetViewport(words_left / double(width), bottom / height, (words_left + inset_size) / double(width),
@@ -79,8 +87,6 @@ Canvas::addInset(int slot, const Eigen::Vector3d& centre, const Eigen::Vector3d&
   window_->AddRenderer(view);
   addLight(view);
   const Eigen::Vector3d eye = centre + 10.0 * across * normal;
-  const Eigen::Vector3d up =
-      std::abs(normal.dot(projection_.top)) < 0.9 ? projection_.top : projection_.towards();
   vtkCamera* const camera = view->GetActiveCamera();
   camera->ParallelProjectionOn();
   camera->SetFocalPoint(centre.data());

@@ -34,6 +34,8 @@ public:
   void addAxes();
   /** An enlarged view, \p across mm wide and high, along \p normal; the \p slot'th from the top of two. */
   Inset addInset(int slot, const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double across);
+  /** The same with \p up upwards, which is not along \p normal. */
+  Inset addInset(int slot, const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double across, const Eigen::Vector3d& up);
 
   static constexpr int inset_size = column_width;
 

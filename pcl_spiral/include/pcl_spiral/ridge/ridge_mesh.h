@@ -28,7 +28,7 @@ struct RidgeMesh {
 
 /** Cells so small that no face lies farther than \p chord_error from the ridge; none is more than four times as long as wide. Round a
  *  closed rail the last cells join the first. InvalidArgument: a chord error that is not above 0, or so small that it takes more than a
- *  million faces; the message names one that goes. */
+ *  million faces; the message names one that goes. InvalidInput: a ridge so slender that it takes as many at any. */
 Status ridgeMesh(const RidgeSurface& surface, double chord_error, RidgeMesh& mesh);
 
 /** The same as a surface to locate cutters on (CutterLocation::setInputMesh) and to draw. Its faces are curved, so the surface is nearer to

@@ -1,0 +1,32 @@
+/** \file
+ *  A ridge as it is drawn, and arrows on it. Private to visualization.
+ */
+#pragma once
+
+#include "display_surface.h"
+
+#include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/ridge/ridge_surface.h>
+
+#include <functional>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Triangles over the ridge with true normals; the point data's values are those of \p value at (u, v).
+ *  \throw std::invalid_argument without a ridge, or with one that is too slender for triangles */
+DisplaySurface ridgeDisplay(const RidgeSurface::ConstPtr& ridge, const std::function<double(double, double)>& value);
+
+/** The ends of the box that shows \p places, too. */
+void extend(DisplaySurface& surface, const Polyline& places);
+
+/** An arrow as lines: its shaft, and a head that a viewer in direction \p towards sees. */
+void addArrow(std::vector<Polyline>& lines, const Eigen::Vector3d& from, const Eigen::Vector3d& arrow, const Eigen::Vector3d& towards);
+
+/** \p steps + 1 places along \p line, or \p steps of a closed one. */
+std::vector<double> stationsAlong(const SmoothLine& line, int steps);
+
+/** The generator at \p u. */
+Polyline generatorAt(const RidgeSurface& ridge, double u);
+
+} // namespace pcl_spiral
