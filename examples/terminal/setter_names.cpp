@@ -7,7 +7,7 @@
 namespace {
 
 /** Each is replaced where the program has the first option that the second names. */
-constexpr std::array<std::pair<const char*, const char*>, 43> words{{
+constexpr std::array<std::pair<const char*, const char*>, 52> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
@@ -37,6 +37,15 @@ constexpr std::array<std::pair<const char*, const char*>, 43> words{{
     {"setAxisMode", "--axis-mode"},
     {"setRows", "--rows"},
     {"setChordError", "--chord-error"},
+    {"setReferenceNormal", "--reference"},
+    {"setMeasuringError", "--measuring-error"},
+    {"setRoughPoints", "--through"},
+    {"setHalfWidth", "--half-width"},
+    {"setClosed", "--ring"},
+    {"setSpot", "--spot and --overlap"},
+    {"setStandOff", "--stand-off"},
+    {"setLead", "--lead"},
+    {"setTilt", "--tilt"},
     {"setCylinder", "--column-axis and --column-centre"},
     {"MaterialRemoval", "--verify"},
     {"StrayRemoval", "--leave-out-strays"},
