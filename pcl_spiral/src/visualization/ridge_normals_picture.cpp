@@ -141,7 +141,7 @@ writeRidgeNormals(const std::string& file, const RidgeScene& scene)
   Chart(canvas.view(), errors).draw();
   addNormals(canvas, *scene.ridge, errors);
   canvas.addTitle(scene.title + ": the published normal against the true one",
-                  "the published normal stays in the rail's normal plane; where the frame twists the surface leaves it");
+                  text("off by up to %.3g degrees", errors.largest) + ": it stays in the rail's normal plane; where the frame twists the true one leans out of it");
   canvas.save(file);
 }
 
