@@ -174,7 +174,7 @@ ScanSearch::checkSections() const
   for (std::size_t i = 0; i < sections_.size(); ++i)
     bends.emplace_back(bendOf(sections_, i, sections_.most, tangents_[i]), i);
   std::sort(bends.begin(), bends.end());
-  if (const auto& [bend, where] = bends[bends.size() / 10]; bend < least_bend)
+  if (const auto& [bend, where] = bends[bends.size() / 3]; bend < least_bend)
     return {StatusCode::InvalidInput, textOf("there is no crest between the rough points at ", placeText(places_[where]), ": across it the scan bends by ",
                                              bend, " degrees within the half width, and a ridge bends by ", least_bend,
                                              " or more: move the rough points to the ridge (setRoughPoints), take a larger half width "
@@ -212,9 +212,9 @@ ScanSearch::firstLines(RidgeBand& band, SmoothLine& generator)
 void
 ScanSearch::warnOfReach()
 {
-  constexpr double short_share = 0.9; // of the half width
+  constexpr double short_share = 0.1, spacings = 3.0; // of the half width, of the scan
   const double least = std::min(report_.reach_left, report_.reach_right);
-  if (least < short_share * settings_.half_width)
+  if (least < settings_.half_width - std::max(short_share * settings_.half_width, spacings * surface_.spacing()))
     report_.warnings.push_back(textOf("the generator goes ", report_.reach_left, " and ", report_.reach_right, " mm to both sides, for the scan ends there; ",
                                       settings_.half_width, " mm were asked for (setHalfWidth)"));
 }

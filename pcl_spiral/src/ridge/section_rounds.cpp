@@ -17,8 +17,9 @@ using Eigen::Vector3d;
 constexpr std::size_t extra_cells = 2;  // by which the generator may grow in a round, at each end
 constexpr double section_spacings = 4.0; // of the scan's points in a section's length
 constexpr double section_share = 0.3;    // of the half width, at least: a rail that bends in less would fold the band
+constexpr double section_points = 30.0;  // of the scan to either side, at least
 constexpr double cell_spacings = 1.5;
-constexpr std::size_t fewest_sections = 12, most_sections = 4000;
+constexpr std::size_t fewest_sections = 8, most_sections = 4000;
 constexpr int rounds_of_ends = 5; // after which the generator's ends stand
 
 Vector3d
@@ -32,7 +33,8 @@ turnedBy(double angle, const Vector3d& local)
 SectionRounds::SectionRounds(const RoundSettings& settings, RidgeBand band, const SmoothLine& generator)
 : settings_(settings), band_(std::move(band)), generator_(generator)
 {
-  const double length = std::max(section_spacings * settings_.spacing, section_share * settings_.half_width);
+  const double spacing = settings_.spacing, width = settings_.half_width;
+  const double length = std::max({section_spacings * spacing, section_share * width, section_points * spacing * spacing / width});
   const double pieces = std::clamp(band_.rail.length() / length, static_cast<double>(fewest_sections), static_cast<double>(most_sections));
   count_ = static_cast<std::size_t>(pieces) + (band_.rail.closed() ? 0 : 1);
   Polyline points;
@@ -92,7 +94,7 @@ SectionRounds::lying()
   return shifts(0);
 }
 
-/** The run of cells about the origin that nine sections in ten have. */
+/** The run of cells about the origin to which nine sections in ten reach. */
 std::pair<std::size_t, std::size_t>
 SectionRounds::coveredCells(const std::vector<SectionShift>& shifts) const
 {
@@ -102,8 +104,11 @@ SectionRounds::coveredCells(const std::vector<SectionShift>& shifts) const
   for (const SectionShift& shift : shifts)
     if (shift.found) {
       ++found;
-      for (std::size_t k = 0; k < cells; ++k)
-        have[k] += shift.count[k] > 0;
+      const auto has = [](std::uint32_t count) { return count > 0; };
+      const auto first = std::find_if(shift.count.begin(), shift.count.end(), has) - shift.count.begin();
+      const auto last = shift.count.rend() - std::find_if(shift.count.rbegin(), shift.count.rend(), has);
+      for (auto k = first; k < last; ++k)
+        ++have[static_cast<std::size_t>(k)];
     }
   const std::size_t origin = profile_.line.nearestStation(Vector3d::Zero(), 1e30);
   const double at = profile_.line.s(origin);
@@ -116,6 +121,25 @@ SectionRounds::coveredCells(const std::vector<SectionShift>& shifts) const
   while (last + 1 < cells && goes(last + 1))
     ++last;
   return {first, last};
+}
+
+/** Where on the new generator the origin goes: first to its nearest place; then back by what all sections were shifted by, so that the rail
+ *  does not slide along a generator that every round smooths a little. */
+Vector3d
+SectionRounds::gaugeOf(const std::vector<SectionShift>& shifts, const Polyline& generator) const
+{
+  if (rounds_ <= rounds_of_ends) {
+    const SmoothLine mean = fitLine({generator, false, 0.0}).line;
+    return mean.position(mean.nearest(Vector3d::Zero()));
+  }
+  Vector3d sum = Vector3d::Zero();
+  double found = 0.0;
+  for (const SectionShift& shift : shifts)
+    if (shift.found) {
+      sum -= shift.shift;
+      found += 1.0;
+    }
+  return found > 0.0 ? Vector3d(sum / found) : sum;
 }
 
 /** The mean of the shifted sections, from the place of it, \p gauge, where the origin goes. */
@@ -139,29 +163,52 @@ SectionRounds::meanSection(const std::vector<SectionShift>& shifts, Polyline& po
     const Vector3d& along = profile_.line.tangent(k);
     points.push_back(profile_.line.position(k) + (weights > 0.0 ? sum / weights : 0.0) * Vector3d(0.0, -along.z(), along.y()));
   }
-  const SmoothLine mean = fitLine({points, false, 0.0}).line;
-  gauge = mean.position(mean.nearest(Vector3d::Zero()));
+  gauge = gaugeOf(shifts, points);
   for (Vector3d& p : points)
     p -= gauge;
   return true;
 }
 
+/** The shift of each section; of one that was not found that of its neighbours, so that the rail keeps its length. */
+Status
+SectionRounds::allShifts(const std::vector<SectionShift>& shifts, Polyline& all) const
+{
+  all.assign(count_, Vector3d::Zero());
+  const auto n = static_cast<std::ptrdiff_t>(count_);
+  const bool closed = band_.rail.closed();
+  const auto nearest = [&](std::ptrdiff_t i, std::ptrdiff_t way) { // steps to the next that was found, n: none
+    for (std::ptrdiff_t k = 0; k < n; ++k)
+      if (const std::ptrdiff_t j = i + way * k; !closed && (j < 0 || j >= n))
+        return n;
+      else if (shifts[static_cast<std::size_t>((j + n) % n)].found)
+        return k;
+    return n;
+  };
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const std::ptrdiff_t before = nearest(i, -1), after = nearest(i, 1);
+    if (3 * std::min(before, after) >= n)
+      return {StatusCode::InvalidInput, textOf("the band of the ridge has too few points of the scan, or no bend, at ",
+                                               placeText(band_.rail.position(stationOf(static_cast<std::size_t>(i)))),
+                                               ": choose rough points where the ridge was scanned, or a larger half width (setHalfWidth)")};
+    const Vector3d& first = shifts[static_cast<std::size_t>((before < n ? i - before : i + after) + n) % count_].shift;
+    const Vector3d& second = shifts[static_cast<std::size_t>((after < n ? i + after : i - before) + n) % count_].shift;
+    const double t = before > 0 && after < n && before < n ? static_cast<double>(before) / static_cast<double>(before + after) : 0.0;
+    all[static_cast<std::size_t>(i)] = (1.0 - t) * first + t * second;
+  }
+  return Status::success();
+}
+
 Status
 SectionRounds::moveRail(const std::vector<SectionShift>& shifts, const Vector3d& gauge)
 {
+  Polyline all;
+  if (const Status status = allShifts(shifts, all); !status.ok())
+    return status;
   MeasuredLine origins;
   origins.closed = band_.rail.closed();
-  std::size_t missing = 0;
-  for (std::size_t i = 0; i < count_; ++i) {
-    const std::optional<RidgeFrame> frame = ridgeFrame(band_.rail.tangent(stationOf(i)), band_.chord);
-    missing = shifts[i].found ? 0 : missing + 1;
-    if (shifts[i].found && frame)
-      origins.points.push_back(band_.rail.position(stationOf(i)) + frame->turned(shifts[i].shift + gauge));
-    if (3 * missing > count_)
-      return {StatusCode::InvalidInput, textOf("the band of the ridge has too few points of the scan, or no bend, at ",
-                                               placeText(band_.rail.position(stationOf(i))),
-                                               ": choose rough points where the ridge was scanned, or a larger half width (setHalfWidth)")};
-  }
+  for (std::size_t i = 0; i < count_; ++i)
+    if (const std::optional<RidgeFrame> frame = ridgeFrame(band_.rail.tangent(stationOf(i)), band_.chord))
+      origins.points.push_back(band_.rail.position(stationOf(i)) + frame->turned(all[i] + gauge));
   const SmoothLine before = band_.rail;
   band_.rail = fitLine(origins).line;
   const StationLine stations(band_.rail, length_);
@@ -195,8 +242,9 @@ SectionRounds::round()
 Status
 SectionRounds::run(const ProgressCallback& progress)
 {
-  constexpr double still = 0.02; // of the noise
-  const double limit = std::max(still * settings_.noise, 1e-5 * settings_.half_width);
+  constexpr double still = 0.3; // of the standard error of a section's shift
+  const double points = std::max(1.0, static_cast<double>(band_.points.size()) / static_cast<double>(count_));
+  const double limit = std::max(still * settings_.noise / std::sqrt(points), 1e-5 * settings_.half_width);
   for (rounds_ = 1; rounds_ <= settings_.most_rounds; ++rounds_) {
     if (progress && !progress(static_cast<double>(rounds_) / (settings_.most_rounds + 1), "sections"))
       return {StatusCode::Cancelled, "cancelled"};

@@ -48,8 +48,10 @@ private:
   Status place();
   std::vector<SectionShift> shifts(int most_steps);
   Status round();
+  Status allShifts(const std::vector<SectionShift>& shifts, Polyline& all) const;
   Status moveRail(const std::vector<SectionShift>& shifts, const Eigen::Vector3d& gauge);
   bool meanSection(const std::vector<SectionShift>& shifts, Polyline& points, Eigen::Vector3d& gauge);
+  Eigen::Vector3d gaugeOf(const std::vector<SectionShift>& shifts, const Polyline& generator) const;
   void setGenerator(const Polyline& points);
   std::pair<std::size_t, std::size_t> coveredCells(const std::vector<SectionShift>& shifts) const;
 

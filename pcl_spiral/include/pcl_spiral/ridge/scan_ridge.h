@@ -55,8 +55,8 @@ Status checkScanRidgeSettings(const ScanRidgeSettings& settings);
 /** Find the ridge of \p surface. Begins at the crest of the larger curvature; then in rounds, until nothing moves: the points of the
  *  scan are put in sections by normal planes of the rail, in the local coordinates of its frame; the generator is shifted within each plane until
  *  it lies on that section (least squares along its normals); the mean of the sections, shifted back, is the new generator, a
- *  smooth curve through the shifted origins the new rail. Nothing moves: the rail's move is below a fiftieth of the scan's noise, rms, or a
- *  hundred-thousandth of the half width.
+ *  smooth curve through the shifted origins the new rail. Nothing moves: the rail's move, rms, is below 0.3 of the standard error of
+ *  a section's place, noise / sqrt(points of a section), or a hundred-thousandth of the half width.
  *
  *  InvalidArgument: a setting out of range. InvalidInput, with place, value and remedy: fewer than two rough points (closed: three),
  *  one off the scan, no crest between them, a band that runs off the scan, no end of the rounds, and what RidgeSurface::make refuses. */
