@@ -1,9 +1,7 @@
 #include <pcl_spiral/ridge/scan_ridge.h>
 
-#include "crest_line.h"
+#include "crest_sections.h"
 #include "ridge_misfit.h"
-#include "rough_line.h"
-#include "scan_sections.h"
 #include "section_rounds.h"
 
 #include <pcl_spiral/common/message.h>
@@ -19,30 +17,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** Straight fits to \p line within \p reach to either side, at each of its points: the crest of a noisy scan wanders from point to point. */
-Polyline
-evened(const Polyline& line, double reach, bool closed)
-{
-  const auto n = static_cast<std::ptrdiff_t>(line.size());
-  const auto most = std::min(static_cast<std::ptrdiff_t>(reach * static_cast<double>(n) / length(line, closed)), (n - 1) / 2);
-  Polyline result;
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const std::ptrdiff_t first = closed ? i - most : std::max<std::ptrdiff_t>(0, i - most), last = closed ? i + most : std::min(n - 1, i + most);
-    const double count = static_cast<double>(last - first + 1), middle = 0.5 * static_cast<double>(first + last);
-    Vector3d mean = Vector3d::Zero(), rise = Vector3d::Zero();
-    double squares = 0.0;
-    for (std::ptrdiff_t j = first; j <= last; ++j) {
-      const Vector3d& p = line[static_cast<std::size_t>((j + n) % n)];
-      const double off = static_cast<double>(j) - middle;
-      mean += p / count;
-      rise += off * p;
-      squares += off * off;
-    }
-    result.push_back(mean + (squares > 0.0 ? (static_cast<double>(i) - middle) / squares : 0.0) * rise);
-  }
-  return result;
-}
-
 /** From rough points to lines. */
 class ScanSearch {
 public:
@@ -55,12 +29,11 @@ public:
   run(const ProgressCallback& progress)
   {
     report_.noise = surface_.noise();
-    if (const Status status = checkOnScan(); !status.ok())
-      return status;
     if (progress && !progress(0.0, "crest"))
       return {StatusCode::Cancelled, "cancelled"};
-    if (const Status status = findCrest(); !status.ok())
+    if (const Status status = findCrest(surface_, settings_, crest_); !status.ok())
       return status;
+    report_.crest = crest_.places;
     RidgeBand band;
     SmoothLine generator;
     if (const Status status = firstLines(band, generator); !status.ok())
@@ -72,128 +45,30 @@ public:
   }
 
 private:
-  Status checkOnScan() const;
-  Status findCrest();
-  Status checkSections() const;
   Status firstLines(RidgeBand& band, SmoothLine& generator);
   Status finish(SectionRounds& rounds);
   Status makeRidge(const SectionRounds& rounds);
   void warnOfReach();
-  ScanSections walkAbout(const Polyline& line, double reach, Polyline& places);
-  /** Steps to where the scan ends on \p side in all but a tenth of the sections; \p worst: a section that reaches no further. */
-  int commonReach(int side, std::size_t& worst) const;
 
   const Surface& surface_;
   const ScanRidgeSettings& settings_;
   ScanRidge& result_;
   ScanRidgeReport& report_;
-  SmoothLine crest_line_;
-  ScanSections sections_; ///< across it
-  Polyline places_, tangents_; ///< of the sections
+  CrestSections crest_;
 };
-
-Status
-ScanSearch::checkOnScan() const
-{
-  std::vector<SurfaceFoot> feet;
-  const ScanSections found = walkSections(surface_, settings_.rough_points,
-                                          Polyline(settings_.rough_points.size(), Vector3d::UnitX()), surface_.spacing(), 0);
-  for (std::size_t i = 0; i < settings_.rough_points.size(); ++i)
-    if (const double off = (found.foot(i, 0).position - settings_.rough_points[i]).norm(); !(off <= settings_.half_width))
-      return {StatusCode::InvalidInput, textOf("rough point ", i, " at ", placeText(settings_.rough_points[i]), " is ", off,
-                                               " mm off the scan, more than the half width, ", settings_.half_width,
-                                               " mm: give places on the ridge, in the scan's unit (setRoughPoints)")};
-  return Status::success();
-}
-
-/** Walk sections about \p line, no closer than a few spacings. */
-ScanSections
-ScanSearch::walkAbout(const Polyline& line, double reach, Polyline& places)
-{
-  constexpr double steps_across = 24.0, spacings_along = 2.0, most_along = 2000.0;
-  const double whole = length(line, settings_.closed);
-  const double along = std::clamp(whole / (spacings_along * surface_.spacing()), 16.0, most_along);
-  places = resampled(line, static_cast<std::size_t>(along) + 1, settings_.closed);
-  tangents_.clear();
-  const std::size_t n = places.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t before = settings_.closed ? (i + n - 1) % n : (i > 0 ? i - 1 : 0), after = settings_.closed ? (i + 1) % n : std::min(i + 1, n - 1);
-    tangents_.push_back((places[after] - places[before]).normalized());
-  }
-  const double step = std::max(surface_.spacing(), reach / steps_across);
-  return walkSections(surface_, places, tangents_, step, static_cast<int>(std::ceil(reach / step)));
-}
-
-Status
-ScanSearch::findCrest()
-{
-  const double step = std::max(surface_.spacing(), 0.1 * settings_.half_width);
-  Polyline line = throughPlaces(settings_.rough_points, settings_.closed, step);
-  for (int round = 0; round < 2; ++round) {
-    const ScanSections walked = walkAbout(line, settings_.half_width, places_);
-    line = crestOf(surface_, walked, settings_.closed);
-    if (2 * line.size() < places_.size())
-      return {StatusCode::InvalidInput, textOf("the scan ends within a fit of the rough points at ", placeText(places_[places_.size() / 2]),
-                                               ": no crest can be told; choose rough points where the ridge was scanned (setRoughPoints)")};
-    crest_line_ = fitLine({evened(line, settings_.half_width, settings_.closed), settings_.closed, 0.0}).line;
-    line.clear();
-    for (std::size_t i = 0; i < places_.size(); ++i)
-      line.push_back(crest_line_.position(crest_line_.length() * static_cast<double>(i) /
-                                          static_cast<double>(settings_.closed ? places_.size() : places_.size() - 1)));
-  }
-  report_.crest = line;
-  sections_ = walkAbout(line, settings_.half_width, places_);
-  return checkSections();
-}
-
-int
-ScanSearch::commonReach(int side, std::size_t& worst) const
-{
-  std::vector<std::pair<int, std::size_t>> reach;
-  for (std::size_t i = 0; i < sections_.size(); ++i)
-    reach.emplace_back(sections_.reach(i, side), i);
-  std::sort(reach.begin(), reach.end());
-  worst = reach.front().second;
-  return reach[reach.size() / 10].first;
-}
-
-/** Wide enough, and bent. */
-Status
-ScanSearch::checkSections() const
-{
-  constexpr double least_share = 0.2; // of the half width
-  constexpr double least_bend = 8.0;  // degrees
-  std::size_t worst = 0;
-  for (const int side : {-1, 1})
-    if (const double reach = sections_.step * commonReach(side, worst); reach < least_share * settings_.half_width)
-      return {StatusCode::InvalidInput, textOf("the band of the ridge runs off the scan at ", placeText(places_[worst]), ": on one side it ends ",
-                                               sections_.step * sections_.reach(worst, side), " mm from the crest, where ", least_share * settings_.half_width,
-                                               " mm are the least for a half width of ", settings_.half_width,
-                                               ": choose rough points farther from the rim, or a smaller half width (setHalfWidth)")};
-  std::vector<std::pair<double, std::size_t>> bends;
-  for (std::size_t i = 0; i < sections_.size(); ++i)
-    bends.emplace_back(bendOf(sections_, i, sections_.most, tangents_[i]), i);
-  std::sort(bends.begin(), bends.end());
-  if (const auto& [bend, where] = bends[bends.size() / 3]; bend < least_bend)
-    return {StatusCode::InvalidInput, textOf("there is no crest between the rough points at ", placeText(places_[where]), ": across it the scan bends by ",
-                                             bend, " degrees within the half width, and a ridge bends by ", least_bend,
-                                             " or more: move the rough points to the ridge (setRoughPoints), take a larger half width "
-                                             "(setHalfWidth), or, where it is a hollow, the other side (setFlipNormals)")};
-  return Status::success();
-}
 
 /** The crest, and the section in the middle. */
 Status
 ScanSearch::firstLines(RidgeBand& band, SmoothLine& generator)
 {
-  band.rail = crest_line_;
-  const double u = meeting_share * crest_line_.length();
-  const Vector3d tangent = crest_line_.tangent(u), origin = crest_line_.position(u);
-  const std::size_t n = sections_.size();
+  band.rail = crest_.line;
+  const double u = meeting_share * crest_.line.length();
+  const Vector3d tangent = crest_.line.tangent(u), origin = crest_.line.position(u);
+  const std::size_t n = crest_.sections.size();
   const auto section = std::min(n - 1, static_cast<std::size_t>(meeting_share * static_cast<double>(settings_.closed ? n : n - 1) + 0.5));
   std::size_t worst = 0;
-  const int right = std::min(commonReach(-1, worst), sections_.reach(section, -1)), left = std::min(commonReach(1, worst), sections_.reach(section, 1));
-  Vector3d chord = sections_.foot(section, left).position - sections_.foot(section, -right).position;
+  const int right = std::min(commonReach(crest_.sections, -1, worst), crest_.sections.reach(section, -1)), left = std::min(commonReach(crest_.sections, 1, worst), crest_.sections.reach(section, 1));
+  Vector3d chord = crest_.sections.foot(section, left).position - crest_.sections.foot(section, -right).position;
   chord = (chord - chord.dot(tangent) * tangent).normalized();
   band.chord = ridgeChord(tangent, chord, settings_.reference.normalized());
   const std::optional<RidgeFrame> frame = ridgeFrame(tangent, band.chord);
@@ -202,7 +77,7 @@ ScanSearch::firstLines(RidgeBand& band, SmoothLine& generator)
                                              "take a reference normal across the ridge (setReferenceNormal)")};
   Polyline points;
   for (int k = -right; k <= left; ++k)
-    points.push_back(frame->localOf(sections_.foot(section, k).position - origin).cwiseProduct(Vector3d(0.0, 1.0, 1.0)));
+    points.push_back(frame->localOf(crest_.sections.foot(section, k).position - origin).cwiseProduct(Vector3d(0.0, 1.0, 1.0)));
   generator = fitLine({points, false, 0.0}).line;
   const StationLine stations(band.rail, std::max(surface_.spacing(), 0.1 * settings_.half_width));
   band.points = bandPoints(surface_, stations, 1.3 * settings_.half_width);

@@ -20,7 +20,8 @@ constexpr double section_share = 0.3;    // of the half width, at least: a rail 
 constexpr double section_points = 30.0;  // of the scan to either side, at least
 constexpr double cell_spacings = 1.5;
 constexpr std::size_t fewest_sections = 8, most_sections = 4000;
-constexpr int rounds_of_ends = 5; // after which the generator's ends stand
+constexpr int rounds_of_ends = 5; // after which the generator's ends stand, and the rail is fitted as closely as in the round before
+constexpr double held_share = 1.02; // of the error of that fit, so that no other number of spans is taken for a hair's breadth
 
 Vector3d
 turnedBy(double angle, const Vector3d& local)
@@ -169,6 +170,25 @@ SectionRounds::meanSection(const std::vector<SectionShift>& shifts, Polyline& po
   return true;
 }
 
+/** Rms move of the rail's stations since \p before, in its frames; what all move by together goes into the generator, and is none of the ridge. */
+double
+SectionRounds::moveSince(const SmoothLine& before) const
+{
+  const StationLine stations(band_.rail, length_);
+  Vector3d sum = Vector3d::Zero();
+  double squares = 0.0;
+  std::uint32_t station = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Vector3d p = before.position(stationOf(i));
+    const RidgeFrame frame = ridgeFrame(before.tangent(stationOf(i)), band_.chord).value_or(RidgeFrame());
+    const Vector3d move = frame.localOf(stations.foot(p, station).position - p);
+    sum += move;
+    squares += move.squaredNorm();
+  }
+  const auto n = static_cast<double>(count_);
+  return std::sqrt(std::max(0.0, squares / n - sum.squaredNorm() / (n * n)));
+}
+
 /** The shift of each section; of one that was not found that of its neighbours, so that the rail keeps its length. */
 Status
 SectionRounds::allShifts(const std::vector<SectionShift>& shifts, Polyline& all) const
@@ -210,15 +230,11 @@ SectionRounds::moveRail(const std::vector<SectionShift>& shifts, const Vector3d&
     if (const std::optional<RidgeFrame> frame = ridgeFrame(band_.rail.tangent(stationOf(i)), band_.chord))
       origins.points.push_back(band_.rail.position(stationOf(i)) + frame->turned(all[i] + gauge));
   const SmoothLine before = band_.rail;
-  band_.rail = fitLine(origins).line;
-  const StationLine stations(band_.rail, length_);
-  double squares = 0.0;
-  std::uint32_t station = 0;
-  for (std::size_t i = 0; i < count_; ++i) {
-    const Vector3d p = before.position(stationOf(i));
-    squares += (p - stations.foot(p, station).position).squaredNorm();
-  }
-  last_move_ = std::sqrt(squares / static_cast<double>(count_));
+  const LineFit fit = fitLine(origins, held_error_);
+  band_.rail = fit.line;
+  if (rounds_ > rounds_of_ends)
+    held_error_ = std::max(held_error_, held_share * fit.error);
+  last_move_ = moveSince(before);
   return Status::success();
 }
 
@@ -228,6 +244,7 @@ SectionRounds::round()
   if (const Status status = place(); !status.ok())
     return status;
   const std::vector<SectionShift> found = shifts(10);
+  still_ = stillness(found);
   Polyline generator;
   Vector3d gauge;
   if (!meanSection(found, generator, gauge))
@@ -239,22 +256,36 @@ SectionRounds::round()
   return Status::success();
 }
 
+/** What the rail may move by where it stands still. */
+double
+SectionRounds::stillness(const std::vector<SectionShift>& shifts) const
+{
+  constexpr double of_error = 0.3, of_misfit = 0.2; // of the standard error of a section's shift; of what no shift takes away
+  double squares = 0.0, points = 0.0;
+  for (const SectionShift& shift : shifts) {
+    squares += shift.squares;
+    points += static_cast<double>(shift.points);
+  }
+  const double noise = settings_.noise, variance = points > 0.0 ? squares / points : 0.0;
+  const double error = noise / std::sqrt(std::max(1.0, points / static_cast<double>(count_)));
+  const double misfit = std::sqrt(std::max(0.0, variance - noise * noise * (1.0 + 4.0 / std::sqrt(std::max(1.0, points)))));
+  return std::max({of_error * error, of_misfit * misfit, 1e-5 * settings_.half_width});
+}
+
 Status
 SectionRounds::run(const ProgressCallback& progress)
 {
-  constexpr double still = 0.3; // of the standard error of a section's shift
-  const double points = std::max(1.0, static_cast<double>(band_.points.size()) / static_cast<double>(count_));
-  const double limit = std::max(still * settings_.noise / std::sqrt(points), 1e-5 * settings_.half_width);
   for (rounds_ = 1; rounds_ <= settings_.most_rounds; ++rounds_) {
     if (progress && !progress(static_cast<double>(rounds_) / (settings_.most_rounds + 1), "sections"))
       return {StatusCode::Cancelled, "cancelled"};
     if (const Status status = round(); !status.ok())
       return status;
-    if (last_move_ < limit && rounds_ > rounds_of_ends)
+    if (last_move_ < still_ && rounds_ > rounds_of_ends)
       return place();
   }
   return {StatusCode::InvalidInput,
-          textOf("after ", settings_.most_rounds, " rounds the rail still moves by ", last_move_, " mm a round: the sections have no common shape; "
+          textOf("after ", settings_.most_rounds, " rounds the rail at ", placeText(band_.rail.position(0.5 * band_.rail.length())), " still moves by ", last_move_,
+                 " mm a round, and ", still_, " mm is still: the sections have no common shape; "
                  "take a smaller half width (setHalfWidth), a part of the ridge, or more rounds (setMaximumIterations)")};
 }
 

@@ -48,6 +48,8 @@ private:
   Status place();
   std::vector<SectionShift> shifts(int most_steps);
   Status round();
+  double moveSince(const SmoothLine& before) const;
+  double stillness(const std::vector<SectionShift>& shifts) const;
   Status allShifts(const std::vector<SectionShift>& shifts, Polyline& all) const;
   Status moveRail(const std::vector<SectionShift>& shifts, const Eigen::Vector3d& gauge);
   bool meanSection(const std::vector<SectionShift>& shifts, Polyline& points, Eigen::Vector3d& gauge);
@@ -63,7 +65,8 @@ private:
   Profile profile_;
   std::size_t count_ = 0;   ///< of sections
   double length_ = 0.0;     ///< of a section
-  double last_move_ = 0.0;
+  double last_move_ = 0.0, still_ = 0.0;
+  double held_error_ = 0.0; ///< to which the rail is fitted; 0: found anew
   int rounds_ = 0;
   std::size_t first_cell_ = 0, last_cell_ = 0; ///< of the generator, once its ends stand
 };

@@ -30,7 +30,7 @@ struct ScanRidgeReport {
   std::size_t sections = 0; ///< across the ridge that were aligned
   std::size_t points = 0;   ///< of the scan in the band of the ridge
   int rounds = 0;           ///< until rail and generator stood still
-  double last_move = 0.0;   ///< rms of what the last round moved the rail by
+  double last_move = 0.0;   ///< of the rail in the last round, rms, but for what all of it moved by
   double noise = 0.0;       ///< of the scan: standard deviation of a point about its surface
   double reach_left = 0.0, reach_right = 0.0; ///< of the generator from the crest, along it: to its start, and to its end
   double crest_wander = 0.0; ///< rms distance of the crest from the rail that was found, across it
@@ -56,7 +56,7 @@ Status checkScanRidgeSettings(const ScanRidgeSettings& settings);
  *  scan are put in sections by normal planes of the rail, in the local coordinates of its frame; the generator is shifted within each plane until
  *  it lies on that section (least squares along its normals); the mean of the sections, shifted back, is the new generator, a
  *  smooth curve through the shifted origins the new rail. Nothing moves: the rail's move, rms, is below 0.3 of the standard error of
- *  a section's place, noise / sqrt(points of a section), or a hundred-thousandth of the half width.
+ *  a section's place, noise / sqrt(points of a section), 0.2 of the misfit that no shift takes away, or a hundred-thousandth of the half width.
  *
  *  InvalidArgument: a setting out of range. InvalidInput, with place, value and remedy: fewer than two rough points (closed: three),
  *  one off the scan, no crest between them, a band that runs off the scan, no end of the rounds, and what RidgeSurface::make refuses. */

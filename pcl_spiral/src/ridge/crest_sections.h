@@ -1,0 +1,26 @@
+/** \file
+ *  The crest along rough points, and the sections of the scan across it.
+ */
+#pragma once
+
+#include "scan_sections.h"
+
+#include <pcl_spiral/ridge/scan_ridge.h>
+#include <pcl_spiral/ridge/smooth_line.h>
+
+namespace pcl_spiral {
+
+/** A smooth crest, and sections across places of it. */
+struct CrestSections {
+  SmoothLine line;
+  Polyline places, tangents; ///< of the sections
+  ScanSections sections;
+};
+
+/** The crest near the rough points. InvalidInput, with place: rough points off the scan, no crest, a band that runs off the scan. */
+Status findCrest(const Surface& surface, const ScanRidgeSettings& settings, CrestSections& crest);
+
+/** Steps to where the scan ends on \p side in all but a tenth of the sections; \p worst: the one that reaches least far. */
+int commonReach(const ScanSections& sections, int side, std::size_t& worst);
+
+} // namespace pcl_spiral

@@ -1,0 +1,20 @@
+/** \file
+ *  Full scans of ridges that are known exactly.
+ */
+#pragma once
+
+#include "support/ridges.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl_spiral::test {
+
+/** One point anywhere in each cell of \p along by \p across, each coordinate moved by normal noise. */
+std::vector<Eigen::Vector3d> scanOf(const ExactRidge& ridge, int along, int across, double noise, std::uint64_t seed);
+
+/** Rough points of the die ridge: 3 mm to one side of its crest and 3 mm to the other in turn, so that lines between them run 10 degrees
+ *  and more off it. */
+std::vector<Eigen::Vector3d> roughPointsOfDie(const ExactRidge& die);
+
+} // namespace pcl_spiral::test
