@@ -1,5 +1,8 @@
-// Simulates a line-laser scan of a tank dome: scan lines, noise, a few outliers, a shadow; or of a column on a
-// turntable. The same seed gives the same file.
+// Simulates a line-laser scan of a tank dome: scan lines, noise, a few outliers, a shadow; of a column on a
+// turntable; or of the ridge of a press die, with the two lines that are measured of it. The same seed gives the same file.
+#include "simulate_scan/ridge_scan.h"
+#include "terminal/file_names.h"
+
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/output_files.h>
 
@@ -16,6 +19,8 @@
 #include <iostream>
 #include <optional>
 #include <random>
+#include <stdexcept>
+#include <vector>
 
 namespace po = boost::program_options;
 
@@ -58,14 +63,6 @@ bool
 hidden(const Eigen::Vector3d& point, const Eigen::Vector3d& eye, const Eigen::Vector3d& object, double radius)
 {
   return Eigen::ParametrizedLine<double, 3>::Through(point, eye).distance(object) < radius;
-}
-
-/** A false echo lies 5 to 20 mm before or behind the surface; \p share is uniform in 0 to 1. */
-double
-strayDistance(double share)
-{
-  const double side = 2 * share - 1;
-  return std::copysign(5 + 15 * std::abs(side), side);
 }
 
 /** The points in the order in which the scanner sees them, a line at a time. */
@@ -143,18 +140,101 @@ simulateColumn(const Scan& scan)
 std::string
 complaint(const Scan& s)
 {
-  if (s.part != "dome" && s.part != "column")
-    return "--part " + s.part + " is not known; use dome or column";
+  if (s.part != "dome" && s.part != "column" && s.part != "ridge")
+    return "--part " + s.part + " is not known; use dome, column or ridge";
   if (!(s.radius > 0 && s.height > 0 && s.line_spacing > 0 && s.point_spacing > 0 && s.standoff > 0))
     return "radius, height, spacings and standoff must be above 0 mm";
   if (s.part == "dome" && !(s.rim > 0 && s.rim <= s.radius))
     return "--rim must be above 0 and no larger than --radius";
   if (!(s.noise >= 0 && s.shadow >= 0 && s.outliers >= 0 && s.outliers < 1))
     return "--noise and --shadow must not be negative, --outliers must be a share from 0 to 1";
-  const double across = s.part == "dome" ? s.rim : 2 * s.radius, along = s.part == "dome" ? s.rim : s.height;
+  constexpr double ridge_length = 640, ridge_width = 28;
+  const bool dome = s.part == "dome", ridge = s.part == "ridge";
+  const double across = dome ? s.rim : ridge ? 0.5 * ridge_length : 2 * s.radius;
+  const double along = dome ? s.rim : ridge ? 0.5 * ridge_width : s.height;
   if (across / s.line_spacing * along / s.point_spacing > 1e8)
     return "that is over 400 million points: enlarge --line-spacing or --point-spacing";
   return "";
+}
+
+/** What a ridge does not take among the options given. */
+std::string
+foreignToRidge(const po::variables_map& given)
+{
+  for (const char* option : {"radius", "height", "rim", "shadow", "standoff"})
+    if (!given[option].defaulted())
+      return std::string("--") + option + " does not apply to --part ridge, whose shape is fixed: leave it out";
+  return "";
+}
+
+void
+write(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& cloud)
+{
+  const int failed = extensionOf(file) == ".ply" ? pcl::PLYWriter().write(file, cloud, true, false) : pcl::io::savePCDFileBinary(file, cloud);
+  if (failed)
+    throw pcl_spiral::FileError(file, "cannot be written; is the disk full?");
+}
+
+/** All of them or none. */
+void
+writeAll(const std::vector<std::string>& files, const std::vector<pcl::PointCloud<pcl::PointXYZ>>& clouds)
+{
+  pcl_spiral::OutputFiles output(files);
+  for (std::size_t i = 0; i < files.size(); ++i)
+    try {
+      write(output.temporary(i), clouds[i]);
+    }
+    catch (const std::exception& error) {
+      throw std::runtime_error(output.asGiven(error.what()));
+    }
+  output.commit();
+  for (std::size_t i = 0; i < files.size(); ++i)
+    std::cout << files[i] << ": " << clouds[i].size() << " points\n";
+}
+
+po::options_description
+optionsOf(Scan& s, std::string& file)
+{
+  po::options_description options("Simulate a line-laser scan of a tank dome, of a column, or of the ridge of a press die. Lengths in mm.\n"
+                                  "  pcl_spiral_simulate_scan -o dome.pcd --noise 0.05\n"
+                                  "  pcl_spiral_simulate_scan --part ridge -o ridge.pcd\n"
+                                  "The ridge is 600 long and 24 wide; beside ridge.pcd stand ridge_rail.pcd and ridge_generator.pcd, 300 and 60 "
+                                  "points of the two lines that are measured of it.\nOptions");
+  auto add = options.add_options();
+  add("help,h", "this text");
+  add("output,o", po::value(&file)->required(), "file to write, .pcd or .ply");
+  add("part", po::value(&s.part)->default_value(s.part), "dome; column: round z, with lobes, a waist and undercuts; or ridge");
+  add("radius", po::value(&s.radius)->default_value(s.radius), "of the tank; mean radius of the column");
+  add("height", po::value(&s.height)->default_value(s.height), "of the whole dome; of the column");
+  add("rim", po::value(&s.rim)->default_value(s.rim), "radius at which the part ends");
+  add("line-spacing", po::value(&s.line_spacing)->default_value(s.line_spacing), "between scan lines; of the ridge, which they cross, 0.5 by default");
+  add("point-spacing", po::value(&s.point_spacing)->default_value(s.point_spacing),
+      "between points of a line; of the ridge 0.5 by default");
+  add("noise", po::value(&s.noise)->default_value(s.noise, "0.02"), "standard deviation along the beam; of the ridge, of each coordinate");
+  add("outliers", po::value(&s.outliers)->default_value(s.outliers, "0.0005"),
+      "share of false echoes, 5 to 20 mm off");
+  add("shadow", po::value(&s.shadow)->default_value(s.shadow), "diameter of an object in the way; 0: none");
+  add("standoff", po::value(&s.standoff)->default_value(s.standoff), "of the scanner above the dome");
+  add("seed", po::value(&s.seed)->default_value(s.seed), "of the random numbers");
+  return options;
+}
+
+/** Takes what is given; the ridge has spacings of its own. */
+std::string
+readOptions(const po::variables_map& given, const std::string& file, Scan& s)
+{
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension != ".pcd" && extension != ".ply")
+    return "'" + file + "': name a .pcd or .ply file";
+  if (s.part == "ridge") {
+    if (given["line-spacing"].defaulted())
+      s.line_spacing = RidgeScanSettings().line_spacing;
+    if (given["point-spacing"].defaulted())
+      s.point_spacing = RidgeScanSettings().point_spacing;
+    if (const std::string foreign = foreignToRidge(given); !foreign.empty())
+      return foreign;
+  }
+  return complaint(s);
 }
 
 } // namespace
@@ -164,24 +244,7 @@ main(int argc, char** argv)
 try {
   Scan s;
   std::string file;
-  po::options_description options("Simulate a line-laser scan of a tank dome, or of a column. Lengths in mm.\n"
-                                  "  pcl_spiral_simulate_scan -o dome.pcd --noise 0.05\nOptions");
-  auto add = options.add_options();
-  add("help,h", "this text");
-  add("output,o", po::value(&file)->required(), "file to write, .pcd or .ply");
-  add("part", po::value(&s.part)->default_value(s.part), "dome, or column: round z, with lobes, a waist and undercuts");
-  add("radius", po::value(&s.radius)->default_value(s.radius), "of the tank; mean radius of the column");
-  add("height", po::value(&s.height)->default_value(s.height), "of the whole dome; of the column");
-  add("rim", po::value(&s.rim)->default_value(s.rim), "radius at which the part ends");
-  add("line-spacing", po::value(&s.line_spacing)->default_value(s.line_spacing), "between scan lines");
-  add("point-spacing", po::value(&s.point_spacing)->default_value(s.point_spacing),
-      "between points of a line");
-  add("noise", po::value(&s.noise)->default_value(s.noise, "0.02"), "standard deviation along the beam");
-  add("outliers", po::value(&s.outliers)->default_value(s.outliers, "0.0005"),
-      "share of false echoes, 5 to 20 mm off");
-  add("shadow", po::value(&s.shadow)->default_value(s.shadow), "diameter of an object in the way; 0: none");
-  add("standoff", po::value(&s.standoff)->default_value(s.standoff), "of the scanner above the dome");
-  add("seed", po::value(&s.seed)->default_value(s.seed), "of the random numbers");
+  const po::options_description options = optionsOf(s, file);
   po::variables_map given;
   po::store(po::parse_command_line(argc, argv, options), given);
   if (given.count("help")) {
@@ -189,25 +252,19 @@ try {
     return 0;
   }
   po::notify(given);
-  const std::string extension = std::filesystem::path(file).extension().string();
-  const std::string wrong =
-      extension != ".pcd" && extension != ".ply" ? "'" + file + "': name a .pcd or .ply file" : complaint(s);
-  if (!wrong.empty())
+  if (const std::string wrong = readOptions(given, file, s); !wrong.empty())
     throw po::error(wrong);
-
+  if (s.part == "ridge") {
+    const RidgeScan ridge = simulateRidge({s.line_spacing, s.point_spacing, s.noise, s.outliers, s.seed});
+    writeAll({file, besideName(file, "_rail"), besideName(file, "_generator")}, {ridge.scan, ridge.rail, ridge.generator});
+    return 0;
+  }
   const auto cloud = s.part == "dome" ? simulate(s) : simulateColumn(s);
   if (cloud.empty()) {
     std::cerr << "the scanner saw nothing: use finer spacings\n";
     return 1;
   }
-  pcl_spiral::OutputFiles output({file});
-  const std::string& part = output.temporary(0);
-  const int failed = extension == ".ply" ? pcl::PLYWriter().write(part, cloud, true, false)
-                                         : pcl::io::savePCDFileBinary(part, cloud);
-  if (failed)
-    throw pcl_spiral::FileError(file, "cannot be written; is the disk full?");
-  output.commit();
-  std::cout << file << ": " << cloud.size() << " points\n";
+  writeAll({file}, {cloud});
   return 0;
 }
 catch (const po::error& error) {

@@ -1,4 +1,9 @@
-// The simulated scan against the spheroid it is taken from.
+// The simulated scan against the spheroid, and the ridge, it is taken from.
+#include <pcl_spiral/io/cloud_reader.h>
+
+#include "support/made_ridge.h"
+#include "support/ridges.h"
+
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 #include <pcl/point_types.h>
@@ -156,4 +161,97 @@ TEST_F(SimulateScan, ColumnHasItsRadiusAllRound)
   EXPECT_LT(least, 0.87 * mean);
   EXPECT_GT(largest, 1.13 * mean);
   EXPECT_EQ(run("-o " + file("a.pcd") + " --part cone"), 2);
+}
+
+namespace {
+
+using pcl_spiral::test::dieRidge;
+
+pcl_spiral::Polyline
+lineIn(const std::string& file)
+{
+  pcl_spiral::Polyline line;
+  const Cloud::ConstPtr cloud = pcl_spiral::readCloud(file).cloud;
+  for (const auto& p : *cloud)
+    line.push_back(p.getVector3fMap().cast<double>());
+  return line;
+}
+
+/** Distances of every \p step -th point from the exact ridge. */
+std::vector<double>
+offRidge(const pcl_spiral::Polyline& points, std::size_t step)
+{
+  static const pcl_spiral::test::ExactRidge die = dieRidge();
+  std::vector<double> off;
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    double least = 1e9;
+    for (const double guess : {0.1, 0.4, 0.8}) {
+      double t = points[i].x() / 600.0, w = guess;
+      least = std::min(least, die.distance(points[i], t, w));
+    }
+    off.push_back(least);
+  }
+  return off;
+}
+
+} // namespace
+
+TEST_F(SimulateScan, RidgeIsTheExactOneWithItsNoise)
+{
+  ASSERT_EQ(run("--part ridge -o " + file("ridge.pcd") + " --noise 0 --outliers 0"), 0);
+  for (const char* name : {"ridge.pcd", "ridge_rail.pcd", "ridge_generator.pcd"})
+    for (const double d : offRidge(lineIn(file(name)), 23))
+      ASSERT_LT(d, 1e-4) << name;
+  const pcl_spiral::Polyline scan = lineIn(file("ridge.pcd"));
+  EXPECT_GT(scan.size(), 60000u); // 0.5 mm apart
+  EXPECT_LT(scan.size(), 75000u);
+  double farthest = 0.0;
+  for (const Eigen::Vector3d& p : scan)
+    farthest = std::max(farthest, p.x());
+  EXPECT_GT(farthest, 590.0);
+  ASSERT_EQ(run("--part ridge -o " + file("noisy.pcd") + " --noise 0.05 --outliers 0.01"), 0);
+  double squares = 0.0;
+  std::size_t near = 0, far = 0;
+  for (const double d : offRidge(lineIn(file("noisy.pcd")), 7)) {
+    (d > 1.0 ? far : near) += 1;
+    squares += d > 1.0 ? 0.0 : d * d;
+  }
+  EXPECT_NEAR(std::sqrt(squares / near), 0.05, 0.003);
+  EXPECT_NEAR(double(far) / (near + far), 0.01, 0.003);
+}
+
+TEST_F(SimulateScan, LinesOfTheRidgeMakeIt)
+{
+  ASSERT_EQ(run("--part ridge -o " + file("ridge.ply") + " --seed 3"), 0);
+  const auto rail = lineIn(file("ridge_rail.ply")), generator = lineIn(file("ridge_generator.ply"));
+  EXPECT_EQ(rail.size(), 300u);
+  EXPECT_EQ(generator.size(), 60u);
+  const auto ridge = pcl_spiral::test::madeRidge(rail, generator);
+  ASSERT_TRUE(ridge);
+  EXPECT_NEAR(ridge->report().rail_error, 0.02, 0.005);
+  pcl_spiral::Polyline places;
+  for (int i = 0; i <= 40; ++i)
+    for (int j = 0; j <= 6; ++j)
+      places.push_back(ridge->position(ridge->rail().length() * i / 40, ridge->generator().length() * j / 6));
+  for (const double d : offRidge(places, 1))
+    EXPECT_LT(d, 0.1);
+}
+
+TEST_F(SimulateScan, SeedDecidesTheBytesOfARidgeAndForeignOptionsAreRefused)
+{
+  ASSERT_EQ(run("--part ridge -o " + file("a.pcd") + " --line-spacing 2"), 0);
+  ASSERT_EQ(run("--part ridge -o " + file("b.pcd") + " --line-spacing 2"), 0);
+  ASSERT_EQ(run("--part ridge -o " + file("c.pcd") + " --line-spacing 2 --seed 2"), 0);
+  for (const std::string part : {"", "_rail", "_generator"}) {
+    EXPECT_EQ(bytes("a" + part + ".pcd"), bytes("b" + part + ".pcd"));
+    EXPECT_NE(bytes("a" + part + ".pcd"), bytes("c" + part + ".pcd"));
+  }
+  for (const std::string option : {"--radius 3", "--height 3", "--rim 3", "--shadow 0", "--standoff 100"}) {
+    EXPECT_EQ(run("--part ridge -o " + file("d.pcd") + " " + option), 2) << option;
+    EXPECT_NE(bytes("said").find("does not apply to --part ridge"), std::string::npos);
+  }
+  fs::create_directories(file("e_generator.pcd")); // so that the third file cannot be written
+  EXPECT_EQ(run("--part ridge -o " + file("e.pcd") + " --line-spacing 2"), 1);
+  for (const char* none : {"d.pcd", "d_rail.pcd", "e.pcd", "e_rail.pcd"})
+    EXPECT_FALSE(fs::exists(file(none))) << none;
 }

@@ -1,0 +1,28 @@
+/** \file
+ *  A simulated scan of the ridge of a press die, and the two lines that are measured of it.
+ */
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+/** How the ridge is scanned; lengths in mm. */
+struct RidgeScanSettings {
+  double line_spacing = 0.5;  ///< of scan lines across the ridge, along its rail
+  double point_spacing = 0.5; ///< of the points on a line
+  double noise = 0.02;        ///< standard deviation of each coordinate
+  double outliers = 0.0005;   ///< share of false points, 5 to 20 mm off
+  unsigned seed = 1;
+};
+
+/** The full scan, 300 points of the rail and 60 of the generator, all with the same noise. */
+struct RidgeScan {
+  pcl::PointCloud<pcl::PointXYZ> scan, rail, generator;
+};
+
+/** The rail (600 t, 60 sin 1.6 pi t, 40 sin pi t) carries the generator b = 24 w, c = 20 w (1 - w) (1 + (1 - 2 w) / 2), whose chord keeps -15 degrees
+ *  with the horizontal plane; the generator is measured at t = 0.37. */
+RidgeScan simulateRidge(const RidgeScanSettings& settings);
+
+/** A false echo lies 5 to 20 mm before or behind the surface; \p share is uniform in 0 to 1. */
+double strayDistance(double share);
