@@ -104,6 +104,8 @@ findCrest(const Surface& surface, const ScanRidgeSettings& settings, CrestSectio
 {
   if (const Status status = checkOnScan(surface, settings); !status.ok())
     return status;
+  constexpr double radii = 3.0; // of a fit, over which the crest's noise hangs together
+  const double even = std::max(settings.half_width, radii * surface.spacing() * std::sqrt(surface.fit().neighbours() / M_PI));
   const double step = std::max(surface.spacing(), 0.1 * settings.half_width);
   Polyline line = throughPlaces(settings.rough_points, settings.closed, step);
   for (int round = 0; round < 2; ++round) {
@@ -112,7 +114,7 @@ findCrest(const Surface& surface, const ScanRidgeSettings& settings, CrestSectio
     if (2 * line.size() < crest.places.size())
       return {StatusCode::InvalidInput, textOf("the scan ends within a fit of the rough points at ", placeText(crest.places[crest.places.size() / 2]),
                                                ": no crest can be told; choose rough points where the ridge was scanned (setRoughPoints)")};
-    crest.line = fitLine({evened(line, settings.half_width, settings.closed), settings.closed, 0.0}).line;
+    crest.line = fitLine({evened(line, even, settings.closed), settings.closed, 0.0}).line;
     line.clear();
     for (std::size_t i = 0; i < crest.places.size(); ++i)
       line.push_back(crest.line.position(crest.line.length() * static_cast<double>(i) /

@@ -1,5 +1,7 @@
 #include "section_rounds.h"
 
+#include "rail_step.h"
+
 #include <pcl_spiral/common/message.h>
 
 #include <Eigen/Geometry>
@@ -15,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t extra_cells = 2;  // by which the generator may grow in a round, at each end
-constexpr double section_spacings = 4.0; // of the scan's points in a section's length
+constexpr double section_spacings = 5.0; // of the scan's points in a section's length
 constexpr double section_share = 0.3;    // of the half width, at least: a rail that bends in less would fold the band
 constexpr double section_points = 30.0;  // of the scan to either side, at least
 constexpr double cell_spacings = 1.5;
@@ -189,46 +191,40 @@ SectionRounds::moveSince(const SmoothLine& before) const
   return std::sqrt(std::max(0.0, squares / n - sum.squaredNorm() / (n * n)));
 }
 
-/** The shift of each section; of one that was not found that of its neighbours, so that the rail keeps its length. */
-Status
-SectionRounds::allShifts(const std::vector<SectionShift>& shifts, Polyline& all) const
+/** The end stations go half to where those before them lead, in their planes. */
+void
+SectionRounds::carryEndsOn(const std::vector<RidgeFrame>& frames, Polyline& origins) const
 {
-  all.assign(count_, Vector3d::Zero());
-  const auto n = static_cast<std::ptrdiff_t>(count_);
-  const bool closed = band_.rail.closed();
-  const auto nearest = [&](std::ptrdiff_t i, std::ptrdiff_t way) { // steps to the next that was found, n: none
-    for (std::ptrdiff_t k = 0; k < n; ++k)
-      if (const std::ptrdiff_t j = i + way * k; !closed && (j < 0 || j >= n))
-        return n;
-      else if (shifts[static_cast<std::size_t>((j + n) % n)].found)
-        return k;
-    return n;
-  };
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const std::ptrdiff_t before = nearest(i, -1), after = nearest(i, 1);
-    if (3 * std::min(before, after) >= n)
-      return {StatusCode::InvalidInput, textOf("the band of the ridge has too few points of the scan, or no bend, at ",
-                                               placeText(band_.rail.position(stationOf(static_cast<std::size_t>(i)))),
-                                               ": choose rough points where the ridge was scanned, or a larger half width (setHalfWidth)")};
-    const Vector3d& first = shifts[static_cast<std::size_t>((before < n ? i - before : i + after) + n) % count_].shift;
-    const Vector3d& second = shifts[static_cast<std::size_t>((after < n ? i + after : i - before) + n) % count_].shift;
-    const double t = before > 0 && after < n && before < n ? static_cast<double>(before) / static_cast<double>(before + after) : 0.0;
-    all[static_cast<std::size_t>(i)] = (1.0 - t) * first + t * second;
+  const std::size_t last = origins.size() - 1;
+  for (const bool first : {true, false}) {
+    const std::size_t end = first ? 0 : last;
+    Vector3d p = Vector3d::Zero();
+    for (std::size_t k = 0; k < carry_on.size(); ++k)
+      p += carry_on[k] * origins[first ? k + 1 : last - k - 1];
+    p -= (p - origins[end]).dot(frames[end].tangent) * frames[end].tangent;
+    origins[end] = 0.5 * (origins[end] + p);
   }
-  return Status::success();
 }
 
 Status
 SectionRounds::moveRail(const std::vector<SectionShift>& shifts, const Vector3d& gauge)
 {
-  Polyline all;
-  if (const Status status = allShifts(shifts, all); !status.ok())
-    return status;
-  MeasuredLine origins;
-  origins.closed = band_.rail.closed();
+  const bool closed = band_.rail.closed();
+  std::vector<SectionShift> all;
+  if (const std::optional<std::size_t> missing = allShifts(shifts, closed, all))
+    return {StatusCode::InvalidInput,
+            textOf("the band of the ridge has too few points of the scan, or no bend, at ", placeText(band_.rail.position(stationOf(*missing))),
+                   ": choose rough points where the ridge was scanned, or a larger half width (setHalfWidth)")};
+  std::vector<RidgeFrame> frames;
   for (std::size_t i = 0; i < count_; ++i)
-    if (const std::optional<RidgeFrame> frame = ridgeFrame(band_.rail.tangent(stationOf(i)), band_.chord))
-      origins.points.push_back(band_.rail.position(stationOf(i)) + frame->turned(all[i] + gauge));
+    frames.push_back(ridgeFrame(band_.rail.tangent(stationOf(i)), band_.chord).value_or(RidgeFrame()));
+  const Polyline steps = railSteps(all, frames, band_.chord.reference, length_, closed);
+  MeasuredLine origins;
+  origins.closed = closed;
+  for (std::size_t i = 0; i < count_; ++i)
+    origins.points.push_back(band_.rail.position(stationOf(i)) + frames[i].turned(steps[i] + gauge));
+  if (!closed)
+    carryEndsOn(frames, origins.points);
   const SmoothLine before = band_.rail;
   const LineFit fit = fitLine(origins, held_error_);
   band_.rail = fit.line;

@@ -50,7 +50,7 @@ private:
   Status round();
   double moveSince(const SmoothLine& before) const;
   double stillness(const std::vector<SectionShift>& shifts) const;
-  Status allShifts(const std::vector<SectionShift>& shifts, Polyline& all) const;
+  void carryEndsOn(const std::vector<RidgeFrame>& frames, Polyline& origins) const;
   Status moveRail(const std::vector<SectionShift>& shifts, const Eigen::Vector3d& gauge);
   bool meanSection(const std::vector<SectionShift>& shifts, Polyline& points, Eigen::Vector3d& gauge);
   Eigen::Vector3d gaugeOf(const std::vector<SectionShift>& shifts, const Polyline& generator) const;

@@ -15,6 +15,7 @@ using Eigen::Vector3d;
 struct Residual {
   double off = 0.0;  ///< to the outer side
   Vector2d normal;   ///< of the generator, along chord and up
+  double turned = 0.0; ///< what it moves along the normal by where the section turns by one radian
   std::size_t cell = 0;
   bool within = false; ///< of the generator's own length
 };
@@ -34,6 +35,7 @@ residualsOf(RidgeBand& band, const SectionPoints& sections, std::size_t section,
     r.off = (q - foot.position).tail<2>().dot(r.normal);
     if (std::abs(r.off) > gate)
       continue;
+    r.turned = r.normal.dot(Vector2d(-point.local.z(), point.local.y()));
     r.cell = static_cast<std::size_t>((foot.s - profile.line.s(0)) / profile.line.step() + 0.5);
     r.within = foot.s >= 0.0 && foot.s <= profile.length;
     residuals.push_back(r);
@@ -67,25 +69,27 @@ weightOf(double off, double cut)
   return std::abs(share) < 1.0 ? (1.0 - share * share) * (1.0 - share * share) : 0.0;
 }
 
-/** The step of Gauss and Newton; false where the normals tell one direction alone. */
+/** The step of Gauss and Newton, and that for a turn; false where the normals tell one direction alone. */
 bool
-stepOf(const std::vector<Residual>& residuals, double cut, Vector2d& step)
+stepOf(const std::vector<Residual>& residuals, double cut, Vector2d& step, Vector2d& roll)
 {
   constexpr double least_spread = 7e-4; // of the normals, squared: 1.5 degrees
   constexpr double fewest = 8.0;
   Eigen::Matrix2d a = Eigen::Matrix2d::Zero();
-  Vector2d right = Vector2d::Zero();
+  Vector2d right = Vector2d::Zero(), turned = Vector2d::Zero();
   double weights = 0.0;
   for (const Residual& r : residuals)
     if (r.within) {
       const double w = weightOf(r.off, cut);
       a += w * r.normal * r.normal.transpose();
       right += w * r.off * r.normal;
+      turned += w * r.turned * r.normal;
       weights += w;
     }
   if (weights < fewest || Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(a).eigenvalues()[0] < least_spread * weights)
     return false;
   step = a.inverse() * right;
+  roll = a.inverse() * turned;
   return true;
 }
 
@@ -124,11 +128,12 @@ shiftOnto(RidgeBand& band, const SectionPoints& sections, std::size_t section, c
   SectionShift result;
   std::vector<Residual> residuals = residualsOf(band, sections, section, profile, result.shift, gate);
   for (int i = 0; i < most_steps; ++i) {
-    Vector2d step;
-    result.found = stepOf(residuals, cutOf(residuals, noise), step) && step.norm() < gate;
+    Vector2d step, roll;
+    result.found = stepOf(residuals, cutOf(residuals, noise), step, roll) && step.norm() < gate;
     if (!result.found)
       break;
     result.shift.tail<2>() += step;
+    result.roll.tail<2>() = roll;
     residuals = residualsOf(band, sections, section, profile, result.shift, gate);
     if (step.norm() < still * noise)
       break;

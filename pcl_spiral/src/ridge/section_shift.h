@@ -16,6 +16,7 @@ struct Profile {
 /** How the generator lies on one section. Sums and medians by stations of the generator, cells. */
 struct SectionShift {
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of the origin, along chord and up
+  Eigen::Vector3d roll = Eigen::Vector3d::Zero(); ///< the shift that a section turned by one radian about the tangent asks for
   bool found = false;                  ///< enough points, whose normals tell both directions
   std::vector<float> mean, median;     ///< off the shifted generator, of the points of a cell; mean without what lies far off
   std::vector<std::uint32_t> count;    ///< of points in a cell
