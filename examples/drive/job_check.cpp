@@ -144,6 +144,7 @@ completeJob(Job& job)
 {
   if (job.scan.empty())
     throw UsageError("no scan is named; give one, such as part.pcd");
+  job.part = job.scan;
   requireOption(job.thinning >= 0.0, "thin", job.thinning, "must be above 0 mm, or 0 for none");
   if (!isGiven(job, "tool-radius"))
     throw UsageError("no --tool-radius is given; give the radius where the cutter's flank ends, in mm, such as "

@@ -42,7 +42,7 @@ locateCutter(const PassJob& job, const Surface::ConstPtr& surface, const DrivePa
       [&bar](double share, const std::string& stage) { return bar.update(0.5 + 0.5 * share, stage); });
   std::vector<ToolLocations> located;
   location.compute(located);
-  require(job.scan, location.getStatus());
+  require(job.part, location.getStatus());
   result.locations = location.getFigures();
   result.bisection = location.getBisectionFigures();
   return located;
@@ -56,9 +56,9 @@ requireNoCollision(const PassJob& job, const std::vector<ToolLocations>& located
   for (const ToolLocations& pass : located)
     for (const ToolLocation& location : pass)
       if (location.collision.found() && location.collision.depth >= figures.deepest_collision)
-        throw FileError(job.scan,
+        throw FileError(job.part,
                         textOf(job.holder[static_cast<std::size_t>(location.collision.segment)].name,
-                               " would be ", location.collision.depth, " mm deep in the scan at ",
+                               " would be ", location.collision.depth, " mm deep in the part at ",
                                placeText(location.collision.place), ", the tip at ", placeText(location.tip), "; at ",
                                figures.collisions,
                                " locations in all: use a longer or slimmer tool, another axis, or "

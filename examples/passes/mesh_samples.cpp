@@ -20,7 +20,7 @@ sampleMesh(const PassJob& job, PassResult& result)
   sampling.setSpacing(std::min(defaultSampleSpacing(*result.mesh), share * job.cutter.radius));
   pcl::PointCloud<pcl::PointNormal> samples;
   sampling.compute(samples);
-  require(job.scan, sampling.getStatus());
+  require(job.part, sampling.getStatus());
   result.scan.cloud.reset(new pcl::PointCloud<pcl::PointXYZ>);
   pcl::copyPointCloud(samples, *result.scan.cloud);
   result.whole_scan = result.scan.cloud;

@@ -89,6 +89,7 @@ checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vec
   for (auto file = files.begin(); file != files.end(); ++file) {
     requireNoInput(*file, inputs);
     if (std::find(files.begin(), file, *file) != file)
-      throw UsageError("-o " + *file + ": is given twice");
+      throw UsageError("-o " + *file + ": is given twice" +
+                       (std::count(job.outputs.begin(), job.outputs.end(), *file) < 2 ? ", for it is written beside another picture; rename one" : ""));
   }
 }

@@ -18,6 +18,7 @@ struct PassJob {
   std::set<std::string> given; ///< names of the options that were set, here or in a job file
   std::string command;         ///< the call as typed
   std::string scan;            ///< empty where there is none
+  std::string part;            ///< the file that messages about the part name
   std::vector<std::string> outputs;
   pcl_spiral::ReadOptions read;
   bool leave_out_strays = false;

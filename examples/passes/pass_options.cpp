@@ -9,9 +9,8 @@ std::vector<pcl_spiral::ToolSegment>
 segmentsOf(const std::string& value)
 {
   std::vector<pcl_spiral::ToolSegment> segments;
-  for (std::size_t begin = 0; begin <= value.size();) {
-    const std::size_t end = std::min(value.find('/', begin), value.size());
-    const std::vector<std::string> words = listValue(value.substr(begin, end - begin));
+  for (const std::string& piece : piecesOf(value)) {
+    const std::vector<std::string> words = listValue(piece);
     if (words.size() != 2 && words.size() != 3)
       throw UsageError("--holder " + value +
                        ": segments of radius,length or lower radius,upper radius,length are needed, from the flank "
@@ -20,7 +19,6 @@ segmentsOf(const std::string& value)
     const double upper = words.size() == 3 ? numberValue("holder", words[1]) : lower;
     segments.push_back({lower, upper, numberValue("holder", words.back()),
                         "segment " + std::to_string(segments.size() + 1) + " of the holder"});
-    begin = end + 1;
   }
   return segments;
 }
@@ -81,7 +79,7 @@ Option
 toleranceOption(PassJob& job)
 {
   return numberOption("tolerance", "E",
-                      "locations are put between until no straight move cuts deeper or leaves more; 0.01: "
+                      "points are put between until no straight move cuts deeper or leaves more; 0.01: "
                       "--tolerance 0.005",
                       job.tolerance);
 }

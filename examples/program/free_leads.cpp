@@ -36,7 +36,7 @@ textOfCollision(const LedTool& tool, const LeadFigures& figures)
   const std::string what = deepest.part == ToolPart::Cutter  ? "the cutter"
                            : deepest.part == ToolPart::Shank ? "a shank as wide as the cutter"
                                                              : tool.holder[static_cast<std::size_t>(deepest.segment)].name;
-  return textOf(what, " would be ", deepest.depth, " mm deep in the scan ", wayOf(deepest.section), ", at ",
+  return textOf(what, " would be ", deepest.depth, " mm deep in the part ", wayOf(deepest.section), ", at ",
                 placeText(deepest.place), ", the tip at ", placeText(deepest.tip), "; ", figures.collided, " of ",
                 figures.moves, " moves off the path do so");
 }

@@ -46,11 +46,8 @@ Polyline
 placesOf(const std::string& option, const std::string& value)
 {
   Polyline places;
-  for (std::size_t begin = 0; begin <= value.size();) {
-    const std::size_t end = std::min(value.find('/', begin), value.size());
-    places.push_back(placeValue(option, value.substr(begin, end - begin)));
-    begin = end + 1;
-  }
+  for (const std::string& piece : piecesOf(value))
+    places.push_back(placeValue(option, piece));
   return places;
 }
 
@@ -94,8 +91,8 @@ rows(Job& job)
        numberOption("stand-off", "L", "of a beam's tip from the surface, along the normal; 0: --stand-off 10", s.stand_off),
        numberOption("lead", "A", "of the tool axis, forward along the row; 0: --lead 5", s.lead),
        numberOption("tilt", "A", "of the tool axis, to the right of travel; 0: --tilt 5", s.tilt),
-       numberOption("run-in", "L", "each row begins so far before the ridge, straight on; 0: --run-in 3", s.run_in),
-       numberOption("run-out", "L", "each row goes on so far behind the ridge; 0: --run-out 3", s.run_out), toleranceOption(job)}};
+       numberOption("run-in", "L", "each row begins so far before the ridge, straight on, with --pass-begin said before it; 0: --run-in 3", s.run_in),
+       numberOption("run-out", "L", "each row goes on so far behind the ridge, with --pass-end said behind it; 0: --run-out 3", s.run_out), toleranceOption(job)}};
   addOptions(group, axisOptions(job));
   return group;
 }

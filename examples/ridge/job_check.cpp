@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/common/message.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <initializer_list>
 
@@ -65,6 +66,7 @@ checkRows(Job& job)
   requireOption(s.overlap >= 0.0 && s.overlap < 1.0, "overlap", s.overlap, "must be 0 or more and below 1, such as 0.25");
   if (!isGiven(job, "spot"))
     refuse(job, {"overlap"}, "belongs to --spot; leave it out");
+  requireOption(s.stand_off >= 0.0, "stand-off", s.stand_off, "must not be below 0 mm; for the other side of the ridge give --flip-normals");
   requireOption(s.point_spacing > 0.0, "point-spacing", s.point_spacing, "must be above 0 mm");
   requireOption(s.run_in >= 0.0, "run-in", s.run_in, "must not be below 0 mm");
   requireOption(s.run_out >= 0.0, "run-out", s.run_out, "must not be below 0 mm");
@@ -72,9 +74,11 @@ checkRows(Job& job)
 }
 
 void
-checkBeam(const Job& job)
+checkBeam(Job& job)
 {
-  refuse(job, {"corner-radius", "flank-length", "flank-angle", "holder", "holder-clearance", "tolerance", "accept-collisions", "scallop", "pole-cone"},
+  requireOption(job.tolerance > 0.0, "tolerance", job.tolerance, "must be above 0 mm, such as 0.01");
+  job.rows.chord_error = job.tolerance;
+  refuse(job, {"corner-radius", "flank-length", "flank-angle", "holder", "holder-clearance", "accept-collisions", "scallop", "pole-cone"},
          "belongs to a cutter, and no --tool-radius is given; give it, or leave this out: then the tool is a beam");
   if (isGiven(job, "tool-radius"))
     requireOption(job.cutter.radius > 0.0, "tool-radius", job.cutter.radius, "must be above 0 mm; for a beam leave it out");
@@ -90,7 +94,10 @@ void
 checkCutter(Job& job)
 {
   completeCutter(job);
+  if (isGiven(job, "scallop") && !isGiven(job, "tolerance"))
+    job.tolerance = std::min(job.tolerance, 0.5 * job.scallop);
   checkTool(job);
+  job.rows.chord_error = 0.5 * job.tolerance; // half is for the moves between locations
   refuse(job, {"stand-off"}, "a cutter touches the surface; leave --stand-off or --tool-radius out");
   refuse(job, {"spot"}, "is a beam's; give a --step-over or --scallop for a cutter");
   if (!isGiven(job, "scallop"))
@@ -125,6 +132,7 @@ void
 completeJob(Job& job)
 {
   checkLines(job);
+  job.part = job.rail.empty() ? job.scan : job.rail;
   checkRows(job);
   if (job.hasCutter())
     checkCutter(job);

@@ -9,6 +9,7 @@
 #include "terminal/setter_names.h"
 
 #include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/thread_limit.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/ridge/ridge_lines.h>
 #include <pcl_spiral/ridge/ridge_mesh.h>
@@ -20,19 +21,13 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** The file that a message is about. */
-const std::string&
-sourceOf(const Job& job)
-{
-  return job.rail.empty() ? job.scan : job.rail;
-}
-
 Polyline
 readLine(const Job& job, const std::string& file, Result& result)
 {
   const Scan read = readCloud(file, job.read);
-  for (const std::string& warning : inOptions(read.warnings))
-    result.warnings.push_back(file + ": " + warning);
+  for (const std::string& warning : read.warnings)
+    if (file == job.rail || warning.find(" across; ") == std::string::npos) // a generator is small as a rule
+      result.warnings.push_back(warning);
   Polyline points;
   for (const pcl::PointXYZ& p : *read.cloud)
     points.push_back(p.getVector3fMap().cast<double>());
@@ -73,12 +68,45 @@ findLines(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, Re
   result.warnings.insert(result.warnings.end(), result.found->warnings.begin(), result.found->warnings.end());
 }
 
+/** Distance of a beam's spot from its tip, along its axis. */
+double
+reachOf(const Job& job, const DrivePoint& p)
+{
+  constexpr double least = 1e-3; // cosine: a beam along the surface has no spot
+  return job.rows.stand_off / std::max(least, p.axis.normalized().dot(p.normal));
+}
+
+/** Axes smoothed about the spot, which stays where it is. */
+void
+smoothBeam(const Job& job, DrivePasses& rows, std::vector<std::string>& warnings)
+{
+  std::vector<Polyline> spots;
+  std::vector<std::vector<double>> reaches;
+  for (const DrivePass& row : rows) {
+    spots.emplace_back();
+    reaches.emplace_back();
+    for (const DrivePoint& p : row.points) {
+      reaches.back().push_back(reachOf(job, p));
+      spots.back().push_back(p.position - reaches.back().back() * p.axis.normalized());
+    }
+  }
+  smoothPasses(job, rows, warnings);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (std::size_t i = 0; i < rows[k].points.size(); ++i)
+      rows[k].points[i].position = spots[k][i] + reaches[k][i] * rows[k].points[i].axis.normalized();
+}
+
 DrivePasses
 makeRows(const Job& job, Result& result)
 {
   DrivePasses rows;
-  require(sourceOf(job), planRidgeRows(*result.ridge, job.rows, rows, result.rows));
-  smoothPasses(job, rows, result.warnings);
+  const ThreadLimit limit(job.threads);
+  require(job.part, planRidgeRows(*result.ridge, job.rows, rows, result.rows));
+  result.warnings.insert(result.warnings.end(), result.rows.warnings.begin(), result.rows.warnings.end());
+  if (job.hasCutter())
+    smoothPasses(job, rows, result.warnings);
+  else
+    smoothBeam(job, rows, result.warnings);
   return rows;
 }
 
@@ -91,7 +119,7 @@ takeBeam(const Job& job, const DrivePasses& rows, Result& result)
     const auto add = [&](const DrivePoint& p) {
       if (!poses.empty())
         result.length += (p.position - poses.back().tip).norm();
-      poses.push_back({p.position, p.axis.normalized(), p.position - job.rows.stand_off * p.normal, p.normal});
+      poses.push_back({p.position, p.axis.normalized(), p.position - reachOf(job, p) * p.axis.normalized(), p.normal});
     };
     std::for_each(row.points.begin(), row.points.end(), add);
     if (row.closed)
@@ -102,7 +130,8 @@ takeBeam(const Job& job, const DrivePasses& rows, Result& result)
   if (lean > 0.0 && job.rows.stand_off != 0.0)
     result.warnings.push_back(textOf("the beam leans by about ", lean, " degrees at a stand-off of ", job.rows.stand_off,
                                      " mm: it meets the surface some ", std::abs(job.rows.stand_off) * std::tan(lean * M_PI / 180.0),
-                                     " mm beside the row; leave --stand-off out, and set the tool's length longer by it"));
+                                     " mm beside the row, and files say where; leave --stand-off out, and set the tool's length longer by it: then the tip of the "
+                                     "files is the spot"));
   if (hasProgram(job.program, job.outputs))
     result.warnings.push_back("the way of the beam's head is not checked: nothing is known of its shape; see that it is free");
 }
@@ -116,7 +145,7 @@ makeMesh(const Job& job, Result& result)
   const double width = result.ridge->generator().length();
   const double chord_error = job.hasCutter() ? std::max(share_of_tolerance * job.tolerance, finest * width) : for_pictures * width;
   if (const Status status = ridgeMesh(*result.ridge, chord_error, result.mesh); !status.ok())
-    throw FileError(sourceOf(job), textOf("a ridge ", result.ridge->rail().length(), " mm long and ", width,
+    throw FileError(job.part, textOf("a ridge ", result.ridge->rail().length(), " mm long and ", width,
                                          " mm wide takes too many triangles, more than a million: make it in pieces"));
 }
 

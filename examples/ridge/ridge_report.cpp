@@ -27,7 +27,7 @@ settingsOf(const Job& job)
                    {"spot", s.spot_size},
                    {"overlap", s.overlap},
                    {"step_over", s.step_over},
-                   {"scallop", s.scallop_height},
+                   {"scallop", job.scallop},
                    {"point_spacing", s.point_spacing},
                    {"steps", choiceName(s.steps)},
                    {"normals", choiceName(s.normals)},
@@ -36,10 +36,22 @@ settingsOf(const Job& job)
                    {"tilt", s.tilt},
                    {"run_in", s.run_in},
                    {"run_out", s.run_out},
+                   {"tolerance", job.tolerance},
+                   {"axis_smoothing", job.axis_smoothing},
+                   {"max_axis_rate", job.max_axis_rate},
+                   {"units", choiceName(job.read.unit)},
+                   {"origin", placeOf(job.read.origin)},
                    {"feed", job.feed}};
+  if (!job.through.empty()) {
+    Json places = Json::array();
+    for (const Eigen::Vector3d& place : job.through)
+      places.push_back(placeOf(place));
+    settings["through"] = places;
+    settings["half_width"] = job.half_width;
+    settings["ring"] = job.ring;
+  }
   if (job.hasCutter()) {
     settings["cutter"] = cutterOf(job);
-    settings["tolerance"] = job.tolerance;
   }
   return settings;
 }
@@ -54,6 +66,8 @@ ridgeOf(const RidgeReport& r)
           {"generator_length", r.generator_length},
           {"rail_error", r.rail_error},
           {"generator_error", r.generator_error},
+          {"rail_direction", r.rail_direction},
+          {"generator_direction", r.generator_direction},
           {"meeting_place", placeOf(r.meeting_place)},
           {"meeting_distance", r.meeting_distance},
           {"chord", r.chord},

@@ -34,6 +34,18 @@ wholeNumberValue(const std::string& name, const std::string& value)
 }
 
 std::vector<std::string>
+piecesOf(const std::string& value)
+{
+  std::vector<std::string> pieces;
+  for (std::size_t begin = 0; begin <= value.size();) {
+    const std::size_t end = std::min(value.find('/', begin), value.size());
+    pieces.push_back(value.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return pieces;
+}
+
+std::vector<std::string>
 listValue(const std::string& value)
 {
   std::vector<std::string> words;

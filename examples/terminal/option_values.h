@@ -23,6 +23,9 @@ void requireOption(bool holds, const std::string& option, double value, const st
 /** 4 */
 int wholeNumberValue(const std::string& name, const std::string& value);
 
+/** The pieces between slashes. */
+std::vector<std::string> piecesOf(const std::string& value);
+
 /** The words between commas, without spaces. */
 std::vector<std::string> listValue(const std::string& value);
 

@@ -235,7 +235,7 @@ TEST(Program, LeadsIntoTheOtherSideOfAWellAreRefused)
   const RunResult refused = made({});
   EXPECT_EQ(refused.code, 1);
   expectHas(refused.err, "a shank as wide as the cutter would be ");
-  expectHas(refused.err, " mm deep in the scan ");
+  expectHas(refused.err, " mm deep in the part ");
   expectHas(refused.err, "--accept-collisions");
   EXPECT_FALSE(std::filesystem::exists(folder.path("part.ngc")));
   const RunResult accepted = made({"--accept-collisions"});

@@ -215,15 +215,50 @@ TEST_F(RidgeProgram, TakesAJobFileAndWritesTheSameBytesForAnyNumberOfThreads)
 {
   writeText(folder_.path("job.yaml"), "rail: rail.txt\ngenerator: generator.txt\nspot: 4\noverlap: 0.25\ndirection: across\noutput: [a.6d]\n");
   ASSERT_EQ(run({"--config", "job.yaml", "--threads", "1"}).code, 0);
-  ASSERT_EQ(runLines({"--spot", "4", "--overlap", "0.25", "--direction", "across", "-o", "b.6d"}).code, 0);
+  ASSERT_EQ(runLines({"--spot", "4", "--overlap", "0.25", "--direction", "across", "--threads", "7", "-o", "b.6d"}).code, 0);
   EXPECT_EQ(readText(folder_.path("a.6d")), readText(folder_.path("b.6d")));
+}
+
+TEST_F(RidgeProgram, ABeamThatWouldStandIsRefused)
+{
+  std::vector<Vector3d> rail, generator; // a crest whose normal passes the upright
+  for (int i = 0; i <= 100; ++i)
+    rail.emplace_back(i, 0.0, 0.0);
+  for (int i = 0; i <= 60; ++i)
+    generator.emplace_back(50.0, 20.0 * std::sin((i - 30) / 30.0), 20.0 * std::cos((i - 30) / 30.0) - 20.0);
+  writeText(folder_.path("rail.txt"), textOf(rail));
+  writeText(folder_.path("generator.txt"), textOf(generator));
+  std::vector<std::string> call{"rail.txt", "generator.txt", "--step-over", "30", "--direction", "across", "--stand-off", "10", "--pass-begin", "M62 P0",
+                                "--pass-end", "M63 P0", "-o", "a.ngc"};
+  expectRefused(call, 1, "of the feed while it is on, and burn the part: lean the beam (--tilt 20)");
+  call.insert(call.end(), {"--tilt", "20"});
+  EXPECT_EQ(run(call).code, 0);
+}
+
+TEST_F(RidgeProgram, SmoothedAxesLeaveABeamsSpotOnItsRow)
+{
+  ASSERT_EQ(runLines({"--step-over", "20", "--direction", "across", "--stand-off", "10", "--axis-smoothing", "20", "-o", "a.6d"}).code, 0);
+  std::istringstream list(readText(folder_.path("a.6d")));
+  double largest = 0.0, lean = 0.0;
+  for (std::string line; std::getline(list, line);) {
+    Vector3d tip, axis;
+    if (line.empty())
+      continue;
+    std::istringstream(line) >> tip.x() >> tip.y() >> tip.z() >> axis.x() >> axis.y() >> axis.z();
+    double t = 0.5, w = 0.5;
+    largest = std::max(largest, die.distance(tip - 10.0 * axis));
+    static_cast<void>(die.distance(tip - 10.0 * axis, t, w));
+    lean = std::max(lean, std::acos(std::min(1.0, axis.dot(die.normal(t, w)))));
+  }
+  EXPECT_LT(largest, 0.002);
+  EXPECT_GT(lean, 0.05); // and they were smoothed
 }
 
 TEST_F(RidgeProgram, RemediesOfItsMessagesWork)
 {
   const RunResult leaning = runLines({"--spot", "4", "--stand-off", "10", "--tilt", "10", "-o", "a.csv"});
   EXPECT_EQ(leaning.code, 0);
-  EXPECT_NE(leaning.err.find("meets the surface some 1.763 mm beside the row; leave --stand-off out"), std::string::npos) << leaning.err;
+  EXPECT_NE(leaning.err.find("meets the surface some 1.763 mm beside the row, and files say where; leave --stand-off out"), std::string::npos) << leaning.err;
   EXPECT_EQ(runLines({"--spot", "4", "--tilt", "10", "-o", "a.csv"}).err, "");
   const RunResult many = runLines({"--tool-radius", "6", "--step-over", "4", "-o", "a.apt"});
   EXPECT_EQ(many.code, 1);
@@ -244,7 +279,10 @@ TEST_F(RidgeProgram, SaysWhatIsWrongWithACall)
   expectRefused({rail, generator, "third.txt", "-o", "x.csv", "--spot", "4"}, 2, "a second generator, third.txt, after generator.txt");
   expectRefused({rail, generator, "--spot", "4"}, 2, "no output is named");
   expectRefused({rail, generator, "--spot", "4", "-o", "x.dxf"}, 2, "extension '.dxf' is not known; use");
-  expectRefused({rail, generator, "--spot", "4", "-o", "rail.txt"}, 2, "extension '.txt' is not known");
+  writeText(folder_.path("rail.csv"), "x,y,z\n1,2,3\n");
+  expectRefused({"rail.csv", generator, "--spot", "4", "-o", "rail.csv"}, 2, "this is the rail itself; give the output another name");
+  expectRefused({rail, generator, "--spot", "4", "-o", "x_lines.png", "-o", "x.png"}, 2, "x_lines.png: is given twice, for it is written beside another picture");
+  expectRefused(call({"--spot", "4", "--stand-off", "-10"}), 2, "--stand-off -10: must not be below 0 mm; for the other side of the ridge give --flip-normals");
   expectRefused({rail, generator, "--spot", "4", "-o", "x.yaml"}, 2, "this format describes a cutter, and a beam has none");
   expectRefused({rail, generator, "--spot", "4", "-o", "none/x.csv"}, 1, "none/x.csv");
   expectRefused(call({}), 2, "nothing says how far rows are apart; give one of --spot, --step-over and --scallop");
@@ -280,7 +318,8 @@ TEST_F(RidgeProgram, SaysWhatIsWrongWithTheData)
   const std::vector<Vector3d> generator = die.generatorPoints(0.37, 100), rail = die.railPoints(300);
   writeText(folder_.path("three.txt"), textOf({rail[0], rail[1], rail[2]}));
   refused("three.txt", "generator.txt", "the rail has 3 points");
-  writeText(folder_.path("nan.txt"), textOf(rail) + "nan 1 2\n");
+  writeText(folder_.path("nan.txt"), "1 2 nan\n" + textOf(rail));
+  refused("nan.txt", "generator.txt", "point 1 of the rail is not finite");
   writeText(folder_.path("far.txt"), textOf([&] {
               std::vector<Vector3d> far = generator;
               for (Vector3d& p : far)

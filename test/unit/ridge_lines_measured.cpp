@@ -99,7 +99,7 @@ TEST(RidgeLines, ThatAreNoneAreRefused)
   const Polyline rail = die.railPoints(200), generator = die.generatorPoints(0.37, 40);
   Polyline bad = rail;
   bad[7].y() = std::numeric_limits<double>::quiet_NaN();
-  refused(bad, generator, "point 7 of the rail is not finite");
+  refused(bad, generator, "point 8 of the rail is not finite");
   refused({rail[0], rail[1], rail[2]}, generator, "the rail has 3 points that differ");
   refused(rail, {generator[0], generator[0], generator[1]}, "the generator has 2 points");
   refused(Polyline(20001, rail[0]), generator, "the rail has 20001 points");

@@ -3,6 +3,7 @@
 #include <pcl_spiral/common/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/pose_list.h>
+#include <pcl_spiral/machine/kinematics.h>
 
 #include <cmath>
 
@@ -29,19 +30,42 @@ requireRows(const std::string& file, const std::vector<ToolPoses>& passes)
   }
 }
 
-/** Angles of every row on one branch, the first going on from row to row. */
-std::vector<RotaryPath>
+/** The same angles by whole turns of the first, nearest to \p before. */
+RotaryAngles
+turnedTo(const RotaryAngles& before, RotaryAngles angles)
+{
+  const double turn = 2.0 * M_PI;
+  angles.first = std::isnan(angles.first) ? before.first // along the first axis every angle does
+                                          : angles.first + turn * std::round((before.first - angles.first) / turn);
+  return angles;
+}
+
+double
+wayBetween(const RotaryAngles& a, const RotaryAngles& b)
+{
+  return std::abs(a.first - b.first) + std::abs(a.second - b.second);
+}
+
+/** Angles of all poses, each by the one of both ways to reach its axis that is the nearer to the pose before: (A, C) or (-A, C + 180). So C makes
+ *  no half turn where the axis passes the upright. */
+std::vector<std::vector<RotaryAngles>>
 anglesOf(const std::string& file, const std::vector<ToolPoses>& passes)
 {
-  Machine machine = xyzacTrunnion();
-  RotaryPathSettings settings;
-  settings.pole_cone = 0.0; // the poses are kept as they are
-  std::vector<RotaryPath> rows;
+  const Kinematics kinematics(xyzacTrunnion());
+  std::vector<std::vector<RotaryAngles>> rows;
+  RotaryAngles before;
+  bool begun = false;
   for (const ToolPoses& poses : passes) {
     rows.emplace_back();
-    if (const Status status = rotaryPath(Kinematics(machine), poses, settings, rows.back()); !status.ok())
-      throw FileError(file, textOf("not written: row ", rows.size(), ": ", status.message()));
-    machine.rotary[0].home = rows.back().locations.back().angles.first;
+    for (const ToolPose& pose : poses) {
+      const auto larger = kinematics.anglesOf(pose.axis.normalized(), Branch::Larger), smaller = kinematics.anglesOf(pose.axis.normalized(), Branch::Smaller);
+      if (!larger || !smaller)
+        throw FileError(file, textOf("not written: row ", rows.size(), ": no angles reach the axis at ", placeText(pose.tip)));
+      const RotaryAngles a = turnedTo(before, *larger), b = turnedTo(before, *smaller);
+      before = !begun || wayBetween(a, before) <= wayBetween(b, before) ? a : b;
+      begun = true;
+      rows.back().push_back(before);
+    }
   }
   return rows;
 }
@@ -76,15 +100,15 @@ void
 writePoseAngles(const std::string& file, const std::vector<ToolPoses>& passes)
 {
   requireRows(file, passes);
-  const std::vector<RotaryPath> rows = anglesOf(file, passes);
+  const std::vector<std::vector<RotaryAngles>> angles = anglesOf(file, passes);
   PostText out(file, decimals);
-  for (const RotaryPath& row : rows) {
-    if (&row != &rows.front())
+  for (std::size_t row = 0; row < passes.size(); ++row) {
+    if (row > 0)
       out.endLine();
-    for (const MachineLocation& location : row.locations) {
-      writeTip(out, location.pose);
-      out.word("", location.angles.second * in_degrees);
-      out.word("", location.angles.first * in_degrees);
+    for (std::size_t i = 0; i < passes[row].size(); ++i) {
+      writeTip(out, passes[row][i]);
+      out.word("", angles[row][i].second * in_degrees);
+      out.word("", angles[row][i].first * in_degrees);
       out.endLine();
     }
   }

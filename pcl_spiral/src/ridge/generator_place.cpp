@@ -140,10 +140,10 @@ checkCorners(const MeasuredLine& rail, double error)
 }
 
 Status
-placeGenerator(const Polyline& points, const SmoothLine& rail, const RidgeSettings& settings, bool may_turn, GeneratorPlace& place)
+placeGenerator(const MeasuredLine& measured, const SmoothLine& rail, const RidgeSettings& settings, bool may_turn, GeneratorPlace& place)
 {
   place = GeneratorPlace();
-  const SmoothLine generator = fitLine({points, false, 0.0}, settings.measuring_error).line;
+  const SmoothLine generator = fitLine(measured, settings.measuring_error).line;
   Vector3d meeting;
   if (const Status status = findMeeting(generator, rail, meeting, place); !status.ok())
     return status;
@@ -151,7 +151,7 @@ placeGenerator(const Polyline& points, const SmoothLine& rail, const RidgeSettin
   if (place.turns_rail)
     return Status::success();
   const Vector3d foot = rail.position(place.meeting), tangent = rail.tangent(place.meeting);
-  if (const Status status = checkTilt(points, tangent, meeting, place); !status.ok())
+  if (const Status status = checkTilt(measured.points, tangent, meeting, place); !status.ok())
     return status;
   Vector3d chord = generator.position(generator.length()) - generator.position(0.0);
   const bool turned = (chord.dot(settings.reference.cross(tangent)) < 0.0) != settings.flip;
@@ -161,17 +161,18 @@ placeGenerator(const Polyline& points, const SmoothLine& rail, const RidgeSettin
   const std::optional<RidgeFrame> frame = ridgeFrame(tangent, place.chord);
   if (!frame)
     return {StatusCode::InvalidInput,
-            textOf("the chord of the generator at ", placeText(meeting), " stands as steeply to the reference plane as the rail there lets "
-                   "it, so that it is not known on which side of it it is to stay: take a reference normal across the rail (setReferenceNormal)")};
+            textOf("the chord of the generator at ", placeText(meeting), " stands upright, along the reference normal, so that it may fall to "
+                   "either side of the rail: take another reference normal, across both lines (setReferenceNormal)")};
   constexpr double sure = 0.1; // of the chord's length, out of the upright plane through the rail
   if (std::abs(frame->up.dot(settings.reference)) < sure)
     place.warnings.push_back(textOf("the generator at ", placeText(meeting), " stands nearly upright, so that errors of its points may choose the "
                                     "side that is up: look at the normals, and flip them (setFlipNormals) or take a reference normal across "
                                     "the generator (setReferenceNormal)"));
-  for (const Vector3d& p : points)
-    place.local.push_back(frame->localOf(p - foot));
+  place.local.spacing = measured.spacing;
+  for (const Vector3d& p : measured.points)
+    place.local.points.push_back(frame->localOf(p - foot));
   if (turned)
-    std::reverse(place.local.begin(), place.local.end());
+    std::reverse(place.local.points.begin(), place.local.points.end());
   return Status::success();
 }
 

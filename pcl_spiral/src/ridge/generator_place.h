@@ -19,13 +19,12 @@ struct GeneratorPlace {
   double meeting = 0.0, distance = 0.0; ///< arc length of the rail, and of both lines there
   double chord_length = 0.0, tilt = 0.0;
   RidgeChord chord;
-  Polyline local; ///< its points in the order from start to end, along m1, m2, m3
+  MeasuredLine local; ///< its points in the order from start to end, along m1, m2, m3
   std::vector<std::string> warnings;
 };
 
-/** Put the ordered points of a generator in the frame of \p rail where both meet. \p may_turn: the rail may be asked to run the
- *  other way. */
-Status placeGenerator(const Polyline& points, const SmoothLine& rail, const RidgeSettings& settings, bool may_turn,
+/** Put a generator in the frame of \p rail where both meet. \p may_turn: the rail may be asked to run the other way. */
+Status placeGenerator(const MeasuredLine& measured, const SmoothLine& rail, const RidgeSettings& settings, bool may_turn,
                       GeneratorPlace& place);
 
 /** Refuses a rail that turns by more than 30 degrees at one place. \p error of its points. */

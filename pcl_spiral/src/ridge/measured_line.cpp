@@ -169,7 +169,7 @@ orderLine(const Polyline& given, const std::string& name, MeasuredLine& line)
                                              " is not put in order: is it a whole scan? Else thin it")};
   for (std::size_t i = 0; i < given.size(); ++i)
     if (!given[i].allFinite())
-      return {StatusCode::InvalidInput, textOf("point ", i, " of ", name, " is not finite: leave it out")};
+      return {StatusCode::InvalidInput, textOf("point ", i + 1, " of ", name, " is not finite: leave it out")};
   const Polyline points = withoutRepeats(given);
   if (points.size() < 4)
     return {StatusCode::InvalidInput,

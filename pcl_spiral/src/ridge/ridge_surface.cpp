@@ -84,9 +84,12 @@ RidgeSurface::normal(double u, double v, RidgeNormals normals) const
 Status
 RidgeSurface::checkRail()
 {
+  constexpr double upright = 89.0;   // degrees: steeper, the chord's side is chance
+  constexpr double most_turn = 30.0; // degrees, of the chord from station to station
   const double limit = std::acos(std::min(1.0, std::abs(chord_.sin_angle)));
   const int stations = stationsAlong(rail_);
   Vector3d sensitive = Vector3d::Zero();
+  std::optional<RidgeFrame> before;
   for (int k = 0; k <= stations; ++k) {
     const double u = rail_.length() * k / stations;
     const Vector3d tangent = rail_.tangent(u);
@@ -97,6 +100,11 @@ RidgeSurface::checkRail()
               textOf("the rail has a slope of ", slope / degree, " degrees at ", placeText(rail_.position(u)), "; a generator whose chord keeps ",
                      std::abs(report_.chord_angle), " degrees goes up to ", limit / degree,
                      ": take a reference normal across the rail (setReferenceNormal), or make the ridge in pieces")};
+    if (slope / degree > upright || (before && std::acos(std::clamp(before->chord.dot(at->chord), -1.0, 1.0)) / degree > most_turn))
+      return {StatusCode::InvalidInput,
+              textOf("the rail stands upright, along the reference normal, at ", placeText(rail_.position(u)), ": the generator would turn over to "
+                     "the other side there; take a reference normal across the rail (setReferenceNormal), or make the ridge in pieces")};
+    before = at;
     if (slope / degree > report_.largest_slope) {
       report_.largest_slope = slope / degree;
       report_.steepest_place = rail_.position(u);
@@ -106,12 +114,23 @@ RidgeSurface::checkRail()
       sensitive = rail_.position(u);
     }
   }
-  constexpr double much = 5.0;
+  warnOfSlope(sensitive);
+  return Status::success();
+}
+
+void
+RidgeSurface::warnOfSlope(const Vector3d& sensitive)
+{
+  constexpr double much = 5.0; // times, and tan(slope) likewise: how far an error across the slope turns the chord
   if (report_.slope_factor > much)
     report_.warnings.push_back(textOf("at ", placeText(sensitive), " an error of the rail's slope turns the generator ", report_.slope_factor,
                                       " times as far: measure the rail closely there, or take a reference normal across the rail "
                                       "(setReferenceNormal)"));
-  return Status::success();
+  else if (std::tan(report_.largest_slope * degree) > much)
+    report_.warnings.push_back(textOf("the rail stands nearly upright at ", placeText(report_.steepest_place), ", with a slope of ",
+                                      report_.largest_slope, " degrees: an error of its direction turns the generator ",
+                                      std::tan(report_.largest_slope * degree), " times as far; take a reference normal across the rail "
+                                      "(setReferenceNormal)"));
 }
 
 /** The surface folds where 1 + omega2 c - omega3 b <= 0: the share of its length along the rail. */
@@ -142,10 +161,10 @@ RidgeSurface::checkFolds()
 }
 
 Status
-RidgeSurface::place(const Polyline& points, bool may_turn, bool& turned)
+RidgeSurface::place(const MeasuredLine& measured, bool may_turn, bool& turned)
 {
   GeneratorPlace found;
-  if (const Status status = placeGenerator(points, rail_, settings_, may_turn, found); !status.ok())
+  if (const Status status = placeGenerator(measured, rail_, settings_, may_turn, found); !status.ok())
     return status;
   turned = found.turns_rail;
   if (turned)
@@ -158,13 +177,40 @@ RidgeSurface::place(const Polyline& points, bool may_turn, bool& turned)
   report_.chord_angle = std::asin(std::clamp(found.chord.sin_angle, -1.0, 1.0)) / degree;
   report_.warnings.insert(report_.warnings.end(), found.warnings.begin(), found.warnings.end());
   chord_ = found.chord;
-  const LineFit fit = fitLine({found.local, false, 0.0}, settings_.measuring_error);
+  const LineFit fit = fitLine(found.local, settings_.measuring_error);
   generator_ = fit.line;
   report_.generator_error = fit.error;
+  report_.generator_direction = directionError(found.local);
   report_.generator_length = generator_.length();
   const double v = generator_.length();
   arc_centre_ = circleCentre(generator_.position(0.0), generator_.position(0.5 * v), generator_.position(v));
   return Status::success();
+}
+
+/** Rail and generator are of one surface, and nearly meet. */
+void
+RidgeSurface::warnOfMeeting(const MeasuredLine& rail, const MeasuredLine& generator)
+{
+  constexpr double errors = 5.0, spacings = 6.0;
+  const double sure = errors * (report_.rail_error + report_.generator_error) + rail.spacing + generator.spacing;
+  if (report_.meeting_distance > sure)
+    report_.warnings.push_back(textOf("rail and generator are ", report_.meeting_distance, " mm apart where they come nearest, at ",
+                                      placeText(report_.meeting_place), ": the ridge runs through the generator there; if one of them was measured "
+                                      "in another place, measure it again"));
+  if (const double open = (rail.points.front() - rail.points.back()).norm(); !rail.closed && open < spacings * rail.spacing)
+    report_.warnings.push_back(textOf("the ends of the rail at ", placeText(rail.points.front()), " are only ", open, " mm apart, ", open / rail.spacing,
+                                      " spacings: if it is a ring, measure the rest of it; it is taken as open"));
+}
+
+void
+RidgeSurface::warnOfDirections()
+{
+  constexpr double much = 2.0; // degrees
+  if (report_.generator_direction > much || report_.rail_direction > much)
+    report_.warnings.push_back(textOf("the direction of the ", report_.generator_direction > much ? "generator" : "rail", " is known to ",
+                                      std::max(report_.generator_direction, report_.rail_direction), " degrees only, as its points err by ",
+                                      report_.generator_direction > much ? report_.generator_error : report_.rail_error,
+                                      " mm: normals and tool axes err as far; measure it with more points or a better probe"));
 }
 
 Status
@@ -184,13 +230,18 @@ RidgeSurface::fit(const Polyline& rail, const Polyline& generator)
   report_.generator_points = measured_generator.points.size();
   report_.closed = measured_rail.closed;
   report_.rail_error = fit.error;
+  report_.rail_direction = directionError(measured_rail);
   report_.rail_length = fit.line.length();
   rail_ = fit.line;
   bool turned = false;
-  if (const Status status = place(measured_generator.points, true, turned); !status.ok() || !turned)
-    return status;
-  rail_ = rail_.reversed();
-  return place(measured_generator.points, false, turned);
+  Status status = place(measured_generator, true, turned);
+  if (status.ok() && turned) {
+    rail_ = rail_.reversed();
+    status = place(measured_generator, false, turned);
+  }
+  if (status.ok())
+    warnOfMeeting(measured_rail, measured_generator);
+  return status;
 }
 
 Status
@@ -215,6 +266,7 @@ RidgeSurface::make(const Polyline& rail, const Polyline& generator, const RidgeS
     return status;
   if (const Status status = made->checkFolds(); !status.ok())
     return status;
+  made->warnOfDirections();
   result = made;
   return Status::success();
 }

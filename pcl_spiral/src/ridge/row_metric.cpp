@@ -86,7 +86,7 @@ private:
 } // namespace
 
 Status
-rowPlaces(const RidgeSurface& surface, const RidgeRowSettings& settings, std::vector<double>& places, double& largest_step)
+rowPlaces(const RidgeSurface& surface, const RidgeRowSettings& settings, std::vector<double>& places)
 {
   const Density density(surface, settings);
   const SmoothLine& line = density.across();
@@ -115,9 +115,6 @@ rowPlaces(const RidgeSurface& surface, const RidgeRowSettings& settings, std::ve
       ++at;
     places.push_back(step * (static_cast<double>(at) - 1.0 + (wanted - sums[at - 1]) / (sums[at] - sums[at - 1])));
   }
-  largest_step = 0.0;
-  for (std::size_t k = 1; k < places.size(); ++k)
-    largest_step = std::max(largest_step, places[k] - places[k - 1]);
   return Status::success();
 }
 

@@ -10,8 +10,7 @@
 
 namespace pcl_spiral {
 
-/** Places of the rows, along the generator or the rail, so that neighbours are nowhere farther apart than asked; and how far they
- *  are at most. */
-Status rowPlaces(const RidgeSurface& surface, const RidgeRowSettings& settings, std::vector<double>& places, double& largest_step);
+/** Places of the rows, along the generator or the rail, so that neighbours are nowhere farther apart than asked. */
+Status rowPlaces(const RidgeSurface& surface, const RidgeRowSettings& settings, std::vector<double>& places);
 
 } // namespace pcl_spiral

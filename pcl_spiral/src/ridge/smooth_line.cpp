@@ -2,6 +2,8 @@
 
 #include <pcl_spiral/core/bspline_fit.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -123,22 +125,30 @@ coordinateError(const Trial& trial)
   return trial.free > 0.0 ? std::sqrt(trial.squares / (2.0 * trial.free)) : 0.0;
 }
 
-/** With more and more spans until the error is left, or by cross validation. */
+/** Whether a fit leaves no more than the error given, and what chance adds to it. */
+bool
+leavesError(const Trial& trial, double error)
+{
+  constexpr double sure = 3.0; // standard deviations of the error as two coordinates of each point show it
+  return coordinateError(trial) <= error * (1.0 + sure / std::sqrt(4.0 * trial.free));
+}
+
+/** By cross validation; or with fewer spans, where those leave the error given already. */
 std::optional<Trial>
 chooseFit(const Polyline& points, std::size_t repeated, double error)
 {
   constexpr double growth = 1.3, most = 0.6; // spans a point
   constexpr double fast = 0.5; // of the score before: without noise it falls with the eighth power of the spans' length
   const std::size_t last = static_cast<std::size_t>(most * static_cast<double>(points.size()));
-  std::optional<Trial> best;
+  std::optional<Trial> best, enough;
   double least = std::numeric_limits<double>::infinity(), before = least;
   bool falls = true;
   for (std::size_t spans = 1; repeated * spans <= last; spans = std::max(spans + 1, static_cast<std::size_t>(growth * static_cast<double>(spans)))) {
     std::optional<Trial> trial = tryFit(points, repeated * spans);
     if (!trial || !(trial->free > 0.0))
       break;
-    if (error > 0.0 && coordinateError(*trial) <= error)
-      return trial;
+    if (error > 0.0 && !enough && leavesError(*trial, error))
+      enough = trial;
     const double score = trial->squares / (trial->free * trial->free);
     falls = score < fast * before;
     before = score;
@@ -147,15 +157,54 @@ chooseFit(const Polyline& points, std::size_t repeated, double error)
       best = std::move(trial);
     }
   }
+  if (enough && (!best || enough->fit.curve.spans() <= best->fit.curve.spans()))
+    return enough;
   if (!best || falls) // to the last, so that no noise is seen: through the points
     return tryFit(points, points.size() - 3);
   return best;
 }
 
-} // namespace
+/** The outermost of \p group as a straight line through it says, from its first point on. */
+Eigen::Vector3d
+endOf(const Polyline& group)
+{
+  const double last = static_cast<double>(group.size()) - 1.0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero(), slope = mean;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const double t = static_cast<double>(i) - 0.5 * last;
+    mean += group[i] / (last + 1.0);
+    slope += t * group[i];
+    squares += t * t;
+  }
+  return mean - slope * (0.5 * last / squares);
+}
 
+/** Means of \p size points each, one after the other; of an open line the ends stay where they are. */
+MeasuredLine
+groupMeans(const MeasuredLine& measured, std::size_t size)
+{
+  MeasuredLine result{{}, measured.closed, measured.spacing * static_cast<double>(size)};
+  const Polyline& points = measured.points;
+  const std::size_t groups = points.size() / size;
+  for (std::size_t k = 0; k < groups; ++k) {
+    const auto begin = points.begin() + static_cast<std::ptrdiff_t>(k * points.size() / groups);
+    const auto end = points.begin() + static_cast<std::ptrdiff_t>((k + 1) * points.size() / groups);
+    Polyline group(begin, end);
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& p : group)
+      place += p / static_cast<double>(group.size());
+    if (!measured.closed && k + 1 == groups)
+      std::reverse(group.begin(), group.end());
+    const bool at_end = !measured.closed && (k == 0 || k + 1 == groups);
+    result.points.push_back(at_end ? endOf(group) : place);
+  }
+  return result;
+}
+
+/** The fit to all points; a closed line's with half a round more at each end. */
 LineFit
-fitLine(const MeasuredLine& measured, double error)
+fitPoints(const MeasuredLine& measured, double error)
 {
   Polyline points = measured.points;
   const std::size_t n = points.size(), half = measured.closed ? n / 2 : 0;
@@ -182,6 +231,55 @@ fitLine(const MeasuredLine& measured, double error)
     round += (points[i + 1] - points[i]).norm();
   result.line = SmoothLine(curve, curve.arcLength(along), curve.arcLength(along + round), true);
   return result;
+}
+
+} // namespace
+
+/** Where points lie close, errors along the line make the chord length, the parameter, wander, which looks like a bend of the line. Means of
+ *  some points each lie farther apart and err less. */
+LineFit
+fitLine(const MeasuredLine& measured, double error)
+{
+  constexpr double apart = 30.0;        // times the error of a coordinate
+  constexpr std::size_t least = 40;     // points that are left
+  const LineFit first = fitPoints(measured, error);
+  if (!(measured.spacing > 0.0) || !(first.error < measured.spacing * static_cast<double>(measured.points.size())))
+    return first;
+  const double wanted = std::ceil(apart * first.error / measured.spacing);
+  const auto size = static_cast<std::size_t>(std::min(wanted, static_cast<double>(measured.points.size() / least)));
+  if (size < 2)
+    return first;
+  const double share = std::sqrt(static_cast<double>(size));
+  LineFit result = fitPoints(groupMeans(measured, size), error / share);
+  result.error *= share;
+  return result.line.length() > 0.0 ? result : first;
+}
+
+double
+directionError(const MeasuredLine& measured)
+{
+  constexpr std::size_t least_points = 16;
+  constexpr int stations = 100;
+  if (measured.points.size() < least_points)
+    return 0.0;
+  MeasuredLine halves[2];
+  for (MeasuredLine& half : halves) {
+    half.closed = measured.closed;
+    half.spacing = 2.0 * measured.spacing;
+  }
+  for (std::size_t i = 0; i < measured.points.size(); ++i)
+    halves[i % 2].points.push_back(measured.points[i]);
+  const SmoothLine a = fitLine(halves[0]).line, b = fitLine(halves[1]).line;
+  if (!(a.length() > 0.0) || !(b.length() > 0.0))
+    return 0.0;
+  double squares = 0.0;
+  for (int k = 0; k <= stations; ++k) {
+    const double s = a.length() * k / stations;
+    const Eigen::Vector3d t = a.tangent(s), other = b.tangent(b.nearest(a.position(s)));
+    const double angle = std::atan2(t.cross(other).norm(), t.dot(other)) * 180.0 / M_PI;
+    squares += angle * angle / (stations + 1);
+  }
+  return 0.5 * std::sqrt(squares);
 }
 
 } // namespace pcl_spiral

@@ -63,8 +63,14 @@ ridgeDisplay(const RidgeSurface::ConstPtr& ridge, const std::function<double(dou
 {
   if (!ridge)
     throw std::invalid_argument("a picture of a ridge needs the ridge");
+  constexpr double coarser = 4.0;
+  constexpr int most_rounds = 5;
   RidgeMesh mesh;
-  if (const Status status = ridgeMesh(*ridge, flatness * sizeOf(*ridge), mesh); !status.ok())
+  double chord_error = flatness * sizeOf(*ridge);
+  Status status = ridgeMesh(*ridge, chord_error, mesh);
+  for (int round = 0; status.code() == StatusCode::InvalidArgument && round < most_rounds; ++round)
+    status = ridgeMesh(*ridge, chord_error *= coarser, mesh); // a tight bend somewhere takes too many faces everywhere
+  if (!status.ok())
     throw std::invalid_argument("no picture of the ridge: " + status.message());
   DisplaySurface surface;
   surface.low.setConstant(std::numeric_limits<double>::max());

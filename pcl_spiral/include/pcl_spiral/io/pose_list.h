@@ -16,8 +16,9 @@ namespace pcl_spiral {
  *  unit vector */
 void writePoseVectors(const std::string& file, const std::vector<ToolPoses>& passes);
 
-/** A .5d: x y z A C on every line, tip in mm and angles in degrees of the machine xyzacTrunnion(). C goes on over 360 without a jump,
- *  from row to row by the nearest turn; where the axis is upright it has no angle of its own and is led evenly past. Same source.
+/** A .5d: x y z A C on every line, tip in mm and angles in degrees of the machine xyzacTrunnion(). C goes on over 360. Of the two ways to reach an axis,
+ *  (A, C) and (-A, C + 180), each line has the one nearer to the line before, so that C turns by 90 degrees at most from line to line; where the axis is
+ *  upright C stays. Between lines a control leads both angles evenly: near the upright give lines that lie close. Same source.
  *  \throw FileError as writePoseVectors */
 void writePoseAngles(const std::string& file, const std::vector<ToolPoses>& passes);
 

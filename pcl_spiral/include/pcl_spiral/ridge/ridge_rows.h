@@ -8,6 +8,8 @@
 #include <pcl_spiral/toolpath/drive_pass.h>
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 namespace pcl_spiral {
 
@@ -33,10 +35,11 @@ struct RidgeRowSettings {
   double overlap = 0.0;         ///< share of the spot that the next row covers again, from 0 to below 1
   double tool_radius = 0.0, scallop_height = 0.0; ///< of a ball
   double point_spacing = 1.0;   ///< largest distance of consecutive points on the surface
+  double chord_error = 0.01;    ///< of straight moves between equal steps, of the contact and of the tool: they are made shorter until it holds; 0: any
   RidgeSteps steps = RidgeSteps::EqualOnRow;
   RidgeNormals normals = RidgeNormals::True;
-  double stand_off = 0.0;       ///< of the tool from the surface, along the normal
-  double lead = 0.0, tilt = 0.0; ///< of the axis: forward, and to the right of travel
+  double stand_off = 0.0;       ///< of the tool from the contact, along the normal
+  double lead = 0.0, tilt = 0.0; ///< of the axis: forward, and to the right of travel of the contact; the tool stays on the normal
   double run_in = 0.0, run_out = 0.0; ///< straight on before and behind each row that does not go round
 };
 
@@ -44,7 +47,8 @@ struct RidgeRowSettings {
 struct RidgeRowReport {
   std::size_t rows = 0, points = 0;
   double length = 0.0;        ///< of all rows
-  double largest_step = 0.0;  ///< between neighbouring rows, by the length of the generator, or of the rail for rows across it
+  double largest_step = 0.0;  ///< between neighbouring rows
+  std::vector<std::string> warnings;
 };
 
 /** Rows over \p surface. Between the outermost rows and the edges of the ridge lies half a step-over. Round a closed rail rows along it are closed, and

@@ -31,6 +31,7 @@ struct RidgeReport {
   bool closed = false;            ///< the rail is a ring
   double rail_length = 0.0, generator_length = 0.0;
   double rail_error = 0.0, generator_error = 0.0; ///< standard deviation of a coordinate about the fitted curve
+  double rail_direction = 0.0, generator_direction = 0.0; ///< how well the curves' directions are known, rms: as two halves of the points differ
   double meeting = 0.0;           ///< arc length of the rail where it meets the generator
   Eigen::Vector3d meeting_place = Eigen::Vector3d::Zero();
   double meeting_distance = 0.0;  ///< of both lines there

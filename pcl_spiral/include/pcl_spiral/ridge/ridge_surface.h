@@ -5,6 +5,7 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/core/ridge_frame.h>
+#include <pcl_spiral/ridge/measured_line.h>
 #include <pcl_spiral/ridge/ridge_settings.h>
 #include <pcl_spiral/ridge/smooth_line.h>
 
@@ -29,7 +30,8 @@ public:
    *
    *  InvalidInput, with place and value: what orderLine refuses; a corner of the rail of more than 30 degrees; start and end of
    *  the generator nearer than a twentieth of its length; the generator far from the rail, or beyond its ends; its plane tilted by
-   *  more than 15 degrees against the rail's normal plane; the rail too steep for the chord's angle; a fold of the surface. InvalidArgument:
+   *  more than 15 degrees against the rail's normal plane; the rail too steep for the chord's angle, or along the reference normal, where the
+   *  frame would turn over; a fold of the surface. InvalidArgument:
    *  a reference normal without direction, a measuring error below 0. */
   static Status make(const Polyline& rail, const Polyline& generator, const RidgeSettings& settings, ConstPtr& result);
 
@@ -50,8 +52,11 @@ public:
 
 private:
   Status fit(const Polyline& rail, const Polyline& generator);
-  Status place(const Polyline& generator, bool may_turn, bool& turned);
+  Status place(const MeasuredLine& generator, bool may_turn, bool& turned);
+  void warnOfMeeting(const MeasuredLine& rail, const MeasuredLine& generator);
+  void warnOfDirections();
   Status checkRail();
+  void warnOfSlope(const Eigen::Vector3d& sensitive);
   Status checkFolds();
 
   RidgeSettings settings_;

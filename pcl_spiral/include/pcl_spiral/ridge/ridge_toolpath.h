@@ -84,16 +84,21 @@ public:
   RidgeSteps getSteps() const { return rows_.steps; }
   void setNormals(RidgeNormals normals) { rows_.normals = normals; }
   RidgeNormals getNormals() const { return rows_.normals; }
-  /** Of the tool from the surface along the normal, mm; 0 by default. */
+  /** Largest error of straight moves, of the contact and of the tool, mm; 0.01 by default. Equal steps are made shorter until it holds;
+   *  0: the spacing alone tells. */
+  void setChordError(double error) { rows_.chord_error = error; }
+  double getChordError() const { return rows_.chord_error; }
+  /** Of the tool from the contact along the normal, mm; 0 by default. */
   void setStandOff(double distance) { rows_.stand_off = distance; }
   double getStandOff() const { return rows_.stand_off; }
-  /** Of the axis, forward along the row; 0 by default. */
+  /** Of the axis, forward along the row; 0 by default. The tool stays on the normal: a beam that leans meets the surface beside its row, by the stand-off
+   *  times the tangent of the angle. */
   void setLead(double degrees) { rows_.lead = degrees; }
   double getLead() const { return rows_.lead; }
   /** Of the axis, to the right of travel; 0 by default. */
   void setTilt(double degrees) { rows_.tilt = degrees; }
   double getTilt() const { return rows_.tilt; }
-  /** Straight on before and behind each row, mm; 0 by default. */
+  /** Straight on before and behind each row that does not go round, mm; 0 by default. */
   void setRunIn(double length) { rows_.run_in = length; }
   double getRunIn() const { return rows_.run_in; }
   void setRunOut(double length) { rows_.run_out = length; }

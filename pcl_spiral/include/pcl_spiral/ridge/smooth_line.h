@@ -45,9 +45,14 @@ struct LineFit {
   std::size_t spans = 0; ///< of the B-spline, in the whole line or one round
 };
 
-/** Least-squares cubic B-spline of as many spans as leave the measuring error \p error, the standard deviation of a coordinate; 0:
- *  as many as foretell points best that were not used, by generalised cross validation (Craven, Wahba 1979). A closed line is fitted
- *  with half a round more at each end, so that its curve runs on where it began. */
+/** Least-squares cubic B-spline of as many spans as predict points best that were not used, by generalised cross validation (Craven, Wahba
+ *  1979); or fewer, where those leave no more than the measuring error \p error, the standard deviation of a coordinate, 0: not known. A closed line is fitted
+ *  with half a round more at each end, so that its curve runs on where it began. Points closer than 30 times the error are averaged first, down to
+ *  40 points; that takes the line's spacing, 0: they are not. */
 LineFit fitLine(const MeasuredLine& measured, double error = 0.0);
+
+/** How well the direction of a curve through the points is known, rms in degrees: a half of how far the curves through every second
+ *  point differ. 0 for fewer than 16 points. */
+double directionError(const MeasuredLine& measured);
 
 } // namespace pcl_spiral
