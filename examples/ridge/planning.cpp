@@ -45,11 +45,10 @@ readLines(const Job& job, Result& result)
 }
 
 void
-findLines(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, Result& result)
+findLines(const Job& job, ProgressBar& bar, Result& result)
 {
   RidgeLines<pcl::PointXYZ> lines;
-  lines.setInputCloud(result.scan.cloud);
-  lines.setInputSurface(surface); // null: it says what is wrong
+  lines.setInputCloud(result.scan.cloud); // no surface of the cutter's: the side may be another
   setSurface(job, lines);
   lines.setRoughPoints(job.through);
   lines.setClosed(job.ring);
@@ -176,7 +175,7 @@ plan(const Job& job)
   if (job.through.empty())
     readLines(job, result);
   else
-    findLines(job, surface, bar, result);
+    findLines(job, bar, result);
   clock.end("lines");
   const DrivePasses rows = makeRows(job, result);
   clock.end("rows");
