@@ -15,11 +15,15 @@ level() { # FOLDER -> its height; a folder includes its own height and below
   case "$1" in
     core) echo 0 ;;
     common | search) echo 1 ;;
-    features | surface) echo 2 ;;
-    geodesic) echo 3 ;;
-    toolpath | spiral | mesh | ridge) echo 4 ;;
-    verify | machine) echo 5 ;;
-    io | visualization) echo 6 ;;
+    graph) echo 2 ;;
+    cleaning | features | surface) echo 3 ;;
+    geodesic | mesh) echo 4 ;;
+    spiral | ridge) echo 5 ;;
+    drive) echo 6 ;;
+    cutter) echo 7 ;;
+    verify | machine) echo 8 ;;
+    io | visualization) echo 9 ;;
+    toolpath) echo 10 ;; # former places of headers
     *) echo unknown ;;
   esac
 }
@@ -35,19 +39,26 @@ for folder in "$library"/include/pcl_spiral/*/ "$library"/src/*/; do
   own=$(level "$room")
   [ "$own" = unknown ] && { fault "folder without a place in the layers (give it one in cmake/guards.sh)" "$folder"; continue; }
   while IFS=: read -r file line text; do
-    included=$(sed -E 's/.*[<"]pcl_spiral\/([a-z_]+)\/.*/\1/' <<<"$text")
+    included=$(sed -E 's/.*[<"](pcl_spiral\/)?([a-z_]+)\/.*/\2/' <<<"$text")
     theirs=$(level "$included")
     if [ "$theirs" = unknown ] || [ "$theirs" -gt "$own" ]; then
       fault "$room includes $included, which stands above it" "$file:$line:$text"
     fi
-  done < <(grep -rnE '#[[:space:]]*include[[:space:]]*[<"]pcl_spiral/[a-z_]+/' "$folder" || true)
+  done < <(grep -rnE '#[[:space:]]*include[[:space:]]*([<"]pcl_spiral/|")[a-z_]+/' "$folder" || true)
 done
 
+# What a user names: a new header goes to src, or to impl where a template's body needs it, unless it is put into the list on purpose.
+public_headers() {
+  (cd $library/include/pcl_spiral && find . -name '*.h' -not -path '*/impl/*' | sed 's|^\./||' | LC_ALL=C sort)
+}
+fault "public headers that are not in cmake/public_headers.txt, or there alone" \
+  "$(diff <(public_headers) cmake/public_headers.txt | grep '^[<>]' || true)"
+
 fault "newer PCL base classes have members of these names; choose others" \
-  "$(grep -rnE '(^|[^.])\b(threads_|chunk_size_)\b' $library --include='*.h' --include='*.hpp' --include='*.cpp' || true)"
+  "$(grep -rnE '(^|[^.])\b(threads_|chunk_size_)\b' $library/include $library/src --include='*.h' --include='*.hpp' --include='*.cpp' || true)"
 
 fault "messages of the library name setters, never a program's options" \
-  "$(grep -rnE '"[^"]*--[a-z]' $library --include='*.h' --include='*.hpp' --include='*.cpp' || true)"
+  "$(grep -rnE '"[^"]*--[a-z]' $library/include $library/src --include='*.h' --include='*.hpp' --include='*.cpp' || true)"
 
 flags='-march=native|-mavx|-ffast-math|-Ofast|PCL_NO_PRECOMPILE'
 fault "flags that break PCL's ABI, the same bytes everywhere, or the compile time" \

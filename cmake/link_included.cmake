@@ -1,7 +1,8 @@
 # Links a program of one source file to the libraries whose headers it includes.
 function(pcl_spiral_link_included target source)
   target_link_libraries(${target} PRIVATE pcl_spiral)
-  set(pairs "pcl_spiral/io/:pcl_spiral_io" "pcl_spiral/visualization/:pcl_spiral_visualization" "pcl/io/:pcl_io"
+  set(pairs "pcl_spiral/io/:pcl_spiral_io" "io/:pcl_spiral_io" "pcl_spiral/visualization/:pcl_spiral_visualization"
+            "visualization/:pcl_spiral_visualization" "pcl/io/:pcl_io"
             "pcl/surface/:pcl_surface" "pcl_spiral/visualization/add_:pcl_visualization"
             "boost/program_options:Boost::program_options" "yaml-cpp/:yaml-cpp" "X11/:X11::X11")
   foreach(module IN LISTS VTK_LIBRARIES) # a header's name does not say its module: all that the project asks for
@@ -9,7 +10,7 @@ function(pcl_spiral_link_included target source)
   endforeach()
   foreach(pair IN LISTS pairs)
     string(REGEX MATCH "^([^:]*):(.*)$" pair "${pair}")
-    file(STRINGS ${source} found REGEX "#include *<${CMAKE_MATCH_1}" LIMIT_COUNT 1)
+    file(STRINGS ${source} found REGEX "#include *[<\"]${CMAKE_MATCH_1}" LIMIT_COUNT 1)
     if(found)
       target_link_libraries(${target} PRIVATE ${CMAKE_MATCH_2})
     endif()

@@ -1,6 +1,6 @@
 // Cutters on a wavy part of 200 x 200 mm that is known at points only, the tool leant 15 degrees: contacts reached and
 // lifted (hollows narrower than a flat or a large ball), what the cutter would have sunk between points, a chuck's collisions.
-#include <pcl_spiral/toolpath/cutter_location.h>
+#include <pcl_spiral/cutter/cutter_location.h>
 
 #include <cmath>
 #include <cstdio>

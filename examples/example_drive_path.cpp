@@ -1,7 +1,7 @@
 // A column with a waist by one helix about its own axis; a wavy plate by section planes. Both with a ball.
 #include <pcl_spiral/core/profile_step.h>
-#include <pcl_spiral/toolpath/cutter_location.h>
-#include <pcl_spiral/toolpath/drive_path.h>
+#include <pcl_spiral/cutter/cutter_location.h>
+#include <pcl_spiral/drive/drive_path.h>
 
 #include <cmath>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // A dome with a screw and false echoes: its spiral's leads are held against the scan, with the echoes and without them.
 #include <pcl_spiral/machine/machine_program_generator.h>
-#include <pcl_spiral/surface/stray_removal.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/cleaning/stray_removal.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/verify/lead_check.h>
 
 #include <cmath>

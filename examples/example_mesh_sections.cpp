@@ -2,7 +2,7 @@
 // Usage: example_mesh_sections MESH.stl
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/mesh/mesh_sections.h>
-#include <pcl_spiral/toolpath/cutter_location.h>
+#include <pcl_spiral/cutter/cutter_location.h>
 
 #include <cstdio>
 #include <exception>

@@ -1,6 +1,6 @@
 // A stage of one's own: radial lines by formula, meridians of a sphere, where RadialLines would have made geodesics.
 #include <pcl_spiral/core/bspline_fit.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // PCL's own smoothing before the first stage, and MLSProjector in its place: both are pcl::CloudSurfaceProcessing.
 #include <pcl_spiral/surface/mls_projector.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include <pcl/surface/mls.h>
 

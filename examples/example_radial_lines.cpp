@@ -1,5 +1,5 @@
 // Radial lines over a square patch of a sphere: geodesics from its centre to the rim, one on every corner.
-#include <pcl_spiral/toolpath/radial_lines.h>
+#include <pcl_spiral/spiral/radial_lines.h>
 
 #include <cmath>
 #include <cstdio>

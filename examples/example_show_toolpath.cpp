@@ -1,6 +1,6 @@
 // A dome's toolpath in a PCLVisualizer, with its scan, loops and radial lines.
 // example_show_toolpath [SECONDS]: the mouse turns it, q ends it, and so does the number of seconds if given.
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/visualization/add_toolpath.h>
 #include <pcl_spiral/visualization/pictures.h>
 

@@ -1,7 +1,7 @@
 // From a scan to a spiral toolpath: example_spiral_toolpath SCAN.pcd PATH.csv TOOL_RADIUS SCALLOP_HEIGHT CHORD_ERROR
 // Lengths in mm. The path's format follows its extension: .csv, .pcd, .ply, .vtp.
 #include <pcl_spiral/io/toolpath_writer.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include <pcl/io/pcd_io.h>
 

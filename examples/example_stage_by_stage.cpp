@@ -1,8 +1,8 @@
 // A spiral toolpath stage by stage: each takes what the one before gives, and each could be another's.
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
-#include <pcl_spiral/toolpath/radial_lines.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/radial_lines.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include <cmath>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // The pictures of pcl_spiral/doc/stage_by_stage.md: what each stage of example_stage_by_stage gives, as PNG files in the
 // current folder. It needs a display: xvfb-run -a example_stage_pictures
 #include <pcl_spiral/spiral/gap_bridging.h>
-#include <pcl_spiral/toolpath/radial_lines.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/radial_lines.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/visualization/add_toolpath.h>
 #include <pcl_spiral/visualization/pictures.h>
 

@@ -1,6 +1,6 @@
 // Tool axes along a flat spiral: tilted 15 degrees about the feed, at most so many degrees per mm near the
 // centre.
-#include <pcl_spiral/toolpath/tool_axis.h>
+#include <pcl_spiral/spiral/tool_axis.h>
 
 #include <cmath>
 #include <cstdio>

@@ -46,7 +46,7 @@ mkdir -p "$output"
 if [ -z "$scan" ]; then
   scan=$output/dome.pcd
   echo "Simulating a scan"
-  "$build/examples/pcl_spiral_simulate_scan" -o "$scan"
+  "$build/bin/pcl_spiral_simulate_scan" -o "$scan"
   default --tool-radius 10
   default --scallop 0.05
 fi
@@ -54,7 +54,7 @@ fi
 name=$(basename "$scan")
 part=$output/${name%.*}_spiral
 echo "Making the toolpath"
-"${display[@]}" "$build/examples/pcl_spiral_toolpath" "$scan" -o "$part.csv" -o "$part.vtp" -o "$part.json" \
+"${display[@]}" "$build/bin/pcl_spiral_toolpath" "$scan" -o "$part.csv" -o "$part.vtp" -o "$part.json" \
   -o "$part.png" -o "$part.html" --verify ${options[@]+"${options[@]}"}
 
 echo "Written:"
@@ -85,5 +85,5 @@ call() { # WORD ...: as a line to copy into a shell
   echo
 }
 echo "To look at it in a window, and to judge it again:"
-call "$build/examples/pcl_spiral_view" "$scan" "$part.csv" "${same[@]}"
-call "$build/examples/pcl_spiral_verify" "$scan" "$part.csv" "${same[@]}"
+call "$build/bin/pcl_spiral_view" "$scan" "$part.csv" "${same[@]}"
+call "$build/bin/pcl_spiral_verify" "$scan" "$part.csv" "${same[@]}"

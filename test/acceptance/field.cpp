@@ -1,8 +1,8 @@
 #include "cases.h"
 #include "table.h"
 
-#include <pcl_spiral/common/thread_limit.h>
-#include <pcl_spiral/geodesic/distance_field.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
+#include "geodesic/distance_field.h"
 
 #include <algorithm>
 #include <cmath>

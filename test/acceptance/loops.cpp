@@ -2,8 +2,8 @@
 #include "outline_distance.h"
 #include "table.h"
 
-#include <pcl_spiral/features/surface_boundary.h>
-#include <pcl_spiral/search/surface_graph.h>
+#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/graph/impl/surface_graph.h>
 
 #include <cmath>
 

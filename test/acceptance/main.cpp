@@ -2,7 +2,7 @@
 #include "cases.h"
 #include "outline_rows.h"
 
-#include <pcl_spiral/io/setting_names.h>
+#include "io/setting_names.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #include "method_name.h"
 
-#include <pcl_spiral/io/setting_names.h>
+#include "io/setting_names.h"
 
 #include <cstdio>
 

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/toolpath/spiral_settings.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
 
 #include <optional>
 #include <string>

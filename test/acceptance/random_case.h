@@ -5,7 +5,7 @@
 
 #include "support/surfaces.h"
 
-#include <pcl_spiral/toolpath/spiral_settings.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

@@ -6,7 +6,7 @@
 
 #include "support/path_checks.h"
 
-#include <pcl_spiral/verify/turn_wobble.h>
+#include <pcl_spiral/verify/impl/turn_wobble.h>
 
 #include <algorithm>
 #include <cmath>

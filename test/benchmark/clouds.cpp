@@ -2,7 +2,7 @@
 
 #include "support/sampling.h"
 
-#include <pcl_spiral/search/point_blocks.h>
+#include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <cmath>
 

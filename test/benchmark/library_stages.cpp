@@ -1,11 +1,11 @@
 #include "library_stages.h"
 
-#include <pcl_spiral/core/axis_field.h>
-#include <pcl_spiral/core/tool_axis.h>
+#include "core/axis_field.h"
+#include "core/tool_axis.h"
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/toolpath_writer.h>
-#include <pcl_spiral/search/neighbour_search.h>
-#include <pcl_spiral/toolpath/cutter_location.h>
+#include "search/neighbour_search.h"
+#include <pcl_spiral/cutter/cutter_location.h>
 
 #include <pcl/io/pcd_io.h>
 

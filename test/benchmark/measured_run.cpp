@@ -4,12 +4,12 @@
 
 #include "support/pcl_pair.h"
 
-#include <pcl_spiral/common/stage_clock.h>
-#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/common/impl/stage_clock.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/toolpath_writer.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include <pcl/io/pcd_io.h>
 

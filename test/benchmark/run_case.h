@@ -5,7 +5,7 @@
 
 #include "clouds.h"
 
-#include <pcl_spiral/toolpath/spiral_settings.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
 
 namespace pcl_spiral::benchmarks {
 

@@ -8,9 +8,9 @@
 #include "support/pcl_pair.h"
 
 #include <pcl_spiral/common/point_types.h>
-#include <pcl_spiral/features/surface_boundary.h>
-#include <pcl_spiral/geodesic/distance_field.h>
-#include <pcl_spiral/geodesic/geodesic_refinement.h>
+#include <pcl_spiral/features/impl/surface_boundary.h>
+#include "geodesic/distance_field.h"
+#include <pcl_spiral/geodesic/impl/geodesic_refinement.h>
 
 #include <map>
 #include <memory>

@@ -1,7 +1,7 @@
 // Times every stage of the library, and PCL's normals and boundary points beside them: stage x size x threads.
 #include "library_stages.h"
 
-#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
 
 #include <exception>
 

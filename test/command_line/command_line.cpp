@@ -1,5 +1,5 @@
 // The main program from outside: exit codes, words on stderr, and the files it leaves or does not leave.
-#include <pcl_spiral/core/tool_axis.h>
+#include "core/tool_axis.h"
 #include <pcl_spiral/io/toolpath_reader.h>
 
 #include "run_program.h"

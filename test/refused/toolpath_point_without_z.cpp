@@ -1,5 +1,5 @@
 // Must not compile: a point of a toolpath without z. The compiler's message has to name the remedy.
-#include <pcl_spiral/common/toolpath_fields.h>
+#include <pcl_spiral/common/impl/toolpath_fields.h>
 
 struct FlatPoint {
   float x = 0.0f, y = 0.0f;

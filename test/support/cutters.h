@@ -6,7 +6,7 @@
 #include "support/sampling.h"
 
 #include <pcl_spiral/core/cutter_profile.h>
-#include <pcl_spiral/core/swept_error.h>
+#include <pcl_spiral/core/impl/swept_error.h>
 
 #include <Eigen/Geometry>
 

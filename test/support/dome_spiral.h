@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/machine/tool_pose.h>
+#include <pcl_spiral/machine/impl/tool_pose.h>
 
 #include <Eigen/Geometry>
 

@@ -6,7 +6,7 @@
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/toolpath/drive_path.h>
+#include <pcl_spiral/drive/drive_path.h>
 
 #include <gtest/gtest.h>
 

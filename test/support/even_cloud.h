@@ -5,7 +5,7 @@
 
 #include "support/sampling.h"
 
-#include <pcl_spiral/search/surface_graph.h>
+#include <pcl_spiral/graph/impl/surface_graph.h>
 
 #include <cmath>
 #include <map>

@@ -7,7 +7,7 @@
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/toolpath/cutter_location.h>
+#include <pcl_spiral/cutter/cutter_location.h>
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include "support/checked_path.h"
 #include "support/sampling.h"
 
-#include <pcl_spiral/verify/reference_surface.h>
-#include <pcl_spiral/verify/removed_material.h>
+#include <pcl_spiral/verify/impl/reference_surface.h>
+#include <pcl_spiral/verify/impl/removed_material.h>
 
 #include <vector>
 

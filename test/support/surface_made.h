@@ -5,7 +5,7 @@
 
 #include "support/sampling.h"
 
-#include <pcl_spiral/features/surface_boundary.h>
+#include <pcl_spiral/features/impl/surface_boundary.h>
 #include <pcl_spiral/surface/surface.h>
 
 #include <gtest/gtest.h>

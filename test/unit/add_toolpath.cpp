@@ -1,6 +1,6 @@
 // A toolpath in a user's PCLVisualizer: actors counted and measured, the picture read back.
-#include <pcl_spiral/toolpath/radial_lines.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/radial_lines.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/visualization/add_toolpath.h>
 #include <pcl_spiral/visualization/pictures.h>
 

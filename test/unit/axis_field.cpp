@@ -1,6 +1,6 @@
-#include <pcl_spiral/core/axis_field.h>
-#include <pcl_spiral/core/tool_axis.h>
-#include <pcl_spiral/toolpath/axis_field.h>
+#include "core/axis_field.h"
+#include "core/tool_axis.h"
+#include <pcl_spiral/spiral/axis_field.h>
 
 #include <pcl/console/print.h>
 

@@ -1,6 +1,6 @@
 // Boundary loops against outlines known exactly: loop count, distance both ways, corners, invariance, given boundary
 // points, the published walk, refusals.
-#include <pcl_spiral/core/self_crossing.h>
+#include "core/self_crossing.h"
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 

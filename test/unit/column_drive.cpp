@@ -1,9 +1,9 @@
 // A column that hides a part of itself from every side, driven by a helix on its cylinder: covered whole, and its
 // rotary axes calmer than with the normals of local planes on the same path.
 #include <pcl_spiral/machine/machine.h>
-#include <pcl_spiral/machine/rotary_path.h>
-#include <pcl_spiral/toolpath/cutter_location.h>
-#include <pcl_spiral/toolpath/drive_path.h>
+#include <pcl_spiral/machine/impl/rotary_path.h>
+#include <pcl_spiral/cutter/cutter_location.h>
+#include <pcl_spiral/drive/drive_path.h>
 
 #include "support/cutters.h"
 #include "support/sampling.h"

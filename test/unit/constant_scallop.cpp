@@ -1,5 +1,5 @@
 // SpiralMethod::ConstantScallop through the generator: what is left, which way it goes, what it refuses.
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include "support/outline_loops.h"
 #include "support/path_judge.h"

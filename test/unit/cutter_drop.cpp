@@ -1,7 +1,7 @@
 // Cutters brought down on points and on height models, against brute force.
-#include <pcl_spiral/core/model_touch.h>
-#include <pcl_spiral/core/sampling_gap.h>
-#include <pcl_spiral/toolpath/cutter_drop.h>
+#include "core/model_touch.h"
+#include "core/sampling_gap.h"
+#include <pcl_spiral/cutter/impl/cutter_drop.h>
 
 #include "support/cutters.h"
 

@@ -1,6 +1,6 @@
 // Locations of cutters on clouds of known surfaces: exact on planes and spheres, free of gouge, honest where
 // the scan ends.
-#include <pcl_spiral/toolpath/cutter_location.h>
+#include <pcl_spiral/cutter/cutter_location.h>
 
 #include "support/located.h"
 

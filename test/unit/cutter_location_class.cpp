@@ -1,5 +1,5 @@
 // The class CutterLocation: what must not change its output, and what it refuses.
-#include <pcl_spiral/toolpath/cutter_location.h>
+#include <pcl_spiral/cutter/cutter_location.h>
 
 #include "support/located.h"
 

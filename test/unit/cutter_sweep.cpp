@@ -1,6 +1,6 @@
 // The swept ball, its index and the ridge search, against trying every move and against exact peaks.
-#include <pcl_spiral/verify/cutter_sweep.h>
-#include <pcl_spiral/search/move_index.h>
+#include <pcl_spiral/verify/impl/cutter_sweep.h>
+#include <pcl_spiral/search/impl/move_index.h>
 
 #include "support/move_tree.h"
 #include "support/sampling.h"

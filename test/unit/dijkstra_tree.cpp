@@ -2,8 +2,8 @@
 #include "support/even_cloud.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/geodesic/dijkstra_tree.h>
-#include <pcl_spiral/search/gabriel_edges.h>
+#include "geodesic/dijkstra_tree.h"
+#include <pcl_spiral/search/impl/gabriel_edges.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/geodesic/distance_field.h>
+#include "geodesic/distance_field.h"
 
 #include <gtest/gtest.h>
 

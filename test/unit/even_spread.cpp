@@ -1,6 +1,6 @@
 // Clouds whose points lie much closer one way than the other, twice at one place, or change density at a step: what the
 // graph is built of, and that clouds spread evenly stay as they are.
-#include <pcl_spiral/surface/clean_graph.h>
+#include <pcl_spiral/cleaning/impl/clean_graph.h>
 
 #include "support/sampling.h"
 #include "support/surfaces.h"

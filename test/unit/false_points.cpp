@@ -1,6 +1,6 @@
 // False points close to surfaces known exactly are found, and no others.
-#include <pcl_spiral/surface/clean_graph.h>
-#include <pcl_spiral/surface/false_points.h>
+#include <pcl_spiral/cleaning/impl/clean_graph.h>
+#include "cleaning/false_points.h"
 
 #include "support/sampling.h"
 #include "support/surfaces.h"

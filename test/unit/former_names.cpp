@@ -3,7 +3,7 @@
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
 #include <pcl_spiral/surface/mls_projector.h>
 #include <pcl_spiral/surface/surface_preparation.h>
-#include <pcl_spiral/toolpath/radial_lines.h>
+#include <pcl_spiral/spiral/radial_lines.h>
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,11 @@
 // searches: both give the same neighbours, normals, boundary points and loops.
 #include "support/sampling.h"
 
-#include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/core/impl/frame.h>
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
-#include <pcl_spiral/search/neighbour_search.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include "search/neighbour_search.h"
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include <pcl/features/normal_3d.h>
 #include <pcl/search/kdtree.h>

@@ -1,8 +1,8 @@
 // Gaps in spheres: the points put there lie on the sphere, fill the gap, and stay in it.
 #include "support/sampling.h"
 
-#include <pcl_spiral/features/surface_boundary.h>
-#include <pcl_spiral/surface/gap_filling.h>
+#include <pcl_spiral/features/impl/surface_boundary.h>
+#include "surface/gap_filling.h"
 #include <pcl_spiral/surface/scanned_surface.h>
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/geodesic/dijkstra_tree.h>
+#include "geodesic/dijkstra_tree.h"
 #include <pcl_spiral/geodesic/geodesic_path.h>
 
 #include <gtest/gtest.h>

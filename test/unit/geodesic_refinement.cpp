@@ -3,8 +3,8 @@
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/geodesic/distance_field.h>
-#include <pcl_spiral/geodesic/geodesic_refinement.h>
+#include "geodesic/distance_field.h"
+#include <pcl_spiral/geodesic/impl/geodesic_refinement.h>
 
 #include <gtest/gtest.h>
 #include <omp.h>

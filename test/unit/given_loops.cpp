@@ -4,8 +4,8 @@
 #include "support/surfaces.h"
 
 #include <pcl_spiral/spiral/gap_bridging.h>
-#include <pcl_spiral/toolpath/radial_lines.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/radial_lines.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include <gtest/gtest.h>
 

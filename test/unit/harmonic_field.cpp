@@ -3,7 +3,7 @@
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/geodesic/harmonic_field.h>
+#include "geodesic/harmonic_field.h"
 
 #include <gtest/gtest.h>
 #include <omp.h>

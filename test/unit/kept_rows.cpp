@@ -2,7 +2,7 @@
 #include "support/driven.h"
 #include "support/left_heights.h"
 
-#include <pcl_spiral/toolpath/cutter_location.h>
+#include <pcl_spiral/cutter/cutter_location.h>
 
 using namespace pcl_spiral;
 using namespace pcl_spiral::test;

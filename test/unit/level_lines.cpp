@@ -1,5 +1,5 @@
 // Level lines of random functions on random triangulations, against what each triangle says by itself.
-#include <pcl_spiral/search/level_lines.h>
+#include "graph/level_lines.h"
 
 #include "support/sampling.h"
 

@@ -1,7 +1,7 @@
 // Our kinematics against LinuxCNC's own modules for trunnion tables, which are loaded here with a stand-in
 // for their HAL.
-#include <pcl_spiral/machine/kinematics.h>
-#include <pcl_spiral/machine/tool_pose.h>
+#include <pcl_spiral/machine/impl/kinematics.h>
+#include <pcl_spiral/machine/impl/tool_pose.h>
 
 #include "support/test_machines.h"
 

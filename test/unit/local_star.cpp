@@ -1,5 +1,5 @@
 // A star is what the circles through the point and pairs of neighbours say, and stands on lattices, too.
-#include <pcl_spiral/search/local_star.h>
+#include "graph/local_star.h"
 
 #include <gtest/gtest.h>
 

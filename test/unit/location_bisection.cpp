@@ -1,5 +1,5 @@
 // Bisection of located passes, against dense samples of the swept cutter in the cloud it was located on.
-#include <pcl_spiral/toolpath/location_bisection.h>
+#include <pcl_spiral/cutter/impl/location_bisection.h>
 
 #include "support/located.h"
 

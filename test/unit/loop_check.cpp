@@ -2,9 +2,9 @@
 #include "support/even_cloud.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/features/surface_boundary.h>
-#include <pcl_spiral/surface/gap_filling.h>
-#include <pcl_spiral/toolpath/loop_check.h>
+#include <pcl_spiral/features/impl/surface_boundary.h>
+#include "surface/gap_filling.h"
+#include <pcl_spiral/spiral/impl/loop_check.h>
 
 #include <gtest/gtest.h>
 

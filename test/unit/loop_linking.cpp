@@ -1,5 +1,5 @@
 // One path over loops drawn by hand: every loop is travelled, nothing crosses.
-#include <pcl_spiral/core/pass_ranges.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/spiral/loop_linking.h>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Kinematics of every kind of machine against chains of matrices.
-#include <pcl_spiral/machine/kinematics.h>
-#include <pcl_spiral/machine/tool_pose.h>
+#include <pcl_spiral/machine/impl/kinematics.h>
+#include <pcl_spiral/machine/impl/tool_pose.h>
 
 #include "support/test_machines.h"
 

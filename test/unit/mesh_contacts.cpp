@@ -1,6 +1,6 @@
 // What is written of a location on a mesh belongs together: the ball at the tip touches at the contact, along the normal.
 #include <pcl_spiral/mesh/mesh_sections.h>
-#include <pcl_spiral/toolpath/cutter_location.h>
+#include <pcl_spiral/cutter/cutter_location.h>
 
 #include "support/meshes.h"
 #include "support/solids.h"

@@ -1,5 +1,5 @@
 // Cutters brought down on meshes, against all triangles one by one.
-#include <pcl_spiral/toolpath/mesh_drop.h>
+#include "cutter/mesh_drop.h"
 
 #include "support/plain_mesh.h"
 #include "support/searched_triangle.h"

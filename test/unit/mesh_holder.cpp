@@ -1,8 +1,8 @@
 // Shank and holder against meshes: a wall without a vertex nearby, and facets flat and curved against dense samples.
-#include <pcl_spiral/toolpath/cutter_location.h>
+#include <pcl_spiral/cutter/cutter_location.h>
 
 #include "support/located_on_mesh.h"
-#include "toolpath/mesh_collision.h"
+#include "cutter/mesh_collision.h"
 
 #include <gtest/gtest.h>
 

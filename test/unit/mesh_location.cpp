@@ -1,5 +1,5 @@
 // Cutters located on meshes of known surfaces: what is reached, and what lifts the cutter.
-#include <pcl_spiral/toolpath/cutter_location.h>
+#include <pcl_spiral/cutter/cutter_location.h>
 
 #include "support/located_on_mesh.h"
 

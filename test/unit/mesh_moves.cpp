@@ -1,5 +1,5 @@
 // Straight moves of cutters over meshes: what stands between two locations is not cut into, and nothing is halved for fear.
-#include <pcl_spiral/core/swept_error.h>
+#include <pcl_spiral/core/impl/swept_error.h>
 
 #include "support/located_on_mesh.h"
 

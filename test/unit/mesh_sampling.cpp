@@ -1,6 +1,6 @@
 // MeshSampling: all of the surface, evenly, on the patches, the same however the mesh is written.
-#include <pcl_spiral/mesh/crease_lines.h>
-#include <pcl_spiral/mesh/mesh_rims.h>
+#include <pcl_spiral/mesh/impl/crease_lines.h>
+#include <pcl_spiral/mesh/impl/mesh_rims.h>
 #include <pcl_spiral/mesh/mesh_sampling.h>
 
 #include "support/judged_meshes.h"

@@ -1,5 +1,5 @@
 // Ball cutters led straight over triangles: how deep they cut, against search over move and triangle.
-#include "toolpath/mesh_sweep.h"
+#include "cutter/mesh_sweep.h"
 
 #include "support/plain_mesh.h"
 #include "support/searched_triangle.h"

@@ -1,5 +1,5 @@
 // Numbers and places in messages read as a person would write them.
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <gtest/gtest.h>
 

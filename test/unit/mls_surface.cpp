@@ -1,5 +1,5 @@
 // Moving least squares against a sphere, a cylinder and a paraboloid known exactly, with and without noise.
-#include <pcl_spiral/surface/mls_surface.h>
+#include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <gtest/gtest.h>
 #include <omp.h>

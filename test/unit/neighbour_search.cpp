@@ -1,5 +1,5 @@
 // Neighbour search against brute force, and the spatial order's independence of the input's order.
-#include <pcl_spiral/search/neighbour_search.h>
+#include "search/neighbour_search.h"
 
 #include <gtest/gtest.h>
 

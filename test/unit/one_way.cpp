@@ -1,8 +1,8 @@
 // Paths at constant scallop height that cut in one sense alone: which way every move goes, what is left, what passes become.
 #include <pcl_spiral/common/pass_begins.h>
-#include <pcl_spiral/core/pass_ranges.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/verify/material_removal.h>
 
 #include "support/outlines.h"

@@ -1,6 +1,6 @@
 // Outputs that appear together or not at all: what lies in the folder before, during and after.
 #include <pcl_spiral/io/file_error.h>
-#include <pcl_spiral/io/output_files.h>
+#include "io/output_files.h"
 
 #include "support/scratch_folder.h"
 

@@ -1,4 +1,4 @@
-#include <pcl_spiral/core/parabola_edge.h>
+#include <pcl_spiral/core/impl/parabola_edge.h>
 
 #include "support/sampling.h"
 

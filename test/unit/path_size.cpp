@@ -1,8 +1,8 @@
 // How large a path becomes, foretold: against the spiral that is then made, and refused beyond what can be.
 #include "support/plane_lines.h"
 
-#include <pcl_spiral/common/available_memory.h>
-#include <pcl_spiral/toolpath/spiral_curve.h>
+#include "common/available_memory.h"
+#include <pcl_spiral/spiral/impl/spiral_curve.h>
 
 #include <gtest/gtest.h>
 

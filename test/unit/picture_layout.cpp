@@ -1,6 +1,6 @@
 // What goes where in a picture: axes apart from one another and from the part, turns apart on the screen.
-#include <pcl_spiral/visualization/box_axes.h>
-#include <pcl_spiral/visualization/shown_turns.h>
+#include "visualization/box_axes.h"
+#include "visualization/shown_turns.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "support/given_loops.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include <gtest/gtest.h>
 

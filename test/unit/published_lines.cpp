@@ -6,7 +6,7 @@
 #include "support/plane_lines.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/features/surface_boundary.h>
+#include <pcl_spiral/features/impl/surface_boundary.h>
 
 #include <gtest/gtest.h>
 #include <omp.h>

@@ -3,10 +3,10 @@
 #include "support/even_cloud.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/common/thread_limit.h>
-#include <pcl_spiral/features/surface_boundary.h>
-#include <pcl_spiral/spiral/published_spiral.h>
-#include <pcl_spiral/toolpath/surface_centre.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/spiral/impl/published_spiral.h>
+#include "spiral/surface_centre.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "support/plane_lines.h"
 #include "support/sampling.h"
 
-#include <pcl_spiral/toolpath/radial_lines.h>
+#include <pcl_spiral/spiral/radial_lines.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Bytes that are no text are replaced one by one; text stays as it is (RFC 3629, and the characters of
 // XML 1.0).
-#include <pcl_spiral/common/readable_text.h>
+#include "common/readable_text.h"
 
 #include <gtest/gtest.h>
 

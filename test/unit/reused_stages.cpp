@@ -9,12 +9,12 @@
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
 #include <pcl_spiral/surface/mls_projector.h>
-#include <pcl_spiral/surface/stray_removal.h>
+#include <pcl_spiral/cleaning/stray_removal.h>
 #include <pcl_spiral/surface/surface_preparation.h>
-#include <pcl_spiral/toolpath/cutter_location.h>
-#include <pcl_spiral/toolpath/drive_path.h>
-#include <pcl_spiral/toolpath/radial_lines.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/cutter/cutter_location.h>
+#include <pcl_spiral/drive/drive_path.h>
+#include <pcl_spiral/spiral/radial_lines.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/verify/deviation_estimation.h>
 #include <pcl_spiral/verify/lead_check.h>
 #include <pcl_spiral/verify/material_removal.h>

@@ -1,5 +1,5 @@
 // Axes fitted to columns of known shape, moved at random.
-#include <pcl_spiral/core/revolution_axis.h>
+#include "core/revolution_axis.h"
 
 #include "support/sampling.h"
 

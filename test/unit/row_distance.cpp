@@ -3,8 +3,8 @@
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/core/row_distance.h>
-#include <pcl_spiral/core/row_levels.h>
+#include "core/row_distance.h"
+#include "core/row_levels.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

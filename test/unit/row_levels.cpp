@@ -1,7 +1,7 @@
 // Levels of rows as far apart as the patches between them allow, and no more of them than needed.
 #include "support/sampling.h"
 
-#include <pcl_spiral/core/row_levels.h>
+#include "core/row_levels.h"
 
 #include <gtest/gtest.h>
 

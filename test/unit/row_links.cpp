@@ -1,5 +1,5 @@
 // Passes joined on a surface that is told by a function: which, by what way, and which stay alone.
-#include <pcl_spiral/toolpath/row_links.h>
+#include "mesh/row_links.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Sections of a mesh whose faces bow far: contacts stay on it.
 #include <pcl_spiral/mesh/mesh_sections.h>
-#include <pcl_spiral/mesh/patch_tree.h>
+#include <pcl_spiral/mesh/impl/patch_tree.h>
 
 #include "support/meshes.h"
 

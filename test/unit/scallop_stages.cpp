@@ -9,8 +9,8 @@
 #include <pcl_spiral/spiral/scallop_loops.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 #include <pcl_spiral/spiral/step_over_field.h>
-#include <pcl_spiral/toolpath/cutter_location.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/cutter/cutter_location.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include <pcl/console/print.h>
 

@@ -1,5 +1,5 @@
 // Self-crossings put in on purpose are found where they are; a spiral has none.
-#include <pcl_spiral/core/self_crossing.h>
+#include "core/self_crossing.h"
 
 #include <gtest/gtest.h>
 

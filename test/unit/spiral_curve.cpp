@@ -1,7 +1,7 @@
 // The spiral between lines known exactly: on a plane disc it is Archimedes'.
 #include "support/plane_lines.h"
 
-#include <pcl_spiral/toolpath/spiral_curve.h>
+#include <pcl_spiral/spiral/impl/spiral_curve.h>
 
 #include <gtest/gtest.h>
 

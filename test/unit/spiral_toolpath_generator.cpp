@@ -1,7 +1,7 @@
 // The generator as a PCL user meets it: ends, axes, sides, orders, threads, progress, refusals.
 #include "support/sampling.h"
 
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include <gtest/gtest.h>
 

@@ -11,9 +11,9 @@
 #include <pcl_spiral/spiral/spiral_path.h>
 #include <pcl_spiral/spiral/spiral_reports.h>
 #include <pcl_spiral/surface/mls_projector.h>
-#include <pcl_spiral/toolpath/path_size.h>
-#include <pcl_spiral/toolpath/radial_lines.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/impl/path_size.h>
+#include <pcl_spiral/spiral/radial_lines.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/verify/deviation_estimation.h>
 
 #include <pcl/console/print.h>

@@ -1,6 +1,6 @@
 // Contacts where a height along the axis says nothing: flanks along walls, and cutters smaller than the gaps
 // of the scan.
-#include <pcl_spiral/toolpath/cutter_location.h>
+#include <pcl_spiral/cutter/cutter_location.h>
 
 #include "support/located.h"
 

@@ -1,6 +1,6 @@
 // Lengths in step-overs against the exact step-over of plane, sphere and cylinder.
 #include <pcl_spiral/core/step_over.h>
-#include <pcl_spiral/core/step_over_metric.h>
+#include <pcl_spiral/core/impl/step_over_metric.h>
 
 #include <gtest/gtest.h>
 

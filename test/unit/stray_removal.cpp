@@ -1,5 +1,5 @@
 // Strays go, the surface stays: against points whose kind is known.
-#include <pcl_spiral/surface/stray_removal.h>
+#include <pcl_spiral/cleaning/stray_removal.h>
 
 #include <gtest/gtest.h>
 

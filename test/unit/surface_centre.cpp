@@ -2,8 +2,8 @@
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/features/surface_boundary.h>
-#include <pcl_spiral/toolpath/surface_centre.h>
+#include <pcl_spiral/features/impl/surface_boundary.h>
+#include "spiral/surface_centre.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

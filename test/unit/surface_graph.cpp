@@ -1,5 +1,5 @@
 // The graph of a surface: topology on known surfaces, the empty-circle property, orientation, invariance.
-#include <pcl_spiral/search/surface_graph.h>
+#include <pcl_spiral/graph/impl/surface_graph.h>
 
 #include <gtest/gtest.h>
 #include <omp.h>

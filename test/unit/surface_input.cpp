@@ -3,9 +3,9 @@
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
 #include <pcl_spiral/surface/mls_projector.h>
-#include <pcl_spiral/toolpath/cutter_location.h>
-#include <pcl_spiral/toolpath/drive_path.h>
-#include <pcl_spiral/toolpath/radial_lines.h>
+#include <pcl_spiral/cutter/cutter_location.h>
+#include <pcl_spiral/drive/drive_path.h>
+#include <pcl_spiral/spiral/radial_lines.h>
 #include <pcl_spiral/verify/material_removal.h>
 
 #include <gtest/gtest.h>

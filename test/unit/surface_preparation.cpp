@@ -1,6 +1,6 @@
 #include "support/sampling.h"
 
-#include <pcl_spiral/search/point_selection.h>
+#include <pcl_spiral/search/impl/point_selection.h>
 #include <pcl_spiral/surface/surface_preparation.h>
 
 #include <pcl/console/print.h>

@@ -1,5 +1,5 @@
 // The bound of what a cutter cuts between two free places, against points sampled densely in the swept cutter.
-#include <pcl_spiral/core/swept_error.h>
+#include <pcl_spiral/core/impl/swept_error.h>
 
 #include "support/cutters.h"
 #include "support/sampling.h"

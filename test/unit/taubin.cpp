@@ -1,4 +1,4 @@
-#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/core/taubin.h>
 
 #include <gtest/gtest.h>

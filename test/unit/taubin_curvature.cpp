@@ -4,7 +4,7 @@
 #include "support/even_cloud.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/search/gabriel_edges.h>
+#include <pcl_spiral/search/impl/gabriel_edges.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include <pcl_spiral/core/tool_axis.h>
-#include <pcl_spiral/toolpath/tool_axis.h>
+#include "core/tool_axis.h"
+#include <pcl_spiral/spiral/tool_axis.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Shank and holder: their solid, collisions against brute force, and axes tilted out of the way.
 #include <pcl_spiral/core/tool_holder.h>
-#include <pcl_spiral/toolpath/holder_collision.h>
+#include <pcl_spiral/cutter/impl/holder_collision.h>
 
 #include "support/located.h"
 

@@ -1,5 +1,5 @@
 // What the generator writes lands in the fields that a point type has, of any number type, and nowhere else.
-#include <pcl_spiral/common/toolpath_fields.h>
+#include <pcl_spiral/common/impl/toolpath_fields.h>
 
 // an own type comes before ToolpathPoint is known: the names of the fields are the trait's
 struct TurnPoint {

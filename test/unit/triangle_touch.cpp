@@ -1,5 +1,5 @@
 // Cutters brought down on single triangles, against search in two dimensions.
-#include <pcl_spiral/core/triangle_touch.h>
+#include "core/triangle_touch.h"
 
 #include "support/searched_triangle.h"
 

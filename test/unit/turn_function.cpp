@@ -2,7 +2,7 @@
 #include "support/checked_path.h"
 #include "support/plane_lines.h"
 
-#include <pcl_spiral/toolpath/turn_function.h>
+#include <pcl_spiral/spiral/impl/turn_function.h>
 
 #include <gtest/gtest.h>
 

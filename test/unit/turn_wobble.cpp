@@ -1,5 +1,5 @@
 // Wobble from turn to turn of flat spirals with deviations whose second difference across the turns is known.
-#include <pcl_spiral/verify/turn_wobble.h>
+#include <pcl_spiral/verify/impl/turn_wobble.h>
 
 #include "support/sampling.h"
 

@@ -1,5 +1,5 @@
 // Fits of more neighbours than usual, where the nearest points do not tell the surface.
-#include <pcl_spiral/surface/mls_surface.h>
+#include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <gtest/gtest.h>
 

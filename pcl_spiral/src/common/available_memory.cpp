@@ -1,4 +1,4 @@
-#include <pcl_spiral/common/available_memory.h>
+#include "available_memory.h"
 
 #include <algorithm>
 #include <fstream>

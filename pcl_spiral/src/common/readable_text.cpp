@@ -1,4 +1,4 @@
-#include <pcl_spiral/common/readable_text.h>
+#include "readable_text.h"
 
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-#include <pcl_spiral/common/stage_clock.h>
+#include <pcl_spiral/common/impl/stage_clock.h>
 
 #include <fstream>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include <pcl_spiral/core/axis_field.h>
+#include "axis_field.h"
 
 #include "axis_smoothing.h"
 

@@ -1,4 +1,4 @@
-#include <pcl_spiral/core/bspline.h>
+#include <pcl_spiral/core/impl/bspline.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <pcl_spiral/core/model_touch.h>
+#include "model_touch.h"
 
 #include <Eigen/LU>
 

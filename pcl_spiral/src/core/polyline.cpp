@@ -1,4 +1,4 @@
-#include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/core/impl/polyline.h>
 
 #include <algorithm>
 

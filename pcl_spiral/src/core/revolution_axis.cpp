@@ -1,6 +1,6 @@
-#include <pcl_spiral/core/revolution_axis.h>
+#include "revolution_axis.h"
 
-#include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/core/impl/frame.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

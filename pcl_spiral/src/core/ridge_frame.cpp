@@ -1,4 +1,4 @@
-#include <pcl_spiral/core/ridge_frame.h>
+#include <pcl_spiral/core/impl/ridge_frame.h>
 
 #include <Eigen/Geometry>
 

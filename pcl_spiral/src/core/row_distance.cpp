@@ -1,4 +1,4 @@
-#include <pcl_spiral/core/row_distance.h>
+#include "row_distance.h"
 
 #include <pcl_spiral/core/step_over.h>
 

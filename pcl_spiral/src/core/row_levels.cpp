@@ -1,4 +1,4 @@
-#include <pcl_spiral/core/row_levels.h>
+#include "row_levels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <pcl_spiral/core/sampling_gap.h>
+#include "sampling_gap.h"
 
 #include <algorithm>
 #include <cmath>

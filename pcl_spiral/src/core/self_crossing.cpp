@@ -1,6 +1,6 @@
-#include <pcl_spiral/core/self_crossing.h>
+#include "self_crossing.h"
 
-#include <pcl_spiral/core/pass_ranges.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <Eigen/Geometry>
 

@@ -1,4 +1,4 @@
-#include <pcl_spiral/core/step_over_metric.h>
+#include <pcl_spiral/core/impl/step_over_metric.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

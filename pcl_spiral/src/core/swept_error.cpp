@@ -1,4 +1,4 @@
-#include <pcl_spiral/core/swept_error.h>
+#include <pcl_spiral/core/impl/swept_error.h>
 
 #include <Eigen/Geometry>
 

@@ -1,4 +1,4 @@
-#include <pcl_spiral/core/tool_axis.h>
+#include "tool_axis.h"
 
 #include <Eigen/Geometry>
 

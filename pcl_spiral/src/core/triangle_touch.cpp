@@ -1,4 +1,4 @@
-#include <pcl_spiral/core/triangle_touch.h>
+#include "triangle_touch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <pcl_spiral/features/boundary_evidence.h>
+#include <pcl_spiral/features/impl/boundary_evidence.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "boundary_walk.h"
 
-#include <pcl_spiral/search/neighbour_search.h>
+#include "search/neighbour_search.h"
 
 #include <Eigen/Geometry>
 

@@ -6,7 +6,7 @@
 #include "loop_rings.h"
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/search/surface_graph.h>
+#include <pcl_spiral/graph/impl/surface_graph.h>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "edge_points.h"
 
-#include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/core/impl/polyline.h>
 
 #include <algorithm>
 #include <cmath>

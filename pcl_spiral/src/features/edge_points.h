@@ -5,7 +5,7 @@
 
 #include "loop_rings.h"
 
-#include <pcl_spiral/search/surface_graph.h>
+#include <pcl_spiral/graph/impl/surface_graph.h>
 
 #include <Eigen/Core>
 

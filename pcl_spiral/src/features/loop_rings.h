@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include <pcl_spiral/search/surface_graph.h>
-#include <pcl_spiral/search/triangulation.h>
+#include <pcl_spiral/graph/impl/surface_graph.h>
+#include <pcl_spiral/graph/impl/triangulation.h>
 
 #include <cstdint>
 #include <vector>

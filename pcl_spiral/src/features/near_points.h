@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/polyline.h>
-#include <pcl_spiral/search/point_blocks.h>
+#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #include "corner_choice.h"
 #include "near_points.h"
 
-#include <pcl_spiral/core/self_crossing.h>
+#include "core/self_crossing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 
 #include "loop_rings.h"
 
-#include <pcl_spiral/core/polyline.h>
-#include <pcl_spiral/surface/mls_surface.h>
+#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <cstddef>
 #include <functional>

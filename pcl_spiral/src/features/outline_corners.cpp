@@ -1,6 +1,6 @@
 #include "outline_corners.h"
 
-#include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/core/impl/polyline.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 #include "part_check.h"
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/features/surface_parts.h>
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/features/impl/surface_parts.h>
 
 #include <algorithm>
 #include <utility>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/features/surface_boundary.h>
+#include <pcl_spiral/features/impl/surface_boundary.h>
 
 #include <cstdint>
 #include <vector>

@@ -5,7 +5,7 @@
 
 #include "edge_fit.h"
 
-#include <pcl_spiral/surface/mls_surface.h>
+#include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
-#include <pcl_spiral/features/surface_boundary.h>
+#include <pcl_spiral/features/impl/surface_boundary.h>
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include "boundary_walk.h"
 #include "loop_rings.h"

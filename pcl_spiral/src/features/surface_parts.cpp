@@ -1,6 +1,6 @@
-#include <pcl_spiral/features/surface_parts.h>
+#include <pcl_spiral/features/impl/surface_parts.h>
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
 #include "void_rings.h"
 
-#include <pcl_spiral/surface/scan_voids.h>
+#include <pcl_spiral/surface/impl/scan_voids.h>
 
 namespace pcl_spiral {
 

@@ -1,6 +1,6 @@
 #include "centre_disc.h"
 
-#include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/core/impl/frame.h>
 
 #include <Eigen/Geometry>
 

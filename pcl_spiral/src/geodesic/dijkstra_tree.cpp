@@ -1,4 +1,4 @@
-#include <pcl_spiral/geodesic/dijkstra_tree.h>
+#include "dijkstra_tree.h"
 
 #include "mesh_walk.h"
 

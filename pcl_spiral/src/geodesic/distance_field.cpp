@@ -1,4 +1,4 @@
-#include <pcl_spiral/geodesic/distance_field.h>
+#include "distance_field.h"
 
 #include "front_march.h"
 #include "mesh_walk.h"

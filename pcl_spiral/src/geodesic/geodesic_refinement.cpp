@@ -1,4 +1,4 @@
-#include <pcl_spiral/geodesic/geodesic_refinement.h>
+#include <pcl_spiral/geodesic/impl/geodesic_refinement.h>
 
 #include "line_refiner.h"
 

@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/polyline.h>
-#include <pcl_spiral/surface/mls_surface.h>
+#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <vector>
 

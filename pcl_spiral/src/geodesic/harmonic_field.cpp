@@ -1,4 +1,4 @@
-#include <pcl_spiral/geodesic/harmonic_field.h>
+#include "harmonic_field.h"
 
 #include "edge_weights.h"
 #include "harmonic_domain.h"

@@ -1,5 +1,5 @@
 #include <pcl_spiral/core/taubin.h>
-#include <pcl_spiral/geodesic/harmonic_field.h>
+#include "harmonic_field.h"
 
 #include "harmonic_domain.h"
 #include "level_fit.h"

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/search/triangulation.h>
+#include <pcl_spiral/graph/impl/triangulation.h>
 
 #include <Eigen/Core>
 

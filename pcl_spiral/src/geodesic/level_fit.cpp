@@ -1,6 +1,6 @@
 #include "level_fit.h"
 
-#include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/core/impl/frame.h>
 
 #include <Eigen/Cholesky>
 

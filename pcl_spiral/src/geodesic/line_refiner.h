@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/geodesic/geodesic_refinement.h>
+#include <pcl_spiral/geodesic/impl/geodesic_refinement.h>
 
 namespace pcl_spiral {
 

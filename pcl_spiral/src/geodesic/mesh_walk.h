@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/search/surface_graph.h>
+#include <pcl_spiral/graph/impl/surface_graph.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
-#include <pcl_spiral/geodesic/shortest_paths.h>
+#include <pcl_spiral/geodesic/impl/shortest_paths.h>
 
-#include <pcl_spiral/geodesic/dijkstra_tree.h>
-#include <pcl_spiral/geodesic/distance_field.h>
+#include "dijkstra_tree.h"
+#include "distance_field.h"
 
 #include <algorithm>
 #include <sstream>

@@ -2,7 +2,7 @@
 
 #include "byte_file.h"
 
-#include <pcl_spiral/common/readable_text.h>
+#include "common/readable_text.h"
 
 #include <vtkBase64Utilities.h>
 

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/io/report_page.h>
+#include "report_page.h"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/io/report_writer.h>
+#include "report_writer.h"
 
 #include <nlohmann/json.hpp>
 

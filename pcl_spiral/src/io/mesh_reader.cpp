@@ -3,7 +3,7 @@
 #include "polygon_cut.h"
 #include "scaled_points.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
 

@@ -1,5 +1,5 @@
 #include <pcl_spiral/io/file_error.h>
-#include <pcl_spiral/io/output_files.h>
+#include "output_files.h"
 
 #include <fcntl.h>
 #include <signal.h>

@@ -1,7 +1,7 @@
 #include "post_text.h"
 
 #include <pcl_spiral/common/pass_begins.h>
-#include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/core/impl/frame.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
 

@@ -1,9 +1,9 @@
 #include "post_text.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/pose_list.h>
-#include <pcl_spiral/machine/kinematics.h>
+#include <pcl_spiral/machine/impl/kinematics.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "post_text.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <pcl_spiral/io/file_error.h>
 

@@ -1,7 +1,7 @@
 #include "face_list.h"
 #include "ply_header.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 
 #include <algorithm>

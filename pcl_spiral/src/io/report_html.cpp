@@ -1,8 +1,8 @@
 #include "verification_html.h"
 
-#include <pcl_spiral/io/report_writer.h>
-#include <pcl_spiral/io/setting_names.h>
-#include <pcl_spiral/mesh/mesh_findings.h>
+#include "report_writer.h"
+#include "setting_names.h"
+#include "mesh/mesh_findings.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 #include "mesh_json.h"
 #include "verification_json.h"
 
-#include <pcl_spiral/io/report_writer.h>
-#include <pcl_spiral/io/setting_names.h>
+#include "report_writer.h"
+#include "setting_names.h"
 
 #include <nlohmann/json.hpp>
 

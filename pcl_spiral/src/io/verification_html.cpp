@@ -1,6 +1,6 @@
 #include "verification_html.h"
 
-#include <pcl_spiral/io/setting_names.h>
+#include "setting_names.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/io/verification_writer.h>
+#include "verification_writer.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "byte_file.h"
 #include "verification_json.h"
 
-#include <pcl_spiral/io/setting_names.h>
+#include "setting_names.h"
 
 #include <algorithm>
 

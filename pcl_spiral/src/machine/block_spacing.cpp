@@ -1,6 +1,6 @@
 #include "half_turn.h"
 
-#include <pcl_spiral/machine/block_spacing.h>
+#include <pcl_spiral/machine/impl/block_spacing.h>
 
 #include <algorithm>
 #include <cmath>

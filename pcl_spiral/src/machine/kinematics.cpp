@@ -1,7 +1,7 @@
 #include "half_turn.h"
 
-#include <pcl_spiral/machine/kinematics.h>
-#include <pcl_spiral/machine/tool_pose.h>
+#include <pcl_spiral/machine/impl/kinematics.h>
+#include <pcl_spiral/machine/impl/tool_pose.h>
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
 #include "limit_check.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/machine/kinematics.h>
+#include <pcl_spiral/machine/impl/kinematics.h>
 #include <pcl_spiral/machine/machine_program.h>
 
 namespace pcl_spiral {

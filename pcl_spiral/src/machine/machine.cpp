@@ -1,4 +1,4 @@
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/machine/machine.h>
 
 #include <Eigen/Geometry>

@@ -4,9 +4,9 @@
 #include "tool_leads.h"
 #include "turn_passes.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/pass_begins.h>
-#include <pcl_spiral/core/pass_ranges.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 
 #include <pcl/console/print.h>

@@ -1,7 +1,7 @@
 #include "half_turn.h"
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/machine/rotary_path.h>
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/machine/impl/rotary_path.h>
 
 #include <Eigen/Geometry>
 

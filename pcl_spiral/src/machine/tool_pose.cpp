@@ -1,4 +1,4 @@
-#include <pcl_spiral/machine/tool_pose.h>
+#include <pcl_spiral/machine/impl/tool_pose.h>
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
-#include <pcl_spiral/mesh/crease_lines.h>
+#include <pcl_spiral/mesh/impl/crease_lines.h>
 
-#include <pcl_spiral/mesh/mesh_rims.h>
+#include <pcl_spiral/mesh/impl/mesh_rims.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "fitted_normal.h"
 
-#include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/core/impl/frame.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>

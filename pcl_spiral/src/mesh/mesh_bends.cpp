@@ -1,6 +1,6 @@
 #include "mesh_bends.h"
 
-#include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/core/impl/frame.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/row_distance.h>
+#include "core/row_distance.h"
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 namespace pcl_spiral {

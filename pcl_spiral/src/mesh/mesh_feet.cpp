@@ -1,4 +1,4 @@
-#include <pcl_spiral/mesh/mesh_feet.h>
+#include "mesh_feet.h"
 
 #include <limits>
 

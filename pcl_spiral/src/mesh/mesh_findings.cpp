@@ -1,6 +1,6 @@
-#include <pcl_spiral/mesh/mesh_findings.h>
+#include "mesh_findings.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 namespace pcl_spiral {
 

@@ -1,4 +1,4 @@
-#include <pcl_spiral/mesh/mesh_rims.h>
+#include <pcl_spiral/mesh/impl/mesh_rims.h>
 
 #include <algorithm>
 #include <cmath>

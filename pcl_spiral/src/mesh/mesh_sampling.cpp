@@ -4,9 +4,9 @@
 #include "face_lattice.h"
 #include "rim_samples.h"
 
-#include <pcl_spiral/common/available_memory.h>
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/mesh/crease_lines.h>
+#include "common/available_memory.h"
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/mesh/impl/crease_lines.h>
 
 #include <Eigen/Geometry>
 

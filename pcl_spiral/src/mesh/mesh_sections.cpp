@@ -2,7 +2,7 @@
 
 #include "section_passes.h"
 
-#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
 
 #include <pcl/console/print.h>
 

@@ -1,4 +1,4 @@
-#include <pcl_spiral/mesh/patch_tree.h>
+#include <pcl_spiral/mesh/impl/patch_tree.h>
 
 #include <Eigen/Geometry>
 

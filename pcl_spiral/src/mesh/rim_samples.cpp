@@ -2,7 +2,7 @@
 
 #include "dart_throwing.h"
 
-#include <pcl_spiral/mesh/mesh_rims.h>
+#include <pcl_spiral/mesh/impl/mesh_rims.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 
 #include "mesh_bends.h"
 
-#include <pcl_spiral/common/available_memory.h>
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/core/row_levels.h>
-#include <pcl_spiral/toolpath/drive_pass.h>
+#include "common/available_memory.h"
+#include <pcl_spiral/common/impl/message.h>
+#include "core/row_levels.h"
+#include <pcl_spiral/common/drive_pass.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/mesh/section_settings.h>
+#include <pcl_spiral/mesh/impl/section_settings.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 namespace pcl_spiral {

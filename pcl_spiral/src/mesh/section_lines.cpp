@@ -1,6 +1,6 @@
 #include "section_lines.h"
 
-#include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/core/impl/frame.h>
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/box.hpp>

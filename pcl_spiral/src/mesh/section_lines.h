@@ -3,9 +3,9 @@
  */
 #pragma once
 
-#include <pcl_spiral/mesh/section_settings.h>
+#include <pcl_spiral/mesh/impl/section_settings.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
-#include <pcl_spiral/search/level_lines.h>
+#include "graph/level_lines.h"
 
 namespace pcl_spiral {
 

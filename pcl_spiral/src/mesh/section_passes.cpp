@@ -5,9 +5,9 @@
 #include "section_lines.h"
 #include "section_rows.h"
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/mesh/mesh_feet.h>
-#include <pcl_spiral/toolpath/row_links.h>
+#include <pcl_spiral/common/impl/message.h>
+#include "mesh_feet.h"
+#include "row_links.h"
 
 #include <Eigen/Geometry>
 

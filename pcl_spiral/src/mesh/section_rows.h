@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/toolpath/drive_pass.h>
+#include <pcl_spiral/common/drive_pass.h>
 
 namespace pcl_spiral {
 

@@ -4,7 +4,7 @@
 #include "vertex_normals.h"
 #include "welded_faces.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <Eigen/Geometry>
 

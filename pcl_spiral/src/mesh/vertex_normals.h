@@ -5,7 +5,7 @@
 
 #include "corner_sectors.h"
 
-#include <pcl_spiral/mesh/mesh_settings.h>
+#include <pcl_spiral/mesh/impl/mesh_settings.h>
 
 #include <Eigen/Core>
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/mesh/mesh_settings.h>
-#include <pcl_spiral/search/triangulation.h>
+#include <pcl_spiral/mesh/impl/mesh_settings.h>
+#include <pcl_spiral/graph/impl/triangulation.h>
 
 #include <pcl/PolygonMesh.h>
 

@@ -6,7 +6,7 @@
 #include "scan_sections.h"
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/ridge/smooth_line.h>
+#include <pcl_spiral/ridge/impl/smooth_line.h>
 
 namespace pcl_spiral {
 

@@ -3,7 +3,7 @@
 #include "crest_line.h"
 #include "rough_line.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
 #include <cmath>

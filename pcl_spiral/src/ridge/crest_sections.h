@@ -5,8 +5,8 @@
 
 #include "scan_sections.h"
 
-#include <pcl_spiral/ridge/scan_ridge.h>
-#include <pcl_spiral/ridge/smooth_line.h>
+#include <pcl_spiral/ridge/impl/scan_ridge.h>
+#include <pcl_spiral/ridge/impl/smooth_line.h>
 
 namespace pcl_spiral {
 

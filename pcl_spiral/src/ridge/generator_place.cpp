@@ -1,6 +1,6 @@
 #include "generator_place.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

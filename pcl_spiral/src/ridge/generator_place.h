@@ -4,9 +4,9 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/core/ridge_frame.h>
-#include <pcl_spiral/ridge/ridge_settings.h>
-#include <pcl_spiral/ridge/smooth_line.h>
+#include <pcl_spiral/core/impl/ridge_frame.h>
+#include <pcl_spiral/ridge/impl/ridge_settings.h>
+#include <pcl_spiral/ridge/impl/smooth_line.h>
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
-#include <pcl_spiral/ridge/measured_line.h>
+#include <pcl_spiral/ridge/impl/measured_line.h>
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
 #include <cstdint>

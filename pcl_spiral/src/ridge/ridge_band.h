@@ -5,7 +5,7 @@
 
 #include "station_line.h"
 
-#include <pcl_spiral/core/ridge_frame.h>
+#include <pcl_spiral/core/impl/ridge_frame.h>
 #include <pcl_spiral/surface/surface.h>
 
 #include <cstdint>

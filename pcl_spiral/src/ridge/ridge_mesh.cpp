@@ -1,6 +1,6 @@
 #include <pcl_spiral/ridge/ridge_mesh.h>
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <pcl/conversions.h>
 #include <pcl/point_types.h>

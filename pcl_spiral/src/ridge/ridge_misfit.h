@@ -5,7 +5,7 @@
 
 #include "section_rounds.h"
 
-#include <pcl_spiral/ridge/scan_ridge.h>
+#include <pcl_spiral/ridge/impl/scan_ridge.h>
 
 namespace pcl_spiral {
 

@@ -1,6 +1,6 @@
 #include "ridge_row.h"
 
-#include <pcl_spiral/core/tool_axis.h>
+#include "core/tool_axis.h"
 
 #include <Eigen/Geometry>
 

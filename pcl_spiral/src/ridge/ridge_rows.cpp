@@ -3,7 +3,7 @@
 #include "ridge_row.h"
 #include "row_metric.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "generator_place.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
 #include "row_metric.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/step_over.h>
 
 #include <Eigen/Dense>

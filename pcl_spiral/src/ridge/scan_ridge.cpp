@@ -1,10 +1,10 @@
-#include <pcl_spiral/ridge/scan_ridge.h>
+#include <pcl_spiral/ridge/impl/scan_ridge.h>
 
 #include "crest_sections.h"
 #include "ridge_misfit.h"
 #include "section_rounds.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
 #include "scan_sections.h"
 
-#include <pcl_spiral/search/neighbour_search.h>
+#include "search/neighbour_search.h"
 
 #include <cstdint>
 

@@ -2,7 +2,7 @@
 
 #include "rail_step.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <Eigen/Geometry>
 

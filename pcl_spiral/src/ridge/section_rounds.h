@@ -5,7 +5,7 @@
 
 #include "section_shift.h"
 
-#include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
 
 #include <vector>

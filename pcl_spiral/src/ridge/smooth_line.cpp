@@ -1,4 +1,4 @@
-#include <pcl_spiral/ridge/smooth_line.h>
+#include <pcl_spiral/ridge/impl/smooth_line.h>
 
 #include <pcl_spiral/core/bspline_fit.h>
 

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/ridge/smooth_line.h>
+#include <pcl_spiral/ridge/impl/smooth_line.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,9 +1,9 @@
 /** \file
- *  The neighbourhoods of all points of a cloud, in parallel. Private to search.
+ *  The neighbourhoods of all points of a cloud, in parallel. Private.
  */
 #pragma once
 
-#include <pcl_spiral/search/neighbour_search.h>
+#include "neighbour_search.h"
 
 namespace pcl_spiral {
 

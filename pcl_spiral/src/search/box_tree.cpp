@@ -1,4 +1,4 @@
-#include <pcl_spiral/search/box_tree.h>
+#include <pcl_spiral/search/impl/box_tree.h>
 
 #include <algorithm>
 #include <numeric>

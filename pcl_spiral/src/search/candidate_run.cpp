@@ -1,7 +1,7 @@
-#include <pcl_spiral/search/candidate_run.h>
+#include "candidate_run.h"
 
-#include <pcl_spiral/core/lanes.h>
-#include <pcl_spiral/core/simd_clones.h>
+#include "core/lanes.h"
+#include "core/simd_clones.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include <pcl_spiral/search/gabriel_edges.h>
+#include <pcl_spiral/search/impl/gabriel_edges.h>
 
 #include "all_neighbourhoods.h"
 

@@ -1,9 +1,9 @@
 /** \file
- *  Points grouped by a hash, so that what is equal can be sought in small parts, in parallel. Private to search.
+ *  Points grouped by a hash, so that what is equal can be sought in small parts, in parallel. Private.
  */
 #pragma once
 
-#include <pcl_spiral/search/point_blocks.h>
+#include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <cstddef>
 #include <cstdint>

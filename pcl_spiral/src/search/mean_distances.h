@@ -1,5 +1,5 @@
 /** \file
- *  How far the nearest neighbours of every point are. Private to search.
+ *  How far the nearest neighbours of every point are. Private.
  */
 #pragma once
 

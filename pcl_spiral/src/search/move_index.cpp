@@ -1,4 +1,4 @@
-#include <pcl_spiral/search/move_index.h>
+#include <pcl_spiral/search/impl/move_index.h>
 
 #include <Eigen/Geometry>
 

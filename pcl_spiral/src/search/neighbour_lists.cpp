@@ -1,4 +1,4 @@
-#include <pcl_spiral/search/neighbour_lists.h>
+#include <pcl_spiral/search/impl/neighbour_lists.h>
 
 #include <algorithm>
 

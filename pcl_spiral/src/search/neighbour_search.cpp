@@ -1,7 +1,7 @@
-#include <pcl_spiral/search/neighbour_search.h>
+#include "neighbour_search.h"
 
-#include <pcl_spiral/core/lanes.h>
-#include <pcl_spiral/core/simd_clones.h>
+#include "core/lanes.h"
+#include "core/simd_clones.h"
 
 #include <array>
 #include <cstring>

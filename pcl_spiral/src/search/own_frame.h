@@ -1,5 +1,5 @@
 /** \file
- *  Points in a frame of their own. Private to search.
+ *  Points in a frame of their own. Private.
  */
 #pragma once
 

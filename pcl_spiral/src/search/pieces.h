@@ -1,5 +1,5 @@
 /** \file
- *  Loops over all points in pieces of fixed size: what they find depends on no thread. Private to search.
+ *  Loops over all points in pieces of fixed size: what they find depends on no thread. Private.
  */
 #pragma once
 

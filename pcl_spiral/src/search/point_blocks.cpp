@@ -1,4 +1,4 @@
-#include <pcl_spiral/search/point_blocks.h>
+#include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <algorithm>
 #include <array>

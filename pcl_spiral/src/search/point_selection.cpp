@@ -1,4 +1,4 @@
-#include <pcl_spiral/search/point_selection.h>
+#include <pcl_spiral/search/impl/point_selection.h>
 
 #include "hash_parts.h"
 #include "mean_distances.h"

@@ -1,12 +1,12 @@
-#include <pcl_spiral/spiral/constant_scallop.h>
+#include <pcl_spiral/spiral/impl/constant_scallop.h>
 
 #include "path_cover.h"
 #include "path_end.h"
 #include "scallop_size.h"
 #include "turn_radius.h"
 
-#include <pcl_spiral/common/freed_memory.h>
-#include <pcl_spiral/core/pass_ranges.h>
+#include "common/freed_memory.h"
+#include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/path_sampling.h>
 #include <pcl_spiral/spiral/scallop_loops.h>

@@ -1,6 +1,6 @@
 #include "cover_tests.h"
 
-#include <pcl_spiral/core/pass_ranges.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <algorithm>
 #include <cmath>

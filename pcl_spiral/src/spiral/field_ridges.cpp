@@ -3,7 +3,7 @@
 
 #include "step_over_march.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <cmath>
 

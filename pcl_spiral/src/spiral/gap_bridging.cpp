@@ -1,9 +1,9 @@
 #include <pcl_spiral/spiral/gap_bridging.h>
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/surface/gap_filling.h>
-#include <pcl_spiral/toolpath/boundary_choice.h>
-#include <pcl_spiral/toolpath/loop_check.h>
+#include <pcl_spiral/common/impl/message.h>
+#include "surface/gap_filling.h"
+#include <pcl_spiral/spiral/impl/boundary_choice.h>
+#include <pcl_spiral/spiral/impl/loop_check.h>
 
 #include <algorithm>
 #include <cstdint>

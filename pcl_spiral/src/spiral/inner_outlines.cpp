@@ -2,8 +2,8 @@
 
 #include "step_over_march.h"
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/search/level_lines.h>
+#include <pcl_spiral/common/impl/message.h>
+#include "graph/level_lines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include <pcl_spiral/spiral/spiral_turns.h>
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <Eigen/Geometry>
 

@@ -5,7 +5,7 @@
 
 #include "segment_set.h"
 
-#include <pcl_spiral/spiral/scallop_loop.h>
+#include <pcl_spiral/spiral/impl/scallop_loop.h>
 
 #include <vector>
 

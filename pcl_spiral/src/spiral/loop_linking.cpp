@@ -7,7 +7,7 @@
 #include "loop_finder.h"
 #include "main_chain.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,8 +1,8 @@
 // Closed loops as they are: what may be wrong with them, and as a toolpath.
 #include <pcl_spiral/spiral/scallop_loops.h>
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/core/tool_axis.h>
+#include <pcl_spiral/common/impl/message.h>
+#include "core/tool_axis.h"
 #include <pcl_spiral/spiral/path_sampling.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 

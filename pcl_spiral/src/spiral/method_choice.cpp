@@ -1,11 +1,11 @@
-#include <pcl_spiral/spiral/method_choice.h>
+#include <pcl_spiral/spiral/impl/method_choice.h>
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/step_over.h>
-#include <pcl_spiral/geodesic/distance_field.h>
-#include <pcl_spiral/search/point_selection.h>
-#include <pcl_spiral/toolpath/path_size.h>
-#include <pcl_spiral/toolpath/surface_centre.h>
+#include "geodesic/distance_field.h"
+#include <pcl_spiral/search/impl/point_selection.h>
+#include <pcl_spiral/spiral/impl/path_size.h>
+#include "surface_centre.h"
 
 #include <Eigen/Geometry>
 

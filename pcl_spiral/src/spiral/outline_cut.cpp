@@ -2,7 +2,7 @@
 
 #include "handle_loop.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <array>
 #include <cstdint>

@@ -5,7 +5,7 @@
 
 #include "outline_side.h"
 
-#include <pcl_spiral/spiral/step_over_mesh.h>
+#include <pcl_spiral/spiral/impl/step_over_mesh.h>
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/features/boundary_loop.h>
-#include <pcl_spiral/search/move_index.h>
+#include <pcl_spiral/search/impl/move_index.h>
 
 #include <memory>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "path_densify.h"
 #include "segment_set.h"
 
-#include <pcl_spiral/core/pass_ranges.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <algorithm>
 #include <cmath>

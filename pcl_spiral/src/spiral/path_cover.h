@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
 #include <pcl_spiral/spiral/step_over_field.h>

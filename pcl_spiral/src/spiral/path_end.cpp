@@ -2,7 +2,7 @@
 
 #include "moves_cross.h"
 
-#include <pcl_spiral/core/pass_ranges.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include "path_feet.h"
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/core/pass_ranges.h>
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/core/step_over.h>
 
 #include <Eigen/Geometry>

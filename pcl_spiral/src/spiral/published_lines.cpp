@@ -1,16 +1,16 @@
 #include "published_lines.h"
 
-#include "../toolpath/rim_curve.h"
+#include "rim_curve.h"
 #include "loop_matching.h"
 #include "taubin_curvature.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/bspline_fit.h>
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/core/taubin.h>
-#include <pcl_spiral/geodesic/dijkstra_tree.h>
-#include <pcl_spiral/geodesic/geodesic_refinement.h>
-#include <pcl_spiral/search/gabriel_edges.h>
+#include "geodesic/dijkstra_tree.h"
+#include <pcl_spiral/geodesic/impl/geodesic_refinement.h>
+#include <pcl_spiral/search/impl/gabriel_edges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/toolpath/radial_line_builder.h>
-#include <pcl_spiral/toolpath/spiral_settings.h>
+#include <pcl_spiral/spiral/impl/radial_line_builder.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
 
 #include <cstddef>
 #include <functional>

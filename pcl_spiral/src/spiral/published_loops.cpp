@@ -1,9 +1,9 @@
 #include "published_loops.h"
 
-#include <pcl_spiral/core/frame.h>
-#include <pcl_spiral/features/boundary_evidence.h>
-#include <pcl_spiral/features/surface_boundary.h>
-#include <pcl_spiral/search/neighbour_search.h>
+#include <pcl_spiral/core/impl/frame.h>
+#include <pcl_spiral/features/impl/boundary_evidence.h>
+#include <pcl_spiral/features/impl/surface_boundary.h>
+#include "search/neighbour_search.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
-#include <pcl_spiral/search/surface_graph.h>
+#include <pcl_spiral/graph/impl/surface_graph.h>
 
 #include <cstdint>
 #include <functional>

@@ -2,11 +2,11 @@
 
 #include "published_step.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/step_over.h>
-#include <pcl_spiral/core/tool_axis.h>
-#include <pcl_spiral/toolpath/path_size.h>
-#include <pcl_spiral/toolpath/turn_function.h>
+#include "core/tool_axis.h"
+#include <pcl_spiral/spiral/impl/path_size.h>
+#include <pcl_spiral/spiral/impl/turn_function.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
  */
 #pragma once
 
-#include <pcl_spiral/spiral/published_spiral.h>
-#include <pcl_spiral/surface/mls_surface.h>
-#include <pcl_spiral/toolpath/spiral_curve.h>
+#include <pcl_spiral/spiral/impl/published_spiral.h>
+#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/spiral/impl/spiral_curve.h>
 
 #include <functional>
 #include <vector>

@@ -1,14 +1,14 @@
-#include <pcl_spiral/spiral/published_spiral.h>
+#include <pcl_spiral/spiral/impl/published_spiral.h>
 
 #include "published_lines.h"
 #include "published_loops.h"
 #include "published_path.h"
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/core/self_crossing.h>
-#include <pcl_spiral/toolpath/boundary_choice.h>
-#include <pcl_spiral/toolpath/loop_check.h>
-#include <pcl_spiral/toolpath/surface_centre.h>
+#include <pcl_spiral/common/impl/message.h>
+#include "core/self_crossing.h"
+#include <pcl_spiral/spiral/impl/boundary_choice.h>
+#include <pcl_spiral/spiral/impl/loop_check.h>
+#include "surface_centre.h"
 
 #include <algorithm>
 

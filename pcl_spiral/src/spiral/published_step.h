@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/toolpath/radial_line.h>
+#include <pcl_spiral/spiral/impl/radial_line.h>
 
 #include <vector>
 

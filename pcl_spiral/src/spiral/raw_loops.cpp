@@ -3,7 +3,7 @@
 #include "finger_axes.h"
 #include "line_smoothing.h"
 
-#include <pcl_spiral/search/level_lines.h>
+#include "graph/level_lines.h"
 
 #include <algorithm>
 #include <cmath>

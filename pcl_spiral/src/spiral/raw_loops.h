@@ -7,7 +7,7 @@
 #include "ridge_climb.h"
 #include "segment_set.h"
 
-#include <pcl_spiral/spiral/scallop_loop.h>
+#include <pcl_spiral/spiral/impl/scallop_loop.h>
 
 #include <cstdint>
 #include <unordered_set>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/search/point_blocks.h>
+#include <pcl_spiral/search/impl/point_blocks.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
 #include <cstdint>

@@ -1,9 +1,9 @@
-#include <pcl_spiral/spiral/rim_offset.h>
+#include <pcl_spiral/spiral/impl/rim_offset.h>
 
 #include "inner_outlines.h"
 #include "rim_band.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include <pcl_spiral/spiral/scallop_loop.h>
+#include <pcl_spiral/spiral/impl/scallop_loop.h>
 
 #include <algorithm>
 #include <cmath>

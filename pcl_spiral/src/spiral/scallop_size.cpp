@@ -1,7 +1,7 @@
 #include "scallop_size.h"
 
-#include <pcl_spiral/common/available_memory.h>
-#include <pcl_spiral/common/message.h>
+#include "common/available_memory.h"
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/step_over.h>
 
 #include <algorithm>

@@ -6,8 +6,8 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 #include <pcl_spiral/surface/surface.h>
-#include <pcl_spiral/toolpath/path_size.h>
-#include <pcl_spiral/toolpath/spiral_settings.h>
+#include <pcl_spiral/spiral/impl/path_size.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
 
 #include <cstdint>
 #include <vector>

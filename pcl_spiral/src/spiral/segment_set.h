@@ -3,9 +3,9 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/polyline.h>
-#include <pcl_spiral/core/step_over_metric.h>
-#include <pcl_spiral/search/move_index.h>
+#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/impl/step_over_metric.h>
+#include <pcl_spiral/search/impl/move_index.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,9 +1,9 @@
-#include <pcl_spiral/spiral/settings_check.h>
+#include <pcl_spiral/spiral/impl/settings_check.h>
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/common/thread_limit.h>
-#include <pcl_spiral/toolpath/path_size.h>
-#include <pcl_spiral/toolpath/scan_warnings.h>
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/spiral/impl/path_size.h>
+#include "scan_warnings.h"
 
 #include <cmath>
 

@@ -2,11 +2,11 @@
 
 #include "path_feet.h"
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/core/axis_field.h>
-#include <pcl_spiral/core/pass_ranges.h>
-#include <pcl_spiral/core/self_crossing.h>
-#include <pcl_spiral/core/tool_axis.h>
+#include <pcl_spiral/common/impl/message.h>
+#include "core/axis_field.h"
+#include <pcl_spiral/core/impl/pass_ranges.h>
+#include "core/self_crossing.h"
+#include "core/tool_axis.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include <pcl_spiral/spiral/spiral_reports.h>
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/surface/noise_warning.h>
+#include <pcl_spiral/common/impl/message.h>
+#include "surface/noise_warning.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include <pcl_spiral/spiral/spiral_turns.h>
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/toolpath/path_size.h>
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/spiral/impl/path_size.h>
 
 namespace pcl_spiral {
 namespace {

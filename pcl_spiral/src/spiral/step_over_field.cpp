@@ -4,7 +4,7 @@
 #include "scallop_size.h"
 #include "step_over_march.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <Eigen/Geometry>
 

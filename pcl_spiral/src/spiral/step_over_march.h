@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/spiral/step_over_mesh.h>
+#include <pcl_spiral/spiral/impl/step_over_mesh.h>
 
 #include <array>
 #include <vector>

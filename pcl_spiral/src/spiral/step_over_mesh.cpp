@@ -1,10 +1,10 @@
-#include <pcl_spiral/spiral/step_over_mesh.h>
+#include <pcl_spiral/spiral/impl/step_over_mesh.h>
 
 #include "outline_cut.h"
 #include "outline_side.h"
 #include "rim_zipper.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
 #include "taubin_curvature.h"
 
-#include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/core/impl/frame.h>
 
 #include <algorithm>
 #include <cmath>

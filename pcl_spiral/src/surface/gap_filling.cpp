@@ -1,6 +1,6 @@
-#include <pcl_spiral/surface/gap_filling.h>
+#include "gap_filling.h"
 
-#include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/core/impl/frame.h>
 
 #include <Eigen/QR>
 

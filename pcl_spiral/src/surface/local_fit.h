@@ -1,12 +1,12 @@
 /** \file
- *  One local fit of the surface. Private to surface.
+ *  One local fit of the surface. Private.
  */
 #pragma once
 
 #include "patch_search.h"
 
-#include <pcl_spiral/search/neighbour_search.h>
-#include <pcl_spiral/surface/mls_surface.h>
+#include "search/neighbour_search.h"
+#include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <algorithm>
 #include <limits>

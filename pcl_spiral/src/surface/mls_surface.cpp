@@ -1,6 +1,6 @@
-#include <pcl_spiral/surface/mls_surface.h>
+#include <pcl_spiral/surface/impl/mls_surface.h>
 
-#include <pcl_spiral/search/neighbour_search.h>
+#include "search/neighbour_search.h"
 
 #include "local_fit.h"
 

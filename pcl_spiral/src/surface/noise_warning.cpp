@@ -1,6 +1,6 @@
-#include <pcl_spiral/surface/noise_warning.h>
+#include "noise_warning.h"
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 namespace pcl_spiral {
 

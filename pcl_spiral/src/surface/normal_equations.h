@@ -1,5 +1,5 @@
 /** \file
- *  Small symmetric systems. Private to surface.
+ *  Small symmetric systems. Private.
  */
 #pragma once
 

@@ -1,8 +1,8 @@
 #include "patch_moments.h"
 
-#include <pcl_spiral/core/lanes.h>
+#include "core/lanes.h"
 
-#include <pcl_spiral/core/simd_clones.h>
+#include "core/simd_clones.h"
 
 namespace pcl_spiral {
 namespace {

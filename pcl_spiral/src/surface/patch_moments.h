@@ -1,5 +1,5 @@
 /** \file
- *  Weighted moments of the points of a patch. Private to surface.
+ *  Weighted moments of the points of a patch. Private.
  */
 #pragma once
 

@@ -1,7 +1,7 @@
 #include "patch_search.h"
 
-#include <pcl_spiral/core/lanes.h>
-#include <pcl_spiral/core/simd_clones.h>
+#include "core/lanes.h"
+#include "core/simd_clones.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 /** \file
- *  The cloud points that one local fit uses. Private to surface.
+ *  The cloud points that one local fit uses. Private.
  */
 #pragma once
 
-#include <pcl_spiral/search/candidate_run.h>
+#include "search/candidate_run.h"
 
 #include <cstdint>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "patch_moments.h"
 #include "quadric.h"
 
-#include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/core/impl/frame.h>
 
 #include <algorithm>
 #include <cmath>

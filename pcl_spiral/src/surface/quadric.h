@@ -1,9 +1,9 @@
 /** \file
- *  A point's foot on a quadric. Private to surface.
+ *  A point's foot on a quadric. Private.
  */
 #pragma once
 
-#include <pcl_spiral/surface/mls_surface.h>
+#include <pcl_spiral/surface/impl/mls_surface.h>
 
 namespace pcl_spiral {
 

@@ -2,7 +2,7 @@
 #include "normal_equations.h"
 #include "quadric.h"
 
-#include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/core/impl/frame.h>
 
 #include <algorithm>
 #include <cmath>

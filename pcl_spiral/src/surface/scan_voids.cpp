@@ -1,4 +1,4 @@
-#include <pcl_spiral/surface/scan_voids.h>
+#include <pcl_spiral/surface/impl/scan_voids.h>
 
 #include <Eigen/Geometry>
 

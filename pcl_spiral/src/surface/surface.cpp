@@ -1,6 +1,6 @@
 #include <pcl_spiral/surface/surface.h>
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,9 +1,9 @@
 // From clean points to a Surface.
 #include <pcl_spiral/surface/surface.h>
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/features/surface_parts.h>
-#include <pcl_spiral/surface/clean_graph.h>
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/features/impl/surface_parts.h>
+#include <pcl_spiral/cleaning/impl/clean_graph.h>
 
 #include <algorithm>
 #include <type_traits>

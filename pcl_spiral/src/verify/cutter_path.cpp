@@ -1,8 +1,8 @@
-#include <pcl_spiral/verify/cutter_path.h>
+#include <pcl_spiral/verify/impl/cutter_path.h>
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/pass_begins.h>
-#include <pcl_spiral/core/pass_ranges.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <Eigen/Geometry>
 

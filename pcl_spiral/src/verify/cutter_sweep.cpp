@@ -1,4 +1,4 @@
-#include <pcl_spiral/verify/cutter_sweep.h>
+#include <pcl_spiral/verify/impl/cutter_sweep.h>
 
 #include <Eigen/Geometry>
 

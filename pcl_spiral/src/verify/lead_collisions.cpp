@@ -1,8 +1,8 @@
-#include <pcl_spiral/verify/lead_collisions.h>
+#include <pcl_spiral/verify/impl/lead_collisions.h>
 
-#include <pcl_spiral/core/swept_error.h>
-#include <pcl_spiral/machine/block_spacing.h>
-#include <pcl_spiral/toolpath/holder_collision.h>
+#include <pcl_spiral/core/impl/swept_error.h>
+#include <pcl_spiral/machine/impl/block_spacing.h>
+#include <pcl_spiral/cutter/impl/holder_collision.h>
 
 #include <algorithm>
 #include <cmath>

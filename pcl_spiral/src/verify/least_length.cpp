@@ -1,4 +1,4 @@
-#include <pcl_spiral/verify/removed_material.h>
+#include <pcl_spiral/verify/impl/removed_material.h>
 
 #include <Eigen/Geometry>
 

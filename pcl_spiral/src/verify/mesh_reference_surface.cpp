@@ -1,7 +1,7 @@
 // ReferenceSurface of a mesh.
-#include <pcl_spiral/verify/reference_surface.h>
+#include <pcl_spiral/verify/impl/reference_surface.h>
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/surface/scanned_surface.h>
 

@@ -1,4 +1,4 @@
-#include <pcl_spiral/verify/path_deviation.h>
+#include <pcl_spiral/verify/impl/path_deviation.h>
 
 #include "quantile.h"
 

@@ -1,4 +1,4 @@
-#include <pcl_spiral/verify/reference_input.h>
+#include <pcl_spiral/verify/impl/reference_input.h>
 
 namespace pcl_spiral {
 

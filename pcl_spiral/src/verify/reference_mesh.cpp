@@ -1,8 +1,8 @@
-#include <pcl_spiral/verify/reference_mesh.h>
+#include <pcl_spiral/verify/impl/reference_mesh.h>
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/mesh/mesh_sampling.h>
-#include <pcl_spiral/search/point_blocks.h>
+#include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <Eigen/Geometry>
 

@@ -1,9 +1,9 @@
-#include <pcl_spiral/verify/reference_surface.h>
+#include <pcl_spiral/verify/impl/reference_surface.h>
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/core/frame.h>
-#include <pcl_spiral/features/surface_boundary.h>
-#include <pcl_spiral/surface/noise_warning.h>
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/frame.h>
+#include <pcl_spiral/features/impl/surface_boundary.h>
+#include "surface/noise_warning.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "stock_field.h"
 
-#include <pcl_spiral/verify/removed_material.h>
+#include <pcl_spiral/verify/impl/removed_material.h>
 
 #include <cstdint>
 #include <vector>

@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include <pcl_spiral/verify/cutter_sweep.h>
-#include <pcl_spiral/search/move_index.h>
+#include <pcl_spiral/verify/impl/cutter_sweep.h>
+#include <pcl_spiral/search/impl/move_index.h>
 
 #include <cstddef>
 

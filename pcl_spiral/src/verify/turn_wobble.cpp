@@ -1,4 +1,4 @@
-#include <pcl_spiral/verify/turn_wobble.h>
+#include <pcl_spiral/verify/impl/turn_wobble.h>
 
 #include <algorithm>
 #include <cmath>

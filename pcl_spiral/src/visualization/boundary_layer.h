@@ -5,7 +5,7 @@
 
 #include "part_view.h"
 
-#include <pcl_spiral/toolpath/spiral_report.h>
+#include <pcl_spiral/spiral/spiral_report.h>
 
 namespace pcl_spiral {
 

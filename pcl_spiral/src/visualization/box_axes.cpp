@@ -1,4 +1,4 @@
-#include <pcl_spiral/visualization/box_axes.h>
+#include "box_axes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "actors.h"
 #include "value_style.h"
 
-#include <pcl_spiral/visualization/box_axes.h>
+#include "box_axes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "display_surface.h"
 
-#include <pcl_spiral/search/point_selection.h>
-#include <pcl_spiral/surface/clean_graph.h>
+#include <pcl_spiral/search/impl/point_selection.h>
+#include <pcl_spiral/cleaning/impl/clean_graph.h>
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>

@@ -1,6 +1,6 @@
 #include "histogram_chart.h"
 
-#include <pcl_spiral/visualization/box_axes.h>
+#include "box_axes.h"
 
 #include <algorithm>
 #include <cmath>

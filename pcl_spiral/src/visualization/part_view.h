@@ -6,7 +6,7 @@
 #include "display_surface.h"
 #include "sheet.h"
 
-#include <pcl_spiral/visualization/box_axes.h>
+#include "box_axes.h"
 
 #include <vtkActor.h>
 #include <vtkRenderer.h>

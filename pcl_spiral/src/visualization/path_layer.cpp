@@ -3,7 +3,7 @@
 #include "actors.h"
 
 #include <pcl_spiral/common/pass_begins.h>
-#include <pcl_spiral/core/pass_ranges.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>

@@ -5,7 +5,7 @@
 
 #include "part_view.h"
 
-#include <pcl_spiral/visualization/shown_turns.h>
+#include "shown_turns.h"
 
 #include <cstdint>
 #include <functional>

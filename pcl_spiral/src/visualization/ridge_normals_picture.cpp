@@ -2,8 +2,8 @@
 #include "normal_error.h"
 #include "ridge_display.h"
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/visualization/box_axes.h>
+#include <pcl_spiral/common/impl/message.h>
+#include "box_axes.h"
 #include <pcl_spiral/visualization/ridge_picture.h>
 
 #include <vtkProperty.h>

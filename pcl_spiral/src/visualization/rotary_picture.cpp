@@ -1,6 +1,6 @@
 #include "sheet.h"
 
-#include <pcl_spiral/visualization/box_axes.h>
+#include "box_axes.h"
 #include <pcl_spiral/visualization/rotary_picture.h>
 
 #include <algorithm>

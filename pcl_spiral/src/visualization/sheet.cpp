@@ -1,6 +1,6 @@
 #include "sheet.h"
 
-#include <pcl_spiral/common/readable_text.h>
+#include "common/readable_text.h"
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/visualization/pictures.h>
 

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/visualization/loop_color.h>
+#include <pcl_spiral/visualization/impl/loop_color.h>
 
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>

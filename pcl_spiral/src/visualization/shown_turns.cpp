@@ -1,4 +1,4 @@
-#include <pcl_spiral/visualization/shown_turns.h>
+#include "shown_turns.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "value_style.h"
 #include "viewer_window.h"
 
-#include <pcl_spiral/visualization/shown_turns.h>
+#include "shown_turns.h"
 #include <pcl_spiral/visualization/spiral_viewer.h>
 
 #include <optional>

@@ -1,6 +1,6 @@
 #include "viewer_window.h"
 
-#include <pcl_spiral/common/readable_text.h>
+#include "common/readable_text.h"
 #include <pcl_spiral/visualization/pictures.h>
 
 #include <vtkCallbackCommand.h>

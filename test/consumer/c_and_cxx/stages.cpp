@@ -5,9 +5,9 @@
 #include <pcl_spiral/geodesic/geodesic_path.h>
 #include <pcl_spiral/surface/mls_projector.h>
 #include <pcl_spiral/surface/surface_preparation.h>
-#include <pcl_spiral/toolpath/radial_lines.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
-#include <pcl_spiral/toolpath/tool_axis.h>
+#include <pcl_spiral/spiral/radial_lines.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/tool_axis.h>
 
 #include <cmath>
 #include <iostream>

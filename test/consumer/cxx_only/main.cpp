@@ -1,7 +1,7 @@
 // Reads a scan, makes its spiral toolpath, writes it.
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/toolpath_writer.h>
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include <iostream>
 

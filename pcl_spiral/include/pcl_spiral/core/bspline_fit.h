@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/bspline.h>
+#include <pcl_spiral/core/impl/bspline.h>
 
 #include <optional>
 

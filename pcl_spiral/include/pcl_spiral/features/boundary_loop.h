@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/core/impl/polyline.h>
 
 #include <cstdint>
 #include <vector>

@@ -5,7 +5,7 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
-#include <pcl_spiral/features/surface_boundary.h>
+#include <pcl_spiral/features/impl/surface_boundary.h>
 #include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/pcl_base.h>

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/common/thread_limit.h>
-#include <pcl_spiral/features/boundary_evidence.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/features/impl/boundary_evidence.h>
 
 #include <pcl/features/boundary.h>
 #include <pcl/point_types.h>

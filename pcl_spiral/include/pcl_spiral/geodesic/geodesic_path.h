@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/geodesic/shortest_paths.h>
+#include <pcl_spiral/geodesic/impl/shortest_paths.h>
 #include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/pcl_base.h>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/io/length_unit.h>
+#include <pcl_spiral/io/impl/length_unit.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

@@ -5,7 +5,7 @@
 
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/core/cutter_profile.h>
-#include <pcl_spiral/machine/tool_pose.h>
+#include <pcl_spiral/machine/impl/tool_pose.h>
 
 #include <pcl/point_cloud.h>
 

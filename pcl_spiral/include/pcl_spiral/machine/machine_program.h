@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/machine/rotary_path.h>
+#include <pcl_spiral/machine/impl/rotary_path.h>
 
 #include <cstddef>
 #include <string>

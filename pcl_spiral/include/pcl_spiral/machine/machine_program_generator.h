@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/point_types.h>
-#include <pcl_spiral/machine/block_spacing.h>
+#include <pcl_spiral/machine/impl/block_spacing.h>
 #include <pcl_spiral/machine/machine_program.h>
 
 #include <pcl/point_cloud.h>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 #include <pcl/PolygonMesh.h>

@@ -3,10 +3,10 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/progress.h>
-#include <pcl_spiral/mesh/section_settings.h>
+#include <pcl_spiral/common/impl/progress.h>
+#include <pcl_spiral/mesh/impl/section_settings.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
-#include <pcl_spiral/toolpath/drive_pass.h>
+#include <pcl_spiral/common/drive_pass.h>
 
 namespace pcl_spiral {
 

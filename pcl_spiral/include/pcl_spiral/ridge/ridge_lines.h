@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/progress.h>
-#include <pcl_spiral/ridge/scan_ridge.h>
+#include <pcl_spiral/common/impl/progress.h>
+#include <pcl_spiral/ridge/impl/scan_ridge.h>
 #include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/pcl_base.h>

@@ -5,7 +5,7 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/ridge/ridge_surface.h>
-#include <pcl_spiral/toolpath/drive_pass.h>
+#include <pcl_spiral/common/drive_pass.h>
 
 #include <cstddef>
 #include <string>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/ridge/ridge_rows.h>
 
 #include <pcl/pcl_base.h>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/search/gabriel_edges.h>
+#include <pcl_spiral/search/impl/gabriel_edges.h>
 
 #include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>

@@ -5,7 +5,7 @@
 
 #include <pcl_spiral/features/boundary_loop.h>
 #include <pcl_spiral/surface/surface_input.h>
-#include <pcl_spiral/toolpath/spiral_settings.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
 
 #include <string>
 #include <vector>

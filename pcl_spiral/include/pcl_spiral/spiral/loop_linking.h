@@ -4,10 +4,10 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/core/step_over_metric.h>
-#include <pcl_spiral/spiral/constant_scallop.h>
-#include <pcl_spiral/spiral/scallop_loop.h>
-#include <pcl_spiral/spiral/step_over_input.h>
+#include <pcl_spiral/core/impl/step_over_metric.h>
+#include <pcl_spiral/spiral/impl/constant_scallop.h>
+#include <pcl_spiral/spiral/impl/scallop_loop.h>
+#include <pcl_spiral/spiral/impl/step_over_input.h>
 
 #include <cstddef>
 #include <optional>

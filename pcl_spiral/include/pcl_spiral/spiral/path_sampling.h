@@ -6,8 +6,8 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/surface/surface.h>
-#include <pcl_spiral/toolpath/spiral_curve.h>
-#include <pcl_spiral/toolpath/spiral_settings.h>
+#include <pcl_spiral/spiral/impl/spiral_curve.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
 
 #include <vector>
 

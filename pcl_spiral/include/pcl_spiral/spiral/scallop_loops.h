@@ -3,11 +3,11 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/spiral/scallop_loop.h>
+#include <pcl_spiral/spiral/impl/scallop_loop.h>
 #include <pcl_spiral/spiral/step_over_field.h>
-#include <pcl_spiral/toolpath/drive_pass.h>
+#include <pcl_spiral/common/drive_pass.h>
 
 #include <vector>
 

@@ -3,12 +3,12 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/core/impl/polyline.h>
 #include <pcl_spiral/surface/surface.h>
-#include <pcl_spiral/toolpath/spiral_curve.h>
-#include <pcl_spiral/toolpath/spiral_settings.h>
+#include <pcl_spiral/spiral/impl/spiral_curve.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
 
 #include <cstdint>
 #include <string>

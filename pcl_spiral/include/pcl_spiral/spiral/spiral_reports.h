@@ -3,12 +3,12 @@
  */
 #pragma once
 
-#include <pcl_spiral/spiral/constant_scallop.h>
+#include <pcl_spiral/spiral/impl/constant_scallop.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
-#include <pcl_spiral/spiral/published_spiral.h>
+#include <pcl_spiral/spiral/impl/published_spiral.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 #include <pcl_spiral/spiral/spiral_turns.h>
-#include <pcl_spiral/toolpath/spiral_report.h>
+#include <pcl_spiral/spiral/spiral_report.h>
 
 namespace pcl_spiral {
 

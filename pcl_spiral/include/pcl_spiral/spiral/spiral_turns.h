@@ -4,10 +4,10 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/toolpath/radial_line_builder.h>
-#include <pcl_spiral/toolpath/spiral_curve.h>
-#include <pcl_spiral/toolpath/spiral_settings.h>
-#include <pcl_spiral/toolpath/turn_function.h>
+#include <pcl_spiral/spiral/impl/radial_line_builder.h>
+#include <pcl_spiral/spiral/impl/spiral_curve.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
+#include <pcl_spiral/spiral/impl/turn_function.h>
 
 #include <string>
 #include <vector>

@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include <pcl_spiral/spiral/step_over_input.h>
-#include <pcl_spiral/spiral/step_over_mesh.h>
+#include <pcl_spiral/spiral/impl/step_over_input.h>
+#include <pcl_spiral/spiral/impl/step_over_mesh.h>
 
 #include <memory>
 #include <vector>

@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/progress.h>
-#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/common/impl/progress.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/surface/surface.h>
 
 #include <pcl/pcl_base.h>

@@ -3,12 +3,12 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/progress.h>
+#include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/search/surface_graph.h>
-#include <pcl_spiral/surface/mls_surface.h>
-#include <pcl_spiral/surface/scan_voids.h>
-#include <pcl_spiral/surface/surface_settings.h>
+#include <pcl_spiral/graph/impl/surface_graph.h>
+#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/surface/impl/scan_voids.h>
+#include <pcl_spiral/surface/impl/surface_settings.h>
 
 #include <cstddef>
 #include <cstdint>

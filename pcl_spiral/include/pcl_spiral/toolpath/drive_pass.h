@@ -1,20 +1,6 @@
 /** \file
- *  Drive points in the order of travel.
+ *  Former place of common/drive_pass.h.
  */
 #pragma once
 
-#include <pcl_spiral/toolpath/drive_point.h>
-
-#include <vector>
-
-namespace pcl_spiral {
-
-/** Drive points in travel order that the tool follows without leaving the surface. */
-struct DrivePass {
-  DrivePoints points;
-  bool closed = false; ///< a ring: the last point joins the first, which is not repeated
-};
-
-using DrivePasses = std::vector<DrivePass>;
-
-} // namespace pcl_spiral
+#include <pcl_spiral/common/drive_pass.h>

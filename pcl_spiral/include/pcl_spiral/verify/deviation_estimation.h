@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include <pcl_spiral/verify/path_deviation.h>
-#include <pcl_spiral/verify/reference_input.h>
+#include <pcl_spiral/verify/impl/path_deviation.h>
+#include <pcl_spiral/verify/impl/reference_input.h>
 
 namespace pcl_spiral {
 

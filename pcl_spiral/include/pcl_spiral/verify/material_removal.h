@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include <pcl_spiral/verify/reference_input.h>
-#include <pcl_spiral/verify/removed_material.h>
+#include <pcl_spiral/verify/impl/reference_input.h>
+#include <pcl_spiral/verify/impl/removed_material.h>
 
 namespace pcl_spiral {
 

@@ -6,7 +6,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/pass_ranges.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
 #include <pcl_spiral/visualization/add_toolpath.h>

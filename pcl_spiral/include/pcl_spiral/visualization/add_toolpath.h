@@ -8,8 +8,8 @@
 
 #include <pcl_spiral/common/pass_begins.h>
 #include <pcl_spiral/common/point_types.h>
-#include <pcl_spiral/toolpath/radial_line.h>
-#include <pcl_spiral/visualization/colored_lines.h>
+#include <pcl_spiral/spiral/impl/radial_line.h>
+#include <pcl_spiral/visualization/impl/colored_lines.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/visualization/pcl_visualizer.h>

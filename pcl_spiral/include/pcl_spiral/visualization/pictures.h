@@ -5,8 +5,8 @@
 
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
-#include <pcl_spiral/toolpath/spiral_report.h>
-#include <pcl_spiral/toolpath/spiral_settings.h>
+#include <pcl_spiral/spiral/spiral_report.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

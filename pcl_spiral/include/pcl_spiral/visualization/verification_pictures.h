@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include <pcl_spiral/verify/path_deviation.h>
-#include <pcl_spiral/verify/removed_material.h>
+#include <pcl_spiral/verify/impl/path_deviation.h>
+#include <pcl_spiral/verify/impl/removed_material.h>
 #include <pcl_spiral/visualization/pictures.h>
 
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <pcl_spiral/common/thread_limit.h>
-#include <pcl_spiral/core/frame.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/core/impl/frame.h>
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 #include <pcl_spiral/search/impl/pcl_search.hpp>
-#include <pcl_spiral/search/usable_points.h>
+#include <pcl_spiral/search/impl/usable_points.h>
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/geodesic/geodesic_path.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 

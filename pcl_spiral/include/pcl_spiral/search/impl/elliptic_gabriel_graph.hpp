@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
-#include <pcl_spiral/search/usable_points.h>
+#include <pcl_spiral/search/impl/usable_points.h>
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pcl_spiral/common/thread_limit.h>
-#include <pcl_spiral/features/surface_boundary.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/features/impl/surface_boundary.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 

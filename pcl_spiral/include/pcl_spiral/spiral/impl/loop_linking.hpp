@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/spiral/impl/step_over_input.hpp>
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/scallop_loops.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/spiral/impl/step_over_input.hpp>
 #include <pcl_spiral/spiral/step_over_field.h>
 

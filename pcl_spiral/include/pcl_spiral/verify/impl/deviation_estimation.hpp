@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl_spiral/common/thread_limit.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/verify/deviation_estimation.h>
 
 namespace pcl_spiral {

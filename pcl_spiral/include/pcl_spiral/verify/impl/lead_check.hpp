@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pcl_spiral/common/message.h>
-#include <pcl_spiral/common/thread_limit.h>
-#include <pcl_spiral/search/usable_points.h>
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/search/impl/usable_points.h>
 #include <pcl_spiral/verify/lead_check.h>
 
 #include <pcl/console/print.h>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pcl_spiral/common/message.h>
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
-#include <pcl_spiral/verify/reference_input.h>
+#include <pcl_spiral/verify/impl/reference_input.h>
 
 #include <cmath>
 #include <string>

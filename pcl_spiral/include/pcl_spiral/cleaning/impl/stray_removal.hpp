@@ -1,0 +1,113 @@
+#pragma once
+
+#include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/cleaning/impl/point_groups.h>
+#include <pcl_spiral/search/impl/usable_points.h>
+#include <pcl_spiral/cleaning/impl/clean_graph.h>
+#include <pcl_spiral/cleaning/stray_removal.h>
+
+#include <pcl/console/print.h>
+#include <pcl/filters/impl/filter_indices.hpp>
+#include <pcl/impl/pcl_base.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace pcl_spiral {
+
+/** The places of the strays that go, in order; counts them. */
+template <typename PointT>
+std::vector<std::array<float, 3>>
+StrayRemoval<PointT>::placesToLeaveOut(const std::vector<Eigen::Vector3f>& strays, double reach)
+{
+  const std::vector<std::uint32_t> group = pointGroups(strays, reach);
+  std::vector<std::size_t> sizes;
+  std::vector<Eigen::Vector3d> sums;
+  for (std::size_t i = 0; i < strays.size(); ++i) {
+    if (group[i] == sizes.size()) {
+      sizes.push_back(0);
+      sums.push_back(Eigen::Vector3d::Zero());
+    }
+    ++sizes[group[i]];
+    sums[group[i]] += strays[i].cast<double>();
+  }
+  for (std::size_t g = 0; g < sizes.size(); ++g)
+    if (sizes[g] > figures_.largest_group) {
+      figures_.largest_group = sizes[g];
+      figures_.largest_group_place = sums[g] / static_cast<double>(sizes[g]);
+    }
+  std::vector<std::array<float, 3>> places;
+  for (std::size_t i = 0; i < strays.size(); ++i)
+    if (largest_group_ == 0 || sizes[group[i]] <= largest_group_)
+      places.push_back({strays[i].x(), strays[i].y(), strays[i].z()});
+    else
+      ++figures_.kept_strays;
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+template <typename PointT>
+Status
+StrayRemoval<PointT>::choose(pcl::Indices& kept, pcl::Indices& removed)
+{
+  constexpr double spacings = 3.0; // between strays that hang together
+  if (const Status status = checkThreads(thread_count_); !status.ok())
+    return status;
+  const ThreadLimit limit(thread_count_);
+  const auto& cloud = *this->input_;
+  if (const Status status = checkIndices(this->indices_.get(), cloud.size()); !status.ok())
+    return status;
+  std::vector<Eigen::Vector3f> positions = usablePoints(cloud, this->indices_.get()).positions;
+  SurfaceGraph graph;
+  GraphSource source;
+  if (const Status status = buildCleanGraph(positions, SurfaceGraphOptions(), graph, source); !status.ok())
+    return status;
+  std::vector<Eigen::Vector3f> strays;
+  for (const std::uint32_t stray : source.strays)
+    strays.push_back(positions[stray]);
+  // A repetition of a stray is one as well: places are compared.
+  const std::vector<std::array<float, 3>> places = placesToLeaveOut(strays, spacings * graph.spacing());
+  for (const auto index : *this->indices_) {
+    const PointT& p = cloud[static_cast<std::size_t>(index)];
+    const bool finite = pcl::isFinite(p);
+    const bool stray = finite && std::binary_search(places.begin(), places.end(), std::array<float, 3>{p.x, p.y, p.z});
+    figures_.nonfinite += !finite;
+    figures_.strays += stray;
+    (stray || !finite ? removed : kept).push_back(index);
+  }
+  return Status::success();
+}
+
+/** Whether there is a cloud to filter; without one, says so. */
+template <typename PointT>
+bool
+StrayRemoval<PointT>::hasCloud()
+{
+  if (this->input_)
+    return true;
+  status_ = missingCloud();
+  this->removed_indices_->clear();
+  PCL_ERROR("[pcl_spiral::StrayRemoval::filter] %s\n", status_.message().c_str());
+  return false;
+}
+
+template <typename PointT>
+void
+StrayRemoval<PointT>::applyFilter(pcl::Indices& indices)
+{
+  figures_ = StrayFigures();
+  pcl::Indices kept, removed;
+  status_ = choose(kept, removed);
+  if (!status_.ok()) {
+    PCL_ERROR("[pcl_spiral::StrayRemoval::filter] %s\n", status_.message().c_str());
+    removed = *this->indices_;
+  }
+  else if (this->negative_)
+    kept.swap(removed);
+  indices = std::move(kept);
+  if (this->extract_removed_indices_)
+    *this->removed_indices_ = std::move(removed);
+}
+
+} // namespace pcl_spiral

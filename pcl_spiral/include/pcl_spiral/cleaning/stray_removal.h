@@ -1,0 +1,136 @@
+/** \file
+ *  A scan without the points that lie off its surface.
+ */
+#pragma once
+
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
+
+#include <pcl/filters/filter_indices.h>
+#include <pcl/point_types.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** What a removal came to: points, lengths in mm. */
+struct StrayFigures {
+  std::size_t strays = 0;        ///< left out; finite ones
+  std::size_t nonfinite = 0;     ///< left out as well
+  std::size_t kept_strays = 0;   ///< off the surface too, but in a group larger than asked for
+  std::size_t largest_group = 0; ///< of the strays, those kept with them: linked by steps of three spacings
+  Eigen::Vector3d largest_group_place = Eigen::Vector3d::Zero(); ///< its middle
+};
+
+/** Leaves out strays: false echoes, points that stand alone, specks apart from the surface. Points that are not finite go
+ *  too. Points of the surface stay, however close they stand.
+ *
+ *  For stages that hold to every point, such as CutterLocation, which lifts the cutter over each. A stray may be a thing
+ *  that stands there, a screw or a clamp: look at what is left out (getRemovedIndices) before cutting.
+ *  \code
+ *  StrayRemoval<pcl::PointXYZ> removal(true); // keeps what it removed
+ *  removal.setInputCloud(scan);
+ *  removal.filter(*cloud);
+ *  if (!removal.getStatus().ok()) ...         // and the output is empty, or all not-a-number where it is organized
+ *  \endcode
+ *  setNegative turns the choice round, setKeepOrganized is that of pcl::FilterIndices. The choice does not depend on the
+ *  order of the points nor on the number of threads.
+ *  \sa buildCleanGraph, which says what is sought */
+template <typename PointT>
+class StrayRemoval : public pcl::FilterIndices<PointT>, public ThreadCount {
+public:
+  using Ptr = pcl::shared_ptr<StrayRemoval>;
+  using ConstPtr = pcl::shared_ptr<const StrayRemoval>;
+
+  explicit StrayRemoval(bool extract_removed_indices = false) : pcl::FilterIndices<PointT>(extract_removed_indices)
+  {
+    this->filter_name_ = "StrayRemoval";
+  }
+
+  /** Strays that hang together in groups of more points than this stay: a false echo is alone, a screw or a clamp is not.
+   *  0, the default: all go. */
+  void
+  setLargestGroup(std::size_t points)
+  {
+    largest_group_ = points;
+  }
+  std::size_t
+  getLargestGroup() const
+  {
+    return largest_group_;
+  }
+
+  /** Forgets the last outcome; a null pointer is a failure at once. */
+  void
+  setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
+  {
+    status_ = cloud ? Status() : missingCloud();
+    figures_ = StrayFigures();
+    this->removed_indices_->clear();
+    pcl::FilterIndices<PointT>::setInputCloud(cloud);
+  }
+
+  /** As in pcl::Filter; here the output is empty without a cloud, too, where pcl::Filter::filter, called through a pointer to
+   *  it, leaves the output as it was and the filter does not learn of the call. */
+  void
+  filter(pcl::PointCloud<PointT>& output)
+  {
+    if (hasCloud())
+      pcl::FilterIndices<PointT>::filter(output);
+    else
+      output.clear();
+  }
+  /** \copydoc filter */
+  void
+  filter(pcl::Indices& indices)
+  {
+    if (hasCloud())
+      pcl::FilterIndices<PointT>::filter(indices);
+    else
+      indices.clear();
+  }
+
+  /** Of the last call of filter: what is wrong with the points where they form no surface. */
+  const Status&
+  getStatus() const
+  {
+    return status_;
+  }
+  const StrayFigures&
+  getFigures() const
+  {
+    return figures_;
+  }
+
+protected:
+  void applyFilter(pcl::Indices& indices) override;
+
+private:
+  static Status
+  missingCloud()
+  {
+    return {StatusCode::InvalidInput, "the input cloud is missing: call setInputCloud with points"};
+  }
+  bool hasCloud();
+  Status choose(pcl::Indices& kept, pcl::Indices& removed);
+  std::vector<std::array<float, 3>> placesToLeaveOut(const std::vector<Eigen::Vector3f>& strays, double reach);
+
+  std::size_t largest_group_ = 0;
+  Status status_;
+  StrayFigures figures_;
+};
+
+} // namespace pcl_spiral
+
+#include <pcl_spiral/cleaning/impl/stray_removal.hpp>
+
+namespace pcl_spiral {
+extern template class StrayRemoval<pcl::PointXYZ>;
+extern template class StrayRemoval<pcl::PointXYZRGB>;
+extern template class StrayRemoval<pcl::PointXYZI>;
+extern template class StrayRemoval<pcl::PointNormal>;
+} // namespace pcl_spiral

@@ -1,0 +1,20 @@
+/** \file
+ *  Drive points in the order of travel.
+ */
+#pragma once
+
+#include <pcl_spiral/common/impl/drive_point.h>
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Drive points in travel order that the tool follows without leaving the surface. */
+struct DrivePass {
+  DrivePoints points;
+  bool closed = false; ///< a ring: the last point joins the first, which is not repeated
+};
+
+using DrivePasses = std::vector<DrivePass>;
+
+} // namespace pcl_spiral

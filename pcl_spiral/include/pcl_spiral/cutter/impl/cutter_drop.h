@@ -1,0 +1,144 @@
+/** \file
+ *  A cutter brought down along its axis onto points.
+ */
+#pragma once
+
+#include <pcl_spiral/core/cutter_profile.h>
+#include <pcl_spiral/core/impl/frame.h>
+#include <pcl_spiral/search/impl/point_blocks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace pcl_spiral {
+
+/** Places as seen along a tool axis: across it, from the axis, and along it, from a point on it. */
+struct AxisFrame {
+  Eigen::Vector3d origin, e1, e2, axis;
+
+  /** \p axis unit. */
+  AxisFrame(const Eigen::Vector3d& through, const Eigen::Vector3d& axis) : origin(through), axis(axis)
+  {
+    tangentFrame(axis, e1, e2);
+  }
+  Eigen::Vector2d
+  across(const Eigen::Vector3d& p) const
+  {
+    return {e1.dot(p - origin), e2.dot(p - origin)};
+  }
+  double
+  along(const Eigen::Vector3d& p) const
+  {
+    return axis.dot(p - origin);
+  }
+  Eigen::Vector3d
+  place(const Eigen::Vector2d& x, double h) const
+  {
+    return origin + x.x() * e1 + x.y() * e2 + h * axis;
+  }
+};
+
+/** A box as seen along a tool axis. */
+struct AxisBox {
+  double nearest = 0.0; ///< of its places, to the axis: a bound
+  double low = 0.0, high = 0.0; ///< along the axis
+};
+
+/** Sees boxes along the axis of a frame, which must outlive it. */
+class AxisView {
+public:
+  explicit AxisView(const AxisFrame& frame)
+      : frame_(frame), a1_(frame.e1.cwiseAbs()), a2_(frame.e2.cwiseAbs()), a3_(frame.axis.cwiseAbs())
+  {
+  }
+
+  AxisBox
+  see(const Box& box) const
+  {
+    const Eigen::Vector3d lower(box.low[0], box.low[1], box.low[2]), upper(box.high[0], box.high[1], box.high[2]);
+    const Eigen::Vector3d half = 0.5 * (upper - lower), middle = 0.5 * (upper + lower);
+    const Eigen::Vector2d x = frame_.across(middle);
+    const double dx = std::max(0.0, std::abs(x.x()) - half.dot(a1_)), dy = std::max(0.0, std::abs(x.y()) - half.dot(a2_));
+    const double along = frame_.along(middle), reach = half.dot(a3_);
+    return {std::sqrt(dx * dx + dy * dy), along - reach, along + reach};
+  }
+
+private:
+  const AxisFrame& frame_;
+  Eigen::Vector3d a1_, a2_, a3_;
+};
+
+/** What a cutter coming down along its axis meets first. */
+struct DropContact {
+  bool found = false; ///< false: no point within the cutter's radius of the axis
+  double height =
+      -std::numeric_limits<double>::infinity(); ///< of the tip along the axis, from the frame's origin
+  std::uint32_t point = 0;                      ///< in the order of the blocks
+};
+
+/** Finds the points under a cutter, by exact search: a box of points is left out only where it lies beyond
+ * the cutter's radius, or too low to be met. The blocks must outlive it. */
+class CutterDrop {
+public:
+  CutterDrop(const PointBlocks& blocks, const CutterProfile& profile) : blocks_(blocks), profile_(profile) {}
+
+  const PointBlocks&
+  blocks() const
+  {
+    return blocks_;
+  }
+  const CutterProfile&
+  profile() const
+  {
+    return profile_;
+  }
+
+  /** The location without gouge: over the points within R of the axis, the highest foot on the axis less the
+   * profile's height. Only points that hold the tip above \p floor count. */
+  DropContact
+  highest(const AxisFrame& frame, double floor = -std::numeric_limits<double>::infinity()) const
+  {
+    DropContact best;
+    best.height = floor;
+    visitAbove(frame, best.height, [&](std::uint32_t i, double height) {
+      if (height > best.height) {
+        best.found = true;
+        best.height = height;
+        best.point = i;
+      }
+    });
+    return best;
+  }
+
+  /** Call \p visit(point, height) for all points that hold the tip at \p floor or above, and some others
+   * below; \p floor is read anew all the time, so it may be raised on the way. */
+  template <typename Visit>
+  void
+  visitAbove(const AxisFrame& frame, const double& floor, Visit visit) const
+  {
+    constexpr double slack = 1e-9; // rounding never leaves a point out
+    const AxisView view(frame);
+    const double R = profile_.radius();
+    const auto keep = [&](const Box& box) {
+      const AxisBox seen = view.see(box);
+      const double nearest = std::max(0.0, seen.nearest - slack);
+      return nearest <= R && seen.high - profile_.height(nearest) + slack >= floor;
+    };
+    blocks_.forBlocks(keep, [&](std::size_t block) {
+      for (std::size_t i = blocks_.blockBegin(block); i < blocks_.blockEnd(block); ++i) {
+        const Eigen::Vector3d p = blocks_.position(i);
+        const double l = frame.across(p).norm();
+        if (l <= R)
+          visit(static_cast<std::uint32_t>(i), frame.along(p) - profile_.height(l));
+      }
+    });
+  }
+
+private:
+  const PointBlocks& blocks_;
+  CutterProfile profile_;
+};
+
+} // namespace pcl_spiral

@@ -1,0 +1,209 @@
+#pragma once
+
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
+#include <pcl_spiral/cutter/cutter_location.h>
+#include <pcl_spiral/mesh/impl/mesh_input.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+
+template <typename PointT>
+void
+CutterLocation<PointT>::setDrivePath(const Path& path)
+{
+  drive_points_.clear();
+  drive_points_.reserve(path.size());
+  for (const ToolpathPoint& p : path)
+    drive_points_.push_back({p.getVector3fMap().template cast<double>(),
+                             p.getAxisVector3fMap().template cast<double>(),
+                             p.getNormalVector3fMap().template cast<double>()});
+  pass_sizes_ = {drive_points_.size()};
+}
+
+template <typename PointT>
+void
+CutterLocation<PointT>::setDrivePasses(const DrivePasses& passes)
+{
+  drive_points_.clear();
+  pass_sizes_.clear();
+  for (const DrivePass& pass : passes) {
+    drive_points_.insert(drive_points_.end(), pass.points.begin(), pass.points.end());
+    if (pass.closed && !pass.points.empty())
+      drive_points_.push_back(pass.points.front());
+    pass_sizes_.push_back(pass.points.size() + (pass.closed && !pass.points.empty()));
+  }
+}
+
+template <typename PointT>
+Status
+CutterLocation<PointT>::check() const
+{
+  if (const std::string fault = faultOf(cutter_); !fault.empty())
+    return {StatusCode::InvalidArgument, fault};
+  if (!(options_.tolerance > 0.0) || !std::isfinite(options_.tolerance))
+    return {StatusCode::InvalidArgument,
+            textOf("the contact tolerance is ", options_.tolerance, " mm; set it above 0")};
+  if (const std::string fault = faultOf(options_.holder); !fault.empty())
+    return {StatusCode::InvalidArgument, fault};
+  if (!(options_.holder_clearance >= 0.0) || !std::isfinite(options_.holder_clearance))
+    return {StatusCode::InvalidArgument,
+            textOf("the holder's clearance is ", options_.holder_clearance, " mm; set it to 0 or more")};
+  if (!(options_.max_retilt >= 0.0) || !(options_.max_retilt <= 90.0))
+    return {StatusCode::InvalidArgument,
+            textOf("the largest retilt is ", options_.max_retilt, " degrees; set it between 0 and 90")};
+  if (!(path_tolerance_ >= 0.0) || !std::isfinite(path_tolerance_))
+    return {StatusCode::InvalidArgument,
+            textOf("the path tolerance is ", path_tolerance_, " mm; set it above 0, or to 0 for none")};
+  const bool asked = std::any_of(drive_points_.begin(), drive_points_.end(),
+                                 [](const DrivePoint& p) { return p.normal.squaredNorm() > 0.0; });
+  if (options_.max_retilt > 0.0 && !drive_points_.empty() && !asked)
+    return {StatusCode::InvalidArgument,
+            textOf("axes may turn by ", options_.max_retilt, " degrees for contacts to be reached, but no drive point "
+                   "asks for one: give drive points their normals, or set the largest retilt to 0")};
+  return checkDrivePoints(drive_points_);
+}
+
+template <typename PointT>
+Status
+CutterLocation<PointT>::makeLocationSurface()
+{
+  location_surface_ = given_location_;
+  if (location_surface_)
+    return Status::success();
+  if (progress_ && !progress_(0.0, "surface"))
+    return {StatusCode::Cancelled, "cancelled"};
+  Surface::ConstPtr surface;
+  if (const Status status = this->checkInput(); !status.ok())
+    return status;
+  const Status made = this->prepareSurface(surface);
+  if (made.code() == StatusCode::InvalidArgument || made.code() == StatusCode::Cancelled)
+    return made; // what was asked for is wrong; where the points form no surface, cutters stay off them all the same
+  if (surface && surface->counts().guessed > 0)
+    return {StatusCode::InvalidInput,
+            textOf("the surface has ", surface->counts().guessed, " points that were put into gaps, where nothing is known: give "
+                   "the surface as it was before GapBridging")};
+  if (this->given_surface_) {
+    if (made.ok())
+      location_surface_ = std::make_shared<LocationSurface>(surface);
+    return made;
+  }
+  UsablePoints usable = usablePoints(*this->input_, this->givenIndices().get());
+  if (usable.source.empty())
+    return made;
+  location_surface_ = std::make_shared<LocationSurface>(std::move(usable.positions), std::move(usable.source),
+                                                         std::move(surface), made);
+  return Status::success();
+}
+
+template <typename PointT>
+Status
+CutterLocation<PointT>::checkBesideMesh() const
+{
+  if (given_location_)
+    return {StatusCode::InvalidArgument, "setLocationSurface was called beside setInputMesh, whose surface is its own: leave it out"};
+  if (const Status status = pcl_spiral::checkBesideMesh(this->scanned_.getSettings(), this->scanned_.getInputNormals() != nullptr,
+                                                        this->givenIndices() != nullptr);
+      !status.ok())
+    return status;
+  return checkThreads(this->getNumberOfThreads());
+}
+
+template <typename PointT>
+Status
+CutterLocation<PointT>::makeLocationMesh()
+{
+  if (const Status status = checkBesideMesh(); !status.ok())
+    return status;
+  if (location_mesh_)
+    return Status::success();
+  if (progress_ && !progress_(0.0, "surface"))
+    return {StatusCode::Cancelled, "cancelled"};
+  if (polygons_)
+    if (const Status status = SurfaceMesh::make(*polygons_, MeshSettings(), mesh_); !status.ok())
+      return status;
+  if (!mesh_)
+    return {StatusCode::InvalidInput, "the input mesh is missing: call setInputMesh with a mesh that has faces"};
+  location_mesh_ = std::make_shared<LocationMesh>(mesh_);
+  return Status::success();
+}
+
+template <typename PointT>
+Status
+CutterLocation<PointT>::run(std::vector<ToolLocations>& passes)
+{
+  const ThreadLimit limit(this->getNumberOfThreads());
+  if (const Status status = check(); !status.ok())
+    return status;
+  if (const Status status = on_mesh_ ? makeLocationMesh() : makeLocationSurface(); !status.ok())
+    return status;
+  const CutterProfile profile(cutter_);
+  return locate(on_mesh_ ? CutterLocator(*location_mesh_, profile, options_)
+                         : CutterLocator(*location_surface_, profile, options_),
+                passes);
+}
+
+template <typename PointT>
+Status
+CutterLocation<PointT>::locate(const CutterLocator& locator, std::vector<ToolLocations>& passes)
+{
+  const bool bisected = path_tolerance_ > 0.0;
+  ToolLocations locations;
+  if (const Status status = locator.locate(drive_points_, partOf(progress_, 0.0, bisected ? 0.5 : 1.0), locations); !status.ok())
+    return status;
+  std::vector<ToolLocations> located = inPasses(locations);
+  if (bisected) {
+    BisectionSettings settings;
+    settings.tolerance = path_tolerance_;
+    if (const Status status = bisectLocations(locator, settings, partOf(progress_, 0.5, 1.0), located, bisection_figures_);
+        !status.ok())
+      return status;
+    locations.clear();
+    for (const ToolLocations& pass : located)
+      locations.insert(locations.end(), pass.begin(), pass.end());
+  }
+  figures_ = locator.figures(locations);
+  passes = std::move(located);
+  return Status::success();
+}
+
+template <typename PointT>
+std::vector<ToolLocations>
+CutterLocation<PointT>::inPasses(const ToolLocations& locations) const
+{
+  std::vector<ToolLocations> passes;
+  auto next = locations.begin();
+  for (const std::size_t size : pass_sizes_) {
+    passes.emplace_back(next, next + static_cast<std::ptrdiff_t>(size));
+    next += static_cast<std::ptrdiff_t>(size);
+  }
+  return passes;
+}
+
+template <typename PointT>
+void
+CutterLocation<PointT>::compute(ToolLocations& locations)
+{
+  std::vector<ToolLocations> passes;
+  compute(passes);
+  locations.clear();
+  for (const ToolLocations& pass : passes)
+    locations.insert(locations.end(), pass.begin(), pass.end());
+}
+
+template <typename PointT>
+void
+CutterLocation<PointT>::compute(std::vector<ToolLocations>& passes)
+{
+  passes.clear();
+  figures_ = LocationFigures();
+  bisection_figures_ = BisectionFigures();
+  location_surface_.reset();
+  this->status_ = run(passes);
+  this->tellFailure("CutterLocation");
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,72 @@
+/** \file
+ *  Gouge-free locations of a cutter on a scan or a mesh.
+ */
+#pragma once
+
+#include <pcl_spiral/common/impl/progress.h>
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/core/impl/swept_error.h>
+#include <pcl_spiral/common/impl/drive_point.h>
+#include <pcl_spiral/cutter/impl/location_mesh.h>
+#include <pcl_spiral/cutter/impl/location_surface.h>
+#include <pcl_spiral/cutter/tool_location.h>
+
+#include <memory>
+
+namespace pcl_spiral {
+
+class LocationGround;
+
+/** How the height of a location is found. */
+enum class LocationEvaluation {
+  FittedSurface,  ///< on the surface fitted to the points; where there is none to trust, as PointsAndBound. On a mesh: on the
+                  ///< curved surface that its faces stand for
+  PointsAndBound, ///< on the points, raised by the bound of how far the cutter would sink between them, where
+                  ///< there is one. None of a mesh, which has no gaps between points
+  Points          ///< on the points alone, as published: sharp cutters sink between them. On a mesh: on its flat faces
+};
+
+struct LocationOptions {
+  LocationEvaluation evaluation = LocationEvaluation::FittedSurface;
+  double tolerance = 0.01; ///< mm along the axis: a contact touched within this is reached; and the depth in
+                           ///< shank or holder that is no collision
+  std::vector<ToolSegment> holder; ///< what stands on the cutter, from its flank's top upwards
+  double holder_clearance = 0.0;   ///< mm kept between holder and scan
+  double max_retilt = 0.0; ///< degrees the axis may turn where its contact is not reached otherwise; 0: none
+};
+
+/** Locates one cutter on one scan or mesh, as often as asked. The surface or mesh must outlive it.
+ *
+ *  Source of the drop: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. */
+class CutterLocator {
+public:
+  CutterLocator(const LocationSurface& surface, const CutterProfile& profile, const LocationOptions& options);
+  /** On a mesh, with the curved surface it stands for held to a hundredth of the tolerance, and to 1e-4 mm. */
+  CutterLocator(const LocationMesh& mesh, const CutterProfile& profile, const LocationOptions& options);
+
+  /** One location a drive point, in their order; the same for any number of threads. \p drive must be finite,
+   * with axes of some length. Fails when cancelled, or where the surface is needed and there is none. */
+  Status locate(const DrivePoints& drive, const ProgressCallback& progress, ToolLocations& locations) const;
+
+  /** Bound of how deep the cutter may cut on a straight move between two locations, mm along the normal: sweptError. On a
+   * mesh, for balls whose axis does not turn, what ball and shank do cut into it if that is less; \p allowed where that is no
+   * more than \p allowed and the ball, all the way, is no farther off the mesh either. */
+  double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const;
+
+  LocationFigures figures(const ToolLocations& locations) const;
+
+  const CutterProfile&
+  profile() const
+  {
+    return profile_;
+  }
+
+private:
+  void retilt(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const;
+
+  LocationOptions options_;
+  CutterProfile profile_;
+  std::shared_ptr<const LocationGround> ground_;
+};
+
+} // namespace pcl_spiral

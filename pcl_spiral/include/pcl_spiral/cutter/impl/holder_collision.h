@@ -1,0 +1,30 @@
+/** \file
+ *  Shank and holder against the points of a scan.
+ */
+#pragma once
+
+#include <pcl_spiral/core/tool_holder.h>
+#include <pcl_spiral/cutter/impl/cutter_drop.h>
+
+namespace pcl_spiral {
+
+/** The point that lies deepest in what holds the cutter. Lengths in mm. */
+struct HolderCollision {
+  int segment = -1;   ///< which one, from the cutter upwards; -1: none
+  double depth = 0.0; ///< shortest way out of it, clearance included
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  std::uint32_t cloud_index = 0;
+
+  bool
+  found() const
+  {
+    return segment >= 0;
+  }
+};
+
+/** The deepest point of \p blocks, deeper than \p tolerance, when the tip stands at \p tip along the axis of
+ * \p frame; by exact search. cloud_index is that of the blocks' original points. */
+HolderCollision findCollision(const PointBlocks& blocks, const HolderProfile& holder, const AxisFrame& frame,
+                              double tip, double tolerance);
+
+} // namespace pcl_spiral

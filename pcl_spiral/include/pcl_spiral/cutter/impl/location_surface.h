@@ -1,0 +1,112 @@
+/** \file
+ *  A scan as cutters are located on it: obstacles, surface, rim.
+ */
+#pragma once
+
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/surface/surface.h>
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** All points, which cutters must stay off; the surface through those that form one; and its rim. Lengths in
+ * mm. */
+class LocationSurface {
+public:
+  /** Obstacles are finite and different \p points; \p surface is made of them, or null where they form none: then \p why_none
+   * says why. \p source is the index of each point in its cloud; empty: all of it, in order. */
+  LocationSurface(std::vector<Eigen::Vector3f> points, std::vector<std::uint32_t> source, Surface::ConstPtr surface,
+                  Status why_none);
+  /** Obstacles are the points of \p surface and those that were left out of it. */
+  explicit LocationSurface(const Surface::ConstPtr& surface);
+  LocationSurface(const LocationSurface&) = delete; // shared
+  LocationSurface& operator=(const LocationSurface&) = delete;
+
+  /** Every point, those off the surface too. */
+  const PointBlocks&
+  obstacles() const
+  {
+    return obstacles_;
+  }
+  bool
+  hasSurface() const
+  {
+    return surface_ != nullptr;
+  }
+  const Status&
+  whyNone() const
+  {
+    return surface_status_;
+  }
+  const MlsSurface&
+  surface() const
+  {
+    return surface_->fit();
+  }
+  /** Points left out of the surface, not of the obstacles: alone off it. */
+  std::size_t
+  strayPoints() const
+  {
+    return surface_->counts().isolated + surface_->counts().speck;
+  }
+  /** Corners of the triangulation's edges that have a triangle on one side only, along loops longer than
+   * eight spacings: beyond them, or in the gap they bound, nothing is known. */
+  const PointBlocks&
+  rim() const
+  {
+    return rim_;
+  }
+
+  /** How far single points may stand above the surface fitted to them, measured along its normal: five
+   * standard deviations of their noise, and the rounding of coordinates. A point higher than that is no
+   * noise. */
+  double
+  noiseAllowance() const
+  {
+    return noise_allowance_;
+  }
+  /** Index in the cloud of point \p i of the surface. */
+  std::uint32_t
+  cloudIndexOnSurface(std::uint32_t i) const
+  {
+    return surface_->sourceIndex(i);
+  }
+  /** Index in the cloud of obstacle \p i, by its original index among obstacles(). */
+  std::uint32_t
+  cloudIndex(std::uint32_t i) const
+  {
+    return source_.empty() ? i : source_[i];
+  }
+  /** Whether a foot lies among the points, not over a gap between them. */
+  bool
+  covers(const SurfaceFoot& foot) const
+  {
+    return foot.valid && foot.nearest_distance <= 1.5 * coveringRadius(foot.nearest);
+  }
+  /** About point \p i of the surface's graph: largest circumradius of the triangles of its own and of its
+   * neighbours. No place of the surface near there is farther from the nearest point. */
+  double
+  coveringRadius(std::uint32_t i) const
+  {
+    return covering_radius_[i];
+  }
+
+private:
+  void measure();
+  void findRim();
+  void findCoveringRadii();
+
+  PointBlocks obstacles_, rim_;
+  std::vector<std::uint32_t> source_;
+  Surface::ConstPtr surface_;
+  Status surface_status_;
+  std::vector<float> covering_radius_;
+  double noise_allowance_ = 0.0;
+};
+
+} // namespace pcl_spiral

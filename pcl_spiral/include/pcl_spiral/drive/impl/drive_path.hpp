@@ -1,0 +1,62 @@
+#pragma once
+
+#include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
+#include <pcl_spiral/drive/drive_path.h>
+#include <pcl_spiral/drive/impl/drive_planner.h>
+#include <pcl_spiral/mesh/impl/mesh_input.h>
+
+namespace pcl_spiral {
+
+template <typename PointT>
+Status
+DrivePath<PointT>::runOnMesh(DrivePasses& passes)
+{
+  if (const Status status = checkBesideMesh(this->scanned_.getSettings(), this->scanned_.getInputNormals() != nullptr,
+                                            this->givenIndices() != nullptr);
+      !status.ok())
+    return status;
+  if (const Status status = checkSettings(settings_); !status.ok())
+    return status;
+  if (polygons_)
+    if (const Status status = SurfaceMesh::make(*polygons_, MeshSettings(), mesh_); !status.ok())
+      return status;
+  if (!mesh_)
+    return {StatusCode::InvalidInput, "the input mesh is missing: call setInputMesh with a mesh that has faces"};
+  return planMeshDrive(mesh_, settings_, progress_, passes, report_);
+}
+
+template <typename PointT>
+Status
+DrivePath<PointT>::run(DrivePasses& passes)
+{
+  if (const Status status = checkThreads(this->getNumberOfThreads()); !status.ok())
+    return status;
+  const ThreadLimit limit(this->getNumberOfThreads());
+  if (on_mesh_)
+    return runOnMesh(passes);
+  if (settings_.needsSurface())
+    if (const Status status = this->checkInput(); !status.ok())
+      return status;
+  if (const Status status = checkSettings(settings_); !status.ok())
+    return status;
+  Surface::ConstPtr surface;
+  if (settings_.needsSurface())
+    if (const Status status = this->prepareSurface(surface, partOf(progress_, 0.0, 0.6)); !status.ok())
+      return status;
+  return planDrive(surface, settings_, partOf(progress_, 0.6, 1.0), passes, report_);
+}
+
+template <typename PointT>
+void
+DrivePath<PointT>::compute(DrivePasses& passes)
+{
+  passes.clear();
+  report_ = DriveReport();
+  this->status_ = run(passes);
+  if (!this->status_.ok())
+    passes.clear();
+  this->tellFailure("DrivePath");
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,36 @@
+/** \file
+ *  How far places are from the creases of a mesh.
+ */
+#pragma once
+
+#include <pcl_spiral/mesh/surface_mesh.h>
+#include <pcl_spiral/search/impl/move_index.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** The creases of a mesh between faces that are both chosen, as lines to be searched. */
+class CreaseLines {
+public:
+  /** \p chosen: not 0 for each face that counts; empty: all. */
+  explicit CreaseLines(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& chosen = {});
+  CreaseLines(const CreaseLines&) = delete; // the index refers to the lines
+  CreaseLines& operator=(const CreaseLines&) = delete;
+
+  bool empty() const { return line_.empty(); }
+  /** Of all creases, mm. */
+  double length() const { return length_; }
+  /** Distance from the nearest crease, no more than \p limit. */
+  double distance(const Eigen::Vector3d& p, double limit) const;
+
+private:
+  Polyline line_;                     ///< pieces of creases, joined where one does not begin at the end of the last
+  std::vector<std::uint8_t> is_joint_; ///< of the segment that begins here
+  std::unique_ptr<MoveIndex> index_;
+  double length_ = 0.0;
+};
+
+} // namespace pcl_spiral

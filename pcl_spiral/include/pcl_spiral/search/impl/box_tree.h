@@ -1,0 +1,69 @@
+/** \file
+ *  Boxes halved again and again down to single ones.
+ */
+#pragma once
+
+#include <pcl_spiral/search/impl/point_blocks.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Items under a binary tree of their boxes: each node's items are halved across the longest side of the box of their boxes'
+ *  middles. A node is a range of items; its number is that of its place when the tree is walked, the first half first. Memory:
+ *  60 bytes an item. The same for any number of threads. */
+class BoxTree {
+public:
+  struct Node {
+    std::uint32_t number = 0, begin = 0, end = 0; ///< items begin to end in tree order
+
+    bool isItem() const { return end - begin == 1; }
+    Node lower() const { return {number + 1, begin, middle()}; }
+    Node upper() const { return {number + 2 * (middle() - begin), middle(), end}; }
+    std::uint32_t middle() const { return begin + (end - begin) / 2; }
+  };
+
+  BoxTree() = default;
+  explicit BoxTree(const std::vector<Box>& boxes);
+
+  std::size_t size() const { return order_.size(); }
+  Node root() const { return {0, 0, static_cast<std::uint32_t>(order_.size())}; }
+  const Box& box(const Node& node) const { return boxes_[node.number]; }
+  /** Which of the boxes given stands at \p place in tree order. */
+  std::uint32_t item(std::size_t place) const { return order_[place]; }
+  /** The lowest item() of a node. */
+  std::uint32_t lowestItem(const Node& node) const { return lowest_[node.number]; }
+
+  /** Call \p visit(place) for every item under boxes that all pass \p keep(box), in a fixed order. */
+  template <typename Keep, typename Visit>
+  void
+  forItems(Keep keep, Visit visit) const
+  {
+    Node stack[64];
+    std::size_t top = 0;
+    if (size() > 0)
+      stack[top++] = root();
+    while (top > 0) {
+      const Node node = stack[--top];
+      if (!keep(box(node)))
+        continue;
+      if (node.isItem()) {
+        visit(node.begin);
+        continue;
+      }
+      stack[top++] = node.upper();
+      stack[top++] = node.lower();
+    }
+  }
+
+private:
+  void build(const std::vector<Box>& boxes, const Node& node);
+
+  std::vector<std::uint32_t> order_;
+  std::vector<Box> boxes_;
+  std::vector<std::uint32_t> lowest_;
+};
+
+} // namespace pcl_spiral

@@ -1,0 +1,106 @@
+/** \file
+ *  The moves of a path in a tree of boxes.
+ */
+#pragma once
+
+#include <pcl_spiral/core/impl/polyline.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** The segments of a polyline, halved again and again across the longest side of their box, under boxes in
+ * single precision that are rounded outwards. Segments much longer than the mean stand in it piece by piece.
+ * The polyline must outlive the index and stay as it is. Memory: 72 bytes a segment, at most half as much
+ * again, beside the polyline.
+ */
+class MoveIndex {
+public:
+  explicit MoveIndex(const Polyline& line);
+
+  std::size_t moves() const { return line_.size() < 2 ? 0 : line_.size() - 1; }
+
+  /** The nearest point of the segments to \p p, when it is nearer than \p distance, which becomes its distance. */
+  bool nearest(const Eigen::Vector3d& p, double& distance, Eigen::Vector3d& point) const;
+
+  /** Call \p test(move) for every segment that comes within \p radius() of \p p, the nearest boxes first. The
+   * radius may shrink as the search goes. A segment may come twice. */
+  template <typename Radius, typename Test>
+  void
+  search(const Eigen::Vector3d& p, const Radius& radius, const Test& test) const
+  {
+    if (boxes_.empty())
+      return;
+    struct Entry {
+      std::uint32_t node;
+      float distance;
+    };
+    std::array<Entry, 64> stack;
+    std::size_t top = 0;
+    Eigen::Array4f q = Eigen::Array4f::Zero();
+    q.head<3>() = (p - origin_).cast<float>();
+    float limit = squared(radius());
+    stack[top++] = {0, squaredDistance(boxes_[0], q)};
+    while (top > 0) {
+      const Entry entry = stack[--top];
+      if (entry.distance > limit)
+        continue;
+      const std::uint32_t next = next_[entry.node];
+      if (next & leaf) {
+        test(static_cast<std::size_t>(next & ~leaf));
+        limit = squared(radius());
+        continue;
+      }
+      Entry near{next, squaredDistance(boxes_[next], q)};
+      Entry far{next + 1, squaredDistance(boxes_[next + 1], q)};
+      if (far.distance < near.distance)
+        std::swap(near, far);
+      if (far.distance <= limit)
+        stack[top++] = far;
+      if (near.distance <= limit)
+        stack[top++] = near;
+    }
+  }
+
+private:
+  static constexpr std::uint32_t leaf = 0x80000000u;
+
+  struct alignas(16) Box4 { // from origin_; the fourth is 0
+    std::array<float, 4> low, high;
+  };
+  struct Piece {
+    Box4 box;
+    std::uint32_t move;
+  };
+
+  static float
+  squaredDistance(const Box4& box, const Eigen::Array4f& p)
+  {
+    using Lanes = Eigen::Map<const Eigen::Array4f, Eigen::Aligned16>;
+    const Lanes low(box.low.data()), high(box.high.data());
+    return (low - p).max(p - high).max(0.0f).square().sum();
+  }
+  /** With room for what single precision loses. */
+  float
+  squared(double radius) const
+  {
+    const double wide = radius * (1.0 + 1e-6) + slack_;
+    return static_cast<float>(wide * wide);
+  }
+  std::vector<Piece> pieces() const;
+  void build(std::vector<Piece>& pieces, std::size_t first, std::size_t last, std::size_t node);
+
+  const Polyline& line_;
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  double slack_ = 0.0;
+  std::vector<Box4> boxes_;
+  std::vector<std::uint32_t> next_; ///< of a node: its first child, the second follows; of a leaf: its move
+};
+
+} // namespace pcl_spiral

@@ -1,0 +1,69 @@
+/** \file
+ *  One continuous path at constant scallop height over a surface of any outline.
+ */
+#pragma once
+
+#include <pcl_spiral/common/impl/progress.h>
+#include <pcl_spiral/common/impl/stage_clock.h>
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/features/boundary_loop.h>
+#include <pcl_spiral/spiral/spiral_turns.h>
+#include <pcl_spiral/surface/surface.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+struct LinkedPath;
+struct ScallopLoop;
+struct StepOverDistance;
+
+/** What a path at constant scallop height was made of and came to. Lengths in mm. */
+struct ScallopFigures {
+  std::size_t loops = 0;       ///< from the rims inward
+  std::size_t chain_loops = 0; ///< of the spiral from the outer rim to the innermost loop
+  std::size_t bridges = 0;     ///< loops beside it, joined to their neighbours by two narrow turns
+  std::size_t dots = 0;        ///< small loops that became a finger of a neighbour
+  std::vector<Polyline> lines;  ///< the loops, closed, thinned for pictures
+  std::vector<Polyline> axes;   ///< of the fingers
+  std::size_t fingers = 0;     ///< places where loops reach out so that no higher ridge is left
+  double reversed_share = 0.0; ///< of the path, travelled against the sense asked for, as loops beside the chain must be
+  std::size_t lifts = 0;       ///< from one pass to the next, where the sense asked for is kept everywhere
+  double lift_length = 0.0;    ///< of the straight ways between, which path lengths do not count
+  double least_length = 0.0;   ///< integral of dA / largest step-over, and half the rims: no path at this scallop is shorter
+  double smallest_step_over = 0.0, largest_step_over = 0.0; ///< mm: that the height allows along the path
+  double start_off = 0.0;      ///< mm: the path's end on the rim from the start point asked for
+  double rim_length = 0.0;     ///< mm
+  double turn_radius = 0.0;    ///< step-overs: all but 0.1 % of the path turn no sharper
+  double least_radius = 0.0;   ///< step-overs: of the sharpest turn
+  Eigen::Vector3d sharpest_place = Eigen::Vector3d::Zero(); ///< there
+  double farthest = 0.0;       ///< place of the surface farthest from the path, in step-overs; 0.5 leaves the height asked for
+  Eigen::Vector3d farthest_place = Eigen::Vector3d::Zero();
+};
+
+/** D on \p surface between the rims and holes among \p loops, each of type Outer or Inner: what class StepOverField gives.
+ *  Settings used: tool radius, scallop height. */
+Status
+makeStepOverField(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
+                  const ProgressCallback& progress, StepOverDistance& field);
+
+/** One path over \p loops (linkLoops), which have the surface on their left and the outer rim first, moved where it would leave
+ *  more of \p field than asked for; with a null pointer it stays as it was linked. What class LoopLinking gives. Settings used:
+ *  direction, sense, one way. Outward every pass runs outward, and the one along the outer rim comes last. */
+Status
+makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, const SpiralSettings& settings,
+                const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopFigures& figures);
+
+/** The curve of a path over \p surface between the rims and holes among \p loops, each of type Outer or Inner: distances from them
+ *  in step-overs (makeStepOverField), loops that cover all (makeScallopLoops), one path over these (makeScallopPath), its points
+ *  (samplePath). Settings used: tool radius, scallop height, chord error, longest step, direction, sense. */
+Status
+planConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
+                    const ProgressCallback& progress, StageClock& clock, SpiralTurns& turns, ScallopFigures& figures);
+
+} // namespace pcl_spiral

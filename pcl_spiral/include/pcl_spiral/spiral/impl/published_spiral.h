@@ -1,0 +1,86 @@
+/** \file
+ *  The spiral of Wu et al. 2025, to compare with.
+ */
+#pragma once
+
+#include <pcl_spiral/common/impl/progress.h>
+#include <pcl_spiral/common/impl/stage_clock.h>
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/features/boundary_loop.h>
+#include <pcl_spiral/graph/impl/surface_graph.h>
+#include <pcl_spiral/spiral/impl/radial_line_builder.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** What the published chain came to. Lengths in mm. */
+struct PublishedFigures {
+  std::size_t lines = 0;
+  std::size_t unsettled_lines =
+      0; ///< geodesics that still moved sideways by more than the chord error at the end
+  double largest_line_move = 0.0;      ///< the most any of them still moved
+  double largest_line_deviation = 0.0; ///< of a B-spline from the points it was fitted to
+  double step = 0.0;                   ///< (13)-(15): asked for between points of the path
+  double step_over = 0.0;              ///< (16): asked for between turns, along the lines
+  std::size_t turns = 0;               ///< between the boundaries
+  double longest_move = 0.0;           ///< between points of the path, once on the surface
+  double largest_axis_change = 0.0;    ///< degrees between neighbouring points
+};
+
+/** The published path as parallel arrays, what it was made from, and what it cost. */
+struct PublishedResult {
+  std::vector<BoundaryLoop> loops;
+  RadialLineSet lines;
+  Polyline contacts;
+  std::vector<Eigen::Vector3d>
+      normals; ///< unit, out of the material: PCA at the point of the cloud nearest to the contact
+  std::vector<Eigen::Vector3f> axes; ///< unit, tip to shank
+  std::vector<double> arc_lengths;
+  std::vector<float> turns;
+  PublishedFigures figures;
+  std::vector<StageCost> stages; ///< in the order they ran
+  std::vector<std::string> warnings;
+};
+
+/** A spiral by the method of Wu, Chai, Bo, Liu, Wang, "Spiral machining trajectory planning method based on
+ * discrete point cloud construction of radial lines", China Mechanical Engineering 36(4), 2025: the baseline
+ * that others are compared with.
+ *
+ *  | stage | equations |
+ *  |---|---|
+ *  | boundary points by the centroid of their neighbours, walked over | (1) |
+ *  | ways over the elliptic Gabriel graph, made geodesics by Newton steps | (2)-(7) |
+ *  | projection to the directional centroid | (8)-(11) |
+ *  | Taubin's curvatures on the lines | (12) |
+ *  | one step for the whole path, of the least radius | (13)-(15) |
+ *  | one step-over, of a plane | (16) |
+ *  | turns by arc length along the lines | (17)-(19) |
+ *  | PCA normals, tilted about the feed; axes are not smoothed | |
+ *
+ *  Where it cannot work as printed, the corrected form is used: geodesics with their ends held; turns that
+ * all lines share, each line's part in proportion to the rim, so that every turn ends where the next begins;
+ * lines left out near the centre where they stand too close; the rim, and the inner loop of an annulus, gone
+ * round once; points closer than the one step where turns bend more than the chord error allows. Everything
+ * else is as published, and fails where that does, with a message that says where and how: nothing is mended
+ * by other methods. Holes that are not bridged, lines that did not settle and places where the cutter gouges
+ * are told in warnings. The centre, where none is given (balancedCentre), and the smooth outlines of loops
+ * are those of this library: what is published says nothing of them.
+ *
+ *  Of \p settings it takes radius, scallop height, chord error, longest step, tilt and lead, centre, start
+ * point, boundary mode, gap handling, direction and sense. Call within a ThreadLimit for a number of threads; the same
+ * bytes for any. */
+Status planPublished(const SurfaceGraph& graph, const SpiralSettings& settings,
+                     const ProgressCallback& progress, PublishedResult& result);
+
+/** The same between \p loops that were found by other means, in place of equation (1) and the walk; refused where they do not
+ * belong to the surface (checkLoops). */
+Status planPublishedWithin(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& loops,
+                           const SpiralSettings& settings, const ProgressCallback& progress,
+                           PublishedResult& result);
+
+} // namespace pcl_spiral

@@ -1,0 +1,57 @@
+/** \file
+ *  Radial lines from a surface's boundaries.
+ */
+#pragma once
+
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/features/boundary_loop.h>
+#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/spiral/impl/radial_line.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** What radial lines are made of. */
+struct RadialLineRequest {
+  const MlsSurface& surface;
+  const BoundaryLoop& rim;
+  const BoundaryLoop* inner = nullptr;        ///< second boundary, if any
+  std::optional<Eigen::Vector3d> centre;      ///< one boundary only; absent: found
+  std::optional<Eigen::Vector3d> start_point; ///< line 0 ends at the rim nearest here; absent: a corner, or the farthest
+  LineMethod method = LineMethod::Automatic;
+  double tolerance = 0.05;    ///< allowed error of a turn interpolated between lines, mm
+  double fit_tolerance = 1e-3; ///< allowed distance of a line's B-spline from its points, mm
+  std::function<bool(double)> progress;       ///< share done; false cancels
+};
+
+/** Radial lines, in order along the rim, and the boundaries from line 0 on. */
+struct RadialLineSet {
+  std::vector<RadialLine> lines;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< one boundary only
+  bool harmonic = false;                            ///< the fallback made them
+  std::string why_harmonic;
+  Polyline rim;                                     ///< closed, from line 0's end
+  std::vector<std::size_t> rim_corners;
+  Polyline inner;                                   ///< closed, from line 0's start; empty with one boundary
+  std::vector<std::size_t> inner_corners;
+  double largest_interpolation_error = 0.0;         ///< measured between neighbouring lines, mm
+  bool centre_settled = true;                       ///< the search for the centre ended where it asked for no further move
+};
+
+/** Make the lines: coarse ones evenly along the rim and on each of its corners, then one in the middle of every gap
+ *  until the rim in it is interpolated to the tolerance, and the last line found there was too: of geodesics from a centre,
+ *  less what comes from the rim's own shape, to four times the tolerance, since the gap is half as wide then.
+ *
+ *  Lines are geodesics (between paired ends when there are two boundaries). Where those leave the surface, cross or
+ *  jump, as they do behind re-entrant boundaries, all lines become gradient lines of the harmonic function between the
+ *  boundaries, which never cross.
+ */
+Status
+buildRadialLines(const RadialLineRequest& request, RadialLineSet& set);
+
+} // namespace pcl_spiral

@@ -1,0 +1,295 @@
+/** \file
+ *  SpiralToolpathGenerator: the chain of stages.
+ */
+#pragma once
+
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/common/impl/toolpath_fields.h>
+#include <pcl_spiral/features/boundary_loops.h>
+#include <pcl_spiral/spiral/impl/method_choice.h>
+#include <pcl_spiral/spiral/impl/rim_offset.h>
+#include <pcl_spiral/spiral/impl/settings_check.h>
+#include <pcl_spiral/spiral/spiral_reports.h>
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
+#include <pcl_spiral/spiral/impl/path_size.h>
+#include <pcl_spiral/spiral/radial_lines.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
+
+#include <cstdint>
+#include <utility>
+
+namespace pcl_spiral {
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeSurface(Surface::ConstPtr& surface)
+{
+  SurfaceSettings asked = this->scanned_.getSettings();
+  asked.view_point = settings_.view_point;
+  asked.flip_normals = settings_.flip_normals;
+  asked.largest_part = settings_.largest_part;
+  asked.thinning = settings_.thinning;
+  asked.outlier_neighbours = settings_.outlier_neighbours;
+  asked.outlier_deviations = settings_.outlier_deviations;
+  this->scanned_.setSettings(asked);
+  this->scanned_.setNumberOfThreads(settings_.threads);
+  if (const Status status = this->prepareSurface(surface, partOf(progress_, 0.0, 0.25)); !status.ok())
+    return status;
+  reportSurface(*surface, !this->given_surface_, report_);
+  return checkScale(*surface, settings_, report_.warnings);
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLoops(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops)
+{
+  loops = given_loops_;
+  if (loops.empty()) {
+    BoundaryLoops<PointInT, PointNT> boundaries;
+    boundaries.setInputSurface(surface);
+    boundaries.setMinHoleWidth(settings_.hole_size);
+    boundaries.setNumberOfThreads(settings_.threads);
+    boundaries.setProgressCallback(partOf(progress_, 0.1, 0.35)); // begins where its own surface would be made
+    boundaries.setQuiet(true);
+    boundaries.compute(loops);
+    if (!boundaries.getStatus().ok())
+      return boundaries.getStatus();
+  }
+  BridgedSurface bridged;
+  const bool all = methodAsked(settings_) != SpiralMethod::Radial && settings_.boundary_mode == BoundaryMode::Automatic;
+  const BoundaryMode mode = all && settings_.holes != HoleHandling::Over ? BoundaryMode::AllBoundaries : settings_.boundary_mode;
+  const HoleOptions holes{mode, settings_.holes, settings_.gaps, settings_.hole_size};
+  if (const Status status = bridgeGaps(std::move(surface), loops, holes, partOf(progress_, 0.35, 0.4), bridged,
+                                       given_loops_.empty() ? LoopOrigin::Found : LoopOrigin::Given);
+      !status.ok())
+    return status;
+  reportLoops(bridged, settings_, report_);
+  surface = std::move(bridged.surface);
+  loops = std::move(bridged.loops);
+  return offsetOutlines(surface, loops, settings_.rim_overhang, settings_.hole_margin);
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLines(const Surface::ConstPtr& surface,
+                                                                 const std::vector<BoundaryLoop>& loops, RadialLineSet& lines)
+{
+  RadialLines<PointInT, PointNT> radial;
+  radial.setInputSurface(surface);
+  radial.setBoundaryLoops(loops);
+  if (settings_.centre)
+    radial.setCenter(*settings_.centre);
+  if (settings_.start_point)
+    radial.setStartPoint(*settings_.start_point);
+  radial.setLineMethod(settings_.lines);
+  radial.setTolerance(lineTolerance(settings_));
+  radial.setFitTolerance(lineFitTolerance(settings_));
+  radial.setNumberOfThreads(settings_.threads);
+  radial.setProgressCallback(partOf(progress_, 0.2, 0.6));
+  radial.setQuiet(true);
+  radial.compute(lines);
+  return radial.getStatus();
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOnLines(Surface::ConstPtr& surface, const RadialLineSet& lines,
+                                                                   StageClock& clock, SpiralTurns& turns)
+{
+  report_.method = SpiralMethod::Radial;
+  reportLines(lines, settings_, report_);
+  const double area = surfaceArea(surface->graph());
+  dropTriangulation(surface); // the projection looks at neighbourhoods alone
+  clock.end("radial lines");
+  if (progress_ && !progress_(0.6, "spiral"))
+    return {StatusCode::Cancelled, "cancelled"};
+  const Status status = makeTurns(lines, surface->spacing(), area, settings_, turns);
+  reportTurns(turns, report_);
+  clock.end("spiral");
+  return status;
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeRadial(Surface::ConstPtr& surface,
+                                                                  const std::vector<BoundaryLoop>& loops, StageClock& clock,
+                                                                  SpiralTurns& turns)
+{
+  if (settings_.hole_margin > 0.0 && report_.boundaries > 1)
+    return {StatusCode::InvalidArgument, "turns of the radial method begin at the edge of the hole, but a margin about holes is asked "
+                                         "for (setHoleMargin): choose constant scallop height (setMethod), or leave the margin out"};
+  RadialLineSet lines;
+  if (const Status status = makeLines(surface, loops, lines); !status.ok())
+    return status;
+  return makeOnLines(surface, lines, clock, turns);
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(const Surface& surface,
+                                                                           const std::vector<BoundaryLoop>& loops,
+                                                                           StageClock& clock, SpiralTurns& turns)
+{
+  report_.method = SpiralMethod::ConstantScallop;
+  ScallopFigures figures;
+  const Status status = planConstantScallop(surface, loops, settings_, partOf(progress_, 0.4, 0.65), clock, turns, figures);
+  report_.largest_allowed_step = turns.largest_allowed_step;
+  if (status.ok())
+    reportScallop(figures, settings_, report_);
+  return status;
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeShortest(Surface::ConstPtr& surface,
+                                                                    const std::vector<BoundaryLoop>& loops, StageClock& clock,
+                                                                    SpiralTurns& turns)
+{
+  const MethodForesight foresight = foreseeMethods(*surface, loops, settings_);
+  report_.foreseen_radial = foresight.radial_length;
+  report_.foreseen_scallop = foresight.scallop_length;
+  clock.end("choice of method");
+  if (foresight.method == SpiralMethod::Radial)
+    return makeRadial(surface, loops, clock, turns);
+  const Status status = makeConstantScallop(*surface, loops, clock, turns);
+  if (status.code() != StatusCode::Failed || !foresight.why_not_radial.empty())
+    return status;
+  report_.warnings.push_back("the radial method made the path, though a shorter one was foreseen at constant scallop height: " +
+                             status.message());
+  return makeRadial(surface, loops, clock, turns);
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstPtr& surface, StageClock& clock,
+                                                                 SpiralTurns& turns)
+{
+  if (given_lines_ && settings_.method == SpiralMethod::ConstantScallop)
+    return {StatusCode::InvalidArgument, "radial lines were given, but a path at constant scallop height has none: call "
+                                         "clearRadialLines, or setMethod with SpiralMethod::Radial"};
+  if (given_lines_) {
+    if (const Status status = checkLines(*given_lines_, surface->spacing()); !status.ok())
+      return status;
+    report_.loops = given_loops_;
+    reportNoise(*surface, settings_, report_);
+    return makeOnLines(surface, *given_lines_, clock, turns);
+  }
+  std::vector<BoundaryLoop> loops;
+  if (const Status status = makeLoops(surface, loops); !status.ok())
+    return status;
+  clock.end("boundaries");
+  switch (methodAsked(settings_)) {
+  case SpiralMethod::ConstantScallop: {
+    const Status status = makeConstantScallop(*surface, loops, clock, turns);
+    dropTriangulation(surface);
+    return status;
+  }
+  case SpiralMethod::Radial: return makeRadial(surface, loops, clock, turns);
+  default: {
+    const Status status = makeShortest(surface, loops, clock, turns);
+    dropTriangulation(surface);
+    return status;
+  }
+  }
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePublished(const Surface& surface, StageClock& clock,
+                                                                     SpiralPath& path)
+{
+  if (given_lines_)
+    return {StatusCode::InvalidArgument, "radial lines were given, but the published method makes its own: call "
+                                         "clearRadialLines, or setMethod with another method"};
+  PublishedResult published;
+  const ProgressCallback progress = partOf(progress_, 0.25, 1.0);
+  const Status status = given_loops_.empty()
+                            ? planPublished(surface.graph(), settings_, progress, published)
+                            : planPublishedWithin(surface.graph(), given_loops_, settings_, progress, published);
+  for (const StageCost& stage : published.stages)
+    report_.stages.push_back(stage);
+  clock.restart();
+  reportPublished(surface, settings_, published, report_, path);
+  if (!status.ok())
+    return status;
+  GapFigures gaps;
+  const Status marked = measureGaps(path, settings_, gaps);
+  reportGaps(gaps, report_);
+  return marked;
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, SpiralPath& path)
+{
+  if (const Status status = checkSettings(settings_); !status.ok())
+    return status;
+  const ThreadLimit limit(settings_.threads);
+  Surface::ConstPtr surface;
+  if (const Status status = makeSurface(surface); !status.ok())
+    return status;
+  if (this->given_surface_)
+    clock.restart();
+  else
+    clock.end("surface");
+  report_.method = settings_.method;
+  if (settings_.method == SpiralMethod::Published)
+    return makePublished(*surface, clock, path);
+  GapFigures gaps;
+  {
+    SpiralTurns turns;
+    if (const Status status = makeCurve(surface, clock, turns); !status.ok())
+      return status;
+    if (const Status status = putOnSurface(turns.curve, *surface, settings_, turns.largest_allowed_step,
+                                           partOf(progress_, 0.65, 0.9), path, gaps);
+        !status.ok())
+      return status;
+  }
+  surface.reset();
+  clock.end("projection");
+  const Status cancelled(StatusCode::Cancelled, "cancelled");
+  if (progress_ && !progress_(0.9, "tool axis"))
+    return cancelled;
+  AxisFigures axes;
+  if (const Status status = setToolAxes(settings_, path, axes, report_.warnings); !status.ok())
+    return status;
+  SpiralSettings used = settings_;
+  used.method = report_.method;
+  PathFigures figures;
+  const Status checked =
+      checkPath(path, used, report_.largest_allowed_step, partOf(progress_, 0.96, 1.0), figures);
+  reportPath(gaps, axes, figures, report_);
+  report_.pass_begins = path.passes;
+  clock.end("tool axis");
+  if (checked.ok() && progress_ && !progress_(1.0, "done"))
+    return cancelled;
+  return checked;
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+void
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::compute(pcl::PointCloud<PointOutT>& path)
+{
+  path.clear();
+  report_ = SpiralReport();
+  StageClock clock(report_.stages);
+  SpiralPath spiral;
+  this->status_ = run(clock, spiral);
+  this->tellFailure("SpiralToolpathGenerator");
+  if (!this->status_.ok())
+    return;
+  const ThreadLimit limit(settings_.threads);
+  path.resize(spiral.contacts.size());
+  const auto count = static_cast<std::int64_t>(path.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i)
+    ToolpathFields<PointOutT>::set(path[i], spiral.contacts[i], spiral.normals[i], spiral.axes[i], spiral.arc_lengths[i],
+                                   spiral.turns[i], spiral.over_gap[i] != 0);
+  if (this->input_)
+    path.header = this->input_->header;
+  path.is_dense = true;
+  clock.end("path");
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,68 @@
+/** \file
+ *  Tool axes along a toolpath.
+ */
+#pragma once
+
+#include <pcl_spiral/spiral/axis_field.h>
+
+#include <cstddef>
+
+namespace pcl_spiral {
+
+/** Sets the tool axis of every point of a path: its normal, tilted sideways about the feed direction and led about the
+ *  conormal, then smoothed along the path and held to a rate by AxisField. The maths is tiltedAxes in core/tool_axis.h. */
+class ToolAxis {
+public:
+  using Path = pcl::PointCloud<ToolpathPoint>;
+
+  /** Path in travel order, with the unit surface normal at every point. */
+  void setInputPath(const Path::ConstPtr& path) { path_ = path; }
+  Path::ConstPtr getInputPath() const { return path_; }
+
+  /** Side tilt about the feed direction, degrees, within +-89; 15 by default. Positive leans to the right of travel, seen
+   *  from outside the material. */
+  void setTiltAngle(double degrees) { tilt_angle_ = degrees; }
+  double getTiltAngle() const { return tilt_angle_; }
+
+  /** Lead about the conormal, degrees, within +-89; 0 by default. Positive leans forward. */
+  void setLeadAngle(double degrees) { lead_angle_ = degrees; }
+  double getLeadAngle() const { return lead_angle_; }
+
+  /** What is shorter along the path is smoothed away, mm; 50 by default, 0 for none. See AxisField. */
+  void setSmoothingLength(double length) { field_.setSmoothingLength(length); }
+  double getSmoothingLength() const { return field_.getSmoothingLength(); }
+
+  /** How far smoothing may lead from the tilt asked for, degrees; 2 by default. See AxisField. */
+  void setMaxDeviation(double degrees) { field_.setMaxDeviation(degrees); }
+  double getMaxDeviation() const { return field_.getMaxDeviation(); }
+
+  /** Largest turn of the axis, degrees per mm of path; 10 by default, 0 for no limit. */
+  void setMaxAxisRate(double degrees_per_mm) { field_.setMaxAxisRate(degrees_per_mm); }
+  double getMaxAxisRate() const { return field_.getMaxAxisRate(); }
+
+  /** Copy the path and set its axes. \p output may be the input's cloud; it is empty on failure: no path, fewer than two
+   *  points, a point or normal that is not finite, a normal of no length, a setting out of range, or an axis that would
+   *  come to lie in the surface so as not to turn faster. */
+  void compute(Path& output);
+
+  const Status& getStatus() const { return status_; }
+
+  /** What smoothing and the rate came to in the last compute: changes, rates, deviations and leans of the axis. */
+  const AxisField& getField() const { return field_; }
+  /** Moves on which the surface normal alone turns faster than the axis rate: the path is too sharp for the tilt to be
+   *  kept there. */
+  std::size_t getExceededMoves() const { return exceeded_moves_; }
+
+private:
+  Status check() const;
+  Path::Ptr wantedAxes();
+
+  Path::ConstPtr path_;
+  AxisField field_;
+  double tilt_angle_ = 15.0;
+  double lead_angle_ = 0.0;
+  Status status_;
+  std::size_t exceeded_moves_ = 0;
+};
+
+} // namespace pcl_spiral

@@ -1,0 +1,68 @@
+/** \file
+ *  A toolpath as the figures are taken from it, and places on it.
+ */
+#pragma once
+
+#include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/core/impl/polyline.h>
+
+#include <pcl/point_cloud.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A toolpath in double precision: parallel arrays. Lengths in mm. */
+struct CutterPath {
+  Polyline contacts;
+  std::vector<Eigen::Vector3d> normals; ///< unit, out of the material
+  std::vector<Eigen::Vector3d> axes;    ///< unit, tip to shank; empty when the path has none
+  std::vector<float> turns;             ///< turns made up to each point
+  std::vector<std::size_t> passes;      ///< where the second pass begins, and each further one: the move to it is a lift, and cuts nothing
+  std::size_t size() const { return contacts.size(); }
+};
+
+/** A measured value and where it was found. */
+struct PlacedValue {
+  double value = 0.0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  std::size_t index = 0; ///< of the path point, or of the first point of the move
+};
+
+/** Take \p value and its place where it is above \p largest. */
+inline void
+raise(PlacedValue& largest, double value, const Eigen::Vector3d& position, std::size_t index)
+{
+  if (value > largest.value)
+    largest = {value, position, index};
+}
+
+/** Read a toolpath. Fails on none, fewer than two points, a point that is not finite, and a normal without
+ * length; an axis without length at any point leaves the path without axes. \p passes: where the second pass begins, and each
+ * further one; empty: by the arc lengths, see passBegins. Fails where they do not ascend within the path. */
+Status
+readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterPath& path, const std::vector<std::size_t>& passes = {});
+
+/** Of all passes, mm. */
+double
+cutLength(const CutterPath& path);
+
+/** How the path moves between lifts. Angles in degrees. */
+struct PathMotion {
+  double length = 0.0;       ///< mm
+  std::size_t lifts = 0;     ///< between passes: no cuts
+  double lift_length = 0.0;  ///< mm
+  PlacedValue gap;           ///< longest move, mm
+  PlacedValue turn;          ///< largest angle between neighbouring moves
+  PlacedValue axis_change;   ///< largest angle between neighbouring axes; 0 without axes
+  PlacedValue normal_change; ///< largest angle between neighbouring normals
+};
+
+PathMotion
+pathMotion(const CutterPath& path);
+
+} // namespace pcl_spiral

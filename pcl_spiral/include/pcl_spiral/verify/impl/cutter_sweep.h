@@ -1,0 +1,81 @@
+/** \file
+ *  The solid that a cutter sweeps along the linear moves of its path.
+ */
+#pragma once
+
+#include <pcl_spiral/core/impl/pass_ranges.h>
+#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/surface/impl/mls_surface.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** How far something stands above a surface, mm, negative in the material, and the place of the surface nearest to it. */
+struct SurfaceHeight {
+  double height = 0.0;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+};
+
+/** A cutter of revolution at every point of a path, moved in straight lines from one point to the next but where it is lifted.
+ *
+ *  The search and the figures know a cutter by these functions alone; a profile other than the ball brings
+ * its own class, which keeps the tool axes of the path if its shape needs them. Only the cutting part counts:
+ * shank and holder are a matter for collision checks. Lengths in mm.
+ */
+class CutterSweep {
+public:
+  virtual ~CutterSweep() = default;
+
+  /** The middle of a ball that holds the cutter, at every point of the path; move i goes from i to i + 1. */
+  const Polyline& centres() const { return centres_; }
+  std::size_t moves() const { return centres_.size() < 2 ? 0 : centres_.size() - 1; }
+  /** Whether the cutter is lifted on \p move, and sweeps nothing. */
+  bool isLift(std::size_t move) const { return beginsPass(passes_, move + 1); }
+  /** Radius of that ball. */
+  double boundingRadius() const { return bounding_radius_; }
+
+  /** Lower \p t to the smallest t in [-start, t) at which x + t n lies in the solid swept along \p move; false, and
+   *  \p t kept, when there is none. \p n is unit. */
+  virtual bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start,
+                     double& t) const = 0;
+  /** Whether \p x lies in the solid swept along \p move. */
+  virtual bool contains(std::size_t move, const Eigen::Vector3d& x) const = 0;
+  /** How high the cutter stands above the surface about \p foot, a quadric no wider than \p reach, when it is at the share
+   *  \p f of \p move; negative: how deep it cuts below it. */
+  virtual SurfaceHeight lowest(std::size_t move, double f, const SurfaceFoot& foot, double reach) const = 0;
+
+protected:
+  CutterSweep(Polyline centres, double bounding_radius, std::vector<std::size_t> passes)
+  : centres_(std::move(centres)), bounding_radius_(bounding_radius), passes_(std::move(passes))
+  {
+  }
+
+private:
+  Polyline centres_;
+  double bounding_radius_;
+  std::vector<std::size_t> passes_;
+};
+
+/** A ball: each move sweeps a capsule, so every answer is exact and the tool axis has no say. */
+class BallSweep : public CutterSweep {
+public:
+  /** The centres stand a radius off the contacts, along the normals. One unit normal a contact. \p passes: points to which the
+   *  cutter is lifted. */
+  BallSweep(const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals, double radius,
+            const std::vector<std::size_t>& passes = {});
+
+  bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start,
+             double& t) const override;
+  bool contains(std::size_t move, const Eigen::Vector3d& x) const override;
+  SurfaceHeight lowest(std::size_t move, double f, const SurfaceFoot& foot, double reach) const override;
+};
+
+/** Height of \p p above the quadric about \p foot: signed distance, positive out of the material. Where the place nearest to it
+ *  lies farther than \p reach from the foot, across the normal, that from the place on the way there that does not. */
+SurfaceHeight
+heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p, double reach);
+
+} // namespace pcl_spiral

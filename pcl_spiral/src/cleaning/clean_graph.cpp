@@ -1,0 +1,167 @@
+#include <pcl_spiral/cleaning/impl/clean_graph.h>
+
+#include "even_spread.h"
+#include "lone_points.h"
+#include "false_points.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace pcl_spiral {
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+template <typename T>
+std::vector<T>
+selected(const Indices& indices, const std::vector<T>& values)
+{
+  std::vector<T> some(indices.size());
+  std::transform(indices.begin(), indices.end(), some.begin(), [&](std::uint32_t i) { return values[i]; });
+  return some;
+}
+
+/** The values less those at ascending \p indices; the last take their places. */
+template <typename T>
+void
+removeAll(const Indices& indices, std::vector<T>& values)
+{
+  for (auto i = indices.rbegin(); i != indices.rend(); ++i) {
+    values[*i] = values.back();
+    values.pop_back();
+  }
+}
+
+/** The points that blocks were made from, in their first order. */
+std::vector<Eigen::Vector3f>
+firstOrder(const PointBlocks& blocks)
+{
+  std::vector<Eigen::Vector3f> points(blocks.size());
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    points[blocks.originalIndex(i)] = blocks.point(i);
+  return points;
+}
+
+Indices
+unionOf(const Indices& a, const Indices& b)
+{
+  Indices both;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return both;
+}
+
+/** What buildCleanGraph works on. */
+class CleanGraph {
+public:
+  CleanGraph(const SurfaceGraphOptions& options, SurfaceGraph& graph, GraphSource& source)
+  : options_(options), graph_(graph), source_(source)
+  {
+  }
+
+  Status
+  build(std::vector<Eigen::Vector3f> points)
+  {
+    left_out_.assign(points.size(), 0);
+    source_ = GraphSource();
+    Status status = buildEvenly(points);
+    if (status.ok())
+      status = leaveOutliersOut();
+    if (status.ok() && source_.surplus > 0 && any_left_out_) {
+      status = buildEvenly(points);
+      if (status.ok())
+        status = leaveOutliersOut();
+    }
+    for (const std::uint32_t loner : loners_)
+      left_out_[loner] = 1;
+    source_.strays.clear();
+    for (std::uint32_t i = 0; i < left_out_.size(); ++i)
+      if (left_out_[i])
+        source_.strays.push_back(i);
+    return status;
+  }
+
+private:
+  /** Build of an even choice of the points that were not left out; \p points are kept where it is not all of them. */
+  Status
+  buildEvenly(std::vector<Eigen::Vector3f>& points)
+  {
+    source_.indices.clear();
+    for (std::uint32_t i = 0; i < left_out_.size(); ++i)
+      if (!left_out_[i])
+        source_.indices.push_back(i);
+    PointBlocks blocks(selected(source_.indices, points));
+    EvenSpread spread = evenSpread(blocks);
+    if (spread.kept.size() < SurfaceGraph::fewest_points) // a strip two or three points wide is a line all along
+      spread = EvenSpread();
+    source_.surplus = spread.surplus;
+    loners_ = selected(spread.loners, source_.indices);
+    if (!spread.kept.empty()) {
+      source_.indices = selected(spread.kept, source_.indices);
+      blocks = PointBlocks(selected(source_.indices, points));
+    }
+    else
+      std::vector<Eigen::Vector3f>().swap(points);
+    ++source_.passes;
+    return graph_.build(std::move(blocks), ownOptions());
+  }
+
+  Status
+  leaveOutliersOut()
+  {
+    constexpr int rounds = 5;
+    constexpr double some = 0.001; // of the points
+    for (int round = 0; round < rounds; ++round) {
+      Indices off = unionOf(unionOf(graph_.strayPoints(), sparseSpecks(graph_)), falsePoints(graph_));
+      const std::size_t used = source_.indices.size(), outliers = left_out_.size() - source_.surplus - used + off.size();
+      if (static_cast<double>(outliers) > some * static_cast<double>(used))
+        off = unionOf(off, lonePoints(graph_));
+      if (off.empty())
+        break;
+      if (const Status status = buildWithout(off); !status.ok())
+        return status;
+    }
+    return Status::success();
+  }
+
+  /** Build again less some points, by their original indices in the graph. */
+  Status
+  buildWithout(const Indices& off)
+  {
+    for (const std::uint32_t i : off)
+      left_out_[source_.indices[i]] = 1;
+    any_left_out_ = true;
+    std::vector<Eigen::Vector3f> points = firstOrder(graph_.blocks());
+    removeAll(off, points);
+    removeAll(off, source_.indices);
+    ++source_.passes;
+    return graph_.build(std::move(points), ownOptions());
+  }
+
+  /** The options with the normals of the points in use alone. */
+  SurfaceGraphOptions
+  ownOptions() const
+  {
+    SurfaceGraphOptions own = options_;
+    if (!options_.given_normals.empty())
+      own.given_normals = selected(source_.indices, options_.given_normals);
+    return own;
+  }
+
+  const SurfaceGraphOptions& options_;
+  SurfaceGraph& graph_;
+  GraphSource& source_;
+  std::vector<std::uint8_t> left_out_; ///< of the points given
+  Indices loners_;                     ///< of the last even choice: off it, but not for good
+  bool any_left_out_ = false;
+};
+
+} // namespace
+
+Status
+buildCleanGraph(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options, SurfaceGraph& graph,
+                GraphSource& source)
+{
+  return CleanGraph(options, graph, source).build(std::move(points));
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,194 @@
+#include "cloud_ground.h"
+
+#include <pcl_spiral/common/impl/message.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double least_share =
+    0.2; // of the normal along the axis, when noise along the normal is taken along it
+
+} // namespace
+
+CloudGround::CloudGround(const LocationSurface& surface, const CutterProfile& profile,
+                             const LocationOptions& options)
+    : surface_(surface), options_(options), profile_(profile), drop_(surface.obstacles(), profile),
+      rim_drop_(surface.rim(), profile), inner_drop_(surface.obstacles(), insetCutter(profile, near())),
+      fitted_drop_(surface, profile),
+      holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance)
+{
+}
+
+bool
+CloudGround::trusted(const FittedContact& fitted, const DropContact& drop) const
+{
+  if (!fitted.found)
+    return false;
+  const double noise = surface_.noiseAllowance() / std::max(least_share, fitted.normal_share);
+  const double sunk = fitted.height - drop.height;
+  const double most = std::min(fitted.gap_bound, profile_.radius());
+  return sunk > -noise && sunk < most + noise;
+}
+
+void
+CloudGround::settle(const AskedLocation& asked, double height, ToolLocation& location) const
+{
+  height = asked.settle(height, options_.tolerance, location);
+  location.tip = asked.frame.place(Eigen::Vector2d::Zero(), height);
+  const DropContact rim = rim_drop_.highest(asked.frame, height - rim_reach * profile_.radius());
+  location.over_rim = rim.found;
+  location.rim_clearance = rim.found ? std::max(0.0, height - rim.height) : 0.0;
+  location.collision = findCollision(surface_.obstacles(), holder_, asked.frame, height, options_.tolerance);
+  location.collision.cloud_index = surface_.cloudIndex(location.collision.cloud_index);
+}
+
+bool
+CloudGround::holds(const AskedLocation& asked) const
+{
+  return asked.isSteep() && asked.contact.touches && !inner_drop_.highest(asked.frame, near()).found;
+}
+
+void
+CloudGround::standOn(const AskedLocation& asked, const SurfaceFoot& foot, ToolLocation& location) const
+{
+  const double side = foot.normal.dot(asked.frame.axis) < 0.0 ? -1.0 : 1.0;
+  const double above = side * (asked.position - foot.position).dot(foot.normal);
+  const double share = side * foot.normal.dot(asked.frame.axis);
+  if (std::abs(above) > near() && share < steep_share)
+    return;
+  location.cloud_index = surface_.cloudIndexOnSurface(foot.nearest);
+  location.contact = foot.position;
+  location.normal = side * foot.normal;
+  location.basis = LocationBasis::AskedContact;
+  location.gap_bound = std::numeric_limits<double>::infinity();
+  settle(asked, std::abs(above) > near() ? -above / share : 0.0, location);
+}
+
+ToolLocation
+CloudGround::resolve(const AskedLocation& asked, const DropContact& drop, const FittedContact& fitted,
+                       const SurfaceFoot& foot) const
+{
+  ToolLocation location;
+  location.axis = asked.frame.axis;
+  if (!drop.found) {
+    if (asked.asks && asked.contact.touches && surface_.hasSurface() && surface_.covers(foot))
+      standOn(asked, foot, location);
+    return location;
+  }
+  location.cloud_index = surface_.cloudIndex(drop_.blocks().originalIndex(drop.point));
+  location.contact = drop_.blocks().position(drop.point);
+  double height = drop.height;
+  if (trusted(fitted, drop)) {
+    location.basis = LocationBasis::FittedSurface;
+    location.contact = fitted.contact;
+    location.normal = fitted.normal;
+    location.gap_bound = fitted.gap_bound;
+    location.gap = fitted.height - drop.height;
+    height = fitted.height;
+  }
+  else {
+    location.gap_bound =
+        foot.valid ? fitted_drop_.gapBound(asked.frame, foot) : std::numeric_limits<double>::infinity();
+    if (options_.evaluation != LocationEvaluation::Points && std::isfinite(location.gap_bound)) {
+      location.basis = LocationBasis::PointsAndBound;
+      location.gap = location.gap_bound;
+      height += location.gap_bound;
+    }
+  }
+  if (height > options_.tolerance && holds(asked)) {
+    location.basis = LocationBasis::AskedContact;
+    location.contact = asked.position;
+    location.gap = height = 0.0;
+  }
+  settle(asked, height, location);
+  return location;
+}
+
+void
+CloudGround::locate(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const
+{
+  std::vector<AskedLocation> asked;
+  std::vector<AxisFrame> frames;
+  std::vector<DropContact> drops(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    asked.emplace_back(drive[i], profile_);
+    frames.push_back(asked.back().frame);
+  }
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i)
+    drops[i] = drop_.highest(frames[i]);
+  std::vector<FittedContact> fitted(count);
+  if (options_.evaluation == LocationEvaluation::FittedSurface)
+    fitted_drop_.locate(frames, drops, fitted);
+  std::vector<SurfaceFoot> feet(count);
+  if (surface_
+          .hasSurface()) { // where the points decide, the surface about them tells how far a cutter may sink
+    std::vector<std::uint32_t> which;
+    std::vector<Eigen::Vector3d> queries;
+    std::vector<SurfaceFoot> found;
+    for (std::size_t i = 0; i < count; ++i)
+      if (!drops[i].found ? asked[i].asks : !trusted(fitted[i], drops[i])) {
+        which.push_back(static_cast<std::uint32_t>(i));
+        queries.push_back(drops[i].found ? drop_.blocks().position(drops[i].point) : asked[i].position);
+      }
+    surface_.surface().project(queries, found);
+    for (std::size_t k = 0; k < which.size(); ++k)
+      feet[which[k]] = found[k];
+  }
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i)
+    locations[i] = resolve(asked[i], drops[i], fitted[i], feet[i]);
+}
+
+bool
+CloudGround::clears(const DrivePoint& drive) const
+{
+  const AskedLocation asked(drive, profile_);
+  const bool clear = !drop_.highest(asked.frame, options_.tolerance).found || holds(asked);
+  return asked.contact.touches && clear &&
+         !findCollision(surface_.obstacles(), holder_, asked.frame, 0.0, options_.tolerance).found();
+}
+
+Status
+CloudGround::check() const
+{
+  if (options_.evaluation != LocationEvaluation::Points && !surface_.hasSurface())
+    return {surface_.whyNone().code(),
+            surface_.whyNone().message() +
+                "; without a surface cutters can be located on the points alone (as "
+                "LocationEvaluation::Points), with no bound of how far they sink between them"};
+  return Status::success();
+}
+
+double
+CloudGround::moveError(const CutterPlace& from, const CutterPlace& to, double) const
+{
+  return sweptError(profile_, from, to);
+}
+
+void
+CloudGround::describe(const ToolLocations&, LocationFigures& f) const
+{
+  f.noise_allowance = surface_.noiseAllowance();
+  f.stray_points = surface_.hasSurface() ? surface_.strayPoints() : 0;
+  const std::size_t asked =
+      f.count(LocationState::Reached) + f.count(LocationState::Lifted) + f.count(LocationState::Clear);
+  if (asked > 0 && surface_.hasSurface() && surface_.surface().fitNoise() > options_.tolerance)
+    f.warnings.push_back(
+        textOf("the scan's noise leaves its surface known to ", surface_.surface().fitNoise(),
+               " mm, more than the contact tolerance of ", options_.tolerance,
+               " mm: contacts count as lifted or clear by chance; raise the tolerance to three times "
+               "that"));
+  if (f.stray_points > 0)
+    f.warnings.push_back(textOf(f.stray_points,
+                                " points of the scan stand alone off its surface; the cutter stays off "
+                                "them as well: remove them before if they are false echoes (StrayRemoval)"));
+  if (!surface_.hasSurface())
+    f.warnings.push_back("the points form no surface, so the rim of the scan is not known: " +
+                         surface_.whyNone().message());
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,52 @@
+/** \file
+ *  Cutters located on a scan. Private.
+ */
+#pragma once
+
+#include "asked_location.h"
+#include "location_ground.h"
+
+#include <pcl_spiral/cutter/impl/cutter_locator.h>
+#include "fitted_drop.h"
+
+namespace pcl_spiral {
+
+/** The points of a scan and the surface fitted to them. */
+class CloudGround : public LocationGround {
+public:
+  CloudGround(const LocationSurface& surface, const CutterProfile& profile, const LocationOptions& options);
+
+  Status check() const override;
+  void locate(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const override;
+  bool clears(const DrivePoint& drive) const override;
+  /** sweptError: between points nothing is known. */
+  double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const override;
+  void describe(const ToolLocations& locations, LocationFigures& figures) const override;
+  const char* name() const override { return "scan"; }
+  const char* item() const override { return "point"; }
+
+private:
+  ToolLocation resolve(const AskedLocation& asked, const DropContact& drop, const FittedContact& fitted,
+                       const SurfaceFoot& foot) const;
+  void settle(const AskedLocation& asked, double height, ToolLocation& location) const;
+  /** Whether the contact asked for is steep, and no point is deeper in the cutter there than near(), along
+   * the cutter's normal. */
+  bool holds(const AskedLocation& asked) const;
+  /** How near, along a normal, the scan is where it is touched. */
+  double
+  near() const
+  {
+    return options_.tolerance + surface_.noiseAllowance();
+  }
+  void standOn(const AskedLocation& asked, const SurfaceFoot& foot, ToolLocation& location) const;
+  bool trusted(const FittedContact& fitted, const DropContact& drop) const;
+
+  const LocationSurface& surface_;
+  LocationOptions options_;
+  CutterProfile profile_;
+  CutterDrop drop_, rim_drop_, inner_drop_; ///< the last with a cutter smaller by near() all round
+  FittedDrop fitted_drop_;
+  HolderProfile holder_;
+};
+
+} // namespace pcl_spiral

@@ -1,0 +1,110 @@
+#include "location_ground.h"
+
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/cutter/impl/cutter_locator.h>
+
+#include <cmath>
+
+namespace pcl_spiral {
+
+LocationFigures
+CutterLocator::figures(const ToolLocations& locations) const
+{
+  LocationFigures f;
+  for (std::size_t i = 0; i < locations.size(); ++i) {
+    const ToolLocation& location = locations[i];
+    ++f.states[static_cast<std::size_t>(location.state)];
+    if (location.state == LocationState::NoCloud)
+      continue;
+    ++f.bases[static_cast<std::size_t>(location.basis)];
+    if (location.over_rim) {
+      f.least_rim_clearance =
+          f.over_rim == 0 ? location.rim_clearance : std::min(f.least_rim_clearance, location.rim_clearance);
+      ++f.over_rim;
+    }
+    f.retilted += location.retilt > 0.0;
+    f.largest_retilt = std::max(f.largest_retilt, location.retilt);
+    f.collisions += location.collision.found();
+    if (location.collision.depth > f.deepest_collision) {
+      f.deepest_collision = location.collision.depth;
+      f.most_collided = i;
+    }
+    if (location.lift > f.largest_lift) {
+      f.largest_lift = location.lift;
+      f.most_lifted = i;
+    }
+    if (location.basis == LocationBasis::FittedSurface)
+      f.largest_gap = std::max(f.largest_gap, location.gap);
+    else if (location.basis != LocationBasis::AskedContact && std::isfinite(location.gap_bound))
+      f.largest_gap_bound = std::max(f.largest_gap_bound, location.gap_bound);
+    else if (location.basis != LocationBasis::AskedContact)
+      ++f.unbounded;
+  }
+  const auto warn = [&](std::size_t count, const std::string& what) {
+    if (count > 0)
+      f.warnings.push_back(textOf(count, " of ", locations.size(), " locations ", what));
+  };
+  warn(f.count(LocationState::NoCloud), textOf("have no ", ground_->item(), " of the ", ground_->name(), " under the cutter: they have no height"));
+  constexpr double touched = 1e-3; // mm
+  warn(f.over_rim, textOf("stand partly beyond the rim of the ", ground_->name(), " or over a gap in it, ",
+                          f.least_rim_clearance < touched ? std::string("down to it")
+                                                          : textOf("at least ", f.least_rim_clearance, " mm above it"),
+                          ": what is higher there is not known"));
+  warn(f.unbounded, "rest on single points, and how far the cutter sinks between them has no bound");
+  warn(f.count(LocationBasis::PointsAndBound),
+       textOf("are raised by up to ", f.largest_gap_bound,
+              " mm above single points, the bound of how far the cutter would "
+              "sink between them: no fitted surface to trust was there"));
+  warn(f.count(LocationState::Unreachable), "ask for a contact that leans over the cutter's flank");
+  if (f.collisions > 0) {
+    const HolderCollision& worst = locations[f.most_collided].collision;
+    const auto segment = static_cast<std::size_t>(worst.segment);
+    const std::string& name = options_.holder[segment].name;
+    warn(f.collisions,
+         textOf("put the holder into the ", ground_->name(), ", the deepest ", worst.depth,
+                " mm, clearance included: ", name.empty() ? textOf("segment ", segment + 1) : name,
+                " of location ", f.most_collided, " at ", placeText(worst.place),
+                "; lengthen the tool, lean the axis away, or allow it "
+                "to be tilted"));
+  }
+  ground_->describe(locations, f);
+  return f;
+}
+
+const char*
+nameOf(LocationState state)
+{
+  switch (state) {
+  case LocationState::Touching:
+    return "touching";
+  case LocationState::Reached:
+    return "reached";
+  case LocationState::Lifted:
+    return "lifted";
+  case LocationState::Clear:
+    return "clear";
+  case LocationState::Unreachable:
+    return "unreachable";
+  case LocationState::NoCloud:
+    return "no cloud";
+  }
+  return "";
+}
+
+const char*
+nameOf(LocationBasis basis)
+{
+  switch (basis) {
+  case LocationBasis::FittedSurface:
+    return "fitted surface";
+  case LocationBasis::PointsAndBound:
+    return "points and bound";
+  case LocationBasis::Points:
+    return "points";
+  case LocationBasis::AskedContact:
+    return "asked contact";
+  }
+  return "";
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,182 @@
+#include "mesh_ground.h"
+
+#include "mesh_collision.h"
+
+#include <pcl_spiral/common/impl/message.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double finest = 5e-4;     // mm: faces are taken for the curved surface when nearer to it
+constexpr double fine_share = 0.05; // the same, of the tolerance
+constexpr double same_axis = 1e-9; // between unit axes
+constexpr double expected_share = 2.0; // of the tolerance, below the drive point
+
+double
+sagFor(const LocationOptions& options)
+{
+  if (options.evaluation == LocationEvaluation::Points)
+    return std::numeric_limits<double>::infinity();
+  return std::min(finest, fine_share * options.tolerance);
+}
+
+} // namespace
+
+MeshGround::MeshGround(const LocationMesh& mesh, const CutterProfile& profile, const LocationOptions& options)
+    : mesh_(mesh), options_(options), profile_(profile), sag_(sagFor(options)), drop_(mesh.faces(), profile, sag_),
+      rim_drop_(mesh.rim(), profile, sag_), inner_drop_(mesh.faces(), insetCutter(profile, near()), sag_),
+      sweep_(mesh.faces(), profile.radius(), sag_),
+      holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance)
+{
+}
+
+Status
+MeshGround::check() const
+{
+  if (options_.evaluation == LocationEvaluation::PointsAndBound)
+    return {StatusCode::InvalidArgument,
+            "locations by points and bound were asked for on a mesh, which has no gaps between points: set the evaluation to "
+            "LocationEvaluation::FittedSurface, for the curved surface, or to Points, for the faces as they are (setEvaluation)"};
+  return Status::success();
+}
+
+void
+MeshGround::touch(std::uint32_t face, const Eigen::Vector3d& weights, const Eigen::Vector3d& contact,
+                  ToolLocation& location) const
+{
+  const Eigen::Vector3d normal =
+      std::isfinite(sag_) ? mesh_.mesh()->patch(face).normal(weights) : mesh_.mesh()->faceNormal(face);
+  location.cloud_index = face;
+  location.contact = contact;
+  location.normal = normal.dot(location.axis) < 0.0 ? Eigen::Vector3d(-normal) : normal;
+  location.basis = std::isfinite(sag_) ? LocationBasis::FittedSurface : LocationBasis::Points;
+}
+
+bool
+MeshGround::findAsked(const AskedLocation& asked, PatchPlace& place) const
+{
+  return asked.asks && asked.contact.touches && mesh_.faces().nearest(asked.position, near(), sag_, place);
+}
+
+bool
+MeshGround::holds(const AskedLocation& asked) const
+{
+  return asked.isSteep() && asked.contact.touches && !inner_drop_.highest(asked.frame, near()).found;
+}
+
+/** The contact asked for where it is reached, raised with the cutter by what the tolerance lets it; else a ball's normal is the way
+ *  from its contact to its middle, which a contact known to the sag of a face, or on an edge, tells better than the face. */
+void
+MeshGround::settleContact(const AskedLocation& asked, double height, ToolLocation& location) const
+{
+  if (location.state == LocationState::Reached) {
+    location.contact = asked.position + height * location.axis;
+    location.normal = asked.normal;
+    return;
+  }
+  const CutterShape& cutter = profile_.shape();
+  const Eigen::Vector3d out = location.tip + cutter.radius * location.axis - location.contact;
+  const bool at_ball = cutter.corner_radius == cutter.radius && cutter.flank_angle == 0.0 && out.dot(location.axis) > 0.0;
+  if (at_ball && location.state != LocationState::Clear && std::abs(out.norm() - cutter.radius) < 0.1 * cutter.radius)
+    location.normal = out.normalized();
+}
+
+void
+MeshGround::settle(const AskedLocation& asked, double height, ToolLocation& location) const
+{
+  height = asked.settle(height, options_.tolerance, location);
+  location.tip = asked.frame.place(Eigen::Vector2d::Zero(), height);
+  settleContact(asked, height, location);
+  const MeshContact rim = rim_drop_.highest(asked.frame, height - rim_reach * profile_.radius());
+  location.over_rim = rim.found;
+  location.rim_clearance = rim.found ? std::max(0.0, height - rim.height) : 0.0;
+  location.collision = findCollision(mesh_.faces(), holder_, asked.frame, height, options_.tolerance, sag_);
+}
+
+/** Drive points lie on the surface, or between locations on it: what is lower is looked at only where nothing is met. */
+MeshContact
+MeshGround::highest(const AxisFrame& frame) const
+{
+  const MeshContact near = drop_.highest(frame, -expected_share * options_.tolerance);
+  return near.found ? near : drop_.highest(frame);
+}
+
+ToolLocation
+MeshGround::resolve(const AskedLocation& asked) const
+{
+  ToolLocation location;
+  location.axis = asked.frame.axis;
+  const MeshContact drop = highest(asked.frame);
+  if (drop.found)
+    touch(drop.face, drop.weights, drop.contact, location);
+  double height = drop.height;
+  const bool missed = !drop.found || (asked.isSteep() && height < -options_.tolerance); // a flank beside it, by rounding
+  PatchPlace place;
+  if (missed && findAsked(asked, place)) {
+    touch(place.patch, place.weights, place.position, location);
+    location.basis = LocationBasis::AskedContact;
+    height = 0.0;
+  }
+  else if (!drop.found)
+    return location;
+  else if (height > options_.tolerance && holds(asked)) {
+    if (findAsked(asked, place))
+      touch(place.patch, place.weights, place.position, location);
+    location.basis = LocationBasis::AskedContact;
+    location.contact = asked.position;
+    height = 0.0;
+  }
+  settle(asked, height, location);
+  return location;
+}
+
+void
+MeshGround::locate(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const
+{
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i)
+    locations[i] = resolve(AskedLocation(drive[i], profile_));
+}
+
+bool
+MeshGround::clears(const DrivePoint& drive) const
+{
+  const AskedLocation asked(drive, profile_);
+  const bool clear = !drop_.highest(asked.frame, options_.tolerance).found || holds(asked);
+  return asked.contact.touches && clear &&
+         !findCollision(mesh_.faces(), holder_, asked.frame, 0.0, options_.tolerance, sag_).found();
+}
+
+double
+MeshGround::moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const
+{
+  const double swept = sweptError(profile_, from, to), off = std::isfinite(sag_) ? sag_ : 0.0, R = profile_.radius();
+  const bool ball = profile_.cornerRadius() == R && profile_.flankAngle() == 0.0;
+  if (swept <= allowed || allowed <= off || !ball || (to.axis - from.axis).norm() > same_axis)
+    return swept;
+  const Eigen::Vector3d start = from.tip + R * from.axis, end = to.tip + R * to.axis;
+  if (const double depth = sweep_.depth(start, end, from.axis, allowed - off); depth > allowed - off)
+    return std::min(swept, depth + off);
+  return sweep_.touches(start, end, from.axis, allowed) ? allowed : swept;
+}
+
+void
+MeshGround::describe(const ToolLocations& locations, LocationFigures& f) const
+{
+  f.noise_allowance = mesh_.rounding() + (std::isfinite(sag_) ? sag_ : 0.0);
+  const auto lift = [](const ToolLocation& l) { return l.state == LocationState::Lifted ? l.lift : 0.0; };
+  const auto most = std::max_element(locations.begin(), locations.end(), [&](const ToolLocation& a, const ToolLocation& b) {
+    return lift(a) < lift(b);
+  });
+  if (const std::size_t lifted = f.count(LocationState::Lifted); lifted > 0)
+    f.warnings.push_back(textOf(lifted, " of ", locations.size(), " locations are lifted off the contact asked for, the most ",
+                                most->lift, " mm: location ", most - locations.begin(), ", held at ",
+                                placeText(most->contact),
+                                "; material is left there: use a smaller cutter, or allow the axis to be tilted"));
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,52 @@
+/** \file
+ *  The passes of each kind, without axes yet. Private.
+ */
+#pragma once
+
+#include <pcl_spiral/common/impl/progress.h>
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/graph/impl/surface_graph.h>
+#include <pcl_spiral/surface/surface.h>
+#include <pcl_spiral/common/drive_pass.h>
+#include <pcl_spiral/drive/drive_settings.h>
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** An extent divided into equal steps, none larger than asked for. */
+struct EqualSteps {
+  double step = 0.0;
+  std::vector<double> middles; ///< of each step
+};
+
+EqualSteps equalSteps(double low, double high, double most);
+
+/** Refused where so many \p points, or what is made on the way to them (\p crossings of lines with edges),
+ * are too many or take more memory than there is. */
+Status checkDriveSize(double points, double crossings, const DriveSettings& settings);
+
+/** Points at equal arc length along a line, no farther apart than \p spacing; the ends of an open one are
+ * kept. */
+DrivePass passAlong(const Polyline& line, bool closed, double spacing);
+
+/** Normal of the section planes: across the tool axis and the direction of the passes; unit. */
+Eigen::Vector3d acrossPlanes(const DriveSettings& settings);
+
+/** Points, length and largest step of the axes of finished passes. */
+void measureDrive(const DrivePasses& passes, DriveReport& report);
+
+Status planSections(const Surface& surface, const DriveSettings& settings, DrivePasses& passes,
+                    DriveReport& report);
+
+/** Helix, rings or arcs about report.column. */
+Status planRings(const DriveSettings& settings, DrivePasses& passes, DriveReport& report);
+
+Status planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress,
+                   DrivePasses& passes, DriveReport& report);
+
+/** Axes of all points. \p graph may be empty for fixed axes. */
+Status setAxes(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress,
+               DrivePasses& passes, DriveReport& report);
+
+} // namespace pcl_spiral

@@ -1,0 +1,109 @@
+#include <pcl_spiral/drive/drive_settings.h>
+
+#include <pcl_spiral/common/impl/message.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double shortest = 1e-9;      // of a direction
+constexpr double most_parallel = 1e-4; // sine of the angle between axis and passes
+
+Status
+bad(std::string message)
+{
+  return {StatusCode::InvalidArgument, std::move(message)};
+}
+
+bool
+isPositive(double value)
+{
+  return value > 0.0 && std::isfinite(value);
+}
+
+Status
+checkDirections(const DriveSettings& s)
+{
+  if (!s.axis.allFinite() || !(s.axis.norm() > shortest))
+    return bad("the tool axis is " + placeText(s.axis) +
+               ", which has no direction; set it from the tip to the shank");
+  if (s.kind != DriveKind::Planes)
+    return Status::success();
+  if (!std::isfinite(s.plane_angle) || !s.plane_direction.allFinite())
+    return bad("the direction of the section planes is not finite; set an angle in degrees, or a vector");
+  if (!s.plane_direction.isZero(0.0) &&
+      !(s.axis.normalized().cross(s.plane_direction.normalized()).norm() > most_parallel))
+    return bad("the direction of the passes " + placeText(s.plane_direction) + " runs along the tool axis " +
+               placeText(s.axis) + ": no plane is told by them; set one across the axis");
+  return Status::success();
+}
+
+Status
+checkCurve(const DriveSettings& s)
+{
+  for (std::size_t i = 0; i < s.curve.size(); ++i)
+    if (!s.curve[i].allFinite())
+      return bad(textOf("point ", i, " of the curve is not finite; remove it"));
+  if (s.curve.size() < 2 || !(length(s.curve, s.curve_closed) > 0.0))
+    return bad(textOf("the curve has ", s.curve.size(), " points and a length of ",
+                      length(s.curve, s.curve_closed),
+                      " mm; call setCurve with two points or more, apart from each other"));
+  return Status::success();
+}
+
+/** Whether the step-over is asked for. */
+bool
+needsStep(const DriveSettings& s)
+{
+  return s.kind != DriveKind::Curve && s.rows == DriveRows::Even;
+}
+
+Status
+checkRows(const DriveSettings& s)
+{
+  if (s.link_rows && s.kind != DriveKind::Planes)
+    return bad("rows of section planes alone are linked; drive by planes (setKind), or leave links out (setLinkRows)");
+  if (s.link_rows && !s.zigzag)
+    return bad("rows run one way begin far from the end of the one before, and are not linked; run them to and fro "
+               "(setZigzag), or leave links out (setLinkRows)");
+  if (s.rows == DriveRows::Even)
+    return Status::success();
+  if (s.kind != DriveKind::Planes)
+    return bad("rows are kept to a scallop height by section planes alone; drive by planes (setKind), or take even rows "
+               "(setRows)");
+  if (s.axisMode() == DriveAxisMode::Cylinder)
+    return bad("rows are kept to a scallop height for axes that are fixed or stand on the surface, not out of a cylinder; "
+               "take another axis mode (setAxisMode), or even rows (setRows)");
+  if (!isPositive(s.tool_radius) || !(s.scallop_height > 0.0 && s.scallop_height < s.tool_radius))
+    return bad(textOf("rows are to be kept for a ball of radius ", s.tool_radius, " mm and a scallop height of ",
+                      s.scallop_height, " mm; set both above 0, the height below the radius (setScallop)"));
+  return Status::success();
+}
+
+} // namespace
+
+Status
+checkSettings(const DriveSettings& s)
+{
+  if (const Status status = checkRows(s); !status.ok())
+    return status;
+  if (needsStep(s) && !isPositive(s.step_over))
+    return bad(textOf("the step-over is ", s.step_over, " mm; set it above 0"));
+  if (!(s.overrun >= 0.0) || !std::isfinite(s.overrun))
+    return bad(textOf("the overrun is ", s.overrun, " mm; set it to 0 or more"));
+  if (!isPositive(s.point_spacing))
+    return bad(textOf("the spacing of drive points is ", s.point_spacing, " mm; set it above 0"));
+  if (!isPositive(s.chord_error))
+    return bad(textOf("the chord error is ", s.chord_error, " mm; set it above 0 (setChordError)"));
+  if (s.cylinder)
+    if (const Status status = checkCylinder(*s.cylinder); !status.ok())
+      return status;
+  if (const Status status = checkDirections(s); !status.ok())
+    return status;
+  return s.kind == DriveKind::Curve ? checkCurve(s) : Status::success();
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,81 @@
+#include "kept_rows.h"
+
+#include <pcl_spiral/common/impl/message.h>
+#include "core/row_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace pcl_spiral {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double floor_share = 0.25, cell_share = 0.5; // of the step on a plane
+
+/** The points of the graph; where they are closer than \p edge, the first of each cube of that size. */
+std::vector<Vector3d>
+placesOf(const SurfaceGraph& graph, double edge)
+{
+  std::vector<Vector3d> places;
+  if (graph.spacing() >= edge) {
+    for (std::size_t i = 0; i < graph.size(); ++i)
+      places.push_back(graph.position(i));
+    return places;
+  }
+  std::vector<std::pair<std::array<double, 3>, std::size_t>> cells;
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    const Vector3d cell = (graph.position(i) / edge).array().floor();
+    cells.push_back({{cell.x(), cell.y(), cell.z()}, i});
+  }
+  std::sort(cells.begin(), cells.end());
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    if (k == 0 || cells[k].first != cells[k - 1].first)
+      places.push_back(graph.position(cells[k].second));
+  return places;
+}
+
+void
+warnOfFloor(const DriveSettings& settings, double floor, const Vector3d& narrowest, DriveReport& report)
+{
+  report.warnings.push_back(textOf("rows are held ", floor, " mm apart on ", 100.0 * report.held_share,
+                                   " % of the surface, where the scallop height of ", settings.scallop_height,
+                                   " mm asks for less, least at ", placeText(narrowest),
+                                   ": ridges there are higher; turn the planes across steep walls "
+                                   "(setPlaneDirection), or, in a hollow hardly "
+                                   "wider than the ball, take a smaller one"));
+}
+
+} // namespace
+
+RowLevels
+keptRows(const Surface& surface, const DriveSettings& settings, const Vector3d& across,
+         const Vector3d& origin, double low, double high, DriveReport& report)
+{
+  const double radius = settings.tool_radius, height = settings.scallop_height, step = settings.step_over;
+  const bool fixed = settings.axisMode() == DriveAxisMode::Fixed;
+  const RowsThrough through = fixed ? RowsThrough::Centres : RowsThrough::Contacts;
+  const double edge = cell_share * step;
+  std::vector<SurfaceFoot> feet;
+  surface.fit().project(placesOf(surface.graph(), edge), feet);
+  feet.erase(std::remove_if(feet.begin(), feet.end(), [](const SurfaceFoot& foot) { return !foot.valid; }),
+             feet.end());
+  std::vector<RowPatch> patches;
+  for (const SurfaceFoot& foot : feet) {
+    const double width = std::max(edge, surface.graph().spacing(foot.nearest));
+    const double at = across.dot(foot.position + (fixed ? radius : 0.0) * foot.normal - origin);
+    const SurfaceBend bend{foot.normal, foot.direction1, foot.curvature1, foot.curvature2};
+    patches.push_back({at - 0.5 * width, at + 0.5 * width, rowDistance(bend, across, radius, height, through),
+                       width * width});
+  }
+  const RowLevels rows = rowLevels(patches, low, high, floor_share * step);
+  report.held_share = rows.held_share;
+  if (rows.narrowest != RowLevels::none)
+    warnOfFloor(settings, floor_share * step, feet[rows.narrowest].position, report);
+  return rows;
+}
+
+} // namespace pcl_spiral

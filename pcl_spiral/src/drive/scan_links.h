@@ -1,0 +1,15 @@
+/** \file
+ *  Links of rows over a scan. Private.
+ */
+#pragma once
+
+#include <pcl_spiral/surface/surface.h>
+#include "mesh/row_links.h"
+
+namespace pcl_spiral {
+
+/** Places on the fitted surface: over the triangles of \p mesh or within a spacing of them, in no void. Both
+ * are referred to. */
+PlacesOnSurface onScan(const Surface& surface, const Triangulation& mesh);
+
+} // namespace pcl_spiral

@@ -1,0 +1,35 @@
+/** \file
+ *  Where on its way a ball touches triangles. Private.
+ */
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Part of a way, by shares of it. */
+struct WayPart {
+  double first = 0.0, last = 1.0;
+};
+
+/** Collects the parts of a straight way, from the origin, where triangles are within reach of it. */
+class WayCover {
+public:
+  explicit WayCover(const Eigen::Vector3d& way) : way_(way) {}
+
+  /** The part, one since both are convex, where a flat triangle is within \p reach: of its face, its edges and corners. */
+  void add(const Eigen::Matrix3d& corners, double reach);
+  bool isWhole();
+
+private:
+  bool clipToReach(const Eigen::Vector3d& place, const Eigen::Vector3d& way, double reach, WayPart& part) const;
+  WayPart onFace(const Eigen::Matrix3d& corners, double reach) const;
+  WayPart onEdge(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double reach) const;
+
+  Eigen::Vector3d way_;
+  std::vector<WayPart> parts_;
+};
+
+} // namespace pcl_spiral

@@ -1,0 +1,49 @@
+/** \file
+ *  Shortest paths over edges between the points of a surface.
+ */
+#pragma once
+
+#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/search/impl/neighbour_lists.h>
+#include <pcl_spiral/graph/impl/surface_graph.h>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Shortest paths over edges from one source to every point (Dijkstra 1959): those of a graph's triangles, or others.
+ *
+ *  One search serves all targets. The paths are too long by a share that does not vanish with density (some percent):
+ *  a start for refinement, not an answer. The graph must outlive the tree. Deterministic.
+ */
+class DijkstraTree {
+public:
+  static constexpr double unreached = std::numeric_limits<double>::infinity();
+
+  /** Search from a position near the cloud. False, and nothing reached, when it is farther than three spacings off. */
+  bool compute(const SurfaceGraph& graph, const Eigen::Vector3d& source);
+  /** The same over \p edges between the graph's points, in its order; they must outlive the tree. */
+  bool compute(const SurfaceGraph& graph, const NeighbourLists& edges, const Eigen::Vector3d& source);
+
+  std::size_t size() const { return distances_.size(); }
+  /** Length of the path to point \p i, mm; unreached on another part. */
+  double distance(std::size_t i) const { return distances_[i]; }
+  /** The path from the source to \p to, both included; empty when \p to is off the cloud or not reached. */
+  Polyline path(const Eigen::Vector3d& to) const;
+
+private:
+  bool search();
+  bool hasEdges(std::uint32_t v) const;
+  template <typename Visit>
+  void forEdges(std::uint32_t v, Visit visit) const;
+
+  const SurfaceGraph* graph_ = nullptr;
+  const NeighbourLists* edges_ = nullptr; ///< null: those of the triangles
+  Eigen::Vector3d source_ = Eigen::Vector3d::Zero();
+  std::vector<double> distances_;
+  std::vector<std::uint32_t> before_; ///< the point before each on its path; none after the source
+};
+
+} // namespace pcl_spiral

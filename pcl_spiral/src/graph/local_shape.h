@@ -1,0 +1,31 @@
+/** \file
+ *  Normal and extent of one neighbourhood. Private.
+ */
+#pragma once
+
+#include "search/neighbour_search.h"
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace pcl_spiral {
+
+/** What one neighbourhood tells about its point. */
+struct LocalShape {
+  Eigen::Vector3d normal; ///< least principal axis of the neighbours (Hoppe et al. 1992), sign arbitrary
+  double radius;          ///< distance to the k-th neighbour
+  double height;          ///< of the point over its neighbours' plane, along the normal
+};
+
+/** Spacing of k evenly spread points in a disc of this radius. */
+inline double
+evenSpacing(double radius, int k)
+{
+  return radius * std::sqrt(M_PI / k);
+}
+
+LocalShape
+localShape(const Neighbourhood& near);
+
+} // namespace pcl_spiral

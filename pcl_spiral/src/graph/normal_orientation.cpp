@@ -1,0 +1,137 @@
+#include "normal_orientation.h"
+
+#include "search/pieces.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numeric>
+
+namespace pcl_spiral {
+namespace {
+
+/** Union-find whose members also know whether they are turned against their root. */
+class ParityForest {
+public:
+  explicit ParityForest(std::size_t n) : parent_(n), parity_(n, 0)
+  {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+
+  std::uint32_t
+  find(std::uint32_t i)
+  {
+    while (parent_[i] != i) {
+      const std::uint32_t p = parent_[i];
+      if (parent_[p] != p) { // halve the path
+        parity_[i] ^= parity_[p];
+        parent_[i] = parent_[p];
+      }
+      else
+        return p;
+      i = parent_[i];
+    }
+    return i;
+  }
+  std::uint8_t
+  parity(std::uint32_t i) const
+  {
+    std::uint8_t sum = 0;
+    for (; parent_[i] != i; i = parent_[i])
+      sum ^= parity_[i];
+    return sum;
+  }
+  void
+  join(std::uint32_t a, std::uint32_t b, std::uint8_t turned)
+  {
+    std::uint32_t ra = find(a), rb = find(b);
+    if (ra == rb)
+      return;
+    const std::uint8_t between = parity(a) ^ parity(b) ^ turned;
+    if (ra > rb)
+      std::swap(ra, rb); // the smaller index is the root
+    parent_[rb] = ra;
+    parity_[rb] = between;
+  }
+
+private:
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint8_t> parity_;
+};
+
+} // namespace
+
+std::vector<std::uint8_t>
+consistentSigns(const std::vector<Eigen::Vector3f>& normals, const StarSet& stars)
+{
+  constexpr int classes = 64; // of weight 1 - |cos|, each joined before the next
+  struct Edge {
+    std::uint32_t a, b;
+  };
+  const auto turned = [&](const Edge& e) { return static_cast<std::uint8_t>(normals[e.a].dot(normals[e.b]) < 0.0f); };
+  const auto weightOf = [&](const Edge& e) {
+    return std::min(classes - 1, static_cast<int>((1.0f - std::abs(normals[e.a].dot(normals[e.b]))) * classes));
+  };
+  // Edges of the least weight within a piece of the points are joined at once: no other piece knows these points.
+  ParityForest forest(normals.size());
+  std::vector<std::vector<Edge>> waiting(pieceCount(normals.size()));
+  forPieces(normals.size(), [&](std::size_t piece, std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t a = begin; a < end; ++a)
+      for (std::uint32_t s = stars.begin[a]; s < stars.begin[a + 1]; ++s) {
+        const Edge edge{a, stars.neighbourAt(s)};
+        if (edge.b >= begin && edge.b < end && weightOf(edge) == 0)
+          forest.join(edge.a, edge.b, turned(edge));
+        else
+          waiting[piece].push_back(edge);
+      }
+  });
+  std::vector<std::vector<Edge>> by_weight(classes);
+  for (const auto& edges : waiting)
+    for (const Edge& e : edges)
+      by_weight[weightOf(e)].push_back(e);
+  for (const auto& edges : by_weight)
+    for (const Edge& e : edges)
+      forest.join(e.a, e.b, turned(e));
+  std::vector<std::uint8_t> flipped(normals.size());
+  forPoints(normals.size(), [&](std::uint32_t i) { flipped[i] = forest.parity(i); });
+  return flipped;
+}
+
+bool
+chooseOuterSide(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& normals, const std::vector<float>& radii,
+                double farthest, const SurfaceGraphOptions& options, std::vector<std::uint8_t>& flipped)
+{
+  const Eigen::Vector4d zero = Eigen::Vector4d::Zero();
+  const Eigen::Vector4d places = sumOverPoints(blocks.size(), zero, [&](std::uint32_t i, Eigen::Vector4d& sum) {
+    if (!(radii[i] > farthest))
+      sum += blocks.position(i).homogeneous();
+  });
+  const Eigen::Vector3d centroid = places.head<3>() / places.w();
+  const bool given = options.given_normals.size() == blocks.size();
+  enum { AsGiven, TowardsView, TowardsZ, Convex, Area, Terms };
+  using Sums = Eigen::Array<double, Terms, 1>;
+  const Sums sums = sumOverPoints(blocks.size(), Sums(Sums::Zero()), [&](std::uint32_t i, Sums& sum) {
+    if (radii[i] > farthest)
+      return;
+    const double weight = static_cast<double>(radii[i]) * radii[i];
+    const Eigen::Vector3d n = (flipped[i] ? -1.0 : 1.0) * normals[i].cast<double>();
+    if (options.view_point)
+      sum[TowardsView] += weight * n.dot((*options.view_point - blocks.position(i)).normalized());
+    if (given)
+      sum[AsGiven] += weight * n.dot(options.given_normals[blocks.originalIndex(i)].cast<double>());
+    sum[TowardsZ] += weight * n.z();
+    sum[Convex] += weight * n.dot((blocks.position(i) - centroid).normalized());
+    sum[Area] += weight;
+  });
+  constexpr double clear = 0.1; // of the area-weighted mean cosine
+  const bool z_tells = std::abs(sums[TowardsZ]) >= clear * sums[Area], as_given = sums[AsGiven] != 0.0;
+  double side = sums[as_given ? AsGiven : options.view_point ? TowardsView : z_tells ? TowardsZ : Convex];
+  if (options.flip_normals)
+    side = -side;
+  if (side < 0.0)
+    for (std::uint8_t& f : flipped)
+      f ^= 1;
+  return as_given || options.view_point || z_tells;
+}
+
+} // namespace pcl_spiral

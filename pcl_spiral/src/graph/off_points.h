@@ -1,0 +1,39 @@
+/** \file
+ *  Points that their neighbours' planes say lie off the surface. Private.
+ */
+#pragma once
+
+#include <pcl_spiral/search/impl/point_blocks.h>
+
+#include "local_shape.h"
+#include "star_set.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** What one pass over all neighbourhoods found of every point. */
+struct PointShapes {
+  std::vector<Eigen::Vector3f> normals; ///< of their neighbours' planes
+  std::vector<float> radii;             ///< distance to the k-th neighbour
+  std::vector<float> heights;           ///< over the plane, along the normal
+  int neighbours = 0;                   ///< k
+
+  double spacing(std::size_t i) const { return evenSpacing(radii[i], neighbours); }
+};
+
+/** Points that stand alone off the surface: high over their neighbours' plane, which none of these is nearly as much.
+ *  Along a crease points are high too, but in company. Those farther than \p far from their neighbours lie in the plane
+ *  that they make with the rest. Original indices, ascending. */
+std::vector<std::uint32_t>
+strayPoints(const PointBlocks& blocks, const StarSet& stars, const PointShapes& shapes, double far);
+
+/** Points whose height differs from their neighbours' mean by more than noise does: on the surface where its curvature
+ *  changes, or false. In the order of the blocks, ascending. */
+std::vector<std::uint32_t>
+doubtfulPoints(const StarSet& stars, const PointShapes& shapes);
+
+} // namespace pcl_spiral

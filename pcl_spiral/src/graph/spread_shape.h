@@ -1,0 +1,25 @@
+/** \file
+ *  How the nearest few neighbours of a point are spread. Private.
+ */
+#pragma once
+
+#include "search/neighbour_search.h"
+
+namespace pcl_spiral {
+
+/** The spread of one neighbourhood of \p neighbours points. */
+struct SpreadShape {
+  static constexpr int neighbours = 32;
+
+  float spacing;   ///< as if they were spread evenly
+  float fine;      ///< the same of the nearest half of them
+  float near;      ///< distance of the 8th nearest
+  float line_step; ///< distance between neighbours along a line, when the nearest few lie on one; else 0
+  bool is_double;  ///< another point lies nearly at the same place
+  bool is_off;     ///< the neighbours lie in no plane, or the point off theirs
+};
+
+SpreadShape
+spreadShape(const Neighbourhood& near);
+
+} // namespace pcl_spiral

@@ -1,0 +1,202 @@
+#include "star_triangles.h"
+
+#include "search/pieces.h"
+
+#include <algorithm>
+#include <limits>
+#include <unordered_set>
+
+namespace pcl_spiral {
+namespace {
+
+using Triangle = Triangulation::Triangle;
+constexpr std::uint32_t none = Triangulation::none;
+
+/** Which corner \p v is of the triangle (v, a, b), whose first is the smallest. */
+std::uint32_t
+cornerOf(std::uint32_t v, std::uint32_t a, std::uint32_t b)
+{
+  return v < a && v < b ? 0 : a < b ? 2 : 1;
+}
+
+/** By slot, the half-edge that leaves the star's point along the spoke in the triangle all agree on; none where they do not.
+ *  Triangles are numbered by their smallest corner, so that those of one place lie together. */
+std::vector<std::uint32_t>
+agreedHalfEdges(const StarSet& stars, std::size_t& triangle_count)
+{
+  std::vector<std::uint32_t> half_edge(stars.spokes.size(), none); // at first the number of the triangle in its piece
+  std::vector<std::uint32_t> first(pieceCount(stars.size()) + 1, 0); // of each piece
+  forPoints(stars.size(), [&](std::uint32_t v) {
+    std::uint32_t& own = first[v / piece_size + 1];
+    for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
+      const std::uint32_t a = stars.neighbourAt(slot), b = stars.neighbourAt(stars.slotAfter(v, slot));
+      if (!stars.hasTriangle(slot) || a < v || b < v)
+        continue;
+      const std::uint32_t at_a = stars.slotOf(a, b, v), at_b = stars.slotOf(b, v, a);
+      if (at_a != none && at_b != none)
+        half_edge[slot] = half_edge[at_a] = half_edge[at_b] = own++;
+    }
+  });
+  for (std::size_t p = 1; p < first.size(); ++p)
+    first[p] += first[p - 1];
+  forPoints(stars.size(), [&](std::uint32_t v) {
+    for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
+      if (half_edge[slot] == none)
+        continue;
+      const std::uint32_t a = stars.neighbourAt(slot), b = stars.neighbourAt(stars.slotAfter(v, slot));
+      half_edge[slot] = 3 * (half_edge[slot] + first[std::min({v, a, b}) / piece_size]) + cornerOf(v, a, b);
+    }
+  });
+  triangle_count = first.back();
+  return half_edge;
+}
+
+/** The triangles all agree on, and what each of their half-edges faces: neighbours in a star are neighbours in the mesh. */
+void
+joinAgreed(const StarSet& stars, const std::vector<std::uint32_t>& half_edge, std::vector<Triangle>& triangles,
+           std::vector<std::uint32_t>& opposite)
+{
+  forPoints(stars.size(), [&](std::uint32_t v) {
+    for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
+      const std::uint32_t own = half_edge[slot];
+      if (own == none)
+        continue;
+      if (own % 3 == 0)
+        triangles[own / 3] = {v, stars.neighbourAt(slot), stars.neighbourAt(stars.slotAfter(v, slot))};
+      const std::uint32_t before = half_edge[stars.slotBefore(v, slot)];
+      if (before != none) // of (v, z, a), where this one is v - a
+        opposite[own] = Triangulation::previous(before);
+    }
+  });
+}
+
+/** Closes the gaps of slots without a triangle; \p begin is where the half-edges of each point then start. */
+void
+compact(const StarSet& stars, std::vector<std::uint32_t>& half_edge, std::vector<std::uint32_t>& begin)
+{
+  std::uint32_t kept = 0;
+  begin.assign(stars.size() + 1, 0);
+  for (std::size_t v = 0; v < stars.size(); ++v) {
+    for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot)
+      if (half_edge[slot] != none)
+        half_edge[kept++] = half_edge[slot];
+    begin[v + 1] = kept;
+  }
+  half_edge.resize(kept);
+}
+
+struct Candidate {
+  Triangle corners;
+  int votes;
+  float size; ///< its sides, squared
+};
+
+/** Triangles that not all agree on, each named by the smallest corner that has it; those with most votes first, then the
+ *  smallest. */
+std::vector<Candidate>
+disputedTriangles(const std::vector<Eigen::Vector3f>& points, const StarSet& stars,
+                  const std::vector<std::uint32_t>& half_edge)
+{
+  const auto squared = [&](std::uint32_t a, std::uint32_t b) { return (points[a] - points[b]).squaredNorm(); };
+  std::vector<std::vector<Candidate>> found(pieceCount(stars.size()));
+  forPoints(stars.size(), [&](std::uint32_t v) {
+    for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
+      if (!stars.hasTriangle(slot) || half_edge[slot] != none)
+        continue;
+      const std::uint32_t a = stars.neighbourAt(slot), b = stars.neighbourAt(stars.slotAfter(v, slot));
+      const bool in_a = stars.slotOf(a, b, v) != none, in_b = stars.slotOf(b, v, a) != none;
+      if (!(in_a && a < v) && !(in_b && b < v))
+        found[v / piece_size].push_back({{v, a, b}, 1 + in_a + in_b, squared(v, a) + squared(a, b) + squared(b, v)});
+    }
+  });
+  std::vector<Candidate> disputed;
+  for (const auto& part : found)
+    disputed.insert(disputed.end(), part.begin(), part.end());
+  std::stable_sort(disputed.begin(), disputed.end(), [](const Candidate& a, const Candidate& b) {
+    return a.votes > b.votes || (a.votes == b.votes && a.size < b.size);
+  });
+  return disputed;
+}
+
+/** Of the candidates, in their order, those whose half-edges are still free. */
+std::vector<Triangle>
+settle(const std::vector<Candidate>& candidates, const Triangulation& mesh)
+{
+  std::unordered_set<std::uint64_t> taken;
+  const auto key = [](std::uint32_t from, std::uint32_t to) { return static_cast<std::uint64_t>(from) << 32 | to; };
+  const auto isFree = [&](std::uint32_t from, std::uint32_t to) {
+    for (std::uint32_t i = mesh.outgoingBegin(from); i < mesh.outgoingBegin(from + 1); ++i)
+      if (mesh.target(mesh.outgoing(i)) == to)
+        return false;
+    return taken.count(key(from, to)) == 0;
+  };
+  std::vector<Triangle> accepted;
+  for (const auto& [t, votes, size] : candidates) {
+    if (!isFree(t[0], t[1]) || !isFree(t[1], t[2]) || !isFree(t[2], t[0]))
+      continue;
+    for (int i = 0; i < 3; ++i)
+      taken.insert(key(t[i], t[(i + 1) % 3]));
+    accepted.push_back(t);
+  }
+  return accepted;
+}
+
+/** The entry of a closed loop from which the others are nearest, all in all. */
+std::size_t
+mostCentral(const std::vector<Eigen::Vector3f>& points, const Triangulation& mesh, const std::vector<std::uint32_t>& loop)
+{
+  std::size_t best = 0;
+  float least = std::numeric_limits<float>::max();
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    float sum = 0.0f;
+    for (const std::uint32_t h : loop)
+      sum += (points[mesh.origin(h)] - points[mesh.origin(loop[i])]).squaredNorm();
+    if (sum < least) {
+      least = sum;
+      best = i;
+    }
+  }
+  return best;
+}
+
+/** Triangles for the short closed loops of free half-edges that disagreement leaves behind. */
+std::vector<Triangle>
+pinholeTriangles(const std::vector<Eigen::Vector3f>& points, const Triangulation& mesh, int pinhole_edges)
+{
+  std::vector<Triangle> triangles;
+  for (auto& loop : mesh.boundaryLoops()) {
+    const int m = static_cast<int>(loop.size());
+    if (m < 3 || m > pinhole_edges)
+      continue;
+    std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(mostCentral(points, mesh, loop)), loop.end());
+    // The hole lies on the right of the loop's half-edges: go round it backwards, as a fan about its first point.
+    for (int i = 1; i + 1 < m; ++i)
+      triangles.push_back({mesh.origin(loop[0]), mesh.origin(loop[i + 1]), mesh.origin(loop[i])});
+  }
+  return triangles;
+}
+
+} // namespace
+
+Triangulation
+triangulate(const std::vector<Eigen::Vector3f>& points, const StarSet& stars, int pinhole_edges)
+{
+  std::size_t count = 0;
+  std::vector<std::uint32_t> half_edge = agreedHalfEdges(stars, count);
+  const std::size_t room = count + count / 64; // for those that come later
+  std::vector<Triangle> triangles;
+  triangles.reserve(room);
+  triangles.resize(count);
+  std::vector<std::uint32_t> opposite, outgoing_begin;
+  opposite.reserve(3 * room);
+  opposite.resize(3 * count, none);
+  joinAgreed(stars, half_edge, triangles, opposite);
+  const std::vector<Candidate> disputed = disputedTriangles(points, stars, half_edge);
+  compact(stars, half_edge, outgoing_begin);
+  Triangulation mesh(std::move(triangles), std::move(opposite), std::move(outgoing_begin), std::move(half_edge));
+  mesh.append(settle(disputed, mesh));
+  mesh.append(pinholeTriangles(points, mesh, pinhole_edges));
+  return mesh;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,224 @@
+#include <pcl_spiral/graph/impl/surface_graph.h>
+
+#include "common/freed_memory.h"
+#include <pcl_spiral/core/impl/frame.h>
+#include "local_star.h"
+#include "search/neighbour_search.h"
+
+#include "normal_orientation.h"
+#include "local_shape.h"
+#include "off_points.h"
+#include "search/pieces.h"
+#include "star_triangles.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr int most_neighbours = 256;
+constexpr int pinhole_edges = 6;
+constexpr double far_off = 32.0; // times the usual radius of a neighbourhood: no part of the surface
+
+/** Tangent-plane coordinates of a neighbourhood, and its star. */
+class StarWorker {
+public:
+  StarWorker(const PointBlocks& blocks, int k, double max_circumradius)
+  : search_(blocks, k), wide_search_(blocks, 4 * k), blocks_(blocks), k_(k), max_circumradius_(max_circumradius)
+  {
+  }
+
+  void
+  setRun(std::size_t block)
+  {
+    block_ = block;
+    search_.setRun(blocks_.blockBox(block));
+    wide_ready_ = false;
+  }
+
+  /** Shape and star of point \p i; true when the first k neighbours were enough to settle the star. */
+  bool
+  visit(std::size_t i, LocalShape& shape)
+  {
+    near_ = &search_.find(blocks_.position(i));
+    shape = localShape(*near_);
+    const double max_circumradius = max_circumradius_ * evenSpacing(shape.radius, k_);
+    computeStar(*near_, shape.normal, max_circumradius);
+    if (shape.radius >= 2.0 * std::min(star_.reach(), max_circumradius))
+      return true;
+    if (!wide_ready_)
+      wide_search_.setRun(blocks_.blockBox(block_));
+    wide_ready_ = true;
+    near_ = &wide_search_.find(blocks_.position(i));
+    computeStar(*near_, shape.normal, max_circumradius);
+    return false;
+  }
+
+  /** Append the star's spokes as indices. */
+  void
+  append(std::vector<std::uint32_t>& spokes) const
+  {
+    for (const LocalStar::Spoke& s : star_.spokes())
+      spokes.push_back(near_->index[s.neighbour] | (s.triangle_next ? StarSet::triangle_flag : 0u));
+  }
+  std::size_t spokeCount() const { return star_.spokes().size(); }
+
+private:
+  void
+  computeStar(const Neighbourhood& near, const Eigen::Vector3d& normal, double max_circumradius)
+  {
+    Eigen::Vector3d e1, e2;
+    tangentFrame(normal, e1, e2);
+    u_.resize(near.size);
+    v_.resize(near.size);
+    double *u = u_.data(), *v = v_.data();
+#pragma omp simd
+    for (int j = 0; j < near.size; ++j) {
+      const double x = near.x[j], y = near.y[j], z = near.z[j];
+      u[j] = x * e1.x() + y * e1.y() + z * e1.z();
+      v[j] = x * e2.x() + y * e2.y() + z * e2.z();
+    }
+    star_.compute(u_.data(), v_.data(), near.size, max_circumradius);
+  }
+
+  NeighbourSearch search_, wide_search_;
+  const PointBlocks& blocks_;
+  int k_;
+  double max_circumradius_;
+  std::size_t block_ = 0;
+  bool wide_ready_ = false;
+  const Neighbourhood* near_ = nullptr;
+  LocalStar star_;
+  std::vector<double> u_, v_;
+};
+
+/** Enough neighbours that most stars are settled by them; scan lines far apart need more than an even cloud. */
+int
+enoughNeighbours(const PointBlocks& blocks, const SurfaceGraphOptions& options)
+{
+  int k = std::min<int>(options.neighbours, static_cast<int>(blocks.size()));
+  const std::size_t step = std::max<std::size_t>(1, blocks.blockCount() / 64);
+  for (; 2 * k <= most_neighbours; k *= 2) {
+    StarWorker worker(blocks, k, options.max_circumradius);
+    std::size_t visited = 0, unsettled = 0;
+    for (std::size_t b = 0; b < blocks.blockCount(); b += step) {
+      worker.setRun(b);
+      for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); i += 4) {
+        LocalShape shape;
+        unsettled += !worker.visit(i, shape);
+        ++visited;
+      }
+    }
+    if (3 * unsettled < visited)
+      break;
+  }
+  return k;
+}
+
+/** One pass over all neighbourhoods: shapes (signs of normals arbitrary) and stars. */
+StarSet
+visitAll(const PointBlocks& blocks, double max_circumradius, PointShapes& shapes)
+{
+  constexpr std::int64_t run = 128; // blocks that one thread takes at a time
+  const auto block_count = static_cast<std::int64_t>(blocks.blockCount()), runs = (block_count + run - 1) / run;
+  shapes.normals.resize(blocks.size());
+  shapes.radii.resize(blocks.size());
+  shapes.heights.resize(blocks.size());
+  StarSet stars;
+  stars.begin.assign(blocks.size() + 1, 0);
+  std::vector<std::vector<std::uint32_t>> spokes(runs);
+#pragma omp parallel
+  {
+    StarWorker worker(blocks, shapes.neighbours, max_circumradius);
+#pragma omp for schedule(dynamic)
+    for (std::int64_t r = 0; r < runs; ++r) {
+      spokes[r].reserve(6 * run * PointBlocks::block_size);
+      for (std::int64_t b = r * run; b < std::min(block_count, (r + 1) * run); ++b) {
+        worker.setRun(b);
+        for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); ++i) {
+          LocalShape shape;
+          worker.visit(i, shape);
+          shapes.normals[i] = shape.normal.cast<float>();
+          shapes.radii[i] = static_cast<float>(shape.radius);
+          shapes.heights[i] = static_cast<float>(shape.height);
+          worker.append(spokes[r]);
+          stars.begin[i + 1] = static_cast<std::uint32_t>(worker.spokeCount());
+        }
+      }
+    }
+  }
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    stars.begin[i + 1] += stars.begin[i];
+  stars.spokes.resize(stars.begin.back());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t r = 0; r < runs; ++r) {
+    std::copy(spokes[r].begin(), spokes[r].end(), stars.spokes.begin() + stars.begin[blocks.blockBegin(r * run)]);
+    std::vector<std::uint32_t>().swap(spokes[r]);
+  }
+  returnFreedMemory();
+  return stars;
+}
+
+double
+median(std::vector<float> values)
+{
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+} // namespace
+
+double
+SurfaceGraph::spacing(std::size_t i) const
+{
+  return evenSpacing(radii_[i], neighbours_);
+}
+
+Status
+SurfaceGraph::build(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options)
+{
+  return build(PointBlocks(std::move(points)), options);
+}
+
+Status
+SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
+{
+  if (blocks.size() < fewest_points)
+    return {StatusCode::InvalidInput, "the cloud has " + std::to_string(blocks.size()) +
+                                          " usable points; a surface needs at least " +
+                                          std::to_string(fewest_points) + ": scan more densely or thin less"};
+  blocks_ = std::move(blocks);
+  neighbours_ = enoughNeighbours(blocks_, options);
+  PointShapes shapes;
+  shapes.neighbours = neighbours_;
+  StarSet stars = visitAll(blocks_, options.max_circumradius, shapes);
+  const double usual_radius = median(shapes.radii);
+  stray_points_ = pcl_spiral::strayPoints(blocks_, stars, shapes, far_off * usual_radius);
+  doubtful_points_ = pcl_spiral::doubtfulPoints(stars, shapes);
+  normals_ = std::move(shapes.normals);
+  radii_ = std::move(shapes.radii);
+  std::vector<float>().swap(shapes.heights);
+  spacing_ = evenSpacing(usual_radius, neighbours_);
+  if (!(spacing_ > 0.0))
+    return {StatusCode::InvalidInput, "most points of the cloud coincide: remove duplicates or check the units"};
+
+  std::vector<std::uint8_t> flipped = consistentSigns(normals_, stars);
+  orientation_is_clear_ = chooseOuterSide(blocks_, normals_, radii_, far_off * usual_radius, options, flipped);
+  const Eigen::Vector4d zero = Eigen::Vector4d::Zero();
+  const Eigen::Vector4d sum = sumOverPoints(size(), zero, [&](std::uint32_t i, Eigen::Vector4d& part) {
+    if (flipped[i]) {
+      normals_[i] = -normals_[i];
+      stars.reverse(i);
+    }
+    const double area = radii_[i] > far_off * usual_radius ? 0.0 : static_cast<double>(radii_[i]) * radii_[i];
+    part += area * normals_[i].cast<double>().homogeneous();
+  });
+  mean_normal_ = sum.head<3>() / sum.w();
+  triangulation_ = triangulate(blocks_.points(), stars, pinhole_edges);
+  return Status::success();
+}
+
+} // namespace pcl_spiral

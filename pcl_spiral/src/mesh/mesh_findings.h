@@ -1,0 +1,21 @@
+/** \file
+ *  What was found in a mesh, in words.
+ */
+#pragma once
+
+#include <pcl_spiral/mesh/impl/mesh_settings.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Each kind of MeshFinding that was mended or left out, by its words, such as "faces turned"; those that did not occur are among
+ *  them, with a count of 0. */
+std::vector<std::pair<const char*, MeshFinding>> mendedFindings(const MeshCounts& counts);
+
+/** "3 faces turned (first at (1, 2, 3)), 2 separate parts"; empty where nothing was done and the mesh is of one part. */
+std::string findingsText(const MeshCounts& counts);
+
+} // namespace pcl_spiral

@@ -1,0 +1,45 @@
+#include <pcl_spiral/spiral/impl/boundary_choice.h>
+
+#include <pcl_spiral/common/impl/message.h>
+
+#include <string>
+
+namespace pcl_spiral {
+
+Status
+chooseBoundaries(const std::vector<BoundaryLoop>& loops, BoundaryMode mode, BoundaryChoice& choice)
+{
+  choice = BoundaryChoice();
+  std::vector<const BoundaryLoop*> holes;
+  for (const BoundaryLoop& loop : loops) {
+    if (loop.type == LoopType::Outer && !choice.rim)
+      choice.rim = &loop;
+    if (loop.type == LoopType::Inner || (loop.type == LoopType::ScanGap && mode == BoundaryMode::TwoBoundaries))
+      holes.push_back(&loop);
+  }
+  if (!choice.rim)
+    return {StatusCode::InvalidInput, "none of the loops is an outer one: a spiral ends on the outer rim, so give it"};
+  if (mode == BoundaryMode::TwoBoundaries && holes.empty())
+    return {StatusCode::InvalidArgument,
+            "two boundaries were asked for, but the surface has one: ask for one, or leave the choice to be made "
+            "(setBoundaryMode)"};
+  if (mode == BoundaryMode::Automatic && holes.size() > 1) {
+    std::string message = textOf("the surface has ", holes.size(), " holes:");
+    for (const BoundaryLoop* hole : holes)
+      message += textOf(" ", placeText(hole->curve.front()), " length ", hole->length, " mm;");
+    message += " a spiral runs between two boundaries at most: ask for one boundary to bridge them all, or for two to "
+               "keep the longest and bridge the rest (setBoundaryMode)";
+    return {StatusCode::InvalidInput, message};
+  }
+  if (mode == BoundaryMode::AllBoundaries)
+    choice.kept = holes;
+  else if (mode != BoundaryMode::OneBoundary)
+    for (const BoundaryLoop* hole : holes)
+      if (!choice.inner || hole->length > choice.inner->length)
+        choice.inner = hole;
+  if (choice.inner)
+    choice.kept.assign(1, choice.inner);
+  return Status::success();
+}
+
+} // namespace pcl_spiral

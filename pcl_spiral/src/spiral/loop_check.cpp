@@ -1,0 +1,152 @@
+#include <pcl_spiral/spiral/impl/loop_check.h>
+
+#include <pcl_spiral/common/impl/message.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double farthest = 4.0; // spacings from a loop to the cloud, those of the points there
+constexpr double aside = 1.5;    // spacings to either side at which the surface is looked for
+constexpr double covered = 0.9;  // spacings from there to the cloud, in the mean: half of one within it, above one beyond its rim
+constexpr double flattest = 0.5; // mean normal of a loop that has a plane
+
+template <typename... Parts>
+Status
+refused(std::size_t loop, const Parts&... parts)
+{
+  return {StatusCode::InvalidInput, textOf("loop ", loop, parts...)};
+}
+
+double
+distanceToCloud(const SurfaceGraph& graph, const Eigen::Vector3d& p)
+{
+  return (graph.position(graph.blocks().nearest(p)) - p).norm();
+}
+
+/** Whether \p p belongs to another cloud: spacings count as they are there, where a scan is sparser too. */
+bool
+isAway(const SurfaceGraph& graph, const Eigen::Vector3d& p)
+{
+  const std::uint32_t near = graph.blocks().nearest(p);
+  return (graph.position(near) - p).norm() > farthest * std::max(graph.spacing(), graph.spacing(near));
+}
+
+/** The first point that is not finite or away from the cloud; their number where there is none. */
+std::size_t
+firstAway(const SurfaceGraph& graph, const Polyline& line)
+{
+  const auto count = static_cast<std::int64_t>(line.size());
+  std::int64_t first = count;
+#pragma omp parallel for schedule(static) reduction(min : first)
+  for (std::int64_t i = 0; i < count; ++i)
+    if (!line[i].allFinite() || isAway(graph, line[i]))
+      first = std::min(first, i);
+  return static_cast<std::size_t>(first);
+}
+
+/** What lies beside a loop. */
+struct Sides {
+  double left_length = 0.0, right_length = 0.0; ///< of segments that have more of the cloud on that side, mm
+  double left_distance = 0.0, right_distance = 0.0; ///< to the cloud, mean, in spacings
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< mean
+};
+
+Sides
+sidesOf(const SurfaceGraph& graph, const Polyline& curve)
+{
+  constexpr std::size_t votes = 256; // of a curve: plenty to tell
+  const std::size_t stride = std::max<std::size_t>(1, curve.size() / votes);
+  Sides sides;
+  double whole = 0.0;
+  for (std::size_t k = 0; k < curve.size(); k += stride) {
+    const Eigen::Vector3d along = curve[(k + 1) % curve.size()] - curve[k];
+    const Eigen::Vector3d middle = curve[k] + 0.5 * along;
+    const std::uint32_t near = graph.blocks().nearest(middle);
+    const Eigen::Vector3d left = graph.normal(near).cross(along);
+    if (left.norm() <= 0.0)
+      continue;
+    const Eigen::Vector3d step = aside * graph.spacing(near) * left.normalized();
+    const double to_left = distanceToCloud(graph, middle + step), to_right = distanceToCloud(graph, middle - step);
+    const double length = along.norm();
+    (to_left < to_right ? sides.left_length : sides.right_length) += length;
+    sides.left_distance += length * to_left / graph.spacing(near);
+    sides.right_distance += length * to_right / graph.spacing(near);
+    sides.normal += length * graph.normal(near);
+    whole += length;
+  }
+  sides.left_distance /= whole;
+  sides.right_distance /= whole;
+  sides.normal /= whole;
+  return sides;
+}
+
+/** Twice the vector area of a closed curve. */
+Eigen::Vector3d
+areaOf(const Polyline& curve)
+{
+  Eigen::Vector3d area = Eigen::Vector3d::Zero();
+  for (std::size_t k = 1; k + 1 < curve.size(); ++k)
+    area += (curve[k] - curve[0]).cross(curve[k + 1] - curve[0]);
+  return area;
+}
+
+/** Whether most of the loop's segments have more of the cloud on their left than on their right. Where both sides have points
+ *  all along, the way round tells, if there is a plane to see it in. */
+bool
+surfaceOnLeft(const SurfaceGraph& graph, const BoundaryLoop& loop)
+{
+  const Sides sides = sidesOf(graph, loop.curve);
+  const bool across = std::max(sides.left_distance, sides.right_distance) < covered;
+  if (across && sides.normal.norm() > flattest)
+    return (areaOf(loop.curve).dot(sides.normal) > 0.0) == (loop.type == LoopType::Outer);
+  return sides.left_length > sides.right_length;
+}
+
+} // namespace
+
+Status
+checkLoopShape(const BoundaryLoop& loop, std::size_t index)
+{
+  if (loop.curve.size() < 3 || loop.points.empty())
+    return refused(index, " has ", loop.curve.size(), " curve points and ", loop.points.size(),
+                   " of the cloud's: both are needed, as BoundaryLoops gives them");
+  for (const std::size_t corner : loop.corners)
+    if (corner >= loop.curve.size())
+      return refused(index, " names corner ", corner, " of a curve of ", loop.curve.size(), " points");
+  return Status::success();
+}
+
+Status
+checkLoop(const SurfaceGraph& graph, const BoundaryLoop& loop, std::size_t index)
+{
+  if (const Status status = checkLoopShape(loop, index); !status.ok())
+    return status;
+  for (const Polyline* line : {&loop.curve, &loop.points})
+    if (const std::size_t at = firstAway(graph, *line); at < line->size()) {
+      const Eigen::Vector3d& p = (*line)[at];
+      const double distance = p.allFinite() ? distanceToCloud(graph, p) : 0.0;
+      return refused(index, " has a point ", placeText(p), " that is not finite or ", distance,
+                     " mm from the cloud: give loops of this very cloud, or none to have them found");
+    }
+  if (!surfaceOnLeft(graph, loop))
+    return refused(index, " at ", placeText(loop.curve.front()),
+                   " has the surface on its right. Where it was found, the scan scatters in depth: clean it, or thin it (setThinning). A loop "
+                   "of your own: turn it round, or find it with the same normals");
+  return Status::success();
+}
+
+Status
+checkLoops(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& loops)
+{
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    if (const Status status = checkLoop(graph, loops[i], i); !status.ok())
+      return status;
+  return Status::success();
+}
+
+} // namespace pcl_spiral

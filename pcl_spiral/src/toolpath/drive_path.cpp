@@ -1,9 +1,0 @@
-#include <pcl_spiral/toolpath/drive_path.h>
-
-namespace pcl_spiral {
-
-template class DrivePath<pcl::PointXYZ>;
-template class DrivePath<pcl::PointXYZRGB>;
-template class DrivePath<pcl::PointNormal>;
-
-} // namespace pcl_spiral

@@ -1,9 +1,0 @@
-#include <pcl_spiral/toolpath/radial_lines.h>
-
-namespace pcl_spiral {
-
-template class RadialLines<pcl::PointXYZ>;
-template class RadialLines<pcl::PointXYZRGB>;
-template class RadialLines<pcl::PointNormal>;
-
-} // namespace pcl_spiral

@@ -1,9 +1,0 @@
-#include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
-
-namespace pcl_spiral {
-
-template class SpiralToolpathGenerator<pcl::PointXYZ>;
-template class SpiralToolpathGenerator<pcl::PointXYZRGB>;
-template class SpiralToolpathGenerator<pcl::PointNormal>;
-
-} // namespace pcl_spiral

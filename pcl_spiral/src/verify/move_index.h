@@ -1,0 +1,6 @@
+/** \file
+ *  Former place of MoveIndex.
+ */
+#pragma once
+
+#include <pcl_spiral/search/impl/move_index.h>

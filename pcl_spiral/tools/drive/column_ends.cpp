@@ -1,0 +1,68 @@
+#include "column_ends.h"
+
+#include <pcl_spiral/common/impl/message.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+using namespace pcl_spiral;
+
+namespace {
+
+constexpr int sectors = 72;
+
+} // namespace
+
+ColumnEnds::ColumnEnds(const DriveCylinder& cylinder)
+: cylinder_(cylinder), e1_(pcl_spiral::referenceAcross(cylinder.direction)), e2_(cylinder.direction.cross(e1_)),
+  along_(sectors)
+{
+}
+
+void
+ColumnEnds::add(const Eigen::Vector3d& place)
+{
+  const Eigen::Vector3d y = place - cylinder_.origin;
+  const double turn = std::atan2(y.dot(e2_), y.dot(e1_)) / (2.0 * M_PI) + 0.5;
+  along_[std::min(sectors - 1, static_cast<int>(turn * sectors))].push_back(y.dot(cylinder_.direction));
+}
+
+double
+ColumnEnds::missedBy(ColumnEnds& inner)
+{
+  constexpr std::size_t strays = 2;
+  double missed = 0.0;
+  for (int k = 0; k < sectors; ++k) {
+    std::vector<double>&outer = along_[k], &reached = inner.along_[k];
+    if (outer.size() <= 2 * strays)
+      continue;
+    std::sort(outer.begin(), outer.end());
+    std::sort(reached.begin(), reached.end());
+    const double first = outer[strays], last = outer[outer.size() - 1 - strays];
+    missed = std::max(missed, reached.empty() ? last - first : std::max(reached.front() - first, last - reached.back()));
+  }
+  return missed;
+}
+
+void
+warnOfEnds(const Job& job, const std::vector<ToolLocations>& located, Result& result)
+{
+  ColumnEnds scan(result.drive.column->cylinder), contacts(result.drive.column->cylinder);
+  for (const pcl::PointXYZ& p : *result.scan.cloud)
+    if (p.getVector3fMap().allFinite())
+      scan.add(p.getVector3fMap().cast<double>());
+  for (const ToolLocations& pass : located)
+    for (const ToolLocation& location : pass)
+      if (location.state != LocationState::NoCloud)
+        contacts.add(location.contact);
+  const double missed = scan.missedBy(contacts);
+  if (!(missed > result.drive.step_over))
+    return;
+  const double most = job.cutter.radius + result.drive.step_over, overrun = std::min(job.drive.overrun + missed, most);
+  const bool helps = job.drive.axisMode() == DriveAxisMode::Cylinder && job.drive.overrun < most;
+  result.warnings.push_back(textOf("up to ", missed, " mm at an end of the column are not cut",
+                                   helps ? textOf("; where it leans the cutter touches it beside its axis: let the path go "
+                                                  "on beyond the ends, such as --overrun ", std::ceil(10.0 * overrun) / 10.0)
+                                         : std::string(": check the path there")));
+}

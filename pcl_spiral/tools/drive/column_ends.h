@@ -1,0 +1,29 @@
+/** \file
+ *  Ends of a column, round about.
+ */
+#pragma once
+
+#include "planning.h"
+
+#include <pcl_spiral/drive/impl/drive_cylinder.h>
+#include <pcl_spiral/cutter/tool_location.h>
+
+#include <vector>
+
+/** Where the points given begin and end along a column, in sectors round it. */
+class ColumnEnds {
+public:
+  explicit ColumnEnds(const pcl_spiral::DriveCylinder& cylinder);
+
+  void add(const Eigen::Vector3d& place);
+  /** Largest length, mm, at an end of a sector that \p inner does not come to; a few stray points do not count. */
+  double missedBy(ColumnEnds& inner);
+
+private:
+  pcl_spiral::DriveCylinder cylinder_;
+  Eigen::Vector3d e1_, e2_;
+  std::vector<std::vector<double>> along_; ///< of each sector
+};
+
+/** Says what of a column's ends no contact comes to. */
+void warnOfEnds(const Job& job, const std::vector<pcl_spiral::ToolLocations>& located, Result& result);

@@ -1,0 +1,78 @@
+#include "drive_report.h"
+#include "passes/pass_report.h"
+
+#include "io/setting_names.h"
+#include "mesh/mesh_findings.h"
+
+#include <nlohmann/json.hpp>
+
+using namespace pcl_spiral;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json
+settingsOf(const Job& job)
+{
+  const DriveSettings& d = job.drive;
+  return {{"cutter", cutterOf(job)},
+          {"drive", choiceName(d.kind)},
+          {"step_over", d.step_over},
+          {"rows", choiceName(d.rows)},
+          {"link", d.link_rows},
+          {"point_spacing", d.point_spacing},
+          {"axis_mode", choiceName(d.axisMode())},
+          {"tolerance", job.tolerance},
+          {"gouge_check", !job.no_gouge_check},
+          {"largest", job.largest_part},
+          {"thin", job.thinning},
+          {"feed", job.feed}};
+}
+
+Json
+rowsOf(const DriveReport& report)
+{
+  return {{"count", report.rows},
+          {"smallest_step", report.smallest_step},
+          {"largest_step", report.step_over},
+          {"held_share", report.held_share},
+          {"links", report.links},
+          {"apart", report.rows_apart}};
+}
+
+Json
+meshOf(const SurfaceMesh& mesh)
+{
+  const MeshCounts& counts = mesh.counts();
+  Json found;
+  for (const auto& [words, finding] : mendedFindings(counts))
+    found[words] = finding.count;
+  return {{"faces", counts.faces},
+          {"vertices", counts.vertices},
+          {"parts", counts.parts},
+          {"boundary_loops", counts.loops},
+          {"crease_length", counts.crease_length},
+          {"noise", counts.noise},
+          {"uncorrected_edges", counts.limited.count},
+          {"found", found}};
+}
+
+} // namespace
+
+void
+writeDriveReport(const std::string& file, const Job& job, const Result& result)
+{
+  Json report = {{"program", "pcl_spiral_drive"},
+                 {"scan", job.scan},
+                 {"settings", settingsOf(job)},
+                 {"step_over", result.drive.step_over}};
+  if (result.mesh)
+    report["mesh"] = meshOf(*result.mesh);
+  else
+    report["points"] = result.scan.cloud->size();
+  if (job.drive.kind == DriveKind::Planes)
+    report["rows"] = rowsOf(result.drive);
+  report["drive_points"] = result.drive.points;
+  addPasses(result, report);
+  writeJSON(file, report);
+}

@@ -1,0 +1,157 @@
+#include "job_check.h"
+#include "passes/pass_check.h"
+#include "program/program_check.h"
+#include "terminal/file_names.h"
+#include "terminal/option_values.h"
+#include "terminal/setter_names.h"
+
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/core/profile_step.h>
+#include "io/setting_names.h"
+#include <pcl_spiral/io/toolpath_writer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+using namespace pcl_spiral;
+
+namespace {
+
+/** Whether the cylinder of a column leads path or axes. */
+bool
+usesColumn(const Job& job)
+{
+  return job.drive.goesRound() || job.drive.axisMode() == DriveAxisMode::Cylinder;
+}
+
+/** Options that say nothing of the path asked for. */
+void
+requireMeant(const Job& job)
+{
+  const DriveKind kind = job.drive.kind;
+  const auto require = [&](const char* option, bool meant, const std::string& remedy) {
+    if (isGiven(job, option) && !meant)
+      throw UsageError(std::string("--") + option + ": " + remedy);
+  };
+  const std::string is = "--drive is " + choiceName(kind) + ", which knows none; leave it out";
+  require("overrun", job.drive.goesRound(), is);
+  require("column-axis", usesColumn(job), is + " (or give --axis-mode cylinder)");
+  require("column-centre", job.column_axis.has_value(), "no --column-axis is given; give the direction, too");
+  require("direction", kind == DriveKind::Planes, is);
+  require("rows", kind == DriveKind::Planes, is);
+  require("link", kind == DriveKind::Planes, is);
+  require("link", !job.one_way, "rows run one way begin far from the end of the one before; leave --one-way or --link out");
+  require("one-way", kind == DriveKind::Planes || kind == DriveKind::Rings, is);
+  require("step-over", kind != DriveKind::Curve, is);
+  require("scallop", kind != DriveKind::Curve, is);
+  require("accept-collisions", !job.holder.empty() || hasProgram(job.program, job.outputs),
+          "no --holder is given, nor a program asked for");
+}
+
+/** The step-over that --scallop gives, or the ball that rows are kept for. */
+void
+completeScallop(Job& job)
+{
+  DriveSettings& d = job.drive;
+  const bool kept = d.rows == DriveRows::Kept;
+  if (isGiven(job, "step-over") && isGiven(job, "scallop"))
+    throw UsageError("--step-over and --scallop are both given; the one follows from the other, leave one out");
+  if (kept && !isGiven(job, "scallop"))
+    throw UsageError("--rows kept: no --scallop is given; give the height of ridges that rows are to keep, in mm, such as "
+                     "--scallop 0.01");
+  if (kept && !isBall(job))
+    throw UsageError("--rows kept: ridges are known for a ball alone; leave --corner-radius and --flank-angle out, or take "
+                     "--rows even");
+  if (!isGiven(job, "scallop"))
+    return;
+  requireOption(job.scallop > 0.0 && job.scallop < job.cutter.radius, "scallop", job.scallop,
+                "must lie above 0 and below the tool radius, which is " + textOf(job.cutter.radius) + " mm");
+  const std::optional<double> step = stepForScallop(CutterProfile(job.cutter), job.scallop);
+  if (!step)
+    throw UsageError("--scallop " + textOf(job.scallop) + ": no step-over of this cutter leaves that; give a --step-over");
+  d.step_over = *step;
+  d.tool_radius = job.cutter.radius;
+  d.scallop_height = job.scallop;
+}
+
+/** Options of scans beside a mesh, and those of meshes beside a scan. */
+void
+requireMeshMeant(const Job& job)
+{
+  for (const char* option : {"columns", "leave-out-strays", "largest", "thin"})
+    if (job.mesh && isGiven(job, option))
+      throw UsageError(std::string("--") + option + ": belongs to scans, and --mesh takes the faces of a mesh; leave one of them out");
+  for (const char* option : {"crease-angle", "flip-normals", "no-gouge-check"})
+    if (!job.mesh && isGiven(job, option))
+      throw UsageError(std::string("--") + option + ": belongs to meshes; add --mesh where the file's faces count, or leave it out");
+  requireOption(job.mesh_settings.crease_angle > 0.0 && job.mesh_settings.crease_angle <= 180.0, "crease-angle",
+                job.mesh_settings.crease_angle, "must lie above 0 degrees, up to 180, such as 30");
+  const DriveKind kind = job.drive.kind;
+  if (job.mesh && kind == DriveKind::BoundaryOffset)
+    throw UsageError("--drive " + choiceName(kind) + ": offsets run over a scan's points, not over a mesh; take --drive planes, or leave "
+                                                     "--mesh out: then the vertices are a scan");
+  if (job.no_gouge_check && kind != DriveKind::Planes)
+    throw UsageError("--no-gouge-check: --drive is " + choiceName(kind) + ", whose places are not on the mesh before the cutter comes "
+                                                                          "down to it; leave it out");
+  if (job.no_gouge_check && !job.holder.empty())
+    throw UsageError("--no-gouge-check: a --holder is given, which is looked at by that check; leave one of them out");
+}
+
+void
+completePath(Job& job)
+{
+  requireMeshMeant(job);
+  if (job.mesh && !isGiven(job, "point-spacing"))
+    job.drive.point_spacing = job.cutter.radius; // the chord error puts points where the surface bends
+  DriveSettings& d = job.drive;
+  requireMeant(job);
+  d.zigzag = !job.one_way;
+  completeScallop(job);
+  const bool is_curve = d.kind == DriveKind::Curve;
+  if (!is_curve && !isGiven(job, "step-over") && !isGiven(job, "scallop"))
+    throw UsageError("no --step-over is given; give the largest distance of neighbouring passes in mm, such as "
+                     "--step-over 1, or --scallop");
+  if (is_curve && job.curve_file.empty())
+    throw UsageError("--drive curve: no --curve is given; name a file with its points in order");
+  if (!is_curve && !job.curve_file.empty())
+    throw UsageError("--curve " + job.curve_file + ": --drive is " + choiceName(d.kind) + "; use --drive curve");
+  if (job.column_axis && !(job.column_axis->norm() > 0.0))
+    throw UsageError("--column-axis: is no direction, such as 0,0,1");
+  if (is_curve)
+    return; // its points are read later
+  if (const Status status = checkSettings(d); !status.ok())
+    throw UsageError(inOptions(status.message()));
+}
+
+} // namespace
+
+std::vector<std::string>
+filesOf(const Job& job)
+{
+  std::vector<std::string> files;
+  for (const std::string& output : job.outputs) {
+    files.push_back(output);
+    if (extensionOf(output) == ".png" && hasProgram(job.program, job.outputs))
+      files.push_back(besideName(output, "_rotary"));
+  }
+  return files;
+}
+
+void
+completeJob(Job& job)
+{
+  if (job.scan.empty())
+    throw UsageError("no scan is named; give one, such as part.pcd");
+  job.part = job.scan;
+  requireOption(job.thinning >= 0.0, "thin", job.thinning, "must be above 0 mm, or 0 for none");
+  if (!isGiven(job, "tool-radius"))
+    throw UsageError("no --tool-radius is given; give the radius where the cutter's flank ends, in mm, such as "
+                     "--tool-radius 6");
+  completeCutter(job);
+  completePath(job);
+  checkTool(job);
+  checkOutputs(job, filesOf(job), {{"the scan", job.scan}, {"the curve", job.curve_file}});
+  checkProgram(job.program, job.outputs, job.given);
+}

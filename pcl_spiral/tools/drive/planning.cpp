@@ -1,0 +1,119 @@
+#include "planning.h"
+#include "column_ends.h"
+#include "mesh_part.h"
+#include "passes/cutter_locations.h"
+#include "passes/mesh_samples.h"
+#include "passes/pass_axes.h"
+#include "passes/scan_surface.h"
+#include "program/program_check.h"
+#include "terminal/setter_names.h"
+#include "terminal/terminal.h"
+
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/drive/drive_path.h>
+
+using namespace pcl_spiral;
+
+namespace {
+
+Polyline
+curveOf(const Job& job, Result& result)
+{
+  ReadOptions read = job.read;
+  read.columns.clear();
+  const Scan curve = readCloud(job.curve_file, read);
+  Polyline points;
+  for (const pcl::PointXYZ& p : *curve.cloud)
+    points.push_back(p.getVector3fMap().cast<double>());
+  if (points.size() < 2)
+    throw FileError(job.curve_file, "a curve needs at least two points");
+  result.warnings.insert(result.warnings.end(), curve.warnings.begin(), curve.warnings.end());
+  return points;
+}
+
+DrivePasses
+drivePasses(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, Result& result)
+{
+  DrivePath<pcl::PointXYZ> drive;
+  const DriveSettings& s = job.drive;
+  setPart(job, result, surface, drive);
+  drive.setKind(s.kind);
+  drive.setStepOver(s.step_over);
+  drive.setPointSpacing(s.point_spacing);
+  drive.setPlaneDirection(s.plane_angle);
+  drive.setZigzag(s.zigzag);
+  drive.setRows(s.rows);
+  drive.setScallop(s.tool_radius, s.scallop_height);
+  drive.setLinkRows(s.link_rows);
+  drive.setAxis(s.axis);
+  drive.setAxisMode(s.axisMode());
+  drive.setOverrun(s.overrun);
+  if (job.column_axis)
+    drive.setCylinder({job.column_centre, *job.column_axis});
+  if (s.kind == DriveKind::Curve)
+    drive.setCurve(curveOf(job, result));
+  drive.setChordError(0.5 * job.tolerance); // half is for the moves between locations
+  drive.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.5 * share, stage); });
+  DrivePasses passes;
+  drive.compute(passes);
+  require(job.scan, drive.getStatus());
+  result.drive = drive.getReport();
+  smoothPasses(job, passes, result.warnings);
+  return passes;
+}
+
+/** Before the locations' warnings those of what came before them, behind them what is the drive path's own. */
+void
+warnOfPath(const Job& job, Result& result)
+{
+  std::vector<std::string>& warnings = result.warnings;
+  warnings.insert(warnings.begin(), result.scan.warnings.begin(), result.scan.warnings.end());
+  warnings.insert(warnings.end(), result.drive.warnings.begin(), result.drive.warnings.end());
+  warnOfLocations(job, result);
+  if (job.no_gouge_check)
+    warnings.push_back("the cutter was not checked against the rest of the mesh (--no-gouge-check): hollows narrower than the "
+                       "cutter are cut into");
+  const double flat = CutterProfile(job.cutter).flatRadius();
+  if (job.scallop > 0.0 && flat > 0.0)
+    warnings.push_back(textOf("the step-over of ", job.drive.step_over, " mm leaves ridges of ", job.scallop,
+                              " mm only where the surface lies straight across the tool axis; on slopes the edge of this "
+                              "cutter leaves far higher ones: give a --step-over there"));
+  result.warnings = inOptions(warnings);
+}
+
+} // namespace
+
+Result
+plan(const Job& job)
+{
+  ProgressBar bar(job.quiet);
+  Result result;
+  StageClock clock(result.stages);
+  Surface::ConstPtr surface;
+  if (job.mesh) {
+    bar.update(0.0, "reading " + job.scan);
+    readMeshPart(job, result);
+    clock.end("mesh");
+    if (hasProgram(job.program, job.outputs) || job.drive.goesRound()) {
+      sampleMesh(job, result);
+      clock.end("samples");
+    }
+  }
+  else
+    surface = readScan(job, bar, result, clock);
+  const DrivePasses passes = drivePasses(job, surface, bar, result);
+  clock.end("drive path");
+  const std::vector<ToolLocations> located =
+      job.no_gouge_check ? standAtContacts(job, passes) : locateCutter(job, surface, passes, bar, result);
+  clock.end("locations");
+  bar.clear();
+  requireNoCollision(job, located, result.locations);
+  takePoses(CutterProfile(job.cutter), located, result);
+  if (result.passes.empty())
+    throw FileError(job.scan, "no pass has two locations over the part; check the drive path and the tool axis");
+  if (job.drive.goesRound())
+    warnOfEnds(job, located, result);
+  warnOfPath(job, result);
+  return result;
+}

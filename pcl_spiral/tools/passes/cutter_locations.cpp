@@ -1,0 +1,106 @@
+#include "cutter_locations.h"
+#include "scan_surface.h"
+
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/cutter/cutter_location.h>
+
+#include <algorithm>
+
+using namespace pcl_spiral;
+
+namespace {
+
+/** Without a fit the surface's normal is taken from the cutter, which lies against it. */
+Eigen::Vector3d
+normalAt(const CutterProfile& cutter, const ToolLocation& location)
+{
+  if (location.normal.squaredNorm() > 0.5)
+    return location.normal;
+  const Eigen::Vector3d from_tip = location.contact - location.tip;
+  const Eigen::Vector3d across = from_tip - from_tip.dot(location.axis) * location.axis;
+  const double l = std::min(across.norm(), cutter.radius());
+  const Eigen::Vector2d out = cutter.normal(l);
+  const Eigen::Vector3d side = l > 0.0 ? Eigen::Vector3d(across.normalized()) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  return -(out.x() * side + out.y() * location.axis).normalized();
+}
+
+} // namespace
+
+std::vector<ToolLocations>
+locateCutter(const PassJob& job, const Surface::ConstPtr& surface, const DrivePasses& passes, ProgressBar& bar, PassResult& result)
+{
+  CutterLocation<pcl::PointXYZ> location;
+  setPart(job, result, surface, location);
+  location.setCutter(job.cutter);
+  location.setHolder(job.holder);
+  location.setHolderClearance(job.holder_clearance);
+  location.setContactTolerance(std::min(location.getContactTolerance(), job.tolerance));
+  location.setPathTolerance(job.tolerance);
+  location.setDrivePasses(passes);
+  location.setProgressCallback(
+      [&bar](double share, const std::string& stage) { return bar.update(0.5 + 0.5 * share, stage); });
+  std::vector<ToolLocations> located;
+  location.compute(located);
+  require(job.part, location.getStatus());
+  result.locations = location.getFigures();
+  result.bisection = location.getBisectionFigures();
+  return located;
+}
+
+void
+requireNoCollision(const PassJob& job, const std::vector<ToolLocations>& located, const LocationFigures& figures)
+{
+  if (figures.collisions == 0 || job.program.accept_collisions)
+    return;
+  for (const ToolLocations& pass : located)
+    for (const ToolLocation& location : pass)
+      if (location.collision.found() && location.collision.depth >= figures.deepest_collision)
+        throw FileError(job.part,
+                        textOf(job.holder[static_cast<std::size_t>(location.collision.segment)].name,
+                               " would be ", location.collision.depth, " mm deep in the part at ",
+                               placeText(location.collision.place), ", the tip at ", placeText(location.tip), "; at ",
+                               figures.collisions,
+                               " locations in all: use a longer or slimmer tool, another axis, or "
+                               "--accept-collisions to see the path all the same"));
+}
+
+void
+takePoses(const CutterProfile& cutter, const std::vector<ToolLocations>& located, PassResult& result)
+{
+  for (const ToolLocations& pass : located) {
+    ToolPoses poses;
+    const auto close = [&] {
+      if (poses.size() > 1)
+        result.passes.push_back(poses);
+      result.off_scan += poses.size() == 1;
+      poses.clear();
+    };
+    for (const ToolLocation& location : pass) {
+      if (location.state == LocationState::NoCloud) {
+        ++result.off_scan;
+        close();
+        continue;
+      }
+      if (!poses.empty())
+        result.length += (location.tip - poses.back().tip).norm();
+      poses.push_back({location.tip, location.axis, location.contact, normalAt(cutter, location)});
+    }
+    close();
+  }
+}
+
+void
+warnOfLocations(const PassJob& job, PassResult& result)
+{
+  std::vector<std::string>& warnings = result.warnings;
+  warnings.insert(warnings.end(), result.locations.warnings.begin(), result.locations.warnings.end());
+  if (result.off_scan > 0)
+    warnings.push_back(textOf(result.off_scan,
+                              " locations have nothing of the part below the cutter and were left out; passes were cut there"));
+  if (result.bisection.unresolved > 0)
+    warnings.push_back(textOf(result.bisection.unresolved, " moves are beyond the tolerance of ", job.tolerance,
+                              " mm, the worst by an error of ", result.bisection.largest_error, " mm at ",
+                              placeText(result.bisection.worst_place),
+                              ": the axis turns or the surface is too steep there; check it before cutting"));
+}

@@ -1,0 +1,29 @@
+/** \file
+ *  A cutter along drive passes: where it stands without a gouge.
+ */
+#pragma once
+
+#include "pass_job.h"
+#include "pass_result.h"
+#include "terminal/terminal.h"
+
+#include <pcl_spiral/surface/surface.h>
+#include <pcl_spiral/common/drive_pass.h>
+#include <pcl_spiral/cutter/tool_location.h>
+
+#include <vector>
+
+/** Locations on the part of \p result, its mesh or its scan with the surface through it; figures go into \p result. \throw UsageError,
+ *  pcl_spiral::FileError, Cancelled */
+std::vector<pcl_spiral::ToolLocations> locateCutter(const PassJob& job, const pcl_spiral::Surface::ConstPtr& surface,
+                                                    const pcl_spiral::DrivePasses& passes, ProgressBar& bar, PassResult& result);
+
+/** \throw pcl_spiral::FileError where what holds the cutter would stand in the part, and that is not accepted */
+void requireNoCollision(const PassJob& job, const std::vector<pcl_spiral::ToolLocations>& located,
+                        const pcl_spiral::LocationFigures& figures);
+
+/** Takes the passes into \p result, without the locations off the part, cut in two there. */
+void takePoses(const pcl_spiral::CutterProfile& cutter, const std::vector<pcl_spiral::ToolLocations>& located, PassResult& result);
+
+/** What a user should know of the locations. */
+void warnOfLocations(const PassJob& job, PassResult& result);

@@ -1,0 +1,95 @@
+#include "pass_check.h"
+
+#include "pass_files.h"
+#include "program/program_check.h"
+#include "terminal/file_names.h"
+#include "terminal/option_values.h"
+
+#include <pcl_spiral/common/impl/message.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace pcl_spiral;
+
+namespace {
+
+constexpr double least_tolerance = 1e-4; // mm: single precision of a scan knows no less
+constexpr double radians = 3.14159265358979323846 / 180.0;
+
+} // namespace
+
+bool
+isGiven(const PassJob& job, const std::string& option)
+{
+  return job.given.count(option) > 0;
+}
+
+bool
+isBall(const PassJob& job)
+{
+  const CutterShape& c = job.cutter;
+  return c.radius > 0.0 && c.flank_angle == 0.0 && c.corner_radius == c.radius;
+}
+
+void
+completeCutter(PassJob& job)
+{
+  CutterShape& c = job.cutter;
+  if (!isGiven(job, "corner-radius")) {
+    const double angle = c.flank_angle * radians;
+    c.corner_radius = (c.radius - c.flank_length * std::sin(angle)) / std::cos(angle);
+  }
+  if (const std::string fault = faultOf(c); !fault.empty())
+    throw UsageError("the cutter of --tool-radius, --corner-radius, --flank-length and --flank-angle: " + fault);
+  if (const std::string fault = faultOf(job.holder); !fault.empty())
+    throw UsageError("--holder: " + fault);
+  if (isGiven(job, "holder-clearance") && job.holder.empty())
+    throw UsageError("--holder-clearance: no --holder is given");
+  requireOption(job.holder_clearance >= 0.0, "holder-clearance", job.holder_clearance, "must not be below 0 mm");
+  if (!job.holder.empty() && !(c.flank_length > 0.0))
+    throw UsageError("--holder: give the cutter its --flank-length, above which the holder stands");
+}
+
+void
+checkTool(const PassJob& job)
+{
+  if (isGiven(job, "pole-cone") && !isBall(job))
+    throw UsageError("--pole-cone: axes are blended for ball cutters alone, whose middle stays where it is; leave it out");
+  requireOption(job.tolerance >= least_tolerance, "tolerance", job.tolerance, "must be 0.0001 mm or more, such as 0.01");
+  requireOption(job.tolerance <= std::max(least_tolerance, 0.1001 * job.cutter.radius), "tolerance", job.tolerance,
+                textOf("must be a tenth of the tool radius, ", job.cutter.radius, " mm, or less, such as ",
+                       std::max(least_tolerance, 0.01 * job.cutter.radius)));
+}
+
+void
+checkMotion(const PassJob& job)
+{
+  requireOption(job.axis_smoothing >= 0.0, "axis-smoothing", job.axis_smoothing, "must be above 0 mm, or 0 for none");
+  requireOption(job.max_axis_rate >= 0.0, "max-axis-rate", job.max_axis_rate, "must be above 0 degrees a mm, or 0 for no limit");
+  requireOption(job.feed > 0.0, "feed", job.feed, "must be above 0 mm/min");
+}
+
+void
+checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vector<InputName> inputs)
+{
+  if (job.outputs.empty())
+    throw UsageError("no output is named; give at least one, such as -o part.csv");
+  for (const std::string& file : job.outputs) {
+    const std::string extension = extensionOf(file);
+    if (!isPassFile(file))
+      throw UsageError("-o " + file + ": extension '" + extension +
+                       "' is not known; use .csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .6d .5d .json or .png");
+    if (!isBall(job) && (extension == ".pcd" || extension == ".ply" || extension == ".yaml"))
+      throw UsageError("-o " + file + ": holds contacts, from which tips follow for a ball alone; write this tool's "
+                       "path as .csv, .vtp, .6d or a program");
+  }
+  inputs.push_back({"the machine's file", job.program.machine_file});
+  inputs.push_back({"the job file", job.config_file});
+  for (auto file = files.begin(); file != files.end(); ++file) {
+    requireNoInput(*file, inputs);
+    if (std::find(files.begin(), file, *file) != file)
+      throw UsageError("-o " + *file + ": is given twice" +
+                       (std::count(job.outputs.begin(), job.outputs.end(), *file) < 2 ? ", for it is written beside another picture; rename one" : ""));
+  }
+}

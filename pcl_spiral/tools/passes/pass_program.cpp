@@ -1,0 +1,57 @@
+#include "pass_program.h"
+
+#include "pass_check.h"
+#include "program/free_leads.h"
+#include "program/machine_moves.h"
+#include "program/program_check.h"
+
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/io/file_error.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace pcl_spiral;
+
+namespace {
+
+/** A beam that nearly stands burns. */
+void
+requireSteadyBeam(const PassJob& job, const MachineProgram& program)
+{
+  constexpr double least_share = 0.5; // of the feed
+  const ProgramReport& report = program.report;
+  if (report.slowed_blocks == 0 || report.least_feed_share >= least_share)
+    return;
+  const auto slowest = std::min_element(program.blocks.begin(), program.blocks.end(), [&](const ProgramBlock& a, const ProgramBlock& b) {
+    return std::abs(a.arc_length - report.least_feed_at) < std::abs(b.arc_length - report.least_feed_at);
+  });
+  throw FileError(job.part, textOf("at ", placeText(slowest->tip), " the rotary axes turn so far that the beam would move at ",
+                                   100.0 * report.least_feed_share, " % of the feed while it is on, and burn the part: lean the beam "
+                                   "(--tilt 20), or turn the part on the machine, so that the tool axis keeps off the direction of ",
+                                   std::string(1, program.machine.rotary[0].letter)));
+}
+
+} // namespace
+
+std::optional<Machine>
+machineOf(const PassJob& job)
+{
+  return hasProgram(job.program, job.outputs) ? std::optional(machineOf(job.program)) : std::nullopt;
+}
+
+void
+addProgram(const PassJob& job, const Machine& machine, PassResult& result)
+{
+  ProgramJob program = job.program;
+  if (!isBall(job))
+    program.settings.pole_cone = 0.0; // a blended axis would lead any other tool off its path
+  result.program = makeProgram(program, machine, job.feed, isBall(job) ? job.cutter.radius : 0.0, result.passes, result.warnings);
+  if (!(job.cutter.radius > 0.0))
+    requireSteadyBeam(job, *result.program);
+  if (!(job.cutter.radius > 0.0) || !result.whole_scan)
+    return;
+  requireFreeLeads(job.part, result.whole_scan,
+                   {job.cutter, job.holder, job.holder_clearance, job.tolerance + result.locations.noise_allowance, job.threads},
+                   *result.program, program.accept_collisions, job.quiet, result.warnings);
+}

@@ -1,0 +1,81 @@
+#include "scan_surface.h"
+#include "terminal/setter_names.h"
+
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/surface/scanned_surface.h>
+#include <pcl_spiral/cleaning/stray_removal.h>
+
+using namespace pcl_spiral;
+
+namespace {
+
+/** The scan less the points off its surface, which are reported. */
+void
+leaveOutStrays(const PassJob& job, PassResult& result)
+{
+  StrayRemoval<pcl::PointXYZ> removal;
+  removal.setNumberOfThreads(job.threads);
+  removal.setInputCloud(result.scan.cloud);
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr kept(new pcl::PointCloud<pcl::PointXYZ>);
+  removal.filter(*kept);
+  require(job.scan, removal.getStatus());
+  const StrayFigures& f = removal.getFigures();
+  if (f.strays > 0)
+    result.warnings.push_back(textOf(f.strays, " of ", result.scan.cloud->size(),
+                                     " points, off the scanned surface, were left out (--leave-out-strays), the largest "
+                                     "group of them ", f.largest_group, " at ", placeText(f.largest_group_place),
+                                     f.largest_group > 3 ? ": so many together are no false echo; see what stands there"
+                                                         : ""));
+  result.scan.cloud = kept;
+}
+
+/** The surface of the scan; null where the points form none. */
+Surface::ConstPtr
+surfaceOf(const PassJob& job, ProgressBar& bar, const PassResult& result)
+{
+  ScannedSurface<pcl::PointXYZ> scanned;
+  scanned.setInputCloud(result.scan.cloud);
+  scanned.setStrict(false); // what is rough is driven on all the same, with a warning
+  scanned.setQuiet(true);
+  setSurface(job, scanned);
+  scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.3 * share, stage); });
+  Surface::ConstPtr surface;
+  scanned.compute(surface);
+  if (scanned.getStatus().code() == StatusCode::Cancelled)
+    throw Cancelled();
+  return surface;
+}
+
+} // namespace
+
+void
+require(const std::string& file, const Status& status)
+{
+  if (status.code() == StatusCode::Cancelled || cancelled())
+    throw Cancelled();
+  if (status.code() == StatusCode::InvalidArgument)
+    throw UsageError(file + ": " + inOptions(status.message()));
+  if (!status.ok())
+    throw FileError(file, inOptions(status.message()));
+}
+
+Surface::ConstPtr
+readScan(const PassJob& job, ProgressBar& bar, PassResult& result, StageClock& clock)
+{
+  bar.update(0.0, "reading " + job.scan);
+  result.scan = readCloud(job.scan, job.read);
+  result.scan.warnings = inOptions(result.scan.warnings);
+  result.whole_scan = result.scan.cloud;
+  clock.end("reading");
+  if (cancelled())
+    throw Cancelled();
+  if (job.leave_out_strays) {
+    bar.update(0.0, "strays");
+    leaveOutStrays(job, result);
+    clock.end("strays");
+  }
+  const Surface::ConstPtr surface = surfaceOf(job, bar, result);
+  clock.end("surface");
+  return surface;
+}

@@ -1,0 +1,105 @@
+#include "program_check.h"
+#include "terminal/file_names.h"
+#include "terminal/option_values.h"
+
+#include <pcl_spiral/common/impl/message.h>
+#include "common/readable_text.h"
+#include <pcl_spiral/io/file_error.h>
+#include "io/setting_names.h"
+
+#include <algorithm>
+#include <utility>
+
+using namespace pcl_spiral;
+
+namespace {
+
+constexpr double degrees = 180.0 / 3.14159265358979323846;
+
+/** Codes that are lines of a program, both or none. */
+void
+checkCodes(const ProgramHeader& header, bool any_program, const std::set<std::string>& given)
+{
+  for (const auto& [name, code] : {std::pair("pass-begin", header.pass_begin), std::pair("pass-end", header.pass_end)}) {
+    if (given.count(name) == 0)
+      continue;
+    const std::string option = std::string("--") + name + " " + readableText(code) + ": ";
+    if (const std::string fault = faultOfCode(code); !fault.empty())
+      throw UsageError(option + "the code " + fault);
+    if (!any_program)
+      throw UsageError(option + "no output is a program; write a .ngc or .nc, or leave it out");
+    if (given.count("pass-begin") != given.count("pass-end"))
+      throw UsageError(option + "is given alone, and a beam that is switched on but never off burns; give both, such as "
+                                "--pass-begin \"M62 P0\" --pass-end \"M63 P0\"");
+  }
+}
+
+} // namespace
+
+bool
+isProgram(const std::string& output)
+{
+  const std::string extension = extensionOf(output);
+  return extension == ".ngc" || extension == ".nc";
+}
+
+bool
+isExchange(const std::string& output)
+{
+  const std::string extension = extensionOf(output);
+  return extension == ".apt" || extension == ".cls" || extension == ".yaml";
+}
+
+void
+requireOnePass(std::size_t passes, const std::string& output, const std::string& remedy)
+{
+  if (isExchange(output) && passes > 1)
+    throw FileError(output, "the path has " + std::to_string(passes) +
+                                " passes, and this format no moves between them; write a .ngc or .nc, or " + remedy);
+}
+
+bool
+hasProgram(const ProgramJob& program, const std::vector<std::string>& outputs)
+{
+  return !program.machine_file.empty() || std::any_of(outputs.begin(), outputs.end(), isProgram);
+}
+
+void
+checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs, const std::set<std::string>& given)
+{
+  const ProgramSettings& s = program.settings;
+  for (const std::string& output : outputs) {
+    if (!isProgram(output))
+      continue;
+    if (extensionOf(output) == ".nc" && program.machine_file.empty())
+      throw UsageError("-o " + output +
+                       ": no --machine is given; name the machine's file, such as --machine xyzac.yaml "
+                       "(some are in examples/machines, installed in share/pcl_spiral)");
+    if (extensionOf(output) == ".nc" && given.count("dialect") == 0)
+      throw UsageError("-o " + output + ": no --dialect is given; it must be one of " +
+                       choiceList<Dialect>());
+    if (extensionOf(output) == ".nc" && program.header.tool == 0)
+      throw UsageError("-o " + output + ": no --tool is given; the control takes the tool's length by its number: "
+                                        "--tool 3");
+  }
+  const bool other_language = given.count("dialect") > 0 && program.dialect != Dialect::LinuxCNC;
+  if (other_language && std::none_of(outputs.begin(), outputs.end(),
+                                     [](const std::string& output) { return extensionOf(output) == ".nc"; }))
+    throw UsageError("--dialect " + choiceName(program.dialect) +
+                     ": no output is in that language; write a .nc (a .ngc is LinuxCNC's)");
+  requireOption(s.lead_length > 0.0, "lead-length", s.lead_length, "must be above 0 mm");
+  requireOption(s.clearance > 0.0, "clearance", s.clearance, "must be above 0 mm");
+  requireOption(s.rapid_height > 0.0, "rapid-height", s.rapid_height, "must be above 0 mm");
+  requireOption(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole-cone", s.pole_cone,
+          "must lie between 0 and 90 degrees");
+  requireOption(s.block.tip >= BlockTolerance::least_tip, "block-tolerance", s.block.tip, "must be 0.0001 mm or more");
+  requireOption(s.block.axis >= BlockTolerance::least_axis, "block-tolerance", s.block.axis * degrees,
+          "must be 0.00006 degrees or more");
+  requireOption(s.thinning.tip >= 0.0, "thin-blocks", s.thinning.tip, "must not be below 0 mm");
+  requireOption(s.thinning.axis >= 0.0, "thin-blocks", s.thinning.axis * degrees, "must not be below 0 degrees");
+  const ProgramHeader& header = program.header;
+  requireOption(header.spindle_speed >= 0.0, "spindle", header.spindle_speed, "must be above 0 rev/min");
+  requireOption(header.tool >= 0, "tool", header.tool, "must be above 0");
+  requireOption(header.decimals >= 3 && header.decimals <= 6, "decimals", header.decimals, "must be 3 to 6");
+  checkCodes(header, std::any_of(outputs.begin(), outputs.end(), isProgram), given);
+}

@@ -1,0 +1,90 @@
+#include "outputs.h"
+
+#include "job_check.h"
+#include "passes/pass_files.h"
+#include "passes/pass_summary.h"
+#include "ridge_report.h"
+#include "terminal/file_names.h"
+
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/visualization/pass_picture.h>
+#include <pcl_spiral/visualization/ridge_picture.h>
+#include <pcl_spiral/visualization/rotary_picture.h>
+
+#include <cstdio>
+#include <filesystem>
+
+using namespace pcl_spiral;
+
+namespace {
+
+std::string
+titleOf(const Job& job)
+{
+  return std::filesystem::path(job.rail.empty() ? job.scan : job.rail).filename().string();
+}
+
+void
+writeRows(const Job& job, const Result& result, const std::string& file)
+{
+  PassScene scene;
+  scene.title = titleOf(job);
+  scene.cloud = result.scan.cloud;
+  scene.mesh = result.mesh;
+  ToolpathMotion motion;
+  scene.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(joinedPasses(job, result, motion));
+  scene.cutter = job.cutter;
+  scene.step_over = result.rows.largest_step;
+  writePasses(file, scene);
+}
+
+/** As many files as filesOf names. */
+void
+writePictures(const Job& job, const Result& result, const OutputFiles& files, std::size_t& next)
+{
+  writeRows(job, result, files.temporary(next++));
+  const RidgeScene scene{titleOf(job), result.ridge, result.rail, result.generator, result.scan.cloud};
+  writeRidgeLines(files.temporary(next++), scene);
+  writeRidgeNormals(files.temporary(next++), scene);
+  if (result.program)
+    writeRotaryAngles(files.temporary(next++), titleOf(job), *result.program);
+}
+
+void
+printRidge(const Job& job, const Result& result)
+{
+  const RidgeReport& r = result.ridge->report();
+  if (result.found)
+    std::printf("scan            %s: %zu points; off the ridge by %.3g mm rms, %.3g at most at (%.1f, %.1f, %.1f); its noise is %.3g mm\n",
+                job.scan.c_str(), result.scan.cloud->size(), result.found->misfit, result.found->largest_misfit, result.found->largest_place.x(),
+                result.found->largest_place.y(), result.found->largest_place.z(), result.found->noise);
+  const auto known = [&](double error) { return result.found ? std::string() : textOf(", measured to ", error, " mm"); };
+  std::printf("rail            %zu points, %.1f mm%s%s; slope up to %.1f degrees\n", r.rail_points, r.rail_length, r.closed ? " round" : "",
+              known(r.rail_error).c_str(), r.largest_slope);
+  std::printf("generator       %zu points, %.2f mm%s; meets the rail at (%.1f, %.1f, %.1f), %.3g mm off\n", r.generator_points,
+              r.generator_length, known(r.generator_error).c_str(), r.meeting_place.x(), r.meeting_place.y(), r.meeting_place.z(), r.meeting_distance);
+  std::printf("                its chord keeps %.2f degrees; its plane is %.2f degrees off the rail's normal plane\n", r.chord_angle, r.tilt);
+  std::printf("rows            %zu, %.4g mm apart at most, %zu points\n", result.rows.rows, result.rows.largest_step, result.rows.points);
+}
+
+} // namespace
+
+void
+writeOutputs(const Job& job, const Result& result, OutputFiles& files)
+{
+  writeAll(job, result, "make one row (a larger --step-over)", files, [&](const std::string& output, std::size_t& next) {
+    if (extensionOf(output) == ".png")
+      writePictures(job, result, files, next);
+    else if (extensionOf(output) == ".json")
+      writeRidgeReport(files.temporary(next++), job, result);
+    else
+      writePassFile(job, result, titleOf(job), output, files.temporary(next++));
+  });
+}
+
+void
+printSummary(const Job& job, const Result& result, double seconds)
+{
+  printRidge(job, result);
+  printPasses(job, result, filesOf(job), seconds);
+}

@@ -1,0 +1,198 @@
+#include "planning.h"
+
+#include "passes/cutter_locations.h"
+#include "passes/mesh_samples.h"
+#include "passes/pass_axes.h"
+#include "passes/scan_surface.h"
+#include "program/program_check.h"
+#include "terminal/file_names.h"
+#include "terminal/setter_names.h"
+
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/ridge/ridge_lines.h>
+#include <pcl_spiral/ridge/ridge_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace pcl_spiral;
+
+namespace {
+
+Polyline
+readLine(const Job& job, const std::string& file, Result& result)
+{
+  const Scan read = readCloud(file, job.read);
+  for (const std::string& warning : read.warnings)
+    if (file == job.rail || warning.find(" across; ") == std::string::npos) // a generator is small as a rule
+      result.warnings.push_back(warning);
+  Polyline points;
+  for (const pcl::PointXYZ& p : *read.cloud)
+    points.push_back(p.getVector3fMap().cast<double>());
+  return points;
+}
+
+void
+readLines(const Job& job, Result& result)
+{
+  result.rail = readLine(job, job.rail, result);
+  result.generator = readLine(job, job.generator, result);
+  require(job.rail + ", " + job.generator, RidgeSurface::make(result.rail, result.generator, job.ridge, result.ridge));
+  const std::vector<std::string>& warnings = result.ridge->report().warnings;
+  result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
+}
+
+void
+findLines(const Job& job, ProgressBar& bar, Result& result)
+{
+  RidgeLines<pcl::PointXYZ> lines;
+  lines.setInputCloud(result.scan.cloud); // no surface of the cutter's: the side may be another
+  setSurface(job, lines);
+  lines.setRoughPoints(job.through);
+  lines.setClosed(job.ring);
+  lines.setHalfWidth(job.half_width);
+  lines.setReferenceNormal(job.ridge.reference);
+  lines.setFlipNormals(job.ridge.flip);
+  lines.setQuiet(true);
+  lines.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.3 + 0.4 * share, stage); });
+  pcl::PointCloud<pcl::PointXYZ> rail, generator;
+  lines.compute(rail, generator);
+  require(job.scan, lines.getStatus());
+  result.rail = lines.getRail();
+  result.generator = lines.getGenerator();
+  result.ridge = lines.getRidge();
+  result.found = lines.getReport();
+  result.warnings.insert(result.warnings.end(), result.found->warnings.begin(), result.found->warnings.end());
+}
+
+/** Distance of a beam's spot from its tip, along its axis. */
+double
+reachOf(const Job& job, const DrivePoint& p)
+{
+  constexpr double least = 1e-3; // cosine: a beam along the surface has no spot
+  return job.rows.stand_off / std::max(least, p.axis.normalized().dot(p.normal));
+}
+
+/** Axes smoothed about the spot, which stays where it is. */
+void
+smoothBeam(const Job& job, DrivePasses& rows, std::vector<std::string>& warnings)
+{
+  std::vector<Polyline> spots;
+  std::vector<std::vector<double>> reaches;
+  for (const DrivePass& row : rows) {
+    spots.emplace_back();
+    reaches.emplace_back();
+    for (const DrivePoint& p : row.points) {
+      reaches.back().push_back(reachOf(job, p));
+      spots.back().push_back(p.position - reaches.back().back() * p.axis.normalized());
+    }
+  }
+  smoothPasses(job, rows, warnings);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (std::size_t i = 0; i < rows[k].points.size(); ++i)
+      rows[k].points[i].position = spots[k][i] + reaches[k][i] * rows[k].points[i].axis.normalized();
+}
+
+DrivePasses
+makeRows(const Job& job, Result& result)
+{
+  DrivePasses rows;
+  const ThreadLimit limit(job.threads);
+  require(job.part, planRidgeRows(*result.ridge, job.rows, rows, result.rows));
+  result.warnings.insert(result.warnings.end(), result.rows.warnings.begin(), result.rows.warnings.end());
+  if (job.hasCutter())
+    smoothPasses(job, rows, result.warnings);
+  else
+    smoothBeam(job, rows, result.warnings);
+  return rows;
+}
+
+/** A beam at the rows' places: its spot lies below them, on the surface. */
+void
+takeBeam(const Job& job, const DrivePasses& rows, Result& result)
+{
+  for (const DrivePass& row : rows) {
+    ToolPoses poses;
+    const auto add = [&](const DrivePoint& p) {
+      if (!poses.empty())
+        result.length += (p.position - poses.back().tip).norm();
+      poses.push_back({p.position, p.axis.normalized(), p.position - reachOf(job, p) * p.axis.normalized(), p.normal});
+    };
+    std::for_each(row.points.begin(), row.points.end(), add);
+    if (row.closed)
+      add(row.points.front());
+    result.passes.push_back(poses);
+  }
+  const double lean = std::hypot(job.rows.lead, job.rows.tilt);
+  if (lean > 0.0 && job.rows.stand_off != 0.0)
+    result.warnings.push_back(textOf("the beam leans by about ", lean, " degrees at a stand-off of ", job.rows.stand_off,
+                                     " mm: it meets the surface some ", std::abs(job.rows.stand_off) * std::tan(lean * M_PI / 180.0),
+                                     " mm beside the row, and files say where; leave --stand-off out, and set the tool's length longer by it: then the tip of the "
+                                     "files is the spot"));
+  if (hasProgram(job.program, job.outputs))
+    result.warnings.push_back("the way of the beam's head is not checked: nothing is known of its shape; see that it is free");
+}
+
+/** Triangles of the ridge. Their faces are curved: at a chord error of a ten thousandth of the width the surface behind them is a hundred
+ *  times as near (measured: 1e-5 mm on a ridge 27 mm wide), which a cutter's tolerance does not see. */
+void
+makeMesh(const Job& job, Result& result)
+{
+  constexpr double share_of_tolerance = 0.2, finest = 1e-4, for_pictures = 1e-3;
+  const double width = result.ridge->generator().length();
+  const double chord_error = job.hasCutter() ? std::max(share_of_tolerance * job.tolerance, finest * width) : for_pictures * width;
+  if (const Status status = ridgeMesh(*result.ridge, chord_error, result.mesh); !status.ok())
+    throw FileError(job.part, textOf("a ridge ", result.ridge->rail().length(), " mm long and ", width,
+                                         " mm wide takes too many triangles, more than a million: make it in pieces"));
+}
+
+void
+takeCutter(const Job& job, const Surface::ConstPtr& surface, const DrivePasses& rows, ProgressBar& bar, Result& result)
+{
+  const std::vector<ToolLocations> located = locateCutter(job, surface, rows, bar, result);
+  requireNoCollision(job, located, result.locations);
+  takePoses(CutterProfile(job.cutter), located, result);
+  if (result.passes.empty())
+    throw FileError(job.scan, "no row has two locations over the part: do lines and scan lie in the same place?");
+  warnOfLocations(job, result);
+}
+
+} // namespace
+
+Result
+plan(const Job& job)
+{
+  ProgressBar bar(job.quiet);
+  Result result;
+  StageClock clock(result.stages);
+  Surface::ConstPtr surface;
+  if (!job.scan.empty()) {
+    surface = readScan(job, bar, result, clock);
+    result.warnings.insert(result.warnings.end(), result.scan.warnings.begin(), result.scan.warnings.end());
+  }
+  if (job.through.empty())
+    readLines(job, result);
+  else
+    findLines(job, bar, result);
+  clock.end("lines");
+  const DrivePasses rows = makeRows(job, result);
+  clock.end("rows");
+  const bool pictures = std::any_of(job.outputs.begin(), job.outputs.end(), [](const std::string& o) { return extensionOf(o) == ".png"; });
+  if (job.hasCutter() ? job.scan.empty() : pictures) {
+    makeMesh(job, result);
+    clock.end("mesh");
+  }
+  if (job.hasCutter()) {
+    if (job.scan.empty() && hasProgram(job.program, job.outputs))
+      sampleMesh(job, result);
+    takeCutter(job, surface, rows, bar, result);
+    clock.end("locations");
+  }
+  else
+    takeBeam(job, rows, result);
+  bar.clear();
+  result.warnings = inOptions(result.warnings);
+  return result;
+}

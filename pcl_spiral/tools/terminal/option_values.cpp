@@ -1,0 +1,68 @@
+#include "option_values.h"
+
+#include <pcl_spiral/common/impl/message.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+double
+numberValue(const std::string& name, const std::string& value)
+{
+  double result = 0.0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), result);
+  if (error != std::errc() || end != value.data() + value.size() || !std::isfinite(result))
+    throw UsageError("--" + name + " " + value + ": not a number; write it as 12.5");
+  return result;
+}
+
+void
+requireOption(bool holds, const std::string& option, double value, const std::string& rule)
+{
+  if (!holds)
+    throw UsageError("--" + option + " " + pcl_spiral::textOf(value) + ": " + rule);
+}
+
+int
+wholeNumberValue(const std::string& name, const std::string& value)
+{
+  const double result = numberValue(name, value);
+  if (result != std::round(result) || std::abs(result) > 1e9)
+    throw UsageError("--" + name + " " + value + ": not a whole number");
+  return static_cast<int>(result);
+}
+
+std::vector<std::string>
+piecesOf(const std::string& value)
+{
+  std::vector<std::string> pieces;
+  for (std::size_t begin = 0; begin <= value.size();) {
+    const std::size_t end = std::min(value.find('/', begin), value.size());
+    pieces.push_back(value.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return pieces;
+}
+
+std::vector<std::string>
+listValue(const std::string& value)
+{
+  std::vector<std::string> words;
+  std::stringstream stream(value);
+  for (std::string word; std::getline(stream, word, ',');) {
+    word.erase(std::remove(word.begin(), word.end(), ' '), word.end());
+    words.push_back(word);
+  }
+  return words;
+}
+
+Eigen::Vector3d
+placeValue(const std::string& name, const std::string& value)
+{
+  const std::vector<std::string> words = listValue(value);
+  if (words.size() != 3)
+    throw UsageError("--" + name + " " + value +
+                     ": three numbers parted by commas are needed, such as 10,-5,120");
+  return {numberValue(name, words[0]), numberValue(name, words[1]), numberValue(name, words[2])};
+}

@@ -1,0 +1,44 @@
+/** \file
+ *  What the words behind an option mean. A value that means nothing is a UsageError naming option, value and
+ * remedy.
+ */
+#pragma once
+
+#include "terminal.h"
+
+#include "io/setting_names.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/** 12.5 */
+double numberValue(const std::string& name, const std::string& value);
+
+/** \throw UsageError "--option value: rule" unless \p holds */
+void requireOption(bool holds, const std::string& option, double value, const std::string& rule);
+
+/** 4 */
+int wholeNumberValue(const std::string& name, const std::string& value);
+
+/** The pieces between slashes. */
+std::vector<std::string> piecesOf(const std::string& value);
+
+/** The words between commas, without spaces. */
+std::vector<std::string> listValue(const std::string& value);
+
+/** 10,-5,120 */
+Eigen::Vector3d placeValue(const std::string& name, const std::string& value);
+
+/** One of an enumeration's words. */
+template <typename Enum>
+Enum
+choiceValue(const std::string& name, const std::string& value)
+{
+  const std::optional<Enum> result = pcl_spiral::choiceFromName<Enum>(value);
+  if (!result)
+    throw UsageError("--" + name + " " + value + ": must be one of " + pcl_spiral::choiceList<Enum>());
+  return *result;
+}

@@ -1,0 +1,168 @@
+#include "console.h"
+#include "job_check.h"
+#include "program/machine_moves.h"
+#include "terminal/terminal.h"
+
+#include "mesh/mesh_findings.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace {
+
+const char*
+plural(std::size_t count)
+{
+  return count == 1 ? "" : "s";
+}
+
+/** What the path does at each hole: the widest few. */
+void
+printHoles(const pcl_spiral::SpiralReport& report)
+{
+  constexpr std::size_t most = 6;
+  std::vector<pcl_spiral::HoleReport> holes = report.holes;
+  std::stable_sort(holes.begin(), holes.end(), [](const auto& a, const auto& b) { return a.width > b.width; });
+  for (std::size_t i = 0; i < std::min(most, holes.size()); ++i)
+    std::printf("hole            %.3g mm wide at %.1f, %.1f, %.1f: the path runs %s\n", holes[i].width, holes[i].place.x(),
+                holes[i].place.y(), holes[i].place.z(),
+                holes[i].handling == pcl_spiral::HoleHandling::Around ? "round it" : "over it, marked");
+  if (holes.size() > most)
+    std::printf("                and %zu narrower ones; the .json report has them all\n", holes.size() - most);
+}
+
+void
+printMethod(const pcl_spiral::SpiralReport& report)
+{
+  if (report.method == pcl_spiral::SpiralMethod::ConstantScallop) {
+    std::printf("method          constant scallop: %zu loop%s, %zu in the spiral, %zu by bridges; %zu finger%s\n",
+                report.scallop_loops, plural(report.scallop_loops), report.chain_loops, report.bridges, report.fingers,
+                plural(report.fingers));
+    std::printf("spiral          %zu turn%s, %zu points; %.0f %% against the sense asked for; sharpest turns %.2f step-overs\n",
+                report.turns, plural(report.turns), report.path_points, 100.0 * report.reversed_share, report.turn_radius);
+    if (!report.pass_begins.empty())
+      std::printf("passes          %zu, %.3f m of lifts between them\n", report.pass_begins.size() + 1, 0.001 * report.lift_length);
+    return;
+  }
+  std::printf("radial lines    %zu, %s\n", report.radial_lines.size(), report.harmonic_lines ? "harmonic" : "geodesic");
+  std::printf("spiral          %zu turn%s, %zu points, step-over %.4g to %.4g mm\n", report.turns, plural(report.turns),
+              report.path_points, report.smallest_step_over, report.largest_step_over);
+}
+
+/** What was found in the mesh, and how it was sampled; leaves the line of the samples open. */
+void
+printMesh(const Job& job, const MeshInput& mesh, const pcl_spiral::SpiralReport& report)
+{
+  std::printf("mesh            %s: %zu faces, %zu vertices\n", job.scan.c_str(), mesh.counts.faces, mesh.counts.vertices);
+  if (const std::string found = pcl_spiral::findingsText(mesh.counts); !found.empty())
+    std::printf("found in it     %s\n", found.c_str());
+  std::printf("samples         %zu, one a %.4g mm", report.input_points, mesh.spacing);
+}
+
+void
+printSurface(const Job& job, const Result& result)
+{
+  const pcl_spiral::SpiralReport& report = result.report;
+  if (result.mesh)
+    printMesh(job, *result.mesh, report);
+  else
+    std::printf("scan            %s: %zu points", job.scan.c_str(), report.input_points);
+  const auto dropped = [](std::size_t count, const char* why) {
+    if (count > 0)
+      std::printf(", %zu %s", count, why);
+  };
+  dropped(report.nonfinite_points, "not finite");
+  dropped(report.duplicate_points, "duplicates");
+  dropped(report.outlier_points, "outliers");
+  dropped(report.surplus_points, "surplus along scan lines or beside sparser parts");
+  dropped(report.left_out_points, "in other parts");
+  std::printf(", %zu used\n", report.used_points);
+  std::printf("surface         spacing %.4g mm, %s %.2g mm\n", report.spacing, result.mesh ? "samples off the fits" : "noise", report.noise);
+  std::size_t gaps = 0;
+  for (const pcl_spiral::BoundaryLoop& loop : report.loops) {
+    gaps += loop.type == pcl_spiral::LoopType::ScanGap;
+    if (loop.type != pcl_spiral::LoopType::ScanGap)
+      std::printf("%s      %.1f mm long, %zu corner%s\n",
+                  loop.type == pcl_spiral::LoopType::Outer ? "outer rim " : "inner loop", loop.length,
+                  loop.corners.size(), plural(loop.corners.size()));
+  }
+  if (gaps > 0)
+    std::printf("%s %zu, bridged\n", result.mesh ? "narrow holes   " : "scan gaps      ", gaps);
+  printHoles(report);
+  if (report.boundaries == 1 && report.method != pcl_spiral::SpiralMethod::ConstantScallop)
+    std::printf("centre          %.3f, %.3f, %.3f\n", report.centre.x(), report.centre.y(),
+                report.centre.z());
+}
+
+void
+printPath(const Job& job, const pcl_spiral::SpiralReport& report)
+{
+  printMethod(report);
+  if (report.deviating_points > 0)
+    std::printf("tool axis       over %g degrees off the tilt asked for at %zu point%s, to turn smoothly; "
+                "at most %.3g degrees\n",
+                job.settings.axis_deviation, report.deviating_points, plural(report.deviating_points),
+                report.largest_axis_deviation);
+  std::printf("path length     %.3f m", report.path_length / 1000.0);
+  if (report.least_length > 0.0)
+    std::printf(", %.3f of the least", report.path_length / report.least_length);
+  std::printf("\n");
+  if (report.gap_points > 0)
+    std::printf("over gaps       %.1f mm at %zu point%s: bridged, a guess from what lies round them\n", report.gap_length,
+                report.gap_points, plural(report.gap_points));
+  std::printf("machining time  %s at %g mm/min\n",
+              duration(60.0 * report.path_length / job.settings.feed).c_str(), job.settings.feed);
+}
+
+void
+printStage(const std::string& name, double seconds, double whole, const pcl_spiral::MemoryUse& memory = {})
+{
+  std::printf("  %-16s %9.2f %7.1f", name.c_str(), seconds, 100.0 * seconds / whole);
+  for (const std::size_t bytes : {memory.resident, memory.peak})
+    if (bytes > 0)
+      std::printf(" %9.0f", 1e-6 * static_cast<double>(bytes));
+  std::printf("\n");
+}
+
+/** Time and memory of every stage; what belongs to none, such as writing the reports, is told as the rest. */
+void
+printStages(const Result& result, double seconds)
+{
+  std::printf("neighbourhoods  %d pass%s over all of them%s\n", result.report.passes, result.report.passes == 1 ? "" : "es",
+              result.surface && !result.mesh ? "; planner and judge share the surface"
+              : result.verification ? ", of planner and judge"
+                                    : "");
+  std::printf("  %-16s %9s %7s %9s %9s\n", "stage", "s", "%", "MB", "peak MB");
+  double rest = seconds;
+  for (const pcl_spiral::StageCost& stage : result.report.stages) {
+    printStage(stage.name, stage.seconds, seconds, stage.memory);
+    rest -= stage.seconds;
+  }
+  if (result.verification) {
+    printStage("judging", result.verification->seconds, seconds);
+    rest -= result.verification->seconds;
+  }
+  printStage("the rest", std::max(0.0, rest), seconds);
+}
+
+} // namespace
+
+void
+printSummary(const Job& job, const Result& result, double seconds)
+{
+  const pcl_spiral::SpiralReport& report = result.report;
+  printSurface(job, result);
+  printPath(job, report);
+  if (result.program)
+    printProgram(*result.program);
+  std::printf("time            %s\n", duration(seconds).c_str());
+  if (job.verbose)
+    printStages(result, seconds);
+  if (job.read.origin != Eigen::Vector3d::Zero())
+    std::printf("origin          the path is relative to %.10g, %.10g, %.10g in the scan's unit\n",
+                job.read.origin.x(), job.read.origin.y(), job.read.origin.z());
+  std::printf("written        ");
+  for (const std::string& file : filesOf(job))
+    std::printf(" %s", file.c_str());
+  std::printf("\n");
+}

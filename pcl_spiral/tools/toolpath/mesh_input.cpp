@@ -1,0 +1,213 @@
+#include "mesh_input.h"
+#include "planning.h"
+#include "terminal/setter_names.h"
+
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/step_over.h>
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/mesh_reader.h>
+#include <pcl_spiral/mesh/mesh_sampling.h>
+
+#include <pcl/conversions.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace pcl_spiral;
+
+namespace {
+
+constexpr double spacings_a_hole = 6.0;       // triangles over samples close circles of three spacings and less
+constexpr double spacings_a_radius = 6.0;     // beside an edge fits go hollow, by a radius of 15 spacings where it is bent by 62 degrees
+constexpr double most_samples = 5e5, samples_a_square = 1.6; // the latter: of one spacing
+
+void
+requireOpen(const Job& job, const SurfaceMesh& mesh)
+{
+  if (!mesh.counts().closed)
+    return;
+  Eigen::AlignedBox3d box;
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
+    box.extend(mesh.position(v));
+  throw FileError(job.scan, textOf("the mesh from ", placeText(box.min()), " to ", placeText(box.max()),
+                                   " is closed: it has no boundary for a path to begin or end at; cut it down to the side to be "
+                                   "machined, or drive over it in rows (pcl_spiral_drive --mesh)"));
+}
+
+double
+stepOnPlane(const Job& job)
+{
+  return stepOver(job.settings.tool_radius, 0.0, job.settings.scallop_height).value_or(2.0 * job.settings.tool_radius);
+}
+
+/** By the curvature of the mesh, no wider than turns are apart; with creases wide enough for the ball to fit into what local fits
+ *  make beside them; close enough to show the holes asked for. */
+double
+spacingFor(const Job& job, const SurfaceMesh& mesh)
+{
+  if (job.sample_spacing > 0.0)
+    return job.sample_spacing;
+  const double closest = std::sqrt(mesh.area() * samples_a_square / most_samples);
+  double spacing = std::min(defaultSampleSpacing(mesh), std::max(stepOnPlane(job), closest));
+  if (mesh.counts().creases.count > 0)
+    spacing = std::max(spacing, job.settings.tool_radius / spacings_a_radius);
+  if (job.settings.hole_size > 0.0)
+    spacing = std::min(spacing, std::max(job.settings.hole_size / spacings_a_hole, closest));
+  return spacing;
+}
+
+/** Parts of the mesh as they hang together at edges: one number a face. */
+std::vector<std::uint32_t>
+partsOf(const SurfaceMesh& mesh, std::size_t& count)
+{
+  std::vector<std::size_t> sizes;
+  std::vector<std::uint32_t> parts = mesh.triangles().parts(sizes);
+  count = sizes.size();
+  return parts;
+}
+
+SurfaceMesh::ConstPtr
+meshOf(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& is_kept)
+{
+  pcl::PointCloud<pcl::PointXYZ> points;
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+    points.emplace_back();
+    points.back().getVector3fMap() = mesh.position(v).cast<float>();
+  }
+  pcl::PolygonMesh kept;
+  pcl::toPCLPointCloud2(points, kept.cloud);
+  for (std::size_t t = 0; t < mesh.faceCount(); ++t)
+    if (is_kept[t]) {
+      const auto& corners = mesh.triangles().triangle(t);
+      kept.polygons.emplace_back();
+      kept.polygons.back().vertices.assign(corners.begin(), corners.end());
+    }
+  MeshSettings settings = mesh.settings();
+  settings.flip = false; // they are turned already
+  SurfaceMesh::ConstPtr made;
+  SurfaceMesh::make(kept, settings, made);
+  return made;
+}
+
+/** The mesh tells the side; most cutters come from above. */
+void
+warnOfSide(const Job& job, const pcl::PointCloud<pcl::Normal>& normals, Result& result)
+{
+  constexpr double down = -0.25; // of the mean normal
+  double sum = 0.0;
+  for (const pcl::Normal& n : normals)
+    sum += n.normal_z;
+  if (sum < down * static_cast<double>(normals.size()))
+    result.scan.warnings.push_back(std::string("the faces of the mesh look down, along -z, and the cutter comes from there: ") +
+                                   (job.settings.flip_normals ? "leave --flip-normals out" : "give --flip-normals") +
+                                   " if it is to come from above");
+}
+
+} // namespace
+
+void
+readMeshSamples(const Job& job, ProgressBar& bar, Result& result)
+{
+  MeshFile file = readMesh(job.scan, job.read);
+  result.scan.warnings = inOptions(std::move(file.warnings));
+  if (!bar.update(0.05, "mesh"))
+    throw Cancelled();
+  MeshSettings settings;
+  settings.flip = job.settings.flip_normals;
+  MeshInput input;
+  requireOk(job, SurfaceMesh::make(*file.mesh, settings, input.mesh));
+  requireOpen(job, *input.mesh);
+  if (!bar.update(0.1, "samples"))
+    throw Cancelled();
+  MeshSampling sampling;
+  sampling.setInputMesh(input.mesh);
+  sampling.setSpacing(spacingFor(job, *input.mesh));
+  sampling.setNumberOfThreads(job.settings.threads);
+  pcl::PointCloud<pcl::PointNormal> samples;
+  sampling.compute(samples);
+  requireOk(job, sampling.getStatus());
+  input.spacing = sampling.getUsedSpacing();
+  input.faces = sampling.getFaceIndices();
+  input.counts = input.mesh->counts();
+  result.scan.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+  for (const pcl::PointNormal& sample : samples) {
+    result.scan.cloud->emplace_back(sample.x, sample.y, sample.z);
+    normals->emplace_back(sample.normal_x, sample.normal_y, sample.normal_z);
+  }
+  input.normals = normals;
+  warnOfSide(job, *normals, result);
+  result.mesh = std::move(input);
+}
+
+void
+keepUsedParts(const Surface& surface, Result& result)
+{
+  MeshInput& input = *result.mesh;
+  std::size_t count = 0;
+  const std::vector<std::uint32_t> parts = partsOf(*input.mesh, count);
+  std::vector<std::uint8_t> is_used(count, 0), is_kept(parts.size());
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    is_used[parts[input.faces[surface.sourceIndex(i)]]] = 1;
+  if (std::count(is_used.begin(), is_used.end(), 0) == 0)
+    return;
+  for (std::size_t t = 0; t < parts.size(); ++t)
+    is_kept[t] = is_used[parts[t]];
+  input.mesh = meshOf(*input.mesh, is_kept);
+}
+
+double
+meshHoleSize(const Job& job, const MeshInput& mesh)
+{
+  return job.settings.hole_size > 0.0 ? job.settings.hole_size : std::max(stepOnPlane(job), spacings_a_hole * mesh.spacing);
+}
+
+std::vector<std::string>
+creaseWarnings(const MeshInput& input, const Surface& surface)
+{
+  const MeshCounts& counts = input.mesh->counts();
+  if (counts.creases.count == 0)
+    return {};
+  const double band = surface.spacing() * std::sqrt(surface.fit().neighbours() / M_PI);
+  return {textOf("the mesh has ", counts.crease_length, " mm of creases (", counts.creases.count, " edges), the first at ",
+                 placeText(counts.creases.place), ": the spiral rides over them as if they were rounded, within about ", band,
+                 " mm; an outer edge is cut off there, in an inner one material is left. Where they have to stay sharp, cut the mesh "
+                 "along them and machine the sides one by one")};
+}
+
+Status
+withSpacings(const Status& status, const MeshInput& input)
+{
+  if (status.code() != StatusCode::InvalidInput && status.code() != StatusCode::Failed)
+    return status;
+  const double vertices = std::sqrt(input.mesh->area() / static_cast<double>(input.mesh->vertexCount()));
+  return {status.code(), textOf(status.message(), "; samples stand ", input.spacing, " mm apart, vertices of the mesh ", vertices, " mm")};
+}
+
+std::string
+inMesh(std::string message)
+{
+  constexpr std::pair<const char*, const char*> words[] = {
+      {"lies below the scan's own noise of", "lies below what local fits to the samples of the mesh leave,"},
+      {" (standard deviation of a point)", " (standard deviation)"},
+      {"this scan cannot show whether it was kept", "so sample it more closely (--sample-spacing)"},
+      {"; a real hole there is ridden over like the rest", ": it is narrower than the holes asked for (--hole-size)"},
+      {"a gap in the scan", "a hole of the mesh"},
+      {"gaps of the scan", "holes of the mesh"},
+      {"scan it again, more densely", "sample it more closely (--sample-spacing)"},
+      {"scan more densely", "sample it more closely (--sample-spacing)"},
+      {"scan it again", "close it in the mesh"},
+      {"the whole scan", "the whole mesh"},
+      {"would gouge; use a smaller tool",
+       "would gouge; use a smaller tool, or where that is but roughness of the mesh, sample it less closely (--sample-spacing)"},
+      {"scanned surface", "surface"},
+      {"the scan", "the mesh"},
+      {"on a scan only", "on a mesh only"},
+      {"the cloud", "the mesh"}};
+  for (const auto& [scan, mesh] : words)
+    for (std::size_t at = message.find(scan); at != std::string::npos; at = message.find(scan, at + std::string(mesh).size()))
+      message.replace(at, std::string(scan).size(), mesh);
+  return message;
+}

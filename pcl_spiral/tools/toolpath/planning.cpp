@@ -1,0 +1,123 @@
+#include "planning.h"
+#include "mesh_input.h"
+#include "terminal/setter_names.h"
+
+#include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
+
+using namespace pcl_spiral;
+
+namespace {
+
+std::string
+inWords(const Job& job, const std::string& message)
+{
+  return inOptions(job.mesh ? inMesh(message) : message);
+}
+
+/** Whether the planner's surface has all points that a path is to be judged by: none was filtered out. */
+bool
+judgedByTheSameSurface(const SpiralSettings& settings)
+{
+  return settings.thinning == 0.0 && settings.outlier_neighbours == 0;
+}
+
+/** The surface of the samples of a mesh, or that which planner and judge share. */
+Surface::ConstPtr
+surfaceOf(const Job& job, const Result& result, ProgressBar& bar)
+{
+  ScannedSurface<pcl::PointXYZ> scanned;
+  scanned.setInputCloud(result.scan.cloud);
+  if (result.mesh)
+    scanned.setInputNormals(result.mesh->normals);
+  if (job.settings.view_point)
+    scanned.setViewPoint(*job.settings.view_point);
+  scanned.setFlipNormals(job.settings.flip_normals && !result.mesh);
+  scanned.setLargestPart(job.settings.largest_part);
+  scanned.setNumberOfThreads(job.settings.threads);
+  scanned.setQuiet(true);
+  scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.25 * share, stage); });
+  Surface::ConstPtr surface;
+  scanned.compute(surface);
+  requireOk(job, scanned.getStatus());
+  return surface;
+}
+
+void
+readInput(const Job& job, ProgressBar& bar, StageClock& clock, Result& result)
+{
+  bar.update(0.0, "reading " + job.scan);
+  if (job.mesh)
+    readMeshSamples(job, bar, result);
+  else {
+    result.scan = readCloud(job.scan, job.read);
+    result.scan.warnings = inOptions(result.scan.warnings);
+  }
+  clock.end("reading");
+  if (cancelled())
+    throw Cancelled();
+  if (!job.mesh && !(job.verify && judgedByTheSameSurface(job.settings)))
+    return;
+  result.surface = surfaceOf(job, result, bar);
+  if (result.mesh)
+    keepUsedParts(*result.surface, result);
+  clock.end("surface");
+}
+
+/** As the generator is to follow them. */
+SpiralSettings
+settingsFor(const Job& job, const Result& result)
+{
+  SpiralSettings settings = job.settings;
+  if (result.mesh) {
+    settings.hole_size = meshHoleSize(job, *result.mesh);
+    settings.flip_normals = false; // the mesh was turned
+  }
+  return settings;
+}
+
+} // namespace
+
+void
+requireOk(const Job& job, const Status& status)
+{
+  if (status.code() == StatusCode::Cancelled || cancelled())
+    throw Cancelled();
+  if (status.code() == StatusCode::InvalidArgument)
+    throw UsageError(job.scan + ": " + inWords(job, status.message()));
+  if (!status.ok())
+    throw FileError(job.scan, inWords(job, status.message()));
+}
+
+Result
+computePath(const Job& job)
+{
+  ProgressBar bar(job.quiet);
+  Result result;
+  std::vector<StageCost> stages;
+  StageClock clock(stages);
+  readInput(job, bar, clock, result);
+  SpiralToolpathGenerator<pcl::PointXYZ> generator;
+  generator.setInputCloud(result.scan.cloud);
+  if (result.surface)
+    generator.setInputSurface(result.surface);
+  result.settings = settingsFor(job, result);
+  generator.setSettings(result.settings);
+  result.settings.flip_normals = job.settings.flip_normals;
+  generator.setProgressCallback(
+      [&bar](double share, const std::string& stage) { return bar.update(share, stage); });
+  generator.compute(*result.path);
+  bar.clear();
+  requireOk(job, result.mesh ? withSpacings(generator.getStatus(), *result.mesh) : generator.getStatus());
+  result.report = generator.getReport();
+  for (std::string& warning : result.report.warnings)
+    warning = inWords(job, warning);
+  if (result.mesh)
+    for (const std::string& warning : creaseWarnings(*result.mesh, *result.surface))
+      result.report.warnings.push_back(warning);
+  if (result.surface)
+    result.report.passes += result.surface->counts().passes;
+  result.report.stages.insert(result.report.stages.begin(), stages.begin(), stages.end());
+  return result;
+}
