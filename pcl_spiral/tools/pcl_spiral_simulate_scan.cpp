@@ -3,6 +3,7 @@
 #include "simulate_scan/ridge_scan.h"
 #include "terminal/file_names.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include "io/output_files.h"
 
@@ -23,6 +24,8 @@
 #include <vector>
 
 namespace po = boost::program_options;
+
+using pcl_spiral::pi;
 
 namespace {
 
@@ -108,8 +111,8 @@ simulate(const Scan& scan)
 double
 columnRadius(const Scan& scan, double angle, double z)
 {
-  return scan.radius * (1 + 0.05 * std::sin(5 * angle + 2 * M_PI * z / (2.5 * scan.radius)) +
-                        0.1 * std::sin(2 * M_PI * z / (2 * scan.radius)));
+  return scan.radius * (1 + 0.05 * std::sin(5 * angle + 2 * pi * z / (2.5 * scan.radius)) +
+                        0.1 * std::sin(2 * pi * z / (2 * scan.radius)));
 }
 
 /** The column turns before an upright line of light; a line at a time. */
@@ -120,10 +123,10 @@ simulateColumn(const Scan& scan)
   std::normal_distribution<double> noise(0, 1);
   std::uniform_real_distribution<double> uniform(0, 1);
   pcl::PointCloud<pcl::PointXYZ> cloud;
-  const int lines = static_cast<int>(std::ceil(2 * M_PI * scan.radius / scan.line_spacing));
+  const int lines = static_cast<int>(std::ceil(2 * pi * scan.radius / scan.line_spacing));
   const int points = static_cast<int>(scan.height / scan.point_spacing);
   for (int line = 0; line < lines; ++line) {
-    const double angle = 2 * M_PI * line / lines, phase = uniform(random);
+    const double angle = 2 * pi * line / lines, phase = uniform(random);
     for (int i = 0; i < points; ++i) {
       const double z = (i + phase) * scan.point_spacing;
       const double error =

@@ -52,7 +52,7 @@ protected:
   int
   run(const std::string& options) const
   {
-    const std::string program = "'" PCL_SPIRAL_EXAMPLES_DIR "/pcl_spiral_simulate_scan' ";
+    const std::string program = "'" PCL_SPIRAL_PROGRAMS_DIR "/pcl_spiral_simulate_scan' ";
     return WEXITSTATUS(std::system((program + options + " >/dev/null 2>" + file("said")).c_str()));
   }
   Cloud

@@ -2,6 +2,8 @@
 
 #include "axis_smoothing.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -16,7 +18,7 @@ using Eigen::Vector3d;
 using Vectors = std::vector<Vector3d>;
 
 constexpr int most_rounds = 20; // of a pass either way: each leaves next to nothing to the next
-constexpr double flattest_lean = 89.0 * M_PI / 180.0;
+constexpr double flattest_lean = 89.0 * pi / 180.0;
 constexpr double rounding = 1e-9; // of a limit
 
 double
@@ -43,7 +45,7 @@ public:
     const auto moves = static_cast<std::int64_t>(limits_.size());
 #pragma omp parallel for schedule(static)
     for (std::int64_t i = 0; i < moves; ++i) {
-      limits_[i] = std::min(M_PI, max_rate * (s[i + 1] - s[i]));
+      limits_[i] = std::min(pi, max_rate * (s[i + 1] - s[i]));
       const double chord = 2.0 * std::sin(0.5 * limits_[i] * (1.0 + rounding));
       chords_[i] = chord * chord;
     }

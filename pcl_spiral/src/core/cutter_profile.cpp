@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/cutter_profile.h>
 
 #include <Eigen/Geometry>
@@ -11,7 +12,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double rounding = 1e-9;        // of R: a flat smaller than this, either way, is none
 constexpr double angle_rounding = 1e-6;  // radians: axes and normals often come in single precision
 constexpr double steepest_angle = 89.9;  // degrees, of a flank
@@ -161,7 +161,7 @@ CutterProfile::locate(const Eigen::Vector3d& point, const Eigen::Vector3d& norma
 {
   const Eigen::Vector3d across = normal - normal.dot(axis) * axis;
   const double sine = across.norm(), cosine = normal.dot(axis);
-  const double lean = std::atan2(sine, cosine), steepest = 0.5 * M_PI - flank_angle_;
+  const double lean = std::atan2(sine, cosine), steepest = 0.5 * pi - flank_angle_;
   CutterContact contact;
   contact.touches = lean <= steepest + angle_rounding;
   if (!contact.touches) {

@@ -1,5 +1,6 @@
 #include "row_distance.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/step_over.h>
 
 #include <Eigen/Geometry>
@@ -10,8 +11,6 @@
 
 namespace pcl_spiral {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /** Chord of an arc of that length and curvature, up to the diameter. */
 double

@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/step_over.h>
 
 #include <algorithm>
@@ -6,8 +7,6 @@
 namespace pcl_spiral {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 bool
 validHeight(double radius, double height)

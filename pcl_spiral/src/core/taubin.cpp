@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/taubin.h>
 
 #include <omp.h>
@@ -12,7 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 using Index = std::ptrdiff_t;
-constexpr double pi = 3.14159265358979323846;
 constexpr int fine_passes = 2;
 
 void

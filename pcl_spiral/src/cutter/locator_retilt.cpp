@@ -1,5 +1,6 @@
 #include "location_ground.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/frame.h>
 #include <pcl_spiral/cutter/impl/cutter_locator.h>
 
@@ -9,7 +10,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr int rings = 6, around = 12;
 constexpr int most_rounds = 6; // of axes that clear the points but not the fitted surface
 
@@ -36,7 +36,7 @@ public:
   operator[](int i) const
   {
     const int turn = (i % around + 1) / 2 * (i % 2 == 0 ? 1 : -1); // 0, then to either side by turns
-    const double azimuth = 2.0 * M_PI * turn / around;
+    const double azimuth = 2.0 * pi * turn / around;
     const Eigen::Vector3d side = std::cos(azimuth) * first_ + std::sin(azimuth) * second_;
     return std::cos(tilt(i)) * axis_ + std::sin(tilt(i)) * side;
   }

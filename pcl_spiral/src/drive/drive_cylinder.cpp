@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/drive/impl/drive_cylinder.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -12,7 +13,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double degrees = 180.0 / M_PI;
 constexpr std::size_t most_sampled = 20000; // points the axis is fitted to
 constexpr double least_radial = 0.7;        // rms share of normals out of the axis
 constexpr double most_turning = 0.5;        // and round it
@@ -70,8 +70,8 @@ fitCylinder(const SurfaceGraph& graph, DriveColumn& column)
                            least_radial, " is the least"));
   if (axis->turning > most_turning)
     return noColumn(textOf("about the best axis, ", placeText(axis->direction),
-                           ", its normals turn aside by ", std::asin(std::min(1.0, axis->turning)) * degrees,
-                           " degrees (rms), where ", std::asin(most_turning) * degrees, " are the most"));
+                           ", its normals turn aside by ", std::asin(std::min(1.0, axis->turning)) * in_degrees,
+                           " degrees (rms), where ", std::asin(most_turning) * in_degrees, " are the most"));
   column.cylinder.origin = axis->origin;
   column.cylinder.direction = axis->direction;
   double square = 0.0, whole = 0.0;
@@ -125,7 +125,7 @@ measure(const SurfaceGraph& graph, DriveColumn& column)
 void
 measureSector(const SurfaceGraph& graph, DriveColumn& column)
 {
-  constexpr double spacings = 8.0, least = 2.0 / degrees;
+  constexpr double spacings = 8.0, least = 2.0 / in_degrees;
   const DriveCylinder& c = column.cylinder;
   const Eigen::Vector3d e1 = referenceAcross(c.direction), e2 = c.direction.cross(e1);
   std::vector<double> angles;
@@ -136,7 +136,7 @@ measureSector(const SurfaceGraph& graph, DriveColumn& column)
       angles.push_back(std::atan2(x.dot(e2), x.dot(e1)));
   }
   std::sort(angles.begin(), angles.end());
-  angles.push_back(angles.front() + 2.0 * M_PI);
+  angles.push_back(angles.front() + 2.0 * pi);
   double widest = 0.0;
   std::size_t after = 0;
   for (std::size_t i = 1; i < angles.size(); ++i)
@@ -148,8 +148,8 @@ measureSector(const SurfaceGraph& graph, DriveColumn& column)
   column.first_angle = 0.0;
   if (widest <= std::max(least, spacings * graph.spacing() / column.radius))
     return;
-  column.covered_angle = 360.0 - widest * degrees;
-  column.first_angle = std::fmod(angles[after] * degrees + 360.0, 360.0);
+  column.covered_angle = 360.0 - widest * in_degrees;
+  column.first_angle = std::fmod(angles[after] * in_degrees + 360.0, 360.0);
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/drive/impl/drive_planner.h>
 
 #include "drive_kinds.h"
@@ -81,7 +82,7 @@ measureDrive(const DrivePasses& passes, DriveReport& report)
           std::max(report.largest_axis_step, std::atan2(a.axis.cross(b.axis).norm(), a.axis.dot(b.axis)));
     }
   }
-  report.largest_axis_step *= 180.0 / M_PI;
+  report.largest_axis_step *= 180.0 / pi;
 }
 
 Status

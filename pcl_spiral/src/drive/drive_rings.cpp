@@ -1,6 +1,7 @@
 // Helix, rings and arcs about the axis of a column.
 #include "drive_kinds.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
@@ -30,13 +31,13 @@ add(const DriveColumn& column, double angle, double along, DrivePass& pass)
 DrivePass
 helix(const DriveColumn& column, const EqualSteps& rings, double spacing)
 {
-  const std::size_t a_turn = stepsOf(column, 2.0 * M_PI, rings.step, spacing), levels = rings.middles.size(),
+  const std::size_t a_turn = stepsOf(column, 2.0 * pi, rings.step, spacing), levels = rings.middles.size(),
                     turns = levels > 1 ? levels + 1 : 1;
   DrivePass pass;
   for (std::size_t i = 0; i <= turns * a_turn; ++i) {
     const double turn = static_cast<double>(i) / static_cast<double>(a_turn);
     const double climbed = std::clamp(turn - 1.0, 0.0, static_cast<double>(levels - 1));
-    add(column, 2.0 * M_PI * static_cast<double>(i % a_turn) / static_cast<double>(a_turn),
+    add(column, 2.0 * pi * static_cast<double>(i % a_turn) / static_cast<double>(a_turn),
         rings.middles.front() + rings.step * climbed, pass);
   }
   return pass;
@@ -45,18 +46,18 @@ helix(const DriveColumn& column, const EqualSteps& rings, double spacing)
 DrivePass
 ring(const DriveColumn& column, double along, double spacing)
 {
-  const std::size_t steps = stepsOf(column, 2.0 * M_PI, 0.0, spacing);
+  const std::size_t steps = stepsOf(column, 2.0 * pi, 0.0, spacing);
   DrivePass pass;
   pass.closed = true;
   for (std::size_t i = 0; i < steps; ++i)
-    add(column, 2.0 * M_PI * static_cast<double>(i) / static_cast<double>(steps), along, pass);
+    add(column, 2.0 * pi * static_cast<double>(i) / static_cast<double>(steps), along, pass);
   return pass;
 }
 
 DrivePass
 arc(const DriveColumn& column, double along, double spacing)
 {
-  const double first = column.first_angle * M_PI / 180.0, covered = column.covered_angle * M_PI / 180.0;
+  const double first = column.first_angle * pi / 180.0, covered = column.covered_angle * pi / 180.0;
   const std::size_t steps = stepsOf(column, covered, 0.0, spacing);
   DrivePass pass;
   for (std::size_t i = 0; i <= steps; ++i)
@@ -77,7 +78,7 @@ planRings(const DriveSettings& settings, DrivePasses& passes, DriveReport& repor
                    " degrees about the axis of the column, from ", column.first_angle,
                    " on: a helix would leave it in every turn; drive it by rings, which become arcs")};
   const double first = column.cylinder.first - settings.overrun, last = column.cylinder.last + settings.overrun;
-  const double height = last - first, around = 2.0 * M_PI * column.radius;
+  const double height = last - first, around = 2.0 * pi * column.radius;
   const double lines = height / settings.step_over + 2.0;
   if (const Status status = checkDriveSize(lines * (around / settings.point_spacing + 3.0), 0.0, settings);
       !status.ok())

@@ -4,6 +4,7 @@
 #include "kept_rows.h"
 #include "scan_links.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
 
@@ -27,7 +28,7 @@ frameOf(const DriveSettings& settings, const Vector3d& origin)
 {
   const Vector3d axis = settings.axis.normalized();
   Vector3d along = settings.plane_direction.isZero(0.0)
-                       ? Eigen::AngleAxisd(settings.plane_angle * M_PI / 180.0, axis) * referenceAcross(axis)
+                       ? Eigen::AngleAxisd(settings.plane_angle * pi / 180.0, axis) * referenceAcross(axis)
                        : settings.plane_direction.normalized();
   along = (along - axis * axis.dot(along)).normalized();
   return {along, axis.cross(along), origin};

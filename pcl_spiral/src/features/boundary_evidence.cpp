@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/features/impl/boundary_evidence.h>
 
 #include <algorithm>
@@ -8,7 +9,6 @@ namespace pcl_spiral {
 BoundaryEvidence
 boundaryEvidence(const std::vector<Eigen::Vector2d>& offsets, double radius, std::vector<double>& angles)
 {
-  constexpr double full_turn = 2.0 * 3.14159265358979323846;
   angles.clear();
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& d : offsets)

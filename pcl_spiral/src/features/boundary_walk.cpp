@@ -2,6 +2,8 @@
 
 #include "search/neighbour_search.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -153,7 +155,7 @@ stopped(const Eigen::Vector3d& place, double walked, double reach, double max_tu
 {
   std::ostringstream message;
   message << "the walk along the boundary ends at (" << place.transpose() << ") after " << walked
-          << " mm: no further boundary point within " << reach << " mm lies ahead by a turn of " << max_turn * 180.0 / M_PI
+          << " mm: no further boundary point within " << reach << " mm lies ahead by a turn of " << max_turn * 180.0 / pi
           << " degrees or less (a corner, a gap, or a band of several rows); raise the largest turn, or link half-edges";
   return {StatusCode::Failed, message.str()};
 }

@@ -1,5 +1,7 @@
 #include "corner_choice.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,8 +11,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double least_corner = 20.0 * M_PI / 180.0; // turn
-constexpr double sure_corner = 75.0 * M_PI / 180.0;
+constexpr double least_corner = 20.0 * pi / 180.0; // turn
+constexpr double sure_corner = 75.0 * pi / 180.0;
 constexpr double corner_cost = 8.0;  // what a corner must save, in units of EdgeFit::cost
 constexpr double freedom_cost = 6.0; // of one wave more
 

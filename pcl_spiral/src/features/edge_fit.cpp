@@ -2,6 +2,8 @@
 
 #include "band_system.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -81,7 +83,7 @@ std::vector<Stencil>
 roughness(const OutlineSide& side, const EdgeOptions& options, double step)
 {
   const std::vector<Stencil> kappa = curvatures(side, options.spacing, step);
-  const double change = std::sqrt(std::pow(options.wavelength / (2.0 * M_PI), 7) / step);
+  const double change = std::sqrt(std::pow(options.wavelength / (2.0 * pi), 7) / step);
   const std::size_t count = kappa.size();
   std::vector<Stencil> terms;
   for (std::size_t j = 0; j + (side.closed ? 0 : 1) < count; ++j) {

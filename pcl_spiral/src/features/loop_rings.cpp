@@ -1,5 +1,7 @@
 #include "loop_rings.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -69,7 +71,7 @@ ringArea(const SurfaceGraph& graph, const Ring& ring)
 bool
 isFlaw(const SurfaceGraph& graph, const Ring& ring, double shortest)
 {
-  return ringLength(graph, ring) < shortest || ringArea(graph, ring) < shortest * shortest / (4.0 * M_PI);
+  return ringLength(graph, ring) < shortest || ringArea(graph, ring) < shortest * shortest / (4.0 * pi);
 }
 
 Ring

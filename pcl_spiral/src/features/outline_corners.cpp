@@ -1,5 +1,6 @@
 #include "outline_corners.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/polyline.h>
 
 #include <Eigen/Cholesky>
@@ -16,7 +17,7 @@ constexpr double longest_piece = 40.0; // spacings
 constexpr double shortest_piece = 8.0; // that shows a direction, spacings
 constexpr double scatter = 0.3;        // of the ring about the edge, spacings
 constexpr double break_cost = 16.0;    // in squared scatters: what a further piece must save
-constexpr double least_turn = 15.0 * M_PI / 180.0;
+constexpr double least_turn = 15.0 * pi / 180.0;
 
 /** A parabola through a run of points, in the frame of its chord. */
 struct Piece {
@@ -89,14 +90,14 @@ headingOf(const std::vector<Eigen::Vector2d>& line, std::size_t i)
 double
 turn(double from, double to)
 {
-  return std::remainder(to - from, 2.0 * M_PI);
+  return std::remainder(to - from, 2.0 * pi);
 }
 
 /** Move sharp corners to the point of the ring that sticks out most nearby: breaks between pieces fall beside a tip. */
 void
 moveToTips(const std::vector<Eigen::Vector3d>& points, double spacing, std::vector<CornerCandidate>& corners)
 {
-  constexpr double least_turn_of_tip = 60.0 * M_PI / 180.0, arm = 8.0; // spacings
+  constexpr double least_turn_of_tip = 60.0 * pi / 180.0, arm = 8.0; // spacings
   const std::size_t n = points.size(), count = corners.size();
   // Entry of the ring up to an arm's length from a corner, at most half-way to the next corner that way.
   const auto armsEnd = [&](std::size_t c, bool forward) {

@@ -2,6 +2,8 @@
 
 #include "outline_corners.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -95,7 +97,7 @@ OutlineDraft::firstFit(std::size_t c) const
   OutlineSide start = smoothSide(pointsBetween(a.point, b.point), false, spacing_);
   const double most = share * length(start.nodes);
   const auto clearance = [&](const Corner& c) {
-    return std::min(most, widest_clearance * spacing_ * std::clamp(-c.turn / (0.5 * M_PI), 0.0, 1.0));
+    return std::min(most, widest_clearance * spacing_ * std::clamp(-c.turn / (0.5 * pi), 0.0, 1.0));
   };
   const auto clear = [&](const Eigen::Vector3d& p) {
     return (p - a.position).norm() >= clearance(a) && (p - b.position).norm() >= clearance(b);

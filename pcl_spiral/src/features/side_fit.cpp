@@ -2,6 +2,8 @@
 
 #include "band_system.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -152,7 +154,7 @@ smoothSide(const Polyline& line, bool closed, double spacing)
   const double steps = std::max(closed ? 8.0 : 4.0, std::round(whole / (node_step * spacing)));
   const Polyline even = resampled(line, static_cast<std::size_t>(steps) + (closed ? 0 : 1), closed);
   const std::size_t m = even.size();
-  const double weight = std::pow(wavelength * spacing * steps / (2.0 * M_PI * whole), 6);
+  const double weight = std::pow(wavelength * spacing * steps / (2.0 * pi * whole), 6);
   BandSystem system(m, 3, closed);
   for (std::size_t i = 0; i < m; ++i)
     system.add(i, i, 1.0);

@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/features/impl/surface_boundary.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -113,7 +114,7 @@ checkOpen(const SurfaceGraph& graph, const BoundaryOptions& options, const std::
     const BoundaryLoop& longest = loops.front();
     const double area = static_cast<double>(graph.size()) * graph.spacing() * graph.spacing();
     const double across = width(longest.curve);
-    if (across > options.largest_gap * graph.spacing() || longest.length * longest.length >= 0.1 * 4.0 * M_PI * area)
+    if (across > options.largest_gap * graph.spacing() || longest.length * longest.length >= 0.1 * 4.0 * pi * area)
       return Status::success();
     opening = textOf(" (its largest opening, ", across, " mm across at ", placeText(longest.curve.front()),
                      ", is but a gap in the scan)");
@@ -252,7 +253,7 @@ findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std
   if (options.method == LoopMethod::Walk) {
     const std::vector<std::uint32_t> points = pointsToWalk(graph, options, parts, rings);
     WalkOptions walk;
-    walk.max_turn = options.max_turn * M_PI / 180.0;
+    walk.max_turn = options.max_turn * pi / 180.0;
     walk.shortest = options.shortest_loop;
     if (const Status status = walkRings(graph, points, walk, rings, found.left_out_loops); !status.ok())
       return status;

@@ -1,5 +1,6 @@
 #include "centre_disc.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/frame.h>
 
 #include <Eigen/Geometry>
@@ -48,7 +49,7 @@ pointsWithin(const SurfaceGraph& graph, std::uint32_t triangle, const Eigen::Vec
 double
 continued(double angle, double other)
 {
-  return angle + 2.0 * M_PI * std::round((other - angle) / (2.0 * M_PI));
+  return angle + 2.0 * pi * std::round((other - angle) / (2.0 * pi));
 }
 
 } // namespace
@@ -118,7 +119,7 @@ makeCentreDisc(const SurfaceGraph& graph, std::uint32_t triangle, HarmonicDomain
       const std::uint32_t h = mesh.outgoing(k), v = mesh.target(h);
       if (!domain.in_disc[v] || about_pole.count(v))
         continue;
-      about_pole[v] = continued(direction(v, pole), about_pole[queue[at]]) - 2.0 * M_PI * domain.cut[h];
+      about_pole[v] = continued(direction(v, pole), about_pole[queue[at]]) - 2.0 * pi * domain.cut[h];
       queue.push_back(v);
     }
   domain.disc_angle.clear();

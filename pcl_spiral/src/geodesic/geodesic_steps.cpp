@@ -1,5 +1,7 @@
 #include "geodesic_steps.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -96,7 +98,7 @@ Polyline
 tridiagonalStep(const Polyline& points, const std::vector<SurfaceFoot>& feet)
 {
   const std::size_t n = points.size();
-  const double whole = length(points), stiffest = 0.8 * std::pow(M_PI / whole, 2);
+  const double whole = length(points), stiffest = 0.8 * std::pow(pi / whole, 2);
   Polyline conormals(n, Vector3d::Zero());
   std::vector<double> upper(n, 0.0), x(n, 0.0);
   for (std::size_t i = 1; i + 1 < n; ++i) {

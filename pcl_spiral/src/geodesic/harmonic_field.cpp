@@ -4,6 +4,8 @@
 #include "harmonic_domain.h"
 #include "laplace_problem.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -134,7 +136,7 @@ HarmonicField::solveHeight(const std::vector<double>& weight, const std::vector<
     if (domain.in_disc[i] != domain.in_disc[j])
       flux += (domain.in_disc[i] ? 1.0 : -1.0) * weight[h] * (problem.values.row(j) - problem.values.row(i));
   }
-  const double b = domain.disc.empty() ? 0.0 : flux[0] / (2.0 * M_PI - flux[1]);
+  const double b = domain.disc.empty() ? 0.0 : flux[0] / (2.0 * pi - flux[1]);
   height_.resize(graph_->size());
   for (std::size_t i = 0; i < height_.size(); ++i) {
     const double u = problem.values(i, 0) + b * problem.values(i, 1);
@@ -151,7 +153,7 @@ HarmonicField::solveAngle(const std::vector<double>& weight)
   LaplaceProblem problem = problemOn(mesh, domain, graph_->size(), 1);
   problem.rise.assign(mesh.halfEdgeCount(), 0.0);
   for (std::size_t h = 0; h < problem.rise.size(); ++h)
-    problem.rise[h] = 2.0 * M_PI * domain.cut[h];
+    problem.rise[h] = 2.0 * pi * domain.cut[h];
   if (domain.disc.empty()) // any constant may be added
     setKnown(problem, mesh.origin(domain.rim[0]), Eigen::RowVectorXd::Zero(1));
   for (std::size_t k = 0; k < domain.disc.size(); ++k)
@@ -191,7 +193,7 @@ double
 HarmonicField::growth(std::uint32_t half_edge) const
 {
   const Triangulation& mesh = graph_->triangulation();
-  return angle_[mesh.target(half_edge)] - angle_[mesh.origin(half_edge)] + 2.0 * M_PI * domain_->cut[half_edge];
+  return angle_[mesh.target(half_edge)] - angle_[mesh.origin(half_edge)] + 2.0 * pi * domain_->cut[half_edge];
 }
 
 void

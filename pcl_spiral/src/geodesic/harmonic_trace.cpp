@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/taubin.h>
 #include "harmonic_field.h"
 
@@ -11,7 +12,6 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::uint32_t none = Triangulation::none;
-constexpr double whole_turn = 2.0 * M_PI;
 constexpr double farthest_in_spacings = 4.0; // of a rim point from the cloud
 constexpr double step_in_spacings = 2.0;     // of a line's points
 constexpr double smoothed_in_spacings = 5.0; // waves shorter than this are of the triangles
@@ -21,7 +21,7 @@ constexpr double ragged_in_spacings = 2.5;   // from the outermost points inward
 std::size_t
 interval(const std::vector<double>& levels, double& value)
 {
-  value -= whole_turn * std::floor((value - levels.front()) / whole_turn);
+  value -= full_turn * std::floor((value - levels.front()) / full_turn);
   const auto after = std::upper_bound(levels.begin(), levels.end(), value);
   const auto at = static_cast<std::size_t>(after - levels.begin());
   return std::min(at, levels.size() - 1) - 1;
@@ -120,14 +120,14 @@ HarmonicField::levelInnerCurve(const Polyline& inner_curve)
   std::vector<double> level;
   for (const Eigen::Vector3d& p : inner_curve_) {
     const double angle = angleAt(p, graph_->blocks().nearest(p));
-    level.push_back(level.empty() ? angle : angle + whole_turn * std::round((level.back() - angle) / whole_turn));
+    level.push_back(level.empty() ? angle : angle + full_turn * std::round((level.back() - angle) / full_turn));
   }
-  const double back = level[0] + whole_turn * std::round((level.back() - level[0]) / whole_turn);
+  const double back = level[0] + full_turn * std::round((level.back() - level[0]) / full_turn);
   if (back < level[0]) { // the curve runs clockwise
     std::reverse(inner_curve_.begin(), inner_curve_.end());
     std::reverse(level.begin(), level.end());
   }
-  inner_angle_ = growing(level, whole_turn);
+  inner_angle_ = growing(level, full_turn);
 }
 
 Eigen::Vector3d

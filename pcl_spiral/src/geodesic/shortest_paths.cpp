@@ -3,19 +3,13 @@
 #include "dijkstra_tree.h"
 #include "distance_field.h"
 
+#include <pcl_spiral/common/impl/message.h>
+
 #include <algorithm>
 #include <sstream>
 
 namespace pcl_spiral {
 namespace {
-
-std::string
-text(const Eigen::Vector3d& p)
-{
-  std::ostringstream stream;
-  stream << '(' << p.x() << ", " << p.y() << ", " << p.z() << ')';
-  return stream.str();
-}
 
 template <typename Make>
 void
@@ -56,12 +50,12 @@ judge(const Polyline& targets, const std::vector<GeodesicLine>& lines, const Ref
     const GeodesicLine& line = lines[i];
     const bool empty = line.points.empty();
     if ((empty || line.left_surface) && missing++ == 0) {
-      first << "target " << i << " at " << text(targets[i]);
+      first << "target " << i << " at " << placeText(targets[i]);
       if (empty)
         first << " is not on the cloud, or on a part of it that the source does not reach: project it first, or scan "
                  "the surface between";
       else
-        first << ": the shortest way leaves the surface at " << text(line.left_at)
+        first << ": the shortest way leaves the surface at " << placeText(line.left_at)
               << " (a re-entrant outline or a gap in the scan): choose targets in sight of the source, or scan the gap";
     }
     else if (!empty && !line.left_surface && !line.converged) {
@@ -112,7 +106,7 @@ shortestPaths(const MlsSurface& surface, const Eigen::Vector3d& source, const Po
   if (!checked.ok())
     return checked;
   if (!startLines(surface.graph(), source, targets, start, lines))
-    return {StatusCode::InvalidArgument, "the source " + text(source) +
+    return {StatusCode::InvalidArgument, "the source " + placeText(source) +
                                              " is farther than three point spacings from the cloud: project it onto "
                                              "the surface first"};
   refineGeodesics(surface, options, lines);

@@ -5,6 +5,8 @@
 
 #include "search/neighbour_search.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -22,7 +24,7 @@ struct LocalShape {
 inline double
 evenSpacing(double radius, int k)
 {
-  return radius * std::sqrt(M_PI / k);
+  return radius * std::sqrt(pi / k);
 }
 
 LocalShape

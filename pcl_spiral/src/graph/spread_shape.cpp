@@ -1,5 +1,7 @@
 #include "spread_shape.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -58,9 +60,9 @@ spreadShape(const Neighbourhood& near)
   constexpr float nearly_one_place = 0.1f;
   const auto distance = [&](int j) { return std::sqrt(near.squared_distance[std::min(j, near.size - 1)]); };
   SpreadShape shape;
-  shape.spacing = distance(near.size - 1) * std::sqrt(static_cast<float>(M_PI) / static_cast<float>(near.size));
+  shape.spacing = distance(near.size - 1) * std::sqrt(static_cast<float>(pi) / static_cast<float>(near.size));
   const int half = near.size / 2;
-  shape.fine = distance(half - 1) * std::sqrt(static_cast<float>(M_PI) / static_cast<float>(half));
+  shape.fine = distance(half - 1) * std::sqrt(static_cast<float>(pi) / static_cast<float>(half));
   shape.is_off = isOff(near, shape.spacing);
   shape.near = distance(8);
   shape.is_double = distance(1) < nearly_one_place * shape.spacing;

@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/machine_reader.h>
 
@@ -10,9 +11,6 @@
 
 namespace pcl_spiral {
 namespace {
-
-constexpr double radians = 3.14159265358979323846 / 180.0;
-constexpr double turn = 2.0 * 3.14159265358979323846;
 
 /** A map of a machine file: every value is asked for once, and what was not asked for is no setting. */
 class Settings {
@@ -127,10 +125,10 @@ readRotary(const std::string& file, const YAML::Node& node)
   axis.direction = settings.vector("direction", "[0, 0, 1]");
   if (settings.has("point"))
     axis.point = settings.vector("point", "[0, 0, 0]");
-  readLimits(settings, radians, axis.range);
-  axis.range.largest_rate = turn * settings.number("max_rpm", "20");
+  readLimits(settings, degree, axis.range);
+  axis.range.largest_rate = full_turn * settings.number("max_rpm", "20");
   if (settings.has("home"))
-    axis.home = radians * settings.number("home", "0");
+    axis.home = degree * settings.number("home", "0");
   settings.refuseOthers();
   return axis;
 }

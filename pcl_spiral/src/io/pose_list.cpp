@@ -1,5 +1,6 @@
 #include "post_text.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/pose_list.h>
@@ -34,7 +35,7 @@ requireRows(const std::string& file, const std::vector<ToolPoses>& passes)
 RotaryAngles
 turnedTo(const RotaryAngles& before, RotaryAngles angles)
 {
-  const double turn = 2.0 * M_PI;
+  const double turn = 2.0 * pi;
   angles.first = std::isnan(angles.first) ? before.first // along the first axis every angle does
                                           : angles.first + turn * std::round((before.first - angles.first) / turn);
   return angles;

@@ -47,14 +47,9 @@ writeStart(PostText& out, const MachineProgram& program, const ProgramHeader& he
   out.text("G93\n");
 }
 
-} // namespace
-
 void
-writeFanuc(const std::string& file, const MachineProgram& program, const ProgramHeader& header, bool vectors)
+writeFile(const std::string& file, const MachineProgram& program, const ProgramHeader& header, bool vectors)
 {
-  requireProgram(file, program, header);
-  if (vectors)
-    requireRTCP(file, program, "fanuc's G43.5");
   PostText out(file, header.decimals);
   writeStart(out, program, header, vectors);
   writeBlocks(out, program, header, [&](const ProgramBlock& block) {
@@ -70,6 +65,23 @@ writeFanuc(const std::string& file, const MachineProgram& program, const Program
     out.text("M5\n");
   out.text("M30\n%\n");
   out.close();
+}
+
+} // namespace
+
+void
+writeFanuc(const std::string& file, const MachineProgram& program, const ProgramHeader& header)
+{
+  requireProgram(file, program, header);
+  writeFile(file, program, header, false);
+}
+
+void
+writeFanucVectors(const std::string& file, const MachineProgram& program, const ProgramHeader& header)
+{
+  requireProgram(file, program, header);
+  requireRTCP(file, program, "fanuc's G43.5");
+  writeFile(file, program, header, true);
 }
 
 } // namespace pcl_spiral

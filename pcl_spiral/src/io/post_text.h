@@ -5,6 +5,7 @@
 
 #include "byte_file.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/program_writer.h>
 
 #include <array>
@@ -98,7 +99,5 @@ writeBlocks(Lines& lines, const MachineProgram& program, const ProgramHeader& he
   turn(false);
 }
 
-/** Radians to degrees. */
-constexpr double in_degrees = 180.0 / 3.14159265358979323846;
 
 } // namespace pcl_spiral

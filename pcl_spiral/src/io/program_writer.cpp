@@ -1,23 +1,19 @@
 #include <pcl_spiral/io/program_writer.h>
 
+#include <algorithm>
+
 namespace pcl_spiral {
 
-void
-writeProgram(const std::string& file, const MachineProgram& program, Dialect dialect,
-             const ProgramHeader& header)
+const DialectEntry&
+entryOf(Dialect dialect)
 {
-  switch (dialect) {
-  case Dialect::LinuxCNC:
-    return writeLinuxCNC(file, program, header);
-  case Dialect::Fanuc:
-    return writeFanuc(file, program, header, false);
-  case Dialect::FanucVectors:
-    return writeFanuc(file, program, header, true);
-  case Dialect::Siemens:
-    return writeSiemens(file, program, header);
-  case Dialect::Heidenhain:
-    return writeHeidenhain(file, program, header);
-  }
+  return *std::find_if(dialect_entries.begin(), dialect_entries.end(), [dialect](const DialectEntry& entry) { return entry.dialect == dialect; });
+}
+
+void
+writeProgram(const std::string& file, const MachineProgram& program, Dialect dialect, const ProgramHeader& header)
+{
+  entryOf(dialect).write(file, program, header);
 }
 
 } // namespace pcl_spiral

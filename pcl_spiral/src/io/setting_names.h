@@ -76,11 +76,14 @@ struct ChoiceNames<SpiralMethod> {
 };
 template <>
 struct ChoiceNames<Dialect> {
-  static constexpr std::array<std::pair<Dialect, const char*>, 5> words{{{Dialect::LinuxCNC, "linuxcnc"},
-                                                                         {Dialect::Fanuc, "fanuc"},
-                                                                         {Dialect::FanucVectors, "fanuc-ijk"},
-                                                                         {Dialect::Siemens, "siemens"},
-                                                                         {Dialect::Heidenhain, "heidenhain"}}};
+  static constexpr auto words = [] {
+    std::array<std::pair<Dialect, const char*>, dialect_entries.size()> pairs{};
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      pairs[i].first = dialect_entries[i].dialect;
+      pairs[i].second = dialect_entries[i].word;
+    }
+    return pairs;
+  }();
 };
 template <>
 struct ChoiceNames<LeadKind> {

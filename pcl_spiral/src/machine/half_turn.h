@@ -3,6 +3,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <cmath>
 
 namespace pcl_spiral {
@@ -11,8 +13,7 @@ namespace pcl_spiral {
 inline double
 nearestTurn(double angle, double near)
 {
-  constexpr double turn = 2.0 * 3.14159265358979323846;
-  return angle - turn * std::round((angle - near) / turn);
+  return angle - full_turn * std::round((angle - near) / full_turn);
 }
 
 } // namespace pcl_spiral

@@ -1,5 +1,6 @@
 #include "limit_check.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double degrees = 180.0 / 3.14159265358979323846;
 constexpr double rounding = 1e-6;
 
 /** How the blocks of one axis break its limits. */
@@ -38,7 +38,7 @@ std::string
 textOfBreach(const std::vector<ProgramBlock>& blocks, const std::string& name, const Breach& breach,
              const AxisRange& range, const RotaryAxis* rotary)
 {
-  const double unit = rotary != nullptr ? degrees : 1.0;
+  const double unit = rotary != nullptr ? in_degrees : 1.0;
   const char* const word = rotary != nullptr ? " degrees" : " mm";
   const double limit = (breach.below ? range.lower : range.upper) * unit;
   const ProgramBlock& block = blocks[breach.first];

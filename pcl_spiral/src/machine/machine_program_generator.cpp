@@ -4,6 +4,7 @@
 #include "tool_leads.h"
 #include "turn_passes.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/pass_begins.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
@@ -19,8 +20,6 @@
 
 namespace pcl_spiral {
 namespace {
-
-constexpr double radians = 3.14159265358979323846 / 180.0;
 
 /** The direction, fixed in the workpiece, that the tool stands along at the pole. */
 Eigen::Vector3d
@@ -83,7 +82,7 @@ layPass(const Kinematics& kinematics, const ProgramSettings& settings, const Too
 {
   RotaryPath rotary;
   if (const Status status =
-          rotaryPath(kinematics, poses, {settings.feed, settings.ball_radius, settings.pole_cone * radians}, rotary);
+          rotaryPath(kinematics, poses, {settings.feed, settings.ball_radius, settings.pole_cone * degree}, rotary);
       !status.ok())
     return status;
   if (!before.empty()) {
@@ -112,9 +111,9 @@ layPass(const Kinematics& kinematics, const ProgramSettings& settings, const Too
   if (pass.turns.empty())
     return {StatusCode::Failed,
             textOf("at ", pass.path[failed].arc_length, " mm of the path ", first.letter, " stands at ",
-                   pass.path[failed].angles.first / radians,
+                   pass.path[failed].angles.first / degree,
                    " degrees or whole turns from it, and cannot go on within its limits of ",
-                   first.range.lower / radians, " to ", first.range.upper / radians,
+                   first.range.lower / degree, " to ", first.range.upper / degree,
                    " degrees; turn the part, or use a machine whose ", first.letter, " turns further")};
   return Status::success();
 }

@@ -1,11 +1,12 @@
 #include "turn_passes.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <cmath>
 
 namespace pcl_spiral {
 namespace {
 
-constexpr double turn = 2.0 * 3.14159265358979323846;
 constexpr double rounding = 1e-9;
 
 bool
@@ -29,10 +30,10 @@ std::vector<double>
 shifts(double angle, const RotaryAxis& axis)
 {
   std::vector<double> found;
-  const double nearest = turn * std::round((axis.home - angle) / turn);
+  const double nearest = full_turn * std::round((axis.home - angle) / full_turn);
   for (int k = 0; k <= 1000; ++k) {
     bool any = false;
-    for (double shift : {nearest + k * turn, nearest - k * turn})
+    for (double shift : {nearest + k * full_turn, nearest - k * full_turn})
       if (isWithin(angle + shift, axis.range) && (k > 0 || !any)) {
         found.push_back(shift);
         any = true;

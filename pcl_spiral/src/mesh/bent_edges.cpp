@@ -1,5 +1,7 @@
 #include "bent_edges.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -44,7 +46,7 @@ bool
 bendsOnBeyond(const SurfaceMesh& mesh, std::uint32_t narrow, std::uint32_t wide)
 {
   constexpr double as_long = 0.999;
-  const double least = std::cos(mesh.settings().crease_angle * M_PI / 180.0);
+  const double least = std::cos(mesh.settings().crease_angle * pi / 180.0);
   const std::uint32_t sides[2] = {Triangulation::next(narrow), Triangulation::previous(narrow)};
   const double longest = std::max(lengthOf(mesh, sides[0]), lengthOf(mesh, sides[1]));
   for (const std::uint32_t side : sides) {
@@ -76,7 +78,7 @@ standsOutAs(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& bent, doub
 std::vector<std::uint8_t>
 bentEdges(const SurfaceMesh& mesh)
 {
-  const double least = std::cos(mesh.settings().crease_angle * M_PI / 180.0);
+  const double least = std::cos(mesh.settings().crease_angle * pi / 180.0);
   std::vector<std::uint8_t> bent(mesh.triangles().halfEdgeCount(), 0);
 #pragma omp parallel for schedule(static)
   for (std::int64_t h = 0; h < static_cast<std::int64_t>(bent.size()); ++h)

@@ -2,6 +2,7 @@
 
 #include "dart_throwing.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/mesh/impl/mesh_rims.h>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ private:
   cornersOf(const MeshRim& rim) const
   {
     const std::size_t n = rim.half_edges.size();
-    const double least = std::cos(corner * M_PI / 180.0);
+    const double least = std::cos(corner * pi / 180.0);
     const auto direction = [&](std::size_t k) {
       const std::uint32_t h = rim.half_edges[k % n];
       return (edgePlace(mesh_, h, 1.0) - edgePlace(mesh_, h, 0.0)).normalized().eval();

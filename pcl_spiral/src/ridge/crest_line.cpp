@@ -1,5 +1,7 @@
 #include "crest_line.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -19,7 +21,7 @@ public:
   : width_(static_cast<std::size_t>(2 * sections.most + 1)), values_(sections.feet.size(), none)
   {
     const MlsSurface& fit = surface.fit();
-    const double radius = surface.spacing() * std::sqrt(fit.neighbours() / M_PI);
+    const double radius = surface.spacing() * std::sqrt(fit.neighbours() / pi);
     const int rim = static_cast<int>(std::ceil(0.5 * radius / sections.step));
     for (std::size_t i = 0; i < sections.size(); ++i) {
       const int right = sections.reach(i, -1), left = sections.reach(i, 1);
@@ -108,7 +110,7 @@ bendOf(const ScanSections& sections, std::size_t section, int steps, const Vecto
 {
   const Vector3d right = sections.foot(section, -std::min(steps, sections.reach(section, -1))).normal;
   const Vector3d left = sections.foot(section, std::min(steps, sections.reach(section, 1))).normal;
-  return std::atan2(left.cross(right).dot(tangent), left.dot(right) - left.dot(tangent) * right.dot(tangent)) * 180.0 / M_PI;
+  return std::atan2(left.cross(right).dot(tangent), left.dot(right) - left.dot(tangent) * right.dot(tangent)) * 180.0 / pi;
 }
 
 } // namespace pcl_spiral

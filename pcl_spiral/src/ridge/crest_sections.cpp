@@ -3,6 +3,7 @@
 #include "crest_line.h"
 #include "rough_line.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
@@ -105,7 +106,7 @@ findCrest(const Surface& surface, const ScanRidgeSettings& settings, CrestSectio
   if (const Status status = checkOnScan(surface, settings); !status.ok())
     return status;
   constexpr double radii = 3.0; // of a fit, over which the crest's noise hangs together
-  const double even = std::max(settings.half_width, radii * surface.spacing() * std::sqrt(surface.fit().neighbours() / M_PI));
+  const double even = std::max(settings.half_width, radii * surface.spacing() * std::sqrt(surface.fit().neighbours() / pi));
   const double step = std::max(surface.spacing(), 0.1 * settings.half_width);
   Polyline line = throughPlaces(settings.rough_points, settings.closed, step);
   for (int round = 0; round < 2; ++round) {

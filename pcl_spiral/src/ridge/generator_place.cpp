@@ -1,5 +1,6 @@
 #include "generator_place.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 
 #include <Eigen/Eigenvalues>
@@ -14,7 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double degree = M_PI / 180.0;
 constexpr double largest_corner = 30.0;              // degrees
 constexpr double warned_tilt = 2.0, most_tilt = 15.0; // degrees
 constexpr double least_chord = 0.05;                 // of the generator's length

@@ -2,6 +2,8 @@
 
 #include "core/tool_axis.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -122,7 +124,6 @@ private:
 std::vector<Vector3d>
 axesOf(Polyline contacts, std::vector<Vector3d> normals, bool closed, const RidgeRowSettings& settings)
 {
-  const double degree = M_PI / 180.0;
   if (closed) {
     contacts.insert(contacts.begin(), contacts.back());
     normals.insert(normals.begin(), normals.back());

@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/ridge/ridge_surface.h>
 
 #include "generator_place.h"
@@ -14,7 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double degree = M_PI / 180.0;
 constexpr int stations_across = 128; // of the generator
 
 /** Stations along the rail that see how it bends. */

@@ -2,6 +2,7 @@
 
 #include "rail_step.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 
 #include <Eigen/Geometry>
@@ -74,7 +75,7 @@ SectionRounds::place()
     if (!ridgeFrame(rail_stations_.tangent(i), band_.chord))
       return {StatusCode::InvalidInput,
               textOf("the ridge is too steep at ", placeText(rail_stations_.position(i)), " for a chord that keeps ",
-                     std::asin(std::clamp(band_.chord.sin_angle, -1.0, 1.0)) * 180.0 / M_PI,
+                     std::asin(std::clamp(band_.chord.sin_angle, -1.0, 1.0)) * 180.0 / pi,
                      " degrees with the reference plane: take a reference normal across the ridge (setReferenceNormal), or make it in pieces")};
   placePoints(rail_stations_, band_);
   section_points_ = pointsBySection(band_, count_, length_);

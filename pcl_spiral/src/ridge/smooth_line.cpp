@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/ridge/impl/smooth_line.h>
 
 #include <pcl_spiral/core/bspline_fit.h>
@@ -276,7 +277,7 @@ directionError(const MeasuredLine& measured)
   for (int k = 0; k <= stations; ++k) {
     const double s = a.length() * k / stations;
     const Eigen::Vector3d t = a.tangent(s), other = b.tangent(b.nearest(a.position(s)));
-    const double angle = std::atan2(t.cross(other).norm(), t.dot(other)) * 180.0 / M_PI;
+    const double angle = std::atan2(t.cross(other).norm(), t.dot(other)) * 180.0 / pi;
     squares += angle * angle / (stations + 1);
   }
   return 0.5 * std::sqrt(squares);

@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/axis_field.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -10,7 +11,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double radians = M_PI / 180.0;
 constexpr float shortest_vector = 1e-6f;
 
 } // namespace
@@ -51,14 +51,14 @@ AxisField::smooth(Path& output)
       normals.push_back(p.getNormalVector3fMap().cast<double>().normalized());
   }
   const SmoothAxes field =
-      smoothAxes(points, wanted, {smoothing_length_, max_deviation_ * radians, max_axis_rate_ * radians});
-  largest_change_ = field.largest_change / radians;
-  largest_rate_ = field.largest_rate / radians;
-  largest_deviation_ = field.largest_deviation / radians;
+      smoothAxes(points, wanted, {smoothing_length_, max_deviation_ * degree, max_axis_rate_ * degree});
+  largest_change_ = field.largest_change / degree;
+  largest_rate_ = field.largest_rate / degree;
+  largest_deviation_ = field.largest_deviation / degree;
   deviating_points_ = field.deviating_points;
   if (normals.size() == points.size()) {
     const AxisLean lean = largestLean(normals, field.axes);
-    largest_lean_ = lean.angle / radians;
+    largest_lean_ = lean.angle / degree;
     if (liesInSurface(lean, normals, wanted))
       return {StatusCode::Failed, textOf("the axis would lean ", largest_lean_, " degrees off the normal at path point ",
                                          lean.point, " so as to turn no faster than ", max_axis_rate_,

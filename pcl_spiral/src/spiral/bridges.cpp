@@ -3,6 +3,8 @@
 #include "dot_fingers.h"
 #include "plane_lines.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -163,11 +165,11 @@ private:
       };
       constexpr int arc_points = 8;
       for (int k = 0; k <= arc_points; ++k) {
-        const double t = 0.5 * M_PI * k / arc_points;
+        const double t = 0.5 * pi * k / arc_points;
         add(half_gap + radius * (1.0 - std::sin(t)), radius * (1.0 - std::cos(t)));
       }
       for (int k = arc_points; k >= 0; --k) {
-        const double t = 0.5 * M_PI * k / arc_points;
+        const double t = 0.5 * pi * k / arc_points;
         add(half_gap + radius * (1.0 - std::sin(t)), place.distance - radius * (1.0 - std::cos(t)));
       }
     }

@@ -2,6 +2,8 @@
 
 #include "moves_cross.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -94,7 +96,7 @@ private:
     for (int k = 1; k <= 15; ++k)
       piece.add(from + (centre - middle) * (k / 16.0), between(at, metric, k / 16.0));
     for (int k = 0; k <= 14; ++k) {
-      const double t = M_PI * k / 14.0;
+      const double t = pi * k / 14.0;
       piece.add(centre + std::cos(t) * (from - middle) + std::sin(t) * tip, metric);
     }
     for (int k = 15; k >= 1; --k)

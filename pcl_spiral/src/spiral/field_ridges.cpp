@@ -1,4 +1,5 @@
 // A field from elsewhere, and where its ridges run.
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
 #include "step_over_march.h"
@@ -28,7 +29,7 @@ checkField(const StepOverDistance& field)
 std::vector<std::uint32_t>
 ridgeNodes(const StepOverDistance& field)
 {
-  const auto least = static_cast<float>(std::cos(14.0 * M_PI / 180.0));
+  const auto least = static_cast<float>(std::cos(14.0 * pi / 180.0));
   const std::vector<float> agreement = gradientAgreement(field.mesh, field.distance);
   std::vector<std::uint32_t> nodes;
   for (std::uint32_t v = 0; v < agreement.size(); ++v)

@@ -2,6 +2,7 @@
 
 #include "step_over_march.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 #include "graph/level_lines.h"
 
@@ -14,7 +15,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double corner_turn = 40.0 * M_PI / 180.0;
+constexpr double corner_turn = 40.0 * pi / 180.0;
 constexpr double curve_step = 0.5; // spacings between points of a curve
 constexpr int corner_reach = 3;    // points of a curve on either side, over which it turns
 constexpr double piece_share = 0.01; // of the nodes inside: a smaller piece is a splinter of the triangles

@@ -1,4 +1,5 @@
 // Closed loops as they are: what may be wrong with them, and as a toolpath.
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -48,7 +49,7 @@ passOf(SpiralPath path, const SpiralSettings& settings)
   round.push_back(path.contacts.front());
   normals.push_back(path.normals.front());
   const std::vector<Eigen::Vector3d> axes =
-      tiltedAxes(round, normals, settings.tilt_angle * M_PI / 180.0, settings.lead_angle * M_PI / 180.0);
+      tiltedAxes(round, normals, settings.tilt_angle * pi / 180.0, settings.lead_angle * pi / 180.0);
   for (std::size_t i = 0; i < n; ++i)
     pass.points.push_back({path.contacts[i], axes[i + 1], path.normals[i]});
   return pass;

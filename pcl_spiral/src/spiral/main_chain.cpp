@@ -2,6 +2,8 @@
 
 #include "chain_crossings.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -129,7 +131,7 @@ private:
     for (std::size_t k = 0; k < loop.points.size(); ++k) {
       const Eigen::Vector3d before = loop.at(loop.arcs[k] - turn_reach), after = loop.at(loop.arcs[k] + turn_reach);
       const double turn = std::acos(std::clamp((loop.points[k] - before).normalized().dot((after - loop.points[k]).normalized()), -1.0, 1.0));
-      if (turn > largest_turn * M_PI / 180.0)
+      if (turn > largest_turn * pi / 180.0)
         bends_[i].push_back(loop.arcs[k]);
     }
   }

@@ -4,6 +4,7 @@
 #include "path_densify.h"
 #include "segment_set.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <algorithm>
@@ -235,7 +236,7 @@ Mover::pull(const std::vector<std::size_t>& open)
     for (std::size_t k = low; k <= high; ++k)
       if (moves_[k]) {
         const double off = static_cast<double>(k > centre ? k - centre : centre - k) / (static_cast<double>(bell_points) + 1.0);
-        shift_[k] += way * (0.5 * (1.0 + std::cos(M_PI * off)));
+        shift_[k] += way * (0.5 * (1.0 + std::cos(pi * off)));
         pulled_.push_back(k);
       }
   }

@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
 
 #include "common/available_memory.h"
@@ -47,7 +48,7 @@ TurnFunction::pathSize() const
       gap[i] = 0.5 * ((here[k].position - next[k].position).norm() + (here[k + 1].position - next[k + 1].position).norm());
     }
     const double around = std::accumulate(gap.begin(), gap.end(), 0.0);
-    const double bend = 2.0 * std::sqrt(2.0 * settings_.chord_error * around / (2.0 * M_PI)); // of a circle as long
+    const double bend = 2.0 * std::sqrt(2.0 * settings_.chord_error * around / (2.0 * pi)); // of a circle as long
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const double turns = size.turns * (stations_[i][k + 1].share - stations_[i][k].share);
       travelled += turns * gap[i];

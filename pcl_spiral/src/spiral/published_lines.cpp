@@ -4,6 +4,7 @@
 #include "loop_matching.h"
 #include "taubin_curvature.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/bspline_fit.h>
 #include <pcl_spiral/core/step_over.h>
@@ -214,7 +215,7 @@ std::size_t
 publishedLineCount(double rim_length, double chord_error, double spacing)
 {
   constexpr double fewest = 16.0, closest = 0.5; // of the spacing
-  const double gap = stepFromChordError(2.0 * M_PI / rim_length, chord_error, rim_length);
+  const double gap = stepFromChordError(2.0 * pi / rim_length, chord_error, rim_length);
   return static_cast<std::size_t>(std::ceil(std::max(fewest, rim_length / std::max(gap, closest * spacing))));
 }
 

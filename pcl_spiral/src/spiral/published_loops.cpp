@@ -1,5 +1,6 @@
 #include "published_loops.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/frame.h>
 #include <pcl_spiral/features/impl/boundary_evidence.h>
 #include <pcl_spiral/features/impl/surface_boundary.h>
@@ -29,7 +30,7 @@ public:
     const double radius = std::sqrt(static_cast<double>(near.squared_distance[near.size - 1]));
     const BoundaryEvidence evidence = boundaryEvidence(offsets_, radius, angles_);
     // The gap does not count with this criterion.
-    return isBoundary(evidence, BoundaryCriterion::Centroid, offset_threshold, M_PI); // (1)
+    return isBoundary(evidence, BoundaryCriterion::Centroid, offset_threshold, pi); // (1)
   }
 
 private:

@@ -2,6 +2,7 @@
 
 #include "published_step.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/step_over.h>
 #include "core/tool_axis.h"
@@ -14,7 +15,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double degree = M_PI / 180.0;
 constexpr std::size_t chunk = 1u << 16; // path points between progress reports
 
 } // namespace

@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 
 #include "path_feet.h"
@@ -25,13 +26,13 @@ constexpr std::size_t chunk = 1u << 16; // path points between progress reports
 double
 radians(double degrees)
 {
-  return degrees * M_PI / 180.0;
+  return degrees * pi / 180.0;
 }
 
 double
 degrees(double radians)
 {
-  return radians * 180.0 / M_PI;
+  return radians * 180.0 / pi;
 }
 
 bool

@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
 #include "mesh_refinement.h"
@@ -57,7 +58,7 @@ std::vector<std::uint8_t>
 ridgeBand(const StepOverMesh& mesh, const std::vector<double>& distance, double usual_edge)
 {
   const std::vector<float> agreement = gradientAgreement(mesh, distance);
-  const auto least = static_cast<float>(std::cos(ridge_turn * M_PI / 180.0));
+  const auto least = static_cast<float>(std::cos(ridge_turn * pi / 180.0));
   std::vector<std::uint8_t> chosen(mesh.triangles.triangleCount(), 0);
   for (std::size_t t = 0; t < chosen.size(); ++t)
     for (const std::uint32_t v : mesh.triangles.triangle(t))

@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/tool_axis.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -9,12 +10,6 @@
 #include <cmath>
 
 namespace pcl_spiral {
-namespace {
-
-constexpr double radians = M_PI / 180.0;
-
-} // namespace
-
 Status
 ToolAxis::check() const
 {
@@ -48,10 +43,10 @@ ToolAxis::wantedAxes()
     points.push_back(p.getVector3fMap().cast<double>());
     normals.push_back(p.getNormalVector3fMap().cast<double>().normalized());
   }
-  const auto axes = tiltedAxes(points, normals, tilt_angle_ * radians, lead_angle_ * radians);
+  const auto axes = tiltedAxes(points, normals, tilt_angle_ * degree, lead_angle_ * degree);
   for (std::size_t i = 0; i < axes.size(); ++i)
     (*wanted)[i].getAxisVector3fMap() = axes[i].cast<float>();
-  exceeded_moves_ = movesTurningFaster(points, normals, field_.getMaxAxisRate() * radians);
+  exceeded_moves_ = movesTurningFaster(points, normals, field_.getMaxAxisRate() * degree);
   return wanted;
 }
 

@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include "search/neighbour_search.h"
@@ -93,7 +94,7 @@ MlsSurface::projectOnce(const std::vector<std::uint32_t>& which, std::vector<Sur
     order[i] = {q.x(), q.y(), q.z(), static_cast<std::uint32_t>(i)};
   }
   sortSpatially(order);
-  const double usual_radius = graph_.spacing() * std::sqrt(neighbours / M_PI);
+  const double usual_radius = graph_.spacing() * std::sqrt(neighbours / pi);
   const auto widest = static_cast<float>(run_width * usual_radius), reach = static_cast<float>(12.0 * usual_radius);
   const auto fitAll = [&](auto search, auto fit) {
     const BlockPartition blocks(which.size());

@@ -2,6 +2,7 @@
 #include "normal_equations.h"
 #include "quadric.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/frame.h>
 
 #include <algorithm>
@@ -43,13 +44,13 @@ outsideNearest(const Neighbourhood& near, const Eigen::Vector3d& e1, const Eigen
   std::sort(angles.begin(), angles.end());
   double widest = 0.0, outward = 0.0;
   for (std::size_t j = 0; j < angles.size(); ++j) {
-    const double next = j + 1 < angles.size() ? angles[j + 1] : angles.front() + 2.0 * M_PI;
+    const double next = j + 1 < angles.size() ? angles[j + 1] : angles.front() + 2.0 * pi;
     if (next - angles[j] > widest) {
       widest = next - angles[j];
       outward = 0.5 * (next + angles[j]);
     }
   }
-  if (widest <= M_PI)
+  if (widest <= pi)
     return 0.0;
   const Eigen::RowVector2d inward(-std::cos(outward), -std::sin(outward));
   return std::max(0.0, (inward * places).minCoeff());

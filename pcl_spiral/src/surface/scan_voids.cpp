@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/surface/impl/scan_voids.h>
 
 #include <Eigen/Geometry>
@@ -151,7 +152,7 @@ isVoid(const SurfaceGraph& graph, const std::vector<std::uint32_t>& triangles)
   const double share = shareAbout(graph, triangles);
   for (const std::uint32_t t : triangles) {
     const double radius = emptyCircle(graph, t).second;
-    largest_circle = std::max(largest_circle, M_PI * radius * radius / share);
+    largest_circle = std::max(largest_circle, pi * radius * radius / share);
     together += triangleArea(graph, t) / share;
   }
   return std::max(largest_circle, together) > std::log(static_cast<double>(graph.size())) + rarity;

@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/verify/impl/cutter_path.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -15,7 +16,7 @@ namespace {
 double
 degreesBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / M_PI;
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / pi;
 }
 
 /** Ok, or the arc lengths of a path with lifts, which \p grow by so much in all, do not fit its cuts: they tell no lift then. */

@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/verify/impl/path_deviation.h>
 
 #include "quantile.h"
@@ -80,7 +81,7 @@ private:
   {
     const Eigen::Vector3d& n = path_.normals[i];
     const double cosine = n.dot(foot.normal);
-    const double angle = std::atan2(n.cross(foot.normal).norm(), cosine) * 180.0 / M_PI;
+    const double angle = std::atan2(n.cross(foot.normal).norm(), cosine) * 180.0 / pi;
     if (foot.overhang <= 0.0) {
       angles_.push_back(static_cast<float>(angle));
       if (angle > figures_.normal_error.value)
@@ -89,7 +90,7 @@ private:
     if (cosine < 0.0 && figures_.opposed++ == 0)
       figures_.first_opposed = {angle, path_.contacts[i], i};
     if (!path_.axes.empty() && path_.axes[i].dot(foot.normal) < 0.0 && figures_.inward_axes++ == 0)
-      figures_.first_inward = {std::acos(std::max(-1.0, path_.axes[i].dot(foot.normal))) * 180.0 / M_PI,
+      figures_.first_inward = {std::acos(std::max(-1.0, path_.axes[i].dot(foot.normal))) * 180.0 / pi,
                                path_.contacts[i], i};
   }
 

@@ -1,3 +1,4 @@
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/verify/impl/reference_surface.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -113,7 +114,7 @@ ReferenceSurface::inGap(const Eigen::Vector3d& p) const
 double
 ReferenceSurface::fitRadius() const
 {
-  return graph().spacing() * std::sqrt(surface_.neighbours() / M_PI);
+  return graph().spacing() * std::sqrt(surface_.neighbours() / pi);
 }
 
 double

@@ -3,6 +3,8 @@
 #include "actors.h"
 #include "path_layer.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -30,7 +32,7 @@ revolved(const std::vector<Eigen::Vector2d>& profile, const Eigen::Vector3d& cen
   vtkNew<vtkCellArray> faces;
   for (const Eigen::Vector2d& p : profile)
     for (int k = 0; k < sectors; ++k) {
-      const double angle = 2.0 * M_PI * k / sectors;
+      const double angle = 2.0 * pi * k / sectors;
       const Eigen::Vector3d place =
           centre + p.x() * (std::cos(angle) * across + std::sin(angle) * side) + p.y() * up;
       points->InsertNextPoint(place.data());
@@ -54,7 +56,7 @@ cutterActor(const ToolpathPoint& point, double radius)
 {
   std::vector<Eigen::Vector2d> profile;
   for (int k = 0; k <= ball_rings; ++k) {
-    const double angle = 0.5 * M_PI * k / ball_rings; // from the tip
+    const double angle = 0.5 * pi * k / ball_rings; // from the tip
     profile.emplace_back(radius * std::sin(angle), -radius * std::cos(angle));
   }
   profile.emplace_back(radius, shank_length * radius);

@@ -1,5 +1,7 @@
 #include "sheet.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
@@ -37,7 +39,7 @@ addStrip(vtkRenderer* view, const Eigen::Vector2d& place, double inner, double o
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> polygons;
   for (int i = 0; i < circle_corners; ++i) {
-    const double angle = 2.0 * M_PI * i / circle_corners;
+    const double angle = 2.0 * pi * i / circle_corners;
     for (const double r : {inner, outer})
       points->InsertNextPoint(place.x() + r * std::cos(angle), place.y() + r * std::sin(angle), 0.0);
     const vtkIdType at = 2 * i, next = 2 * ((i + 1) % circle_corners);

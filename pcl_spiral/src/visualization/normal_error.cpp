@@ -1,5 +1,7 @@
 #include "normal_error.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -12,7 +14,7 @@ double
 normalError(const RidgeSurface& ridge, double u, double v)
 {
   const Eigen::Vector3d is = ridge.normal(u, v), published = ridge.normal(u, v, RidgeNormals::InNormalPlane);
-  return std::atan2(published.cross(is).norm(), published.dot(is)) * 180.0 / M_PI;
+  return std::atan2(published.cross(is).norm(), published.dot(is)) * 180.0 / pi;
 }
 
 NormalErrors

@@ -1,5 +1,7 @@
 #include "part_view.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <vtkLight.h>
 #include <vtkNew.h>
 
@@ -9,7 +11,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double tilt = 35.0 * M_PI / 180.0;
+constexpr double tilt = 35.0 * pi / 180.0;
 
 } // namespace
 

@@ -1,6 +1,7 @@
 #include "sheet.h"
 
 #include "box_axes.h"
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/visualization/rotary_picture.h>
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace {
 
 using Boxes = std::vector<std::array<Eigen::Vector2d, 2>>;
 
-constexpr double degrees = 180.0 / 3.14159265358979323846;
 constexpr double left = 150.0, right = Sheet::width - 60.0; ///< of the charts, pixels
 constexpr double lowest = 110.0, chart_height = 250.0, chart_step = 330.0;
 constexpr double number_room = 90.0, tick = axis_tick_length, line = 2.5;
@@ -52,9 +52,9 @@ curvesOf(const MachineProgram& program)
     if (!join)
       for (int k : {0, 1})
         curves[k].add(before.arc_length,
-                      k == 0 ? before.angles.first * degrees / 360.0 : before.angles.second * degrees, false);
-    curves[0].add(block.arc_length, block.angles.first * degrees / 360.0, true);
-    curves[1].add(block.arc_length, block.angles.second * degrees, true);
+                      k == 0 ? before.angles.first * in_degrees / 360.0 : before.angles.second * in_degrees, false);
+    curves[0].add(block.arc_length, block.angles.first * in_degrees / 360.0, true);
+    curves[1].add(block.arc_length, block.angles.second * in_degrees, true);
     curves[2].add(block.arc_length, (block.arc_length - before.arc_length) / block.minutes, join);
   }
   return curves;
@@ -171,7 +171,7 @@ writeRotaryAngles(const std::string& file, const std::string& title, const Machi
   std::string places;
   if (!report.poles.empty())
     places += text("; yellow: axis blended at the pole, by up to %.3g degrees",
-                   degrees * std::max_element(report.poles.begin(), report.poles.end(),
+                   in_degrees * std::max_element(report.poles.begin(), report.poles.end(),
                                               [](const PoleZone& a, const PoleZone& b) {
                                                 return a.largest_change < b.largest_change;
                                               })
@@ -180,7 +180,7 @@ writeRotaryAngles(const std::string& file, const std::string& title, const Machi
     places += text("; red: unwinds, %.0f times", static_cast<double>(report.unwound_at.size()));
   sheet.addTitle(title + ": rotary axes of " + program.machine.name,
                  text("%.1f turns in all, %.3g degrees in one block at the most",
-                      report.first_travel * degrees / 360.0, report.largest_turn * degrees) +
+                      report.first_travel * in_degrees / 360.0, report.largest_turn * in_degrees) +
                      places);
   sheet.save(file);
 }

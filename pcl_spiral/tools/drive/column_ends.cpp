@@ -1,5 +1,6 @@
 #include "column_ends.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ void
 ColumnEnds::add(const Eigen::Vector3d& place)
 {
   const Eigen::Vector3d y = place - cylinder_.origin;
-  const double turn = std::atan2(y.dot(e2_), y.dot(e1_)) / (2.0 * M_PI) + 0.5;
+  const double turn = std::atan2(y.dot(e2_), y.dot(e1_)) / (2.0 * pi) + 0.5;
   along_[std::min(sectors - 1, static_cast<int>(turn * sectors))].push_back(y.dot(cylinder_.direction));
 }
 

@@ -1,5 +1,6 @@
 #include "pass_scene.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/drive/impl/drive_cylinder.h>
 
 #include <cmath>
@@ -18,7 +19,7 @@ countTurns(const DriveCylinder& cylinder, pcl::PointCloud<ToolpathPoint>& path)
     const Eigen::Vector3d out = path[i].getVector3fMap().cast<double>() - cylinder.origin;
     const double angle = std::atan2(out.dot(up), out.dot(across));
     if (i > 0)
-      turns += std::remainder(angle - last, 2.0 * M_PI) / (2.0 * M_PI);
+      turns += std::remainder(angle - last, 2.0 * pi) / (2.0 * pi);
     last = angle;
     path[i].turn = static_cast<float>(std::abs(turns));
   }

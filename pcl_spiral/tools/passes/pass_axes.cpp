@@ -1,6 +1,7 @@
 #include "pass_axes.h"
 #include "terminal/terminal.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 #include "core/axis_field.h"
 
@@ -28,7 +29,6 @@ smoothPasses(const PassJob& job, DrivePasses& passes, std::vector<std::string>& 
 {
   if (!(job.axis_smoothing > 0.0 || job.max_axis_rate > 0.0))
     return;
-  constexpr double degree = 3.14159265358979323846 / 180.0;
   constexpr double most_smoothed = 20.0, farthest = 45.0; // degrees; farther off, passes no longer cover the surface
   AxisFieldOptions options;
   options.smoothing_length = job.axis_smoothing;

@@ -5,6 +5,7 @@
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
@@ -15,7 +16,6 @@ using namespace pcl_spiral;
 namespace {
 
 constexpr double least_tolerance = 1e-4; // mm: single precision of a scan knows no less
-constexpr double radians = 3.14159265358979323846 / 180.0;
 
 } // namespace
 
@@ -37,7 +37,7 @@ completeCutter(PassJob& job)
 {
   CutterShape& c = job.cutter;
   if (!isGiven(job, "corner-radius")) {
-    const double angle = c.flank_angle * radians;
+    const double angle = c.flank_angle * degree;
     c.corner_radius = (c.radius - c.flank_length * std::sin(angle)) / std::cos(angle);
   }
   if (const std::string fault = faultOf(c); !fault.empty())

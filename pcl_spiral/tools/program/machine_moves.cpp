@@ -1,6 +1,7 @@
 #include "machine_moves.h"
 #include "terminal/terminal.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/machine_reader.h>
@@ -12,8 +13,6 @@ using namespace pcl_spiral;
 
 namespace {
 
-constexpr double degrees = 180.0 / 3.14159265358979323846;
-
 /** What a user should know before the program runs. */
 std::vector<std::string>
 warningsOf(const MachineProgram& program)
@@ -24,7 +23,7 @@ warningsOf(const MachineProgram& program)
   for (const PoleZone& zone : report.poles)
     warnings.push_back(textOf(
         "near the pole ", first, " would turn beyond its rate: the tool axis was blended from ", zone.begin,
-        " to ", zone.end, " mm of the path, by up to ", zone.largest_change * degrees, " degrees"));
+        " to ", zone.end, " mm of the path, by up to ", zone.largest_change * in_degrees, " degrees"));
   if (report.slowed_blocks > 0)
     warnings.push_back(textOf(report.slowed_blocks, " of ", report.cut_blocks,
                               " blocks run below the feed for an axis to keep its rate, the slowest at ",
@@ -45,12 +44,9 @@ machineOf(const ProgramJob& program)
   if (program.machine_file.empty())
     return xyzacTrunnion();
   Machine machine = readMachine(program.machine_file);
-  const Dialect dialect = program.dialect;
-  const bool tips =
-      dialect == Dialect::FanucVectors || dialect == Dialect::Siemens || dialect == Dialect::Heidenhain;
-  if (!machine.rtcp && tips)
+  if (!machine.rtcp && entryOf(program.dialect).needs_rtcp)
     throw FileError(program.machine_file,
-                    "rtcp: false, and --dialect " + choiceName(dialect) +
+                    "rtcp: false, and --dialect " + choiceName(program.dialect) +
                         " takes tips and tool axes; use linuxcnc or fanuc, or rtcp: true");
   return machine;
 }
@@ -91,7 +87,7 @@ printProgram(const MachineProgram& program)
               program.machine.name.c_str(), program.blocks.size(), report.split_blocks, report.thinned_poses,
               duration(60.0 * report.minutes).c_str());
   std::printf("rotary axes     %c %.1f to %.1f degrees, %.1f turns in all; %c %.2f to %.2f degrees\n",
-              first.letter, report.lowest_first * degrees, report.highest_first * degrees,
-              report.first_travel * degrees / 360.0, second.letter, report.lowest_second * degrees,
-              report.highest_second * degrees);
+              first.letter, report.lowest_first * in_degrees, report.highest_first * in_degrees,
+              report.first_travel * in_degrees / 360.0, second.letter, report.lowest_second * in_degrees,
+              report.highest_second * in_degrees);
 }

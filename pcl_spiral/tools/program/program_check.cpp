@@ -2,6 +2,7 @@
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 #include "common/readable_text.h"
 #include <pcl_spiral/io/file_error.h>
@@ -13,8 +14,6 @@
 using namespace pcl_spiral;
 
 namespace {
-
-constexpr double degrees = 180.0 / 3.14159265358979323846;
 
 /** Codes that are lines of a program, both or none. */
 void
@@ -93,10 +92,10 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
   requireOption(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole-cone", s.pole_cone,
           "must lie between 0 and 90 degrees");
   requireOption(s.block.tip >= BlockTolerance::least_tip, "block-tolerance", s.block.tip, "must be 0.0001 mm or more");
-  requireOption(s.block.axis >= BlockTolerance::least_axis, "block-tolerance", s.block.axis * degrees,
+  requireOption(s.block.axis >= BlockTolerance::least_axis, "block-tolerance", s.block.axis * in_degrees,
           "must be 0.00006 degrees or more");
   requireOption(s.thinning.tip >= 0.0, "thin-blocks", s.thinning.tip, "must not be below 0 mm");
-  requireOption(s.thinning.axis >= 0.0, "thin-blocks", s.thinning.axis * degrees, "must not be below 0 degrees");
+  requireOption(s.thinning.axis >= 0.0, "thin-blocks", s.thinning.axis * in_degrees, "must not be below 0 degrees");
   const ProgramHeader& header = program.header;
   requireOption(header.spindle_speed >= 0.0, "spindle", header.spindle_speed, "must be above 0 rev/min");
   requireOption(header.tool >= 0, "tool", header.tool, "must be above 0");

@@ -1,8 +1,8 @@
 #include "program_options.h"
 
-namespace {
+#include <pcl_spiral/core/impl/angles.h>
 
-constexpr double radians = 3.14159265358979323846 / 180.0;
+namespace {
 
 /** An option for a tolerance of tip and axis: 0.01,0.1 */
 Option
@@ -14,7 +14,7 @@ tolerance(const std::string& name, const std::string& help, pcl_spiral::BlockTol
         if (words.size() != 2)
           throw UsageError("--" + name + " " + value +
                            ": mm of the tip and degrees of the axis are needed, such as 0.01,0.1");
-        target = {numberValue(name, words[0]), radians * numberValue(name, words[1])};
+        target = {numberValue(name, words[0]), pcl_spiral::degree * numberValue(name, words[1])};
       }};
 }
 

@@ -8,6 +8,7 @@
 #include "terminal/file_names.h"
 #include "terminal/setter_names.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/io/file_error.h>
@@ -128,7 +129,7 @@ takeBeam(const Job& job, const DrivePasses& rows, Result& result)
   const double lean = std::hypot(job.rows.lead, job.rows.tilt);
   if (lean > 0.0 && job.rows.stand_off != 0.0)
     result.warnings.push_back(textOf("the beam leans by about ", lean, " degrees at a stand-off of ", job.rows.stand_off,
-                                     " mm: it meets the surface some ", std::abs(job.rows.stand_off) * std::tan(lean * M_PI / 180.0),
+                                     " mm: it meets the surface some ", std::abs(job.rows.stand_off) * std::tan(lean * pi / 180.0),
                                      " mm beside the row, and files say where; leave --stand-off out, and set the tool's length longer by it: then the tip of the "
                                      "files is the spot"));
   if (hasProgram(job.program, job.outputs))

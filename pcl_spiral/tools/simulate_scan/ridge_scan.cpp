@@ -1,5 +1,6 @@
 #include "ridge_scan.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/ridge_frame.h>
 
 #include <Eigen/Geometry>
@@ -7,22 +8,24 @@
 #include <cmath>
 #include <random>
 
+using pcl_spiral::pi;
+
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double theta = -15.0 * M_PI / 180.0;
+constexpr double theta = -15.0 * pi / 180.0;
 
 Vector3d
 rail(double t)
 {
-  return {600.0 * t, 60.0 * std::sin(1.6 * M_PI * t), 40.0 * std::sin(M_PI * t)};
+  return {600.0 * t, 60.0 * std::sin(1.6 * pi * t), 40.0 * std::sin(pi * t)};
 }
 
 Vector3d
 alongRail(double t)
 {
-  return {600.0, 96.0 * M_PI * std::cos(1.6 * M_PI * t), 40.0 * M_PI * std::cos(M_PI * t)};
+  return {600.0, 96.0 * pi * std::cos(1.6 * pi * t), 40.0 * pi * std::cos(pi * t)};
 }
 
 /** In the frame: tangent, chord, up. */

@@ -2,6 +2,7 @@
 #include "planning.h"
 #include "terminal/setter_names.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/io/file_error.h>
@@ -170,7 +171,7 @@ creaseWarnings(const MeshInput& input, const Surface& surface)
   const MeshCounts& counts = input.mesh->counts();
   if (counts.creases.count == 0)
     return {};
-  const double band = surface.spacing() * std::sqrt(surface.fit().neighbours() / M_PI);
+  const double band = surface.spacing() * std::sqrt(surface.fit().neighbours() / pi);
   return {textOf("the mesh has ", counts.crease_length, " mm of creases (", counts.creases.count, " edges), the first at ",
                  placeText(counts.creases.place), ": the spiral rides over them as if they were rounded, within about ", band,
                  " mm; an outer edge is cut off there, in an inner one material is left. Where they have to stay sharp, cut the mesh "

@@ -1,5 +1,5 @@
 /** \file
- *  A scan without the points that lie off its surface.
+ *  Removes the points of a scan that lie off its surface.
  */
 #pragma once
 
@@ -17,29 +17,29 @@
 
 namespace pcl_spiral {
 
-/** What a removal came to: points, lengths in mm. */
+/** Results of a removal: points, lengths in mm. */
 struct StrayFigures {
-  std::size_t strays = 0;        ///< left out; finite ones
+  std::size_t strays = 0;        ///< outliers left out; finite ones
   std::size_t nonfinite = 0;     ///< left out as well
-  std::size_t kept_strays = 0;   ///< off the surface too, but in a group larger than asked for
-  std::size_t largest_group = 0; ///< of the strays, those kept with them: linked by steps of three spacings
+  std::size_t kept_strays = 0;   ///< outliers kept: off the surface, but in a group larger than the limit
+  std::size_t largest_group = 0; ///< of outliers, including those kept, linked by steps of three spacings
   Eigen::Vector3d largest_group_place = Eigen::Vector3d::Zero(); ///< its middle
 };
 
-/** Leaves out strays: false echoes, points that stand alone, specks apart from the surface. Points that are not finite go
- *  too. Points of the surface stay, however close they stand.
+/** Leaves out outliers: false echoes, isolated points, clusters apart from the surface. Points that are not finite are left
+ *  out too. Points of the surface stay, however close together they are.
  *
- *  For stages that hold to every point, such as CutterLocation, which lifts the cutter over each. A stray may be a thing
- *  that stands there, a screw or a clamp: look at what is left out (getRemovedIndices) before cutting.
+ *  For stages that use every point, such as CutterLocation, which lifts the cutter over each. An outlier may be a real object,
+ *  a screw or a clamp: check what was left out (getRemovedIndices) before cutting.
  *  \code
  *  StrayRemoval<pcl::PointXYZ> removal(true); // keeps what it removed
  *  removal.setInputCloud(scan);
  *  removal.filter(*cloud);
  *  if (!removal.getStatus().ok()) ...         // and the output is empty, or all not-a-number where it is organized
  *  \endcode
- *  setNegative turns the choice round, setKeepOrganized is that of pcl::FilterIndices. The choice does not depend on the
- *  order of the points nor on the number of threads.
- *  \sa buildCleanGraph, which says what is sought */
+ *  setNegative inverts the selection; setKeepOrganized is that of pcl::FilterIndices. The selection does not depend on the
+ *  order of the points or on the number of threads.
+ *  \sa buildCleanGraph, which defines the outliers */
 template <typename PointT>
 class StrayRemoval : public pcl::FilterIndices<PointT>, public ThreadCount {
 public:
@@ -51,8 +51,8 @@ public:
     this->filter_name_ = "StrayRemoval";
   }
 
-  /** Strays that hang together in groups of more points than this stay: a false echo is alone, a screw or a clamp is not.
-   *  0, the default: all go. */
+  /** Connected outliers in groups of more points than this stay: a false echo is a single point, a screw or a clamp is not.
+   *  0, the default: all are left out. */
   void
   setLargestGroup(std::size_t points)
   {
@@ -64,7 +64,7 @@ public:
     return largest_group_;
   }
 
-  /** Forgets the last outcome; a null pointer is a failure at once. */
+  /** Clears the last result. A null pointer is an error at once. */
   void
   setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
   {
@@ -74,8 +74,8 @@ public:
     pcl::FilterIndices<PointT>::setInputCloud(cloud);
   }
 
-  /** As in pcl::Filter; here the output is empty without a cloud, too, where pcl::Filter::filter, called through a pointer to
-   *  it, leaves the output as it was and the filter does not learn of the call. */
+  /** As in pcl::Filter, but the output is also empty if there is no cloud. Through a pointer to pcl::Filter, pcl::Filter::filter
+   *  leaves the output unchanged in that case and does not call this filter. */
   void
   filter(pcl::PointCloud<PointT>& output)
   {
@@ -94,7 +94,7 @@ public:
       indices.clear();
   }
 
-  /** Of the last call of filter: what is wrong with the points where they form no surface. */
+  /** Status of the last call of filter: the fault of the points if they form no surface. */
   const Status&
   getStatus() const
   {

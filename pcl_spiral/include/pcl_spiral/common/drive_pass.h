@@ -1,5 +1,5 @@
 /** \file
- *  Drive points in the order of travel.
+ *  Drive points in travel order.
  */
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace pcl_spiral {
 
-/** Drive points in travel order that the tool follows without leaving the surface. */
+/** Drive points in travel order. The tool follows them without leaving the surface. */
 struct DrivePass {
   DrivePoints points;
-  bool closed = false; ///< a ring: the last point joins the first, which is not repeated
+  bool closed = false; ///< the last point joins the first, which is not repeated
 };
 
 using DrivePasses = std::vector<DrivePass>;

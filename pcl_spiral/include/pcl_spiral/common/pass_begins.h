@@ -12,17 +12,17 @@
 
 namespace pcl_spiral {
 
-/** Whether the tool is lifted on a way of \p distance mm over which the arc length grows by \p grown mm: it does not count lifts. */
+/** True if the tool is lifted on a move of \p distance mm over which the arc length grows by \p grown mm: lifts add no arc length. */
 inline bool
 isLift(double distance, double grown)
 {
-  constexpr double least = 0.01;  // mm: shorter ways are none to lift for
-  constexpr double share = 0.001; // of the way: arc lengths are rounded in files
+  constexpr double least = 0.01;  // mm: shorter moves are not lifts
+  constexpr double share = 0.001; // of the move: files round arc lengths
   return distance > least && grown < share * distance;
 }
 
-/** Points of \p path at which the second pass begins, and each further one: the arc length does not grow on the way there, in whatever
- *  file the path was kept. Empty for one pass, and for a path without arc lengths. */
+/** Points of \p path at which the second and each later pass begins: the arc length does not grow on the move there, in any file
+ *  format. Empty for one pass, and for a path without arc lengths. */
 inline std::vector<std::size_t>
 passBegins(const pcl::PointCloud<ToolpathPoint>& path)
 {

@@ -13,10 +13,10 @@
 namespace pcl_spiral {
 
 /** One point of a toolpath.
- *  x y z is the cutter contact (mm), normal the unit surface normal out of the material, axis the unit tool axis
- *  from the tip to the shank, arc_length the length cut up to here (mm; it does not grow where the tool is lifted), turn the spiral's turn count.
- *  arc_length is a double: a path of kilometres loses a millimetre in single precision. over_gap is 1 where the scan has a
- *  gap that was bridged: there the surface is a guess from what lies round it.
+ *  x y z is the cutter contact (mm), normal the unit surface normal out of the material. axis is the unit tool axis
+ *  from the tip to the shank. arc_length is the length cut up to here (mm; lifts do not count), turn the number of spiral turns.
+ *  arc_length is a double: in single precision, a path of kilometres loses a millimetre. over_gap is 1 where the scan has a
+ *  bridged gap: there the surface is guessed from the surface around it.
  */
 struct EIGEN_ALIGN16 ToolpathPoint {
   PCL_ADD_POINT4D;

@@ -1,5 +1,5 @@
 /** \file
- *  The outcome of a computation, kept by every class of pcl_spiral.
+ *  The result of a computation, which every class of pcl_spiral keeps.
  */
 #pragma once
 
@@ -8,17 +8,17 @@
 
 namespace pcl_spiral {
 
-/** Why a computation ended as it did. */
+/** Why a computation ended. */
 enum class StatusCode {
   Ok,              ///< done
   NotComputed,     ///< compute has not been called yet
   InvalidArgument, ///< a setting is missing, out of range, contradicts another, or does not fit the cloud
-  InvalidInput,    ///< the cloud cannot be worked on (empty, too few points, closed, several parts ...)
-  Failed,          ///< the computation met something it cannot solve on this surface
+  InvalidInput,    ///< the cloud cannot be used (empty, too few points, closed, several parts ...)
+  Failed,          ///< the computation met a problem that it cannot solve on this surface
   Cancelled        ///< the progress callback asked to stop
 };
 
-/** Outcome of the last compute: a code, and a message that names what was wrong, where, and what to do. */
+/** Result of the last compute: a code, and a message with the fault, the place and the remedy. */
 class Status {
 public:
   Status() = default;
@@ -40,7 +40,7 @@ public:
   {
     return code_;
   }
-  /** What went wrong, the place and value, and the remedy; one or more sentences. */
+  /** The fault, the place and value, and the remedy; one or more sentences. */
   const std::string&
   message() const
   {

@@ -1,5 +1,5 @@
 /** \file
- *  Cubic B-spline through a run of points, by least squares.
+ *  Cubic B-spline fitted to a sequence of points by least squares.
  */
 #pragma once
 
@@ -9,15 +9,15 @@
 
 namespace pcl_spiral {
 
-/** How a B-spline is fitted. Lengths in the unit of the points. */
+/** Options of a B-spline fit. Lengths in the unit of the points. */
 struct BSplineFitOptions {
   double tolerance =
-      1e-3; ///< spans are doubled, up to one for two points, until no point is farther than this
+      1e-3; ///< spans are doubled, up to one for two points, until no point is farther away than this
   std::size_t min_spans = 4; ///< spans to start with
   std::size_t max_spans = 0; ///< 0: points - 3, which interpolates and is tried last
 };
 
-/** A fitted curve, and how far its points are from it. */
+/** A fitted curve, and the distance of its points from it. */
 struct BSplineFit {
   BSplineCurve curve;
   double max_deviation = 0.0; ///< largest distance of a point from the curve at its own parameter
@@ -27,12 +27,12 @@ struct BSplineFit {
 
 /** Least-squares cubic B-spline over chord length; both ends are interpolated exactly.
  *
- *  Parameters are the chord lengths of the points. Knots stand at equal lengths, and at equal shares of the
- * points (Piegl and Tiller 1997, equations 9.69 and 9.8) where a span would hold no point. The normal
- * equations have seven diagonals and are solved as such, in time proportional to the number of points. The
- * deviation is an upper bound of the true distance, because it is taken at the point's own parameter. Points
- * that repeat their neighbour are skipped; two or three points give a line or a parabola. \return nullopt
- * when fewer than two points differ, a point is not finite, or the tolerance is not positive. */
+ *  Parameters are the chord lengths of the points. Knots are at equal lengths, or at equal shares of the
+ * points (Piegl and Tiller 1997, equations 9.69 and 9.8) if a span would contain no point. The normal
+ * equations have seven diagonals and are solved in this form, in time proportional to the number of points. The
+ * deviation is an upper bound of the true distance, because it is measured at the point's own parameter. Points
+ * equal to their neighbour are skipped. Two or three points give a line or a parabola. \return nullopt
+ * if fewer than two points differ, a point is not finite, or the tolerance is not positive. */
 std::optional<BSplineFit> fitBSpline(const Polyline& points, const BSplineFitOptions& options = {});
 
 } // namespace pcl_spiral

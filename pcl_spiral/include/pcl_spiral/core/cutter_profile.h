@@ -9,25 +9,25 @@
 
 namespace pcl_spiral {
 
-/** A tapered bull-nose by its four measures. Ball, flat end, bull-nose, taper and tapered ball are special cases. */
+/** A tapered bull-nose, defined by four lengths and angles. Ball, flat end, bull-nose, taper and tapered ball are special cases. */
 struct CutterShape {
-  double radius = 0.0;        ///< R, where the flank ends at the top
+  double radius = 0.0;        ///< R, at the upper end of the flank
   double corner_radius = 0.0; ///< r; 0: sharp
-  double flank_length = 0.0;  ///< L, along the slant; 0: the cutter ends where the corner does
+  double flank_length = 0.0;  ///< L, along the slant; 0: the cutter ends at the end of the corner
   double flank_angle = 0.0;   ///< alpha, of the flank to the axis, degrees; 0: a cylinder
 
-  /** Lengths of flanks are those of the cutting edge above the corner; 0 where it does not matter. */
+  /** Flank lengths are those of the cutting edge above the corner; 0 if they do not matter. */
   static CutterShape ball(double radius, double flank_length = 0.0);
   static CutterShape flatEnd(double radius, double flank_length = 0.0);
   static CutterShape bullNose(double radius, double corner_radius, double flank_length = 0.0);
-  /** A cone, cut off flat where the flank ends below. */
+  /** A cone with a flat tip at the lower end of the flank. */
   static CutterShape taper(double radius, double flank_length, double flank_angle);
   /** A cone with a ball that continues it smoothly: r = (R - L sin alpha) / cos alpha. */
   static CutterShape taperedBall(double radius, double flank_length, double flank_angle);
   static CutterShape taperedBullNose(double radius, double corner_radius, double flank_length, double flank_angle);
 };
 
-/** What is wrong with a shape, the value and the remedy; empty where it is a cutter. */
+/** The fault of a shape, with the value and the remedy; empty if the shape is a valid cutter. */
 std::string
 faultOf(const CutterShape& shape);
 
@@ -38,17 +38,17 @@ enum class CutterPart {
   Flank  ///< cone or cylinder above the corner
 };
 
-/** Where a cutter stands when it touches a plane at a point. */
+/** The place of a cutter that touches a plane at a point. */
 struct CutterContact {
-  /** False: the plane leans over the flank (n v < sin alpha), no part of the cutting edge can lie against it. The rest
-   *  is then that of the flank's top edge, the part that would meet it first. */
+  /** False: the plane leans over the flank (n v < sin alpha), and no part of the cutting edge can touch it. The rest
+   *  then belongs to the top edge of the flank, the part that would meet the plane first. */
   bool touches = false;
   CutterPart part = CutterPart::Corner;
   Eigen::Vector3d tip = Eigen::Vector3d::Zero(); ///< the location
   double distance = 0.0; ///< of the contact from the axis
   double height = 0.0;   ///< of the contact above the tip, along the axis
-  bool unique = true;    ///< false on the flat and on the flank, which touch along themselves: the tip's middle, or the
-                         ///< flank's lower end was put on the contact
+  bool unique = true;    ///< false on the flat and on the flank, which touch along a line or area: the middle of the tip, or the
+                         ///< lower end of the flank, was put on the contact
   double excess_angle = 0.0; ///< degrees by which the axis must lean towards the normal before the flank can touch
 };
 
@@ -56,12 +56,12 @@ struct CutterContact {
  *
  *  R1 = R - L sin alpha, R2 = R1 - r cos alpha, H = r - r sin alpha. Height above the tip at the distance l from the axis:
  *  0 up to R2, r - sqrt(r^2 - (l - R2)^2) up to R1, H + (l - R1) / tan alpha up to R. Convex and continuous, and smooth
- *  where r > 0. Source: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points; its R1 has a
+ *  if r > 0. Source: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points; its R1 has a
  *  further H sin alpha by misprint.
  */
 class CutterProfile {
 public:
-  /** \throws std::invalid_argument with faultOf(shape) where it is no cutter. */
+  /** \throws std::invalid_argument with faultOf(shape) if it is not a valid cutter. */
   explicit CutterProfile(const CutterShape& shape);
 
   const CutterShape& shape() const { return shape_; }
@@ -73,23 +73,23 @@ public:
   double topHeight() const { return top_height_; }            ///< where the flank ends
   double flankAngle() const { return flank_angle_; }          ///< alpha, radians
 
-  /** Lowest height of the profile at the distance \p l >= 0 from the axis; infinite beyond R, where there is none. */
+  /** Lowest height of the profile at the distance \p l >= 0 from the axis; infinite beyond R, where there is no profile. */
   double height(double l) const;
-  /** Radius of the cutter at \p height above the tip: 0 below it, R above the flank's top. */
+  /** Radius of the cutter at \p height above the tip: 0 below the tip, R above the flank's top. */
   double radiusAt(double height) const;
-  /** Outward normal at the distance \p l: away from the axis, along it. Where the profile has an edge, the side nearer to
-   *  the axis counts. */
+  /** Outward normal at the distance \p l: components away from the axis and along it. At an edge of the profile, the side nearer
+   *  to the axis counts. */
   Eigen::Vector2d normal(double l) const;
-  /** Whether a point at \p l from the axis and \p height above the tip lies inside the cutter by more than \p margin,
-   *  measured up the axis. The top is open: the shank goes on. */
+  /** True if a point at \p l from the axis and \p height above the tip lies inside the cutter by more than \p margin,
+   *  measured up the axis. The top is open: the shank continues. */
   bool
   contains(double l, double height, double margin = 0.0) const
   {
     return height - margin > this->height(l);
   }
 
-  /** Location for a contact at \p point of a surface with \p normal (unit, out of the material), the tool along \p axis
-   *  (unit, tip to shank): tip = point + l u - z axis with u the direction of the normal across the axis. */
+  /** Location of the tip for a contact at \p point of a surface with \p normal (unit, out of the material), with the tool along
+   *  \p axis (unit, tip to shank): tip = point + l u - z axis, where u is the direction of the normal across the axis. */
   CutterContact locate(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, const Eigen::Vector3d& axis) const;
 
 private:
@@ -98,8 +98,8 @@ private:
   double flank_radius_, flat_radius_, corner_height_, top_height_;
 };
 
-/** The cutter less \p depth along its normals: a point inside it is deeper than that inside the whole one. Its tip stands
- *  \p depth above the tip of the whole one. The cutter itself where nothing would be left. */
+/** The cutter reduced by \p depth along its normals: a point inside it is deeper than \p depth inside the whole one. Its tip is
+ *  \p depth above the tip of the whole one. Returns the cutter itself if nothing would be left. */
 CutterProfile
 insetCutter(const CutterProfile& profile, double depth);
 

@@ -1,5 +1,5 @@
 /** \file
- *  Smoothing of polylines that does not shrink them.
+ *  Smoothing of polylines without shrinking them.
  */
 #pragma once
 
@@ -9,37 +9,37 @@ namespace pcl_spiral {
 
 /** How a polyline is smoothed. Lengths in the unit of the points. */
 struct TaubinOptions {
-  double wavelength = 10.0;        ///< waves of this length come out half as high; shorter ones vanish
-  double lambda = 0.5;             ///< share of the way to the neighbours' middle, in (0, 1]
-  double mu = -0.53;               ///< and back; at most -lambda
+  double wavelength = 10.0;        ///< waves of this length keep half their height; shorter ones vanish
+  double lambda = 0.5;             ///< share of the way to the middle of the neighbours, in (0, 1]
+  double mu = -0.53;               ///< the same for the way back; at most -lambda
   bool closed = false;             ///< the last point is joined to the first
-  std::vector<std::size_t> pinned; ///< points kept exactly, corners; the smoothing does not look across them
+  std::vector<std::size_t> pinned; ///< points kept exactly, such as corners; the smoothing does not act across them
   unsigned int threads = 0;        ///< 0: as many as a ThreadLimit leaves, or all; the result does not depend on it
 };
 
 /** Taubin smoothing (Taubin 1995, lambda | mu): p += lambda L p, then p += mu L p, with L p the middle of the
  *  neighbours minus p.
  *
- *  The cut-off is a length, whatever the spacing of the points: the line is sampled at equal lengths d, the
- * neighbours stand M samples away on either side so that 2 pi M d / wavelength = 1, and the number of passes
- * N is the one that brings the gain at the wavelength nearest to 1/2 (16 with the default lambda and mu). A
+ *  The cut-off is a length and does not depend on the spacing of the points. The line is sampled at equal lengths d.
+ * The neighbours are M samples away on each side so that 2 pi M d / wavelength = 1. The number of passes N is the one
+ * that brings the gain at the wavelength nearest to 1/2 (16 with the default lambda and mu). A
  * pass has the gain f(k) = (1 - lambda k)(1 - mu k), k = 1 - cos(2 pi M d / w) on a wave of length w. Two
  * passes at each of the strides 1 .. M/4, M/2 come first and remove the waves of length M d / j that the last
- * stride does not see. Gains by default: 0.02 % at wavelength / 2 and less below, 0.50 at the wavelength,
- * 0.996 at twice, 1.014 at three times (the most), then down to 1. The smoothed line is read at the arc
+ * stride does not reach. Gains by default: 0.02 % or less at and below wavelength / 2, 0.50 at the wavelength,
+ * 0.996 at twice, 1.014 at three times (the maximum), then decreasing to 1. The smoothed line is read at the arc
  * lengths of the given points.
  *
- *  A curve of radius r is moved outwards by N |lambda + mu| (wavelength / 2 pi)^2 / (2 r): 0.006 mm at r = 100 and a
- *  wavelength of 10, by default; mu = -lambda moves it nowhere, with a softer cut-off (0.95 at twice the wavelength).
+ *  It moves a curve of radius r outwards by N |lambda + mu| (wavelength / 2 pi)^2 / (2 r): 0.006 mm at r = 100 and a
+ *  wavelength of 10, by default. mu = -lambda does not move it, with a softer cut-off (0.95 at twice the wavelength).
  *
- *  Ends of an open line and pinned points do not move at all; near them the line is continued by its point
- * reflection. A wavelength under two mean spacings changes nothing: the points cannot show shorter waves.
- *  \throws std::invalid_argument when an option is out of range or the wavelength lies in the pass band of
+ *  Ends of an open line and pinned points do not move. Near them the line is continued by its point
+ * reflection. A wavelength below two mean spacings changes nothing: the points cannot show shorter waves.
+ *  \throws std::invalid_argument if an option is out of range or the wavelength lies in the pass band of
  * lambda, mu. */
 Polyline taubinSmoothed(const Polyline& line, const TaubinOptions& options);
 
 /** Gain of taubinSmoothed on a small wave of length \p wave_length across a straight line of points \p
- * spacing apart: the transfer function, away from fixed points. */
+ * spacing apart: the transfer function, far from fixed points. */
 double taubinGain(double wave_length, double spacing, const TaubinOptions& options);
 
 } // namespace pcl_spiral

@@ -1,5 +1,5 @@
 /** \file
- *  Five-axis gouge-free cutter locations from a cloud or a mesh.
+ *  Five-axis cutter locations without gouge, from a cloud or a mesh.
  */
 #pragma once
 
@@ -22,21 +22,21 @@
 
 namespace pcl_spiral {
 
-/** Where a cutter of any profile stands on a scan without cutting into it: for each drive point, the highest
- * place along the axis at which a point within the cutter's reach, or the surface fitted to the points, is
- * touched.
+/** Places a cutter of any profile on a scan so that it does not cut into the scan.
+ *  For each drive point it finds the highest place along the axis where the cutter
+ *  touches a point within its reach, or the surface fitted to the points.
  *
- *  Takes a cloud or a surface, see SurfaceInput. The cutter stays off every finite point, those left out of the surface too.
- *  A cloud of which no surface can be made may still be located on by its points (Evaluation::Points). Or takes a mesh: the
- *  cutter stays off all its faces, or the curved surface they stand for: exactly on flat triangles, to a hundredth of the
- *  contact tolerance, and 1e-4 mm, on curved ones.
- *  Source: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. Lengths in mm. The output does not
- *  depend on the order of the cloud nor on the number of threads.
- */
+ *  Takes a cloud or a surface, see SurfaceInput. The cutter stays off every finite point,
+ *  also off points left out of the surface. If no surface can be made of a cloud, the
+ *  points are enough (Evaluation::Points). Also takes a mesh: the cutter stays off
+ *  all its faces, or off the curved surface behind them. That is exact on flat triangles;
+ *  on curved ones it holds to a hundredth of the contact tolerance, and to 1e-4 mm.
+ *  Source: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. Lengths
+ *  in mm. The output does not depend on the order of the cloud or on the number of threads. */
 template <typename PointT>
 class CutterLocation : public SurfaceInput<pcl::PCLBase<PointT>, PointT> {
 public:
-  CutterLocation() { this->scanned_.setStrict(false); } // a rough surface is located on all the same
+  CutterLocation() { this->scanned_.setStrict(false); } // a rough surface is accepted
   using Ptr = pcl::shared_ptr<CutterLocation>;
   using ConstPtr = pcl::shared_ptr<const CutterLocation>;
   using Path = pcl::PointCloud<ToolpathPoint>;
@@ -49,7 +49,7 @@ public:
     drive_points_ = std::move(points);
     pass_sizes_ = {drive_points_.size()};
   }
-  /** The same of several passes, such as those of DrivePath; the first point of a ring is repeated at its end. */
+  /** The same with several passes, such as those of DrivePath; the first point of a ring is repeated at its end. */
   void setDrivePasses(const DrivePasses& passes);
   const DrivePoints&
   getDrivePoints() const
@@ -71,7 +71,7 @@ public:
     return cutter_;
   }
 
-  /** Evaluation::FittedSurface by default. */
+  /** How the height of a location is found; Evaluation::FittedSurface by default. */
   void
   setEvaluation(Evaluation evaluation)
   {
@@ -83,7 +83,7 @@ public:
     return options_.evaluation;
   }
 
-  /** A contact touched within this, along the axis, is reached, mm; 0.01 by default. */
+  /** A contact counts as reached if the cutter touches within this distance along the axis, mm; 0.01 by default. */
   void
   setContactTolerance(double tolerance)
   {
@@ -95,8 +95,8 @@ public:
     return options_.tolerance;
   }
 
-  /** What stands on the cutter, from the top of its flank upwards: shank, extensions, chuck. None by default:
-   * no collision is looked for. Give the cutter its flank length. */
+  /** The parts above the cutter, from the top of its flank upwards: shank, extensions,
+   *  chuck. None by default: no collision check. Set the cutter's flank length too. */
   void
   setHolder(std::vector<ToolSegment> segments)
   {
@@ -108,7 +108,7 @@ public:
     return options_.holder;
   }
 
-  /** Distance kept between holder and scan, mm; 0 by default. Less counts as a collision. */
+  /** Distance to keep between holder and scan, mm; 0 by default. Less counts as a collision. */
   void
   setHolderClearance(double clearance)
   {
@@ -120,10 +120,10 @@ public:
     return options_.holder_clearance;
   }
 
-  /** Largest angle by which the axis may be turned where the contact asked for is not reached or the holder
-   * collides, degrees, up to 90; 0, the default: the cutter is lifted. The least of six angles that helps is
-   * taken, each point by itself: neighbouring axes may differ by as much. Drive points must ask for contacts: refused
-   * where none has a normal. */
+  /** Largest angle by which the axis may turn where the contact asked for is not reached or the holder
+   *  collides, degrees, up to 90. 0, the default: the cutter is lifted instead. The smallest of six
+   *  angles that helps is taken. Each point is treated separately: neighbouring axes may differ by as
+   *  much as this angle. Drive points must ask for contacts: refused if none of them has a normal. */
   void
   setMaxRetilt(double degrees)
   {
@@ -135,8 +135,8 @@ public:
     return options_.max_retilt;
   }
 
-  /** Put locations between those of the drive points until no straight move of the cutter cuts deeper into the
-   * surface than this, mm, nor leaves more of it; 0, the default: none. \see bisectLocations */
+  /** Adds locations between the drive points until no straight move of the cutter cuts deeper into the
+   *  surface than this, mm, or leaves more than this. 0, the default: none. \see bisectLocations */
   void
   setPathTolerance(double tolerance)
   {
@@ -148,21 +148,21 @@ public:
     return path_tolerance_;
   }
 
-  /** Called with the share done; returning false cancels. */
+  /** Called with the completed share; return false to cancel. */
   void
   setProgressCallback(ProgressCallback callback)
   {
     progress_ = std::move(callback);
   }
 
-  /** Locate on what the last compute of an object made of the same cloud or surface: saves making obstacles, fit and rim
-   * again. Null, the default: make it at every compute. setInputCloud, setInputSurface and setInputMesh forget it. */
+  /** Reuses what the last compute of an object made of the same cloud or surface: obstacles, fit and rim are not made
+   *  again. Null, the default: made at every compute. setInputCloud, setInputSurface and setInputMesh clear it. */
   void
   setLocationSurface(const std::shared_ptr<const LocationSurface>& surface)
   {
     given_location_ = surface;
   }
-  /** What the last compute located on; null before, and on a mesh. */
+  /** The surface used by the last compute; null before, and on a mesh. */
   std::shared_ptr<const LocationSurface>
   getLocationSurface() const
   {
@@ -181,34 +181,34 @@ public:
     SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputSurface(surface);
     forgetInputs();
   }
-  /** Locate on a mesh, of which SurfaceMesh is made with its default settings; what is set last counts, cloud, surface or mesh.
-   * Settings of clouds (normals, view point, indices, thinning and so on) must be as they are by default. With
-   * Evaluation::FittedSurface the curved surface counts that the faces stand for: less the facets' own sag in hollows, more
-   * of it on ridges; with Evaluation::Points the faces as they are. Cutters stay off both sides of a face. The mesh is put in
-   * order by the first compute, and kept for further ones. */
+  /** Locates on a mesh. A SurfaceMesh is made of it with default settings. The last input set counts: cloud,
+   *  surface or mesh. Settings for clouds (normals, view point, indices, thinning and so on) must be at their
+   *  defaults. Evaluation::FittedSurface uses the curved surface behind the faces: lower than the faces in
+   *  hollows and higher on ridges, by the sag of the facets. Evaluation::Points uses the faces as they are.
+   *  Cutters stay off both sides of a face. The first compute prepares the mesh and keeps it for further ones. */
   void
   setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
   {
     useMesh();
     polygons_ = mesh;
   }
-  /** The same, made with settings of one's own. */
+  /** The same with a mesh made with your own settings. */
   void
   setInputMesh(const SurfaceMesh::ConstPtr& mesh)
   {
     useMesh();
     mesh_ = mesh;
   }
-  /** The mesh given, or made by the last compute of the polygons given; null before, and of clouds. */
+  /** The mesh given, or made by the last compute from the polygons given; null before, and for clouds. */
   SurfaceMesh::ConstPtr
   getInputMesh() const
   {
     return mesh_;
   }
-  /** Locate. \p locations has one a drive point, in their order, and with a path tolerance those put in
-   * between, cloud_index in the input cloud or the face of getInputMesh; it is empty on failure: no cloud, no finite point, no drive point or
-   * one that is not finite or has no axis, a setting out of range, no surface in the points (unless Evaluation::Points), no mesh
-   * or one that SurfaceMesh::make refuses, or cancelled. */
+  /** Computes the locations. \p locations has one per drive point, in their order; a path tolerance adds more between
+   *  them. cloud_index is the index in the input cloud, or of the face of getInputMesh. Empty on failure: no cloud, no
+   *  finite point, no drive point, a drive point that is not finite or has no axis, a setting out of range, no surface
+   *  in the points (unless Evaluation::Points), no mesh, a mesh that SurfaceMesh::make refuses, or cancelled. */
   void compute(ToolLocations& locations);
   /** The same by passes. */
   void compute(std::vector<ToolLocations>& passes);
@@ -219,7 +219,7 @@ public:
   {
     return figures_;
   }
-  /** What a path tolerance came to. */
+  /** Figures of the path tolerance: locations added, largest error. */
   const BisectionFigures&
   getBisectionFigures() const
   {
@@ -258,7 +258,7 @@ private:
   LocationOptions options_;
   ProgressCallback progress_;
   std::shared_ptr<const LocationSurface> given_location_, location_surface_;
-  bool on_mesh_ = false; ///< a mesh was set last
+  bool on_mesh_ = false; ///< the mesh is the last input set
   pcl::PolygonMesh::ConstPtr polygons_;
   SurfaceMesh::ConstPtr mesh_;
   std::shared_ptr<const LocationMesh> location_mesh_;
@@ -266,7 +266,7 @@ private:
   BisectionFigures bisection_figures_;
 };
 
-/** What is wrong with drive points: none, one that is not finite, one without an axis. */
+/** Checks drive points: there must be some, all finite and each with an axis. */
 Status checkDrivePoints(const DrivePoints& drive);
 
 } // namespace pcl_spiral

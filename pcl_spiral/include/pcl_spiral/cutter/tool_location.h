@@ -1,5 +1,5 @@
 /** \file
- *  Where a cutter stands, and how that was found.
+ *  Where a cutter stands, and how that place was found.
  */
 #pragma once
 
@@ -16,75 +16,75 @@
 
 namespace pcl_spiral {
 
-/** How a location turned out. */
+/** The result of a location. */
 enum class LocationState {
   Touching, ///< no contact was asked for: the cutter came down along the axis until it touched
   Reached,  ///< it touches at the contact asked for, within the tolerance
-  Lifted,   ///< something else would be cut into first: the cutter stands off the contact, along the axis, by
-            ///< lift
-  Clear, ///< the contact asked for stands off the scan by more than the tolerance; the cutter was left there
-  Unreachable, ///< the surface leans over the flank at the contact; the cutter stands beside it, free of
-               ///< gouge
-  NoCloud      ///< no point, or part of a mesh, within the cutter's radius of the axis, nor a contact asked for on the surface:
-               ///< nothing is known, and the tip is not a number
+  Lifted,   ///< at the contact asked for, the cutter would cut into
+            ///< another place: it stands higher, along the axis, by lift
+  Clear, ///< the contact asked for is above the scan by more than the tolerance; the cutter stays at that contact
+  Unreachable, ///< the surface overhangs the flank at the contact; the
+               ///< cutter stands next to the contact, without gouge
+  NoCloud      ///< no point, or part of a mesh, lies within the cutter's radius of the axis, and no
+               ///< contact on the surface was asked for: nothing is known, and the tip is not a number
 };
 constexpr std::size_t location_states = 6;
 
-/** What the height of a location was taken from. */
+/** The data that gave the height of a location. */
 enum class LocationBasis {
-  FittedSurface,  ///< the surface fitted to the points about the contact; the curved surface of a mesh
-  PointsAndBound, ///< the points, and the bound of how far the cutter would sink between them on top (gap)
-  Points,         ///< the points alone: as published, or where there is no bound (gap_bound infinite); a mesh's flat faces
-  AskedContact    ///< the contact asked for, where a height along the axis says nothing: flanks along steep
-                  ///< walls, and cutters between the points. No point is deeper in the cutter, along its
-                  ///< surface's normal, than the tolerance and the noise allowance
+  FittedSurface,  ///< the surface fitted to the points near the contact; the curved surface of a mesh
+  PointsAndBound, ///< the points, plus the bound of how far the cutter would sink between them (gap)
+  Points,         ///< only the points: as published, or where there is no bound (gap_bound infinite); the flat faces of a mesh
+  AskedContact    ///< the contact asked for, where a height along the axis means nothing: flanks along
+                  ///< steep walls, and cutters between the points. No point is deeper in the cutter than
+                  ///< the tolerance plus the noise allowance, measured along the normal of the surface
 };
 constexpr std::size_t location_bases = 4;
 
-/** A gouge-free place of the cutter. Lengths in mm, along the tool axis unless said otherwise. */
+/** A place of the cutter without gouge. Lengths in mm, along the tool axis unless stated otherwise. */
 struct ToolLocation {
-  Eigen::Vector3d tip = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); ///< unit, tip to shank
+  Eigen::Vector3d tip = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()); ///< of the cutter; not a number with NoCloud
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); ///< unit, from the tip to the shank
   Eigen::Vector3d contact =
-      Eigen::Vector3d::Zero(); ///< what the cutter met first: on the surface, or a point of the scan
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< of the fitted surface, or of the mesh, there; zero without
+      Eigen::Vector3d::Zero(); ///< the first place the cutter touches: on the surface, or a point of the scan
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< of the fitted surface or the mesh at the contact; zero if there is none
   LocationState state = LocationState::NoCloud;
   LocationBasis basis = LocationBasis::Points;
-  double lift = 0.0; ///< above the place where the cutter touches at the contact asked for; negative where it
-                     ///< would have to go down to meet the scan (Clear). 0 when no contact was asked for
-  double gap = 0.0;  ///< how much higher than on the points alone; slightly negative where a point stands
-                     ///< above the fitted surface by noise
+  double lift = 0.0; ///< height above the place where the cutter touches at the contact asked for. Negative if
+                     ///< it would have to go down to touch the scan (Clear). 0 if no contact was asked for
+  double gap = 0.0;  ///< how much higher than on the points only; slightly negative
+                     ///< where noise puts a point above the fitted surface
   double gap_bound =
       0.0; ///< bound of how far the cutter sinks between the points here, see samplingGap; may be infinite
-  bool over_rim = false; ///< the cutter stands partly beyond the scan's rim, or over a gap in it, where
-                         ///< something higher may be
+  bool over_rim = false; ///< part of the cutter is beyond the rim of the scan, or
+                         ///< over a gap in it: something higher may be there
   double rim_clearance =
-      0.0; ///< of the cutter above the rim there, the least; 0 where it is not over the rim
-  std::uint32_t cloud_index = 0; ///< of the point that a cutter on the points alone meets first; on a mesh, of the face
-                                 ///< that is touched, among those of its SurfaceMesh
+      0.0; ///< smallest clearance of the cutter above the rim there; 0 where it is not over the rim
+  std::uint32_t cloud_index = 0; ///< of the point that a cutter on the points only touches first; on a
+                                 ///< mesh, of the touched face, among the faces of its SurfaceMesh
   double retilt = 0.0;           ///< degrees between the axis asked for and axis
-  HolderCollision collision;     ///< of shank or holder with the scan
+  HolderCollision collision;     ///< of the shank or holder with the scan
 };
 
 using ToolLocations = std::vector<ToolLocation>;
 
-/** The states and bases of many locations, counted, and their largest values with the location's index. */
+/** Counts of the states and bases of many locations, and their largest values with the index of the location. */
 struct LocationFigures {
   std::array<std::size_t, location_states> states{};
-  std::array<std::size_t, location_bases> bases{}; ///< NoCloud counts in none
+  std::array<std::size_t, location_bases> bases{}; ///< NoCloud counts in none of them
   std::size_t over_rim = 0, retilted = 0, collisions = 0;
-  double least_rim_clearance = 0.0; ///< of those over the rim
+  double least_rim_clearance = 0.0; ///< of the locations over the rim
   double largest_retilt = 0.0;      ///< degrees
   double deepest_collision = 0.0;
   std::size_t most_collided = 0;
   double largest_lift = 0.0;
   std::size_t most_lifted = 0;
-  double largest_gap = 0.0;       ///< taken back: what the cutter would have sunk between points
-  double largest_gap_bound = 0.0; ///< finite ones of locations on the points
-  std::size_t unbounded = 0;      ///< on points alone without a bound
+  double largest_gap = 0.0;       ///< corrected: how far the cutter would have sunk between points
+  double largest_gap_bound = 0.0; ///< of the finite bounds, at locations on the points
+  std::size_t unbounded = 0;      ///< locations on the points only, without a bound
   double noise_allowance =
       0.0; ///< a point of the scan is no deeper than this, along the surface's normal, in the cutter
-  std::size_t stray_points = 0; ///< of the scan, alone off its surface: the cutter stays off them as well
+  std::size_t stray_points = 0; ///< outliers of the scan, off its surface: the cutter stays off them too
   std::vector<std::string> warnings;
 
   std::size_t
@@ -99,7 +99,7 @@ struct LocationFigures {
   }
 };
 
-/** A word for people: "reached", "lifted". */
+/** The name in words: "reached", "lifted". */
 const char* nameOf(LocationState state);
 const char* nameOf(LocationBasis basis);
 

@@ -1,5 +1,5 @@
 /** \file
- *  Places and axes that drive a cutter over a scan or a mesh.
+ *  Places and axes along which a cutter is driven over a scan or a mesh.
  */
 #pragma once
 
@@ -17,55 +17,55 @@
 
 namespace pcl_spiral {
 
-/** Drive points in passes over a scan, with tool axes and without normals: each is a line along which
- * CutterLocation brings the cutter down until it touches. The spiral of SpiralToolpathGenerator is another
- * such path: see CutterLocation::setDrivePath.
+/** Drive points in passes over a scan, with tool axes and without normals. Each is a
+ *  line along which CutterLocation moves the cutter down until it touches. The spiral
+ *  of SpiralToolpathGenerator is another such path: see CutterLocation::setDrivePath.
  *
- *  - DriveKind::Planes: the triangulated scan is cut by planes that hold the tool axis and the direction of
- * the passes. The extent across is divided into equal steps no larger than the step-over, a plane in the
- * middle of each. Gaps wider than three spacings of the scan cut a pass in two. Where one part hides another
- * from the tool, both are cut: CutterLocation then lifts the cutter from the lower onto the upper.
- *  - DriveKind::Helix, Rings: on the cylinder of the scan's mean radius about the axis of the drive cylinder,
- * given or fitted. The extent along the axis is divided likewise; the helix climbs one step a turn from the
- * middle of the first to that of the last, with a ring at both ends.
+ *  - DriveKind::Planes: planes that contain the tool axis and the direction of the
+ *  passes cut the triangulated scan. The extent across is divided into equal steps no
+ *  larger than the step-over, with a plane in the middle of each. Gaps wider than three
+ *  spacings of the scan cut a pass in two. Where one part hides another from the tool,
+ *  both are cut: CutterLocation then lifts the cutter from the lower onto the upper.
+ *  - DriveKind::Helix, Rings: on a cylinder with the scan's mean radius about the axis of the drive
+ *  cylinder, which is given or fitted. The extent along the axis is divided in the same way. The helix
+ *  climbs one step per turn from the middle of the first step to that of the last, with a ring at both ends.
  *  - DriveKind::Curve: a curve at equal steps of arc length.
- *  - DriveKind::BoundaryOffset: lines of equal distance along the surface from its outer boundary. The
- * greatest distance is divided likewise; outermost first, the boundary on their right. Where an island ends
- * more than half a step inside its last line, one more runs half a step from its peak. A hole cuts them; so
- * does a rim more jagged than half a step, of which a warning is given.
+ *  - DriveKind::BoundaryOffset: lines at equal distances from the outer boundary, measured
+ *  along the surface. The greatest distance is divided in the same way. The outermost
+ *  line is first; the boundary is on the right. Where an island ends more than half
+ *  a step inside its last line, one more line runs half a step from its peak. A hole
+ *  cuts the lines. A rim more jagged than half a step also cuts them, with a warning.
  *
- *  No place of the surface is farther from a pass than half a step-over, across the passes: as projected
- * along the tool axis for planes, along the cylinder's axis, or along the surface for offsets.
+ *  No place of the surface is farther from a pass than half a step-over, across the passes: projected
+ *  along the tool axis for planes, along the axis of the cylinder, or along the surface for offsets.
  *
- *  Takes a cloud or a surface, see SurfaceInput; a curve whose axis is fixed needs neither. Source of
- * planes and cylinder: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. Lengths
- * in mm, angles in degrees. The output does not depend on the order of the cloud nor on the number of
- * threads.
- */
+ *  Takes a cloud or a surface, see SurfaceInput; a curve with a fixed axis needs neither. Source of planes
+ *  and cylinder: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. Lengths in
+ *  mm, angles in degrees. The output does not depend on the order of the cloud or on the number of threads. */
 template <typename PointT>
 class DrivePath : public SurfaceInput<pcl::PCLBase<PointT>, PointT> {
 public:
-  DrivePath() { this->scanned_.setStrict(false); } // a rough surface is driven on all the same, with a warning
+  DrivePath() { this->scanned_.setStrict(false); } // a rough surface is accepted, with a warning
 
-  /** Drive over a mesh, of which SurfaceMesh is made with its default settings; what is set last counts, cloud, surface or mesh.
-   *  Planes are its sections (MeshSections): contacts with normals, on the curved surface behind the faces; with AxisMode::Fixed
-   *  what faces away from the axis is left out. Helix, rings and curves are as on a cloud, of points of the mesh (MeshSampling).
-   *  Kind::BoundaryOffset is refused. Settings of clouds (normals, view point, thinning and so on) must be as they are by
-   *  default. */
+  /** Drives over a mesh. A SurfaceMesh is made of it with default settings. The last input set counts:
+   *  cloud, surface or mesh. Planes give the sections of the mesh (MeshSections): contacts with normals, on
+   *  the curved surface behind the faces; AxisMode::Fixed leaves out what faces away from the axis. Helix,
+   *  rings and curves are as on a cloud, made of points of the mesh (MeshSampling). Kind::BoundaryOffset is
+   *  refused. Settings for clouds (normals, view point, thinning and so on) must be at their defaults. */
   void
   setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
   {
     useMesh();
     polygons_ = mesh;
   }
-  /** The same, made with settings of one's own. */
+  /** The same with a mesh made with your own settings. */
   void
   setInputMesh(const SurfaceMesh::ConstPtr& mesh)
   {
     useMesh();
     mesh_ = mesh;
   }
-  /** The mesh given, or made by the last compute of the polygons given; null before, and of clouds. */
+  /** The mesh given, or made by the last compute from the polygons given; null before, and for clouds. */
   SurfaceMesh::ConstPtr
   getInputMesh() const
   {
@@ -91,7 +91,7 @@ public:
   using AxisMode = DriveAxisMode;
   using Rows = DriveRows;
 
-  /** Kind::Planes by default. */
+  /** Where the path runs; Kind::Planes by default. */
   void
   setKind(DriveKind kind)
   {
@@ -103,8 +103,8 @@ public:
     return settings_.kind;
   }
 
-  /** Largest distance of neighbouring planes, rings, turns or offsets, mm. Must be set, but for a curve and rows that
-   * are kept, where it does not count. From the cutter's profile: stepForScallop. */
+  /** Largest distance between neighbouring planes, rings, turns or offsets, mm. Must be set, except for a curve
+   *  and for DriveRows::Kept, where it has no effect. To get it from the cutter's profile: stepForScallop. */
   void
   setStepOver(double step)
   {
@@ -116,7 +116,7 @@ public:
     return settings_.step_over;
   }
 
-  /** Largest distance of consecutive drive points along their pass, mm; 1 by default. */
+  /** Largest distance between consecutive drive points along their pass, mm; 1 by default. */
   void
   setPointSpacing(double spacing)
   {
@@ -128,7 +128,7 @@ public:
     return settings_.point_spacing;
   }
 
-  /** Of sections of a mesh: straight moves stay this near the curved surface, mm; 0.005 by default. */
+  /** For sections of a mesh: straight moves stay this near the curved surface, mm; 0.005 by default. */
   void
   setChordError(double error)
   {
@@ -140,8 +140,8 @@ public:
     return settings_.chord_error;
   }
 
-  /** Direction of planes' passes: degrees about the tool axis, right-handed, from X, or from Y where the axis
-   * is within 26 degrees of X. 0 by default. */
+  /** Direction of the passes of planes: degrees about the tool axis, right-handed,
+   *  from X, or from Y if the axis is within 26 degrees of X. 0 by default. */
   void
   setPlaneDirection(double degrees)
   {
@@ -153,24 +153,24 @@ public:
   {
     return settings_.plane_angle;
   }
-  /** The same as a vector; what it has along the tool axis does not count. */
+  /** The same as a vector; its part along the tool axis has no effect. */
   void
   setPlaneDirection(const Eigen::Vector3d& along)
   {
     settings_.plane_direction = along;
   }
-  /** Zero where the angle tells. */
+  /** Zero if the angle is used instead. */
   const Eigen::Vector3d&
   getPlaneDirection() const
   {
     return settings_.plane_direction;
   }
 
-  /** DriveRows::Even by default. DriveRows::Kept, of Kind::Planes: each plane as far from the next as the ball of
-   * setScallop leaves no higher ridge anywhere between, by slope and curvature of the fitted surface; as few planes as
-   * that takes. Steps are held at a quarter of that on a plane, 2 sqrt((2 r - h) h), with a warning where less is asked
-   * for, as on walls along the planes. Where a rim leans out across the rows, a ball dropped along a fixed axis reaches
-   * it only from beyond, where no plane is. \see rowDistance, rowLevels */
+  /** How planes are spaced; DriveRows::Even by default. DriveRows::Kept, for Kind::Planes: as few planes as possible, so
+   *  that the ball of setScallop leaves no ridge above the scallop height between two planes, from slope and curvature
+   *  of the fitted surface. Steps never go below a quarter of the step on a plane, 2 sqrt((2 r - h) h); a warning reports
+   *  where less would be needed, as on walls along the planes. Where a rim overhangs across the rows, a ball that comes
+   *  down along a fixed axis reaches it only from beyond, and there is no plane there. \see rowDistance, rowLevels */
   void
   setRows(DriveRows rows)
   {
@@ -181,7 +181,7 @@ public:
   {
     return settings_.rows;
   }
-  /** Ball and ridge \p height that rows are kept for, mm. Must be set for DriveRows::Kept. */
+  /** Ball radius and scallop \p height for DriveRows::Kept, mm. Must be set for it. */
   void
   setScallop(double radius, double height)
   {
@@ -199,8 +199,8 @@ public:
     return settings_.scallop_height;
   }
 
-  /** Whether rows of planes run to and fro are joined on the surface, to one pass, where the next begins within two
-   * step-overs of the end of this one and the straight way between is over the scan, across no gap; false by default. */
+  /** Whether rows of planes in zigzag are joined on the surface to one pass. This is done if the next row begins within two
+   *  step-overs of the end of this row, and the straight way between is over the scan and crosses no gap. False by default. */
   void
   setLinkRows(bool link)
   {
@@ -212,7 +212,7 @@ public:
     return settings_.link_rows;
   }
 
-  /** Whether every other plane, or arc of a sector, is run backwards; true by default. */
+  /** Whether every second plane, or arc of a sector, runs backwards; true by default. */
   void
   setZigzag(bool zigzag)
   {
@@ -224,7 +224,7 @@ public:
     return settings_.zigzag;
   }
 
-  /** Tool axis, from the tip to the shank: of AxisMode::Fixed, and of section planes. +Z by default. */
+  /** Tool axis, from the tip to the shank: for AxisMode::Fixed, and for section planes. +Z by default. */
   void
   setAxis(const Eigen::Vector3d& axis)
   {
@@ -236,8 +236,8 @@ public:
     return settings_.axis;
   }
 
-  /** Axis and extent that drive helix, rings and AxisMode::Cylinder. Not set: fitted to the scan, which must
-   * be a column scanned from outside. \see findColumn */
+  /** Axis and extent for helix, rings and AxisMode::Cylinder. If not set, it is fitted
+   *  to the scan, which must be a column scanned from outside. \see findColumn */
   void
   setCylinder(const DriveCylinder& cylinder)
   {
@@ -249,9 +249,9 @@ public:
     return settings_.cylinder;
   }
 
-  /** How far helix and rings go on beyond both ends of the column, mm; 0 by default. Where the surface leans along the
-   * column, a cutter of radius R touches it up to R sin(lean) away from its own axis: so much of an end is not reached
-   * without. */
+  /** How far helix and rings continue beyond both ends of the column, mm; 0 by default. Where
+   *  the surface leans along the column, a cutter of radius R touches it up to R sin(lean)
+   *  away from its own axis. Without overrun, that much of an end is not reached. */
   void
   setOverrun(double overrun)
   {
@@ -275,8 +275,8 @@ public:
     return settings_.axisMode();
   }
 
-  /** The curve of Kind::Curve; a closed one does not repeat its first point. Points put along it at equal arc
-   * length cut its corners. */
+  /** The curve of Kind::Curve; a closed one does not repeat its first point.
+   *  Points are put along it at equal steps of arc length, and cut its corners. */
   void
   setCurve(const Polyline& curve, bool closed = false)
   {
@@ -289,16 +289,16 @@ public:
     return settings_.curve;
   }
 
-  /** Called with the share done; returning false cancels. */
+  /** Called with the completed share; return false to cancel. */
   void
   setProgressCallback(ProgressCallback callback)
   {
     progress_ = std::move(callback);
   }
 
-  /** Make the passes. \p passes is empty on failure: no cloud or fewer than 50 points, a setting out of
-   * range, a scan of the wrong shape, a path of more than 1e8 points or more than the memory there is, or
-   * cancelled. */
+  /** Computes the passes. \p passes is empty on failure: no cloud or fewer than
+   *  50 points, a setting out of range, a scan of the wrong shape, a path of
+   *  more than 1e8 points or larger than the free memory, or cancelled. */
   void compute(DrivePasses& passes);
 
   const DriveReport&
@@ -325,7 +325,7 @@ private:
     on_mesh_ = true;
   }
 
-  bool on_mesh_ = false; ///< a mesh was set last
+  bool on_mesh_ = false; ///< the mesh is the last input set
   pcl::PolygonMesh::ConstPtr polygons_;
   SurfaceMesh::ConstPtr mesh_;
   DriveSettings settings_;

@@ -1,5 +1,5 @@
 /** \file
- *  What a drive path is asked for, and what came of it.
+ *  Settings of a drive path, and its report.
  */
 #pragma once
 
@@ -17,8 +17,8 @@ namespace pcl_spiral {
 /** Where a drive path runs. */
 enum class DriveKind {
   Planes,        ///< sections of the surface with parallel planes along the tool axis
-  Helix,         ///< one pass round a column from end to end, closed by a ring at both
-  Rings,         ///< rings round a column; arcs, to and fro, where the scan covers a sector only
+  Helix,         ///< one pass round a column from end to end, with a ring at both ends
+  Rings,         ///< rings round a column; arcs in zigzag if the scan covers only a sector
   Curve,         ///< the user's own curve
   BoundaryOffset ///< lines at equal distances along the surface from its outer boundary, inwards
 };
@@ -26,21 +26,21 @@ enum class DriveKind {
 /** Where tool axes come from. */
 enum class DriveAxisMode {
   Fixed,      ///< one axis: three-axis
-  Cylinder,   ///< straight out of the axis of the drive cylinder
+  Cylinder,   ///< straight out from the axis of the drive cylinder
   LocalPlane, ///< normal of the plane through the points next to the drive point, as published: it jumps
   Surface     ///< normal of the fitted surface
 };
 
-/** Lengths in mm. */
+/** Settings of a drive path. Lengths in mm. */
 struct DriveSettings {
   DriveKind kind = DriveKind::Planes;
   double step_over = 0.0;
   double point_spacing = 1.0;
-  double chord_error = 0.005; ///< of sections of a mesh: straight moves stay this near the curved surface
+  double chord_error = 0.005; ///< for sections of a mesh: straight moves stay this near the curved surface
   double plane_angle = 0.0;                                  ///< degrees about the axis
-  Eigen::Vector3d plane_direction = Eigen::Vector3d::Zero(); ///< along the passes; zero: plane_angle tells
+  Eigen::Vector3d plane_direction = Eigen::Vector3d::Zero(); ///< along the passes; zero: plane_angle is used
   DriveRows rows = DriveRows::Even;
-  double tool_radius = 0.0, scallop_height = 0.0; ///< of the ball that rows are kept for, and its ridges
+  double tool_radius = 0.0, scallop_height = 0.0; ///< of the ball, for DriveRows::Kept
   bool zigzag = true;
   bool link_rows = false;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
@@ -60,7 +60,7 @@ struct DriveSettings {
   {
     return axis_mode.value_or(goesRound() ? DriveAxisMode::Cylinder : DriveAxisMode::Fixed);
   }
-  /** A curve whose axis is fixed is taken as it is. */
+  /** A curve with a fixed axis is used as it is. */
   bool
   needsSurface() const
   {
@@ -68,29 +68,29 @@ struct DriveSettings {
   }
 };
 
-/** What is wrong with settings; ok where nothing is. */
+/** Checks the settings; ok if nothing is wrong. */
 Status checkSettings(const DriveSettings& settings);
 
-/** What came of a drive path. */
+/** Report of a drive path. */
 struct DriveReport {
   std::size_t points = 0;
   double length = 0.0; ///< of all passes, straight from point to point, mm
   double step_over =
-      0.0; ///< taken: the one asked for, made smaller so that the surface divides into equal steps, mm; of kept rows the
-           ///< largest
+      0.0; ///< used: the one asked for, reduced so that the surface divides
+           ///< into equal steps, mm; with DriveRows::Kept the largest
   std::size_t rows = 0;       ///< section planes
-  double smallest_step = 0.0; ///< of neighbouring planes, mm
-  double held_share = 0.0;    ///< of the surface: asks for kept rows closer than these are put, see DrivePath::setRows
+  double smallest_step = 0.0; ///< between neighbouring planes, mm
+  double held_share = 0.0;    ///< share of the surface that would need rows closer than DriveRows::Kept puts them, see DrivePath::setRows
   std::size_t facing_away = 0; ///< contacts on a mesh left out: they face away from a fixed tool axis
-  std::size_t links = 0;      ///< of rows, joined on the surface
-  std::size_t rows_apart = 0; ///< passes of rows that could not be joined to the one before
-  std::optional<DriveColumn> column; ///< where a cylinder drove path or axes
+  std::size_t links = 0;      ///< rows joined on the surface
+  std::size_t rows_apart = 0; ///< passes of rows that could not be joined to the row before
+  std::optional<DriveColumn> column; ///< if a cylinder gave the path or the axes
   double largest_axis_step = 0.0;    ///< between consecutive points of a pass, degrees
   std::size_t axes_from_neighbours =
-      0; ///< points with no normal of their own: between those before and after
+      0; ///< points without a normal of their own: interpolated between those before and after
   std::size_t short_pieces =
-      0; ///< left out: sections or lines shorter than the spacing of the scan, at its edges
-  std::size_t stray_points = 0; ///< of the scan, left out: off the surface
+      0; ///< left out: sections or lines shorter than the spacing of the scan, at its rim
+  std::size_t stray_points = 0; ///< outliers of the scan, left out: off the surface
   std::vector<std::string> warnings;
 };
 

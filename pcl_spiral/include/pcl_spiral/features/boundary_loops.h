@@ -1,5 +1,5 @@
 /** \file
- *  The closed boundaries of a cloud.
+ *  The closed boundary loops of a cloud.
  */
 #pragma once
 
@@ -14,13 +14,13 @@
 
 namespace pcl_spiral {
 
-/** Ordered, closed boundary loops of a scanned surface: its outer rim, real holes, gaps in the data.
+/** Ordered, closed boundary loops of a scanned surface: its rim, real holes, gaps in the data.
  *
- *  Instead of walking from boundary point to boundary point (Wu et al. 2025, section 1), which fails at corners and
- *  gaps, the free half-edges of local Delaunay stars are linked; see findBoundaryLoops. The walk is there to be chosen.
- *  Which points are of the boundary is found from the stars too, or given by setBoundaryPoints, as
- *  CentroidBoundaryEstimation and pcl::BoundaryEstimation tell it. Lengths in the cloud's unit, mm.
- *  Takes a cloud or a surface, see SurfaceInput. Normals say from which side loops run counter-clockwise.
+ *  The free half-edges of local Delaunay stars are linked; see findBoundaryLoops. The published walk from boundary point to
+ *  boundary point (Wu et al. 2025, section 1) fails at corners and gaps. It can be chosen too (setLoopMethod).
+ *  The stars also give the boundary points. setBoundaryPoints replaces them, for example with those of
+ *  CentroidBoundaryEstimation or pcl::BoundaryEstimation. Lengths in the unit of the cloud, mm.
+ *  Takes a cloud or a surface, see SurfaceInput. Normals define the side from which loops run counter-clockwise.
  */
 template <typename PointT, typename PointNT = pcl::Normal>
 class BoundaryLoops : public SurfaceInput<pcl::PCLBase<PointT>, PointT, PointNT> {
@@ -29,10 +29,10 @@ public:
   using ConstPtr = pcl::shared_ptr<const BoundaryLoops>;
   using BoundaryPointsConstPtr = pcl::PointCloud<pcl::Boundary>::ConstPtr;
 
-  /** Which points are of the boundary, a flag a point of the input: those of CentroidBoundaryEstimation, of
-   *  pcl::BoundaryEstimation, or the user's own. Linking half-edges, loops of which less than half the points are marked
-   *  are left out, and the outer loop must not be; the walk goes from marked point to marked point. Without them, the
-   *  points at which a star is open. */
+  /** Boundary flags, one per input point: those of CentroidBoundaryEstimation, of pcl::BoundaryEstimation, or
+   *  the user's own. LoopMethod::HalfEdges leaves out loops with less than half of their points marked, and fails if the rim
+   *  is such a loop. LoopMethod::Walk goes from marked point to marked point. Without flags, the boundary points are those
+   *  with an open star. */
   void setBoundaryPoints(const BoundaryPointsConstPtr& points) { boundary_points_ = points; }
   BoundaryPointsConstPtr getBoundaryPoints() const { return boundary_points_; }
 
@@ -40,32 +40,32 @@ public:
   void setLoopMethod(LoopMethod method) { options_.method = method; }
   LoopMethod getLoopMethod() const { return options_.method; }
 
-  /** Largest turn the walk takes from one step to the next, degrees, above 0 to 180; 90 by default. */
+  /** Largest change of direction of the walk from one step to the next, degrees, above 0 to 180; 90 by default. */
   void setMaxTurn(double degrees) { options_.max_turn = degrees; }
   double getMaxTurn() const { return options_.max_turn; }
 
-  /** Shortest loop that is a real hole rather than a gap in the data, mm; 0, the default, decides by the length of the
-   *  outer loop and the spacing, see BoundaryOptions. */
+  /** Least length of a real hole, mm; shorter loops are gaps in the data. 0, the default, decides by the length of the
+   *  rim and the spacing, see BoundaryOptions. */
   void setMinHoleLength(double length) { options_.min_hole_length = length; }
   double getMinHoleLength() const { return options_.min_hole_length; }
 
-  /** Least width of a real hole, its largest extent, mm; with it holes too narrow for the triangles to leave open are found too.
-   *  0, the default: decided by the length. */
+  /** Least width of a real hole, its largest extent, mm. If set, holes that are too narrow to stay open between triangles are
+   *  found too. 0, the default: the length decides. */
   void setMinHoleWidth(double width) { options_.min_hole_width = width; }
   double getMinHoleWidth() const { return options_.min_hole_width; }
 
-  /** Size across, in spacings, up to which a hole is a gap in the data when no shortest hole is set; 15 by default. */
+  /** Width, in spacings, up to which a hole is a gap in the data if no least length is set; 15 by default. */
   void setLargestGap(double spacings) { options_.largest_gap = spacings; }
   double getLargestGap() const { return options_.largest_gap; }
 
-  /** Largest circle free of points that still counts as surface: its radius in spacings; 3 by default. */
+  /** Radius of the largest circle without points that still counts as surface, in spacings; 3 by default. */
   void setAlpha(double spacings) { this->scanned_.setAlpha(spacings); }
   double getAlpha() const { return this->scanned_.getAlpha(); }
 
-  /** Called with the share done; returning false cancels. */
+  /** Called with the share done; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
-  /** Find the loops, the outer one first; indices are those of the cloud. \p loops is empty on failure. */
+  /** Find the loops, the rim first; indices refer to the cloud. \p loops is empty on failure. */
   void compute(std::vector<BoundaryLoop>& loops);
 
   /** What the last compute left out. */

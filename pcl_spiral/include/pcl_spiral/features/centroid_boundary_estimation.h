@@ -15,7 +15,7 @@
 namespace pcl_spiral {
 namespace detail {
 
-/** Tell a base class that has setNumberOfThreads, as that of PCL from 2026 on. */
+/** Call setNumberOfThreads of the base class if it has it, as in PCL from 2026 on. */
 template <typename BaseT>
 auto
 setThreadsOfBase(BaseT& base, unsigned int threads, int) -> decltype(base.BaseT::setNumberOfThreads(threads))
@@ -30,13 +30,13 @@ setThreadsOfBase(BaseT&, unsigned int, long)
 
 } // namespace detail
 
-/** Boundary points by how far a point is from the centroid of its neighbours, by the largest gap around it,
- * or both.
+/** Finds boundary points by the distance of a point from the centroid of its neighbours, by the largest angular gap
+ * around it, or both.
  *
- *  A pcl::BoundaryEstimation: setInputCloud, setInputNormals, setIndices, setSearchMethod, setKSearch or
+ *  Is a pcl::BoundaryEstimation: setInputCloud, setInputNormals, setIndices, setSearchMethod, setKSearch or
  *  setRadiusSearch, compute. Source of the score: Wu et al. 2025, equation 1, kappa = exp(mu lambda), with
- * lambda made dimensionless (BoundaryEvidence::offset). On random points with setKSearch(32), the thresholds
- * by default mark this share of the points:
+ * lambda made dimensionless (BoundaryEvidence::offset). On random points with setKSearch(32), the default
+ * thresholds mark this share of the points:
  *
  *  |            | within 0.5 spacings of the edge | inside |
  *  |------------|---------------------------------|--------|
@@ -44,11 +44,11 @@ setThreadsOfBase(BaseT&, unsigned int, long)
  *  | LargestGap | 92 %                            | 0.00 % |
  *  | Combined   | 99 %                            | 0.15 % |
  *
- *  Fewer neighbours make more false boundary points inside (Combined: 1.5 % at 24, 11 % at 16). The gap at a
- * re-entrant corner is little over 90 degrees, so random points hide about half of those corners; on even
- * points set the angle threshold to 95 degrees and Combined finds them. A point or normal that is not finite,
- * and a point with fewer than three neighbours, is no boundary point; its score is NaN and the output is not
- * dense. On failure the output is empty and getStatus says why. */
+ *  Fewer neighbours mark more false boundary points inside (Combined: 1.5 % at 24, 11 % at 16). The angular gap at
+ * a re-entrant corner is little above 90 degrees, so random points hide about half of those corners. On even
+ * points, set the angle threshold to 95 degrees, and Combined finds them. A point or normal that is not finite,
+ * and a point with fewer than three neighbours, is not a boundary point; its score is NaN and the output is not
+ * dense. On failure the output is empty and getStatus gives the reason. */
 template <typename PointInT, typename PointNT, typename PointOutT = pcl::Boundary>
 class CentroidBoundaryEstimation : public pcl::BoundaryEstimation<PointInT, PointNT, PointOutT> {
 public:
@@ -57,11 +57,11 @@ public:
   using ConstPtr = pcl::shared_ptr<const CentroidBoundaryEstimation>;
   using PointCloudOut = typename Base::PointCloudOut;
 
-  /** The angle threshold, which the base class keeps in radians, starts at 121 degrees: no gap inside is
-   * wider, at 32 neighbours. */
+  /** The angle threshold, which the base class keeps in radians, starts at 121 degrees: with 32 neighbours, no angular
+   * gap inside is wider. */
   CentroidBoundaryEstimation();
 
-  /** Which evidence decides; Combined by default. */
+  /** Which measure decides; Combined by default. */
   void
   setCriterion(BoundaryCriterion criterion)
   {
@@ -73,8 +73,8 @@ public:
     return criterion_;
   }
 
-  /** Offset above which a point is of the boundary, 0 to 1; 0.31 by default, between 99.9 % of the points
-   * inside and 99 % of those on an edge, at 32 neighbours. */
+  /** Offset above which a point is a boundary point, 0 to 1; 0.31 by default: with 32 neighbours, 99.9 % of the
+   * points inside are below it and 99 % of those on the boundary are above it. */
   void
   setOffsetThreshold(double threshold)
   {
@@ -86,7 +86,7 @@ public:
     return offset_threshold_;
   }
 
-  /** The mu of the score exp(mu offset); 1 by default. It changes the score, not the decision. */
+  /** The mu of the score exp(mu offset); 1 by default. It changes the score, but not the decision. */
   void
   setMu(double mu)
   {
@@ -99,8 +99,8 @@ public:
   }
 
   /** Threads to use; 0, the default, means all. The output does not depend on it. The search method must
-   * allow queries at the same time, as those of PCL do. Newer PCL (2026) has this method in the base class, where it is not
-   * virtual: the base is told the same number, and a number told to the base afterwards counts as well. */
+   * allow simultaneous queries, as those of PCL do. Newer PCL (2026) has this method in the base class, where it is not
+   * virtual. The base gets the same number, and a number set later through the base counts too. */
   void
   setNumberOfThreads(unsigned int threads = 0)
   {
@@ -116,8 +116,8 @@ public:
     return of_base != told_base_ ? of_base : thread_count_;
   }
 
-  /** Build the search structure anew at the next compute. Needed when points of the input cloud were changed
-   * in place: PCL rebuilds it only when the cloud pointer changes. */
+  /** Build the search structure again at the next compute. Needed if points of the input cloud were changed
+   * in place: PCL rebuilds it only if the cloud pointer changes. */
   void
   resetSearch()
   {
@@ -136,7 +136,7 @@ public:
   {
     return offsets_;
   }
-  /** Largest gap about each output point, radians. */
+  /** Largest angular gap about each output point, radians. */
   const std::vector<float>&
   getGaps() const
   {
@@ -169,7 +169,7 @@ private:
   Status checkSearch() const;
   bool evaluate(std::size_t index, BoundaryEvidence& evidence) const;
 
-  /** The number that the base class keeps; 0 where it keeps none, as PCL's before 2026. */
+  /** The number that the base class keeps; 0 if it keeps none, as in PCL before 2026. */
   template <typename SelfT>
   static auto
   threadsOfBase(const SelfT& self, int) -> decltype(static_cast<unsigned int>(self.threads_))
@@ -187,7 +187,7 @@ private:
   double offset_threshold_ = 0.31;
   double mu_ = 1.0;
   unsigned int thread_count_ = 0;
-  unsigned int told_base_ = 0; ///< what the base keeps of the number it was told here
+  unsigned int told_base_ = 0; ///< the number that the base kept after the last call here
   bool rebuild_search_ = false;
   std::vector<float> scores_, offsets_, gaps_;
   Status status_;

@@ -19,10 +19,10 @@ namespace pcl_spiral {
 
 /** Shortest paths on the surface behind a cloud, from one source to many targets.
  *
- *  Source and targets are positions on the surface, or points of the cloud. Each path is at equal spacing, on the
- *  fitted surface, its ends exactly where they were given; lengths are those of a smooth curve. Millimetres.
+ *  Source and targets are positions on the surface, or points of the cloud. Each path has equal spacing and lies on the
+ *  fitted surface, with its ends exactly at the given places. Lengths are those of a smooth curve. Millimetres.
  *  Source: Wu et al. 2025, equations 1-7, with the boundary conditions and the iteration of refineGeodesics.
- *  Takes a cloud or a surface, see SurfaceInput; paths do not depend on the side, only the normals along them. Indices of
+ *  Takes a cloud or a surface, see SurfaceInput. Paths do not depend on the side; only the normals along them do. Indices of
  *  points need the cloud.
  */
 template <typename PointT, typename PointNT = pcl::Normal>
@@ -32,15 +32,15 @@ public:
   using ConstPtr = pcl::shared_ptr<const GeodesicPath>;
   using PointCloud = pcl::PointCloud<PointT>;
 
-  /** Where all paths start. Must be set: a position, or an index into the input cloud. */
+  /** Start of all paths. Must be set: a position, or an index into the input cloud. */
   void setSourcePoint(const Eigen::Vector3d& source) { source_ = {source, false, 0}; }
-  void setSourceIndex(pcl::index_t index) { source_ = {Eigen::Vector3d::Zero(), true, index}; }
+  void setSourceIndex(pcl::index_t index) { source_ = {Eigen::Vector3d::Zero(), true, index}; } ///< the same by index
 
-  /** Where the paths end, one path a target. Must be set: positions, or indices into the input cloud. */
+  /** Ends of the paths, one path per target. Must be set: positions, or indices into the input cloud. */
   void setTargetPoints(const Polyline& targets);
-  void setTargetIndices(const pcl::Indices& targets);
+  void setTargetIndices(const pcl::Indices& targets); ///< the same by indices
 
-  /** What the refinement starts from; the field by default. */
+  /** Start of the refinement; the field by default. */
   void setStart(GeodesicStart start) { start_ = start; }
   GeodesicStart getStart() const { return start_; }
 
@@ -52,28 +52,28 @@ public:
   void setLevels(const std::vector<int>& levels) { options_.levels = levels; }
   const std::vector<int>& getLevels() const { return options_.levels; }
 
-  /** Sideways move at which a path has settled, mm; 0.001 by default. */
+  /** Sideways move below which a path has converged, mm; 0.001 by default. */
   void setTolerance(double tolerance) { options_.tolerance = tolerance; }
   double getTolerance() const { return options_.tolerance; }
 
-  /** Most iterations a level; 30 by default. */
+  /** Largest number of iterations per level; 30 by default. */
   void setMaximumIterations(int iterations) { options_.max_iterations = iterations; }
   int getMaximumIterations() const { return options_.max_iterations; }
 
-  /** Neighbours in one surface fit, 6 or more; 0, the default: as many as the noise asks for. */
+  /** Neighbours in one surface fit, 6 or more; 0, the default: as many as the noise needs. */
   void setKSearch(int neighbours) { fit_neighbours_ = neighbours; }
   int getKSearch() const { return fit_neighbours_; }
   /** The former name. */
   [[deprecated("setKSearch")]] void setFitNeighbours(int neighbours) { setKSearch(neighbours); }
   [[deprecated("getKSearch")]] int getFitNeighbours() const { return getKSearch(); }
 
-  /** Find the paths, in the order of the targets. On failure (see getStatus) those not found are empty, or all. */
+  /** Find the paths, in the order of the targets. On failure (see getStatus) the paths that were not found are empty, or all. */
   void compute(std::vector<PointCloud>& paths);
   void compute(std::vector<Polyline>& paths);
 
-  /** Length of each path of the last compute, mm; not a number where none was found. */
+  /** Length of each path of the last compute, mm; NaN for a path that was not found. */
   const std::vector<double>& getLengths() const { return lengths_; }
-  /** The paths with normals and curvatures, as they were refined: those that left the surface too, up to there. */
+  /** The paths with normals and curvatures, as refined; a path that left the surface is included up to that place. */
   const std::vector<GeodesicLine>& getLines() const { return lines_; }
 
 private:

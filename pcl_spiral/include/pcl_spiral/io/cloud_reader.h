@@ -15,32 +15,32 @@
 
 namespace pcl_spiral {
 
-/** How to take the numbers in a scan. */
+/** How to read the numbers in a scan. */
 struct ReadOptions {
   LengthUnit unit = LengthUnit::Millimetre;
   Eigen::Vector3d origin =
       Eigen::Vector3d::Zero(); ///< subtracted in double precision, in the unit of the file
-  /** Text files only: a name for each column from the left; those named x, y and z are taken. Empty: by the
-   * file's header, else the first three columns. */
+  /** Text files only: a name for each column, from the left; the columns named x, y and z are
+   *  used. Empty: taken from the header of the file, otherwise the first three columns. */
   std::vector<std::string> columns;
 };
 
 /** A scan in mm. */
 struct Scan {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud;
-  std::vector<std::string> warnings; ///< what the reader noticed and did not change
+  std::vector<std::string> warnings; ///< what the reader found and did not change
 };
 
-/** Extensions that readCloud knows, with the dot. */
+/** Extensions that readCloud accepts, with the dot. */
 const std::vector<std::string>& cloudExtensions();
 
-/** Points of a .pcd, .ply, .stl, .obj (vertices), or of a text file .xyz .txt .csv .asc.
+/** Reads the points of a .pcd, .ply, .stl, .obj (vertices), or of a text file .xyz .txt .csv .asc.
  *
- *  Text: one point a line; columns parted by commas, semicolons, or blanks; comment lines start with # or //.
- * Scaling and shift are done in double precision, then rounded to float; a warning says where that costs more
- * than 0.001 mm. Nothing else is changed: not-a-number points and duplicates stay. \throw FileError naming
- * the line or byte and the reason: missing, a folder, empty, cut off, not a number, no x y z, extension not
- * known */
+ *  Text: one point per line; columns separated by commas, semicolons, or blanks; comment
+ *  lines start with # or //. Scaling and shift are done in double precision, then rounded to
+ *  float; a warning reports where the rounding is more than 0.001 mm. Nothing else is changed:
+ *  not-a-number points and duplicates stay. \throw FileError with the line or byte and the
+ *  reason: missing, a folder, empty, cut off, not a number, no x y z, unknown extension */
 Scan readCloud(const std::string& file, const ReadOptions& options = {});
 
 } // namespace pcl_spiral

@@ -8,8 +8,8 @@
 
 namespace pcl_spiral {
 
-/** A file that cannot be read or written. The message names the file, the line or byte, the reason and the
- * remedy. */
+/** A file that cannot be read or written. The message gives
+ *  the file, the line or byte, the reason and the remedy. */
 class FileError : public std::runtime_error {
 public:
   FileError(const std::string& file, const std::string& reason) : std::runtime_error(file + ": " + reason) {}

@@ -9,7 +9,7 @@
 
 namespace pcl_spiral {
 
-/** A machine from YAML; mm, degrees, rev/min, mm/min. Names that are not known are refused.
+/** Reads a machine from YAML; mm, degrees, rev/min, mm/min. Unknown names are refused.
  *
  *  \code
  *  name: xyzac-trt            # optional
@@ -25,8 +25,8 @@ namespace pcl_spiral {
  *  retract_z: 300
  *  path_tolerance: 0.01
  *  \endcode
- *  Needed of a rotary axis: axis, mount (table or head), direction, limits, max_rpm.
- *  \throw FileError naming the line and what is missing or wrong, or what checkMachine finds */
+ *  Required for a rotary axis: axis, mount (table or head), direction, limits, max_rpm.
+ *  \throw FileError with the line and what is missing or wrong, or what checkMachine finds */
 Machine readMachine(const std::string& file);
 
 } // namespace pcl_spiral

@@ -5,6 +5,7 @@
 
 #include <pcl_spiral/machine/machine_program.h>
 
+#include <array>
 #include <string>
 
 namespace pcl_spiral {
@@ -18,42 +19,62 @@ enum class Dialect {
   Heidenhain    ///< LN with NX NY NZ and TX TY TZ, M128
 };
 
-/** What a program says beyond its moves. */
+/** Contents of a program apart from its moves. */
 struct ProgramHeader {
   std::string title;          ///< a comment
-  double spindle_speed = 0.0; ///< rev/min; 0: the spindle is left alone
-  int tool = 0;               ///< called at the start; 0: the tool is left alone
-  int decimals = 4;           ///< of mm and degrees, 3 to 6
+  double spindle_speed = 0.0; ///< rev/min; 0: the program does not set the spindle
+  int tool = 0;               ///< called at the start; 0: the program calls no tool
+  int decimals = 4;           ///< for mm and degrees, 3 to 6
   std::string pass_begin = {}; ///< a line before each run of cutting blocks, such as M62 P0 for a beam; empty: none
-  std::string pass_end = {};   ///< a line after each of them, such as M63 P0; empty: none
+  std::string pass_end = {};   ///< a line after each of these runs, such as M63 P0; empty: none
 };
 
-/** Why \p code cannot stand on a line of its own, with the remedy: not one line of plain characters, opens a comment, or ends the
- *  program. Empty where it can. */
+/** Why \p code cannot be a line of its own, with the remedy: it is not one line of
+ *  plain characters, it opens a comment, or it ends the program. Empty if it can. */
 std::string faultOfCode(const std::string& code);
 
-/** A program in the language of \p dialect. Rotary axes in degrees that count on turn by turn; F, but in
- * Heidenhain's, is inverse time (G93) and stands in every G1. The codes of a pass stand where the tool is at the first
- * point of a row, after its lead, and at the last: a beam is off on leads, between rows, and while an axis unwinds in a row.
- * \throw FileError the file cannot be written, the program has no blocks, a code is no line of it, or the language takes
- * tips and tool axes alone and the machine has no RTCP */
+/** Writes a program in the language of \p dialect. Rotary axes are in degrees and continue over 360. F is inverse
+ *  time (G93) and is in every G1; Heidenhain is the exception. The codes of a pass are where the tool is at the
+ *  first point of a row, after its lead, and at the last point. So a beam is off on leads, between rows, and
+ *  while an axis unwinds in a row. \throw FileError the file cannot be written, the program has no blocks, a
+ *  code is not a valid line, or the language takes only tips and tool axes and the machine has no RTCP */
 void writeProgram(const std::string& file, const MachineProgram& program, Dialect dialect,
                   const ProgramHeader& header);
 
-/** LinuxCNC: G21 G90 G64 P, G93 with an F on every G1, G94, M2. With RTCP X Y Z are the tip's, as
- * xyzac-trt-kins and xyzbc-trt-kins take them; without, the machine's. \throw FileError */
+/** Writes LinuxCNC: G21 G90 G64 P, G93 with an F on every G1, G94, M2. With RTCP, X Y Z are those of the tip,
+ *  as xyzac-trt-kins and xyzbc-trt-kins take them; without RTCP, those of the machine. \throw FileError */
 void writeLinuxCNC(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
 
-/** Fanuc: G43.4 H (or G43.5 H where \p vectors) X Y Z with A B C or I J K, all on every line, G93, G49, M30.
- * Without RTCP G43 H and the machine's X Y Z. H is the tool's number, or 1. \throw FileError */
-void writeFanuc(const std::string& file, const MachineProgram& program, const ProgramHeader& header,
-                bool vectors);
+/** Writes Fanuc: G43.4 H X Y Z with A B C, all on every line, G93, G49, M30. Without RTCP:
+ *  G43 H and the X Y Z of the machine. H is the tool number, or 1. \throw FileError */
+void writeFanuc(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
 
-/** Siemens 840D: TRAORI, ORIWKS, ORIVECT, A3= B3= C3= on every line, G93, TRAFOOF, M30. \throw FileError */
+/** The same with G43.5 H and I J K, the vector of the tool axis. \throw FileError */
+void writeFanucVectors(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
+
+/** Writes Siemens 840D: TRAORI, ORIWKS, ORIVECT, A3= B3= C3= on every line, G93, TRAFOOF, M30. \throw FileError */
 void writeSiemens(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
 
-/** Heidenhain Klartext: M128, LN X Y Z NX NY NZ TX TY TZ, F in mm/min of the tip that gives the block its
- * time, M129, M30. \throw FileError */
+/** Writes Heidenhain Klartext: M128, LN X Y Z NX NY NZ TX TY TZ, F in mm/min
+ *  of the tip, which gives the block its time, M129, M30. \throw FileError */
 void writeHeidenhain(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
+
+/** Name, needs and writer of a language. */
+struct DialectEntry {
+  Dialect dialect;
+  const char* word; ///< in options and job files
+  bool needs_rtcp;  ///< it takes only tips and tool axes, no rotary angles
+  void (*write)(const std::string&, const MachineProgram&, const ProgramHeader&);
+};
+
+/** All languages. A new one needs a line here, its value above, and a file with its writer. */
+inline constexpr std::array<DialectEntry, 5> dialect_entries{{{Dialect::LinuxCNC, "linuxcnc", false, writeLinuxCNC},
+                                                              {Dialect::Fanuc, "fanuc", false, writeFanuc},
+                                                              {Dialect::FanucVectors, "fanuc-ijk", true, writeFanucVectors},
+                                                              {Dialect::Siemens, "siemens", true, writeSiemens},
+                                                              {Dialect::Heidenhain, "heidenhain", true, writeHeidenhain}}};
+
+/** The entry of \p dialect. */
+const DialectEntry& entryOf(Dialect dialect);
 
 } // namespace pcl_spiral

@@ -16,12 +16,12 @@ namespace pcl_spiral {
 /** A toolpath as it was written. */
 struct ToolpathFile {
   pcl::PointCloud<ToolpathPoint> path;
-  std::vector<double> feed; ///< a point, mm/min; empty where the file has none (.pcd, .ply)
-  Polyline tips;            ///< tool tips, mm; empty where the file has none (all but .csv)
+  std::vector<double> feed; ///< one per point, mm/min; empty if the file has none (.pcd, .ply)
+  Polyline tips;            ///< tool tips, mm; empty if the file has none (all but .csv)
 };
 
-/** A toolpath from .csv, .pcd, .ply or .vtp as the writers make it. A CSV may hold comment lines (#).
- *  \throw FileError naming the line, byte or array that is missing or wrong */
+/** Reads a toolpath from .csv, .pcd, .ply or .vtp, as the writers make it. A CSV may contain comment lines (#).
+ *  \throw FileError with the line, byte or array that is missing or wrong */
 ToolpathFile readToolpath(const std::string& file);
 
 } // namespace pcl_spiral

@@ -14,19 +14,19 @@
 
 namespace pcl_spiral {
 
-/** What a toolpath file says beyond the path. */
+/** Contents of a toolpath file apart from the path. */
 struct ToolpathMotion {
-  double tool_radius = 0.0; ///< ball radius, mm; places the tip
+  double tool_radius = 0.0; ///< ball radius, mm; needed for the tip
   double feed = 0.0;        ///< at the contact, mm/min
-  std::vector<Eigen::Vector3d> tips = {}; ///< of a cutter that is no ball, one a point; empty: of the ball
-  std::vector<std::size_t> passes = {};   ///< where the second pass begins, and each further one; empty: as passBegins finds them
+  std::vector<Eigen::Vector3d> tips = {}; ///< one per point, of a cutter that is not a ball; empty: those of the ball
+  std::vector<std::size_t> passes = {};   ///< where the second pass and each further one begin; empty: as passBegins finds them
 };
 
-/** More values of a path, one a point; empty: none. */
+/** More values of a path, one per point; empty: none. */
 struct PathValues {
-  std::vector<double> feed;     ///< mm/min, in place of the motion's
+  std::vector<double> feed;     ///< mm/min, used instead of that of the motion
   std::vector<float> deviation; ///< mm, positive out of the material; NaN: not measured
-  std::vector<float> scallop;   ///< height of the ridge beside the point, mm; NaN: none was measured
+  std::vector<float> scallop;   ///< height of the ridge next to the point, mm; NaN: not measured
 };
 
 /** Tip of a ball cutter that touches at \p point: contact + radius (normal - axis), mm. */
@@ -41,29 +41,29 @@ toolTip(const ToolpathPoint& point, double tool_radius)
 /** First line of a toolpath CSV. */
 extern const char* const toolpath_csv_header;
 
-/** Comma separated values under toolpath_csv_header: mm, mm/min, unit vectors; positions, lengths and turns
- * with 6 decimals, vectors with 9, the feed with 3. The same bytes for any number of threads. \throw
- * FileError */
+/** Writes comma separated values under toolpath_csv_header: mm, mm/min, unit
+ *  vectors; positions, lengths and turns with 6 decimals, vectors with 9, the
+ *  feed with 3. The same bytes for any number of threads. \throw FileError */
 void writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
                       const ToolpathMotion& motion);
 
-/** Binary PCD of ToolpathPoint. \throw FileError */
+/** Writes a binary PCD of ToolpathPoint. \throw FileError */
 void writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
 
-/** Binary little-endian PLY: float x y z nx ny nz axis_x axis_y axis_z, double arc_length, float turn. The
- * normal has the names that mesh viewers know; PCL reads them back as normal_x.. \throw FileError */
+/** Writes a binary little-endian PLY: float x y z nx ny nz axis_x axis_y axis_z, double arc_length, float
+ *  turn. The normal has the names that mesh viewers know; PCL reads them back as normal_x.. \throw FileError */
 void writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
 
-/** One polyline a pass, with point data Normals, ToolAxis, Feed (where one is known), Turn, ArcLength, Tip (where tips are given), and of \p values what is
- * given as Deviation and Scallop. \throw FileError, std::invalid_argument for values that are not one a point */
+/** Writes one polyline per pass, with point data Normals, ToolAxis, Feed (if known), Turn, ArcLength, Tip (if tips are given), and
+ *  Deviation and Scallop from \p values, if given. \throw FileError, std::invalid_argument for values that are not one per point */
 void writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
                       const ToolpathMotion& motion, const PathValues& values = {});
 
-/** Extensions that writeToolpath knows, with the dot. */
+/** Extensions that writeToolpath accepts, with the dot. */
 const std::vector<std::string>& toolpathExtensions();
 
-/** By the extension of \p file; \p values go where the format has room for them, into .vtp. \throw FileError extension
- * not known, or the file cannot be written */
+/** Writes by the extension of \p file. \p values are written where the format has room
+ *  for them, in .vtp. \throw FileError unknown extension, or the file cannot be written */
 void writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
                    const ToolpathMotion& motion, const PathValues& values = {});
 

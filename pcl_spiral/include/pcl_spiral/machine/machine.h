@@ -1,5 +1,5 @@
 /** \file
- *  What a five-axis machine is made of.
+ *  The parts of a five-axis machine.
  */
 #pragma once
 
@@ -20,7 +20,7 @@ enum class RotaryMount {
   Head   ///< the tool
 };
 
-/** How far and how fast one axis goes: mm and mm/min, or radians and radians/min. */
+/** Range and speed of one axis: mm and mm/min, or radians and radians/min. */
 struct AxisRange {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
@@ -34,40 +34,40 @@ struct AxisRange {
   }
 };
 
-/** One rotary axis as it stands when both are at zero. A positive angle turns the table or head right-handed
- * about the direction. \note Machines whose table turns the other way (ISO 841 counts the tool against the
- * work) have the opposite direction: 0,0,-1. */
+/** One rotary axis, as it is when both are at zero. A positive angle turns the table
+ *  or head right-handed about the direction. \note If the table turns the other way
+ *  (ISO 841 counts the tool against the work), give the opposite direction: 0,0,-1. */
 struct RotaryAxis {
   char letter = 'C'; ///< A, B or C
   RotaryMount mount = RotaryMount::Table;
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
-  Eigen::Vector3d point = Eigen::Vector3d::Zero(); ///< on the axis, mm; table: in machine coordinates, head:
-                                                   ///< from the spindle's gauge point
+  Eigen::Vector3d point = Eigen::Vector3d::Zero(); ///< on the axis, mm; for a table in machine coordinates,
+                                                   ///< for a head from the gauge point of the spindle
   AxisRange range;
   double home = 0.0; ///< programs start as near to this as they can, radians
 };
 
-/** A machine with X, Y and Z and two rotary axes. At zero the tool points along +Z from its tip to the
- * spindle. */
+/** A machine with X, Y and Z and two rotary axes. At zero,
+ *  the tool points along +Z from its tip to the spindle. */
 struct Machine {
   std::string name;
-  std::array<AxisRange, 3> linear; ///< of the gauge point, machine coordinates
+  std::array<AxisRange, 3> linear; ///< of the gauge point, in machine coordinates
   std::array<RotaryAxis, 2>
-      rotary; ///< in the order from the workpiece to the tool; tables stand before heads
+      rotary; ///< in order from the workpiece to the tool; tables come before heads
   Eigen::Vector3d work_zero =
-      Eigen::Vector3d::Zero(); ///< the program's zero in machine coordinates, rotaries at zero
+      Eigen::Vector3d::Zero(); ///< zero of the program in machine coordinates, with the rotary axes at zero
   double tool_length = 0.0;    ///< from the gauge point to the tip, mm
-  bool rtcp = true; ///< the control keeps the tip in place while the rotaries turn: programs hold tips
-  std::optional<double> retract_z; ///< machine coordinate of Z that is clear of everything, before the first
-                                   ///< and after the last move
-  double path_tolerance = 0.01;    ///< that the control may round corners by (G64 P), mm
+  bool rtcp = true; ///< the control keeps the tip in place while the rotary axes turn: programs contain tips
+  std::optional<double> retract_z; ///< machine coordinate of Z that is clear of everything;
+                                   ///< used before the first and after the last move
+  double path_tolerance = 0.01;    ///< the control may round corners by this (G64 P), mm
 };
 
-/** LinuxCNC's xyzac-trt-kins with nothing off zero: table C on trunnion A, no limits, both at up to 30
- * rev/min, RTCP. */
+/** LinuxCNC's xyzac-trt-kins with all offsets zero: table C on
+ *  trunnion A, no limits, both at up to 30 rev/min, RTCP. */
 Machine xyzacTrunnion();
 
-/** Whether the machine can be: what is wrong, the value and the remedy otherwise. */
+/** Checks the machine: ok, or what is wrong, the value and the remedy. */
 Status checkMachine(const Machine& machine);
 
 } // namespace pcl_spiral

@@ -1,5 +1,5 @@
 /** \file
- *  From tool poses to the moves of a machine.
+ *  Makes the moves of a machine from tool poses.
  */
 #pragma once
 
@@ -14,32 +14,32 @@ namespace pcl_spiral {
 /** How the tool comes to the path and leaves it. */
 enum class LeadKind {
   Normal, ///< straight along the surface normal
-  Arc     ///< a quarter circle from the normal into the direction of travel
+  Arc     ///< a quarter circle from the normal to the direction of travel
 };
 
 /** Settings of a program. */
 struct ProgramSettings {
   double feed = 1000.0; ///< at the contact, mm/min
   double ball_radius =
-      0.0;                ///< of a ball cutter, mm: its centre stays as an axis is blended; 0: the tip stays
-  double pole_cone = 5.0; ///< axes are blended within this angle of the pole alone, degrees
-  BlockTolerance block;   ///< that the machine keeps between poses
-  BlockTolerance thinning{0.0, 0.0}; ///< poses are left out within this; 0: none
+      0.0;                ///< of a ball cutter, mm: its centre stays while an axis is blended; 0: the tip stays
+  double pole_cone = 5.0; ///< axes are blended only within this angle of the pole, degrees
+  BlockTolerance block;   ///< kept by the machine between poses
+  BlockTolerance thinning{0.0, 0.0}; ///< poses are left out within this tolerance; 0: none
   LeadKind lead = LeadKind::Normal;
-  double lead_length = 2.0;   ///< mm; the radius of an arc
+  double lead_length = 2.0;   ///< mm; for an arc its radius
   double clearance = 5.0;     ///< the feed begins this far along the tool axis from the lead, mm
-  double rapid_height = 50.0; ///< rapids cross this far above the highest tip, mm
+  double rapid_height = 50.0; ///< rapids cross at this height above the highest tip, mm
 };
 
-/** Poses of a ball cutter along \p path, as one pass: over the lifts of a path of several it would cut, see ballPasses. */
+/** Poses of a ball cutter along \p path, as one pass. On a path of several passes the lifts would cut: see ballPasses. */
 ToolPoses ballPoses(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);
-/** The same of each pass of \p path, as passBegins finds them. */
+/** The same for each pass of \p path, as passBegins finds them. */
 std::vector<ToolPoses> ballPasses(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);
 
-/** Lays a path on a machine: angles on one branch, unwound, blended at the pole; blocks split where the
- * machine would leave the path and thinned where it would not; a finite first axis retracts, unwinds and
- * comes back at its limit; leads; the time of every block, at the feed or as slow as the slowest axis asks;
- * limits of every axis checked.
+/** Makes a program for a machine from a path. Angles are on one branch, unwound, and blended at the pole.
+ *  Blocks are split where the machine would leave the path, and thinned where it would not. A first axis
+ *  with limits retracts, unwinds and comes back at its limit. Leads are added. Every block gets its time,
+ *  at the feed or as slow as the slowest axis needs. The limits of every axis are checked.
  *
  *  \code
  *  MachineProgramGenerator generator;
@@ -55,7 +55,7 @@ public:
   setMachine(const Machine& machine)
   {
     machine_ = machine;
-  }
+  } ///< The machine of the program.
   const Machine&
   getMachine() const
   {
@@ -68,13 +68,13 @@ public:
   {
     passes_ = {poses};
   }
-  /** The same for several passes: the tool leaves the surface after each and comes down to the next. */
+  /** The same for several passes: the tool leaves the surface after each pass and comes down to the next. */
   void
   setInputPasses(const std::vector<ToolPoses>& passes)
   {
     passes_ = passes;
   }
-  /** The poses of a ball cutter of \p ball_radius mm along the passes of \p path (ballPasses); sets the ball radius too. */
+  /** Poses of a ball cutter of \p ball_radius mm along the passes of \p path (ballPasses); also sets the ball radius. */
   void setInputPath(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);
   const std::vector<ToolPoses>&
   getInputPasses() const
@@ -86,15 +86,15 @@ public:
   setSettings(const ProgramSettings& settings)
   {
     settings_ = settings;
-  }
+  } ///< Feed, leads, tolerances; see ProgramSettings.
   const ProgramSettings&
   getSettings() const
   {
     return settings_;
   }
 
-  /** \p program is empty on failure: a machine that cannot be, a setting out of range, a tool axis out of
-   * reach, an axis beyond its limits. */
+  /** Computes the program. \p program is empty on failure: an invalid machine, a
+   *  setting out of range, a tool axis out of reach, an axis beyond its limits. */
   void compute(MachineProgram& program);
 
   const Status&

@@ -16,17 +16,17 @@
 
 namespace pcl_spiral {
 
-/** Points with normals of a mesh's curved surface (SurfaceMesh::patch), for every stage that works on a cloud.
+/** Points with normals on the curved surface of a mesh (SurfaceMesh::patch), for all stages that work on a cloud.
  *
- *  Every place of the surface lies within one spacing of a point, measured straight; points stand 0.68 spacings or more apart,
- *  but on the rim, which has points of its own, at its corners and no farther than 0.8 spacings apart between these. How large
- *  the faces are does not matter. The points are the same for any number of threads, and whatever the order of the faces and of
- *  their corners (where fitted normals differ in the last bit, single points may). Another position of the part gives other
- *  points, as even.
+ *  Every place of the surface lies within one spacing of a point, in a straight line. Points are at least
+ *  0.68 spacings apart, except on the rim, which has points of its own: at its corners, and between these
+ *  no farther than 0.8 spacings apart. The size of the faces has no effect. The points are the same for
+ *  any number of threads, and for any order of the faces and of their corners (if fitted normals differ in
+ *  the last bit, single points may differ). Another position of the part gives other points, equally even.
  *
- *  Method: candidates on a lattice of each face, a quarter of a spacing wide, are taken in the order of a hash of their place,
- *  unless one taken before lies too near (dart throwing; Cook, Stochastic sampling in computer graphics, ACM TOG 5(1), 1986), in
- *  cells of which those far enough apart are filled at the same time. Lengths in mm. Memory: 350 bytes a point.
+ *  Method: candidates lie on a lattice of each face, a quarter of a spacing wide. They are taken in the order of a hash of
+ *  their place, unless one taken earlier is too near (dart throwing; Cook, Stochastic sampling in computer graphics, ACM
+ *  TOG 5(1), 1986). Cells that are far enough apart are filled at the same time. Lengths in mm. Memory: 350 bytes per point.
  *  \code
  *  pcl_spiral::MeshSampling sampling;
  *  sampling.setInputMesh(mesh);
@@ -39,36 +39,36 @@ public:
   using Ptr = std::shared_ptr<MeshSampling>;
   using ConstPtr = std::shared_ptr<const MeshSampling>;
 
-  /** The mesh, or one made ready before. What is set last counts. */
+  /** The mesh, or one prepared earlier. The last input set counts. */
   void setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh);
-  void setInputMesh(const SurfaceMesh::ConstPtr& mesh);
+  void setInputMesh(const SurfaceMesh::ConstPtr& mesh); ///< The same with a prepared mesh.
   pcl::PolygonMesh::ConstPtr getInputMesh() const { return input_; }
-  /** The mesh made ready, as given or after compute. */
+  /** The prepared mesh, as given or after compute. */
   SurfaceMesh::ConstPtr getSurfaceMesh() const { return mesh_; }
 
-  /** How a PolygonMesh is made ready. */
+  /** How a PolygonMesh is prepared. */
   void setMeshSettings(const MeshSettings& settings) { settings_ = settings; }
   const MeshSettings& getMeshSettings() const { return settings_; }
 
-  /** 0, the default: defaultSampleSpacing. */
+  /** Distance between points, mm; 0, the default: defaultSampleSpacing. */
   void setSpacing(double spacing) { spacing_ = spacing; }
   double getSpacing() const { return spacing_; }
-  /** As used by the last compute. */
+  /** The spacing used by the last compute, mm. */
   double getUsedSpacing() const { return used_spacing_; }
 
-  /** Sample the faces alone for which \p chosen is not 0, one value a face of the SurfaceMesh; their boundary is the rim.
-   *  Empty, the default: all. */
+  /** Samples only the faces for which \p chosen is not 0, one value per face
+   *  of the SurfaceMesh; their boundary is the rim. Empty, the default: all. */
   void setFaces(std::vector<std::uint8_t> chosen) { chosen_ = std::move(chosen); }
   const std::vector<std::uint8_t>& getFaces() const { return chosen_; }
 
-  /** Points nearer than this to a crease between sampled faces are marked, see getInCreaseBand; 0, the default: none. */
+  /** Points nearer than this to a crease between sampled faces are marked, mm, see getInCreaseBand; 0, the default: none. */
   void setCreaseBand(double width) { crease_band_ = width; }
   double getCreaseBand() const { return crease_band_; }
 
-  /** \p output is empty on failure: no or unfit mesh, a setting out of range, no face chosen, more points than memory holds. */
+  /** Computes the points. \p output is empty on failure: no or unfit mesh, a setting out of range, no face chosen, too little memory. */
   void compute(pcl::PointCloud<pcl::PointNormal>& output);
 
-  /** Of each point: the face of the SurfaceMesh it lies on. */
+  /** Of each point: the face of the SurfaceMesh on which it lies. */
   const std::vector<std::uint32_t>& getFaceIndices() const { return faces_; }
   /** Of each point: 1 in the crease band. */
   const std::vector<std::uint8_t>& getInCreaseBand() const { return in_band_; }
@@ -86,9 +86,9 @@ private:
   Status status_;
 };
 
-/** A spacing, mm, at which local fits find the curved surface of the faces chosen again: the radius of curvature r that all but
- *  a thousandth of the area exceeds, by the bows of the edges, asks for 0.1 r^(3/4), at which a quadric fitted over some
- *  four spacings is off by about 1e-4 mm on a sphere; no wider than gives 100,000 points, no closer than gives 500,000. */
+/** A spacing, mm, at which local fits reproduce the curved surface of the chosen faces. It is 0.1 r^(3/4), where r is the radius
+ *  of curvature that all but a thousandth of the area exceeds, from the bows of the edges. A quadric fitted over about four such
+ *  spacings is off by about 1e-4 mm on a sphere. The spacing is limited to give at least 100,000 and at most 500,000 points. */
 double
 defaultSampleSpacing(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& chosen = {});
 

@@ -1,5 +1,5 @@
 /** \file
- *  Rail and generator of a ridge out of a full scan.
+ *  Rail and generator of a ridge from a full scan.
  */
 #pragma once
 
@@ -15,8 +15,8 @@
 
 namespace pcl_spiral {
 
-/** The two lines of a ridge, out of a scan of the whole part and a few rough points of the ridge; and how well the surface that they
- *  sweep fits the part.
+/** Finds the two lines of a ridge from a scan of the whole part and a few rough points
+ *  of the ridge. Also reports how well the surface that they sweep fits the part.
  *  \code
  *  RidgeLines<pcl::PointXYZ> lines;
  *  lines.setInputCloud(scan);
@@ -26,9 +26,9 @@ namespace pcl_spiral {
  *  if (!lines.getStatus().ok()) ...             // names place, value and remedy
  *  if (lines.getReport().misfit > ...) ...      // is the part a ridge in this sense?
  *  \endcode
- *  Rail and generator go to RidgeToolpath::setInputCloud and setInputGenerator. Takes a cloud or a surface, see SurfaceInput; the side to which its
- *  normals point is that of the tool: ridges are convex there. Where a ridge is a hollow of that side, setFlipNormals. Lengths in
- *  mm. The output does not depend on the order of the cloud nor on the number of threads. \sa findScanRidge */
+ *  Rail and generator go to RidgeToolpath::setInputCloud and setInputGenerator. Takes a cloud or a surface, see SurfaceInput. The
+ *  normals point to the side of the tool; ridges are convex on that side. If a ridge is a hollow on that side, use setFlipNormals.
+ *  Lengths in mm. The output does not depend on the order of the cloud or on the number of threads. \sa findScanRidge */
 template <typename PointT>
 class RidgeLines : public SurfaceInput<pcl::PCLBase<PointT>, PointT> {
 public:
@@ -36,42 +36,42 @@ public:
   using ConstPtr = pcl::shared_ptr<const RidgeLines>;
   using Cloud = pcl::PointCloud<PointT>;
 
-  /** Two or more places on the ridge in their order along it: at its wanted ends and, where it bends, between; of a closed ridge three or
-   *  more, all round it. The crest is looked for within the half width of a smooth curve through them. Must be set. */
+  /** Two or more places on the ridge in their order along it: at its wanted ends and, where it bends, between. For a closed ridge:
+   *  three or more, all round it. The crest is looked for within the half width of a smooth curve through them. Must be set. */
   void setRoughPoints(Polyline points) { settings_.rough_points = std::move(points); }
   const Polyline& getRoughPoints() const { return settings_.rough_points; }
-  /** The ridge is a ring; false by default. */
+  /** Whether the ridge is a ring; false by default. */
   void setClosed(bool closed) { settings_.closed = closed; }
   bool getClosed() const { return settings_.closed; }
-  /** How far the generator goes to either side of the crest, along the surface, mm. Less where the scan ends before, which is
-   *  warned of. Must be set. */
+  /** How far the generator extends to either side of the crest, along the surface, mm.
+   *  It is shorter where the scan ends before; a warning reports this. Must be set. */
   void setHalfWidth(double width) { settings_.half_width = width; }
   double getHalfWidth() const { return settings_.half_width; }
 
-  /** Normal of the plane with which the generator's chord keeps its angle; (0, 0, 1) by default. For a ridge that stands upright take
-   *  one across it. The same goes to RidgeToolpath. */
+  /** Normal of the reference plane: the chord of the generator keeps its angle with it; (0, 0, 1) by
+   *  default. For a vertical ridge, take a normal across the ridge. Set the same in RidgeToolpath. */
   void setReferenceNormal(const Eigen::Vector3d& normal) { settings_.reference = normal; }
   const Eigen::Vector3d& getReferenceNormal() const { return settings_.reference; }
 
-  /** Distance of the points of both lines, mm; 0, the default: twice that of the scan's points. */
+  /** Distance between the points of both lines, mm; 0, the default: twice that of the scan's points. */
   void setPointSpacing(double spacing) { settings_.point_spacing = spacing; }
   double getPointSpacing() const { return settings_.point_spacing; }
-  /** Most rounds of aligning the sections; 30 by default. */
+  /** Largest number of rounds that align the sections; 30 by default. */
   void setMaximumIterations(int rounds) { settings_.most_rounds = rounds; }
   int getMaximumIterations() const { return settings_.most_rounds; }
-  /** Called with the share done; returning false cancels. */
+  /** Called with the completed share; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
-  /** Points of both lines; empty on failure. */
+  /** Computes the points of both lines; empty on failure. */
   void compute(Cloud& rail, Cloud& generator);
 
   /** The same lines in double precision, for RidgeSurface::make; empty on failure. */
   const Polyline& getRail() const { return found_.rail; }
   const Polyline& getGenerator() const { return found_.generator; }
-  /** The ridge that they make, up where the scan's normals point; null on failure. RidgeToolpath::setFlipNormals takes its
-   *  settings().flip. */
+  /** The ridge that they make; up is the side of the scan's normals; null on
+   *  failure. Give its settings().flip to RidgeToolpath::setFlipNormals. */
   RidgeSurface::ConstPtr getRidge() const { return found_.ridge; }
-  /** Misfit, noise, rounds, warnings. */
+  /** Misfit, noise, rounds, warnings of the last compute. */
   const ScanRidgeReport& getReport() const { return found_.report; }
 
 private:

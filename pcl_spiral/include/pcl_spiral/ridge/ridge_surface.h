@@ -14,25 +14,25 @@
 
 namespace pcl_spiral {
 
-/** The surface S(u, v) = L(u) + a(v) m1 + b(v) m2 + c(v) m3: rail L, frame m1, m2, m3 of equation (1) (\see ridgeFrame), local
- *  coordinates a, b, c of the measured generator, u and v the arc lengths of both lines in mm. Source: the feature-line method for
- *  ridges in 3-D laser surface hardening (China Mechanical Engineering), equations (1) to (3); a is small and kept. Immutable;
- *  any number of threads may ask.
+/** The surface S(u, v) = L(u) + a(v) m1 + b(v) m2 + c(v) m3: rail L, frame m1, m2, m3 of equation (1) (\see
+ *  ridgeFrame), local coordinates a, b, c of the measured generator. u and v are the arc lengths of both
+ *  lines in mm. Source: the feature-line method for ridges in 3-D laser surface hardening (China Mechanical
+ *  Engineering), equations (1) to (3); a is small and is kept. Immutable; any number of threads may use it.
  *
- *  The rail runs from the end that is nearer to the generator, a ring counter-clockwise about the reference normal from where it meets it;
- *  the generator runs so that up, m3, leads to the side of the reference normal. So points may come in any order, but for the direction of a rail
- *  that is measured in its very middle. */
+ *  The rail runs from the end nearer to the generator. A ring runs counter-clockwise about the reference normal, from the place
+ *  where it meets the generator. The generator runs so that up, m3, is on the side of the reference normal. So points may come
+ *  in any order. Exception: if the generator is exactly at the middle of the rail, the direction of the rail is not fixed. */
 class RidgeSurface {
 public:
   using ConstPtr = std::shared_ptr<const RidgeSurface>;
 
-  /** Make it of the points of both lines. \p result is null on failure.
+  /** Makes the surface from the points of both lines. \p result is null on failure.
    *
-   *  InvalidInput, with place and value: what orderLine refuses; a corner of the rail of more than 30 degrees; start and end of
-   *  the generator nearer than a twentieth of its length; the generator far from the rail, or beyond its ends; its plane tilted by
-   *  more than 15 degrees against the rail's normal plane; the rail too steep for the chord's angle, or along the reference normal, where the
-   *  frame would turn over; a fold of the surface. InvalidArgument:
-   *  a reference normal without direction, a measuring error below 0. */
+   *  InvalidInput, with place and value: what orderLine refuses; a corner of the rail of more than 30 degrees;
+   *  start and end of the generator nearer than a twentieth of its length; the generator far from the rail, or
+   *  beyond its ends; its plane tilted by more than 15 degrees against the normal plane of the rail; the rail
+   *  too steep for the angle of the chord, or along the reference normal, where the frame would turn over; a
+   *  fold of the surface. InvalidArgument: a reference normal without direction, a measuring error below 0. */
   static Status make(const Polyline& rail, const Polyline& generator, const RidgeSettings& settings, ConstPtr& result);
 
   const RidgeSettings& settings() const { return settings_; }

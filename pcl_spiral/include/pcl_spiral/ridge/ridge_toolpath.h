@@ -1,5 +1,5 @@
 /** \file
- *  A toolpath over a ridge of which two lines were measured.
+ *  A toolpath over a ridge from two measured lines.
  */
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace pcl_spiral {
 
-/** Rows over the ridge that a measured generator sweeps along a measured rail: to harden, deburr or grind an edge without a full
- *  scan of it. Points of both lines may come in any order.
+/** Rows over the ridge that a measured generator sweeps along a measured rail. Use it to harden, deburr
+ *  or grind an edge without a full scan of it. The points of both lines may come in any order.
  *  \code
  *  RidgeToolpath<pcl::PointXYZ> ridge;
  *  ridge.setInputCloud(rail);          // along the ridge
@@ -24,9 +24,9 @@ namespace pcl_spiral {
  *  ridge.compute(rows);
  *  if (!ridge.getStatus().ok()) ...    // names place, value and remedy
  *  \endcode
- *  The rows go on as any drive passes: to ToolAxis, CutterLocation::setDrivePasses, programs and writers. setIndices chooses among
- *  the rail's points. Lengths in mm, angles in degrees. Source: the feature-line method for ridges in 3-D laser surface hardening
- *  (China Mechanical Engineering). \sa RidgeSurface, planRidgeRows */
+ *  Use the rows like any drive passes: in ToolAxis, CutterLocation::setDrivePasses, programs and writers.
+ *  setIndices selects points of the rail. Lengths in mm, angles in degrees. Source: the feature-line method
+ *  for ridges in 3-D laser surface hardening (China Mechanical Engineering). \sa RidgeSurface, planRidgeRows */
 template <typename PointT>
 class RidgeToolpath : public pcl::PCLBase<PointT>, public ThreadCount {
 public:
@@ -38,27 +38,27 @@ public:
   void setInputGenerator(const typename Cloud::ConstPtr& generator) { generator_ = generator; }
   typename Cloud::ConstPtr getInputGenerator() const { return generator_; }
 
-  /** Normal of the plane with which the generator's chord keeps its angle, and which tells what is up; (0, 0, 1) by default. For a rail that
-   *  stands upright take one across it. */
+  /** Normal of the reference plane; (0, 0, 1) by default. The chord of the generator keeps its angle with
+   *  this plane, and the normal defines which side is up. For a vertical rail, take a normal across the rail. */
   void setReferenceNormal(const Eigen::Vector3d& normal) { settings_.reference = normal; }
   const Eigen::Vector3d& getReferenceNormal() const { return settings_.reference; }
-  /** Standard deviation of a coordinate of the points, mm; 0, the default: found from them. */
+  /** Standard deviation of a coordinate of the points, mm; 0, the default: found from the points. */
   void setMeasuringError(double error) { settings_.measuring_error = error; }
   double getMeasuringError() const { return settings_.measuring_error; }
-  /** The tool comes from the other side of the ridge. */
+  /** Whether the tool comes from the other side of the ridge; false by default. */
   void setFlipNormals(bool flip) { settings_.flip = flip; }
   bool getFlipNormals() const { return settings_.flip; }
 
-  /** RidgeDirection::AlongRail by default. */
+  /** Direction of the rows; RidgeDirection::AlongRail by default. */
   void setDirection(RidgeDirection direction) { rows_.direction = direction; }
   RidgeDirection getDirection() const { return rows_.direction; }
-  /** To and fro, by default, or all one way. */
+  /** Whether rows run in zigzag or all in one direction; true, zigzag, by default. */
   void setZigzag(bool zigzag) { rows_.zigzag = zigzag; }
   bool getZigzag() const { return rows_.zigzag; }
-  /** How far rows are apart is told by one of these three. */
+  /** Largest distance between neighbouring rows, mm. Set exactly one of these three: setStepOver, setSpot, setScallop. */
   void setStepOver(double step) { rows_.step_over = step; }
   double getStepOver() const { return rows_.step_over; }
-  /** Diameter of a beam's spot, and the share of it that the next row covers again. */
+  /** Diameter of the spot of a beam, mm, and the share of it that the next row covers again. */
   void
   setSpot(double size, double overlap)
   {
@@ -67,7 +67,7 @@ public:
   }
   double getSpotSize() const { return rows_.spot_size; }
   double getOverlap() const { return rows_.overlap; }
-  /** Radius of a ball cutter, and the height of the ridges it may leave. */
+  /** Radius of a ball cutter, mm, and its scallop height: the largest height of the ridges it may leave, mm. */
   void
   setScallop(double tool_radius, double height)
   {
@@ -77,41 +77,41 @@ public:
   double getToolRadius() const { return rows_.tool_radius; }
   double getScallopHeight() const { return rows_.scallop_height; }
 
-  /** Largest distance of consecutive points on the surface, mm; 1 by default. Of RidgeSteps::Stations, along the rail or the generator. */
+  /** Largest distance between consecutive points on the surface, mm; 1 by default. For RidgeSteps::Stations: along rail or generator. */
   void setPointSpacing(double spacing) { rows_.point_spacing = spacing; }
   double getPointSpacing() const { return rows_.point_spacing; }
-  void setSteps(RidgeSteps steps) { rows_.steps = steps; }
+  void setSteps(RidgeSteps steps) { rows_.steps = steps; } ///< spacing of the points of a row; RidgeSteps::EqualOnRow by default
   RidgeSteps getSteps() const { return rows_.steps; }
-  void setNormals(RidgeNormals normals) { rows_.normals = normals; }
+  void setNormals(RidgeNormals normals) { rows_.normals = normals; } ///< which normals the points have; RidgeNormals::True by default
   RidgeNormals getNormals() const { return rows_.normals; }
-  /** Largest error of straight moves, of the contact and of the tool, mm; 0.01 by default. Equal steps are made shorter until it holds;
-   *  0: the spacing alone tells. */
+  /** Largest error of straight moves, for the contact and the tool, mm; 0.01 by default.
+   *  Equal steps are made shorter until it holds; 0: only the spacing counts. */
   void setChordError(double error) { rows_.chord_error = error; }
   double getChordError() const { return rows_.chord_error; }
-  /** Of the tool from the contact along the normal, mm; 0 by default. */
+  /** Distance of the tool from the contact along the normal, mm; 0 by default. */
   void setStandOff(double distance) { rows_.stand_off = distance; }
   double getStandOff() const { return rows_.stand_off; }
-  /** Of the axis, forward along the row; 0 by default. The tool stays on the normal: a beam that leans meets the surface beside its row, by the stand-off
-   *  times the tangent of the angle. */
+  /** Lean of the axis forward along the row, degrees; 0 by default. The tool stays on the normal. So a
+   *  leaning beam meets the surface next to its row, by the stand-off times the tangent of the angle. */
   void setLead(double degrees) { rows_.lead = degrees; }
   double getLead() const { return rows_.lead; }
-  /** Of the axis, to the right of travel; 0 by default. */
+  /** Lean of the axis to the right of travel, degrees; 0 by default. */
   void setTilt(double degrees) { rows_.tilt = degrees; }
   double getTilt() const { return rows_.tilt; }
-  /** Straight on before and behind each row that does not go round, mm; 0 by default. */
+  /** Straight extension before each row that is not closed, mm; 0 by default. */
   void setRunIn(double length) { rows_.run_in = length; }
   double getRunIn() const { return rows_.run_in; }
-  void setRunOut(double length) { rows_.run_out = length; }
+  void setRunOut(double length) { rows_.run_out = length; } ///< straight extension after each row that is not closed, mm; 0 by default
   double getRunOut() const { return rows_.run_out; }
 
-  /** \p passes is empty on failure. */
+  /** Computes the rows. \p passes is empty on failure. */
   void compute(DrivePasses& passes);
 
   const Status& getStatus() const { return status_; }
-  /** Of the last compute; null before, and where none could be made. */
+  /** The ridge of the last compute; null before, and if none could be made. */
   RidgeSurface::ConstPtr getRidge() const { return ridge_; }
   const RidgeRowReport& getReport() const { return report_; }
-  /** No message of a failure is printed. */
+  /** Whether to print no message on failure; false by default. */
   void setQuiet(bool quiet) { quiet_ = quiet; }
   bool getQuiet() const { return quiet_; }
 

@@ -25,8 +25,8 @@ public:
   using ConstPtr = pcl::shared_ptr<const EllipticGabrielGraph>;
   using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
 
-  /** Axis of the ellipsoid across an edge over the axis along it, in (0, sqrt 2]; 0.75 by default, 1 is the
-   * Gabriel graph. Smaller joins more. */
+  /** Axis of the ellipsoid across an edge divided by the axis along it, in (0, sqrt 2]; 0.75 by default, 1 is the
+   * Gabriel graph. A smaller value joins more points. */
   void
   setAlpha(double alpha)
   {
@@ -38,7 +38,7 @@ public:
     return options_.alpha;
   }
 
-  /** Nearest neighbours tried for each point; 32 by default. */
+  /** Nearest neighbours tested for each point; 32 by default. */
   void
   setKSearch(int k)
   {
@@ -61,7 +61,7 @@ public:
     return getKSearch();
   }
 
-  /** Longest edge in local spacings; 3.5 by default, 0 for any. It keeps the graph from bridging holes. */
+  /** Longest edge in local spacings; 3.5 by default, 0 for any length. It keeps the graph from bridging holes. */
   void
   setMaxEdgeLength(double spacings)
   {
@@ -73,7 +73,7 @@ public:
     return options_.max_edge;
   }
 
-  /** Oriented unit normals, one a point of the input cloud; used only with setMaxNormalAngle. */
+  /** Oriented unit normals, one per point of the input cloud; used only with setMaxNormalAngle. */
   void
   setInputNormals(const NormalsConstPtr& normals)
   {
@@ -85,7 +85,7 @@ public:
     return normals_;
   }
 
-  /** Largest angle between the normals of an edge's ends, degrees, up to 180; 0, the default, is no gate. It
+  /** Largest angle between the normals of an edge's ends, degrees, up to 180; 0, the default, means no limit. It
    * keeps the two sides of a thin wall apart. */
   void
   setMaxNormalAngle(double degrees)
@@ -111,7 +111,7 @@ public:
   }
 
   /** Find the neighbours of every point of the input cloud. \p graph is empty on failure: no cloud, no finite
-   * point, an index or setting out of range, normals missing or of another number. */
+   * point, an index or setting out of range, normals missing or their number wrong. */
   void compute(NeighbourLists& graph);
 
   const Status&

@@ -14,26 +14,26 @@ namespace pcl_spiral {
 
 /** Smooths the tool axes of a path along its length and limits how fast they turn.
  *
- *  What is short along the path, as noise of normals or a dent in a turn, is smoothed away; then every move keeps the
- *  axis rate. Where a tilt spins faster (the pole of a dome) the axis passes through near the normal, without a spin or
- *  a jump, the same from either end of the path. The ball's centre does not depend on the axis; only the tip does. The
- *  maths is smoothAxes in core/axis_field.h. */
+ *  Short changes along the path, such as noise of the normals or a dent in a turn, are smoothed away. Then every move keeps
+ *  the axis rate. Where a tilt turns faster (the pole of a dome), the axis passes close to the normal without a spin or a jump.
+ *  The result is the same from both ends of the path. The centre of the ball does not depend on the axis; only the tip does.
+ *  The method is smoothAxes in core/axis_field.h. */
 class AxisField {
 public:
   using Path = pcl::PointCloud<ToolpathPoint>;
 
-  /** Path in travel order, with the wanted axis at every point; where it has surface normals too, axes are held against
+  /** Path in travel order, with the wanted axis at every point. If it has surface normals too, axes are checked against
    *  them. */
   void setInputPath(const Path::ConstPtr& path) { path_ = path; }
   Path::ConstPtr getInputPath() const { return path_; }
 
-  /** What is shorter along the path is smoothed away, mm; 50 by default, 0 for none. A wave of length 2 pi l keeps the
+  /** Smoothing length, mm: shorter changes are smoothed away; 50 by default, 0 for none. A wave of length 2 pi l keeps the
    *  share 1 / (1 + (length / l)^4). */
   void setSmoothingLength(double length) { smoothing_length_ = length; }
   double getSmoothingLength() const { return smoothing_length_; }
 
-  /** How far smoothing may lead from the wanted axes, degrees, in the mean over its length; 2 by default. Where it would
-   *  lead farther it smooths over less. The axis rate comes first: what leaves the wanted axis farther is counted. */
+  /** How far smoothing may move the axis from the wanted one, degrees, in the mean over its length; 2 by default. Where it would
+   *  move it farther, it smooths less. The axis rate has priority: points with a larger deviation are counted. */
   void setMaxDeviation(double degrees) { max_deviation_ = degrees; }
   double getMaxDeviation() const { return max_deviation_; }
 
@@ -41,20 +41,20 @@ public:
   void setMaxAxisRate(double degrees_per_mm) { max_axis_rate_ = degrees_per_mm; }
   double getMaxAxisRate() const { return max_axis_rate_; }
 
-  /** Copy the path and set its axes. \p output may be the input's cloud; it is empty on failure: no path, a point or
-   *  axis that is not finite, an axis of no length, a setting out of range, or an axis that would come to lie in the
-   *  surface so as not to turn faster. */
+  /** Copy the path and set its axes. \p output may be the input cloud. It is empty on failure: no path, a point or
+   *  axis that is not finite, an axis of zero length, a setting out of range, or an axis that the rate limit would
+   *  tilt into the surface. */
   void compute(Path& output);
 
-  const Status& getStatus() const { return status_; }
+  const Status& getStatus() const { return status_; } ///< result of the last run
 
   /** Largest turn of the axis between neighbouring points of the last compute, degrees. */
   double getLargestAxisChange() const { return largest_change_; }
   /** Largest turn of the axis per mm of path, degrees. */
   double getLargestAxisRate() const { return largest_rate_; }
-  /** Largest angle between an axis and the one wanted, degrees. */
+  /** Largest angle between an axis and the wanted one, degrees. */
   double getLargestDeviation() const { return largest_deviation_; }
-  /** Points at which it is above the largest deviation. */
+  /** Number of points with an angle above the largest deviation. */
   std::size_t getDeviatingPoints() const { return deviating_points_; }
   /** Largest angle between an axis and the surface normal, degrees; 0 for a path without normals. */
   double getLargestLean() const { return largest_lean_; }

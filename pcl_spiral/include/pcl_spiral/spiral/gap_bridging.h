@@ -1,5 +1,5 @@
 /** \file
- *  Gaps of a scan bridged by smooth patches.
+ *  Bridges the gaps of a scan with smooth patches.
  */
 #pragma once
 
@@ -12,30 +12,30 @@
 
 namespace pcl_spiral {
 
-/** A gap, and what was put into it. */
+/** A gap, and the patch put into it. */
 struct BridgedGap {
-  BoundaryLoop loop;       ///< the gap's boundary, of type ScanGap
-  std::size_t points = 0;  ///< put into it; 0 where it is too narrow to be filled and paths run over it as it is
+  BoundaryLoop loop;       ///< the boundary of the gap, of type ScanGap
+  std::size_t points = 0;  ///< put into it; 0 if it is too narrow to be filled, and paths run over it as it is
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double width = 0.0;      ///< its largest extent, mm
-  double residual = 0.0;   ///< rms distance of the points about it from the patch, mm
+  double residual = 0.0;   ///< rms distance of the points around it from the patch, mm
 };
 
 /** A surface with its gaps bridged, and what was guessed for that. */
 struct BridgedSurface {
-  Surface::ConstPtr surface;       ///< the one given where there is nothing to bridge
-  std::vector<BoundaryLoop> loops; ///< the rim (Outer), the hole that is kept if any (Inner), gaps that were not filled (ScanGap)
+  Surface::ConstPtr surface;       ///< the given one if there is nothing to bridge
+  std::vector<BoundaryLoop> loops; ///< the rim (Outer), the hole that is kept, if any (Inner), gaps that were not filled (ScanGap)
   std::vector<BridgedGap> gaps;
-  std::vector<std::string> warnings; ///< one a gap
+  std::vector<std::string> warnings; ///< one per gap
 };
 
 /** Where loops come from. */
 enum class LoopOrigin {
-  Found, ///< findBoundaryLoops found them on this very surface: boundaries are found again once gaps are bridged
-  Given  ///< from outside: those that findBoundaryLoops does not find on the surface are checked, and kept as they are
+  Found, ///< by findBoundaryLoops on this very surface: boundaries are found again after gaps are bridged
+  Given  ///< by the user: those that findBoundaryLoops does not find on the surface are checked, and kept as they are
 };
 
-/** What becomes of each hole. */
+/** What to do with each hole. */
 struct HoleOptions {
   BoundaryMode mode = BoundaryMode::Automatic;
   HoleHandling holes = HoleHandling::Around; ///< Over: as OneBoundary
@@ -43,20 +43,20 @@ struct HoleOptions {
   double hole_size = 0.0; ///< BoundaryOptions::min_hole_width, mm
 };
 
-/** Bridge all holes of a surface but those that BoundaryMode and HoleHandling keep as boundaries. \p surface is given up before a
- *  new one is made. Fails where chooseBoundaries does, on a gap with GapHandling::Refuse, on a hole with HoleHandling::Refuse, and
- *  on given loops that do not belong to the surface (checkLoop) or have points of it where they name a gap; \p bridged is empty
- *  then. */
+/** Bridge all holes of a surface except those that BoundaryMode and HoleHandling keep as boundaries. \p surface is released before
+ *  a new one is made. Fails where chooseBoundaries fails, on a gap with GapHandling::Refuse and on a hole with HoleHandling::Refuse.
+ *  Fails also on given loops that do not belong to the surface (checkLoop) or mark a gap where the surface has points. On failure
+ *  \p bridged is empty. */
 Status
 bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const HoleOptions& options,
            const ProgressCallback& progress, BridgedSurface& bridged, LoopOrigin origin = LoopOrigin::Given);
 
-/** Bridges gaps in the data: every hole that is no boundary of the part is filled with points of a bicubic patch fitted to the
- *  surface about it, and the boundaries are found again; an outline of the user's own is kept. What was put in is a guess:
- *  Surface::isGuessed tells it, and paths over it are marked.
+/** Bridges gaps in the data. Every hole that is not a boundary of the part is filled with points of a bicubic patch, fitted to the
+ *  surface around it. Then the boundaries are found again; the user's own outline is kept. The filled points are guessed:
+ *  Surface::isGuessed reports them, and paths over them are marked.
  *
- *  Takes a cloud or a surface, see SurfaceInput, and its loops; gives a new surface and its loops for RadialLines and
- *  SpiralToolpathGenerator. Where there is nothing to bridge both are those given. Lengths in mm.
+ *  Takes a cloud or a surface, see SurfaceInput, and its loops. Gives a new surface and its loops for RadialLines and
+ *  SpiralToolpathGenerator. If there is nothing to bridge, it returns the given ones. Lengths in mm.
  */
 template <typename PointT, typename PointNT = pcl::Normal>
 class GapBridging : public SurfaceInput<pcl::PCLBase<PointT>, PointT, PointNT> {
@@ -64,33 +64,33 @@ public:
   using Ptr = pcl::shared_ptr<GapBridging>;
   using ConstPtr = pcl::shared_ptr<const GapBridging>;
 
-  /** The surface's loops, as BoundaryLoops gives them, or a user's own. None, the default: they are found. */
+  /** The loops of the surface, as BoundaryLoops gives them, or the user's own. None, the default: they are found. */
   void setBoundaryLoops(const std::vector<BoundaryLoop>& loops) { given_loops_ = loops; }
   const std::vector<BoundaryLoop>& getBoundaryLoops() const { return given_loops_; }
 
-  /** Which hole is a boundary of the part and stays: Automatic (the default) a single real one, TwoBoundaries the longest,
-   *  OneBoundary none. */
+  /** Which hole stays as a boundary of the part: with Automatic (the default) a single real one, with TwoBoundaries the longest,
+   *  with OneBoundary none. */
   void setBoundaryMode(BoundaryMode mode) { options_.mode = mode; }
   BoundaryMode getBoundaryMode() const { return options_.mode; }
 
-  /** Bridge gaps, the default, or refuse a surface that has some. */
+  /** Bridge gaps, the default, or refuse a surface with gaps. */
   void setGapHandling(GapHandling handling) { options_.gaps = handling; }
   GapHandling getGapHandling() const { return options_.gaps; }
 
-  /** Keep holes of the part, the default, bridge them, or refuse a surface that has some. */
+  /** Keep holes of the part, the default, bridge them, or refuse a surface with holes. */
   void setHoleHandling(HoleHandling holes) { options_.holes = holes; }
   HoleHandling getHoleHandling() const { return options_.holes; }
 
-  /** Least width of a hole of the part, mm; 0, the default: by the scan, see BoundaryOptions. */
+  /** Least width of a hole of the part, mm; 0, the default: decided from the scan, see BoundaryOptions. */
   void setHoleSize(double width) { options_.hole_size = width; }
   double getHoleSize() const { return options_.hole_size; }
 
-  /** Called with the share done; returning false cancels. */
+  /** Called with the share done; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
-  /** Bridge. On failure \p surface is null and \p loops is empty; see getStatus. */
+  /** Bridge the gaps. On failure \p surface is null and \p loops is empty; see getStatus. */
   void compute(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops);
-  /** The same with what was guessed, by value. */
+  /** The same, with what was guessed, by value. */
   void compute(BridgedSurface& bridged);
 
   /** What the last compute put into each gap. */

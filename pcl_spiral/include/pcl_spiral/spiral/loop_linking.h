@@ -1,5 +1,5 @@
 /** \file
- *  From closed loops to one continuous path.
+ *  Links closed loops to one continuous path.
  */
 #pragma once
 
@@ -15,54 +15,54 @@
 
 namespace pcl_spiral {
 
-/** How a loop hangs on another one. */
+/** How a loop is joined to another one. */
 enum class LoopJointKind {
-  Ramp,   ///< of the spiral from the outer rim to the innermost loop, inward
-  Bridge, ///< beside it, by a pair of narrow turns
-  Lift,   ///< of the tool, from the end of one pass to the begin of the next: with one_way in place of bridges
-  Finger  ///< too small to be travelled: the other reaches out to its middle
+  Ramp,   ///< in the spiral from the rim to the innermost loop, inward
+  Bridge, ///< to a loop beside the spiral, by a pair of narrow turns
+  Lift,   ///< of the tool, from the end of one pass to the start of the next: with one_way instead of bridges
+  Finger  ///< too small to travel: the other loop reaches out to its middle
 };
 
-/** A branch of the tree that loops are linked by. */
+/** One branch of the tree that links the loops. */
 struct LoopJoint {
-  std::size_t loop = 0;   ///< as they were given
-  std::size_t parent = 0; ///< nearer to the outer rim's loop along the tree
+  std::size_t loop = 0;   ///< index in the given loops
+  std::size_t parent = 0; ///< the loop nearer to the rim's loop along the tree
   LoopJointKind kind = LoopJointKind::Bridge;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();        ///< on the loop, mm
-  Eigen::Vector3d parent_place = Eigen::Vector3d::Zero(); ///< on the parent
+  Eigen::Vector3d parent_place = Eigen::Vector3d::Zero(); ///< on the parent loop
 };
 
 /** A path before it is put on the surface. Parallel arrays; mm. */
 struct LinkedPath {
   Polyline points;
   std::vector<StepOverMetric> metric;
-  std::vector<float> turns;        ///< loops travelled so far
-  std::vector<std::uint8_t> reversed; ///< 1 where it travels against the sense of the outer rim's loop
-  Polyline links;                  ///< places between the turns of ramps and about bridges, where coverage is to be checked
+  std::vector<float> turns;        ///< number of loops travelled so far
+  std::vector<std::uint8_t> reversed; ///< 1 where it travels against the sense of the rim's loop
+  Polyline links;                  ///< places between the turns of ramps and near bridges, where coverage must be checked
   std::vector<StepOverMetric> link_metric;
-  std::vector<std::size_t> passes; ///< where the second pass begins, and each further one, with the tool lifted before; empty: one pass
-  std::vector<LoopJoint> joints;   ///< one for each loop but the outer rim's; parents before what hangs on them, but for fingers
+  std::vector<std::size_t> passes; ///< where the second and each later pass begins, with the tool lifted before; empty: one pass
+  std::vector<LoopJoint> joints;   ///< one for each loop except the rim's; parents before the loops joined to them, except fingers
 
-  std::size_t chain_loops = 0; ///< of the spiral from the outer rim to the innermost loop
-  std::size_t bridges = 0;     ///< further loops, joined to their neighbours by a pair of turns
+  std::size_t chain_loops = 0; ///< in the spiral from the rim to the innermost loop
+  std::size_t bridges = 0;     ///< further loops, each joined to a neighbour by a pair of turns
   std::size_t dots = 0;        ///< small loops that became a finger of a neighbour
 };
 
-/** One path over all \p loops, which lie one inside the other one step-over apart, the outer rim first. From the outer rim it
- *  spirals inward to the innermost loop, in ramps one above the other. Each loop beside this chain (in other lobes, round
- *  holes) is joined to a neighbour by a bridge: both are cut side by side, and the ends are joined by two narrow turns, so that
- *  they are travelled as one. With \p start the path begins at the rim near there. Fails where a loop has no neighbour that runs beside it.
- *  With \p one_way there are no bridges, and no part runs against the sense of the outer rim's loop: what is left beside the chain
- *  is cut by further passes, each a spiral from the outermost loop left, or a hole's rim, to the innermost one; the nearest next. */
+/** One path over all \p loops, which lie one inside the other, one step-over apart, the rim first. From the rim it spirals inward
+ *  to the innermost loop, in ramps one above the other. A bridge joins each loop beside this chain (in other lobes, round
+ *  holes) to a neighbour: both loops are cut side by side, and two narrow turns join their ends, so that they are travelled as one.
+ *  With \p start the path begins at the rim near that point. Fails if a loop has no neighbour that runs beside it.
+ *  With \p one_way there are no bridges, and no part runs against the sense of the rim's loop. Further passes cut what is left beside
+ *  the chain. Each is a spiral from the outermost loop left, or a hole, to the innermost one; the nearest pass is next. */
 Status
 linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::optional<Eigen::Vector3d>& start = std::nullopt,
           bool one_way = false);
 
-/** One continuous path over closed loops: linkLoops, then moved where it would leave more than the loops did, in the direction
- *  asked for. samplePath gives its points for linear moves, putOnSurface and setToolAxes make it a toolpath.
+/** One continuous path over closed loops: linkLoops, then moves the path where it would leave more than the loops, in the given
+ *  direction. samplePath gives its points for linear moves. putOnSurface and setToolAxes make it a toolpath.
  *
- *  Takes loops and the field they were drawn on (setInputLoops, setInputField); with loops alone the path stays as it was
- *  linked. What is not given is made: loops of the field as by ScallopLoops, the field of a cloud or surface as by StepOverField.
+ *  Takes loops and the field they were drawn on (setInputLoops, setInputField). With loops only, the path is not moved. Missing
+ *  input is made: loops from the field as by ScallopLoops, the field from a cloud or surface as by StepOverField.
  *  Lengths in mm. The output does not depend on the number of threads.
  */
 template <typename PointT, typename PointNT = pcl::Normal>
@@ -71,8 +71,8 @@ public:
   using Ptr = pcl::shared_ptr<LoopLinking>;
   using ConstPtr = pcl::shared_ptr<const LoopLinking>;
 
-  /** Loops as ScallopLoops gives them, or a user's own: one inside the other one step-over apart, the outer rim first, the surface
-   *  on their left. None, the default: they are made. setInputCloud and setInputSurface forget them. */
+  /** Loops as ScallopLoops gives them, or the user's own: one inside the other, one step-over apart, the rim first, the surface
+   *  on their left. None, the default: they are made. setInputCloud and setInputSurface clear them. */
   void setInputLoops(const std::vector<ScallopLoop>& loops) { given_scallop_loops_ = loops; }
   const std::vector<ScallopLoop>& getInputLoops() const { return given_scallop_loops_; }
 
@@ -90,28 +90,28 @@ public:
     given_scallop_loops_.clear();
   }
 
-  /** Which way the path leads: Outward, the default, ends on the outer rim, Inward begins there. */
+  /** Direction of the path: Outward, the default, ends on the rim; Inward begins there. */
   void setDirection(SpiralDirection direction) { this->settings_.direction = direction; }
   SpiralDirection getDirection() const { return this->settings_.direction; }
 
-  /** The path begins, or going outward ends, at the rim near here, as near as the loops inside allow. */
+  /** The path begins (or if outward, ends) at the rim near this point, as near as the loops inside allow. */
   void setStartPoint(const Eigen::Vector3d& point) { this->settings_.start_point = point; }
   const std::optional<Eigen::Vector3d>& getStartPoint() const { return this->settings_.start_point; }
   void clearStartPoint() { this->settings_.start_point.reset(); }
 
-  /** Which way the cutter travels along the outer rim, seen from outside; CounterClockwise by default. */
+  /** Which way the cutter travels along the rim, seen from outside; CounterClockwise by default. */
   void setSense(SpiralSense sense) { this->settings_.sense = sense; }
   SpiralSense getSense() const { return this->settings_.sense; }
 
-  /** Nothing is travelled against the sense: what a bridge would join becomes a pass of its own (LinkedPath::passes). Off by default. */
+  /** Never travel against the sense: instead of bridges there are further passes (LinkedPath::passes). Off by default. */
   void setOneWay(bool one_way) { this->settings_.one_way = one_way; }
   bool getOneWay() const { return this->settings_.one_way; }
 
-  /** Link. \p path is empty on failure: no loops, no neighbour that runs beside one, and whatever StepOverField fails on;
-   *  getStatus says which and where. */
+  /** Link the loops. \p path is empty on failure: no loops, a loop without a neighbour beside it, or any failure of StepOverField;
+   *  getStatus reports which and where. */
   void compute(LinkedPath& path);
 
-  /** What the last compute came to; lengths and places of coverage are 0 without a field. */
+  /** Figures of the last compute; lengths and places of coverage are 0 without a field. */
   const ScallopFigures& getFigures() const { return figures_; }
 
 private:

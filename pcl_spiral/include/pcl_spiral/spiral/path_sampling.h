@@ -1,5 +1,5 @@
 /** \file
- *  A path as points that linear moves join.
+ *  Samples a path for linear moves.
  */
 #pragma once
 
@@ -13,9 +13,9 @@
 
 namespace pcl_spiral {
 
-/** Points of \p path so close that linear moves keep the chord error of \p settings, on the surface and for the ball's centre,
- *  and the longest step; points that a straight move passes within a fifth of the chord error are left out. \p longest_step: the
- *  longest move allowed anywhere, mm. Where a pass begins the point is marked. Fails where the path leaves the surface. */
+/** Points of \p path. They are so close that linear moves keep the chord error of \p settings, on the surface and at the ball's
+ *  centre, and the longest step. Points within a fifth of the chord error of a straight move are left out. \p longest_step: the
+ *  longest move allowed anywhere, mm. The first point of each pass is marked. Fails where the path leaves the surface. */
 Status
 samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<SpiralPoint>& points,
            double& longest_step);

@@ -20,14 +20,14 @@
 
 namespace pcl_spiral {
 
-/** Curves over a surface from its centre, or its inner loop, to the outer rim, in order along the rim: the frame a spiral
- *  is drawn on. They are cubic B-splines that never cross, with one on every corner of the rim; see buildRadialLines.
+/** Curves over a surface from its centre, or its inner loop, to the rim, in order along the rim: the spiral is
+ *  drawn on them. They are cubic B-splines that never cross, with one on every corner of the rim; see buildRadialLines.
  *
- *  Lines are geodesics, or gradient lines of a harmonic function where geodesics merge or leave the surface. Holes that
- *  are no boundary (ScanGap loops) are not bridged here: geodesics do not cross them; GapBridging comes before.
+ *  Lines are geodesics, or gradient lines of a harmonic function where geodesics merge or leave the surface. This class does
+ *  not bridge gaps (ScanGap loops), and geodesics do not cross them: use GapBridging before.
  *  Source: Wu, Chai, Bo, Liu, Wang, China Mechanical Engineering 36(4), 2025, 697-702, section 1. Millimetres.
- *  Takes a cloud or a surface, see SurfaceInput. Lines run counter-clockwise along the rim, seen from the side normals show.
- *  The output does not depend on the order of the cloud nor on the number of threads.
+ *  Takes a cloud or a surface, see SurfaceInput. Lines run counter-clockwise along the rim, seen from the side the normals face.
+ *  The output does not depend on the order of the cloud or on the number of threads.
  */
 template <typename PointT, typename PointNT = pcl::Normal>
 class RadialLines : public SurfaceInput<pcl::PCLBase<PointT>, PointT, PointNT> {
@@ -35,20 +35,20 @@ public:
   using Ptr = pcl::shared_ptr<RadialLines>;
   using ConstPtr = pcl::shared_ptr<const RadialLines>;
 
-  /** The boundaries, as BoundaryLoops or findBoundaryLoops give them: the surface lies on the left of each. Without
-   *  them, or with none, they are found. */
+  /** The boundaries, as BoundaryLoops or findBoundaryLoops gives them: the surface lies on the left of each. Without
+   *  them, or with an empty vector, they are found. */
   void setBoundaryLoops(const std::vector<BoundaryLoop>& loops) { given_loops_ = loops; }
   const std::vector<BoundaryLoop>& getBoundaryLoops() const { return given_loops_; }
   /** The former name. */
   [[deprecated("setBoundaryLoops")]] void setLoops(const std::vector<BoundaryLoop>& loops) { setBoundaryLoops(loops); }
 
-  /** Where lines start on a surface with one boundary: within three spacings of it. Without it, a balanced one, which
-   *  makes few turns and stays clear of the rim (balancedCentre). */
+  /** Where lines start on a surface with one boundary: within three spacings of it. Without it, a balanced centre is found, which
+   *  makes few turns and stays away from the rim (balancedCentre). */
   void setCenter(const Eigen::Vector3d& center) { center_ = center; }
   void clearCenter() { center_.reset(); }
 
-  /** The first line ends at the rim point nearest here. Without it, at the corner, or else the rim point, farthest from
-   *  the centre. */
+  /** The first line ends at the rim point nearest to this point. Without it, at the corner, or without corners the rim point,
+   *  farthest from the centre. */
   void setStartPoint(const Eigen::Vector3d& point) { start_point_ = point; }
   const std::optional<Eigen::Vector3d>& getStartPoint() const { return start_point_; }
   void clearStartPoint() { start_point_.reset(); }
@@ -69,9 +69,9 @@ public:
   void setFitTolerance(double tolerance) { fit_tolerance_ = tolerance; }
   double getFitTolerance() const { return fit_tolerance_; }
 
-  /** Called with the share done; returning false cancels. */
+  /** Called with the share done; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
-  /** The former form: the share alone. */
+  /** The former form: with the share only. */
   template <typename ShareAlone, typename = std::enable_if_t<is_share_callback<ShareAlone>>>
   [[deprecated("a callback of the share and the stage's name")]] void
   setProgressCallback(ShareAlone callback)
@@ -80,26 +80,26 @@ public:
   }
 
   /** Make the lines. \p lines is empty on failure: no cloud, settings or indices out of range, no surface in the points,
-   *  loops that do not belong to it, a centre off it, or lines that cannot be found; getStatus says which and where, and the
-   *  getters below have nothing. */
+   *  loops that do not belong to it, a centre off it, or lines that cannot be found. getStatus reports which and where; the
+   *  getters below are then empty. */
   void compute(std::vector<RadialLine>& lines);
-  /** The same with the boundaries from line 0 on and their corners: what SpiralToolpathGenerator::setRadialLines takes. */
+  /** The same, with the boundaries from line 0 on and their corners: the input of SpiralToolpathGenerator::setRadialLines. */
   void compute(RadialLineSet& set);
 
   /** Where the lines of the last compute start; with two boundaries the mean of the inner loop. */
   const Eigen::Vector3d& getCenter() const { return set_.centre; }
-  /** Whether the lines of the last compute are those of the harmonic function, and if it was the fallback, why. */
+  /** True if the lines of the last compute are those of the harmonic function; if it was the fallback, the reason. */
   bool usedHarmonic() const { return set_.harmonic; }
   const std::string& getWhyHarmonic() const { return set_.why_harmonic; }
-  /** Largest error of a turn between neighbouring lines of the last compute, measured, mm. */
+  /** Largest error, mm, of a turn between neighbouring lines of the last compute; measured. */
   double getInterpolationError() const { return set_.largest_interpolation_error; }
-  /** The boundaries of the last compute, closed, from the end of line 0, and from its start (empty with one boundary). */
+  /** The boundaries of the last compute, closed: from the end of line 0, and from its start (empty with one boundary). */
   const Polyline& getRim() const { return set_.rim; }
   const Polyline& getInner() const { return set_.inner; }
-  /** Entries of getRim() and getInner() at which they turn sharply. */
+  /** Entries of getRim() and getInner() where they turn sharply. */
   const std::vector<std::size_t>& getRimCorners() const { return set_.rim_corners; }
   const std::vector<std::size_t>& getInnerCorners() const { return set_.inner_corners; }
-  /** The loops the lines were made from: those given, or those found. */
+  /** The loops that the lines were made from, given or found. */
   const std::vector<BoundaryLoop>& getLoops() const { return loops_; }
 
 private:

@@ -13,34 +13,34 @@
 
 namespace pcl_spiral {
 
-/** Loops at constant scallop height, and what lies in the middle of their fingers. */
+/** Loops at constant scallop height, and the middle lines of their fingers. */
 struct ScallopLoopSet {
-  std::vector<ScallopLoop> loops; ///< by level, the rims first
+  std::vector<ScallopLoop> loops; ///< by level, boundaries first
   std::vector<Polyline> axes;     ///< of fingers
 };
 
-/** Loops D = 0, 1, 2 ... of \p field. Where they alone would leave a ridge higher than asked for (at corners, over saddles, in
- *  cores that no further loop fits into) the upper one reaches out in a finger, two of whose sides lie 0.6 step-overs apart, or
- *  a loop is put in. False when cancelled. */
+/** Loops D = 0, 1, 2 ... of \p field. These can leave a ridge higher than the scallop height: at corners, over saddles, in cores
+ *  where no further loop fits. There the upper loop reaches out with a finger, two of whose sides lie 0.6 step-overs apart,
+ *  or a loop is added. False if cancelled. */
 bool
 makeScallopLoops(const StepOverDistance& field, const ProgressCallback& progress, ScallopLoopSet& set);
 
-/** Ok, or what is wrong with \p loops from elsewhere: none, arrays of unlike sizes, fewer than three points, places that are not
- *  finite, lengths that are not above 0, no rim at the front. Says which loop. */
+/** Ok, or an error in the user's own \p loops: none, arrays of different sizes, fewer than three points, places that are not finite,
+ *  lengths that are not above 0, no boundary at the front. The message reports which loop. */
 Status
 checkScallopLoops(const std::vector<ScallopLoop>& loops);
 
 /** \p loops as closed passes on \p surface: contacts so close that straight moves keep the chord error, with normals and tilted
  *  axes. Fails where the cutter does not fit or a loop leaves the surface. Settings used: tool radius, chord error, longest step,
- *  tilt, lead, sense (counter-clockwise: larger distances from the rims on the left). */
+ *  tilt, lead, sense (counter-clockwise: larger distances from the boundaries on the left). */
 Status
 putLoopsOnSurface(const std::vector<ScallopLoop>& loops, const Surface& surface, const SpiralSettings& settings,
                   const ProgressCallback& progress, DrivePasses& passes);
 
-/** Closed loops one step-over apart, from the rims of a surface inward, round every hole: with their fingers they leave no ridge
- *  above the scallop height, one by one as they are, or made into one path by LoopLinking.
+/** Closed loops one step-over apart, from the rim inward and round every hole. With their fingers they leave no ridge above the
+ *  scallop height. Use them one by one, or link them to one path with LoopLinking.
  *
- *  Takes a field (setInputField), or a cloud or surface and loops of which StepOverField makes one. Lengths in mm. The output
+ *  Takes a field (setInputField), or a cloud or surface and loops, from which StepOverField makes one. Lengths in mm. The output
  *  does not depend on the number of threads.
  */
 template <typename PointT, typename PointNT = pcl::Normal>
@@ -49,31 +49,31 @@ public:
   using Ptr = pcl::shared_ptr<ScallopLoops>;
   using ConstPtr = pcl::shared_ptr<const ScallopLoops>;
 
-  /** Of passes: largest distance between a linear move and the loop, mm; 0.005 by default. */
+  /** For passes: largest distance between a linear move and the loop, mm; 0.005 by default. */
   void setChordError(double error) { this->settings_.chord_error = error; }
   double getChordError() const { return this->settings_.chord_error; }
 
-  /** Of passes: longest linear move, mm; 0, the default, means the tool radius. */
+  /** For passes: longest linear move, mm; 0, the default, means the tool radius. */
   void setMaxStep(double step) { this->settings_.max_step = step; }
   double getMaxStep() const { return this->settings_.max_step; }
 
-  /** Of passes: side tilt of the tool axis about the feed direction, degrees; 15 by default. */
+  /** For passes: side tilt of the tool axis about the feed direction, degrees; 15 by default. */
   void setTiltAngle(double degrees) { this->settings_.tilt_angle = degrees; }
   double getTiltAngle() const { return this->settings_.tilt_angle; }
 
-  /** Of passes: lead of the tool axis in the feed direction, degrees; 0 by default. */
+  /** For passes: lead of the tool axis in the feed direction, degrees; 0 by default. */
   void setLeadAngle(double degrees) { this->settings_.lead_angle = degrees; }
   double getLeadAngle() const { return this->settings_.lead_angle; }
 
-  /** Of passes: which way they go round what lies within them, seen from outside; CounterClockwise by default. About holes of the
-   *  part they go the other way, so that the rims' side is always on the same hand. */
+  /** For passes: which way they go round the area inside them, seen from outside; CounterClockwise by default. Round holes of the
+   *  part they go the other way, so that the boundary is always on the same side. */
   void setSense(SpiralSense sense) { this->settings_.sense = sense; }
   SpiralSense getSense() const { return this->settings_.sense; }
 
   /** Make the loops. \p set is empty on failure; see getStatus. */
   void compute(ScallopLoopSet& set);
 
-  /** Make the loops and put them on the surface, as a toolpath of closed passes: for CutterLocation, programs and other writers.
+  /** Make the loops and put them on the surface, as a toolpath of closed passes for CutterLocation, programs and other writers.
    *  Needs a cloud or surface, and the tool radius. \p passes is empty on failure. */
   void compute(DrivePasses& passes);
 

@@ -20,11 +20,11 @@ lineTolerance(const SpiralSettings& settings);
 double
 lineFitTolerance(const SpiralSettings& settings);
 
-/** Points, spacing, noise and warnings of the surface; \p made: for this path, rather than given. */
+/** Points, spacing, noise and warnings of the surface. \p made: true if it was made for this path, false if it was given. */
 void
 reportSurface(const Surface& surface, bool made, SpiralReport& report);
 
-/** What the scan's noise means for the scallop height. */
+/** Effect of the noise of the scan on the scallop height. */
 void
 reportNoise(const Surface& surface, const SpiralSettings& settings, SpiralReport& report);
 
@@ -32,25 +32,25 @@ reportNoise(const Surface& surface, const SpiralSettings& settings, SpiralReport
 void
 reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, SpiralReport& report);
 
-/** Lines, with warnings of what did not settle. */
+/** Lines, with warnings for those that did not converge. */
 void
 reportLines(const RadialLineSet& lines, const SpiralSettings& settings, SpiralReport& report);
 
-/** What a path at constant scallop height came to, with a warning where it leaves more than asked for. */
+/** Figures of a path at constant scallop height, with a warning if it leaves more than requested. */
 void
 reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, SpiralReport& report);
 
 void
 reportTurns(const SpiralTurns& turns, SpiralReport& report);
 
-/** Path points over gaps, with a warning where there are some. */
+/** Path points over gaps, with a warning if there are any. */
 void
 reportGaps(const GapFigures& gaps, SpiralReport& report);
 
 void
 reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& path, SpiralReport& report);
 
-/** What the published chain came to on \p surface, as far as it got; the arrays of a whole path become those of \p path, with
+/** Figures of the published method on \p surface, as far as it got. If the path is complete, its arrays move to \p path, with
  *  marks of gaps. */
 void
 reportPublished(const Surface& surface, const SpiralSettings& settings, PublishedResult& published, SpiralReport& report,

@@ -20,14 +20,14 @@ namespace pcl_spiral {
 
 /** One continuous spiral over a scanned surface with one boundary (a dome) or two (an annulus).
  *
- *  Chains every stage: ScannedSurface, BoundaryLoops, GapBridging, RadialLines, turns (makeTurns), projection
+ *  Runs every stage: ScannedSurface, BoundaryLoops, GapBridging, RadialLines, turns (makeTurns), projection
  *  (putOnSurface), tool axis (setToolAxes). Give it a cloud and three lengths: tool radius, scallop height, chord error, all in
- *  the unit of the cloud (mm). What is given beside the cloud is taken instead of being made: a surface (setInputSurface),
- *  loops (setBoundaryLoops), radial lines (setRadialLines); by hand and in one call give the same bytes.
+ *  the unit of the cloud (mm). Further input replaces what would be made: a surface (setInputSurface), loops
+ *  (setBoundaryLoops), radial lines (setRadialLines). Stage by stage and in one call give the same bytes.
  *  Source: Wu, Chai, Bo, Liu, Wang, China Mechanical Engineering 36(4), 2025, 697-702, with corrected equations.
  *
- *  \p PointOutT: ToolpathPoint, or any type of which ToolpathFields fills what it has.
- *  On failure the output is empty and getStatus says why. The input cloud is never changed.
+ *  \p PointOutT: ToolpathPoint, or any other type; ToolpathFields fills the fields it has.
+ *  On failure the output is empty and getStatus gives the reason. The input cloud is never changed.
  *  The same input gives the same bytes for any number of threads.
  */
 template <typename PointInT, typename PointNT = pcl::Normal, typename PointOutT = ToolpathPoint>
@@ -40,8 +40,8 @@ public:
   void setBoundaryLoops(const std::vector<BoundaryLoop>& loops) { given_loops_ = loops; }
   const std::vector<BoundaryLoop>& getBoundaryLoops() const { return given_loops_; }
 
-  /** Lines to draw the spiral on, as RadialLines gives them, or a user's own: then no boundaries are looked for, and gaps of
-   *  the surface are not bridged. Settings of lines, centre and boundaries play no part. \see checkLines */
+  /** Lines on which the spiral is drawn, as RadialLines gives them, or the user's own. Then boundaries are not searched for and
+   *  gaps are not bridged, and the settings of lines, centre and boundaries have no effect. \see checkLines */
   void setRadialLines(const RadialLineSet& lines) { given_lines_ = lines; }
   const std::optional<RadialLineSet>& getRadialLines() const { return given_lines_; }
   void clearRadialLines() { given_lines_.reset(); }
@@ -74,31 +74,31 @@ public:
   void setMaxAxisRate(double degrees_per_mm) { settings_.max_axis_rate = degrees_per_mm; }
   double getMaxAxisRate() const { return settings_.max_axis_rate; }
 
-  /** What is shorter along the path is smoothed out of the tool axis, mm; 50 by default, 0 for none. Published ignores it. See AxisField. */
+  /** Smoothing length of the tool axis, mm: shorter changes are removed; 50 by default, 0 for none. Published ignores it. See AxisField. */
   void setAxisSmoothing(double length) { settings_.axis_smoothing = length; }
   double getAxisSmoothing() const { return settings_.axis_smoothing; }
 
-  /** How far smoothing may lead from the tilt asked for, in the mean over its length, degrees; 2 by default. Published ignores it. */
+  /** How far smoothing may move the axis from the requested tilt, mean over its length, degrees; 2 by default. Published ignores it. */
   void setAxisDeviation(double degrees) { settings_.axis_deviation = degrees; }
   double getAxisDeviation() const { return settings_.axis_deviation; }
 
   /** Centre of a surface with one boundary; projected onto the surface. Without it, a balanced one: the point x with the
-   *  least max d / sqrt(min d) of the distances d to the rim along the surface (balancedCentre), which makes few turns and
-   *  stays clear of the rim. */
+   *  least max d / sqrt(min d), where d are the distances to the rim along the surface (balancedCentre). It makes few turns and
+   *  stays away from the rim. */
   void setCenter(const Eigen::Vector3d& centre) { settings_.centre = centre; }
   const std::optional<Eigen::Vector3d>& getCenter() const { return settings_.centre; }
   void clearCenter() { settings_.centre.reset(); }
 
-  /** The path begins, or going outward ends, at the rim near here. */
+  /** The path begins (or if outward, ends) at the rim near this point. */
   void setStartPoint(const Eigen::Vector3d& point) { settings_.start_point = point; }
   const std::optional<Eigen::Vector3d>& getStartPoint() const { return settings_.start_point; }
   void clearStartPoint() { settings_.start_point.reset(); }
 
-  /** Keep one point of each voxel of this edge, mm; 0, the default: all. \see ScannedSurface::setThinning */
+  /** Keep one point in each voxel of this edge length, mm; 0, the default: all. \see ScannedSurface::setThinning */
   void setThinning(double voxel_edge) { settings_.thinning = voxel_edge; }
   double getThinning() const { return settings_.thinning; }
 
-  /** Drop statistical outliers; 0 neighbours, the default: none. \see ScannedSurface::setOutlierRemoval */
+  /** Drop statistical outliers; 0 neighbours, the default: no filter. \see ScannedSurface::setOutlierRemoval */
   void
   setOutlierRemoval(int neighbours, double deviations = 3.0)
   {
@@ -108,7 +108,7 @@ public:
   int getOutlierNeighbours() const { return settings_.outlier_neighbours; }
   double getOutlierDeviations() const { return settings_.outlier_deviations; }
 
-  /** Where the scanner stood: normals face it. */
+  /** Position of the scanner: normals face it. */
   void setViewPoint(const Eigen::Vector3d& point) { settings_.view_point = point; }
   const std::optional<Eigen::Vector3d>& getViewPoint() const { return settings_.view_point; }
   void clearViewPoint() { settings_.view_point.reset(); }
@@ -117,57 +117,57 @@ public:
   void setSettings(const SpiralSettings& settings) { settings_ = settings; }
   const SpiralSettings& getSettings() const { return settings_; }
 
-  /** How the whole path is made; Shortest by default. Radial lines and a centre that are given ask for Radial. With Published
-   *  boundaries that are given take the place of the walk. */
+  /** How the whole path is made; Shortest by default. Given radial lines or a given centre select Radial instead. With Published,
+   *  given boundaries replace the walk. */
   void setMethod(SpiralMethod method) { settings_.method = method; }
   SpiralMethod getMethod() const { return settings_.method; }
-  /** Speed along the path at the contact, mm/min; 1000 by default. With the acceleration it tells which method is faster. */
+  /** Speed along the path at the contact, mm/min; 1000 by default. With the acceleration it decides which method is faster. */
   void setFeed(double feed) { settings_.feed = feed; }
   double getFeed() const { return settings_.feed; }
-  /** Of the machine along the path, mm/s2; 2000 by default. */
+  /** Acceleration of the machine along the path, mm/s2; 2000 by default. */
   void setAcceleration(double acceleration) { settings_.acceleration = acceleration; }
   double getAcceleration() const { return settings_.acceleration; }
-  /** Least radius of turns, in step-overs, 0 to 0.25; 0.2 by default. The report of ConstantScallop tells what the
-   *  path came to and where, and warns of sharper turns; the outer rim's own corners do not count. */
+  /** Least radius of turns, in step-overs, 0 to 0.25; 0.2 by default. The report of ConstantScallop has the radius and place of the
+   *  sharpest turn, and warns of turns that are too sharp; the corners of the rim itself do not count. */
   void setLeastTurnRadius(double step_overs) { settings_.least_turn_radius = step_overs; }
   double getLeastTurnRadius() const { return settings_.least_turn_radius; }
-  /** Where the pass along the rim runs, mm: 0, the default, on the rim; above 0 beyond it by so much, on the surface continued
+  /** Where the pass along the rim runs, mm: 0, the default, on the rim; above 0 this far beyond it, on the surface continued
    *  straight; below 0 inside it. */
   void setRimOverhang(double overhang) { settings_.rim_overhang = overhang; }
   double getRimOverhang() const { return settings_.rim_overhang; }
   /** What to do with holes of the part; Around by default. */
   void setHoleHandling(HoleHandling holes) { settings_.holes = holes; }
   HoleHandling getHoleHandling() const { return settings_.holes; }
-  /** Least width of a hole of the part, mm; narrower holes are gaps in the data, which setGapHandling decides on. 0, the default:
-   *  by the scan (BoundaryOptions). */
+  /** Least width of a hole of the part, mm; narrower holes are gaps in the data, for which setGapHandling decides. 0, the default:
+   *  from the scan (BoundaryOptions). */
   void setHoleSize(double width) { settings_.hole_size = width; }
   double getHoleSize() const { return settings_.hole_size; }
-  /** The path stays this far from the edges of holes, mm; 0 by default. */
+  /** The path stays this far from holes, mm; 0 by default. */
   void setHoleMargin(double margin) { settings_.hole_margin = margin; }
   double getHoleMargin() const { return settings_.hole_margin; }
-  /** How many boundaries the spiral runs between; Automatic by default: the rim and every hole of the part. */
+  /** Number of boundaries between which the spiral runs; Automatic by default: the rim and every hole of the part. */
   void setBoundaryMode(BoundaryMode mode) { settings_.boundary_mode = mode; }
   BoundaryMode getBoundaryMode() const { return settings_.boundary_mode; }
-  /** Which way the spiral travels; Outward by default. */
+  /** Direction of the spiral; Outward by default. */
   void setDirection(SpiralDirection direction) { settings_.direction = direction; }
   SpiralDirection getDirection() const { return settings_.direction; }
   /** Which way the cutter travels round, seen from outside the material; CounterClockwise by default. */
   void setSense(SpiralSense sense) { settings_.sense = sense; }
   SpiralSense getSense() const { return settings_.sense; }
-  /** Nothing is cut against the sense: ConstantScallop makes several passes where loops lie beside each other, with the tool lifted
-   *  between (getPassBegins), and no bridges. Off by default. Radial and Published paths are spirals, one way in any case. */
+  /** Never cut against the sense: where loops lie beside each other, ConstantScallop makes several passes with lifts between them
+   *  (getPassBegins), and no bridges. Off by default. Radial and Published paths are spirals, which are always one way. */
   void setOneWay(bool one_way) { settings_.one_way = one_way; }
   bool getOneWay() const { return settings_.one_way; }
-  /** Along what the distance of turns is measured; AcrossFeed by default. Published ignores it. */
+  /** Direction in which the distance between turns is measured; AcrossFeed by default. Published ignores it. */
   void setPitch(Pitch pitch) { settings_.pitch = pitch; }
   Pitch getPitch() const { return settings_.pitch; }
-  /** What to do with holes in the data; Bridge by default. */
+  /** What to do with gaps in the data; Bridge by default. */
   void setGapHandling(GapHandling gaps) { settings_.gaps = gaps; }
   GapHandling getGapHandling() const { return settings_.gaps; }
   /** How radial lines are found; Automatic by default. Published ignores it. */
   void setLineMethod(LineMethod method) { settings_.lines = method; }
   LineMethod getLineMethod() const { return settings_.lines; }
-  /** Of several separate parts keep the one of the largest area alone, and say what was left out; without it, the default,
+  /** Keep only the part with the largest area if there are several, and report what was left out. Without it, the default,
    *  several parts are refused. */
   void setLargestPart(bool alone) { settings_.largest_part = alone; }
   bool getLargestPart() const { return settings_.largest_part; }
@@ -179,13 +179,13 @@ public:
   void setNumberOfThreads(unsigned int threads = 0) { settings_.threads = threads; }
   unsigned int getNumberOfThreads() const { return settings_.threads; }
 
-  /** Called with the share done; returning false cancels. */
+  /** Called with the share done; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
   /** Make the toolpath. \p path is empty on failure; see getStatus. */
   void compute(pcl::PointCloud<PointOutT>& path);
 
-  /** Points of the last path at which the second pass begins, and each further one: before them the tool is lifted. Empty: one
+  /** Points of the last path at which the second and each later pass begins: before them the tool is lifted. Empty: one
    *  pass. The arc length does not grow there. */
   const std::vector<std::size_t>& getPassBegins() const { return report_.pass_begins; }
 

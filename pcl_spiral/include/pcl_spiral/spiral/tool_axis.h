@@ -9,8 +9,8 @@
 
 namespace pcl_spiral {
 
-/** Sets the tool axis of every point of a path: its normal, tilted sideways about the feed direction and led about the
- *  conormal, then smoothed along the path and held to a rate by AxisField. The maths is tiltedAxes in core/tool_axis.h. */
+/** Sets the tool axis of every point of a path: the normal, tilted sideways about the feed direction and forwards about the
+ *  conormal, then smoothed along the path and limited in rate by AxisField. The method is tiltedAxes in core/tool_axis.h. */
 class ToolAxis {
 public:
   using Path = pcl::PointCloud<ToolpathPoint>;
@@ -28,11 +28,11 @@ public:
   void setLeadAngle(double degrees) { lead_angle_ = degrees; }
   double getLeadAngle() const { return lead_angle_; }
 
-  /** What is shorter along the path is smoothed away, mm; 50 by default, 0 for none. See AxisField. */
+  /** Smoothing length, mm: shorter changes along the path are smoothed away; 50 by default, 0 for none. See AxisField. */
   void setSmoothingLength(double length) { field_.setSmoothingLength(length); }
   double getSmoothingLength() const { return field_.getSmoothingLength(); }
 
-  /** How far smoothing may lead from the tilt asked for, degrees; 2 by default. See AxisField. */
+  /** How far smoothing may move the axis from the requested tilt, degrees; 2 by default. See AxisField. */
   void setMaxDeviation(double degrees) { field_.setMaxDeviation(degrees); }
   double getMaxDeviation() const { return field_.getMaxDeviation(); }
 
@@ -40,17 +40,17 @@ public:
   void setMaxAxisRate(double degrees_per_mm) { field_.setMaxAxisRate(degrees_per_mm); }
   double getMaxAxisRate() const { return field_.getMaxAxisRate(); }
 
-  /** Copy the path and set its axes. \p output may be the input's cloud; it is empty on failure: no path, fewer than two
-   *  points, a point or normal that is not finite, a normal of no length, a setting out of range, or an axis that would
-   *  come to lie in the surface so as not to turn faster. */
+  /** Copy the path and set its axes. \p output may be the input cloud. It is empty on failure: no path, fewer than two
+   *  points, a point or normal that is not finite, a normal of zero length, a setting out of range, or an axis that the rate
+   *  limit would tilt into the surface. */
   void compute(Path& output);
 
-  const Status& getStatus() const { return status_; }
+  const Status& getStatus() const { return status_; } ///< result of the last run
 
-  /** What smoothing and the rate came to in the last compute: changes, rates, deviations and leans of the axis. */
+  /** Results of smoothing and rate limit in the last compute: changes, rates, deviations and leans of the axis. */
   const AxisField& getField() const { return field_; }
-  /** Moves on which the surface normal alone turns faster than the axis rate: the path is too sharp for the tilt to be
-   *  kept there. */
+  /** Number of moves on which the surface normal itself turns faster than the axis rate: the path is too sharp there to
+   *  keep the tilt. */
   std::size_t getExceededMoves() const { return exceeded_moves_; }
 
 private:

@@ -1,5 +1,5 @@
 /** \file
- *  From a scan to the surface that every stage works on.
+ *  From a scan to the surface that every stage uses.
  */
 #pragma once
 
@@ -15,16 +15,16 @@ namespace pcl_spiral {
 
 struct UsablePoints;
 
-/** Cleans, orients and thins a scan, and keeps its largest part: the one place where that is done.
+/** Cleans, orients and thins a scan, and can keep only its largest part. All stages use this class for these tasks.
  *
- *  Left out are points that are not finite and exact repetitions, always; statistical outliers and thinned points, when
- *  asked; points that stand alone off the surface, specks apart from it, and where points lie much closer one way than the
- *  other, the surplus. Points are never moved. Normals are found by PCA and oriented out of the material, the side the cutter
- *  is on: the side the input normals face as a whole, else the view point, else +z, else the convex side (with a warning).
+ *  Always left out: points that are not finite, exact duplicates, isolated points off the surface, clusters apart from
+ *  it, and the surplus where points lie much closer in one direction than in the other. Left out on request: statistical
+ *  outliers and thinned points. Points are never moved. PCA finds the normals. They point out of the material, to the side of
+ *  the cutter: the side the input normals face as a whole, else the view point, else +z, else the convex side (with a warning).
  *
- *  setIndices: only those points take part; the others neither serve as support nor are left out. Stages make the same surface
- *  by the same rules from a cloud given to them; make it once and hand it to all (setInputSurface) to spare the time.
- *  The result does not depend on the order of the cloud nor on the number of threads. Lengths in mm.
+ *  setIndices: only those points take part. The others are not used and do not count as left out. Stages that get a cloud make
+ *  the same surface by the same rules. To save time, make it once and give it to all stages (setInputSurface).
+ *  The result does not depend on the order of the cloud or on the number of threads. Lengths in mm.
  *  \code
  *  pcl_spiral::ScannedSurface<pcl::PointXYZ> scanned;
  *  scanned.setInputCloud(scan);
@@ -39,11 +39,11 @@ public:
   using ConstPtr = pcl::shared_ptr<const ScannedSurface>;
   using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
 
-  /** Normals of the input, one a point, out of the material: they tell the side alone. Null, the default: none. */
+  /** Normals of the input, one per point, out of the material. Only the side they face is used. Null, the default: none. */
   void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
   NormalsConstPtr getInputNormals() const { return normals_; }
 
-  /** Where the scanner stood: normals face it. Without it they face +z as a whole. */
+  /** Position of the scanner: normals face it. Without it they face +z as a whole. */
   void setViewPoint(const Eigen::Vector3d& point) { settings_.view_point = point; }
   const std::optional<Eigen::Vector3d>& getViewPoint() const { return settings_.view_point; }
   void clearViewPoint() { settings_.view_point.reset(); }
@@ -52,17 +52,17 @@ public:
   void setFlipNormals(bool flip) { settings_.flip_normals = flip; }
   bool getFlipNormals() const { return settings_.flip_normals; }
 
-  /** Of several separate parts keep the one of the largest area alone. Without it, the default, all stay, and stages that
-   *  need a single part refuse the surface; specks go either way. */
+  /** Keep only the part with the largest area if there are several. Without it, the default, all stay, and stages that
+   *  need a single part refuse the surface. Clusters are left out in both cases. */
   void setLargestPart(bool alone) { settings_.largest_part = alone; }
   bool getLargestPart() const { return settings_.largest_part; }
 
-  /** Keep one point of each voxel of this edge, the one nearest to the voxel's centroid; 0, the default: all. */
+  /** Keep one point in each voxel of this edge length, the one nearest to the centroid of the voxel; 0, the default: all. */
   void setThinning(double voxel_edge) { settings_.thinning = voxel_edge; }
   double getThinning() const { return settings_.thinning; }
 
-  /** Drop points whose mean distance to their \p neighbours nearest is more than \p deviations standard deviations above
-   *  the mean, as pcl::StatisticalOutlierRemoval. 0 neighbours, the default: none. */
+  /** Drop points whose mean distance to their \p neighbours nearest points is more than \p deviations standard deviations above
+   *  the mean, as in pcl::StatisticalOutlierRemoval. 0 neighbours, the default: no filter. */
   void
   setOutlierRemoval(int neighbours, double deviations = 3.0)
   {
@@ -72,38 +72,38 @@ public:
   int getOutlierNeighbours() const { return settings_.outlier_neighbours; }
   double getOutlierDeviations() const { return settings_.outlier_deviations; }
 
-  /** Neighbours of a point to start with, 8 or more; 32 by default, doubled as long as scan lines stand too far apart. */
+  /** Neighbours of a point to start with, 8 or more; 32 by default. Doubled while scan lines are too far apart. */
   void setKSearch(int neighbours) { settings_.neighbours = neighbours; }
   int getKSearch() const { return settings_.neighbours; }
 
-  /** Largest circle free of points that still counts as surface: its radius in spacings, 1 or more; 3 by default. */
+  /** Radius of the largest circle without points that still counts as surface, in spacings, 1 or more; 3 by default. */
   void setAlpha(double spacings) { settings_.alpha = spacings; }
   double getAlpha() const { return settings_.alpha; }
 
-  /** Refuse what is no single sheet (points that scatter by more than 0.35 spacings about their fit), hangs together badly
-   *  (more than a tenth of the points alone), or has normals without a common side (more than a tenth disagree); true by
+  /** Refuse a scan that is no single sheet (noise above 0.35 spacings), is badly connected (more than a tenth of the points
+   *  isolated), or has normals without a common side (more than a tenth disagree); true by
    *  default. */
   void setStrict(bool strict) { settings_.strict = strict; }
   bool getStrict() const { return settings_.strict; }
 
-  /** All of the above at once. */
+  /** Set all of the above at once. */
   void setSettings(const SurfaceSettings& settings) { settings_ = settings; }
   const SurfaceSettings& getSettings() const { return settings_; }
 
-  /** Whether compute leaves the console alone where it fails; false by default. The status is the same. */
+  /** If true, compute prints nothing to the console when it fails; false by default. The status is the same. */
   void setQuiet(bool quiet) { quiet_ = quiet; }
   bool getQuiet() const { return quiet_; }
 
-  /** Called with the share done; returning false cancels. */
+  /** Called with the share done; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
-  /** Make the surface. \p surface is null on failure: no cloud, no finite point, a setting or index out of range, normals of
-   *  another number, fewer than 50 points left, no surface in them, no single sheet, or cancelled. */
+  /** Make the surface. \p surface is null on failure: no cloud, no finite point, a setting or index out of range, a wrong
+   *  number of normals, fewer than 50 points left, no surface in them, no single sheet, or cancelled. */
   void compute(Surface::ConstPtr& surface);
 
-  const Status& getStatus() const { return status_; }
+  const Status& getStatus() const { return status_; } ///< result of the last run
 
-  /** Ok, or the input normals are not one a point of a cloud of \p size. */
+  /** Ok, or an error if the input normals are not one per point of a cloud of \p size points. */
   Status checkNormals(std::size_t size) const;
 
 private:

@@ -1,5 +1,5 @@
 /** \file
- *  The one prepared surface that all stages share.
+ *  The prepared surface that all stages share.
  */
 #pragma once
 
@@ -19,49 +19,49 @@
 
 namespace pcl_spiral {
 
-/** Where the points of a cloud went: input is the sum of those down to used. */
+/** What happened to the points of a cloud: input is the sum of the entries down to used. */
 struct SurfaceCounts {
   std::size_t input = 0;      ///< of the cloud, or of its indices
-  std::size_t nonfinite = 0;  ///< NaN, infinite, or markers beyond 1e12
+  std::size_t nonfinite = 0;  ///< NaN, infinite, or marker values beyond 1e12
   std::size_t duplicate = 0;  ///< at the same place as an earlier point
-  std::size_t outlier = 0;    ///< dropped by the statistical filter
-  std::size_t thinned = 0;    ///< dropped by the voxel grid
-  std::size_t surplus = 0;    ///< much closer to others than these to the next, as along scan lines
-  std::size_t isolated = 0;   ///< alone off the surface
-  std::size_t speck = 0;      ///< in specks apart from the surface
-  std::size_t other_part = 0; ///< in separate parts beside the largest, left out as asked
+  std::size_t outlier = 0;    ///< removed by the statistical filter
+  std::size_t thinned = 0;    ///< removed by the voxel grid
+  std::size_t surplus = 0;    ///< much closer together than the points around them, as along scan lines
+  std::size_t isolated = 0;   ///< single points off the surface
+  std::size_t speck = 0;      ///< in clusters apart from the surface
+  std::size_t other_part = 0; ///< in separate parts other than the largest, left out on request
   std::size_t used = 0;
-  std::size_t separate_parts = 0; ///< left out as asked
-  std::size_t guessed = 0;    ///< points of the surface that were put into gaps, beside those used
-  int passes = 0;             ///< over all neighbourhoods, that making the surface took
+  std::size_t separate_parts = 0; ///< left out on request
+  std::size_t guessed = 0;    ///< points put into gaps, in addition to those used
+  int passes = 0;             ///< over all neighbourhoods, to make the surface
 };
 
-/** Why a point is no point of the surface. */
+/** Why a point is not part of the surface. */
 enum class LeftOut : std::uint8_t { Outlier, Thinned, Surplus, Isolated, Speck, OtherPart };
 
-/** Finite and different points of the cloud that are no points of the surface: parallel arrays, indices ascending. */
+/** Finite and different points of the cloud that are not part of the surface. Parallel arrays, indices ascending. */
 struct LeftOutPoints {
   std::vector<Eigen::Vector3f> positions;
   std::vector<std::uint32_t> indices; ///< in the cloud
   std::vector<LeftOut> why;
 };
 
-/** A scan made ready: clean points in spatial order with oriented normals, spacing, triangulation, local fit; and what was
- *  left out. Immutable, made by ScannedSurface (or by GapBridging, with points put into gaps), shared by every stage
- *  (setInputSurface). Lengths in mm. Memory: about 110 bytes a point.
+/** A scan that is ready for use: clean points in spatial order with oriented normals, spacing, triangulation and local fit, and
+ *  the points left out. Immutable. Made by ScannedSurface, or by GapBridging with points put into gaps. Every stage can share it
+ *  (setInputSurface). Lengths in mm. Memory: about 110 bytes per point.
  */
 class Surface {
 public:
   using Ptr = std::shared_ptr<Surface>;
   using ConstPtr = std::shared_ptr<const Surface>;
 
-  /** sourceIndex of a point that was put into a gap. */
+  /** sourceIndex of a point put into a gap. */
   static constexpr std::uint32_t no_source = std::numeric_limits<std::uint32_t>::max();
 
-  /** What a Surface is made of; see makeSurface. */
+  /** The parts of a Surface; see makeSurface. */
   struct Parts {
     SurfaceGraph graph;
-    std::vector<std::uint32_t> source; ///< index in the cloud of each point the graph was built of; empty: all of it, in order
+    std::vector<std::uint32_t> source; ///< cloud index of each point that the graph was built from; empty: the whole cloud, in order
     SurfaceSettings settings;
     SurfaceCounts counts;
     LeftOutPoints left_out;
@@ -73,43 +73,43 @@ public:
   Surface(const Surface&) = delete; // the fit refers to the graph
   Surface& operator=(const Surface&) = delete;
 
-  /** Order, normals, spacing and triangles. Points have the graph's order here and below. */
+  /** Order, normals, spacing and triangles. This function and those below use the order of points in the graph. */
   const SurfaceGraph& graph() const { return parts_.graph; }
-  /** The moving-least-squares surface, its fits as wide as the noise asks for. */
+  /** The moving-least-squares surface. The noise sets the width of its fits. */
   const MlsSurface& fit() const { return fit_; }
 
-  /** Places without points that the triangles close: holes and gaps too narrow to be loops. */
+  /** Places without points that triangles cover: holes and gaps too narrow to be loops. */
   const ScanVoids& voids() const { return voids_; }
 
   std::size_t size() const { return parts_.graph.size(); }
   Eigen::Vector3d position(std::size_t i) const { return parts_.graph.position(i); }
-  /** Unit, out of the material. */
+  /** Unit normal, out of the material. */
   Eigen::Vector3d normal(std::size_t i) const { return parts_.graph.normal(i); }
   /** Median distance between neighbouring points, as if they were spread evenly. */
   double spacing() const { return parts_.graph.spacing(); }
   /** Standard deviation of the points about the fit. */
   double noise() const { return fit_.noise(); }
 
-  /** Index in the cloud of point \p i; no_source for a point put into a gap. */
+  /** Index of point \p i in the cloud; no_source for a point put into a gap. */
   std::uint32_t sourceIndex(std::size_t i) const { return sourceOfOriginal(parts_.graph.blocks().originalIndex(i)); }
-  /** Whether point \p i was put into a gap: the surface about it is a guess. */
+  /** True if point \p i was put into a gap: the surface around it is guessed. */
   bool isGuessed(std::size_t i) const { return sourceIndex(i) == no_source; }
-  /** Index in the cloud of point \p i of those the graph was built of, in their order there (BoundaryLoop::indices of
+  /** Cloud index of point \p i, counted in the order of the points that the graph was built from (BoundaryLoop::indices of
    *  findBoundaryLoops). */
   std::uint32_t
   sourceOfOriginal(std::size_t i) const
   {
     return parts_.source.empty() ? static_cast<std::uint32_t>(i) : parts_.source[i];
   }
-  /** Points of the cloud, whether used or not. */
+  /** Number of points in the cloud, used or not. */
   std::size_t inputSize() const { return parts_.input_size; }
 
   const SurfaceSettings& settings() const { return parts_.settings; }
   const SurfaceCounts& counts() const { return parts_.counts; }
   const LeftOutPoints& leftOut() const { return parts_.left_out; }
-  /** Whether normals, a view point or +z told the outer side; else the convex side was taken. */
+  /** True if normals, a view point or +z gave the outer side. If false, the convex side was taken. */
   bool sideIsClear() const { return parts_.side_is_clear; }
-  /** What was left out and where the side is a guess, in words. */
+  /** Which points were left out and whether the side is guessed, as text. */
   const std::vector<std::string>& warnings() const { return parts_.warnings; }
 
 private:
@@ -120,33 +120,33 @@ private:
   ScanVoids voids_;
 };
 
-/** The points a surface is made of. */
+/** The points that a surface is made from. */
 struct SurfacePoints {
   std::vector<Eigen::Vector3f> positions; ///< finite and all different
-  std::vector<Eigen::Vector3f> normals;   ///< one a point, zero for none; or empty: the side they face is the outer
-  std::vector<std::uint32_t> source;      ///< index of each in the cloud; empty: all of it, in order
+  std::vector<Eigen::Vector3f> normals;   ///< one per point, zero for none; or empty; they face the outer side
+  std::vector<std::uint32_t> source;      ///< index of each in the cloud; empty: the whole cloud, in order
 };
 
-/** Make a surface of \p points by \p settings, whose filters have been run already: leave outliers, surplus points and specks
- *  out, orient, and with largest_part keep the largest part. \p why has for each of the points given whether and why it was
- *  left out (-1: it was not), or is empty: none was. \p counts holds what was dropped before. Fails on fewer than 50 points,
- *  where the points form no surface, and when strict, where more than a tenth of them stand alone. How far they scatter is not
- *  looked at here: checkSingleSheet does, for ScannedSurface. */
+/** Make a surface from \p points by \p settings, whose filters must have run before. Leave out outliers, surplus points and
+ *  clusters, orient the normals, and with largest_part keep the largest part. \p why has one entry per given point: why it was
+ *  left out, or -1 if it was kept; empty if none was left out. \p counts holds what was dropped before. Fails on fewer than 50
+ *  points, if the points form no surface, and when strict, if more than a tenth of them are isolated. The noise is not checked
+ *  here; checkSingleSheet checks it for ScannedSurface. */
 Status
 makeSurface(SurfacePoints points, const SurfaceSettings& settings, const SurfaceCounts& counts, Surface::Parts& parts,
             std::vector<std::int8_t>& why);
 
-/** Make a surface of \p surface and further points, such as \p bridges over a gap. \p surface is given up before the new
- *  one is made, so that no two stand in memory where the caller has moved the only reference. \p result is null on failure. */
+/** Make a surface from \p surface and further points, such as \p bridges over a gap. \p surface is released before the new
+ *  one is made: if the caller moved the only reference, memory holds only one. \p result is null on failure. */
 Status
 addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges, Surface::ConstPtr& result);
 
-/** Ok; or the surface scatters by more than 0.35 spacings about its fit, and is no single sheet: says where. */
+/** Ok, or an error with the place if the noise is above 0.35 spacings: the surface is then no single sheet. */
 Status
 checkSingleSheet(const Surface& surface);
 
-/** Free the triangulation, the larger half of a surface's memory, where \p surface is the only reference to it, for who
- *  needs neighbourhoods alone from now on; does nothing to a surface that is shared. */
+/** Free the triangulation, the larger half of the memory of a surface, if \p surface is the only reference to it. Use this
+ *  if you need only neighbourhoods from now on. It does nothing to a shared surface. */
 void
 dropTriangulation(const Surface::ConstPtr& surface);
 

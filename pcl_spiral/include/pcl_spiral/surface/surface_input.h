@@ -1,5 +1,5 @@
 /** \file
- *  What the stages that work on a surface have in common: where it comes from.
+ *  Input shared by all stages that work on a surface.
  */
 #pragma once
 
@@ -14,11 +14,11 @@
 
 namespace pcl_spiral {
 
-/** Takes a cloud, of which ScannedSurface makes the surface at every compute, or a Surface that is there already. What is set
- *  last counts: setInputCloud forgets the surface.
+/** Takes a cloud, from which ScannedSurface makes the surface at every compute, or a Surface made before. The last one
+ *  set counts: setInputCloud clears the surface.
  *
  *  Base of BoundaryLoops, GapBridging, GeodesicPath, RadialLines, StepOverField, MLSProjector, SpiralToolpathGenerator, CutterLocation,
- *  DrivePath and of the classes that judge. \p BaseT is the PCL class that each stands in for.
+ *  DrivePath and of the classes that check results. \p BaseT is the PCL class that each one replaces.
  *  setIndices: only those points of the cloud take part, as in ScannedSurface.
  */
 template <typename BaseT, typename PointT, typename PointNT = pcl::Normal>
@@ -34,17 +34,17 @@ public:
     given_surface_.reset();
   }
 
-  /** Work on this surface, made by ScannedSurface or by another stage. The settings below that belong to making it must be
-   *  at their defaults, or as the surface was made; normals, which tell its side, must be null. */
+  /** Work on this surface, made by ScannedSurface or by another stage. The settings below that define a surface must be
+   *  at their defaults, or as the surface was made. Normals must be null, because the surface already has a side. */
   void setInputSurface(const Surface::ConstPtr& surface) { given_surface_ = surface; }
   Surface::ConstPtr getInputSurface() const { return given_surface_; }
 
-  /** Normals of the input cloud, one a point, out of the material: they tell the side alone. Without them the view point
-   *  tells it, or +z. \see ScannedSurface */
+  /** Normals of the input cloud, one per point, out of the material. Only the side they face is used. Without them the view
+   *  point gives the side, or else +z. \see ScannedSurface */
   void setInputNormals(const NormalsConstPtr& normals) { scanned_.setInputNormals(normals); }
   NormalsConstPtr getInputNormals() const { return scanned_.getInputNormals(); }
 
-  /** Where the scanner stood: normals face it. Without it they face +z as a whole. */
+  /** Position of the scanner: normals face it. Without it they face +z as a whole. */
   void setViewPoint(const Eigen::Vector3d& point) { scanned_.setViewPoint(point); }
   const std::optional<Eigen::Vector3d>& getViewPoint() const { return scanned_.getViewPoint(); }
   void clearViewPoint() { scanned_.clearViewPoint(); }
@@ -70,16 +70,16 @@ public:
   void setNumberOfThreads(unsigned int threads = 0) { scanned_.setNumberOfThreads(threads); }
   unsigned int getNumberOfThreads() const { return scanned_.getNumberOfThreads(); }
 
-  /** Whether compute leaves the console alone where it fails; false by default. The status is the same. */
+  /** If true, compute prints nothing to the console when it fails; false by default. The status is the same. */
   void setQuiet(bool quiet) { quiet_ = quiet; }
   bool getQuiet() const { return quiet_; }
 
-  /** Outcome of the last compute. */
+  /** Result of the last compute. */
   const Status& getStatus() const { return status_; }
 
 protected:
-  /** Ok, or there is neither surface nor cloud, normals of another number, or what checkShared refuses: for stages whose own
-   *  settings are looked at before the surface is made. */
+  /** Ok, or an error: neither surface nor cloud, a wrong number of normals, or what checkShared refuses. For stages that check
+   *  their own settings before the surface is made. */
   Status
   checkInput() const
   {
@@ -91,7 +91,7 @@ protected:
     return checkShared();
   }
 
-  /** Ok, or an index outside the cloud, or a number of threads that nobody means: wherever the surface comes from. */
+  /** Ok, or an error: an index outside the cloud, or a number of threads that nobody means. For any source of the surface. */
   Status
   checkShared() const
   {
@@ -101,7 +101,7 @@ protected:
     return checkThreads(getNumberOfThreads());
   }
 
-  /** The surface given, or one made of the cloud; \p progress of the latter. */
+  /** The given surface, or one made from the cloud. \p progress reports only the second case. */
   Status
   prepareSurface(Surface::ConstPtr& surface, const ProgressCallback& progress = {})
   {
@@ -126,7 +126,7 @@ protected:
     return scanned_.getStatus();
   }
 
-  /** What failed in the last compute of \p name, on the console; nothing of what was cancelled. */
+  /** Print the error of the last compute of \p name to the console. Prints nothing if it was cancelled. */
   void
   tellFailure(const char* name) const
   {
@@ -136,7 +136,7 @@ protected:
 
   pcl::IndicesPtr givenIndices() const { return this->fake_indices_ ? nullptr : this->indices_; }
 
-  ScannedSurface<PointT, PointNT> scanned_; ///< its settings are the stage's
+  ScannedSurface<PointT, PointNT> scanned_; ///< holds the settings of the stage
   Surface::ConstPtr given_surface_;
   bool quiet_ = false;
   Status status_;

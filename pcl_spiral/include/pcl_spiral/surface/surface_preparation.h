@@ -14,11 +14,11 @@ namespace pcl_spiral {
 /** The former name. */
 using PreparationCounts = SurfaceCounts;
 
-/** ScannedSurface as a pcl::Filter: leaves out what is no point of the surface, thins if asked, puts the rest in spatial
- *  order, and finds oriented normals.
+/** ScannedSurface as a pcl::Filter. It leaves out points that are not part of the surface, thins on request, puts the rest in
+ *  spatial order, and finds oriented normals.
  *
- *  Points are kept as they are, never moved, so that every one has an index in the input (getSourceIndices); what was left
- *  out is in getRemovedIndices where the constructor was told to keep it. The output does not depend on the number of threads.
+ *  Points are never moved, so each output point has an index in the input (getSourceIndices). getRemovedIndices has the points
+ *  left out if the constructor got true. The output does not depend on the number of threads.
  *  \code
  *  SurfacePreparation<pcl::PointXYZ> preparation;
  *  preparation.setInputCloud(scan);
@@ -33,13 +33,13 @@ public:
   using ConstPtr = pcl::shared_ptr<const SurfacePreparation>;
   using PointCloud = pcl::PointCloud<PointT>;
 
-  /** \p extract_removed_indices: whether getRemovedIndices is to have the points left out. */
+  /** \p extract_removed_indices: if true, getRemovedIndices has the points left out. */
   explicit SurfacePreparation(bool extract_removed_indices = false) : pcl::Filter<PointT>(extract_removed_indices)
   {
     this->filter_name_ = "SurfacePreparation";
   }
 
-  /** Forgets the last outcome; a null pointer is a failure at once. */
+  /** Clears the last result. A null pointer is an error at once. */
   void
   setInputCloud(const typename PointCloud::ConstPtr& cloud) override
   {
@@ -49,8 +49,8 @@ public:
       status_ = missingCloud();
   }
 
-  /** As in pcl::Filter; here the output is empty without a cloud, too, where pcl::Filter::filter, called through a pointer to
-   *  it, leaves the output as it was and the filter does not learn of the call. */
+  /** As in pcl::Filter, but the output is also empty if there is no cloud. Through a pointer to pcl::Filter, pcl::Filter::filter
+   *  leaves the output unchanged in that case and does not call this filter. */
   void filter(PointCloud& output);
 
   /** \see ScannedSurface::setOutlierRemoval */
@@ -94,15 +94,15 @@ public:
   void setNumberOfThreads(unsigned int threads = 0) { scanned_.setNumberOfThreads(threads); }
   unsigned int getNumberOfThreads() const { return scanned_.getNumberOfThreads(); }
 
-  /** filter with one unit normal a point beside: \p cloud has the points kept, in spatial order. Both are empty on failure,
+  /** filter, with one unit normal per point: \p cloud has the points kept, in spatial order. Both are empty on failure,
    *  see ScannedSurface::compute. */
   void compute(PointCloud& cloud, pcl::PointCloud<pcl::Normal>& normals);
 
-  const Status& getStatus() const { return status_; }
+  const Status& getStatus() const { return status_; } ///< result of the last run
   const SurfaceCounts& getCounts() const { return counts_; }
   /** Index in the input of each output point. */
   const std::vector<std::uint32_t>& getSourceIndices() const { return source_indices_; }
-  /** The surface of the last run, for the stages that follow (setInputSurface); null before and on failure. */
+  /** The surface of the last run, for the stages that follow (setInputSurface); null before a run and on failure. */
   Surface::ConstPtr getSurface() const { return surface_; }
   /** The former name of getSurface()->graph(); empty before the first run and on failure. */
   [[deprecated("getSurface()->graph()")]] const SurfaceGraph&

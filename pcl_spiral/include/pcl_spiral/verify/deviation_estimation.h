@@ -1,5 +1,5 @@
 /** \file
- *  How far a toolpath's points stand off a scan.
+ *  Distance of the points of a toolpath from a scan.
  */
 #pragma once
 
@@ -8,24 +8,24 @@
 
 namespace pcl_spiral {
 
-/** Signed distance of each point of a toolpath from a scanned surface, the angle of its normal, and how the path moves.
+/** Signed distance of each point of a toolpath from a scanned surface,
+ *  the angle of its normal, and how the path moves.
  *
- *  setInputCloud takes the reference: the raw scan, the planner's or another one. The distance is that to a local
- *  fit of the raw points; see ReferenceSurface for what part of it is noise. Positive out of the material.
- *  Lengths in mm, angles in degrees. The input is never changed.
- */
+ *  setInputCloud takes the reference: the raw scan, that of the planner or another one. The distance
+ *  is to a local fit of the raw points; see ReferenceSurface for the part of it that is noise.
+ *  Positive out of the material. Lengths in mm, angles in degrees. The input is never changed. */
 template <typename PointT>
 class DeviationEstimation : public ReferenceInput<PointT> {
 public:
   using Ptr = pcl::shared_ptr<DeviationEstimation>;
   using ConstPtr = pcl::shared_ptr<const DeviationEstimation>;
 
-  /** Measure. \p output has a point a path point, in their order: its place, and the deviation as intensity, NaN where
-   *  there is no surface. It is empty on failure: no or unfit reference or toolpath, no path point on the reference, or
-   *  cancelled. */
+  /** Measures. \p output has one point per path point, in their order: its place, with the
+   *  deviation as intensity, NaN where there is no surface. It is empty on failure: a missing
+   *  or unfit reference or toolpath, no path point on the reference, or cancelled. */
   void compute(pcl::PointCloud<pcl::PointXYZI>& output);
 
-  const DeviationFigures& getFigures() const { return figures_; }
+  const DeviationFigures& getFigures() const { return figures_; } ///< Figures of the last compute.
 
 private:
   DeviationFigures figures_;

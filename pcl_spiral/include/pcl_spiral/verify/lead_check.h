@@ -1,5 +1,5 @@
 /** \file
- *  Whether a tool comes to its path and leaves it without cutting into the scan.
+ *  Checks whether a tool comes to its path and leaves it without cutting into the scan.
  */
 #pragma once
 
@@ -15,12 +15,12 @@
 
 namespace pcl_spiral {
 
-/** Looks at what a program does beside cutting: approaches, leads, retracts, turns at the top. The path itself is for
- *  CutterLocation, or for DeviationEstimation and MaterialRemoval.
+/** Checks what a program does apart from cutting: approaches, leads, retracts, turns at the top.
+ *  To check the path itself, use CutterLocation, or DeviationEstimation and MaterialRemoval.
  *
- *  setInputCloud takes the scan, in the workpiece's frame of the program; every point counts, strays as well
- *  (\see StrayRemoval), so add what else stands on the table. Lengths in mm. The result does not depend on the order of the
- *  points nor on the number of threads.
+ *  setInputCloud takes the scan, in the workpiece frame of the program. Every point counts,
+ *  also outliers (\see StrayRemoval), so add whatever else stands on the table. Lengths in
+ *  mm. The result does not depend on the order of the points or on the number of threads.
  *  \code
  *  LeadCheck<pcl::PointXYZ> check;
  *  check.setInputCloud(scan);
@@ -35,7 +35,7 @@ public:
   using Ptr = pcl::shared_ptr<LeadCheck>;
   using ConstPtr = pcl::shared_ptr<const LeadCheck>;
 
-  /** Shape of the cutter. Must be set. A shank as wide as the cutter is supposed above it. */
+  /** Shape of the cutter. Must be set. Above it, a shank as wide as the cutter is assumed. */
   void
   setCutter(const CutterShape& cutter)
   {
@@ -47,7 +47,7 @@ public:
     return cutter_;
   }
 
-  /** What stands on the cutter, from the top of its flank upwards. None by default. */
+  /** The parts above the cutter, from the top of its flank upwards. None by default. */
   void
   setHolder(std::vector<ToolSegment> segments)
   {
@@ -59,7 +59,7 @@ public:
     return holder_;
   }
 
-  /** Distance kept between holder and scan; 0 by default. */
+  /** Distance to keep between holder and scan; 0 by default. */
   void
   setHolderClearance(double clearance)
   {
@@ -71,8 +71,8 @@ public:
     return holder_clearance_;
   }
 
-  /** How deep a point may be in the tool; 0.05 by default. Give what the path itself may have: its chord error and five
-   *  standard deviations of the scan's noise, for leads end on the path. */
+  /** How deep a point may be in the tool; 0.05 by default. Set what the path itself may have: its chord
+   *  error plus five standard deviations of the noise of the scan, because leads end on the path. */
   void
   setTolerance(double tolerance)
   {
@@ -84,14 +84,14 @@ public:
     return tolerance_;
   }
 
-  /** Called with the share done; returning false cancels. */
+  /** Called with the completed share; return false to cancel. */
   void
   setProgressCallback(ProgressCallback callback)
   {
     progress_ = std::move(callback);
   }
 
-  /** Look at \p program. Fails without a cloud or a cutter, on settings that cannot be, or when cancelled. */
+  /** Checks \p program. Fails without a cloud or a cutter, on invalid settings, or when cancelled. */
   void compute(const MachineProgram& program);
 
   const Status&

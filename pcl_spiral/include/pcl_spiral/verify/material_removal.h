@@ -1,5 +1,5 @@
 /** \file
- *  What a toolpath's cutter leaves on a scanned surface, and what it takes too much.
+ *  What the cutter of a toolpath leaves on a scanned surface, and where it gouges.
  */
 #pragma once
 
@@ -8,12 +8,12 @@
 
 namespace pcl_spiral {
 
-/** Stock left or gouge at every point of a scan after a ball cutter has run along a toolpath in straight lines; the
- *  scallops between turns, and how short the path is against the least length.
+/** Stock left or gouge at every point of a scan, after a ball cutter has run along a toolpath in straight
+ *  lines; also the ridges between turns, and the length of the path against the least possible length.
  *
- *  setInputCloud takes the reference: the raw scan, the planner's or another one. Heights are above the local quadratic
- *  fit of its points; see ReferenceSurface for what part of them is noise. Lengths in mm. The input is never changed.
- */
+ *  setInputCloud takes the reference: the raw scan, that of the planner or another
+ *  one. Heights are above the local fit of its points; see ReferenceSurface for
+ *  the part of them that is noise. Lengths in mm. The input is never changed. */
 template <typename PointT>
 class MaterialRemoval : public ReferenceInput<PointT> {
 public:
@@ -28,19 +28,19 @@ public:
   void setScallopHeight(double height) { scallop_height_ = height; }
   double getScallopHeight() const { return scallop_height_; }
 
-  /** How far above the surface stock is looked for, mm: nothing met counts as uncut. 0, the default: 20
-   * scallop heights, and at least ten times the scan's noise. */
+  /** How far above the surface stock is looked for, mm; nothing met counts as uncut.
+   *  0, the default: 20 scallop heights, and at least ten times the scan's noise. */
   void setReach(double reach) { reach_ = reach; }
   double getReach() const { return reach_; }
 
-  /** Measure. \p output has a point for each of the input (of its indices, when set), or with a surface and no cloud for each of
-   * the cloud that the surface was made of (its place is NaN too where it was left out), in their order: its
-   * place, and the stock as intensity, negative for a gouge, the reach where uncut, NaN where the point is no
-   * part of the surface (not finite, a repetition, an outlier). Empty on failure: no or unfit reference or
-   * toolpath, a surface or reference beside a cloud of another size, a setting or index out of range, or cancelled. */
+  /** Measures. \p output has one point per input point (per index, if indices are set), in their order. With a surface
+   *  and no cloud: one per point of the cloud that the surface was made of; the place of a point that was left out is NaN
+   *  too. Each has its place, and the stock as intensity: negative for a gouge, the reach where uncut, NaN where the point
+   *  is not part of the surface (not finite, a duplicate, an outlier). Empty on failure: a missing or unfit reference or
+   *  toolpath, a surface or reference with a cloud of another size, a setting or index out of range, or cancelled. */
   void compute(pcl::PointCloud<pcl::PointXYZI>& output);
 
-  const RemovalFigures& getFigures() const { return figures_; }
+  const RemovalFigures& getFigures() const { return figures_; } ///< Figures of the last compute.
   /** Height of the ridge next to each output point, mm; NaN near the rim and where none was found. */
   const std::vector<float>& getRidgeHeights() const { return ridge_heights_; }
 

@@ -1,8 +1,8 @@
 /** \file
- *  What a path at constant scallop height is made of, in a user's own pcl::visualization::PCLVisualizer: the field, the loops, the
- *  tree that they are linked by.
+ *  The parts of a path of constant scallop height, in your own
+ *  pcl::visualization::PCLVisualizer: the field, the loops, the tree that links them.
  *
- *  Header only, as add_toolpath.h: the program that includes it links pcl_visualization.
+ *  Header only, like add_toolpath.h: the program that includes it links pcl_visualization.
  */
 #pragma once
 
@@ -29,7 +29,7 @@ constexpr Color ridge_color{0.10, 0.10, 0.15};
 /** Red: the middles of fingers, and bridges. */
 constexpr Color finger_color{0.80, 0.11, 0.13};
 
-/** The colour of a branch of the tree, blue for the spiral itself (0), others for what hangs beside it. */
+/** The colour of a branch of the tree: blue for the spiral itself (0), other colours for the other branches. */
 inline Color
 branchColor(std::size_t branch)
 {
@@ -37,14 +37,14 @@ branchColor(std::size_t branch)
   return branch == 0 ? Color{0.20, 0.40, 0.90} : beside[(branch - 1) % 5];
 }
 
-/** The branch of each of \p count loops linked by \p joints: 0 the spiral's loops, 1, 2 ... those beside it, all that hang on the
- *  spiral at one place, or are cut by one pass, being one branch. */
+/** The branch of each of \p count loops linked by \p joints: 0 for the loops of the spiral, 1, 2 ... for the
+ *  others. All loops that are attached to the spiral at one place, or cut by one pass, are one branch. */
 inline std::vector<std::size_t>
 branchesOf(const std::vector<LoopJoint>& joints, std::size_t count)
 {
   std::vector<std::size_t> branch(count, 0);
   std::size_t branches = 0;
-  const auto follow = [&](bool fingers) { // fingers come before what they hang on
+  const auto follow = [&](bool fingers) { // fingers come before the loops to which they are attached
     for (const LoopJoint& joint : joints) {
       if (fingers != (joint.kind == LoopJointKind::Finger))
         continue;
@@ -82,7 +82,7 @@ fieldMesh(const StepOverDistance& field)
   return data;
 }
 
-/** One colour a step-over, light and dark by turns. */
+/** One colour per step-over, light and dark in turn. */
 inline vtkSmartPointer<vtkLookupTable>
 stepOverColors(int bands)
 {
@@ -100,8 +100,8 @@ stepOverColors(int bands)
 
 } // namespace detail
 
-/** Shows \p field: its triangles in bands of one step-over from the rims inward as shape ID_field, and the nodes on its ridges as
- *  cloud ID_ridges. What was shown under the id before is replaced. */
+/** Shows \p field: its triangles in bands of one step-over from the rims inward as shape ID_field,
+ *  and the nodes on its ridges as cloud ID_ridges. What was shown under the id before is replaced. */
 inline void
 addStepOverField(pcl::visualization::PCLVisualizer& viewer, const StepOverDistance& field, const std::string& id = "field",
                  int viewport = 0)
@@ -128,8 +128,8 @@ addStepOverField(pcl::visualization::PCLVisualizer& viewer, const StepOverDistan
                                         id + "_ridges", viewport);
 }
 
-/** Shows \p set: its loops from blue at the rims to yellow in the middle as shape ID_loops, the middles of their fingers in red as
- *  ID_axes. What was shown under the id before is replaced. */
+/** Shows \p set: its loops from blue at the rims to yellow in the middle as shape ID_loops, the
+ *  centre lines of their fingers in red as ID_axes. What was shown under the id before is replaced. */
 inline void
 addScallopLoops(pcl::visualization::PCLVisualizer& viewer, const ScallopLoopSet& set, const std::string& id = "scallop",
                 int viewport = 0)
@@ -152,8 +152,8 @@ addScallopLoops(pcl::visualization::PCLVisualizer& viewer, const ScallopLoopSet&
   detail::showLines(viewer, axes, 2.5, id + "_axes", viewport);
 }
 
-/** Shows the tree that \p loops are linked by to \p path: each loop in the colour of its branch as shape ID_branches, ramps of the
- *  spiral, bridges, lifts and fingers as strokes, ID_joints. What was shown under the id before is replaced. */
+/** Shows the tree that links \p loops to \p path: each loop in the colour of its branch as shape ID_branches; ramps
+ *  of the spiral, bridges, lifts and fingers as strokes, ID_joints. What was shown under the id before is replaced. */
 inline void
 addLoopTree(pcl::visualization::PCLVisualizer& viewer, const std::vector<ScallopLoop>& loops, const LinkedPath& path,
             const std::string& id = "tree", int viewport = 0)
@@ -177,8 +177,8 @@ addLoopTree(pcl::visualization::PCLVisualizer& viewer, const std::vector<Scallop
   detail::showLines(viewer, joints, 5.0, id + "_joints", viewport);
 }
 
-/** Shows \p path as one line a pass, shape ID_linked, each place in the colour of the branch of the nearest of the \p loops it was linked
- *  from. What was shown under the id before is replaced. */
+/** Shows \p path as one line per pass, shape ID_linked. Each place has the colour of the branch of the
+ *  nearest of the \p loops from which it was linked. What was shown under the id before is replaced. */
 inline void
 addLinkedPath(pcl::visualization::PCLVisualizer& viewer, const LinkedPath& path, const std::vector<ScallopLoop>& loops,
               const std::string& id = "linked", int viewport = 0)

@@ -1,7 +1,7 @@
 /** \file
- *  A toolpath, its loops and its radial lines in a user's own pcl::visualization::PCLVisualizer.
+ *  A toolpath, its loops and its radial lines in your own pcl::visualization::PCLVisualizer.
  *
- *  Header only. The program that includes it links PCL's visualization itself, which no library of pcl_spiral
+ *  Header only. The program that includes it must link PCL's visualization, which no library of pcl_spiral
  *  needs: find_package(PCL REQUIRED COMPONENTS visualization), then pcl_visualization among its libraries.
  */
 #pragma once
@@ -24,7 +24,7 @@
 
 namespace pcl_spiral {
 
-/** From blue, at 0, through green to yellow, at 1: seen on a dark background and on a light one. */
+/** From blue, at 0, through green to yellow, at 1: visible on a dark and on a light background. */
 inline Color
 turnColor(double share)
 {
@@ -42,7 +42,7 @@ constexpr Color radial_line_color{0.55, 0.55, 0.58};
 
 namespace detail {
 
-/** The value of a registered field; \p otherwise where the type has none. */
+/** The value of a registered field; \p otherwise if the type has none. */
 template <typename Field, typename PointT>
 double
 fieldOr(const PointT& point, double otherwise)
@@ -55,7 +55,7 @@ fieldOr(const PointT& point, double otherwise)
   return otherwise;
 }
 
-/** One line a pass, coloured by turn. */
+/** One line per pass, coloured by turn. */
 template <typename PointT>
 ColoredLines
 pathLines(const pcl::PointCloud<PointT>& path)
@@ -112,7 +112,7 @@ addLine(ColoredLines& lines, const RadialLine& line)
   lines.end(false);
 }
 
-/** Adds the lines as one shape, bright whatever the view. Without any there is no shape. */
+/** Adds the lines as one shape, bright in every view. No shape if there are no lines. */
 inline bool
 showLines(pcl::visualization::PCLVisualizer& viewer, const ColoredLines& lines, double width,
           const std::string& shape, int viewport)
@@ -128,7 +128,7 @@ showLines(pcl::visualization::PCLVisualizer& viewer, const ColoredLines& lines, 
 
 } // namespace detail
 
-/** Takes away what addToolpath added under this id, from every viewport; nothing where there is none. */
+/** Removes what addToolpath added under this id, from every viewport; no effect if there is nothing. */
 inline void
 removeToolpath(pcl::visualization::PCLVisualizer& viewer, const std::string& id = "toolpath")
 {
@@ -139,7 +139,7 @@ removeToolpath(pcl::visualization::PCLVisualizer& viewer, const std::string& id 
 
 /** Shows a toolpath with its boundary loops and radial lines.
  *
- *  Three shapes at most, each one actor however many lines it holds; what is empty is left out:
+ *  At most three shapes, each one actor for any number of lines; empty ones are left out:
  *
  *  | shape | what | colour | width, pixels |
  *  |---|---|---|---|
@@ -147,18 +147,18 @@ removeToolpath(pcl::visualization::PCLVisualizer& viewer, const std::string& id 
  *  | ID_loops | a closed line a loop, its curve where it has one | by type, see loopColor | 3 |
  *  | ID_lines | a line a radial line | gray | 1 |
  *
- *  PCLVisualizer::setShapeRenderingProperties takes these names: other widths and colours, or opacity. Points
- *  that are not finite are skipped, and the line goes straight on to the next. What was shown under the id
- *  before is replaced; the camera stays. PCLVisualizer itself ends the program where there is no display: ask
- *  displayFault of pcl_spiral/visualization/pictures.h before one is made.
+ *  Use these names in PCLVisualizer::setShapeRenderingProperties for other widths, colours, or opacity.
+ *  Points that are not finite are skipped, and the line goes straight to the next point. What was shown
+ *  under the id before is replaced; the camera does not move. PCLVisualizer itself ends the program if
+ *  there is no display: call displayFault of pcl_spiral/visualization/pictures.h before you make one.
  *
- *  \tparam PathPointT a registered point type; one without a field turn is drawn in one colour, one without
- *  over_gap shows no gaps
- *  \tparam LineT RadialLine, as RadialLines gives them, or Polyline, as SpiralReport has them
- *  \param[in,out] viewer the user's; to be called from the thread that made it
- *  \param[in] path,loops,lines lengths in the unit of whatever else the viewer shows
+ *  \tparam PathPointT a registered point type; without a field turn
+ *  it is drawn in one colour, without over_gap it shows no gaps
+ *  \tparam LineT RadialLine, as from RadialLines, or Polyline, as in SpiralReport
+ *  \param[in,out] viewer your viewer; call from the thread that made it
+ *  \param[in] path,loops,lines lengths in the unit of everything else in the viewer
  *  \param[in] id a name for the three shapes
- *  \param[in] viewport of PCLVisualizer::createViewPort; 0 for all
+ *  \param[in] viewport from PCLVisualizer::createViewPort; 0 for all
  *  \return whether there was anything to show */
 template <typename PathPointT, typename LineT = RadialLine>
 bool

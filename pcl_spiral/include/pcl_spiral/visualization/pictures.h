@@ -16,20 +16,20 @@
 
 namespace pcl_spiral {
 
-/** What the pictures show; lengths in mm. */
+/** Contents of the pictures; lengths in mm. */
 struct PictureScene {
-  std::string title; ///< such as the scan's name
+  std::string title; ///< such as the name of the scan
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud;
-  SurfaceMesh::ConstPtr mesh; ///< in place of the cloud, whose points are triangulated where there is none
+  SurfaceMesh::ConstPtr mesh; ///< used instead of the cloud; if null, the points of the cloud are triangulated
   pcl::PointCloud<ToolpathPoint>::ConstPtr path;
   SpiralSettings settings;
   SpiralReport report;
 };
 
-/** What is wrong with the X display that VTK draws through: "DISPLAY is not set"; empty where nothing is. */
+/** What is wrong with the X display through which VTK draws: "DISPLAY is not set"; empty if nothing is wrong. */
 std::string displayFault();
 
-/** Why no picture can be made here, and the remedy; empty where one can. VTK draws through an X display. */
+/** Why no picture can be made here, and the remedy; empty if one can. VTK draws through an X display. */
 std::string displayProblem();
 
 struct DisplaySurface;
@@ -42,11 +42,11 @@ public:
   ~SpiralPictures();
 
   /** Boundary loops and radial lines over the cloud, coloured by height.
-   *  \throw std::runtime_error without a display, FileError where the file cannot be written */
+   *  \throw std::runtime_error without a display, FileError if the file cannot be written */
   void writeLines(const std::string& file) const;
 
-  /** The spiral on the shaded surface: as many of its turns as stand apart in the picture (the legend says
-   * which), start and end marked, and both enlarged with every turn. Errors as for writeLines. */
+  /** The spiral on the shaded surface, with as many turns as can be seen separately in the picture (the legend
+   *  shows which). Start and end are marked, and both are enlarged with every turn. Errors as for writeLines. */
   void writeSpiral(const std::string& file) const;
 
 private:

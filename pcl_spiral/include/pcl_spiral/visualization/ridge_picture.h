@@ -1,5 +1,5 @@
 /** \file
- *  Pictures of a ridge of which two lines were measured, made without a window.
+ *  Pictures of a ridge from two measured lines, made without a window.
  */
 #pragma once
 
@@ -12,23 +12,23 @@
 
 namespace pcl_spiral {
 
-/** What the pictures show; lengths in mm. */
+/** Contents of the pictures; lengths in mm. */
 struct RidgeScene {
-  std::string title; ///< such as the part's name
+  std::string title; ///< such as the name of the part
   RidgeSurface::ConstPtr ridge;
   Polyline rail, generator; ///< the measured points
-  pcl::PointCloud<pcl::PointXYZ>::ConstPtr scan; ///< of the part, drawn behind the lines; null: there is none
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr scan; ///< of the part, drawn behind the lines; null: none
 };
 
-/** Both measured lines on the shaded ridge, their fitted curves, and the frame m1, m2, m3 that carries the generator at stations of
- *  the rail; the generator enlarged in the rail's normal plane where they meet, and what was found of it all (RidgeReport). A PNG
- *  of 1600 x 1200; the same scene gives the same bytes.
- *  \throw std::runtime_error without a display, FileError where the file cannot be written, std::invalid_argument without a ridge or
- *  its lines */
+/** Both measured lines on the shaded ridge, their fitted curves, and the frame m1, m2, m3 that carries the
+ *  generator, at stations of the rail. The generator is enlarged in the normal plane of the rail where they
+ *  meet, with the values found (RidgeReport). A PNG of 1600 x 1200; the same scene gives the same bytes.
+ *  \throw std::runtime_error without a display, FileError if the file cannot be written,
+ *  std::invalid_argument without a ridge or its lines */
 void writeRidgeLines(const std::string& file, const RidgeScene& scene);
 
-/** The ridge coloured by the angle between the published normal (RidgeNormals::InNormalPlane) and the true one; both normals where it
- *  is largest, and the angle over the generator. Needs no measured points. Errors as for writeRidgeLines. */
+/** The ridge coloured by the angle between the published normal (RidgeNormals::InNormalPlane) and the true one; both normals
+ *  where it is largest, and the angle over the generator. Needs no measured points. Errors as for writeRidgeLines. */
 void writeRidgeNormals(const std::string& file, const RidgeScene& scene);
 
 } // namespace pcl_spiral

@@ -13,42 +13,42 @@
 
 namespace pcl_spiral {
 
-/** What the pictures show; lengths in mm. Values come as DeviationEstimation and MaterialRemoval give them.
- */
+/** Contents of the pictures; lengths in mm. Values as
+ *  DeviationEstimation and MaterialRemoval give them. */
 struct VerificationScene {
-  PictureScene part;            ///< its cloud is the reference; of its report the loops alone are used
-  std::vector<float> deviation; ///< one a path point, NaN: not measured
-  std::vector<float> stock;     ///< one a reference point, negative: gouge, NaN: no part of the surface
-  std::vector<float> ridges;    ///< one a reference point, NaN: none
+  PictureScene part;            ///< its cloud is the reference; of its report only the loops are used
+  std::vector<float> deviation; ///< one per path point; NaN: not measured
+  std::vector<float> stock;     ///< one per reference point; negative: gouge; NaN: not part of the surface
+  std::vector<float> ridges;    ///< one per reference point; NaN: none
   DeviationFigures deviation_figures;
-  RemovalFigures removal_figures; ///< the scene's chord error and scallop are those it was judged by
+  RemovalFigures removal_figures; ///< the chord error and scallop height of the scene are those by which it was judged
 };
 
 struct DisplaySurface;
 
-/** The pictures of one verification, each a PNG of 1600 x 1200. Where several values fall on one place of a
- * picture it shows the worst of them, and the worst place of all is enlarged at the side. The same scene
- * gives the same bytes. */
+/** The pictures of one verification, each a PNG of 1600 x 1200. If several values
+ *  fall on one place of a picture, it shows the worst of them. The worst place
+ *  of all is enlarged at the side. The same scene gives the same bytes. */
 class VerificationPictures {
 public:
   /** Thins and triangulates the reference for drawing.
-   *  \throw std::invalid_argument where values are given but not one a point, or without a path */
+   *  \throw std::invalid_argument if values are given but are not one per point, or without a path */
   explicit VerificationPictures(VerificationScene scene);
   ~VerificationPictures();
 
-  /** The path coloured by its signed deviation over the gray surface. The colours reach to twice the 99th
-   * percentile of the amount; what lies beyond has colours of its own. \throw std::runtime_error without a
-   * display, FileError where the file cannot be written, std::logic_error without deviations */
+  /** The path coloured by its signed deviation over the gray surface. The colour scale ends at twice the 99th
+   *  percentile of the absolute value; values beyond have colours of their own. \throw std::runtime_error
+   *  without a display, FileError if the file cannot be written, std::logic_error without deviations */
   void writeDeviation(const std::string& file) const;
 
-  /** The reference points coloured by the stock left: the height of the ridge next to each, its own where
-   * there is none. Gouges deeper than the chord error (and than three times the noise of the fit), stock
-   * above the limit and uncut places have colours of their own. Errors as for writeDeviation, without stock.
-   */
+  /** The reference points coloured by the stock left: the height of the ridge next to each
+   *  point, or its own stock if there is no ridge. Gouges deeper than the chord error (and
+   *  than three times the noise of the fit), stock above the limit and uncut places have
+   *  colours of their own. Errors as for writeDeviation, if there is no stock. */
   void writeStock(const std::string& file) const;
 
-  /** How many ridges have which height, on a logarithmic scale, with the scallop asked for and the limit as
-   * lines; where none was measured, words that say so. Errors as for writeDeviation, without ridges. */
+  /** The number of ridges of each height, on a logarithmic scale, with lines at the scallop height asked for and at
+   *  the limit. If no ridge was measured, a text says so. Errors as for writeDeviation, if there are no ridges. */
   void writeHistogram(const std::string& file) const;
 
 private:

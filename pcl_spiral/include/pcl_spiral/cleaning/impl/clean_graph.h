@@ -1,5 +1,5 @@
 /** \file
- *  A surface's graph of a raw scan: evenly spread, without outliers.
+ *  Makes the graph of the surface of a raw scan: evenly spread, without outliers.
  */
 #pragma once
 
@@ -10,20 +10,20 @@
 
 namespace pcl_spiral {
 
-/** Which of the points given a graph was built of. */
+/** Which of the given points a graph was built from. */
 struct GraphSource {
-  std::vector<std::uint32_t> indices; ///< of each point of the graph, by its original index there
+  std::vector<std::uint32_t> indices; ///< of each point of the graph in the given points, by its original index
   std::vector<std::uint32_t> strays;  ///< left out: off the surface, or apart from it; ascending
-  int passes = 0;                     ///< over all neighbourhoods: graphs that were built
-  std::size_t surplus = 0;            ///< left out: much closer to others than these to the next, as along scan lines
+  int passes = 0;                     ///< over all neighbourhoods: number of graphs built
+  std::size_t surplus = 0;            ///< left out: much closer together than the points around them, as along scan lines
 };
 
-/** Build \p graph of \p points less outliers: strays, sparse specks, false points, and where these are more than one in a thousand
- *  lone points, sought anew after each removal, for an outlier may hide another, up to five times. Where points lie much
- *  closer along scan lines than the lines stand apart, nearly at one place, or beside a much sparser part, some are left
- *  out before, until neighbours lie all about each point; once more when outliers were found, which had others left out
- *  in their favour.
- *  Fails where SurfaceGraph::build does.
+/** Build \p graph from \p points without outliers: isolated points, sparse clusters, spikes, and if these are more than one in a
+ *  thousand, those of lonePoints. The search is repeated after each removal, up to five times, because an outlier may hide another.
+ *  Before that, some points are left out until every point has neighbours all round: where points lie much closer along scan lines
+ *  than the lines are apart, nearly at one place, or beside a much sparser part. This is done once more if outliers were found,
+ *  because they had others left out in their favour.
+ *  Fails where SurfaceGraph::build fails.
  *  \sa evenSpread, SurfaceGraph::strayPoints, sparseSpecks, falsePoints, lonePoints */
 Status
 buildCleanGraph(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options, SurfaceGraph& graph,

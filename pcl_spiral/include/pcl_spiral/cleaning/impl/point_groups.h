@@ -1,5 +1,5 @@
 /** \file
- *  Points that hang together.
+ *  Groups of connected points.
  */
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace pcl_spiral {
 
-/** The group of each point, numbered from 0 in the order of their first points: points of a group are linked by steps of no
- *  more than \p reach. */
+/** The group of each point, numbered from 0 in the order of their first points. Steps of no more than \p reach link the points
+ *  of a group. */
 std::vector<std::uint32_t>
 pointGroups(const std::vector<Eigen::Vector3f>& points, double reach);
 

@@ -16,7 +16,7 @@
 
 namespace pcl_spiral {
 
-/** The places of the strays that go, in order; counts them. */
+/** The places of the outliers to leave out, in order; counts them. */
 template <typename PointT>
 std::vector<std::array<float, 3>>
 StrayRemoval<PointT>::placesToLeaveOut(const std::vector<Eigen::Vector3f>& strays, double reach)
@@ -51,7 +51,7 @@ template <typename PointT>
 Status
 StrayRemoval<PointT>::choose(pcl::Indices& kept, pcl::Indices& removed)
 {
-  constexpr double spacings = 3.0; // between strays that hang together
+  constexpr double spacings = 3.0; // between connected outliers
   if (const Status status = checkThreads(thread_count_); !status.ok())
     return status;
   const ThreadLimit limit(thread_count_);
@@ -66,7 +66,7 @@ StrayRemoval<PointT>::choose(pcl::Indices& kept, pcl::Indices& removed)
   std::vector<Eigen::Vector3f> strays;
   for (const std::uint32_t stray : source.strays)
     strays.push_back(positions[stray]);
-  // A repetition of a stray is one as well: places are compared.
+  // A duplicate of an outlier is an outlier too: places are compared.
   const std::vector<std::array<float, 3>> places = placesToLeaveOut(strays, spacings * graph.spacing());
   for (const auto index : *this->indices_) {
     const PointT& p = cloud[static_cast<std::size_t>(index)];
@@ -79,7 +79,7 @@ StrayRemoval<PointT>::choose(pcl::Indices& kept, pcl::Indices& removed)
   return Status::success();
 }
 
-/** Whether there is a cloud to filter; without one, says so. */
+/** True if there is a cloud to filter; if not, sets the status. */
 template <typename PointT>
 bool
 StrayRemoval<PointT>::hasCloud()

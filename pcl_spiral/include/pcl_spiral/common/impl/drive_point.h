@@ -1,5 +1,5 @@
 /** \file
- *  What drives a cutter: places with a tool axis each.
+ *  Drive points: positions with a tool axis each, which guide the cutter.
  */
 #pragma once
 
@@ -9,14 +9,14 @@
 
 namespace pcl_spiral {
 
-/** A place and the tool axis there. With a normal, the place is the contact that is asked for, and the cutter
- * stands where its profile touches it. Without one, the axis runs through the place and the cutter comes down
- * along it until it touches, wherever that is. Lengths in mm. */
+/** A position and the tool axis there. With a normal, the position is the required contact: the cutter stands where
+ * its profile touches it. Without a normal, the axis passes through the position, and the cutter moves down along
+ * the axis until it touches the surface anywhere. Lengths in mm. */
 struct DrivePoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); ///< from the tip to the shank; of any length but 0
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); ///< from the tip to the shank; any length except 0
   Eigen::Vector3d normal =
-      Eigen::Vector3d::Zero(); ///< of the surface, out of the material; zero: no contact is asked for
+      Eigen::Vector3d::Zero(); ///< of the surface, out of the material; zero: no contact is required
 
   bool
   asksForContact() const

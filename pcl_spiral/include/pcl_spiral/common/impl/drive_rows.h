@@ -1,14 +1,14 @@
 /** \file
- *  Distances of neighbouring passes.
+ *  Distances between neighbouring rows.
  */
 #pragma once
 
 namespace pcl_spiral {
 
-/** How far section planes are apart. */
+/** How the distance between section planes is chosen. */
 enum class DriveRows {
-  Even, ///< all alike, as the step-over says
-  Kept  ///< as the ridge between any two asks, by slope and curvature of the surface there
+  Even, ///< all equal, from the step-over
+  Kept  ///< each one for the ridge it leaves, from slope and curvature of the surface there
 };
 
 } // namespace pcl_spiral

@@ -1,5 +1,5 @@
 /** \file
- *  Words, numbers and places put together to a message.
+ *  Builds a message from words, numbers and places.
  */
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace pcl_spiral {
 
-/** The parts one after the other, real numbers to four digits, whole ones and those beyond 10,000 to the last before the
- *  point. */
+/** Joins the parts. Real numbers have four digits. Integers, and numbers of 10,000 or more, are written to the last digit before
+ *  the decimal point. */
 template <typename... Parts>
 std::string
 textOf(const Parts&... parts)
@@ -31,13 +31,13 @@ textOf(const Parts&... parts)
   return stream.str();
 }
 
-/** "(12.5, -3, 0.125)": a place to the thousandth, without noughts at the end. */
+/** "(12.5, -3, 0.125)": a place to 0.001, without trailing zeros. */
 inline std::string
 placeText(const Eigen::Vector3d& p)
 {
   std::string all = "(";
   for (int axis = 0; axis < 3; ++axis) {
-    char number[400]; // the largest double has 309 digits before the point
+    char number[400]; // the largest double has 309 digits before the decimal point
     std::snprintf(number, sizeof number, "%.3f", p[axis]);
     std::string one = number;
     one.erase(one.find_last_not_of('0') + 1);

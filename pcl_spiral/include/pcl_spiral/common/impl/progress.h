@@ -1,5 +1,5 @@
 /** \file
- *  Progress reports that can cancel.
+ *  Progress callbacks, which can cancel.
  */
 #pragma once
 
@@ -10,15 +10,15 @@
 
 namespace pcl_spiral {
 
-/** Called with the share done, 0 to 1, and the stage's name. Return false to cancel. Called from one thread only. */
+/** Called with the share done, 0 to 1, and the name of the stage. Return false to cancel. Called from one thread only. */
 using ProgressCallback = std::function<bool(double share, const std::string& stage)>;
 
-/** Whether a callback takes the share alone, and not the stage's name as well. */
+/** True if a callback takes only the share and not the name of the stage. */
 template <typename Callback>
 constexpr bool is_share_callback = std::is_invocable_r_v<bool, Callback&, double> &&
                                    !std::is_invocable_r_v<bool, Callback&, double, const std::string&>;
 
-/** A callback of the share alone as a ProgressCallback; none where it is an empty std::function or a null pointer. */
+/** Converts a callback of the share only to a ProgressCallback; an empty std::function or a null pointer gives none. */
 template <typename ShareAlone>
 ProgressCallback
 withStage(ShareAlone callback)
@@ -29,7 +29,7 @@ withStage(ShareAlone callback)
   return [function](double share, const std::string&) { return function(share); };
 }
 
-/** Reports of a part of the work, which goes \p from one share of the whole \p to another; none where there is no callback. */
+/** Progress of a part of the work, mapped to the shares \p from to \p to of the whole; empty if there is no callback. */
 inline ProgressCallback
 partOf(const ProgressCallback& whole, double from, double to)
 {
@@ -38,7 +38,7 @@ partOf(const ProgressCallback& whole, double from, double to)
   return [whole, from, to](double share, const std::string& stage) { return whole(from + share * (to - from), stage); };
 }
 
-/** partOf with a \p stage of its own, for a function that tells its share alone. */
+/** partOf with a fixed \p stage name, for a function that reports only its share. */
 inline std::function<bool(double)>
 partOf(const ProgressCallback& whole, double from, double to, const std::string& stage)
 {

@@ -1,5 +1,5 @@
 /** \file
- *  What the stages of a run cost: time and memory.
+ *  Time and memory that the stages of a run use.
  */
 #pragma once
 
@@ -10,32 +10,32 @@
 
 namespace pcl_spiral {
 
-/** Memory of this process, bytes, as Linux counts it in /proc/self/status, to about 1 MB; 0 where that is not known. */
+/** Memory of this process, bytes, as Linux reports it in /proc/self/status, to about 1 MB; 0 if not known. */
 struct MemoryUse {
-  std::size_t resident = 0; ///< in main memory now (VmRSS): the process's own and the pages of libraries it touched
-  std::size_t peak = 0;     ///< the most there has been since the process began (VmHWM)
+  std::size_t resident = 0; ///< in main memory now (VmRSS): of the process itself and of the library pages it used
+  std::size_t peak = 0;     ///< the maximum since the process began (VmHWM)
 };
 
 MemoryUse
 memoryUse();
 
-/** Wall time of one stage, and the memory of the whole process at its end. A stage that raised the peak is one whose peak
- *  exceeds that of the stage before. */
+/** Wall time of one stage, and the memory of the whole process at its end. If the peak is above that of the stage before, this
+ *  stage raised it. */
 struct StageCost {
   std::string name;
   double seconds = 0.0;
   MemoryUse memory;
 };
 
-/** Times one stage after the other. */
+/** Measures the time of one stage after another. */
 class StageClock {
 public:
-  /** The first stage begins now. \p stages must outlive the clock. */
+  /** Start the first stage. \p stages must outlive the clock. */
   explicit StageClock(std::vector<StageCost>& stages) : stages_(stages), begin_(std::chrono::steady_clock::now()) {}
 
-  /** The stage that ran until now was \p name; the next one begins. */
+  /** End the stage \p name and start the next one. */
   void end(const std::string& name);
-  /** The next stage begins now; what ran until now is told elsewhere. */
+  /** Start the next stage; the time until now is reported elsewhere. */
   void restart() { begin_ = std::chrono::steady_clock::now(); }
 
 private:

@@ -1,5 +1,5 @@
 /** \file
- *  A number of threads for the length of a scope.
+ *  Sets the number of threads within a scope.
  */
 #pragma once
 
@@ -12,10 +12,10 @@
 
 namespace pcl_spiral {
 
-/** More are never started: where the system refuses one, OpenMP ends the program. */
+/** Largest number of threads ever started: if the system refuses a thread, OpenMP ends the program. */
 constexpr unsigned int most_threads = 256;
 
-/** Ok, or a number of threads that nobody means, such as -1 turned into an unsigned number. */
+/** Ok, or an error for a number of threads that nobody means, such as -1 converted to an unsigned number. */
 inline Status
 checkThreads(unsigned int threads)
 {
@@ -25,8 +25,8 @@ checkThreads(unsigned int threads)
                                               most_threads, " (setNumberOfThreads)")};
 }
 
-/** The number of threads of a stage. Base of those that have no other class to take it from; the name of the member is none that
- *  PCL's bases use. */
+/** The number of threads of a stage. Base of classes that have no other base with this setter. The base classes of PCL do not use
+ *  the name of the member. */
 class ThreadCount {
 public:
   /** Threads to use; 0, the default, means all. The output does not depend on it. */
@@ -40,7 +40,7 @@ protected:
   unsigned int thread_count_ = 0;
 };
 
-/** Parallel loops started in this thread use a number of threads while the object lives; 0 means all processors, as in PCL
+/** While the object lives, parallel loops started in this thread use this number of threads; 0 means all processors, as in PCL
  *  (omp_get_num_procs). */
 class ThreadLimit {
 public:

@@ -1,5 +1,5 @@
 /** \file
- *  What a point of a toolpath holds, for any point type.
+ *  Writes a point of a toolpath to any point type.
  */
 #pragma once
 
@@ -13,7 +13,7 @@
 #include <limits>
 #include <type_traits>
 
-// The names by which the fields are found. A point type that has one declares it again, which does no harm.
+// Names of the fields. A point type that has one of them declares it again, which does no harm.
 namespace pcl::fields {
 struct x;
 struct y;
@@ -31,12 +31,12 @@ struct over_gap;
 
 namespace pcl_spiral {
 
-/** Whether the registered point type has the field, such as pcl::fields::turn. */
+/** True if the registered point type has the field, such as pcl::fields::turn. */
 template <typename PointT, typename Field>
 constexpr bool has_toolpath_field = pcl::traits::has_field<PointT, Field>::value;
 
-/** \p value as a number of another type: as static_cast does, but a whole number ends at the ends of its range, and is 0 for
- *  what is not a number, where the cast is undefined. */
+/** \p value converted to another number type, as by static_cast. For integers, where the cast can be undefined, a value beyond the
+ *  range becomes the nearest limit, and NaN becomes 0. */
 template <typename Type, typename Number>
 Type
 numberAs(Number value)
@@ -47,13 +47,13 @@ numberAs(Number value)
       return 0;
     if (value <= static_cast<Number>(Limits::lowest()))
       return Limits::lowest();
-    if (value >= static_cast<Number>(Limits::max())) // which may be rounded up: it is the next power of two then
+    if (value >= static_cast<Number>(Limits::max())) // max() may be rounded up to the next power of two
       return Limits::max();
   }
   return static_cast<Type>(value);
 }
 
-/** Write a number to the field of that name, converted by numberAs; nothing without that field. */
+/** Write a number to the field of that name, converted by numberAs. Does nothing without that field. */
 template <typename Field, typename PointT, typename Number>
 void
 setFieldIfPresent(PointT& point, Number value)
@@ -69,8 +69,8 @@ setFieldIfPresent(PointT& point, Number value)
 
 /** How one point of a toolpath is written to a point of the user's type.
  *
- *  As it stands it fills the fields that the type has registered by these names, and leaves every other
- *  member alone. In POINT_CLOUD_REGISTER_POINT_STRUCT the name is the third of each triple.
+ *  By default it fills the registered fields with these names and leaves every other member unchanged.
+ *  In POINT_CLOUD_REGISTER_POINT_STRUCT the name is the third entry of each triple.
  *
  *  | field | holds |
  *  |---|---|
@@ -81,9 +81,9 @@ setFieldIfPresent(PointT& point, Number value)
  *  | turn | count of turns, with the fraction |
  *  | over_gap | 1 where the scan has a gap that was bridged, else 0 |
  *
- *  A field may be of any number type; in one of whole numbers the digits behind the point are dropped, and what lies beyond its
- *  range comes out as the nearest end of it: -0.7 as 0 in an unsigned one. For a type with other names, or that keeps something else, specialise
- *  the struct before the type is used as an output:
+ *  A field may have any number type. An integer field drops the digits after the decimal point. A value beyond the range becomes
+ *  the nearest limit: -0.7 becomes 0 in an unsigned field. For a type with other names or other contents, specialise
+ *  the struct before you use the type as an output:
  *  \code
  *  template <> struct pcl_spiral::ToolpathFields<Station> {
  *    static void set(Station& station, const Eigen::Vector3d& contact, const Eigen::Vector3d&,
@@ -95,11 +95,11 @@ setFieldIfPresent(PointT& point, Number value)
  *    }
  *  };
  *  \endcode
- *  It is called by several threads at once, each for a point of its own.
+ *  Several threads call it at once, each for its own point.
  */
 template <typename PointT>
 struct ToolpathFields {
-  /** \param[out] point made by its default constructor before
+  /** \param[out] point constructed by its default constructor
    *  \param[in] contact,normal,axis,arc_length,turn,over_gap see the table */
   static void
   set(PointT& point, const Eigen::Vector3d& contact, const Eigen::Vector3d& normal,

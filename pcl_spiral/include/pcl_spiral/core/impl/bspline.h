@@ -11,18 +11,18 @@ namespace pcl_spiral {
 
 /** A clamped cubic B-spline curve: it starts in the first control point and ends in the last.
  *
- *  Parameters outside [firstParameter, lastParameter] and lengths outside [0, length] are taken at the nearer
+ *  Parameters outside [firstParameter, lastParameter] and lengths outside [0, length] are moved to the nearer
  * end. Derivatives are with respect to the parameter u; a curve made by fitBSpline has |c'(u)| close to 1.
  *  Evaluation: local polynomials from the Bezier form of each span (blossoms; de Boor 1972). Arc length:
  *  five-point Gauss-Legendre quadrature, each span halved until both halves agree with the whole to 1e-12.
  * Lengths in the unit of the control points. */
 class BSplineCurve {
 public:
-  /** Nothing: length 0, every point the origin. */
+  /** An empty curve: length 0, every point at the origin. */
   BSplineCurve() = default;
 
   /** \param knots ascending; first and last four equal, at most simple inside; control_points.size() + 4 of
-   * them. \param control_points at least four. \throws std::invalid_argument when these do not match. */
+   * them. \param control_points at least four. \throws std::invalid_argument if these do not match. */
   BSplineCurve(std::vector<double> knots, Polyline control_points);
 
   const std::vector<double>&
@@ -71,7 +71,7 @@ public:
   {
     return position(parameterAt(s));
   }
-  /** Unit tangent at arc length \p s; zero where the curve stands still. */
+  /** Unit tangent at arc length \p s; zero where the derivative is zero. */
   Eigen::Vector3d
   tangentAt(double s) const
   {
@@ -90,7 +90,7 @@ private:
   Polyline control_points_;
   std::vector<double> breaks_; ///< distinct knots, spans() + 1
   std::vector<Polynomial> polynomials_;
-  std::vector<double> stations_; ///< parameters of the arc length table; every break is one
+  std::vector<double> stations_; ///< parameters of the arc length table; every break is one of them
   std::vector<double> lengths_;  ///< arc length at the stations
 };
 

@@ -9,8 +9,8 @@
 
 namespace pcl_spiral {
 
-/** Two unit vectors that make a right-handed frame with the unit vector \p n: (e1, e2, n).
- *  Continuous in n but at n_z = 0-. Source: Duff et al., Building an orthonormal basis, revisited, JCGT 6(1), 2017. */
+/** Two unit vectors that form a right-handed frame with the unit vector \p n: (e1, e2, n).
+ *  Continuous in n except at n_z = 0-. Source: Duff et al., Building an orthonormal basis, revisited, JCGT 6(1), 2017. */
 inline void
 tangentFrame(const Eigen::Vector3d& n, Eigen::Vector3d& e1, Eigen::Vector3d& e2)
 {

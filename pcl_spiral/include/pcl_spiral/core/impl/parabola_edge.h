@@ -1,9 +1,9 @@
 /** \file
- *  Parabolas in place of the straight edges of a triangle mesh.
+ *  Parabolas instead of the straight edges of a triangle mesh.
  *
  *  An edge leads from P0 to P1 = P0 + d; n0 and n1 are the unit normals of the surface there. Its parabola is
- *  C(u) = P0 + d u - bow u (1 - u) for u from 0 to 1: the bow says how far, times u (1 - u), the surface lies behind the straight
- *  edge; a quarter of it in the middle. Lengths in mm. */
+ *  C(u) = P0 + d u - bow u (1 - u) for u from 0 to 1. The bow, times u (1 - u), is the distance of the surface behind the straight
+ *  edge; in the middle a quarter of the bow. Lengths in mm. */
 #pragma once
 
 #include <Eigen/Core>
@@ -12,35 +12,35 @@
 
 namespace pcl_spiral {
 
-/** How the edges of a mesh run. */
+/** Shape of the edges of a mesh. */
 enum class MeshEdges {
-  Straight,  ///< as they are: plain sections
-  Published, ///< parabola by the meeting point of the edge's projections, equation (3) of Sun, Li, Li, Liu
-  Robust     ///< parabola by the mean of both ends' slopes along the mean normal
+  Straight,  ///< straight lines: plain sections
+  Published, ///< parabola from the meeting point of the edge's projections, equation (3) of Sun, Li, Li, Liu
+  Robust     ///< parabola from the mean of the slopes at both ends along the mean normal
 };
 
-/** Height of the mean slope: half the difference of the slopes of both tangent planes along the edge, seen across \p mean,
- *  (n0.d / n0.mean - n1.d / n1.mean) / 2: positive where the surface is hollow. nullopt where an end's normal stands across
- *  \p mean or beyond: there is no slope then. */
+/** Height of the mean slope: half the difference of the slopes of both tangent planes along the edge, measured along \p mean,
+ *  (n0.d / n0.mean - n1.d / n1.mean) / 2: positive where the surface is hollow. nullopt if the normal at an end is perpendicular
+ *  to \p mean or points away from it: the slope is not defined then. */
 std::optional<double> meanSlope(const Eigen::Vector3d& d, const Eigen::Vector3d& n0, const Eigen::Vector3d& n1,
                                 const Eigen::Vector3d& mean);
 
-/** Bow along the mean normal n: meanSlope(d, n0, n1, n) n. On a sphere of radius rho an edge of the angle phi is off by
- *  rho phi^4 / 128 in the middle, the straight edge by rho phi^2 / 8. Zero where the normals differ by 90 degrees or more. */
+/** Bow along the mean normal n: meanSlope(d, n0, n1, n) n. On a sphere of radius rho, an edge of the angle phi has the error
+ *  rho phi^4 / 128 in the middle, the straight edge rho phi^2 / 8. Zero where the normals differ by 90 degrees or more. */
 Eigen::Vector3d robustBow(const Eigen::Vector3d& d, const Eigen::Vector3d& n0, const Eigen::Vector3d& n1);
 
-/** Bow with the control point where the edge's projections on both tangent planes meet: they are skew, so the middle of their
- *  nearest points. Zero where the projections run the same way. Source: Sun, Li, Li, Liu, High precision and fast generation
+/** Bow with the control point where the edge's projections on both tangent planes meet. They are skew, so the control point is
+ *  midway between their nearest points. Zero where they are parallel. Source: Sun, Li, Li, Liu, High precision and fast generation
  *  algorithm of NC tool path for triangular mesh surface, Trans. CSAM 41(7), 2010, equation (3). */
 Eigen::Vector3d publishedBow(const Eigen::Vector3d& d, const Eigen::Vector3d& n0, const Eigen::Vector3d& n1);
 
-/** Bow of a crease, where two surfaces meet with normals of their own at both ends: the edge bows in each surface as that
- *  surface does. Zero where the surfaces fold together or run on into each other (normals within 5 degrees of one line). */
+/** Bow of a crease, where two surfaces meet, each with its own normals at both ends. The edge bows in each surface as that
+ *  surface does. Zero where the surfaces fold together or continue each other (normals within 5 degrees of one line). */
 Eigen::Vector3d creaseBow(const Eigen::Vector3d& d, const Eigen::Vector3d& n0, const Eigen::Vector3d& n1,
                           const Eigen::Vector3d& m0, const Eigen::Vector3d& m1);
 
 /** Where a parabola reaches \p level, as u from 0 to 1, if its ends lie on both sides of it: v0 < level <= v1 or the other way
- *  round. \p v0 and \p v1 are a linear function's values at its ends, \p bow the function's value of the bow (without its
+ *  round. \p v0 and \p v1 are the values of a linear function at its ends; \p bow is the function's value of the bow (without the
  *  constant). There is exactly one such u, in closed form. */
 double parabolaCrossing(double v0, double v1, double bow, double level);
 

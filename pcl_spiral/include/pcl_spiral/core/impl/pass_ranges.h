@@ -1,5 +1,5 @@
 /** \file
- *  The passes of a path, between which the tool is lifted.
+ *  The passes of a path; the tool is lifted between them.
  */
 #pragma once
 
@@ -14,7 +14,7 @@ struct PassRange {
   std::size_t begin = 0, end = 0;
 };
 
-/** The passes of a path of \p points points; \p begins: where the second pass begins, and each further one. */
+/** The passes of a path of \p points points; \p begins: where the second and each later pass begins. */
 inline std::vector<PassRange>
 passRanges(const std::vector<std::size_t>& begins, std::size_t points)
 {
@@ -33,7 +33,7 @@ passOf(const std::vector<std::size_t>& begins, std::size_t i)
   return static_cast<std::size_t>(std::upper_bound(begins.begin(), begins.end(), i) - begins.begin());
 }
 
-/** Whether a pass but the first begins at point \p i: the move to it is a lift. */
+/** True if a pass other than the first begins at point \p i: the move to it is a lift. */
 inline bool
 beginsPass(const std::vector<std::size_t>& begins, std::size_t i)
 {

@@ -10,8 +10,8 @@
 
 namespace pcl_spiral {
 
-/** The quadratic form in which a small move across the feed has the length 1 when it is one step-over. Symmetric; units
- *  1/mm2. Single precision: 24 bytes, one a point of a surface. */
+/** A quadratic form: a small move across the feed has the length 1 if it is one step-over. Symmetric; units
+ *  1/mm2. Single precision: 24 bytes per point of a surface. */
 class StepOverMetric {
 public:
   StepOverMetric() = default;
@@ -27,7 +27,7 @@ public:
     return g_[0] * d.x() * d.x() + g_[1] * d.y() * d.y() + g_[2] * d.z() * d.z() +
            2.0 * (g_[3] * d.x() * d.y() + g_[4] * d.x() * d.z() + g_[5] * d.y() * d.z());
   }
-  /** Of the move \p d, mm, in step-overs. */
+  /** Length of the move \p d, mm, in step-overs. */
   double length(const Eigen::Vector3d& d) const { return std::sqrt(std::max(0.0, squaredLength(d))); }
 
   Eigen::Matrix3d
@@ -38,7 +38,7 @@ public:
     return m;
   }
 
-  /** share times this; sums of such shares are weighted means. */
+  /** This metric times \p share; sums of such shares are weighted means. */
   StepOverMetric
   times(double share) const
   {
@@ -59,7 +59,7 @@ private:
   std::array<float, 6> g_{}; ///< xx, yy, zz, xy, xz, yz
 };
 
-/** Between \p a and \p b at \p share of the way. */
+/** The metric at \p share of the way from \p a to \p b. */
 inline StepOverMetric
 between(const StepOverMetric& a, const StepOverMetric& b, double share)
 {
@@ -67,18 +67,18 @@ between(const StepOverMetric& a, const StepOverMetric& b, double share)
   return m += b.times(share);
 }
 
-/** The largest length in mm of a move that is one step-over long: 1 / sqrt of the least eigenvalue. */
+/** The largest length in mm of a move of one step-over: 1 / sqrt of the least eigenvalue. */
 double
 longestStepOver(const StepOverMetric& metric);
 
-/** Metric of a ball of \p radius that leaves \p scallop_height, where the surface has the unit \p normal and the principal
+/** Metric of a ball of \p radius that leaves \p scallop_height. There the surface has the unit \p normal and the principal
  *  curvatures k1 along \p direction1 and k2 across it, 1/mm, positive where convex:
  *
  *    G = (k1 + 1/R) d1 d1' + (k2 + 1/R) d2 d2' + (1/R) n n',   divided by 8 h (1 - h / 2R).
  *
- *  On a plane one step-over is exactly 2 sqrt(2 R h - h^2); where curved it is that of stepOverFirstOrder with the plane's
- *  second-order term. A curvature that leaves less than 0.05 / R counts as that: the ball hardly fits there, and step-overs
- *  are not made wider than 4.5 times those of a plane. */
+ *  On a plane one step-over is exactly 2 sqrt(2 R h - h^2). On a curved surface it is that of stepOverFirstOrder with the plane's
+ *  second-order term. A curvature that leaves less than 0.05 / R is replaced by that value: the ball hardly fits there, and
+ *  step-overs are at most 4.5 times those of a plane. */
 StepOverMetric
 stepOverMetric(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction1, double k1, double k2, double radius,
                double scallop_height);

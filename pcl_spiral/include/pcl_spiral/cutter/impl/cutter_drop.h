@@ -1,5 +1,5 @@
 /** \file
- *  A cutter brought down along its axis onto points.
+ *  Moves a cutter down along its axis onto points.
  */
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace pcl_spiral {
 
-/** Places as seen along a tool axis: across it, from the axis, and along it, from a point on it. */
+/** Places in the frame of a tool axis: across it, measured from the axis; along it, measured from a point on it. */
 struct AxisFrame {
   Eigen::Vector3d origin, e1, e2, axis;
 
@@ -40,13 +40,13 @@ struct AxisFrame {
   }
 };
 
-/** A box as seen along a tool axis. */
+/** A box in the frame of a tool axis. */
 struct AxisBox {
-  double nearest = 0.0; ///< of its places, to the axis: a bound
+  double nearest = 0.0; ///< lower bound of the distance of its places to the axis
   double low = 0.0, high = 0.0; ///< along the axis
 };
 
-/** Sees boxes along the axis of a frame, which must outlive it. */
+/** Puts boxes into the frame of an axis. The frame must outlive it. */
 class AxisView {
 public:
   explicit AxisView(const AxisFrame& frame)
@@ -70,7 +70,7 @@ private:
   Eigen::Vector3d a1_, a2_, a3_;
 };
 
-/** What a cutter coming down along its axis meets first. */
+/** The first contact of a cutter that moves down along its axis. */
 struct DropContact {
   bool found = false; ///< false: no point within the cutter's radius of the axis
   double height =
@@ -78,8 +78,8 @@ struct DropContact {
   std::uint32_t point = 0;                      ///< in the order of the blocks
 };
 
-/** Finds the points under a cutter, by exact search: a box of points is left out only where it lies beyond
- * the cutter's radius, or too low to be met. The blocks must outlive it. */
+/** Finds the points under a cutter by exact search: it skips a box of points only if the box
+ *  is beyond the cutter's radius, or too low to be touched. The blocks must outlive it. */
 class CutterDrop {
 public:
   CutterDrop(const PointBlocks& blocks, const CutterProfile& profile) : blocks_(blocks), profile_(profile) {}
@@ -95,8 +95,8 @@ public:
     return profile_;
   }
 
-  /** The location without gouge: over the points within R of the axis, the highest foot on the axis less the
-   * profile's height. Only points that hold the tip above \p floor count. */
+  /** The location without gouge: of all points within R of the axis, the highest foot on the
+   *  axis minus the height of the profile. Only points that hold the tip above \p floor count. */
   DropContact
   highest(const AxisFrame& frame, double floor = -std::numeric_limits<double>::infinity()) const
   {
@@ -112,13 +112,13 @@ public:
     return best;
   }
 
-  /** Call \p visit(point, height) for all points that hold the tip at \p floor or above, and some others
-   * below; \p floor is read anew all the time, so it may be raised on the way. */
+  /** Calls \p visit(point, height) for all points that hold the tip at \p floor or above, and
+   *  for some others below. \p floor is read again each time, so \p visit may raise it. */
   template <typename Visit>
   void
   visitAbove(const AxisFrame& frame, const double& floor, Visit visit) const
   {
-    constexpr double slack = 1e-9; // rounding never leaves a point out
+    constexpr double slack = 1e-9; // rounding never skips a point
     const AxisView view(frame);
     const double R = profile_.radius();
     const auto keep = [&](const Box& box) {

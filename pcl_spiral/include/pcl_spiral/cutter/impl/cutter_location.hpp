@@ -81,7 +81,7 @@ CutterLocation<PointT>::makeLocationSurface()
     return status;
   const Status made = this->prepareSurface(surface);
   if (made.code() == StatusCode::InvalidArgument || made.code() == StatusCode::Cancelled)
-    return made; // what was asked for is wrong; where the points form no surface, cutters stay off them all the same
+    return made; // a setting is wrong; if only the points form no surface, cutters still stay off them
   if (surface && surface->counts().guessed > 0)
     return {StatusCode::InvalidInput,
             textOf("the surface has ", surface->counts().guessed, " points that were put into gaps, where nothing is known: give "

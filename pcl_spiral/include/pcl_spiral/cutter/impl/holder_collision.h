@@ -1,5 +1,5 @@
 /** \file
- *  Shank and holder against the points of a scan.
+ *  Collision of shank and holder with the points of a scan.
  */
 #pragma once
 
@@ -8,9 +8,9 @@
 
 namespace pcl_spiral {
 
-/** The point that lies deepest in what holds the cutter. Lengths in mm. */
+/** The point that is deepest in the shank or holder. Lengths in mm. */
 struct HolderCollision {
-  int segment = -1;   ///< which one, from the cutter upwards; -1: none
+  int segment = -1;   ///< number of the part, from the cutter upwards; -1: none
   double depth = 0.0; ///< shortest way out of it, clearance included
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
   std::uint32_t cloud_index = 0;
@@ -22,8 +22,8 @@ struct HolderCollision {
   }
 };
 
-/** The deepest point of \p blocks, deeper than \p tolerance, when the tip stands at \p tip along the axis of
- * \p frame; by exact search. cloud_index is that of the blocks' original points. */
+/** The deepest point of \p blocks that is deeper than \p tolerance, with the tip at height \p tip along
+ *  the axis of \p frame. The search is exact. cloud_index is that of the original points of the blocks. */
 HolderCollision findCollision(const PointBlocks& blocks, const HolderProfile& holder, const AxisFrame& frame,
                               double tip, double tolerance);
 

@@ -1,5 +1,5 @@
 /** \file
- *  Locations close enough for the cutter to go straight from one to the next.
+ *  Adds locations until the cutter can go straight from one to the next.
  */
 #pragma once
 
@@ -11,30 +11,30 @@
 namespace pcl_spiral {
 
 struct BisectionSettings {
-  double tolerance = 0.01; ///< mm: no move cuts deeper than this into the surface, nor passes it farther off
-  int most_halvings = 12;  ///< of one move; one that is still beyond the tolerance then is reported
+  double tolerance = 0.01; ///< mm: no move cuts deeper than this into the surface, or leaves more than this above it
+  int most_halvings = 12;  ///< of one move; a move that is beyond the tolerance after these is reported
 };
 
-/** What a bisection came to, lengths in mm. */
+/** Result of a bisection. Lengths in mm. */
 struct BisectionFigures {
   std::size_t inserted = 0;
-  double largest_error = 0.0; ///< of all moves: a bound of what they cut, or what is left in the middle if that is
-                              ///< more; and what thinning moves on top
-  std::size_t unresolved = 0; ///< moves beyond the tolerance still, their error in largest_error
+  double largest_error = 0.0; ///< of all moves: a bound of what they cut, or what is left in
+                              ///< the middle if that is more; plus what thinning shifts
+  std::size_t unresolved = 0; ///< moves still beyond the tolerance; largest_error includes their error
   Eigen::Vector3d worst_place = Eigen::Vector3d::Zero(); ///< tip in the middle of the move with the largest error
   std::size_t not_judged = 0; ///< moves from or to a location without a cloud
 };
 
-/** Puts locations between those of \p passes, each in travel order, until no move errs by more than the tolerance.
+/** Adds locations between those of \p passes, each in travel order, until no move has an error above the tolerance.
  *
- *  The error of a move is what it may cut, by CutterLocator::moveError, or how far the cutter in its middle stands above where it
- *  would touch, whichever is more. Where that is too large the middle becomes a location: the axis is the sum of
- *  both axes, of unit length, and the cutter comes down along it through the middle of both tips. Source: Sun, Cui,
- *  Kang, Wang, five-axis NC toolpath generation from scattered points. Our additions: what is left is judged as
- *  well; and as the bound of clouds supposes the worst between two locations (a sharp edge on a slope needs them
- *  0.05 mm apart), moves are halved to half the tolerance, and then of the locations put in those go again without which
- *  the cutter moves by no more than the other half. What was given stays. The same for any number of threads.
- *  Fails as CutterLocator::locate does, and where a setting is out of range; \p passes are then as they were. */
+ *  The error of a move is what it may cut, see CutterLocator::moveError, or how far the cutter in the middle of the
+ *  move stands above the place where it would touch, whichever is more. Where the error is too large, the middle
+ *  becomes a location: its axis is the sum of both axes, of unit length, and the cutter comes down along it through
+ *  the middle of both tips. Source: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. Our
+ *  additions: material left is judged too. The bound for clouds assumes the worst between two locations (a sharp edge
+ *  on a slope needs them 0.05 mm apart). So moves are halved down to half the tolerance; then added locations are
+ *  removed again if the cutter shifts by no more than the other half. Given locations stay. The same for any number
+ *  of threads. Fails as CutterLocator::locate does, and on a setting out of range; \p passes are then unchanged. */
 Status bisectLocations(const CutterLocator& locator, const BisectionSettings& settings,
                        const ProgressCallback& progress, std::vector<ToolLocations>& passes,
                        BisectionFigures& figures);

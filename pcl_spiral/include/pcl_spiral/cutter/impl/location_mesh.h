@@ -1,5 +1,5 @@
 /** \file
- *  A mesh as cutters are located on it.
+ *  A mesh prepared for locating cutters on it.
  */
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace pcl_spiral {
 
-/** The faces of a mesh and its boundary edges, ready to be found. Lengths in mm. Memory: about 200 bytes a face, beside the
- *  mesh. */
+/** The faces and boundary edges of a mesh, prepared for searching.
+ *  Lengths in mm. Memory: about 200 bytes per face, plus the mesh. */
 class LocationMesh {
 public:
   explicit LocationMesh(const SurfaceMesh::ConstPtr& mesh);
@@ -31,7 +31,7 @@ public:
   {
     return rim_;
   }
-  /** The rounding of coordinates: two steps of single precision. */
+  /** Rounding of the coordinates: two steps of single precision. */
   double
   rounding() const
   {

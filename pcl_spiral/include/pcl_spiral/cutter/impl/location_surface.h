@@ -1,5 +1,5 @@
 /** \file
- *  A scan as cutters are located on it: obstacles, surface, rim.
+ *  A scan prepared for locating cutters on it: obstacles, surface, rim.
  */
 #pragma once
 
@@ -14,12 +14,12 @@
 
 namespace pcl_spiral {
 
-/** All points, which cutters must stay off; the surface through those that form one; and its rim. Lengths in
- * mm. */
+/** All points, which cutters must stay off; the surface through
+ *  those points that form one; and its rim. Lengths in mm. */
 class LocationSurface {
 public:
-  /** Obstacles are finite and different \p points; \p surface is made of them, or null where they form none: then \p why_none
-   * says why. \p source is the index of each point in its cloud; empty: all of it, in order. */
+  /** Obstacles are finite and distinct \p points. \p surface is made of them, or null if they form none; \p why_none
+   *  then gives the reason. \p source is the index of each point in its cloud; empty: all of the cloud, in order. */
   LocationSurface(std::vector<Eigen::Vector3f> points, std::vector<std::uint32_t> source, Surface::ConstPtr surface,
                   Status why_none);
   /** Obstacles are the points of \p surface and those that were left out of it. */
@@ -27,7 +27,7 @@ public:
   LocationSurface(const LocationSurface&) = delete; // shared
   LocationSurface& operator=(const LocationSurface&) = delete;
 
-  /** Every point, those off the surface too. */
+  /** Every point, also those off the surface. */
   const PointBlocks&
   obstacles() const
   {
@@ -48,23 +48,23 @@ public:
   {
     return surface_->fit();
   }
-  /** Points left out of the surface, not of the obstacles: alone off it. */
+  /** Outliers: points left out of the surface, but still obstacles. */
   std::size_t
   strayPoints() const
   {
     return surface_->counts().isolated + surface_->counts().speck;
   }
-  /** Corners of the triangulation's edges that have a triangle on one side only, along loops longer than
-   * eight spacings: beyond them, or in the gap they bound, nothing is known. */
+  /** Corners of the triangulation's edges that have a triangle on one side only, along loops
+   *  longer than eight spacings. Beyond them, or in the gap they bound, nothing is known. */
   const PointBlocks&
   rim() const
   {
     return rim_;
   }
 
-  /** How far single points may stand above the surface fitted to them, measured along its normal: five
-   * standard deviations of their noise, and the rounding of coordinates. A point higher than that is no
-   * noise. */
+  /** How far single points may stand above the surface fitted to them,
+   *  measured along its normal: five standard deviations of their noise, plus
+   *  the rounding of coordinates. A point higher than that is not noise. */
   double
   noiseAllowance() const
   {
@@ -82,14 +82,14 @@ public:
   {
     return source_.empty() ? i : source_[i];
   }
-  /** Whether a foot lies among the points, not over a gap between them. */
+  /** Whether a foot lies among the points, and not over a gap between them. */
   bool
   covers(const SurfaceFoot& foot) const
   {
     return foot.valid && foot.nearest_distance <= 1.5 * coveringRadius(foot.nearest);
   }
-  /** About point \p i of the surface's graph: largest circumradius of the triangles of its own and of its
-   * neighbours. No place of the surface near there is farther from the nearest point. */
+  /** Near point \p i of the surface's graph: largest circumradius of its own triangles and of those
+   *  of its neighbours. No place of the surface near there is farther from the nearest point. */
   double
   coveringRadius(std::uint32_t i) const
   {

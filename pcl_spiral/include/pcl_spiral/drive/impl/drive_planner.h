@@ -1,5 +1,5 @@
 /** \file
- *  Drive paths over a scan.
+ *  Plans drive paths over a scan.
  */
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace pcl_spiral {
 
-/** Passes over \p surface, as DrivePath describes them; null where DriveSettings::needsSurface() is false. */
+/** Passes over \p surface, as DrivePath describes them. \p surface is null if DriveSettings::needsSurface() is false. */
 Status planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const ProgressCallback& progress, DrivePasses& passes, DriveReport& report);
 
 /** Passes over \p mesh, as DrivePath::setInputMesh describes them. */

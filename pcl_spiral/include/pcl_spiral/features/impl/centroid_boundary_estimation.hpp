@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/core/impl/frame.h>
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
@@ -22,7 +23,7 @@ template <typename PointInT, typename PointNT, typename PointOutT>
 CentroidBoundaryEstimation<PointInT, PointNT, PointOutT>::CentroidBoundaryEstimation()
 {
   feature_name_ = "CentroidBoundaryEstimation";
-  angle_threshold_ = static_cast<float>(121.0 * M_PI / 180.0);
+  angle_threshold_ = static_cast<float>(121.0 * pi / 180.0);
   told_base_ = threadsOfBase(*this, 0);
 }
 

@@ -19,55 +19,55 @@ namespace pcl_spiral {
 
 /** How boundary points are put in order. */
 enum class LoopMethod {
-  HalfEdges, ///< free half-edges of the triangulation are linked: loops close at corners, gaps and thick bands too
-  Walk       ///< from point to nearest point, with a limit on turns, as published (Wu et al. 2025, section 1); fails there
+  HalfEdges, ///< links free half-edges of the triangulation: loops also close at corners, gaps and thick bands
+  Walk       ///< from point to nearest point, with limited changes of direction, as published (Wu et al. 2025, section 1); fails there
 };
 
 /** What counts as a boundary. */
 struct BoundaryOptions {
   LoopMethod method = LoopMethod::HalfEdges;
-  /** A flag a point, of those the graph was built from, in their order: not 0 for a boundary point. Empty: those on the
-   *  free half-edges. Linking half-edges, a loop stands when at least half of its points are marked. */
+  /** Flags, one per point that the graph was built from, in that order: not 0 for a boundary point. Empty: the points on
+   *  free half-edges. HalfEdges keeps a loop if at least half of its points are marked. */
   std::vector<std::uint8_t> marked;
   double max_turn = 90.0;          ///< theta_th of the walk, degrees
-  /** Shortest loop that is a real hole rather than a gap in the data, mm. 0: an eighth of the outer loop's length, and
-   *  more than largest_gap spacings across. */
+  /** Least length of a real hole, mm; shorter loops are gaps in the data. 0: an eighth of the length of the rim, and
+   *  wider than largest_gap spacings. */
   double min_hole_length = 0.0;
-  /** Least largest extent of a real hole, mm; then holes that the triangles close (ScanVoids) count too. 0: as above. */
+  /** Least width (largest extent) of a real hole, mm; holes that triangles cover (ScanVoids) then count too. 0: as above. */
   double min_hole_width = 0.0;
-  double largest_gap = 15.0;       ///< across, in spacings: with no length set, a hole no larger is a gap in the data
-  double shortest_loop = 8.0;      ///< in spacings: a shorter loop, or a thinner one than such a circle, is a flaw of
-                                   ///< the triangulation, and left out
-  double largest_left_out = largest_speck;///< share of the triangles a further part may have and still be left out; all of them
-                                   ///< together, ten times that
+  double largest_gap = 15.0;       ///< width in spacings: with no length set, a hole up to this width is a gap in the data
+  double shortest_loop = 8.0;      ///< in spacings: a loop that is shorter, or narrower than a circle of this length, is a flaw of
+                                   ///< the triangulation and is left out
+  double largest_left_out = largest_speck;///< largest share of the triangles of a further part that is left out; all such parts
+                                   ///< together: ten times that
   std::function<bool(double)> progress; ///< called with the share done; false cancels
 };
 
-/** What was left out on the way to the loops. */
+/** What was left out before the loops were made. */
 struct BoundaryCounts {
-  std::size_t left_out_parts = 0;     ///< specks apart from the surface
+  std::size_t left_out_parts = 0;     ///< clusters apart from the surface
   std::size_t left_out_triangles = 0; ///< in them
-  std::size_t left_out_points = 0;    ///< of these triangles alone
+  std::size_t left_out_points = 0;    ///< of these triangles only
   std::size_t left_out_loops = 0;     ///< see shortest_loop
-  std::size_t unmarked_loops = 0;     ///< less than half of their points among those marked
+  std::size_t unmarked_loops = 0;     ///< with less than half of their points marked
 };
 
-/** Boundaries of the largest edge-connected part of the surface: the outer one first, then by falling length.
+/** Boundaries of the largest edge-connected part of the surface: the rim first, then by decreasing length.
  *
- *  Loops that touch themselves at a point are split there. Fails when a second part is too large to be a speck, when
- *  there is no boundary at all, when the outer one is not among the points marked, when a walk ends before it comes back,
- *  and on options out of range.
+ *  Loops that touch themselves at a point are split there. Fails if a second part is too large to be a cluster, if
+ *  there is no boundary, if the rim is not among the marked points, if a walk ends before it returns to its start,
+ *  or if an option is out of range.
  */
 Status
 findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
                   BoundaryCounts* counts = nullptr);
 
-/** The same; indices are those of the cloud the surface was made of. */
+/** The same; indices refer to the cloud that the surface was made from. */
 Status
 findBoundaryLoops(const Surface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
                   BoundaryCounts* counts = nullptr);
 
-/** The same with a surface made for the purpose. */
+/** The same with a surface made for this call. */
 Status
 findBoundaryLoops(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
                   BoundaryCounts* counts = nullptr);

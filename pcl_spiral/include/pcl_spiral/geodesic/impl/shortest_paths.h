@@ -10,20 +10,20 @@
 
 namespace pcl_spiral {
 
-/** Where the refinement of a geodesic starts. */
+/** Start of the refinement of a geodesic. */
 enum class GeodesicStart {
-  Field, ///< steepest descent of a distance field: on the right side of every hill, close to the geodesic
+  Field, ///< steepest descent of a distance field: on the correct side of every hill, close to the geodesic
   Graph  ///< shortest path over edges
 };
 
-/** Geodesics from \p source to each of \p targets, in their order. Lines that were not found have no points, or
- *  left_surface set. The status is Failed if there is such a line, and names the first and what to do; Ok with a
- *  remark in the message when lines have not settled to the tolerance. */
+/** Geodesics from \p source to each of \p targets, in their order. Lines that were not found have no points, or have
+ *  left_surface set. The status is Failed if there is such a line, with the first one and the remedy in its message; Ok with a
+ *  remark in the message if lines have not converged to the tolerance. */
 Status
 shortestPaths(const MlsSurface& surface, const Eigen::Vector3d& source, const Polyline& targets, GeodesicStart start,
               const RefinementOptions& options, std::vector<GeodesicLine>& lines);
 
-/** Why \p options cannot be used; Ok when they can. */
+/** Why \p options cannot be used; Ok if they can. */
 Status
 checkRefinement(const RefinementOptions& options);
 

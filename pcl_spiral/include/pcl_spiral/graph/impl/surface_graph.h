@@ -1,5 +1,5 @@
 /** \file
- *  What one pass over a cloud's neighbourhoods finds: order, normals, spacing, triangles.
+ *  Results of one pass over the neighbourhoods of a cloud: order, normals, spacing, triangles.
  */
 #pragma once
 
@@ -11,19 +11,19 @@
 
 namespace pcl_spiral {
 
-/** How a SurfaceGraph is made. */
+/** Options of a SurfaceGraph. */
 struct SurfaceGraphOptions {
-  int neighbours = 32;           ///< in one neighbourhood; doubled as long as stars stay open (scan lines)
+  int neighbours = 32;           ///< in one neighbourhood; doubled while stars stay open (scan lines)
   double max_circumradius = 3.0; ///< of a triangle, in local spacings: larger empty circles are outside or holes
   std::optional<Eigen::Vector3d> view_point; ///< normals face it; absent: towards +z as a whole
   bool flip_normals = false;
-  std::vector<Eigen::Vector3f> given_normals; ///< one a point (zero: none), or empty: the side they face is the outer
+  std::vector<Eigen::Vector3f> given_normals; ///< one per point (zero: none), or empty; they face the outer side
 };
 
 /** A cloud in spatial order with oriented PCA normals, local spacing and a triangulation of local Delaunay stars.
  *
- *  Every stage of a spiral works on one of these, made once and shared. Points are finite and all different.
- *  Normals point out of the material, to the side the cutter is on.
+ *  Every stage of a spiral works on one such graph, made once and shared. Points are finite and all different.
+ *  Normals point out of the material, to the side of the cutter.
  */
 class SurfaceGraph {
 public:
@@ -31,9 +31,9 @@ public:
 
   SurfaceGraph() = default;
 
-  /** Make the graph. \p points must be finite; fails on fewer than 50, or when they do not form a surface. */
+  /** Make the graph. \p points must be finite. Fails on fewer than 50, or if they do not form a surface. */
   Status build(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options);
-  /** The same of points already in spatial order. */
+  /** The same for points already in spatial order. */
   Status build(PointBlocks blocks, const SurfaceGraphOptions& options);
 
   std::size_t size() const { return blocks_.size(); }
@@ -48,16 +48,16 @@ public:
   double spacing() const { return spacing_; }
   /** The same about point \p i. */
   double spacing(std::size_t i) const;
-  /** Points, as indices of what build was given, that stand alone off the surface: outliers to leave out. Ascending. */
+  /** Isolated points off the surface, as indices of the points given to build: outliers to leave out. Ascending. */
   const std::vector<std::uint32_t>& strayPoints() const { return stray_points_; }
-  /** Points, in the graph's order, that may be false or lie where the surface bends: what falsePoints() looks at. */
+  /** Points, in the graph's order, that may be spikes or lie where the surface bends. falsePoints() checks them. */
   const std::vector<std::uint32_t>& doubtfulPoints() const { return doubtful_points_; }
   const Triangulation& triangulation() const { return triangulation_; }
-  /** Forget the triangles, the larger half of the graph's memory, when only neighbourhoods are asked for from now on. */
+  /** Free the triangles, the larger half of the graph's memory, if only neighbourhoods are needed from now on. */
   void dropTriangulation() { triangulation_ = Triangulation(); }
-  /** Mean of the normals by area: the side the part shows as a whole; zero on a closed surface. */
+  /** Mean of the normals by area: the side that the part shows as a whole; zero on a closed surface. */
   Eigen::Vector3d meanNormal() const { return mean_normal_; }
-  /** Whether +z told the outer side clearly; if not, the convex side was taken. */
+  /** True if +z clearly gave the outer side. If false, the convex side was taken. */
   bool orientationIsClear() const { return orientation_is_clear_; }
 
 private:

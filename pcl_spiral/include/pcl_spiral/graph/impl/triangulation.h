@@ -20,13 +20,13 @@ public:
 
   Triangulation() = default;
   Triangulation(std::size_t point_count, const std::vector<Triangle>& triangles);
-  /** From its parts, which must fit together: \p opposite of each half-edge; half-edges that leave point v in \p outgoing
+  /** Made from its parts, which must fit together: \p opposite of each half-edge; half-edges that leave point v in \p outgoing
    *  from outgoing_begin[v] to outgoing_begin[v + 1]. */
   Triangulation(std::vector<Triangle> triangles, std::vector<std::uint32_t> opposite,
                 std::vector<std::uint32_t> outgoing_begin, std::vector<std::uint32_t> outgoing);
 
   /** Add triangles of the same points. Each half-edge is joined to one that faces it and has no neighbour yet, if there is
-   *  one: never more than two triangles meet in an edge, so that every turn about a point ends. */
+   *  one. Never more than two triangles meet at an edge, so that every walk around a point ends. */
   void append(const std::vector<Triangle>& triangles);
 
   std::size_t triangleCount() const { return triangles_.size(); }
@@ -43,7 +43,7 @@ public:
   std::uint32_t outgoingBegin(std::size_t v) const { return outgoing_begin_[v]; }
   std::uint32_t outgoing(std::size_t i) const { return outgoing_[i]; }
 
-  /** Closed runs of boundary half-edges, in order; the surface lies on their left. */
+  /** Closed sequences of boundary half-edges, in order; the surface lies on their left. */
   std::vector<std::vector<std::uint32_t>> boundaryLoops() const;
 
   /** Number of edge-connected parts, and the part of each triangle; part 0 has the most triangles. */

@@ -5,7 +5,7 @@
 
 namespace pcl_spiral {
 
-/** Unit of the coordinates in a file; inside, everything is millimetres. */
+/** Unit of the coordinates in a file; the library uses millimetres. */
 enum class LengthUnit { Millimetre, Metre, Inch };
 
 /** Millimetres in one \p unit. */

@@ -7,27 +7,27 @@
 
 namespace pcl_spiral {
 
-/** How far a block may lead the tool off the path. */
+/** How far a block may move the tool off the path. */
 struct BlockTolerance {
-  static constexpr double least_tip = 1e-4, least_axis = 1e-6; ///< below, blocks would have no end
+  static constexpr double least_tip = 1e-4, least_axis = 1e-6; ///< smaller ones would need blocks without end
   double tip = 0.002;  ///< mm
   double axis = 0.001; ///< radians
 };
 
-/** What the machine does at share \p t of a block: programmed axes go linearly; with RTCP these are the
- * tip's, without it the machine's own. */
+/** What the machine does at share \p t of a block: programmed axes move linearly.
+ *  With RTCP these are the axes of the tip, without RTCP those of the machine. */
 ToolPose interpolated(const Kinematics& kinematics, const MachineLocation& a, const MachineLocation& b,
                       double t);
 
-/** Locations put in between until the machine stays within \p tolerance of the straight move and the arc of
- * the axis, and no rotary axis turns by more than a quarter turn in a block. */
+/** Adds locations until the machine stays within \p tolerance of the straight move and the
+ *  arc of the axis, and no rotary axis turns by more than a quarter turn in a block. */
 MachineLocations splitBlocks(const Kinematics& kinematics, Branch branch, const MachineLocations& path,
                              const BlockTolerance& tolerance);
 
-/** Locations left out where the machine comes within \p tolerance of each without them: tip and axis
- * together, at the same share of the way. With RTCP the tolerance holds all along the path, between its
- * locations too; without, with that of splitBlocks on top. Ends stay. A tolerance of 0 keeps all but repeated
- * locations. */
+/** Leaves out locations if the machine, without them, comes within \p tolerance of each:
+ *  tip and axis together, at the same share of the way. With RTCP the tolerance holds along
+ *  the whole path, also between its locations. Without RTCP it holds plus the tolerance of
+ *  splitBlocks. Ends stay. A tolerance of 0 keeps all locations except repeated ones. */
 MachineLocations thinnedBlocks(const Kinematics& kinematics, const MachineLocations& path,
                                const BlockTolerance& tolerance);
 

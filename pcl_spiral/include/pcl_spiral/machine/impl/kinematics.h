@@ -9,23 +9,23 @@
 
 namespace pcl_spiral {
 
-/** Angles of the two rotary axes, radians: first the one nearer to the workpiece. Table-table and head-head
- * machines that are usual turn the tool about the workpiece's Z by the first (C) and tilt it by the second (A
- * or B). */
+/** Angles of the two rotary axes, radians: first is the axis nearer to the
+ *  workpiece. The usual table-table and head-head machines turn the tool about
+ *  the workpiece's Z by the first (C), and tilt it by the second (A or B). */
 struct RotaryAngles {
   double first = 0.0;
   double second = 0.0;
 };
 
-/** Of the two ways to reach a tool axis the one whose second angle is the larger, or the smaller: (A, C) or
- * (-A, C + 180). */
+/** Of the two ways to reach a tool axis, the one with the larger
+ *  or the smaller second angle: (A, C) or (-A, C + 180). */
 enum class Branch { Larger, Smaller };
 
-/** Kinematics of one machine. With u the tool axis seen from the workpiece, R rotations about the axes'
- * directions and s -1 for a table, +1 for a head: u = R(d1, s1 q1) R(d2, s2 q2) z. */
+/** Kinematics of one machine. With u the tool axis in the workpiece frame, R rotations about the
+ *  directions of the axes, and s = -1 for a table, +1 for a head: u = R(d1, s1 q1) R(d2, s2 q2) z. */
 class Kinematics {
 public:
-  /** \throw std::invalid_argument where checkMachine finds a fault */
+  /** \throw std::invalid_argument if checkMachine finds a fault */
   explicit Kinematics(Machine machine);
 
   const Machine&
@@ -34,25 +34,25 @@ public:
     return machine_;
   }
 
-  /** Tool axis seen from the workpiece, unit. */
+  /** Tool axis in the workpiece frame, unit. */
   Eigen::Vector3d toolAxis(const RotaryAngles& angles) const;
 
-  /** Angles for a unit tool axis; the second lies within half a turn of zero, the first too, and it is not a
-   * number where the tool axis lies along the first rotary axis to 1e-6 radians: there every angle does.
-   * Nothing where no angles reach \p axis. */
+  /** Angles for a unit tool axis. Both are within half a turn of zero. The first is
+   *  not a number if the tool axis is along the first rotary axis to 1e-6 radians:
+   *  there every first angle reaches it. Nothing if no angles reach \p axis. */
   std::optional<RotaryAngles> anglesOf(const Eigen::Vector3d& axis, Branch branch) const;
 
-  /** Angle between the tool axis and the pole, the line about which the first rotary axis turns; 0 to 90
-   * degrees, radians. */
+  /** Angle between the tool axis and the pole, the line about which
+   *  the first rotary axis turns; 0 to 90 degrees, in radians. */
   double poleAngle(const Eigen::Vector3d& axis) const;
 
-  /** X, Y, Z that are programmed without RTCP for the tip at \p tip in the workpiece's frame: where the tip
-   * would be in the program's frame if the rotaries were at zero. */
+  /** X, Y, Z as programmed without RTCP for the tip at \p tip in the workpiece frame:
+   *  where the tip would be in the frame of the program with the rotary axes at zero. */
   Eigen::Vector3d programmed(const Eigen::Vector3d& tip, const RotaryAngles& angles) const;
-  /** Back: the tip in the workpiece's frame. */
+  /** The reverse: the tip in the workpiece frame. */
   Eigen::Vector3d tipOf(const Eigen::Vector3d& programmed, const RotaryAngles& angles) const;
 
-  /** X, Y, Z of the gauge point in machine coordinates, which the limits speak of. */
+  /** X, Y, Z of the gauge point in machine coordinates, to which the limits apply. */
   Eigen::Vector3d
   gaugePoint(const Eigen::Vector3d& programmed) const
   {

@@ -12,48 +12,48 @@
 
 namespace pcl_spiral {
 
-/** A tool pose with the angles that reach it. */
+/** A tool pose and the angles that reach it. */
 struct MachineLocation {
   ToolPose pose;
-  RotaryAngles angles;     ///< unwound: the first may come to thousands of turns
+  RotaryAngles angles;     ///< unwound: the first may reach thousands of turns
   double arc_length = 0.0; ///< of the contacts up to here, mm
 };
 
 using MachineLocations = std::vector<MachineLocation>;
 
-/** A run of locations near the pole whose axes were blended for the first rotary axis to keep its rate. */
+/** A run of locations near the pole, whose axes were blended so that the first rotary axis keeps to its largest rate. */
 struct PoleZone {
-  std::size_t first_pose = 0; ///< of the path that came in
+  std::size_t first_pose = 0; ///< of the input path
   std::size_t last_pose = 0;
   double begin = 0.0; ///< arc length, mm
   double end = 0.0;
   double largest_change = 0.0; ///< of an axis, radians
 };
 
-/** How a path is laid on the rotary axes. */
+/** Settings of rotary angles along a path. */
 struct RotaryPathSettings {
   double feed = 1000.0; ///< at the contact, mm/min
-  double pivot = 0.0; ///< distance from the tip of the point on the axis that stays where it is as an axis is
-                      ///< blended: a ball's radius, mm
-  double pole_cone = 0.09; ///< axes are blended within this angle of the pole alone, radians
+  double pivot = 0.0; ///< distance from the tip to the point on the axis that stays in
+                      ///< place while an axis is blended: the radius of a ball, mm
+  double pole_cone = 0.09; ///< axes are blended only within this angle of the pole, radians
 };
 
 /** Angles of a whole path. */
 struct RotaryPath {
   Branch branch = Branch::Larger;
-  MachineLocations locations; ///< one a pose; axes and tips as blended
+  MachineLocations locations; ///< one per pose; axes and tips as blended
   std::vector<PoleZone> poles;
 };
 
-/** Angles for every pose of \p poses.
- *  - One branch for the whole path: Larger, or the other where it keeps more poses within the limits of the
- * second axis.
- *  - The first angle goes on from pose to pose the shorter way and is never folded; it starts nearest to
- * home.
- *  - The rate of the first axis grows without bound at the pole, as feed / distance. On moves where it would
- * be beyond its limit within the pole cone, the angle is led evenly from the one end of the run to the other,
- * or held where the run lies at an end of the path; the point at pivot on the axis stays where it was.
- *  \return InvalidInput naming the pose that is not finite or that no angles reach */
+/** Finds the angles for every pose of \p poses.
+ *  - One branch for the whole path: Larger; or the other, if it keeps more poses
+ *  within the limits of the second axis.
+ *  - The first angle continues from pose to pose by the shorter way and is never folded; it starts nearest to home.
+ *  - The rate of the first axis grows without bound at the pole, as feed / distance.
+ *  On moves within the pole cone where it would be beyond its limit, the angle
+ *  changes evenly from one end of the run to the other. If the run is at an end
+ *  of the path, the angle is held. The point at pivot on the axis stays in place.
+ *  \return InvalidInput with the pose that is not finite or that no angles reach */
 Status rotaryPath(const Kinematics& kinematics, const ToolPoses& poses, const RotaryPathSettings& settings,
                   RotaryPath& path);
 

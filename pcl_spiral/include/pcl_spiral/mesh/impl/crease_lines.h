@@ -1,5 +1,5 @@
 /** \file
- *  How far places are from the creases of a mesh.
+ *  Distances from the creases of a mesh.
  */
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace pcl_spiral {
 
-/** The creases of a mesh between faces that are both chosen, as lines to be searched. */
+/** The creases of a mesh between two chosen faces, as lines for searching. */
 class CreaseLines {
 public:
   /** \p chosen: not 0 for each face that counts; empty: all. */
@@ -21,13 +21,13 @@ public:
   CreaseLines& operator=(const CreaseLines&) = delete;
 
   bool empty() const { return line_.empty(); }
-  /** Of all creases, mm. */
+  /** Length of all creases, mm. */
   double length() const { return length_; }
-  /** Distance from the nearest crease, no more than \p limit. */
+  /** Distance from the nearest crease, at most \p limit. */
   double distance(const Eigen::Vector3d& p, double limit) const;
 
 private:
-  Polyline line_;                     ///< pieces of creases, joined where one does not begin at the end of the last
+  Polyline line_;                     ///< pieces of creases, joined where one does not begin at the end of the one before
   std::vector<std::uint8_t> is_joint_; ///< of the segment that begins here
   std::unique_ptr<MoveIndex> index_;
   double length_ = 0.0;

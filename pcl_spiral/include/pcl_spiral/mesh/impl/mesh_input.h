@@ -1,5 +1,5 @@
 /** \file
- *  What may be set beside a mesh where a cloud could be given as well.
+ *  Settings that are allowed with a mesh, if a cloud could be given as well.
  */
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace pcl_spiral {
 
-/** Ok, or a setting of clouds is not at its default, and has no meaning for a mesh. */
+/** Ok, or an error if a setting for clouds is not at its default: it has no meaning for a mesh. */
 inline Status
 checkBesideMesh(const SurfaceSettings& settings, bool with_normals, bool with_indices)
 {

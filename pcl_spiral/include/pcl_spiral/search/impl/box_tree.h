@@ -1,5 +1,5 @@
 /** \file
- *  Boxes halved again and again down to single ones.
+ *  A binary tree of boxes, halved down to single ones.
  */
 #pragma once
 
@@ -11,9 +11,9 @@
 
 namespace pcl_spiral {
 
-/** Items under a binary tree of their boxes: each node's items are halved across the longest side of the box of their boxes'
- *  middles. A node is a range of items; its number is that of its place when the tree is walked, the first half first. Memory:
- *  60 bytes an item. The same for any number of threads. */
+/** Items under a binary tree of their boxes. The items of each node are halved across the longest side of the box of the middles
+ *  of their boxes. A node is a range of items. Its number is its place when the tree is walked with the first half first. Memory:
+ *  60 bytes per item. The same for any number of threads. */
 class BoxTree {
 public:
   struct Node {
@@ -31,7 +31,7 @@ public:
   std::size_t size() const { return order_.size(); }
   Node root() const { return {0, 0, static_cast<std::uint32_t>(order_.size())}; }
   const Box& box(const Node& node) const { return boxes_[node.number]; }
-  /** Which of the boxes given stands at \p place in tree order. */
+  /** Index, among the given boxes, of the one at \p place in tree order. */
   std::uint32_t item(std::size_t place) const { return order_[place]; }
   /** The lowest item() of a node. */
   std::uint32_t lowestItem(const Node& node) const { return lowest_[node.number]; }

@@ -15,10 +15,10 @@
 
 namespace pcl_spiral {
 
-/** The segments of a polyline, halved again and again across the longest side of their box, under boxes in
- * single precision that are rounded outwards. Segments much longer than the mean stand in it piece by piece.
- * The polyline must outlive the index and stay as it is. Memory: 72 bytes a segment, at most half as much
- * again, beside the polyline.
+/** The segments of a polyline, halved repeatedly across the longest side of their box, under boxes in
+ * single precision that are rounded outwards. Segments much longer than the mean are stored in pieces.
+ * The polyline must outlive the index and must not change. Memory: 72 bytes per segment, at most half as much
+ * again, in addition to the polyline.
  */
 class MoveIndex {
 public:
@@ -26,11 +26,11 @@ public:
 
   std::size_t moves() const { return line_.size() < 2 ? 0 : line_.size() - 1; }
 
-  /** The nearest point of the segments to \p p, when it is nearer than \p distance, which becomes its distance. */
+  /** The point of the segments nearest to \p p, if it is nearer than \p distance, which then becomes its distance. */
   bool nearest(const Eigen::Vector3d& p, double& distance, Eigen::Vector3d& point) const;
 
-  /** Call \p test(move) for every segment that comes within \p radius() of \p p, the nearest boxes first. The
-   * radius may shrink as the search goes. A segment may come twice. */
+  /** Call \p test(move) for every segment within \p radius() of \p p, the nearest boxes first. The radius may
+   * shrink during the search. A segment may be passed twice. */
   template <typename Radius, typename Test>
   void
   search(const Eigen::Vector3d& p, const Radius& radius, const Test& test) const
@@ -71,7 +71,7 @@ public:
 private:
   static constexpr std::uint32_t leaf = 0x80000000u;
 
-  struct alignas(16) Box4 { // from origin_; the fourth is 0
+  struct alignas(16) Box4 { // relative to origin_; the fourth is 0
     std::array<float, 4> low, high;
   };
   struct Piece {
@@ -86,7 +86,7 @@ private:
     const Lanes low(box.low.data()), high(box.high.data());
     return (low - p).max(p - high).max(0.0f).square().sum();
   }
-  /** With room for what single precision loses. */
+  /** With a margin for the rounding of single precision. */
   float
   squared(double radius) const
   {

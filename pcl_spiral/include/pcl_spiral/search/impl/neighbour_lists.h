@@ -10,8 +10,8 @@
 
 namespace pcl_spiral {
 
-/** Neighbours of each point, as indices into the cloud, ascending. Symmetric: j is a neighbour of i iff i is
- * one of j. */
+/** Neighbours of each point, as ascending indices into the cloud. Symmetric: j is a neighbour of i iff i is
+ * a neighbour of j. */
 class NeighbourLists {
 public:
   /** The neighbours of one point, for a range-based for. */
@@ -46,7 +46,7 @@ public:
 
   NeighbourLists() = default;
 
-  /** The symmetric graph of directed edges: both directions of each, every neighbour once.
+  /** The symmetric graph of directed edges: each edge in both directions, every neighbour once.
    *  \param point_count of the graph
    *  \param edges pairs of different points below \p point_count, in any order */
   NeighbourLists(std::size_t point_count, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges);
@@ -68,7 +68,7 @@ public:
     return ends_.size() / 2;
   }
   bool contains(std::uint32_t i, std::uint32_t j) const;
-  /** The same graph for a cloud of \p point_count points, of which point i of this one is \p indices[i]. \p
+  /** The same graph for a cloud of \p point_count points, in which point i of this graph is \p indices[i]. \p
    * indices ascending. */
   NeighbourLists mapped(const std::vector<std::uint32_t>& indices, std::size_t point_count) const;
 

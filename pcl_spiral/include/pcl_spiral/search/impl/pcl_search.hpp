@@ -1,6 +1,6 @@
 /** \file
- *  Bodies of PCL's search structures, so that they exist for a user's own point type too. PCL compiles those of its own
- *  point types; declaring them here keeps every including file from compiling them again (35 s to 8 s a file).
+ *  Bodies of PCL's search structures, so that they exist for the user's own point types too. PCL compiles them for its own
+ *  point types. The declarations here keep every including file from compiling them again (35 s to 8 s a file).
  */
 #pragma once
 

@@ -65,13 +65,13 @@ struct Box {
   }
 };
 
-/** A position and where it stood before it was put in order. */
+/** A position, and its index before sorting. */
 struct IndexedPosition {
   float x, y, z;
   std::uint32_t index;
 };
 
-/** A range of items cut into 2^n blocks of as nearly the same size as can be, at most block_size each. */
+/** A range of items cut into 2^n blocks of sizes as equal as possible, at most block_size each. */
 class BlockPartition {
 public:
   static constexpr std::size_t block_size = 32;
@@ -82,7 +82,7 @@ public:
       ++halvings_;
   }
   std::size_t blocks() const { return items_ > 0 ? std::size_t(1) << halvings_ : 0; }
-  /** First item of a block; of the one past the last, the number of items. */
+  /** First item of a block; for the block past the last, the number of items. */
   std::size_t begin(std::size_t block) const { return block * items_ >> halvings_; }
   int halvings() const { return halvings_; }
 
@@ -91,8 +91,8 @@ private:
   int halvings_ = 0;
 };
 
-/** Put positions in spatial order: halved again and again across the longest side of their box, into the blocks of a
- *  BlockPartition. The order depends on the set of positions alone, not on the order they come in, nor on the number of
+/** Sort positions into spatial order: halve them repeatedly across the longest side of their box, into the blocks of a
+ *  BlockPartition. The order depends only on the set of positions, not on their input order or on the number of
  *  threads.
  */
 void
@@ -110,7 +110,7 @@ public:
   const Eigen::Vector3f& point(std::size_t i) const { return points_[i]; }
   Eigen::Vector3d position(std::size_t i) const { return points_[i].cast<double>(); }
   const std::vector<Eigen::Vector3f>& points() const { return points_; }
-  /** Where point \p i stood in the cloud the blocks were made from. */
+  /** Index of point \p i in the cloud that the blocks were made from. */
   std::uint32_t originalIndex(std::size_t i) const { return original_[i]; }
 
   std::size_t blockCount() const { return partition_.blocks(); }
@@ -118,7 +118,7 @@ public:
   std::size_t blockEnd(std::size_t block) const { return partition_.begin(block + 1); }
   const Box& blockBox(std::size_t block) const { return boxes_[blockCount() + block]; }
   const Box& box() const { return boxes_[1]; }
-  /** Median diagonal of the blocks' boxes: far larger ones hold points far off the others. */
+  /** Median diagonal of the blocks' boxes. Far larger boxes contain points far from the others. */
   float usualDiagonal() const { return usual_diagonal_; }
 
   /** Call \p visit(block) for every block under boxes that all pass \p keep(box), in a fixed order. */

@@ -19,7 +19,7 @@
 
 namespace pcl_spiral {
 
-/** Ok, or the first of \p indices (may be null) that is outside a cloud of \p size points. */
+/** Ok, or an error for the first of \p indices (may be null) that is outside a cloud of \p size points. */
 inline Status
 checkIndices(const pcl::Indices* indices, std::size_t size)
 {
@@ -31,22 +31,22 @@ checkIndices(const pcl::Indices* indices, std::size_t size)
   return Status::success();
 }
 
-/** Points chosen from a cloud: positions, and where each stands in the cloud. */
+/** Points selected from a cloud: positions, and the index of each in the cloud. */
 struct UsablePoints {
   std::vector<Eigen::Vector3f> positions;
   std::vector<std::uint32_t> source;
-  std::size_t asked_for = 0;  ///< of the whole cloud or its indices
-  std::size_t nonfinite = 0;  ///< of those, left out: NaN, infinite, or markers beyond 1e12
+  std::size_t asked_for = 0;  ///< in the whole cloud or its indices
+  std::size_t nonfinite = 0;  ///< of those, left out: NaN, infinite, or marker values beyond 1e12
   std::size_t duplicates = 0; ///< of those, left out: another point stands at the same place
 
-  /** Keep the points of ascending \p kept alone; returns how many are dropped. */
+  /** Keep only the points of ascending \p kept; returns how many are dropped. */
   std::size_t
   keep(const std::vector<std::uint32_t>& kept)
   {
     const std::size_t dropped = source.size() - kept.size();
     if (dropped == 0)
       return 0;
-    for (std::size_t i = 0; i < kept.size(); ++i) { // ascending: never over what is still to be read
+    for (std::size_t i = 0; i < kept.size(); ++i) { // ascending: never overwrites what is still to be read
       positions[i] = positions[kept[i]];
       source[i] = source[kept[i]];
     }
@@ -58,11 +58,11 @@ struct UsablePoints {
   }
 };
 
-/** Coordinates beyond this, mm, are no place of a part: some scanners write 1e20 or the largest number for "nothing". */
+/** Coordinates beyond this, mm, are not on a part: some scanners write 1e20 or the largest number for "nothing". */
 constexpr float farthest_coordinate = 1e12f;
 
-/** The finite points of \p cloud, or of those that \p indices name (null: all), in their order, one of each place: the
- *  first. Indices must be inside the cloud. */
+/** The finite points of \p cloud, or of those in \p indices (null: all), in their order. Of points at the same place only the
+ *  first is kept. Indices must be inside the cloud. */
 template <typename PointT>
 UsablePoints
 usablePoints(const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices)
@@ -83,7 +83,7 @@ usablePoints(const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices)
   return usable;
 }
 
-/** Normals of the points that \p source names; zero for those that are not finite. */
+/** Normals of the points in \p source; zero for those that are not finite. */
 template <typename PointNT>
 std::vector<Eigen::Vector3f>
 normalsOf(const pcl::PointCloud<PointNT>& normals, const std::vector<std::uint32_t>& source)

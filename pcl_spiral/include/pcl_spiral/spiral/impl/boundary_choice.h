@@ -1,5 +1,5 @@
 /** \file
- *  Which of a surface's loops a spiral runs between.
+ *  Chooses the loops between which a spiral runs.
  */
 #pragma once
 
@@ -11,16 +11,16 @@
 
 namespace pcl_spiral {
 
-/** One boundary: the rim alone. Two: the rim and an inner loop. They point into the loops they were chosen from. */
+/** One boundary: only the rim. Two: the rim and an inner loop. The pointers refer to the loops they were chosen from. */
 struct BoundaryChoice {
   const BoundaryLoop* rim = nullptr;
-  const BoundaryLoop* inner = nullptr; ///< null with one boundary, and with all
+  const BoundaryLoop* inner = nullptr; ///< null with one boundary, and with all boundaries
   std::vector<const BoundaryLoop*> kept; ///< holes that are boundaries: inner, or with AllBoundaries every real one
 };
 
-/** Choose the outer loop; where two boundaries are asked for the longest other loop, whatever its size; where Automatic finds
- *  a single real hole (LoopType::Inner), that; where all are asked for every real one. Fails without an outer loop, when two are asked for and there is no hole, and
- *  when Automatic finds several holes, which it names. */
+/** Choose the outer loop. With TwoBoundaries also the longest other loop, of any size; with Automatic a single real hole
+ *  (LoopType::Inner), if there is one; with AllBoundaries every real hole. Fails without an outer loop, with TwoBoundaries if there
+ *  is no hole, and with Automatic if there are several holes, which the message lists. */
 Status
 chooseBoundaries(const std::vector<BoundaryLoop>& loops, BoundaryMode mode, BoundaryChoice& choice);
 

@@ -23,45 +23,45 @@ struct LinkedPath;
 struct ScallopLoop;
 struct StepOverDistance;
 
-/** What a path at constant scallop height was made of and came to. Lengths in mm. */
+/** Parts and figures of a path at constant scallop height. Lengths in mm. */
 struct ScallopFigures {
-  std::size_t loops = 0;       ///< from the rims inward
-  std::size_t chain_loops = 0; ///< of the spiral from the outer rim to the innermost loop
-  std::size_t bridges = 0;     ///< loops beside it, joined to their neighbours by two narrow turns
+  std::size_t loops = 0;       ///< from the boundaries inward
+  std::size_t chain_loops = 0; ///< in the spiral from the rim to the innermost loop
+  std::size_t bridges = 0;     ///< loops beside it, each joined to a neighbour by two narrow turns
   std::size_t dots = 0;        ///< small loops that became a finger of a neighbour
-  std::vector<Polyline> lines;  ///< the loops, closed, thinned for pictures
+  std::vector<Polyline> lines;  ///< the loops, closed, simplified for pictures
   std::vector<Polyline> axes;   ///< of the fingers
   std::size_t fingers = 0;     ///< places where loops reach out so that no higher ridge is left
-  double reversed_share = 0.0; ///< of the path, travelled against the sense asked for, as loops beside the chain must be
-  std::size_t lifts = 0;       ///< from one pass to the next, where the sense asked for is kept everywhere
-  double lift_length = 0.0;    ///< of the straight ways between, which path lengths do not count
-  double least_length = 0.0;   ///< integral of dA / largest step-over, and half the rims: no path at this scallop is shorter
+  double reversed_share = 0.0; ///< of the path, travelled against the requested sense, as loops beside the chain must be
+  std::size_t lifts = 0;       ///< from one pass to the next, if the requested sense is kept everywhere
+  double lift_length = 0.0;    ///< of the straight moves between passes, which path lengths do not count
+  double least_length = 0.0;   ///< integral of dA / largest step-over, plus half the boundary length: least of any path at this scallop
   double smallest_step_over = 0.0, largest_step_over = 0.0; ///< mm: that the height allows along the path
-  double start_off = 0.0;      ///< mm: the path's end on the rim from the start point asked for
+  double start_off = 0.0;      ///< mm: distance of the path's end on the rim from the requested start point
   double rim_length = 0.0;     ///< mm
-  double turn_radius = 0.0;    ///< step-overs: all but 0.1 % of the path turn no sharper
+  double turn_radius = 0.0;    ///< step-overs: all but 0.1 % of the path have a larger radius
   double least_radius = 0.0;   ///< step-overs: of the sharpest turn
-  Eigen::Vector3d sharpest_place = Eigen::Vector3d::Zero(); ///< there
-  double farthest = 0.0;       ///< place of the surface farthest from the path, in step-overs; 0.5 leaves the height asked for
+  Eigen::Vector3d sharpest_place = Eigen::Vector3d::Zero(); ///< its place
+  double farthest = 0.0;       ///< largest distance of a place of the surface from the path, in step-overs; 0.5 leaves the requested height
   Eigen::Vector3d farthest_place = Eigen::Vector3d::Zero();
 };
 
-/** D on \p surface between the rims and holes among \p loops, each of type Outer or Inner: what class StepOverField gives.
+/** D on \p surface between the rim and holes among \p loops, each of type Outer or Inner: the output of class StepOverField.
  *  Settings used: tool radius, scallop height. */
 Status
 makeStepOverField(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
                   const ProgressCallback& progress, StepOverDistance& field);
 
-/** One path over \p loops (linkLoops), which have the surface on their left and the outer rim first, moved where it would leave
- *  more of \p field than asked for; with a null pointer it stays as it was linked. What class LoopLinking gives. Settings used:
- *  direction, sense, one way. Outward every pass runs outward, and the one along the outer rim comes last. */
+/** One path over \p loops (linkLoops), which have the surface on their left and the rim first. It is moved where it would leave
+ *  more of \p field than requested; with a null pointer it is not moved. The output of class LoopLinking. Settings used:
+ *  direction, sense, one way. With Outward every pass runs outward, and the one along the rim is last. */
 Status
 makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, const SpiralSettings& settings,
                 const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopFigures& figures);
 
-/** The curve of a path over \p surface between the rims and holes among \p loops, each of type Outer or Inner: distances from them
- *  in step-overs (makeStepOverField), loops that cover all (makeScallopLoops), one path over these (makeScallopPath), its points
- *  (samplePath). Settings used: tool radius, scallop height, chord error, longest step, direction, sense. */
+/** The curve of a path over \p surface between the rim and holes among \p loops, each of type Outer or Inner: distances from them
+ *  in step-overs (makeStepOverField), loops that cover everything (makeScallopLoops), one path over these (makeScallopPath), its
+ *  points (samplePath). Settings used: tool radius, scallop height, chord error, longest step, direction, sense. */
 Status
 planConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
                     const ProgressCallback& progress, StageClock& clock, SpiralTurns& turns, ScallopFigures& figures);

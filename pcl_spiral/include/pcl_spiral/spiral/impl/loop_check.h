@@ -1,5 +1,5 @@
 /** \file
- *  Whether loops from outside belong to a surface.
+ *  Checks whether the user's own loops belong to a surface.
  */
 #pragma once
 
@@ -12,17 +12,17 @@
 
 namespace pcl_spiral {
 
-/** Ok when \p loop, number \p index of those given, has points, a curve of three points or more, and corners among them. */
+/** Ok if \p loop, number \p index of those given, has points, a curve of three or more points, and corners among them. */
 Status
 checkLoopShape(const BoundaryLoop& loop, std::size_t index);
 
-/** The same, and all points are finite and within a few spacings of the cloud, and the surface lies on the loop's left, seen
- *  from outside the material. An outline drawn across the surface has points on both sides: there an Outer loop goes round
- *  its inside counter-clockwise, any other clockwise. */
+/** The same. Also all points are finite and within a few spacings of the cloud, and the surface lies on the left of the loop, seen
+ *  from outside the material. An outline drawn across the surface has points on both sides: there an Outer loop must run
+ *  counter-clockwise round its inside, any other loop clockwise. */
 Status
 checkLoop(const SurfaceGraph& graph, const BoundaryLoop& loop, std::size_t index);
 
-/** checkLoop of every loop. The message names the loop, the place and the remedy. */
+/** checkLoop of every loop. The message contains the loop, the place and the remedy. */
 Status
 checkLoops(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& loops);
 

@@ -1,5 +1,5 @@
 /** \file
- *  The spiral of Wu et al. 2025, to compare with.
+ *  The spiral of Wu et al. 2025, for comparison.
  */
 #pragma once
 
@@ -18,21 +18,21 @@
 
 namespace pcl_spiral {
 
-/** What the published chain came to. Lengths in mm. */
+/** Figures of the published method. Lengths in mm. */
 struct PublishedFigures {
   std::size_t lines = 0;
   std::size_t unsettled_lines =
       0; ///< geodesics that still moved sideways by more than the chord error at the end
-  double largest_line_move = 0.0;      ///< the most any of them still moved
+  double largest_line_move = 0.0;      ///< largest move of any of them at the end
   double largest_line_deviation = 0.0; ///< of a B-spline from the points it was fitted to
-  double step = 0.0;                   ///< (13)-(15): asked for between points of the path
-  double step_over = 0.0;              ///< (16): asked for between turns, along the lines
+  double step = 0.0;                   ///< (13)-(15): requested between points of the path
+  double step_over = 0.0;              ///< (16): requested between turns, along the lines
   std::size_t turns = 0;               ///< between the boundaries
-  double longest_move = 0.0;           ///< between points of the path, once on the surface
+  double longest_move = 0.0;           ///< between points of the path, on the surface
   double largest_axis_change = 0.0;    ///< degrees between neighbouring points
 };
 
-/** The published path as parallel arrays, what it was made from, and what it cost. */
+/** The published path as parallel arrays, with its inputs and its cost. */
 struct PublishedResult {
   std::vector<BoundaryLoop> loops;
   RadialLineSet lines;
@@ -48,8 +48,8 @@ struct PublishedResult {
 };
 
 /** A spiral by the method of Wu, Chai, Bo, Liu, Wang, "Spiral machining trajectory planning method based on
- * discrete point cloud construction of radial lines", China Mechanical Engineering 36(4), 2025: the baseline
- * that others are compared with.
+ * discrete point cloud construction of radial lines", China Mechanical Engineering 36(4), 2025: the reference
+ * for other methods.
  *
  *  | stage | equations |
  *  |---|---|
@@ -62,23 +62,23 @@ struct PublishedResult {
  *  | turns by arc length along the lines | (17)-(19) |
  *  | PCA normals, tilted about the feed; axes are not smoothed | |
  *
- *  Where it cannot work as printed, the corrected form is used: geodesics with their ends held; turns that
- * all lines share, each line's part in proportion to the rim, so that every turn ends where the next begins;
- * lines left out near the centre where they stand too close; the rim, and the inner loop of an annulus, gone
- * round once; points closer than the one step where turns bend more than the chord error allows. Everything
- * else is as published, and fails where that does, with a message that says where and how: nothing is mended
- * by other methods. Holes that are not bridged, lines that did not settle and places where the cutter gouges
- * are told in warnings. The centre, where none is given (balancedCentre), and the smooth outlines of loops
- * are those of this library: what is published says nothing of them.
+ *  Where the printed method cannot work, the corrected form is used: geodesics with fixed ends; turns that all
+ * lines share, each line's part in proportion to the rim, so that every turn ends where the next begins; lines
+ * left out near the centre where they are too close; one turn along the rim, and along the inner loop of an
+ * annulus; points closer than the one step where turns bend more than the chord error allows. Everything else
+ * is as published, and fails where the published method fails, with a message that gives place and cause: no
+ * other method repairs it. Warnings report holes that are not bridged, lines that did not converge and places
+ * where the cutter gouges. The centre, if none is given (balancedCentre), and the smooth outlines of loops
+ * are those of this library, because the publication does not define them.
  *
- *  Of \p settings it takes radius, scallop height, chord error, longest step, tilt and lead, centre, start
- * point, boundary mode, gap handling, direction and sense. Call within a ThreadLimit for a number of threads; the same
- * bytes for any. */
+ *  It uses these \p settings: radius, scallop height, chord error, longest step, tilt and lead, centre, start
+ * point, boundary mode, gap handling, direction and sense. Call it within a ThreadLimit to set the number of threads;
+ * the bytes are the same for any. */
 Status planPublished(const SurfaceGraph& graph, const SpiralSettings& settings,
                      const ProgressCallback& progress, PublishedResult& result);
 
-/** The same between \p loops that were found by other means, in place of equation (1) and the walk; refused where they do not
- * belong to the surface (checkLoops). */
+/** The same between given \p loops, instead of equation (1) and the walk. Refused if they do not belong to the
+ * surface (checkLoops). */
 Status planPublishedWithin(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& loops,
                            const SpiralSettings& settings, const ProgressCallback& progress,
                            PublishedResult& result);

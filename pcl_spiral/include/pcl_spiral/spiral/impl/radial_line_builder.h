@@ -1,5 +1,5 @@
 /** \file
- *  Radial lines from a surface's boundaries.
+ *  Makes radial lines from the boundaries of a surface.
  */
 #pragma once
 
@@ -16,13 +16,13 @@
 
 namespace pcl_spiral {
 
-/** What radial lines are made of. */
+/** Input of radial lines. */
 struct RadialLineRequest {
   const MlsSurface& surface;
   const BoundaryLoop& rim;
   const BoundaryLoop* inner = nullptr;        ///< second boundary, if any
   std::optional<Eigen::Vector3d> centre;      ///< one boundary only; absent: found
-  std::optional<Eigen::Vector3d> start_point; ///< line 0 ends at the rim nearest here; absent: a corner, or the farthest
+  std::optional<Eigen::Vector3d> start_point; ///< line 0 ends at the rim point nearest to it; absent: a corner, or the farthest
   LineMethod method = LineMethod::Automatic;
   double tolerance = 0.05;    ///< allowed error of a turn interpolated between lines, mm
   double fit_tolerance = 1e-3; ///< allowed distance of a line's B-spline from its points, mm
@@ -40,15 +40,15 @@ struct RadialLineSet {
   Polyline inner;                                   ///< closed, from line 0's start; empty with one boundary
   std::vector<std::size_t> inner_corners;
   double largest_interpolation_error = 0.0;         ///< measured between neighbouring lines, mm
-  bool centre_settled = true;                       ///< the search for the centre ended where it asked for no further move
+  bool centre_settled = true;                       ///< the search for the centre converged
 };
 
-/** Make the lines: coarse ones evenly along the rim and on each of its corners, then one in the middle of every gap
- *  until the rim in it is interpolated to the tolerance, and the last line found there was too: of geodesics from a centre,
- *  less what comes from the rim's own shape, to four times the tolerance, since the gap is half as wide then.
+/** Make the lines: coarse ones evenly along the rim and on each of its corners. Then add one in the middle of every interval until
+ *  the rim in it, and the last line found there, are interpolated to the tolerance. For geodesics from a centre, the last line needs
+ *  only four times the tolerance, without the effect of the rim's own shape, because the interval is then half as wide.
  *
- *  Lines are geodesics (between paired ends when there are two boundaries). Where those leave the surface, cross or
- *  jump, as they do behind re-entrant boundaries, all lines become gradient lines of the harmonic function between the
+ *  Lines are geodesics (between paired ends if there are two boundaries). Behind re-entrant boundaries they can leave the surface,
+ *  cross or jump. Then all lines become gradient lines of the harmonic function between the
  *  boundaries, which never cross.
  */
 Status

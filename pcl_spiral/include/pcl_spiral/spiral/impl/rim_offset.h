@@ -1,5 +1,5 @@
 /** \file
- *  Outlines moved off the rims of a surface.
+ *  Moves outlines off the rim and holes of a surface.
  */
 #pragma once
 
@@ -11,12 +11,12 @@
 
 namespace pcl_spiral {
 
-/** Move the outlines among \p loops: the outer one by \p overhang mm, above 0 beyond the rim and below 0 inside it, those of holes
- *  by \p hole_margin mm, 0 or more, away from the hole. Distances are taken along the surface. Other loops stay.
+/** Move the outlines among \p loops: the outer one by \p overhang mm, above 0 beyond the rim and below 0 inside it; those of holes
+ *  by \p hole_margin mm, 0 or more, away from the hole. Distances are measured along the surface. Other loops stay.
  *
- *  Inside, outlines are level lines of the distance from the rims: corners stay sharp, outlines that meet become one. Beyond the
- *  rim the surface is continued straight by points in rows (Surface::isGuessed), \p surface is replaced by one with them, and
- *  corners of the part are rounded with the overhang as radius. Fails, and changes nothing, where the surface falls into pieces or
+ *  Inside, outlines are level lines of the distance from the boundaries: corners stay sharp, and outlines that meet become one. Beyond
+ *  the rim, rows of points continue the surface straight (Surface::isGuessed). A surface with these points replaces \p surface, and
+ *  corners of the part are rounded with the overhang as radius. Fails, and changes nothing, if the surface falls into pieces or
  *  nothing is left of it. */
 Status
 offsetOutlines(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops, double overhang, double hole_margin);

@@ -26,7 +26,7 @@ ScallopLoops<PointT, PointNT>::runPasses(DrivePasses& passes)
   if (const Status status = checkSettings(this->settings_); !status.ok())
     return status;
   Surface::ConstPtr surface;
-  if (this->given_field_) // the surface is needed all the same
+  if (this->given_field_) // the surface is needed in this case too
     if (const Status status = this->prepareSurface(surface, partOf(this->progress_, 0.0, 0.3)); !status.ok())
       return status;
   ScallopLoopSet set;

@@ -1,5 +1,5 @@
 /** \file
- *  Settings that cannot be, and scans that do not fit them.
+ *  Checks settings, and whether the scan fits them.
  */
 #pragma once
 
@@ -12,11 +12,11 @@
 
 namespace pcl_spiral {
 
-/** Ok, or the setting that cannot be, with its value and remedy. */
+/** Ok, or an error with the invalid setting, its value and the remedy. */
 Status
 checkSettings(const SpiralSettings& settings);
 
-/** Ok, or the scan is smaller than the cutter, or asks for a path too large to be made. Adds scanWarnings to \p warnings. */
+/** Ok, or an error if the scan is smaller than the cutter or the path would be too large. Adds scanWarnings to \p warnings. */
 Status
 checkScale(const Surface& surface, const SpiralSettings& settings, std::vector<std::string>& warnings);
 

@@ -17,9 +17,9 @@ struct SpiralPoint {
   bool begins_pass = false; ///< the tool is lifted to it
 };
 
-/** The turns of a spiral as one curve: through line i of turn j at T_i = j + delta_i, delta_i the line's share of the
- *  rim, so that line n of turn j is line 0 of turn j + 1 exactly; then once round the rim (and first once round the inner
- *  loop, where there is one). Cubic between lines; a corner stays where a line ends on a corner of the rim.
+/** The turns of a spiral as one curve. It passes through line i of turn j at T_i = j + delta_i, with delta_i the line's share of the
+ *  rim. So line n of turn j is exactly line 0 of turn j + 1. Then follows one turn along the rim (and first one along the inner
+ *  loop, if there is one). Cubic between lines; a corner stays where a line ends on a corner of the rim.
  *  Source: Wu et al. 2025, equations (17)-(19), corrected.
  */
 class SpiralCurve {
@@ -27,15 +27,15 @@ public:
   SpiralCurve(const std::vector<RadialLine>& lines, const TurnFunction& turns, const SpiralSettings& settings,
               double spacing);
 
-  /** The outer rim, closed, from line 0 on, and which of its entries are corners. */
+  /** The rim, closed, from line 0 on, and which of its entries are corners. */
   void setRim(Polyline rim, std::vector<std::size_t> corners);
-  /** The inner loop in the same way; without it the surface has one boundary. */
+  /** The inner loop in the same way. Without it the surface has one boundary. */
   void setInner(Polyline inner, std::vector<std::size_t> corners);
 
   /** Points along the whole spiral, no farther apart than the chord error and the longest step allow. */
   std::vector<SpiralPoint> sample() const;
 
-  /** Longest step asked for anywhere, mm. */
+  /** Longest step allowed anywhere, mm. */
   double largestAllowedStep() const { return max_step_; }
 
 private:
@@ -43,9 +43,9 @@ private:
   struct Knot {
     Eigen::Vector3d position;
     double turn;
-    double step;  ///< longest linear move here, from the surface's curvature
+    double step;  ///< longest linear move here, from the curvature of the surface
     bool corner;  ///< the tangent may jump
-    bool anchor;  ///< a path point stands here, so that each turn is sampled by itself
+    bool anchor;  ///< a path point stands here, so that each turn is sampled separately
   };
   struct ClosedLoop {
     Polyline points;

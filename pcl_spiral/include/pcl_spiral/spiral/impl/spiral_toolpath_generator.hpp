@@ -100,7 +100,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOnLines(Surface::Cons
   report_.method = SpiralMethod::Radial;
   reportLines(lines, settings_, report_);
   const double area = surfaceArea(surface->graph());
-  dropTriangulation(surface); // the projection looks at neighbourhoods alone
+  dropTriangulation(surface); // the projection needs only neighbourhoods
   clock.end("radial lines");
   if (progress_ && !progress_(0.6, "spiral"))
     return {StatusCode::Cancelled, "cancelled"};

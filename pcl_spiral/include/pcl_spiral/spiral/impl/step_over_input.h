@@ -1,5 +1,5 @@
 /** \file
- *  What the stages of a path at constant scallop height have in common.
+ *  Input shared by the stages of a path at constant scallop height.
  */
 #pragma once
 
@@ -17,12 +17,12 @@ namespace pcl_spiral {
 
 struct StepOverDistance;
 
-/** Takes a cloud or a surface, see SurfaceInput, its loops, and what a step-over is measured by. Base of StepOverField. */
+/** Takes a cloud or a surface, see SurfaceInput, its loops, and the settings that define a step-over. Base of StepOverField. */
 template <typename PointT, typename PointNT = pcl::Normal>
 class StepOverInput : public SurfaceInput<pcl::PCLBase<PointT>, PointT, PointNT> {
 public:
-  /** Rims (Outer) and holes (Inner) of the surface, as BoundaryLoops or GapBridging give them, or a user's own: distances are
-   *  counted from all of them, and gaps of the scan are passed over. None, the default: they are found. */
+  /** The rim (Outer) and holes (Inner) of the surface, as BoundaryLoops or GapBridging gives them, or the user's own. Distances count
+   *  from all of them; gaps of the scan are crossed. None, the default: they are found. */
   void setBoundaryLoops(const std::vector<BoundaryLoop>& loops) { given_loops_ = loops; }
   const std::vector<BoundaryLoop>& getBoundaryLoops() const { return given_loops_; }
 
@@ -34,14 +34,14 @@ public:
   void setScallopHeight(double height) { settings_.scallop_height = height; }
   double getScallopHeight() const { return settings_.scallop_height; }
 
-  /** Called with the share done; returning false cancels. */
+  /** Called with the share done; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
-  /** Of the last compute: a scan too coarse or too rough for the scallop height. */
+  /** Warnings of the last compute: a scan too coarse or with too much noise for the scallop height. */
   const std::vector<std::string>& getWarnings() const { return warnings_; }
 
 protected:
-  /** The surface given, or one made of the cloud, and the field between its loops. */
+  /** The given surface, or one made from the cloud, and the field between its loops. */
   Status makeField(Surface::ConstPtr& surface, std::shared_ptr<const StepOverDistance>& field, const ProgressCallback& progress);
 
   std::vector<BoundaryLoop> given_loops_;
@@ -50,14 +50,14 @@ protected:
   std::vector<std::string> warnings_;
 };
 
-/** Takes a field in place of a cloud or a surface. Base of ScallopLoops and LoopLinking. */
+/** Takes a field instead of a cloud or a surface. Base of ScallopLoops and LoopLinking. */
 template <typename PointT, typename PointNT = pcl::Normal>
 class FieldInput : public StepOverInput<PointT, PointNT> {
 public:
   using FieldConstPtr = std::shared_ptr<const StepOverDistance>;
 
-  /** Work on this field, made by StepOverField: loops, radius and height that it was made with count. Null, the default: it is
-   *  made of the cloud or surface by the same rules. Both setInputCloud and setInputSurface forget it: call this after them. */
+  /** Work on this field, made by StepOverField, with the loops, radius and height it was made with. Null, the default: it is
+   *  made from the cloud or surface by the same rules. setInputCloud and setInputSurface clear it: call this after them. */
   void setInputField(const FieldConstPtr& field) { given_field_ = field; }
   FieldConstPtr getInputField() const { return given_field_; }
 
@@ -76,7 +76,7 @@ public:
   }
 
 protected:
-  /** The field given, or one made, and then its \p surface too. */
+  /** The given field, or one made, and then its \p surface too. */
   Status takeField(Surface::ConstPtr& surface, FieldConstPtr& field, const ProgressCallback& progress);
 
   FieldConstPtr given_field_;

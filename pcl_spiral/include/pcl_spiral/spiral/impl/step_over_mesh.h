@@ -15,7 +15,7 @@
 
 namespace pcl_spiral {
 
-/** A mesh that ends on the outlines of a surface exactly. Parallel arrays, one entry a node; mm. */
+/** A mesh that ends exactly on the outlines of a surface. Parallel arrays, one entry per node; mm. */
 struct StepOverMesh {
   Polyline positions;
   std::vector<Eigen::Vector3f> normals; ///< unit, out of the material
@@ -30,12 +30,12 @@ struct StepOverMesh {
 struct StepOverOptions {
   double tool_radius = 0.0;    ///< mm
   double scallop_height = 0.0; ///< mm
-  double reserve = 0.003;      ///< step-overs are this share narrower than the height allows
+  double reserve = 0.003;      ///< step-overs are narrower than the height allows by this share
 };
 
-/** The mesh of \p surface between \p outlines, which lie on it: points outside or close to an outline, and triangles that
- *  reach across one, are left out; the ragged edge that stays is joined to the outline. Fails where no edge of the surface
- *  runs along an outline, and on surfaces with handles. */
+/** The mesh of \p surface between \p outlines, which lie on it. Points outside or close to an outline, and triangles that cross
+ *  one, are left out; the ragged boundary that remains is joined to the outline. Fails if no boundary of the surface runs along an
+ *  outline, and on surfaces with handles. */
 Status
 makeStepOverMesh(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options,
                  StepOverMesh& mesh);

@@ -1,5 +1,5 @@
 /** \file
- *  How many turns lie between the start of a radial line and a place on it.
+ *  Number of turns between the start of a radial line and a place on it.
  */
 #pragma once
 
@@ -16,35 +16,35 @@ namespace pcl_spiral {
 /** The highest ridge that turns leave at corners. */
 struct CornerRidge {
   double height = 0.0;   ///< mm; the tool radius where material is left uncut; 0 without corners
-  double widening = 1.0; ///< how much farther apart the turns seem there than the step-over
-  double remedy = 0.0;   ///< mm: the scallop height whose turns leave ridges of the one asked for
+  double widening = 1.0; ///< distance of turns there, as a multiple of the step-over
+  double remedy = 0.0;   ///< mm: the scallop height whose turns leave ridges of the requested height
   Eigen::Vector3d corner = Eigen::Vector3d::Zero(); ///< of the outline
 };
 
 /** T_i(s) = integral over arc length of cos psi / l, for every radial line i.
  *
- *  l is the exact step-over for the normal curvature across the feed, psi the angle between the line and the normal of
- *  the contour (the turn's direction): what counts is the distance of turns across the feed. All lines share N turns, so
- *  what shapes the spiral is each line's share T_i(s) / T_i(L_i). It comes from contours of equal integral of 1 / l,
- *  smoothed across lines, for it may be any smooth function; then psi is measured on the contours of these shares,
- *  and N is the least that keeps every distance within l.
+ *  l is the exact step-over for the normal curvature across the feed. psi is the angle between the line and the normal of
+ *  the contour (the turn's direction): the distance of turns is measured across the feed. All lines share N turns, so the
+ *  share T_i(s) / T_i(L_i) of each line defines the spiral. It comes from contours of equal integral of 1 / l, smoothed
+ *  across lines; any smooth function is allowed. Then psi is measured on the contours of these shares, and N is the least
+ *  number that keeps every distance within l.
  *  Source: Wu et al. 2025, equations (16)-(19), corrected: pitch across the feed, turns shared by all lines.
  */
 class TurnFunction {
 public:
-  /** \p spacing of the cloud: contour directions are taken over at least twice that. The lines must outlive this. */
+  /** \p spacing of the cloud: contour directions are taken over at least twice this length. The lines must outlive this object. */
   TurnFunction(const std::vector<RadialLine>& lines, const SpiralSettings& settings, double spacing);
 
-  /** One \p step_over and one longest linear move \p step everywhere, mm, instead of those that the curvature and the chord
-   *  error ask for; then it is not looked at whether the cutter fits. For lengths that were found by other rules, as those
+  /** Use one \p step_over and one longest linear move \p step everywhere, mm, instead of those from curvature and chord
+   *  error. Then it is not checked whether the cutter fits. For lengths from other rules, as those
    *  of Wu et al. 2025, equations (13)-(16). */
   void setEvenSteps(double step_over, double step);
 
-  /** Ok, or where the cutter does not fit, or a line has left the surface (a foot between its ends that is not valid). At
-   *  an end that lies a little beyond the surface the foot next to it tells the curvature. */
+  /** Ok, or an error where the cutter does not fit or a line has left the surface (an invalid foot between its ends). At
+   *  an end that lies a little beyond the surface, the curvature is that of the next foot. */
   Status compute();
 
-  /** Smallest whole number of turns that keeps every pitch within the step-over. */
+  /** Least whole number of turns that keeps every pitch within the step-over. */
   std::size_t turns() const { return turns_; }
   /** Arc length on line \p i at turn \p tau, 0 to turns(). */
   double arcLengthAt(std::size_t i, double tau) const;
@@ -53,14 +53,14 @@ public:
   /** Longest linear move in the feed's direction at arc length \p s of line \p i, from the chord error. */
   double feedStepAt(std::size_t i, double s) const;
 
-  /** How large the spiral of these turns becomes: points by the surface's own curvature, and knots. */
+  /** Size of the spiral of these turns: points from the curvature of the surface itself, and knots. */
   PathSize pathSize() const;
 
-  /** Turns that lie l apart along the sides of a corner lie farther apart at it. Their tips are p apart along the corner's
+  /** Turns that lie l apart along the sides of a corner lie farther apart at the corner. Their tips are p apart along the corner's
    *  line, which makes angles alpha1 and alpha2 with the sides. The place farthest from both turns lies on the bisector of
-   *  the outer one, t from its tip, as far from the inner tip as from the outer's sides: with a = (alpha1 + alpha2) / 2, and
-   *  the line b = (alpha1 - alpha2) / 2 off the bisector, (t sin a)^2 = t^2 - 2 t p cos b + p^2. The first turn is not looked
-   *  at. */
+   *  the outer one, t from its tip, as far from the inner tip as from the sides of the outer one: with a = (alpha1 + alpha2) / 2,
+   *  and the line b = (alpha1 - alpha2) / 2 off the bisector, (t sin a)^2 = t^2 - 2 t p cos b + p^2. The first turn is not
+   *  checked. */
   CornerRidge highestCornerRidge() const;
 
   double smallestStepOver() const { return smallest_step_over_; }
@@ -68,7 +68,7 @@ public:
 
 private:
   struct Station {
-    double rate = 0.0;      ///< 1 / l, or cos psi / l; once integrated, the share's growth over the share of length
+    double rate = 0.0;      ///< 1 / l, or cos psi / l; after integration, the growth of the share per share of length
     double share = 0.0;     ///< T_i(s) / T_i(L_i)
     double feed_step = 0.0; ///< mm
   };
@@ -88,7 +88,7 @@ private:
   SpiralSettings settings_;
   double spacing_;
   double max_step_;
-  double even_step_over_ = 0.0; ///< 0: by curvature, and so are feed steps
+  double even_step_over_ = 0.0; ///< 0: from the curvature, as the feed steps
   std::vector<std::vector<Station>> stations_;
   std::size_t turns_ = 0;
   double smallest_step_over_ = 0.0, largest_step_over_ = 0.0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
@@ -15,7 +16,7 @@
 namespace pcl_spiral {
 namespace detail {
 
-/** Set what \p point has of a foot's position, normal and curvatures. */
+/** Set the fields of \p point from the position, normal and curvatures of a foot. */
 template <typename PointT>
 void
 setFoot(PointT& point, const SurfaceFoot& foot)
@@ -106,7 +107,7 @@ MLSProjector<PointInT, PointOutT>::run(std::vector<SurfaceFoot>& feet)
     return status;
   int neighbours = neighbours_;
   if (search_radius_ > 0.0) {
-    const double radius = search_radius_ / surface->spacing(), inside = std::round(M_PI * radius * radius);
+    const double radius = search_radius_ / surface->spacing(), inside = std::round(pi * radius * radius);
     if (inside < fewest)
       return {StatusCode::InvalidArgument,
               textOf("the search radius is ", search_radius_, " mm, where points lie ", surface->spacing(),
@@ -148,7 +149,7 @@ MLSProjector<PointInT, PointOutT>::write(const std::vector<SurfaceFoot>& feet, P
     made.width = cloud->width;
     made.height = cloud->height;
   }
-  output = std::move(made); // which may be the cloud that was projected
+  output = std::move(made); // output may be the cloud that was projected
 }
 
 template <typename PointInT, typename PointOutT>

@@ -1,5 +1,5 @@
 /** \file
- *  Places without points that the triangles of a surface close all the same.
+ *  Places without points that the triangles of a surface cover.
  */
 #pragma once
 
@@ -15,24 +15,24 @@ namespace pcl_spiral {
 struct ScanVoid {
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< its middle
   double width = 0.0;                              ///< its largest extent
-  std::vector<std::uint32_t> triangles;            ///< that close it, ascending
+  std::vector<std::uint32_t> triangles;            ///< that cover it, ascending
 };
 
 /** The voids of a surface.
  *
- *  An open loop needs empty circles of three spacings (SurfaceGraphOptions::max_circumradius); narrower holes are closed by large
- *  triangles. Among n points that lie at random, each with a share a of the surface, a given area A is empty with the
- *  probability exp(-A / a). So triangles with a wide empty circle are joined to clusters; a cluster off the edge of the surface is
- *  taken for a void where the largest of the circles or the triangles together cover A > (ln n + 9) a,
- *  which chance makes in about one scan of fifty. */
+ *  An open loop needs empty circles of three spacings (SurfaceGraphOptions::max_circumradius). Large triangles cover narrower
+ *  holes. Among n random points, each with a share a of the surface, a given area A is empty with the
+ *  probability exp(-A / a). So triangles with a wide empty circle are joined into clusters. A cluster away from the boundary
+ *  counts as a void if the largest of the circles, or the triangles together, cover A > (ln n + 9) a.
+ *  Chance produces one in about one scan of fifty. */
 class ScanVoids {
 public:
   ScanVoids() = default;
   explicit ScanVoids(const SurfaceGraph& graph);
 
-  /** In the order of their triangles. */
+  /** The voids, in the order of their triangles. */
   const std::vector<ScanVoid>& voids() const { return voids_; }
-  /** Whether \p place, the nearest point to which is \p nearest, lies in a void. */
+  /** True if \p place lies in a void; \p nearest is the point nearest to it. */
   bool contains(const Eigen::Vector3d& place, std::uint32_t nearest) const;
 
 private:
@@ -46,8 +46,8 @@ private:
   void addDiscs(const SurfaceGraph& graph, const ScanVoid& found);
 
   std::vector<ScanVoid> voids_;
-  std::vector<Disc> discs_; ///< empty circles of the voids' triangles
-  std::vector<Near> near_;  ///< discs about each point, by point
+  std::vector<Disc> discs_; ///< empty circles of the triangles in voids
+  std::vector<Near> near_;  ///< discs near each point, by point
 };
 
 } // namespace pcl_spiral

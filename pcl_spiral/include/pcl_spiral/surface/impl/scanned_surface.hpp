@@ -53,7 +53,7 @@ ScannedSurface<PointT, PointNT>::check() const
   return checkIndices(givenIndices(), size);
 }
 
-/** The statistical filter and thinning, with what they drop. */
+/** Run the statistical filter and thinning, and record what they drop. */
 template <typename PointT, typename PointNT>
 Status
 ScannedSurface<PointT, PointNT>::filter(UsablePoints& usable, SurfaceCounts& counts, std::vector<std::uint32_t>& dropped,
@@ -154,7 +154,7 @@ ScannedSurface<PointT, PointNT>::run(Surface::ConstPtr& surface)
   return Status::success();
 }
 
-/** When strict: the input normals tell a side only if nine in ten agree on it. */
+/** When strict: the input normals give a side only if nine in ten agree on it. */
 template <typename PointT, typename PointNT>
 Status
 ScannedSurface<PointT, PointNT>::checkSide(const Surface& surface) const

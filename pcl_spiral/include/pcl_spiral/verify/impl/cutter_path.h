@@ -1,5 +1,5 @@
 /** \file
- *  A toolpath as the figures are taken from it, and places on it.
+ *  A toolpath prepared for measuring, and places on it.
  */
 #pragma once
 
@@ -20,9 +20,9 @@ namespace pcl_spiral {
 struct CutterPath {
   Polyline contacts;
   std::vector<Eigen::Vector3d> normals; ///< unit, out of the material
-  std::vector<Eigen::Vector3d> axes;    ///< unit, tip to shank; empty when the path has none
-  std::vector<float> turns;             ///< turns made up to each point
-  std::vector<std::size_t> passes;      ///< where the second pass begins, and each further one: the move to it is a lift, and cuts nothing
+  std::vector<Eigen::Vector3d> axes;    ///< unit, from the tip to the shank; empty if the path has none
+  std::vector<float> turns;             ///< turns completed up to each point
+  std::vector<std::size_t> passes;      ///< where the second pass and each further one begin: the move there is a lift and does not cut
   std::size_t size() const { return contacts.size(); }
 };
 
@@ -33,7 +33,7 @@ struct PlacedValue {
   std::size_t index = 0; ///< of the path point, or of the first point of the move
 };
 
-/** Take \p value and its place where it is above \p largest. */
+/** Takes \p value and its place if it is above \p largest. */
 inline void
 raise(PlacedValue& largest, double value, const Eigen::Vector3d& position, std::size_t index)
 {
@@ -41,20 +41,20 @@ raise(PlacedValue& largest, double value, const Eigen::Vector3d& position, std::
     largest = {value, position, index};
 }
 
-/** Read a toolpath. Fails on none, fewer than two points, a point that is not finite, and a normal without
- * length; an axis without length at any point leaves the path without axes. \p passes: where the second pass begins, and each
- * further one; empty: by the arc lengths, see passBegins. Fails where they do not ascend within the path. */
+/** Reads a toolpath. Fails if there is none, on fewer than two points, a point that is not finite, and a normal of length
+ *  zero. An axis of length zero at any point leaves the path without axes. \p passes: where the second pass and each
+ *  further one begin; empty: found from the arc lengths, see passBegins. Fails if they do not ascend within the path. */
 Status
 readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterPath& path, const std::vector<std::size_t>& passes = {});
 
-/** Of all passes, mm. */
+/** Length of all passes, mm. */
 double
 cutLength(const CutterPath& path);
 
 /** How the path moves between lifts. Angles in degrees. */
 struct PathMotion {
   double length = 0.0;       ///< mm
-  std::size_t lifts = 0;     ///< between passes: no cuts
+  std::size_t lifts = 0;     ///< between passes, without cutting
   double lift_length = 0.0;  ///< mm
   PlacedValue gap;           ///< longest move, mm
   PlacedValue turn;          ///< largest angle between neighbouring moves

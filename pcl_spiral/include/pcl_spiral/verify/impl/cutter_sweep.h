@@ -13,23 +13,23 @@
 
 namespace pcl_spiral {
 
-/** How far something stands above a surface, mm, negative in the material, and the place of the surface nearest to it. */
+/** Height of something above a surface, mm, negative in the material, and the nearest place of the surface. */
 struct SurfaceHeight {
   double height = 0.0;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
 };
 
-/** A cutter of revolution at every point of a path, moved in straight lines from one point to the next but where it is lifted.
+/** A cutter of revolution at every point of a path, moved in straight
+ *  lines from one point to the next, except at lifts.
  *
- *  The search and the figures know a cutter by these functions alone; a profile other than the ball brings
- * its own class, which keeps the tool axes of the path if its shape needs them. Only the cutting part counts:
- * shank and holder are a matter for collision checks. Lengths in mm.
- */
+ *  Search and figures use only these functions of a cutter. A profile other than the ball
+ *  needs its own class, which keeps the tool axes of the path if its shape needs them. Only
+ *  the cutting part counts: shank and holder belong to collision checks. Lengths in mm. */
 class CutterSweep {
 public:
   virtual ~CutterSweep() = default;
 
-  /** The middle of a ball that holds the cutter, at every point of the path; move i goes from i to i + 1. */
+  /** The centre of a ball that contains the cutter, at every point of the path; move i goes from i to i + 1. */
   const Polyline& centres() const { return centres_; }
   std::size_t moves() const { return centres_.size() < 2 ? 0 : centres_.size() - 1; }
   /** Whether the cutter is lifted on \p move, and sweeps nothing. */
@@ -37,14 +37,14 @@ public:
   /** Radius of that ball. */
   double boundingRadius() const { return bounding_radius_; }
 
-  /** Lower \p t to the smallest t in [-start, t) at which x + t n lies in the solid swept along \p move; false, and
-   *  \p t kept, when there is none. \p n is unit. */
+  /** Lowers \p t to the smallest t in [-start, t) at which x + t n lies in the solid swept
+   *  along \p move. Returns false, and keeps \p t, if there is none. \p n is unit. */
   virtual bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start,
                      double& t) const = 0;
   /** Whether \p x lies in the solid swept along \p move. */
   virtual bool contains(std::size_t move, const Eigen::Vector3d& x) const = 0;
-  /** How high the cutter stands above the surface about \p foot, a quadric no wider than \p reach, when it is at the share
-   *  \p f of \p move; negative: how deep it cuts below it. */
+  /** Height of the cutter above the surface about \p foot, a quadric no wider than \p reach,
+   *  at the share \p f of \p move. Negative: how deep it cuts below the surface. */
   virtual SurfaceHeight lowest(std::size_t move, double f, const SurfaceFoot& foot, double reach) const = 0;
 
 protected:
@@ -59,11 +59,11 @@ private:
   std::vector<std::size_t> passes_;
 };
 
-/** A ball: each move sweeps a capsule, so every answer is exact and the tool axis has no say. */
+/** A ball: each move sweeps a capsule, so all answers are exact; the tool axis has no effect. */
 class BallSweep : public CutterSweep {
 public:
-  /** The centres stand a radius off the contacts, along the normals. One unit normal a contact. \p passes: points to which the
-   *  cutter is lifted. */
+  /** The centres are one radius off the contacts, along the normals. One unit
+   *  normal per contact. \p passes: points to which the cutter is lifted. */
   BallSweep(const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals, double radius,
             const std::vector<std::size_t>& passes = {});
 
@@ -73,8 +73,8 @@ public:
   SurfaceHeight lowest(std::size_t move, double f, const SurfaceFoot& foot, double reach) const override;
 };
 
-/** Height of \p p above the quadric about \p foot: signed distance, positive out of the material. Where the place nearest to it
- *  lies farther than \p reach from the foot, across the normal, that from the place on the way there that does not. */
+/** Height of \p p above the quadric about \p foot: signed distance, positive out of the material. If the nearest place is farther
+ *  than \p reach from the foot, across the normal, the distance is from the place on the way there that is within \p reach. */
 SurfaceHeight
 heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p, double reach);
 

@@ -8,7 +8,7 @@
 
 namespace pcl_spiral {
 
-/** Ok, or the heights, one a point of the cloud that the surface was made of, belong to another cloud than the one given. */
+/** Checks that the heights, one per point of the cloud of which the surface was made, belong to the cloud given. */
 template <typename PointT>
 Status
 MaterialRemoval<PointT>::checkCloud() const
@@ -32,7 +32,7 @@ MaterialRemoval<PointT>::write(const RemovalHeights& heights, pcl::PointCloud<pc
   std::vector<Eigen::Vector3f> places(this->input_ ? 0 : size, Eigen::Vector3f::Constant(none));
   for (std::size_t i = 0; i < heights.stock.size(); ++i) {
     const std::uint32_t at = surface.sourceIndex(i);
-    if (at >= size) // put into a gap
+    if (at >= size) // added in a gap
       continue;
     stock[at] = heights.stock[i];
     ridge[at] = heights.ridge[i];

@@ -1,5 +1,5 @@
 /** \file
- *  What the classes that judge a path have in common: the scan or the mesh it is judged by.
+ *  What the classes that judge a path have in common: the scan or mesh by which it is judged.
  */
 #pragma once
 
@@ -18,17 +18,17 @@ namespace pcl_spiral {
 
 /** Takes a reference (a cloud or a surface, see SurfaceInput, or a mesh) and a toolpath. Base of DeviationEstimation and MaterialRemoval.
  *
- *  The planner's own surface may be given (setInputSurface), which spares making one: its points are cleaned and oriented as
- *  the planner's, but the fit that judges is another one, see ReferenceSurface. */
+ *  You may give the planner's own surface (setInputSurface); then none has to be made. Its points are cleaned
+ *  and oriented as for the planner, but the fit that judges is a different one, see ReferenceSurface. */
 template <typename PointT>
 class ReferenceInput : public SurfaceInput<pcl::PCLBase<PointT>, PointT> {
 public:
   using ToolpathConstPtr = pcl::PointCloud<ToolpathPoint>::ConstPtr;
 
-  ReferenceInput() { this->scanned_.setStrict(false); } // a rough reference is judged by all the same, with a warning
+  ReferenceInput() { this->scanned_.setStrict(false); } // a rough reference is accepted, with a warning
 
-  /** Judge by samples of this mesh's curved surface; see ReferenceMesh and ReferenceSurface. Its faces tell the side: no view
-   *  point, nor what else belongs to scans, may be set. What is set last of cloud, surface and mesh counts. */
+  /** Judges by samples of the curved surface of this mesh; see ReferenceMesh and ReferenceSurface. Its faces give the
+   *  side: a view point or another setting for scans is refused. The last input set counts: cloud, surface or mesh. */
   void
   setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
   {
@@ -40,21 +40,21 @@ public:
   {
     forget();
     mesh_ = mesh;
-  }
-  /** The mesh made ready, as given or after compute; null without one. */
+  } ///< The same with a prepared mesh.
+  /** The prepared mesh, as given or after compute; null without one. */
   SurfaceMesh::ConstPtr getSurfaceMesh() const { return mesh_; }
 
-  /** How a PolygonMesh is made ready: creases, normals, side. */
+  /** How a PolygonMesh is prepared: creases, normals, side. */
   void setMeshSettings(const MeshSettings& settings) { mesh_settings_ = settings; }
   const MeshSettings& getMeshSettings() const { return mesh_settings_; }
 
-  /** Distance of the samples of a mesh, mm; 0, the default: defaultSampleSpacing. */
+  /** Distance between the samples of a mesh, mm; 0, the default: defaultSampleSpacing. */
   void setSampleSpacing(double spacing) { sample_spacing_ = spacing; }
   double getSampleSpacing() const { return sample_spacing_; }
 
-  /** The path to judge. Its points carry contact and normal; the axis is used where there is one. \p passes: where its second
-   *  pass begins, and each further one, to which the tool is lifted and cuts nothing on the way; empty, the default: where the arc
-   *  length stands still, see passBegins. */
+  /** The path to judge. Its points have contact and normal; the axis is used if there is one. \p passes:
+   *  where the second pass and each further one begin; the tool is lifted to these points and does not
+   *  cut on the way. Empty, the default: where the arc length does not grow, see passBegins. */
   void
   setInputToolpath(const ToolpathConstPtr& toolpath, std::vector<std::size_t> passes = {})
   {
@@ -68,12 +68,12 @@ public:
   void setChordError(double error) { chord_error_ = error; }
   double getChordError() const { return chord_error_; }
 
-  /** Called with the share done; returning false cancels. */
+  /** Called with the completed share; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
-  /** Judge by a fit made before, of the same cloud or surface: saves making it twice. \see getReferenceSurface. A null
-   *  pointer, the default: make it at every compute. setInputCloud, setInputSurface and setInputMesh forget it. Of a closed mesh the
-   *  fit is that of the faces its path touched. */
+  /** Judges by a fit made earlier of the same cloud or surface, so that it is not made twice. \see
+   *  getReferenceSurface. A null pointer, the default: made at every compute. setInputCloud, setInputSurface
+   *  and setInputMesh clear it. For a closed mesh, it is the fit of the faces that its path touched. */
   void setReferenceSurface(const std::shared_ptr<const ReferenceSurface>& surface) { given_reference_ = surface; }
   /** The fit of the last compute; null before. */
   std::shared_ptr<const ReferenceSurface> getReferenceSurface() const { return reference_; }
@@ -95,10 +95,10 @@ public:
   }
 
 protected:
-  /** Read the path and make the surface. */
+  /** Reads the path and makes the surface. */
   Status prepare(CutterPath& path);
   Status prepareMesh(const CutterPath& path);
-  /** Whatever reference was given. */
+  /** Clears any reference that was given. */
   void
   forget()
   {

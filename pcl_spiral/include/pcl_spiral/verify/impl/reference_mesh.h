@@ -1,5 +1,5 @@
 /** \file
- *  The part of a mesh that a path is judged by, as points.
+ *  The part of a mesh by which a path is judged, as points.
  */
 #pragma once
 
@@ -21,28 +21,28 @@ namespace pcl_spiral {
 
 /** Samples of the curved surface of a mesh, with its rims and creases.
  *
- *  Of an open mesh all faces are judged. Of a closed one, as a solid has it, those of the smooth areas, bounded by creases, on
- *  which a contact of the path lies, less the faces that look away from the cutter: more than 0.1 (the cosine) below
- *  the mean tool axis and every contact's normal. */
+ *  Of an open mesh all faces are judged. Of a closed mesh, such as a solid: the faces of the smooth
+ *  areas, bounded by creases, that have a contact of the path. Faces that look away from the cutter
+ *  are left out: more than 0.1 (the cosine) below the mean tool axis and the normals of all contacts. */
 class ReferenceMesh {
 public:
   using ConstPtr = std::shared_ptr<const ReferenceMesh>;
 
-  /** \p spacing of the samples; 0: defaultSampleSpacing. \p result is null on failure: more samples than memory holds, or a
-   *  closed mesh that the path does not touch. */
+  /** \p spacing of the samples; 0: defaultSampleSpacing. \p result is null on failure:
+   *  more samples than memory holds, or a closed mesh that the path does not touch. */
   static Status make(const SurfaceMesh::ConstPtr& mesh, const CutterPath& path, double spacing, ConstPtr& result);
 
   const SurfaceMesh& mesh() const { return *mesh_; }
   /** Not 0 for each face that is judged; empty: all are. */
   const std::vector<std::uint8_t>& faces() const { return faces_; }
   std::size_t faceCount() const;
-  /** Of the faces judged, mm^2. */
+  /** Area of the judged faces, mm^2. */
   double area() const;
   const pcl::PointCloud<pcl::PointNormal>::ConstPtr& samples() const { return samples_; }
   double spacing() const { return spacing_; }
   const std::vector<MeshRim>& rims() const { return rims_; }
   const CreaseLines& creases() const { return *creases_; }
-  /** What was left out, and found in the mesh, in words. */
+  /** What was left out of the mesh, and what was found in it, in words. */
   const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:

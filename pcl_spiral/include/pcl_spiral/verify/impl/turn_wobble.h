@@ -1,5 +1,5 @@
 /** \file
- *  How wavy a path is from turn to turn.
+ *  Waviness of a path from turn to turn.
  */
 #pragma once
 
@@ -10,20 +10,20 @@
 
 namespace pcl_spiral {
 
-/** Unevenness of neighbouring turns, mm. At a contact of turn t with the deviation d (along the surface normal, positive
- *  out of the material) it is d(t) - (d(t - 1) + d(t + 1)) / 2: half the second difference across the feed, the
- *  deviations of the turns beside taken at the same share of a turn, between their two nearest contacts. An error that
- *  the turns share, or that changes evenly across them, makes no wobble; independent errors of standard deviation s make
- *  one of 1.22 s rms. Where the deviation is measured from a scan, what the path and the reference have both from the same
- *  noise does not show: judge by a second scan to see it. */
+/** Unevenness of neighbouring turns, mm. At a contact of turn t with the deviation d (along the surface normal,
+ *  positive out of the material) it is d(t) - (d(t - 1) + d(t + 1)) / 2: half the second difference across the
+ *  feed. The deviations of the neighbouring turns are taken at the same share of a turn, between their two nearest
+ *  contacts. An error that is the same on all turns, or changes evenly across them, gives no wobble. Independent
+ *  errors of standard deviation s give a wobble of 1.22 s rms. If the deviation is measured from a scan, path and
+ *  reference may share the same noise, and that part does not show: judge by a second scan to see it. */
 struct TurnWobble {
-  std::size_t measured = 0; ///< contacts with a measured deviation on their turn and on both beside it
+  std::size_t measured = 0; ///< contacts with a measured deviation on their turn and on both neighbouring turns
   double rms = 0.0;
-  PlacedValue max; ///< the largest in amount, with its sign
+  PlacedValue max; ///< the largest in absolute value, with its sign
 };
 
-/** \p deviation: of each contact, NaN where it is not measured. Nothing is measured on a path without ascending turns, nor on one whose
- *  turns stand still along its passes, as rows that are counted have them. */
+/** \p deviation: of each contact, NaN where it is not measured. Nothing is measured on a path without
+ *  ascending turns, or on a path whose turn stays the same along each pass, such as counted rows. */
 TurnWobble
 turnWobble(const CutterPath& path, const std::vector<float>& deviation);
 

@@ -1,5 +1,5 @@
 /** \file
- *  Many lines for one actor of VTK. Header only: the program that includes it links VTK.
+ *  Many lines in one actor of VTK. Header only: the program that includes it links VTK.
  */
 #pragma once
 
@@ -29,7 +29,7 @@ public:
     colors_->SetName("Colors");
   }
 
-  /** A point of the line under way. One that is not finite is left out: the line goes on to the next. */
+  /** Adds a point to the current line. A point that is not finite is left out: the line goes on to the next point. */
   void
   add(const Eigen::Vector3d& place, const Color& color)
   {
@@ -40,7 +40,7 @@ public:
       colors_->InsertNextValue(static_cast<unsigned char>(std::lround(255.0 * share)));
   }
 
-  /** Ends the line under way; a closed one goes back to its start. One of a single point is not drawn. */
+  /** Ends the current line; a closed line goes back to its start. A line of a single point is not drawn. */
   void
   end(bool closed)
   {
@@ -51,14 +51,14 @@ public:
     run_.clear();
   }
 
-  /** Without any line. */
+  /** Whether there are no lines. */
   bool
   empty() const
   {
     return lines_->GetNumberOfCells() == 0;
   }
 
-  /** The lines that have ended. */
+  /** The finished lines. */
   vtkSmartPointer<vtkPolyData>
   data() const
   {

@@ -1,5 +1,5 @@
 /** \file
- *  The colours of boundary loops, on pictures and in viewers.
+ *  The colours of boundary loops, in pictures and viewers.
  */
 #pragma once
 
