@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # cmake --build BUILD --target doc: the public headers and the pages as HTML in BUILD/doc/html.
 find_program(DOXYGEN doxygen)
 if(NOT DOXYGEN)

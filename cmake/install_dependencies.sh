@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs the Debian packages that are missing: as root, through sudo, or by saying which they are.
 # Usage: install_dependencies.sh [build] [test] [display] [benchmark] [fuzz] [doc] [releases]
 # (build alone when nothing is named)

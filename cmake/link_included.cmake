@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Links a program of one source file to the libraries whose headers it includes.
 function(pcl_spiral_link_included target source)
   target_link_libraries(${target} PRIVATE pcl_spiral)

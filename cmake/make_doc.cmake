@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Documents a source tree as HTML, and fails where Doxygen has a warning.
 # Usage: cmake -DSOURCE_DIR=... -DOUTPUT_DIR=... [-DPROJECT_VERSION=... -DPROJECT_DESCRIPTION=...] -P make_doc.cmake
 set(PROJECT_NAME pcl_spiral)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The boundary loops of a cloud: a square of random points with a hole and a gap in the data, or a PCD file.
 #include <pcl_spiral/features/boundary_loops.h>
 
@@ -33,11 +34,9 @@ main(int argc, char** argv)
     return 1;
 
   for (const pcl_spiral::BoundaryLoop& loop : loops) {
-    const char* type = loop.type == pcl_spiral::LoopType::Outer   ? "outer"
-                       : loop.type == pcl_spiral::LoopType::Inner ? "inner"
-                                                                  : "scan gap";
-    std::printf("%-8s  length %8.2f mm, %zu points, curve of %zu, %zu corners\n", type, loop.length, loop.points.size(),
-                loop.curve.size(), loop.corners.size());
+    const char* type = loop.type == pcl_spiral::LoopType::Outer ? "outer" : loop.type == pcl_spiral::LoopType::Inner ? "inner" : "scan gap";
+    std::printf("%-8s  length %8.2f mm, %zu points, curve of %zu, %zu corners\n", type, loop.length, loop.points.size(), loop.curve.size(),
+                loop.corners.size());
   }
 
   // Boundary points from elsewhere, as CentroidBoundaryEstimation gives them; here those of the outer loop, to be walked.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A cubic B-spline through the points of a radial line: fewer knots than points, deviation, points at equal
 // steps.
 #include <pcl_spiral/core/bspline_fit.h>
@@ -21,13 +22,12 @@ main(int argc, char** argv)
     std::fprintf(stderr, "usage: example_bspline [TOLERANCE], mm, above 0\n");
     return 2;
   }
-  std::printf("%zu points, %zu spans, deviation max %.2e rms %.2e mm%s\n", points.size(), fit->curve.spans(),
-              fit->max_deviation, fit->rms_deviation, fit->within_tolerance ? "" : " (above the tolerance)");
+  std::printf("%zu points, %zu spans, deviation max %.2e rms %.2e mm%s\n", points.size(), fit->curve.spans(), fit->max_deviation,
+              fit->rms_deviation, fit->within_tolerance ? "" : " (above the tolerance)");
   std::printf("length %.6f mm\n", fit->curve.length());
   for (double s = 0.0; s < fit->curve.length(); s += 250.0) {
     const Eigen::Vector3d p = fit->curve.positionAt(s), t = fit->curve.tangentAt(s);
-    std::printf("s %7.1f  point %9.3f %9.3f %9.3f  tangent %6.3f %6.3f %6.3f\n", s, p.x(), p.y(), p.z(),
-                t.x(), t.y(), t.z());
+    std::printf("s %7.1f  point %9.3f %9.3f %9.3f  tangent %6.3f %6.3f %6.3f\n", s, p.x(), p.y(), p.z(), t.x(), t.y(), t.z());
   }
   return 0;
 }

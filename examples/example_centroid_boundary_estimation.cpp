@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Boundary points of a square with a round hole, by the three criteria.
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 
@@ -42,8 +43,7 @@ main()
         ++marked;
         stray += std::min(rim, std::hypot(p.x - 50, p.y - 50) - 15) > 3.0f;
       }
-    std::printf("%-12s %4d boundary points, %d of them more than 3 mm from an outline\n", c.name, marked,
-                stray);
+    std::printf("%-12s %4d boundary points, %d of them more than 3 mm from an outline\n", c.name, marked, stray);
   }
   std::printf("score of the first point: %.4f\n", estimation.getScores()[0]);
   return 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cutters on a wavy part of 200 x 200 mm that is known at points only, the tool leant 15 degrees: contacts reached and
 // lifted (hollows narrower than a flat or a large ball), what the cutter would have sunk between points, a chuck's collisions.
 #include <pcl_spiral/cutter/cutter_location.h>
@@ -21,9 +22,9 @@ locate(const char* name, const pcl_spiral::CutterShape& cutter, pcl_spiral::Cutt
   if (!location.getStatus().ok())
     return; // it has said why
   const pcl_spiral::LocationFigures& f = location.getFigures();
-  std::printf("%s: %zu of %zu contacts reached, %zu lifted by up to %.3f mm; %.3f mm sinking between points prevented\n",
-              name, f.count(pcl_spiral::LocationState::Reached), locations.size(),
-              f.count(pcl_spiral::LocationState::Lifted), f.largest_lift, f.largest_gap);
+  std::printf("%s: %zu of %zu contacts reached, %zu lifted by up to %.3f mm; %.3f mm sinking between points prevented\n", name,
+              f.count(pcl_spiral::LocationState::Reached), locations.size(), f.count(pcl_spiral::LocationState::Lifted), f.largest_lift,
+              f.largest_gap);
   for (const std::string& warning : f.warnings)
     std::printf("  warning: %s\n", warning.c_str());
   location.setLocationSurface(location.getLocationSurface()); // the next cutter needs no new one
@@ -41,8 +42,7 @@ main()
   pcl_spiral::DrivePoints drive; // contacts along lines, with their normals
   for (double y = -80.0; y <= 80.0; y += 4.0)
     for (double x = -80.0; x <= 80.0; x += 0.5) {
-      const Eigen::Vector3d normal(-0.4 * std::cos(0.05 * x) * std::cos(0.04 * y),
-                                   0.32 * std::sin(0.05 * x) * std::sin(0.04 * y), 1.0);
+      const Eigen::Vector3d normal(-0.4 * std::cos(0.05 * x) * std::cos(0.04 * y), 0.32 * std::sin(0.05 * x) * std::sin(0.04 * y), 1.0);
       drive.push_back({{x, y, height(x, y)}, {0.0, std::sin(0.26), std::cos(0.26)}, normal});
     }
 

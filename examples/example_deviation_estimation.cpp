@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far a path stands off a scan: example_deviation_estimation SCAN.pcd PATH [MAP.pcd]
 // PATH is a .csv, .pcd, .ply or .vtp toolpath; MAP gets its points with the deviation as intensity. Lengths in mm.
 #include <pcl_spiral/io/toolpath_reader.h>
@@ -38,11 +39,10 @@ main(int argc, char** argv)
   const pcl_spiral::DeviationFigures& f = estimation.getFigures();
   for (const std::string& warning : f.warnings)
     std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  std::printf("deviation: rms %.4f mm, p99 %.4f mm, greatest %.4f mm at point %zu\n", f.rms, f.p99, f.max.value,
-              f.max.index);
+  std::printf("deviation: rms %.4f mm, p99 %.4f mm, greatest %.4f mm at point %zu\n", f.rms, f.p99, f.max.value, f.max.index);
   std::printf("normals: greatest error %.2f deg at point %zu\n", f.normal_error.value, f.normal_error.index);
   std::printf("scan: noise %.4f mm a point, %.4f mm in the surface fitted to it\n", f.noise, f.fit_noise);
-  std::printf("motion: %.1f mm, longest move %.3f mm, sharpest turn %.2f deg, largest axis change %.2f deg\n",
-              f.motion.length, f.motion.gap.value, f.motion.turn.value, f.motion.axis_change.value);
+  std::printf("motion: %.1f mm, longest move %.3f mm, sharpest turn %.2f deg, largest axis change %.2f deg\n", f.motion.length,
+              f.motion.gap.value, f.motion.turn.value, f.motion.axis_change.value);
   return argc == 4 && pcl::io::savePCDFileBinary(argv[3], map) < 0 ? 1 : 0;
 }

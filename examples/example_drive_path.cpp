@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A column with a waist by one helix about its own axis; a wavy plate by section planes. Both with a ball.
 #include <pcl_spiral/core/profile_step.h>
 #include <pcl_spiral/cutter/cutter_location.h>
@@ -29,13 +30,11 @@ machine(const char* name, DrivePath<pcl::PointXYZ>& drive, const Cloud::Ptr& clo
   ToolLocations locations;
   location.compute(locations);
   const DriveReport& r = drive.getReport();
-  std::printf("%s: %zu passes %.3f mm apart, %zu points over %.1f m, of which %zu touch\n", name,
-              passes.size(), r.step_over, r.points, 0.001 * r.length,
-              location.getFigures().count(LocationState::Touching));
+  std::printf("%s: %zu passes %.3f mm apart, %zu points over %.1f m, of which %zu touch\n", name, passes.size(), r.step_over, r.points,
+              0.001 * r.length, location.getFigures().count(LocationState::Touching));
   if (r.column && !passes.empty())
-    std::printf("  the column's axis runs along (%.4f, %.4f, %.4f), its mean radius is %.3f mm\n",
-                r.column->cylinder.direction.x(), r.column->cylinder.direction.y(),
-                r.column->cylinder.direction.z(), r.column->radius);
+    std::printf("  the column's axis runs along (%.4f, %.4f, %.4f), its mean radius is %.3f mm\n", r.column->cylinder.direction.x(),
+                r.column->cylinder.direction.y(), r.column->cylinder.direction.z(), r.column->radius);
 }
 
 int

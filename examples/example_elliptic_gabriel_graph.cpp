@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Neighbour graph of a random cloud on a plane, at three axis ratios: the mean degree is 4 / alpha.
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
 
@@ -21,10 +22,8 @@ main()
     egg.compute(graph);
     if (!egg.getStatus().ok())
       return 1;
-    std::printf("alpha %.2f: %zu edges, mean degree %.3f (4 / alpha = %.3f), neighbours of point 0:", alpha,
-                graph.edgeCount(),
-                2.0 * static_cast<double>(graph.edgeCount()) / static_cast<double>(graph.size()),
-                4.0 / alpha);
+    std::printf("alpha %.2f: %zu edges, mean degree %.3f (4 / alpha = %.3f), neighbours of point 0:", alpha, graph.edgeCount(),
+                2.0 * static_cast<double>(graph.edgeCount()) / static_cast<double>(graph.size()), 4.0 / alpha);
     for (const auto neighbour : graph[0])
       std::printf(" %u", neighbour);
     std::printf("\n");

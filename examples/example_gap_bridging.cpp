@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A dome with a hole and two gaps in its scan: the hole stays, the gaps are bridged by points that are known to be guesses.
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
@@ -29,8 +30,8 @@ main()
     return 1; // it has said why, as bridging.getStatus() does
 
   for (const pcl_spiral::BridgedGap& gap : bridging.getGaps())
-    std::printf("gap at (%.1f, %.1f, %.1f), %.1f mm wide: %zu points; those about it lie %.5f mm from the patch\n",
-                gap.centre.x(), gap.centre.y(), gap.centre.z(), gap.width, gap.points, gap.residual);
+    std::printf("gap at (%.1f, %.1f, %.1f), %.1f mm wide: %zu points; those about it lie %.5f mm from the patch\n", gap.centre.x(),
+                gap.centre.y(), gap.centre.z(), gap.width, gap.points, gap.residual);
   for (const pcl_spiral::BoundaryLoop& loop : loops)
     std::printf("%s loop of %.1f mm\n", loop.type == pcl_spiral::LoopType::Outer ? "outer" : "inner", loop.length);
 
@@ -38,8 +39,7 @@ main()
   for (std::size_t i = 0; i < surface->size(); ++i)
     if (surface->isGuessed(i))
       error = std::max(error, std::abs(surface->position(i).norm() - radius));
-  std::printf("%zu of %zu points are guesses, at most %.5f mm off the sphere\n", surface->counts().guessed, surface->size(),
-              error);
+  std::printf("%zu of %zu points are guesses, at most %.5f mm off the sphere\n", surface->counts().guessed, surface->size(), error);
 
   bridging.setGapHandling(pcl_spiral::GapHandling::Refuse);
   bridging.setQuiet(true);

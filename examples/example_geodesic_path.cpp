@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Shortest paths over a dome from a point near its top to six points of its rim.
 #include <pcl_spiral/geodesic/geodesic_path.h>
 
@@ -34,7 +35,6 @@ main()
     return 1;
 
   for (std::size_t k = 0; k < paths.size(); ++k)
-    std::printf("to (%7.2f %7.2f): %8.4f mm, %zu points\n", rim[k].x(), rim[k].y(), geodesic.getLengths()[k],
-                paths[k].size());
+    std::printf("to (%7.2f %7.2f): %8.4f mm, %zu points\n", rim[k].x(), rim[k].y(), geodesic.getLengths()[k], paths[k].size());
   return 0;
 }

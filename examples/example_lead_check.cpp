@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A dome with a screw and false echoes: its spiral's leads are held against the scan, with the echoes and without them.
-#include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/cleaning/stray_removal.h>
+#include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/verify/lead_check.h>
 
@@ -46,8 +47,8 @@ main()
     check.setInputCloud(cloud);
     check.compute(program);
     const LeadFigures& f = check.getFigures();
-    std::printf("%s, %zu points: %zu of %zu moves off the path touch, by %.2f mm at most; %s\n", name, cloud->size(),
-                f.collided, f.moves, f.deepest.depth, check.getStatus().message().c_str());
+    std::printf("%s, %zu points: %zu of %zu moves off the path touch, by %.2f mm at most; %s\n", name, cloud->size(), f.collided, f.moves,
+                f.deepest.depth, check.getStatus().message().c_str());
   };
   look("all points", scan);
   StrayRemoval<pcl::PointXYZ> echoes;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a ball cutter leaves of a scan: example_material_removal SCAN.pcd PATH TOOL_RADIUS SCALLOP_HEIGHT [MAP.pcd]
 // PATH is a .csv, .pcd, .ply or .vtp toolpath; MAP gets the scan with stock (+) or gouge (-) as intensity. In mm.
 #include <pcl_spiral/io/toolpath_reader.h>
@@ -41,10 +42,9 @@ main(int argc, char** argv)
   const pcl_spiral::RemovalFigures& f = removal.getFigures();
   for (const std::string& warning : f.warnings)
     std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  std::printf("scallop: p50 %.4f, p99 %.4f, p99.9 %.4f, greatest %.4f mm; above %.4f mm: %.2f %%\n", f.scallop.p50,
-              f.scallop.p99, f.scallop.p999, f.scallop.max.value, f.limit, 100.0 * f.scallop.share_above);
-  std::printf("gouge: %.4f mm at path point %zu; uncut: %.2f %%\n", f.gouge.value, f.gouge.index,
-              100.0 * f.stock.uncutShare());
+  std::printf("scallop: p50 %.4f, p99 %.4f, p99.9 %.4f, greatest %.4f mm; above %.4f mm: %.2f %%\n", f.scallop.p50, f.scallop.p99,
+              f.scallop.p999, f.scallop.max.value, f.limit, 100.0 * f.scallop.share_above);
+  std::printf("gouge: %.4f mm at path point %zu; uncut: %.2f %%\n", f.gouge.value, f.gouge.index, 100.0 * f.stock.uncutShare());
   std::printf("length: %.1f mm, %.1f %% efficient\n", f.path_length, 100.0 * f.efficiency);
   return argc == 6 && pcl::io::savePCDFileBinary(argv[5], map) < 0 ? 1 : 0;
 }

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Section rows over a triangle mesh, kept to a scallop and joined, and the cutter that stands on them.
 // Usage: example_mesh_sections MESH.stl
+#include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/mesh/mesh_sections.h>
-#include <pcl_spiral/cutter/cutter_location.h>
 
 #include <cstdio>
 #include <exception>
@@ -16,12 +17,12 @@ try {
 
   pcl_spiral::MeshSections sections;
   sections.setInputMesh(file.mesh);
-  sections.setPlaneNormal({0.0, 1.0, 0.0});           // rows along x
-  sections.setRows(pcl_spiral::DriveRows::Kept);      // as close as the scallop asks
-  sections.setScallop(5.0, 0.01);                     // mm: radius of the ball, height of the ridges
-  sections.setChordError(0.001);                      // mm
+  sections.setPlaneNormal({0.0, 1.0, 0.0});      // rows along x
+  sections.setRows(pcl_spiral::DriveRows::Kept); // as close as the scallop asks
+  sections.setScallop(5.0, 0.01);                // mm: radius of the ball, height of the ridges
+  sections.setChordError(0.001);                 // mm
   sections.setLinkRows(true);
-  sections.setFacing(true);                           // what looks away from the tool axis is left out
+  sections.setFacing(true); // what looks away from the tool axis is left out
   pcl_spiral::DrivePasses passes;
   sections.compute(passes);
   if (!sections.getStatus().ok())

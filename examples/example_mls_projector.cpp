@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A noisy cloud of a sphere of radius 100 mm, projected onto its surface: distances from the sphere before and after,
 // and the curvature radii found.
 #include <pcl_spiral/surface/mls_projector.h>
@@ -37,7 +38,7 @@ main()
     ++count;
   }
   std::printf("noise found %.4f mm, %d neighbours in a fit\n", projector.getNoise(), projector.getNeighboursUsed());
-  std::printf("off the sphere, rms: %.4f mm before, %.4f mm after; mean curvature radius %.2f mm\n",
-              std::sqrt(before / count), std::sqrt(after / count), count / curvature);
+  std::printf("off the sphere, rms: %.4f mm before, %.4f mm after; mean curvature radius %.2f mm\n", std::sqrt(before / count),
+              std::sqrt(after / count), count / curvature);
   return 0;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The figure of README's "Short on any outline", outlines.png in the current folder: xvfb-run -a example_outline_pictures
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/visualization/add_toolpath.h>

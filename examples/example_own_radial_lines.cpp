@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A stage of one's own: radial lines by formula, meridians of a sphere, where RadialLines would have made geodesics.
 #include <pcl_spiral/core/bspline_fit.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
@@ -13,8 +14,7 @@ main()
 {
   const double radius = 150.0, reach = 0.5; // of the sphere, mm; of its cap, from the pole, in radians
   const auto at = [&](double polar, double azimuth) -> Eigen::Vector3d {
-    return {radius * std::sin(polar) * std::cos(azimuth), radius * std::sin(polar) * std::sin(azimuth),
-            radius * std::cos(polar)};
+    return {radius * std::sin(polar) * std::cos(azimuth), radius * std::sin(polar) * std::sin(azimuth), radius * std::cos(polar)};
   };
   pcl::PointCloud<pcl::PointXYZ>::Ptr scan(new pcl::PointCloud<pcl::PointXYZ>);
   std::mt19937 random(1);

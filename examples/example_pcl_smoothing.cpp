@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // PCL's own smoothing before the first stage, and MLSProjector in its place: both are pcl::CloudSurfaceProcessing.
-#include <pcl_spiral/surface/mls_projector.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
+#include <pcl_spiral/surface/mls_projector.h>
 
 #include <pcl/surface/mls.h>
 
@@ -42,8 +43,7 @@ main()
     double error = 0.0;
     for (const pcl_spiral::ToolpathPoint& point : path)
       error = std::max(error, std::abs(point.getVector3fMap().cast<double>().norm() - radius));
-    std::printf("%s: %zu turns, at most %.4f mm off the sphere\n", stage == &theirs ? "PCL's" : "ours",
-                spiral.getReport().turns, error);
+    std::printf("%s: %zu turns, at most %.4f mm off the sphere\n", stage == &theirs ? "PCL's" : "ours", spiral.getReport().turns, error);
     if (path.empty())
       return 1; // it has said why
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Radial lines over a square patch of a sphere: geodesics from its centre to the rim, one on every corner.
 #include <pcl_spiral/spiral/radial_lines.h>
 
@@ -32,8 +33,8 @@ main()
     if (line.level > 0)
       continue; // the coarse lines; finer ones stand between them
     const Eigen::Vector3d end = line.curve.positionAt(line.length());
-    std::printf("to (%7.2f %7.2f %7.2f): %7.3f mm, %2zu spans, off its points by %.5f mm%s\n", end.x(), end.y(), end.z(),
-                line.length(), line.curve.spans(), line.deviation, line.corner ? ", a corner" : "");
+    std::printf("to (%7.2f %7.2f %7.2f): %7.3f mm, %2zu spans, off its points by %.5f mm%s\n", end.x(), end.y(), end.z(), line.length(),
+                line.curve.spans(), line.deviation, line.corner ? ", a corner" : "");
   }
   return 0;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From a scan of a part to rows of a laser spot over one of its ridges, with a few rough points on the ridge.
 // Usage: example_ridge_lines SCAN HALF_WIDTH X Y Z X Y Z ...
 #include <pcl_spiral/io/cloud_reader.h>
@@ -26,7 +27,8 @@ try {
   if (!lines.getStatus().ok())
     return std::fprintf(stderr, "%s\n", lines.getStatus().message().c_str()), 1;
   const pcl_spiral::ScanRidgeReport& found = lines.getReport();
-  std::printf("%zu sections, off by %.4f mm rms, %.4f at most; the scan scatters by %.4f\n", found.sections, found.misfit, found.largest_misfit, found.noise);
+  std::printf("%zu sections, off by %.4f mm rms, %.4f at most; the scan scatters by %.4f\n", found.sections, found.misfit,
+              found.largest_misfit, found.noise);
   for (const std::string& warning : found.warnings)
     std::printf("warning: %s\n", warning.c_str());
 

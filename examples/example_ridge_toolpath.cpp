@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rows of a laser spot over a ridge of which two lines were measured: along it, and once across.
 // Usage: example_ridge_toolpath RAIL GENERATOR
 #include <pcl_spiral/io/cloud_reader.h>
@@ -14,9 +15,9 @@ try {
   pcl_spiral::RidgeToolpath<pcl::PointXYZ> ridge;
   ridge.setInputCloud(pcl_spiral::readCloud(argv[1]).cloud);
   ridge.setInputGenerator(pcl_spiral::readCloud(argv[2]).cloud);
-  ridge.setSpot(4.0, 0.25);     // mm, share that the next row covers again
-  ridge.setStandOff(10.0);      // mm
-  ridge.setPointSpacing(0.5);   // mm
+  ridge.setSpot(4.0, 0.25);   // mm, share that the next row covers again
+  ridge.setStandOff(10.0);    // mm
+  ridge.setPointSpacing(0.5); // mm
   ridge.setQuiet(true);
   pcl_spiral::DrivePasses rows;
   ridge.compute(rows);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A bent plate with two holes: closed loops one step-over apart, and by hand one path over them.
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/path_sampling.h>
@@ -46,8 +47,8 @@ main()
   linking.setInputLoops(set.loops);
   LinkedPath path; // and linked to one
   linking.compute(path);
-  std::printf("one path: %zu loops in a spiral, %zu beside it, %.0f mm; no path is shorter than %.0f mm\n", path.chain_loops,
-              path.bridges, length(path.points), field->least_length);
+  std::printf("one path: %zu loops in a spiral, %zu beside it, %.0f mm; no path is shorter than %.0f mm\n", path.chain_loops, path.bridges,
+              length(path.points), field->least_length);
   std::vector<SpiralPoint> curve;
   double longest_step = 0.0; // mm
   samplePath(path, *surface, settings, curve, longest_step);

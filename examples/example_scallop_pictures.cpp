@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pictures of pcl_spiral/doc/constant_scallop.md: a part with three holes, its step-overs, closed loops, the tree they are
 // linked by and the path, as PNG files in the current folder. It needs a display: xvfb-run -a example_scallop_pictures
 #include <pcl_spiral/visualization/add_scallop_loops.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A raw scan of a dome made into a surface once; two stages work on it, and it tells what was left out and why.
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/surface/mls_projector.h>

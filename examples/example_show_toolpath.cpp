@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A dome's toolpath in a PCLVisualizer, with its scan, loops and radial lines.
 // example_show_toolpath [SECONDS]: the mouse turns it, q ends it, and so does the number of seconds if given.
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
@@ -45,8 +46,7 @@ main(int argc, char** argv)
   viewer.setCameraPosition(0.0, -250.0, 350.0, 0.0, 0.0, 100.0, 0.0, 1.0, 0.0);
 
   const auto start = std::chrono::steady_clock::now();
-  while (!viewer.wasStopped() &&
-         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < seconds)
+  while (!viewer.wasStopped() && std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < seconds)
     viewer.spinOnce(50);
   return 0;
 }

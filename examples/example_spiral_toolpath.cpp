@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From a scan to a spiral toolpath: example_spiral_toolpath SCAN.pcd PATH.csv TOOL_RADIUS SCALLOP_HEIGHT CHORD_ERROR
 // Lengths in mm. The path's format follows its extension: .csv, .pcd, .ply, .vtp.
 #include <pcl_spiral/io/toolpath_writer.h>

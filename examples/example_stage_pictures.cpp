@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pictures of pcl_spiral/doc/stage_by_stage.md: what each stage of example_stage_by_stage gives, as PNG files in the
 // current folder. It needs a display: xvfb-run -a example_stage_pictures
 #include <pcl_spiral/spiral/gap_bridging.h>
@@ -27,8 +28,7 @@ dotsOf(const Surface& surface)
 {
   const Dots::Ptr dots(new Dots);
   for (std::size_t i = 0; i < surface.size(); ++i)
-    dots->push_back(dot(surface.position(i).cast<float>(), surface.normal(i).cast<float>(),
-                        surface.isGuessed(i) ? magenta : blue));
+    dots->push_back(dot(surface.position(i).cast<float>(), surface.normal(i).cast<float>(), surface.isGuessed(i) ? magenta : blue));
   return dots;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Step-over of a ball cutter on convex, flat and concave surfaces: exact, first order and as published.
 #include <pcl_spiral/core/step_over.h>
 
@@ -14,14 +15,12 @@ main(int argc, char** argv)
     std::fprintf(stderr, "usage: example_step_over [RADIUS SCALLOP], mm, 0 < SCALLOP < RADIUS\n");
     return 2;
   }
-  std::printf("ball radius %g mm, scallop height %g mm, published step-over %.5f mm\n", radius, height,
-              *published);
+  std::printf("ball radius %g mm, scallop height %g mm, published step-over %.5f mm\n", radius, height, *published);
   std::printf("%12s %12s %12s %22s\n", "rho (mm)", "exact", "first order", "scallop of published");
   for (double curvature : {0.1, 0.02, 0.001, 0.0, -0.001, -0.02, -0.05, -0.2}) {
     const auto exact = pcl_spiral::stepOver(radius, curvature, height);
     if (!exact) {
-      std::printf("%12.1f  the ball does not fit: its radius must be below %g mm here\n", 1 / curvature,
-                  -1 / curvature);
+      std::printf("%12.1f  the ball does not fit: its radius must be below %g mm here\n", 1 / curvature, -1 / curvature);
       continue;
     }
     const auto first = pcl_spiral::stepOverFirstOrder(radius, curvature, height);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A raw scan of a dome, with stray points, repetitions and NaN, made ready for the other stages.
 #include <pcl_spiral/surface/surface_preparation.h>
 
@@ -35,13 +36,10 @@ main()
     return 1;
 
   const pcl_spiral::SurfaceCounts& counts = preparation.getCounts();
-  std::printf(
-      "%zu points: %zu not finite, %zu repeated, %zu outliers, %zu thinned, %zu used; spacing %.3f mm\n",
-      counts.input, counts.nonfinite, counts.duplicate, counts.outlier, counts.thinned, counts.used,
-      preparation.getSurface()->spacing());
+  std::printf("%zu points: %zu not finite, %zu repeated, %zu outliers, %zu thinned, %zu used; spacing %.3f mm\n", counts.input,
+              counts.nonfinite, counts.duplicate, counts.outlier, counts.thinned, counts.used, preparation.getSurface()->spacing());
   for (std::size_t i = 0; i < cloud.size(); i += cloud.size() / 5)
-    std::printf("point %8.3f %8.3f %8.3f  normal %6.3f %6.3f %6.3f  input point %u\n", cloud[i].x, cloud[i].y,
-                cloud[i].z, normals[i].normal_x, normals[i].normal_y, normals[i].normal_z,
-                preparation.getSourceIndices()[i]);
+    std::printf("point %8.3f %8.3f %8.3f  normal %6.3f %6.3f %6.3f  input point %u\n", cloud[i].x, cloud[i].y, cloud[i].z,
+                normals[i].normal_x, normals[i].normal_y, normals[i].normal_z, preparation.getSourceIndices()[i]);
   return 0;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Smooth a jagged closed line by a wavelength in mm: the noise goes, the size stays, the corner is kept.
 #include <pcl_spiral/core/taubin.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tool axes along a flat spiral: tilted 15 degrees about the feed, at most so many degrees per mm near the
 // centre.
 #include <pcl_spiral/spiral/tool_axis.h>
@@ -29,11 +30,10 @@ main(int argc, char** argv)
     return 1;
 
   for (std::size_t i = 0; i < out.size(); i += 8)
-    std::printf("turn %5.2f  axis %7.4f %7.4f %7.4f  tilt %6.2f degrees\n", out[i].turn, out[i].axis_x,
-                out[i].axis_y, out[i].axis_z, std::acos(std::min(1.0f, out[i].axis_z)) * 180.0 / M_PI);
+    std::printf("turn %5.2f  axis %7.4f %7.4f %7.4f  tilt %6.2f degrees\n", out[i].turn, out[i].axis_x, out[i].axis_y, out[i].axis_z,
+                std::acos(std::min(1.0f, out[i].axis_z)) * 180.0 / M_PI);
   const pcl_spiral::AxisField& field = tool_axis.getField();
-  std::printf("%zu of %zu points over %g degrees off the tilt; largest change %.3f degrees, rate %.3f a mm\n",
-              field.getDeviatingPoints(), out.size(), field.getMaxDeviation(), field.getLargestAxisChange(),
-              field.getLargestAxisRate());
+  std::printf("%zu of %zu points over %g degrees off the tilt; largest change %.3f degrees, rate %.3f a mm\n", field.getDeviatingPoints(),
+              out.size(), field.getMaxDeviation(), field.getLargestAxisChange(), field.getLargestAxisRate());
   return 0;
 }

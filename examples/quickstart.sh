@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # From a scan to a spiral toolpath, report and pictures. Installs what is missing on a Debian system.
 # Usage: examples/quickstart.sh [SCAN] [options of pcl_spiral_toolpath]
 #   without SCAN, a line-laser scan of a tank dome is simulated, and cut with a 10 mm ball, 0.05 mm scallop
@@ -10,7 +11,7 @@ build=${PCL_SPIRAL_BUILD_DIR:-$top/build}
 output=$PWD/quickstart_output
 
 case "${1:-}" in
-  -h | --help) sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  -h | --help) sed -n '3,7s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
   "" | -*) scan= ;;
   *)
     scan=$1

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs the quick start and every test on bare Debian releases, and compares the bytes of the quick start's path.
 # Usage: releases.sh [--again] [RELEASE ...] [options for ctest]     bookworm and trixie when none is named
 #   --again  goes on in the root of the last run, with its packages and build folder; else a fresh copy of the bare root

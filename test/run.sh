@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds everything and runs every test. Installs what is missing on a Debian system.
 # Usage: test/run.sh [options for ctest]     build folder: build, or what PCL_SPIRAL_BUILD_DIR names
 set -euo pipefail

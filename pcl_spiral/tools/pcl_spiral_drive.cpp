@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From a scan to gouge-free locations of any cutter along a drive path: planes, helix, rings, curve, offsets.
 #include "drive/command_line.h"
 #include "drive/job_check.h"

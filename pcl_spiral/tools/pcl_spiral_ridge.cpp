@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From two measured lines of a ridge, or a scan of it, to rows of a beam or a cutter over it.
 #include "passes/pass_program.h"
 #include "report/picture_files.h"

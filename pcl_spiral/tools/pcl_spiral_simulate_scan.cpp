@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Simulates a line-laser scan of a tank dome: scan lines, noise, a few outliers, a shadow; of a column on a
 // turntable; or of the ridge of a press die, with the two lines that are measured of it. The same seed gives the same file.
 #include "simulate_scan/ridge_scan.h"
 #include "terminal/file_names.h"
 
+#include "io/output_files.h"
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
-#include "io/output_files.h"
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
@@ -83,18 +84,15 @@ simulate(const Scan& scan)
   pcl::PointCloud<pcl::PointXYZ> cloud;
   cloud.sensor_origin_ = Eigen::Vector4f(0, 0, static_cast<float>(top), 1);
   const double angle_step = scan.point_spacing / scan.standoff, widest = std::atan(scan.rim / scan.standoff);
-  const int lines = static_cast<int>(scan.rim / scan.line_spacing),
-            beams = static_cast<int>(widest / angle_step);
+  const int lines = static_cast<int>(scan.rim / scan.line_spacing), beams = static_cast<int>(widest / angle_step);
   for (int line = -lines; line <= lines; ++line) {
     const double phase = uniform(random); // the sensor's clock is not that of the gantry
-    const Eigen::Vector3d laser(line * scan.line_spacing, 0, top),
-        camera = laser - scan.baseline * Eigen::Vector3d::UnitX();
+    const Eigen::Vector3d laser(line * scan.line_spacing, 0, top), camera = laser - scan.baseline * Eigen::Vector3d::UnitX();
     for (int i = -beams - 1; i <= beams; ++i) {
       const double angle = (i + phase) * angle_step;
       const Eigen::Vector3d beam(0, std::sin(angle), -std::cos(angle));
       const auto t = range(scan, laser, beam);
-      const double error =
-          uniform(random) < scan.outliers ? strayDistance(uniform(random)) : scan.noise * noise(random);
+      const double error = uniform(random) < scan.outliers ? strayDistance(uniform(random)) : scan.noise * noise(random);
       if (!t)
         continue;
       const Eigen::Vector3d p = laser + *t * beam;
@@ -111,8 +109,7 @@ simulate(const Scan& scan)
 double
 columnRadius(const Scan& scan, double angle, double z)
 {
-  return scan.radius * (1 + 0.05 * std::sin(5 * angle + 2 * pi * z / (2.5 * scan.radius)) +
-                        0.1 * std::sin(2 * pi * z / (2 * scan.radius)));
+  return scan.radius * (1 + 0.05 * std::sin(5 * angle + 2 * pi * z / (2.5 * scan.radius)) + 0.1 * std::sin(2 * pi * z / (2 * scan.radius)));
 }
 
 /** The column turns before an upright line of light; a line at a time. */
@@ -129,11 +126,9 @@ simulateColumn(const Scan& scan)
     const double angle = 2 * pi * line / lines, phase = uniform(random);
     for (int i = 0; i < points; ++i) {
       const double z = (i + phase) * scan.point_spacing;
-      const double error =
-          uniform(random) < scan.outliers ? strayDistance(uniform(random)) : scan.noise * noise(random);
+      const double error = uniform(random) < scan.outliers ? strayDistance(uniform(random)) : scan.noise * noise(random);
       const double r = columnRadius(scan, angle, z) + error;
-      cloud.emplace_back(static_cast<float>(r * std::cos(angle)), static_cast<float>(r * std::sin(angle)),
-                         static_cast<float>(z));
+      cloud.emplace_back(static_cast<float>(r * std::cos(angle)), static_cast<float>(r * std::sin(angle)), static_cast<float>(z));
     }
   }
   return cloud;
@@ -173,7 +168,8 @@ foreignToRidge(const po::variables_map& given)
 void
 write(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& cloud)
 {
-  const int failed = extensionOf(file) == ".ply" ? pcl::PLYWriter().write(file, cloud, true, false) : pcl::io::savePCDFileBinary(file, cloud);
+  const int failed =
+      extensionOf(file) == ".ply" ? pcl::PLYWriter().write(file, cloud, true, false) : pcl::io::savePCDFileBinary(file, cloud);
   if (failed)
     throw pcl_spiral::FileError(file, "cannot be written; is the disk full?");
 }
@@ -198,11 +194,12 @@ writeAll(const std::vector<std::string>& files, const std::vector<pcl::PointClou
 po::options_description
 optionsOf(Scan& s, std::string& file)
 {
-  po::options_description options("Simulate a line-laser scan of a tank dome, of a column, or of the ridge of a press die. Lengths in mm.\n"
-                                  "  pcl_spiral_simulate_scan -o dome.pcd --noise 0.05\n"
-                                  "  pcl_spiral_simulate_scan --part ridge -o ridge.pcd\n"
-                                  "The ridge is 600 long and 24 wide; beside ridge.pcd stand ridge_rail.pcd and ridge_generator.pcd, 300 and 60 "
-                                  "points of the two lines that are measured of it.\nOptions");
+  po::options_description options(
+      "Simulate a line-laser scan of a tank dome, of a column, or of the ridge of a press die. Lengths in mm.\n"
+      "  pcl_spiral_simulate_scan -o dome.pcd --noise 0.05\n"
+      "  pcl_spiral_simulate_scan --part ridge -o ridge.pcd\n"
+      "The ridge is 600 long and 24 wide; beside ridge.pcd stand ridge_rail.pcd and ridge_generator.pcd, 300 and 60 "
+      "points of the two lines that are measured of it.\nOptions");
   auto add = options.add_options();
   add("help,h", "this text");
   add("output,o", po::value(&file)->required(), "file to write, .pcd or .ply");
@@ -210,12 +207,12 @@ optionsOf(Scan& s, std::string& file)
   add("radius", po::value(&s.radius)->default_value(s.radius), "of the tank; mean radius of the column");
   add("height", po::value(&s.height)->default_value(s.height), "of the whole dome; of the column");
   add("rim", po::value(&s.rim)->default_value(s.rim), "radius at which the part ends");
-  add("line-spacing", po::value(&s.line_spacing)->default_value(s.line_spacing), "between scan lines; of the ridge, which they cross, 0.5 by default");
+  add("line-spacing", po::value(&s.line_spacing)->default_value(s.line_spacing),
+      "between scan lines; of the ridge, which they cross, 0.5 by default");
   add("point-spacing", po::value(&s.point_spacing)->default_value(s.point_spacing),
       "between points of a line; of the ridge 0.5 by default");
   add("noise", po::value(&s.noise)->default_value(s.noise, "0.02"), "standard deviation along the beam; of the ridge, of each coordinate");
-  add("outliers", po::value(&s.outliers)->default_value(s.outliers, "0.0005"),
-      "share of false echoes, 5 to 20 mm off");
+  add("outliers", po::value(&s.outliers)->default_value(s.outliers, "0.0005"), "share of false echoes, 5 to 20 mm off");
   add("shadow", po::value(&s.shadow)->default_value(s.shadow), "diameter of an object in the way; 0: none");
   add("standoff", po::value(&s.standoff)->default_value(s.standoff), "of the scanner above the dome");
   add("seed", po::value(&s.seed)->default_value(s.seed), "of the random numbers");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From a scan or a mesh to toolpath files: the main program.
 #include "judging/figures_table.h"
 #include "judging/judge.h"
@@ -13,8 +14,8 @@
 #include "toolpath/outputs.h"
 #include "toolpath/planning.h"
 
-#include <pcl_spiral/io/file_error.h>
 #include "io/output_files.h"
+#include <pcl_spiral/io/file_error.h>
 
 #include <pcl/console/print.h>
 
@@ -53,9 +54,9 @@ verify(const Job& job, Result& result)
     settings.surface = result.surface;
   std::shared_ptr<const ReferenceSurface> reference;
   Verification verification;
-  const Status status = judgePath(result.scan.cloud, result.path, settings,
-                                  [&bar](double share, const std::string& stage) { return bar.update(share, stage); },
-                                  reference, verification, result.heights);
+  const Status status = judgePath(
+      result.scan.cloud, result.path, settings, [&bar](double share, const std::string& stage) { return bar.update(share, stage); },
+      reference, verification, result.heights);
   bar.clear();
   if (cancelled())
     throw Cancelled();
@@ -72,14 +73,13 @@ layOnMachine(const Job& job, const Machine& machine, Result& result)
   constexpr double deviations = 5.0; // of the noise: no point stands further off the surface
   StageClock clock(result.report.stages);
   const SpiralSettings& s = job.settings;
-  result.program = makeProgram(job.program, machine, s.feed, s.tool_radius, ballPasses(*result.path, s.tool_radius),
-                               result.report.warnings);
+  result.program =
+      makeProgram(job.program, machine, s.feed, s.tool_radius, ballPasses(*result.path, s.tool_radius), result.report.warnings);
   LedTool tool;
   tool.cutter = CutterShape::ball(s.tool_radius);
   tool.tolerance = s.chord_error + deviations * result.report.noise;
   tool.threads = s.threads;
-  requireFreeLeads(job.scan, result.scan.cloud, tool, *result.program, job.program.accept_collisions, job.quiet,
-                   result.report.warnings);
+  requireFreeLeads(job.scan, result.scan.cloud, tool, *result.program, job.program.accept_collisions, job.quiet, result.report.warnings);
   clock.end("machine");
 }
 

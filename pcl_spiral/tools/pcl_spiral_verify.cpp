@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Toolpath files judged by the raw scan, or by a mesh.
 #include "judging/figures_table.h"
 #include "judging/tip_check.h"
@@ -45,9 +46,9 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, std
   settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
   if (part.mesh && part.mesh->counts().closed) // the faces that are judged are those the path touches
     reference.reset();
-  const Status status = judgePath(part.cloud, judged.path, settings,
-                                  [&](double share, const std::string& stage) { return bar.update(share, stage); },
-                                  reference, judged.verification, judged.heights);
+  const Status status = judgePath(
+      part.cloud, judged.path, settings, [&](double share, const std::string& stage) { return bar.update(share, stage); }, reference,
+      judged.verification, judged.heights);
   bar.clear();
   if (cancelled())
     throw Cancelled();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A toolpath on its scan or mesh, in a window.
 #include "judging/judged_part.h"
 #include "judging/judged_scene.h"
@@ -48,8 +49,7 @@ judgedScene(const ViewJob& job)
   ProgressBar bar(job.quiet);
   const auto judge = job.settings.tool_radius > 0.0 ? judgePath : judgeDeviation;
   const Status status = judge(
-      part.cloud, path, settings,
-      [&](double share, const std::string& stage) { return bar.update(share, stage); }, reference, verification,
+      part.cloud, path, settings, [&](double share, const std::string& stage) { return bar.update(share, stage); }, reference, verification,
       heights);
   bar.clear();
   if (cancelled())

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cases.h"
 #include "table.h"
 
@@ -38,8 +39,7 @@ closedSphere(std::uint64_t seed)
 Points
 twoSheets(std::uint64_t seed)
 {
-  Points points =
-      test::sampleUniform(*test::flat(test::Region({test::rectangle(80, 60)})), 8000, seed).points;
+  Points points = test::sampleUniform(*test::flat(test::Region({test::rectangle(80, 60)})), 8000, seed).points;
   for (std::size_t i = 0; i < 8000; ++i)
     points.push_back(points[i] + Eigen::Vector3d(0.0, 0.0, 8.0));
   return points;
@@ -69,12 +69,9 @@ dirty(const Job& job, const Options& options, Table& table)
   }
   const Run expected = run(job, test::toCloud(clean), options.threads);
   const Run result = run(job, test::toCloud(points), options.threads);
-  table.holds("with NaN and duplicates: a path is made", expected.status.ok() && result.status.ok(),
-              result.status.message());
-  table.atMost("  non-finite points miscounted",
-               std::abs(static_cast<double>(result.report.nonfinite_points) - 300.0), 0.0, "");
-  table.atMost("  duplicates miscounted",
-               std::abs(static_cast<double>(result.report.duplicate_points) - 600.0), 0.0, "");
+  table.holds("with NaN and duplicates: a path is made", expected.status.ok() && result.status.ok(), result.status.message());
+  table.atMost("  non-finite points miscounted", std::abs(static_cast<double>(result.report.nonfinite_points) - 300.0), 0.0, "");
+  table.atMost("  duplicates miscounted", std::abs(static_cast<double>(result.report.duplicate_points) - 600.0), 0.0, "");
   if (expected.path.empty() || result.path.empty())
     return;
   const test::MoveTree tree(test::fromToolpath(expected.path).contacts);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "case_series.h"
 
 #include "support/sanitizers.h"
@@ -81,8 +82,7 @@ reasonOf(const std::string& message)
 }
 
 int
-judgeSeries(const std::string& name, const Options& options, unsigned int longest,
-            const std::function<Outcome(const RandomCase&)>& judge)
+judgeSeries(const std::string& name, const Options& options, unsigned int longest, const std::function<Outcome(const RandomCase&)>& judge)
 {
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   if (sanitized)
@@ -96,8 +96,8 @@ judgeSeries(const std::string& name, const Options& options, unsigned int longes
     if (outcome.faults.empty())
       continue;
     ++faulty;
-    std::printf("  case %llu: %s\n    %s: %s\n", static_cast<unsigned long long>(i),
-                randomCase(options.seed, i).name.c_str(), outcome.kind.c_str(), outcome.faults.c_str());
+    std::printf("  case %llu: %s\n    %s: %s\n", static_cast<unsigned long long>(i), randomCase(options.seed, i).name.c_str(),
+                outcome.kind.c_str(), outcome.faults.c_str());
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - from;
   std::printf("%s, seed %llu: %llu cases in %.1f s\n", name.c_str(), static_cast<unsigned long long>(options.seed),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Random cases one after the other, each in a process of its own, so that a crash or a hang is an outcome like others.
  */

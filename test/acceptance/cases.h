@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Acceptance cases: each prints a table and returns how many limits were broken.
  */
@@ -13,7 +14,7 @@ namespace pcl_spiral::acceptance {
 
 struct Options {
   std::uint64_t seed = 1;
-  int threads = 0; ///< 0: all
+  int threads = 0;                     ///< 0: all
   std::uint64_t first = 0, count = 19; ///< of the random cases
   std::string method = "radial";       ///< of outlines and random cases, as SpiralMethod's words begin
   bool one_way = false;                ///< outlines without parts against the sense
@@ -40,12 +41,10 @@ int judgeInvariance(const Job& job, const Options& options);
 int judgeRefusal(const Options& options);
 
 /** Clouds and settings that cannot be worked on must be refused with a reason; stray points must be dropped. */
-int
-judgeBadInput(const Options& options);
+int judgeBadInput(const Options& options);
 
 /** Boundary loops of outlines known exactly: how many, and how far from the truth. */
-int
-judgeLoops(const Options& options);
+int judgeLoops(const Options& options);
 
 /** Scans of parts known exactly beside clean ones of the same worth: scan lines far apart; density changing over the part;
  *  overlapping passes; outliers. The same loops, and a path no more than twice as far off. */
@@ -58,8 +57,7 @@ int judgeOutliers(const Options& options);
 int judgeNoise(const Options& options);
 
 /** Geodesics on the spheroid against the published distances and the exact curves. */
-int
-judgeGeodesics(const Options& options);
+int judgeGeodesics(const Options& options);
 
 /** Distances from the pole of the spheroid, at 200,000 and 2 million points, against the exact ones. */
 int judgeField(const Options& options);

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cases.h"
 #include "table.h"
 
-#include <pcl_spiral/common/impl/thread_limit.h>
 #include "geodesic/distance_field.h"
+#include <pcl_spiral/common/impl/thread_limit.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +26,7 @@ public:
       arc_.push_back(arc_.back() + step * std::hypot(a * std::cos(t), b * std::sin(t)));
     }
   }
-  double
-  toPoint(const Eigen::Vector3d& p) const
+  double toPoint(const Eigen::Vector3d& p) const
   {
     const double at = std::atan2(std::hypot(p.x(), p.y()) / a, p.z() / b) / M_PI_2 * pieces;
     const auto i = std::min<std::size_t>(pieces - 1, static_cast<std::size_t>(std::max(0.0, at)));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cases.h"
 #include "table.h"
 
@@ -22,9 +23,9 @@ constexpr double a = 1650.0, b = 860.0;
 const std::vector<std::pair<double, double>>&
 published()
 {
-  static const std::vector<std::pair<double, double>> values{
-      {0.0, 749.802870802},    {30.0, 1072.315413128},  {60.0, 1683.675783644}, {90.0, 2306.561014625},
-      {120.0, 2827.778170366}, {150.0, 3171.441917434}, {180.0, 3291.158860704}};
+  static const std::vector<std::pair<double, double>> values{{0.0, 749.802870802},   {30.0, 1072.315413128},  {60.0, 1683.675783644},
+                                                             {90.0, 2306.561014625}, {120.0, 2827.778170366}, {150.0, 3171.441917434},
+                                                             {180.0, 3291.158860704}};
   return values;
 }
 

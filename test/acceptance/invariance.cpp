@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cases.h"
 #include "path_match.h"
 #include "table.h"
@@ -25,8 +26,8 @@ comparePaths(const std::string& what, const Path& expected, const Run& other, co
 /** The job on its points under a similarity: all lengths are scaled with them, and a mirrored part is gone
  * round the other way. */
 Run
-runMapped(const Job& job, const std::vector<Eigen::Vector3d>& points, const Eigen::Affine3d& map,
-          const Eigen::Vector3d& view, const Eigen::Vector3d& start, int threads)
+runMapped(const Job& job, const std::vector<Eigen::Vector3d>& points, const Eigen::Affine3d& map, const Eigen::Vector3d& view,
+          const Eigen::Vector3d& start, int threads)
 {
   const double determinant = map.linear().determinant(), scale = std::cbrt(std::abs(determinant));
   Job mapped = job;
@@ -62,17 +63,13 @@ judgeInvariance(const Job& job, const Options& options)
   for (const std::size_t i : test::shuffled(points.size(), options.seed + 5))
     mixed.push_back(points[i]);
   const Eigen::Affine3d as_it_is = Eigen::Affine3d::Identity();
-  comparePaths("shuffled", expected, run(job, test::toCloud(mixed), options.threads, &view, &start), as_it_is,
-               table);
+  comparePaths("shuffled", expected, run(job, test::toCloud(mixed), options.threads, &view, &start), as_it_is, table);
 
   const Eigen::Affine3d moved(test::randomMotion(options.seed + 9, 200.0));
   const Eigen::Affine3d mirrored = moved * Eigen::Scaling(-1.0, 1.0, 1.0);
-  const Eigen::Affine3d reduced = as_it_is * Eigen::Scaling(1.0 / 1024),
-                        enlarged = moved * Eigen::Scaling(40.0);
-  for (const auto& [what, map] :
-       {std::pair{"moved", moved}, {"mirrored", mirrored}, {"a 1024th", reduced}, {"forty times", enlarged}})
-    comparePaths(what, expected, runMapped(job, points, map, view, start, options.threads), map.inverse(),
-                 table);
+  const Eigen::Affine3d reduced = as_it_is * Eigen::Scaling(1.0 / 1024), enlarged = moved * Eigen::Scaling(40.0);
+  for (const auto& [what, map] : {std::pair{"moved", moved}, {"mirrored", mirrored}, {"a 1024th", reduced}, {"forty times", enlarged}})
+    comparePaths(what, expected, runMapped(job, points, map, view, start, options.threads), map.inverse(), table);
   return table.broken();
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "job.h"
 
 #include <chrono>
@@ -157,8 +158,7 @@ sampled(const Job& job, std::uint64_t seed)
 }
 
 Run
-run(const Job& job, const Cloud::ConstPtr& cloud, int threads, const Eigen::Vector3d* view,
-    const Eigen::Vector3d* start, SpiralSense sense)
+run(const Job& job, const Cloud::ConstPtr& cloud, int threads, const Eigen::Vector3d* view, const Eigen::Vector3d* start, SpiralSense sense)
 {
   Generator generator;
   generator.setInputCloud(cloud);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The generated surfaces of the acceptance table, and one run of the generator on one. Lengths in mm.
  */
@@ -26,11 +27,10 @@ struct Job {
   double tool_radius = 0.0, scallop_height = 0.0, chord_error = 0.0;
   double noise = 0.0;
   double deviation_rms = 0.0, deviation_p99 = 0.0, deviation_max = 0.0;
-  bool scallop = true; ///< scallop, gouge and uncut limits apply
-  double length_ratio =
-      0.0;                 ///< of the path to the integral of dA / exact step-over across circles of latitude
-  double turning = 0.0;    ///< degrees between neighbouring moves
-  bool may_refuse = false; ///< a clear error is as good as a path
+  bool scallop = true;         ///< scallop, gouge and uncut limits apply
+  double length_ratio = 0.0;   ///< of the path to the integral of dA / exact step-over across circles of latitude
+  double turning = 0.0;        ///< degrees between neighbouring moves
+  bool may_refuse = false;     ///< a clear error is as good as a path
   std::size_t samples = 60000; ///< of the removed material
   double machined_max = 0.0;   ///< stock, scallop or gouge, by a second cloud
   double judge_seconds = 0.0;  ///< to judge by it; wants a quiet machine

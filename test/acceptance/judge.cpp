@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cases.h"
 #include "table.h"
 
@@ -20,8 +21,7 @@ lengthOverPrincipal(const Job& job)
   return job.surface->region().integrate([&](const Eigen::Vector2d& u) {
     const auto [least, most] = job.surface->principalCurvatures(job.surface->lift(u));
     const double r = job.tool_radius, h = job.scallop_height;
-    return job.surface->areaElement(u) * 0.5 *
-           (1.0 / test::exactStepOver(r, h, least) + 1.0 / test::exactStepOver(r, h, most));
+    return job.surface->areaElement(u) * 0.5 * (1.0 / test::exactStepOver(r, h, least) + 1.0 / test::exactStepOver(r, h, most));
   });
 }
 
@@ -47,24 +47,21 @@ judgePath(const Job& job, const Run& run, const test::CheckedPath& path, int thr
     table.note("largest turning", text(f.turning));
   table.note("contact farthest past the outline", text(f.beyond_rim));
   const double h20 = 20.0 * job.scallop_height; // farther from the path than this, the rim counts as uncut
-  table.atMost("outline farthest from the path", f.rim_missed,
-               std::sqrt(2.0 * job.tool_radius * h20 - h20 * h20));
+  table.atMost("outline farthest from the path", f.rim_missed, std::sqrt(2.0 * job.tool_radius * h20 - h20 * h20));
   table.atMost("crossings", static_cast<double>(f.crossings), 0.0, "");
   if (f.crossings > 0)
     table.note("  deepest crossing", text(f.crossing));
-  const double ideal = job.length_ratio > 0.0
-                           ? test::lengthOverLatitudes(*job.surface, job.tool_radius, job.scallop_height)
-                           : lengthOverPrincipal(job);
+  const double ideal =
+      job.length_ratio > 0.0 ? test::lengthOverLatitudes(*job.surface, job.tool_radius, job.scallop_height) : lengthOverPrincipal(job);
   if (job.length_ratio > 0.0)
     table.atMost("length / ideal length", f.length / ideal, job.length_ratio, "");
   else
     table.note("length / ideal length (mean)", f.length / ideal, "");
   table.holds("report agrees with the path",
-              std::abs(run.report.path_length / f.length - 1.0) < 1e-5 &&
-                  run.report.path_points == path.size() &&
+              std::abs(run.report.path_length / f.length - 1.0) < 1e-5 && run.report.path_points == path.size() &&
                   std::abs(run.report.largest_gap - f.gap.value) < 1e-3,
-              "length " + std::to_string(run.report.path_length) + " / " + std::to_string(f.length) +
-                  ", gap " + std::to_string(run.report.largest_gap) + " / " + std::to_string(f.gap.value));
+              "length " + std::to_string(run.report.path_length) + " / " + std::to_string(f.length) + ", gap " +
+                  std::to_string(run.report.largest_gap) + " / " + std::to_string(f.gap.value));
 }
 
 void
@@ -79,8 +76,7 @@ judgeMaterial(const Job& job, const test::CheckedPath& path, const Options& opti
   const test::RemovalFigures f = test::removedMaterial(*job.surface, path, settings);
   const double h = job.scallop_height, e = job.chord_error;
   table.note("band left out at the rim", f.band);
-  table.note("stock p50 / p99 at the samples",
-             std::to_string(f.stock.p50) + " / " + std::to_string(f.stock.p99));
+  table.note("stock p50 / p99 at the samples", std::to_string(f.stock.p50) + " / " + std::to_string(f.stock.p99));
   table.note("scallop p50 / p99", std::to_string(f.ridge.p50) + " / " + std::to_string(f.ridge.p99));
   const double none = 1e9;
   table.atMost("scallop p99.9", f.ridge.p999, job.scallop ? 1.02 * h + e : none);
@@ -115,9 +111,8 @@ int
 judge(const Job& job, const Options& options)
 {
   char title[160];
-  std::snprintf(title, sizeof title, "%s: %zu points, seed %llu, R %g, scallop %g, chord %g, noise %g",
-                job.name.c_str(), job.points, static_cast<unsigned long long>(options.seed), job.tool_radius,
-                job.scallop_height, job.chord_error, job.noise);
+  std::snprintf(title, sizeof title, "%s: %zu points, seed %llu, R %g, scallop %g, chord %g, noise %g", job.name.c_str(), job.points,
+                static_cast<unsigned long long>(options.seed), job.tool_radius, job.scallop_height, job.chord_error, job.noise);
   Table table(title);
   const Run result = run(job, test::toCloud(sampled(job, options.seed).points), options.threads);
   table.note("time", result.seconds, "s");
@@ -126,8 +121,7 @@ judge(const Job& job, const Options& options)
   for (const std::string& warning : result.report.warnings)
     table.note("warning", warning);
   if (job.may_refuse && !result.status.ok()) {
-    table.holds("refused with a reason", result.path.empty() && result.status.message().size() > 40,
-                result.status.message());
+    table.holds("refused with a reason", result.path.empty() && result.status.message().size() > 40, result.status.message());
     return table.broken();
   }
   table.holds("a path is made", result.status.ok() && result.path.size() > 2, result.status.message());
@@ -138,9 +132,7 @@ judge(const Job& job, const Options& options)
   table.note("radial lines", static_cast<double>(result.report.radial_lines.size()),
              result.report.harmonic_lines ? "harmonic" : "geodesic");
   table.atMost("boundaries other than true",
-               std::abs(static_cast<double>(result.report.boundaries) -
-                        static_cast<double>(job.surface->outlines().size())),
-               0.0, "");
+               std::abs(static_cast<double>(result.report.boundaries) - static_cast<double>(job.surface->outlines().size())), 0.0, "");
   const test::CheckedPath path = test::fromToolpath(result.path);
   judgePoints(result, table);
   judgePath(job, result, path, options.threads, table);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cases.h"
 #include "outline_distance.h"
 #include "table.h"
@@ -22,22 +23,18 @@ struct Outlined {
 Outlined
 uniform(const std::string& name, const test::SurfacePtr& surface, std::size_t count, std::uint64_t seed)
 {
-  return {name, surface, test::sampleUniform(*surface, count, seed).points,
-          std::sqrt(surface->area() / static_cast<double>(count))};
+  return {name, surface, test::sampleUniform(*surface, count, seed).points, std::sqrt(surface->area() / static_cast<double>(count))};
 }
 
 std::vector<Outlined>
 outlinedClouds(std::uint64_t seed)
 {
   using namespace test;
-  const auto holes = [] {
-    return flat(Region({rectangle(100, 80), circle({-25, 5}, 12), circle({22, -8}, 16)}));
-  };
+  const auto holes = [] { return flat(Region({rectangle(100, 80), circle({-25, 5}, 12), circle({22, -8}, 16)})); };
   std::vector<Outlined> all{uniform("square", flat(Region({rectangle(100, 100)})), 10000, seed),
                             uniform("L", flat(Region({ell(100, 40)})), 10000, seed),
                             uniform("slot", flat(Region({slot(120, 40)})), 10000, seed),
-                            uniform("star", flat(Region({star(5, 60, 30)})), 10000, seed),
-                            uniform("two holes", holes(), 10000, seed)};
+                            uniform("star", flat(Region({star(5, 60, 30)})), 10000, seed), uniform("two holes", holes(), 10000, seed)};
   for (const char* name : {"freeform", "dome200k_annulus", "saddle", "annulus", "kidney", "ell"})
     all.push_back(uniform(name, job(name).surface, job(name).points, seed));
 
@@ -46,8 +43,7 @@ outlinedClouds(std::uint64_t seed)
   lines.spacing = 2.0; // the outline cannot be known better than the lines are apart
   all.push_back(lines);
 
-  Outlined rough =
-      uniform("noise 0.3 spacing along the normal", flat(Region({rectangle(100, 100)})), 10000, seed);
+  Outlined rough = uniform("noise 0.3 spacing along the normal", flat(Region({rectangle(100, 100)})), 10000, seed);
   Sampled points = sampleUniform(*rough.surface, 10000, seed);
   addNoise(points, 0.3 * rough.spacing, seed + 1);
   rough.points = points.points;
@@ -67,8 +63,7 @@ judgeCloud(const Outlined& cloud, Table& table)
   const Status found = built.ok() ? findBoundaryLoops(graph, {}, loops) : built;
   table.holds(cloud.name, found.ok(), found.message());
   const std::vector<Polyline>& outlines = cloud.surface->outlines();
-  table.atMost("  loops too many or too few",
-               std::abs(static_cast<double>(loops.size()) - static_cast<double>(outlines.size())), 0.0, "");
+  table.atMost("  loops too many or too few", std::abs(static_cast<double>(loops.size()) - static_cast<double>(outlines.size())), 0.0, "");
   for (const Polyline& outline : outlines) {
     test::Place by_curve, by_points;
     by_curve.value = by_points.value = 1e9;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The acceptance table: run one case by name. Exit code 1 when a limit is broken, 2 for a wrong command.
 #include "cases.h"
 #include "outline_rows.h"
@@ -49,12 +50,14 @@ cases()
 int
 usage()
 {
-  std::fprintf(stderr, "usage: pcl_spiral_acceptance CASE [--seed N] [--threads N] [--first N] [--count N]\n"
-                       "       pcl_spiral_acceptance random [--method %s] [--seed N] [--first N] [--count N]\n"
-                       "       pcl_spiral_acceptance outlines [--method %s] [--only NAME,NAME] [--variation N]\n"
-                       "         [--scallop MM] [--points N] [--size SCALE] [--picture FOLDER] [--places 0|1] [--one-way 0|1] [--seed N] [--threads N]\n"
-                       "cases:",
-               choiceList<SpiralMethod>().c_str(), choiceList<SpiralMethod>().c_str());
+  std::fprintf(
+      stderr,
+      "usage: pcl_spiral_acceptance CASE [--seed N] [--threads N] [--first N] [--count N]\n"
+      "       pcl_spiral_acceptance random [--method %s] [--seed N] [--first N] [--count N]\n"
+      "       pcl_spiral_acceptance outlines [--method %s] [--only NAME,NAME] [--variation N]\n"
+      "         [--scallop MM] [--points N] [--size SCALE] [--picture FOLDER] [--places 0|1] [--one-way 0|1] [--seed N] [--threads N]\n"
+      "cases:",
+      choiceList<SpiralMethod>().c_str(), choiceList<SpiralMethod>().c_str());
   for (const auto& [name, judge] : cases())
     std::fprintf(stderr, " %s", name.c_str());
   std::fprintf(stderr, "\noutlines:");
@@ -68,10 +71,8 @@ usage()
 bool
 take(const std::string& name, const char* value, Options& options)
 {
-  const std::map<std::string, std::uint64_t*> counts{{"--seed", &options.seed},
-                                                     {"--first", &options.first},
-                                                     {"--count", &options.count},
-                                                     {"--variation", &options.variation}};
+  const std::map<std::string, std::uint64_t*> counts{
+      {"--seed", &options.seed}, {"--first", &options.first}, {"--count", &options.count}, {"--variation", &options.variation}};
   const std::map<std::string, double*> numbers{{"--scallop", &options.scallop}, {"--size", &options.size}};
   const std::map<std::string, std::string*> words{
       {"--method", &options.method}, {"--only", &options.only}, {"--picture", &options.picture}};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ridges between rows of sections on a mesh, by a ball swept over the exact surface: rows a step on the plane apart, and kept.
 #include "cases.h"
 #include "table.h"
@@ -56,7 +57,9 @@ judgeMeshRows(const Options& options)
       const RemovalFigures figures = removedMaterial(*surface, pathOf(passes), settings);
       const SectionReport& report = sections.getReport();
       const bool kept = rows == DriveRows::Kept;
-      const std::string name = std::string(kept ? "kept" : "even") + (normal.x() == 0.0 ? ", along x" : normal.y() == 0.0 ? ", along y" : ", across");
+      const std::string name = std::string(kept ? "kept" : "even") + (normal.x() == 0.0   ? ", along x"
+                                                                      : normal.y() == 0.0 ? ", along y"
+                                                                                          : ", across");
       std::printf("  %s: %zu rows, %.4f to %.4f mm apart, %zu links, %zu passes\n", name.c_str(), report.rows, report.smallest_step,
                   report.step_over, report.links, report.passes);
       table.note(name + ": p99 of ridges", figures.ridge.p99 / height, "h");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sections of meshes whose exact surface is known: contacts and ball centres of each kind of normals and edges as shares of plain
 // sections' errors.
 #include "cases.h"
@@ -56,18 +57,13 @@ struct Errors {
   double mean = 0.0, most = 0.0;
   std::size_t count = 0;
 
-  void
-  add(double error)
+  void add(double error)
   {
     mean += error;
     most = std::max(most, error);
     ++count;
   }
-  void
-  finish()
-  {
-    mean /= static_cast<double>(std::max<std::size_t>(1, count));
-  }
+  void finish() { mean /= static_cast<double>(std::max<std::size_t>(1, count)); }
 };
 
 struct SectionErrors {
@@ -126,11 +122,10 @@ judgeMeshes(const Options& options)
       if (method.edges == MeshEdges::Straight)
         plain = e;
       best = e;
-      std::printf("  %-16s contacts %.5f %.4f mm (%.3f %.3f)  centres %.5f %.4f (%.3f %.3f)  moves %.5f %.4f (%.3f %.3f)\n",
-                  method.name, e.contacts.mean, e.contacts.most, e.contacts.mean / plain.contacts.mean,
-                  e.contacts.most / plain.contacts.most, e.centres.mean, e.centres.most, e.centres.mean / plain.centres.mean,
-                  e.centres.most / plain.centres.most, e.moves.mean, e.moves.most, e.moves.mean / plain.moves.mean,
-                  e.moves.most / plain.moves.most);
+      std::printf("  %-16s contacts %.5f %.4f mm (%.3f %.3f)  centres %.5f %.4f (%.3f %.3f)  moves %.5f %.4f (%.3f %.3f)\n", method.name,
+                  e.contacts.mean, e.contacts.most, e.contacts.mean / plain.contacts.mean, e.contacts.most / plain.contacts.most,
+                  e.centres.mean, e.centres.most, e.centres.mean / plain.centres.mean, e.centres.most / plain.centres.most, e.moves.mean,
+                  e.moves.most, e.moves.mean / plain.moves.mean, e.moves.most / plain.moves.most);
     }
     table.atMost(row.name + ": mean of contacts, of plain", best.contacts.mean / plain.contacts.mean, 0.1, "");
     table.atMost(row.name + ": largest of contacts, of plain", best.contacts.most / plain.contacts.most, 0.2, "");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "method_name.h"
 
 #include "io/setting_names.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  How far closed lines lie from each other.
  */
@@ -11,7 +12,6 @@ namespace pcl_spiral::acceptance {
 
 /** Hausdorff distance between two closed lines: the larger of both directions, and where. Points no farther apart than
  *  \p step are looked at. */
-test::Place
-hausdorff(const Polyline& a, const Polyline& b, double step);
+test::Place hausdorff(const Polyline& a, const Polyline& b, double step);
 
 } // namespace pcl_spiral::acceptance

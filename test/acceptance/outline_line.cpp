@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "outline_line.h"
 
 #include <cstdio>
@@ -27,25 +28,18 @@ public:
   explicit Cells(OutlineLine& out) : out_(out) {}
 
   /** A figure and its limit; \p places: decimals. NaN breaks it. */
-  void
-  atMost(const char* what, double value, double limit, int places, const std::string& where)
+  void atMost(const char* what, double value, double limit, int places, const std::string& where)
   {
     add(what, value, limit, places, value <= limit, where);
   }
-  void
-  atLeast(const char* what, double value, double limit, int places, const std::string& where)
+  void atLeast(const char* what, double value, double limit, int places, const std::string& where)
   {
     add(what, value, limit, places, value >= limit, where);
   }
-  void
-  note(const std::string& text)
-  {
-    out_.line += text;
-  }
+  void note(const std::string& text) { out_.line += text; }
 
 private:
-  void
-  add(const char* what, double value, double limit, int places, bool held, const std::string& where)
+  void add(const char* what, double value, double limit, int places, bool held, const std::string& where)
   {
     out_.line += printed(" %7.*f%c%6.*f |", places, value, held ? ' ' : '*', places, limit);
     if (!where.empty())
@@ -61,8 +55,7 @@ void
 addFaults(const test::JudgedFigures& f, Cells& cells)
 {
   const auto first = [](const std::vector<test::Place>& places) {
-    return places.empty() ? ""
-                          : "; first " + printed("%.4f mm", places.front().value) + placeText(places.front());
+    return places.empty() ? "" : "; first " + printed("%.4f mm", places.front().value) + placeText(places.front());
   };
   cells.atMost("crossings", static_cast<double>(f.crossings.size()), 0.0, 0, first(f.crossings));
   cells.atMost("passes", static_cast<double>(f.passes()), 1.0, 0, first(f.jumps));
@@ -81,11 +74,11 @@ outlineHeading()
          "than; rev.: reversals by 150 degrees within 2 pitches; off: share of the path over half a pitch "
          "beyond the "
          "true rims\n" +
-         printed("%-16s %5s | %-13s | %-13s | %-13s | %-13s | %-13s | %-13s | %-13s | %-13s | %-13s |",
-                 "outline", "turns", " length  limit", "   time  limit", "  p99.9  limit", "    max  limit",
-                 "%>1.05h  limit", " radius  limit", " crossings", " passes", " rims missed") +
-         printed(" %5s %6s %6s %6s | %4s %5s | %5s %5s %6s %6s %6s | %6s %s", "p99", "uncut%", "gouge",
-                 "r min", "rev.", "rev.%", "p99.9", "max", "%>1.05", "uncut%", "length", "off%", "mm");
+         printed("%-16s %5s | %-13s | %-13s | %-13s | %-13s | %-13s | %-13s | %-13s | %-13s | %-13s |", "outline", "turns",
+                 " length  limit", "   time  limit", "  p99.9  limit", "    max  limit", "%>1.05h  limit", " radius  limit", " crossings",
+                 " passes", " rims missed") +
+         printed(" %5s %6s %6s %6s | %4s %5s | %5s %5s %6s %6s %6s | %6s %s", "p99", "uncut%", "gouge", "r min", "rev.", "rev.%", "p99.9",
+                 "max", "%>1.05", "uncut%", "length", "off%", "mm");
 }
 
 OutlineLine
@@ -103,12 +96,10 @@ outlineLine(const OutlineRow& row, const test::JudgedFigures& f, const test::Jud
   cells.atLeast("radius", f.turning.smallest.value, row.radius, 3, placeText(f.turning.smallest));
   addFaults(f, cells);
   const test::HeightFigures &in = f.inside, &all = f.whole;
-  cells.note(printed(" %5.3f %6.3f %6.3f %6.3f |", in.p99.value, 100.0 * in.uncut_share, in.gouge.value,
-                     f.turning.least.value));
+  cells.note(printed(" %5.3f %6.3f %6.3f %6.3f |", in.p99.value, 100.0 * in.uncut_share, in.gouge.value, f.turning.least.value));
   cells.note(printed(" %4zu %5.2f |", f.reversals.count, 100.0 * f.reversals.share));
-  cells.note(printed(" %5.3f %5.2f %6.3f %6.3f %6.3f | %6.2f %.0f", all.p999.value, all.max.value,
-                     100.0 * all.over_share, 100.0 * all.uncut_share, f.trueRatio(), 100.0 * f.outside_share,
-                     f.length));
+  cells.note(printed(" %5.3f %5.2f %6.3f %6.3f %6.3f | %6.2f %.0f", all.p999.value, all.max.value, 100.0 * all.over_share,
+                     100.0 * all.uncut_share, f.trueRatio(), 100.0 * f.outside_share, f.length));
   const auto place = [&](const char* what, const test::Place& p) {
     out.places += printed("    %s %.3f", what, p.value) + placeText(p) + "\n";
   };
@@ -120,8 +111,7 @@ outlineLine(const OutlineRow& row, const test::JudgedFigures& f, const test::Jud
   place("whole: max", all.max);
   place("farthest off, mm,", f.outside);
   if (in.uncut_share > 0.0)
-    out.broken +=
-        printed("    uncut: %.3f %%, farthest in", 100.0 * in.uncut_share) + placeText(in.uncut) + "\n";
+    out.broken += printed("    uncut: %.3f %%, farthest in", 100.0 * in.uncut_share) + placeText(in.uncut) + "\n";
   return out;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A row of the table of outlines: every figure with its limit, and the places where one is broken.
  */
@@ -20,7 +21,6 @@ struct OutlineLine {
   std::string broken; ///< what is, by how much and where; empty when every limit holds
   std::string places; ///< of every figure, held or not
 };
-OutlineLine outlineLine(const OutlineRow& row, const test::JudgedFigures& figures,
-                        const test::JudgeSettings& settings);
+OutlineLine outlineLine(const OutlineRow& row, const test::JudgedFigures& figures, const test::JudgeSettings& settings);
 
 } // namespace pcl_spiral::acceptance

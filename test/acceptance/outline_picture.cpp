@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "outline_picture.h"
 
 #include <pcl/io/png_io.h>
@@ -14,14 +15,14 @@ namespace {
 
 using Colour = std::array<unsigned char, 3>;
 
-constexpr Colour grey{150, 150, 150}, red{255, 0, 0}, dark_red{120, 0, 0}, magenta{255, 0, 255},
-    blue{60, 90, 220}, green{0, 170, 0}, black{0, 0, 0};
+constexpr Colour grey{150, 150, 150}, red{255, 0, 0}, dark_red{120, 0, 0}, magenta{255, 0, 255}, blue{60, 90, 220}, green{0, 170, 0},
+    black{0, 0, 0};
 
 /** A white sheet over a box of the plane, y upwards. */
 class Sheet {
 public:
   Sheet(const Eigen::Vector2d& lower, const Eigen::Vector2d& upper, int longest)
-      : lower_(lower), scale_(longest / (upper - lower).maxCoeff())
+  : lower_(lower), scale_(longest / (upper - lower).maxCoeff())
   {
     const Eigen::Vector2d size = scale_ * (upper - lower);
     width_ = std::max(1, static_cast<int>(size.x()));
@@ -30,8 +31,7 @@ public:
   }
 
   /** A round dot, or a ring where \p hole is above 0; radii in pixels. */
-  void
-  dot(const Eigen::Vector3d& x, const Colour& colour, double radius, double hole = 0.0)
+  void dot(const Eigen::Vector3d& x, const Colour& colour, double radius, double hole = 0.0)
   {
     const Eigen::Vector2d at = scale_ * (x.head<2>() - lower_);
     const int reach = static_cast<int>(std::ceil(radius));
@@ -40,29 +40,22 @@ public:
         if (std::hypot(i, j) <= radius && std::hypot(i, j) >= hole)
           set(static_cast<int>(at.x()) + i, static_cast<int>(at.y()) + j, colour);
   }
-  void
-  line(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Colour& colour)
+  void line(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Colour& colour)
   {
     const int steps = 1 + static_cast<int>(2.0 * scale_ * (b - a).norm());
     for (int k = 0; k <= steps; ++k)
       dot(a + (b - a) * (static_cast<double>(k) / steps), colour, 0.0);
   }
-  void
-  write(const std::string& file) const
-  {
-    pcl::io::saveRgbPNGFile(file, pixels_.data(), width_, height_);
-  }
+  void write(const std::string& file) const { pcl::io::saveRgbPNGFile(file, pixels_.data(), width_, height_); }
 
 private:
-  void
-  set(int i, int j, const Colour& colour)
+  void set(int i, int j, const Colour& colour)
   {
     if (i < 0 || j < 0 || i >= width_ || j >= height_)
       return;
     const auto row = static_cast<std::size_t>(height_ - 1 - j), column = static_cast<std::size_t>(i);
     std::copy(colour.begin(), colour.end(),
-              pixels_.begin() +
-                  static_cast<std::ptrdiff_t>(3 * (row * static_cast<std::size_t>(width_) + column)));
+              pixels_.begin() + static_cast<std::ptrdiff_t>(3 * (row * static_cast<std::size_t>(width_) + column)));
   }
 
   Eigen::Vector2d lower_;
@@ -81,16 +74,15 @@ writePath(const std::string& file, const test::CheckedPath& path)
   char line[160];
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Eigen::Vector3d &x = path.contacts[i], &n = path.normals[i];
-    std::snprintf(line, sizeof line, "%.6f,%.6f,%.6f,%.7f,%.7f,%.7f\n", x.x(), x.y(), x.z(), n.x(), n.y(),
-                  n.z());
+    std::snprintf(line, sizeof line, "%.6f,%.6f,%.6f,%.7f,%.7f,%.7f\n", x.x(), x.y(), x.z(), n.x(), n.y(), n.z());
     out << line;
   }
   return static_cast<bool>(out.flush());
 }
 
 bool
-writePicture(const std::string& file, const test::AnalyticSurface& part, const test::CheckedPath& path,
-             const test::JudgedFigures& figures, double h, int longest)
+writePicture(const std::string& file, const test::AnalyticSurface& part, const test::CheckedPath& path, const test::JudgedFigures& figures,
+             double h, int longest)
 {
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(figures.pitch);
   Sheet sheet(part.region().lower() - margin, part.region().upper() + margin, longest);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "outline_rows.h"
 
 #include "support/outlines.h"
@@ -30,8 +31,7 @@ addRows(double length, const std::vector<std::string>& names, std::vector<Outlin
 void
 addHarderScans(const std::string& name, std::vector<OutlineRow>& rows)
 {
-  const auto found =
-      std::find_if(rows.begin(), rows.end(), [&](const OutlineRow& r) { return r.name == name; });
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const OutlineRow& r) { return r.name == name; });
   OutlineRow row = *found;
   row.length += 0.005;
   const auto add = [&](const std::string& suffix, Scan scan, double noise, double p999, double over) {
@@ -53,20 +53,15 @@ void
 cutGap(double size, OutlineCloud& cloud)
 {
   const double radius = gap_radius * size;
-  const auto off = [&](const Eigen::Vector3d& x) {
-    return std::abs(cloud.part->rimDistance(x) - 3.0 * radius);
-  };
-  const auto last =
-      cloud.points.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(2000, cloud.points.size()));
+  const auto off = [&](const Eigen::Vector3d& x) { return std::abs(cloud.part->rimDistance(x) - 3.0 * radius); };
+  const auto last = cloud.points.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(2000, cloud.points.size()));
   const Eigen::Vector3d at =
-      *std::min_element(cloud.points.begin(), last,
-                        [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return off(a) < off(b); });
+      *std::min_element(cloud.points.begin(), last, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return off(a) < off(b); });
   cloud.gap = test::circle(cloud.part->chart(at), radius, 720);
   const test::Region region({cloud.gap});
-  cloud.points.erase(
-      std::remove_if(cloud.points.begin(), cloud.points.end(),
-                     [&](const Eigen::Vector3d& x) { return region.contains(cloud.part->chart(x)); }),
-      cloud.points.end());
+  cloud.points.erase(std::remove_if(cloud.points.begin(), cloud.points.end(),
+                                    [&](const Eigen::Vector3d& x) { return region.contains(cloud.part->chart(x)); }),
+                     cloud.points.end());
 }
 
 } // namespace
@@ -79,9 +74,7 @@ outlineRows()
   addRows(1.025, {"square", "square_sparse", "ellipse_2"}, rows);
   rows[2].outline = "square";
   rows[2].scan = Scan::Sparse;
-  addRows(1.035,
-          {"ellipse_3", "strip_8", "kidney", "blade", "oval_saddle", "ring_off_centre", "ring", "dumbbell"},
-          rows);
+  addRows(1.035, {"ellipse_3", "strip_8", "kidney", "blade", "oval_saddle", "ring_off_centre", "ring", "dumbbell"}, rows);
   addRows(1.045, {"L", "cross", "star_smooth"}, rows);
   addRows(1.06, {"star_pointed", "holes_2", "holes_3", "holes_6"}, rows);
   addRows(1.075, {"U", "boomerang", "slit_disc"}, rows);
@@ -96,9 +89,7 @@ outlineCloud(const OutlineRow& row, const Options& options, double pitch)
   OutlineCloud cloud;
   cloud.part = test::outlinedPart(row.outline, options.variation, options.size);
   const double area = cloud.part->area();
-  auto count = options.points > 0
-                   ? options.points
-                   : static_cast<std::size_t>(std::clamp(area / (pitch * pitch), 8000.0, 14000.0));
+  auto count = options.points > 0 ? options.points : static_cast<std::size_t>(std::clamp(area / (pitch * pitch), 8000.0, 14000.0));
   if (row.scan == Scan::Sparse)
     count = static_cast<std::size_t>(area / (9.0 * pitch * pitch));
   cloud.spacing = std::sqrt(area / static_cast<double>(count));

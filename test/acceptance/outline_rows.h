@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The outlines that paths are judged on, their limits and their clouds. Lengths in mm.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "case_series.h"
 #include "method_name.h"
 #include "outline_line.h"
@@ -81,8 +82,7 @@ drawn(const OutlineRow& row, const Options& options, const OutlineCloud& cloud, 
   if (options.picture.empty())
     return "";
   const std::string base = options.picture + "/" + row.name + "_" + options.method;
-  const bool written = writePath(base + ".csv", path) &&
-                       writePicture(base + ".png", *cloud.part, path, figures, options.scallop);
+  const bool written = writePath(base + ".csv", path) && writePicture(base + ".png", *cloud.part, path, figures, options.scallop);
   return written ? "" : "    cannot write " + base + ".csv and .png: does the folder exist?\n";
 }
 
@@ -133,15 +133,14 @@ outcomeOf(const OutlineRow& row, const Options& options)
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - from;
   const OutlineLine line = outlineLine(row, figures, settings);
   char end[120];
-  std::snprintf(end, sizeof end, ", %zu points in, %zu out, planned in %.1f s, judged in %.1f s%s",
-                cloud.points.size(), path.size(), made.seconds, took.count(),
+  std::snprintf(end, sizeof end, ", %zu points in, %zu out, planned in %.1f s, judged in %.1f s%s", cloud.points.size(), path.size(),
+                made.seconds, took.count(),
                 cloud.gap.empty()  ? ""
                 : figures.over_gap ? ", over the gap"
                                    : ", round the gap");
   if (options.places)
     printPlaces(row, made.report, line);
-  return {line.line + end,
-          line.broken + gapFaults(cloud, made.path) + drawn(row, options, cloud, path, figures)};
+  return {line.line + end, line.broken + gapFaults(cloud, made.path) + drawn(row, options, cloud, path, figures)};
 }
 
 } // namespace
@@ -152,17 +151,16 @@ judgeOutlines(const Options& options)
   if (!isMethod(options.method))
     return 1;
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  std::printf("outlines, method %s, R 5, h %g, seed %llu, variation %llu, size %g\n%s\n",
-              options.method.c_str(), options.scallop, static_cast<unsigned long long>(options.seed),
-              static_cast<unsigned long long>(options.variation), options.size, outlineHeading().c_str());
+  std::printf("outlines, method %s, R 5, h %g, seed %llu, variation %llu, size %g\n%s\n", options.method.c_str(), options.scallop,
+              static_cast<unsigned long long>(options.seed), static_cast<unsigned long long>(options.variation), options.size,
+              outlineHeading().c_str());
   int judged = 0, broken = 0;
   for (const OutlineRow& row : outlineRows()) {
     if (!isWanted(row.name, options.only))
       continue;
     const Outcome outcome = isolated(longest, [&] { return outcomeOf(row, options); });
     const bool came_back = outcome.kind.compare(0, row.name.size(), row.name) == 0;
-    std::printf("%s%s\n%s", came_back ? "" : (row.name + ": ").c_str(), outcome.kind.c_str(),
-                outcome.faults.c_str());
+    std::printf("%s%s\n%s", came_back ? "" : (row.name + ": ").c_str(), outcome.kind.c_str(), outcome.faults.c_str());
     if (!came_back)
       std::printf("\n");
     std::fflush(stdout);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "path_match.h"
 
 #include "support/move_tree.h"
@@ -48,10 +49,8 @@ bool
 sameBytes(const Path& a, const Path& b)
 {
   const auto same = [](const ToolpathPoint& p, const ToolpathPoint& q) {
-    return std::memcmp(p.data, q.data, 3 * sizeof(float)) == 0 &&
-           std::memcmp(p.normal, q.normal, 3 * sizeof(float)) == 0 &&
-           std::memcmp(p.axis, q.axis, 3 * sizeof(float)) == 0 &&
-           std::memcmp(&p.arc_length, &q.arc_length, sizeof(double)) == 0 &&
+    return std::memcmp(p.data, q.data, 3 * sizeof(float)) == 0 && std::memcmp(p.normal, q.normal, 3 * sizeof(float)) == 0 &&
+           std::memcmp(p.axis, q.axis, 3 * sizeof(float)) == 0 && std::memcmp(&p.arc_length, &q.arc_length, sizeof(double)) == 0 &&
            std::memcmp(&p.turn, &q.turn, sizeof(float)) == 0;
   };
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), same);

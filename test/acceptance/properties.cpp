@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "case_series.h"
 #include "method_name.h"
 #include "path_match.h"
@@ -119,7 +120,7 @@ Outcome
 outcomeOf(const RandomCase& random, SpiralMethod method)
 {
   SpiralSettings settings = settingsOf(random, method);
-  settings.thinning = 0.0; // voxels lie along the axes
+  settings.thinning = 0.0;   // voxels lie along the axes
   if (!settings.start_point) // the rim point farthest off is one of several on round parts
     settings.start_point = random.motion * random.surface->outlines().front().front();
   const Made first = made(random.cloud, settings);
@@ -135,8 +136,7 @@ outcomeOf(const RandomCase& random, SpiralMethod method)
   const Eigen::Affine3d same = Eigen::Affine3d::Identity(), moved(test::randomMotion(seed, 50.0 * random.spacing));
   faults += difference({"shuffled", same, true}, first, made(reordered(*random.cloud, seed), settings), random.spacing);
   for (const Motion& motion : motions(moved, method))
-    faults += difference(motion, first, made(mapped(*random.cloud, motion.map), mapped(settings, motion.map)),
-                         random.spacing);
+    faults += difference(motion, first, made(mapped(*random.cloud, motion.map), mapped(settings, motion.map)), random.spacing);
   return {first.status.ok() ? "path" : reasonOf(first.status.message()), faults};
 }
 
@@ -147,7 +147,8 @@ judgeProperties(const Options& options)
 {
   if (!isMethod(options.method))
     return 2;
-  return judgeSeries("properties", options, longest, [&options](const RandomCase& random) { return outcomeOf(random, *methodNamed(options.method)); });
+  return judgeSeries("properties", options, longest,
+                     [&options](const RandomCase& random) { return outcomeOf(random, *methodNamed(options.method)); });
 }
 
 } // namespace pcl_spiral::acceptance

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "case_series.h"
 #include "method_name.h"
 
@@ -20,17 +21,12 @@ constexpr unsigned int longest = 30; ///< s
 /** Collects what does not hold. */
 class Faults {
 public:
-  void
-  atMost(const char* what, double value, double limit)
+  void atMost(const char* what, double value, double limit)
   {
     if (!(value <= limit))
       text_ << what << ' ' << value << " above " << limit << "; ";
   }
-  std::string
-  text() const
-  {
-    return text_.str();
-  }
+  std::string text() const { return text_.str(); }
 
 private:
   std::ostringstream text_;
@@ -91,11 +87,12 @@ isToldWell(const RandomCase& made)
   if (1.5 * made.spacing > std::sqrt(8.0 * s.tool_radius * s.scallop_height))
     return false;
   const double sag = made.spacing * made.spacing * made.bend / 8.0;
-  return made.noise == 0.0 && made.strays == 0 && made.even && sag < 0.3 * s.chord_error &&
-         made.spacing * made.bend < 0.1 && s.tool_radius * made.concave < 0.5;
+  return made.noise == 0.0 && made.strays == 0 && made.even && sag < 0.3 * s.chord_error && made.spacing * made.bend < 0.1 &&
+         s.tool_radius * made.concave < 0.5;
 }
 
-/** The ridges that the settings allow and those foretold at corners, as radial turns leave them: turns seem there at most twice as far apart. */
+/** The ridges that the settings allow and those foretold at corners, as radial turns leave them: turns seem there at most twice as far
+ *  apart. */
 double
 highestRidge(const SpiralSettings& s, const SpiralReport& report)
 {
@@ -208,7 +205,8 @@ judgeRandom(const Options& options)
 {
   if (!isMethod(options.method))
     return 1;
-  return judgeSeries("random", options, longest, [&options](const RandomCase& made) { return outcomeOf(made, *methodNamed(options.method)); });
+  return judgeSeries("random", options, longest,
+                     [&options](const RandomCase& made) { return outcomeOf(made, *methodNamed(options.method)); });
 }
 
 } // namespace pcl_spiral::acceptance

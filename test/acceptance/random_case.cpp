@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "random_case.h"
 
 #include "support/sampling.h"
@@ -41,8 +42,7 @@ outline(test::Random& random)
   default: {
     const double hole = random.uniform(0.1, 0.6), off = random.uniform(0.0, 0.8 - hole);
     const double turn = random.uniform(0.0, 2.0 * M_PI);
-    return {"ring",
-            {test::circle({0, 0}, 1.0, fine), test::circle({off * std::cos(turn), off * std::sin(turn)}, hole, fine)}};
+    return {"ring", {test::circle({0, 0}, 1.0, fine), test::circle({off * std::cos(turn), off * std::sin(turn)}, hole, fine)}};
   }
   }
 }
@@ -108,8 +108,8 @@ chooseJob(test::Random& random, RandomCase& made, double size, const std::vector
   s.lead_angle = random.uniform() < 0.7 ? 0.0 : random.uniform(-20.0, 20.0);
   s.direction = choice(random, {SpiralDirection::Outward, SpiralDirection::Inward});
   s.sense = choice(random, {SpiralSense::Clockwise, SpiralSense::CounterClockwise});
-  s.boundary_mode = choice(random, {BoundaryMode::Automatic, BoundaryMode::Automatic, BoundaryMode::Automatic,
-                                    BoundaryMode::OneBoundary, BoundaryMode::TwoBoundaries});
+  s.boundary_mode = choice(random, {BoundaryMode::Automatic, BoundaryMode::Automatic, BoundaryMode::Automatic, BoundaryMode::OneBoundary,
+                                    BoundaryMode::TwoBoundaries});
   s.pitch = choice(random, {Pitch::AcrossFeed, Pitch::AcrossFeed, Pitch::AlongLine});
   s.lines = choice(random, {LineMethod::Automatic, LineMethod::Automatic, LineMethod::Geodesic, LineMethod::Harmonic});
   s.gaps = choice(random, {GapHandling::Bridge, GapHandling::Bridge, GapHandling::Refuse});
@@ -146,9 +146,9 @@ inWords(const RandomCase& made, const std::string& surface, const std::string& o
 {
   const SpiralSettings& s = made.settings;
   std::ostringstream text;
-  text << surface << ' ' << outline << ", " << points << " points " << made.spacing << " apart"
-       << (made.even ? "" : " in lines") << ", noise " << made.noise << ", " << made.strays << " strays, bend "
-       << made.bend << ", R " << s.tool_radius << ", scallop " << s.scallop_height << ", chord " << s.chord_error;
+  text << surface << ' ' << outline << ", " << points << " points " << made.spacing << " apart" << (made.even ? "" : " in lines")
+       << ", noise " << made.noise << ", " << made.strays << " strays, bend " << made.bend << ", R " << s.tool_radius << ", scallop "
+       << s.scallop_height << ", chord " << s.chord_error;
   return text.str();
 }
 
@@ -169,8 +169,7 @@ randomCase(std::uint64_t seed, std::uint64_t index)
   made.even = random.uniform() < 0.7;
   const double ratio = random.uniform(1.0, 4.0);
   test::Sampled scan = made.even ? test::sampleUniform(*piece, count, own)
-                                 : test::sampleScanLines(*piece, made.spacing / std::sqrt(ratio),
-                                                         made.spacing * std::sqrt(ratio), own);
+                                 : test::sampleScanLines(*piece, made.spacing / std::sqrt(ratio), made.spacing * std::sqrt(ratio), own);
   measureBend(made, scan);
   if (random.uniform() < 0.5)
     made.noise = made.spacing * 0.2 * random.uniform();

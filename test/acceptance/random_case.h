@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A part, a scan of it and a job, all by chance.
  */
@@ -24,12 +25,12 @@ struct RandomCase {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud;
   SpiralSettings settings;
-  double spacing = 0.0;  ///< of as many points spread evenly over the area
-  double noise = 0.0;    ///< standard deviation along the normal
-  double bend = 0.0;     ///< largest normal curvature, 1/mm
-  double concave = 0.0;  ///< the largest of the concave ones, 1/mm
+  double spacing = 0.0; ///< of as many points spread evenly over the area
+  double noise = 0.0;   ///< standard deviation along the normal
+  double bend = 0.0;    ///< largest normal curvature, 1/mm
+  double concave = 0.0; ///< the largest of the concave ones, 1/mm
   std::size_t strays = 0;
-  bool even = true;      ///< spread evenly over the area; else in scan lines
+  bool even = true; ///< spread evenly over the area; else in scan lines
 };
 
 /** Case \p index of the series \p seed; the same on every platform. */

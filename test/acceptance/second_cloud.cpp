@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Paths judged by a second, exact cloud of the part, which the planner has not seen: how far the path lies from the part,
 // and the greatest error after simulated machining. Among them the two parts of Wu et al. 2025 at their full size, for
 // which they publish 0.046 and 0.1215 mm (the first).
@@ -34,9 +35,8 @@ int
 judgeBySecondCloud(const Job& job, const Options& options)
 {
   char title[160];
-  std::snprintf(title, sizeof title, "%s: %zu points, seed %llu, R %g, scallop %g, chord %g, noise %g",
-                job.name.c_str(), job.points, static_cast<unsigned long long>(options.seed), job.tool_radius,
-                job.scallop_height, job.chord_error, job.noise);
+  std::snprintf(title, sizeof title, "%s: %zu points, seed %llu, R %g, scallop %g, chord %g, noise %g", job.name.c_str(), job.points,
+                static_cast<unsigned long long>(options.seed), job.tool_radius, job.scallop_height, job.chord_error, job.noise);
   Table table(title);
   const Run result = run(job, test::toCloud(sampled(job, options.seed).points), options.threads);
   table.holds("a path is made", result.status.ok(), result.status.message());
@@ -80,8 +80,7 @@ judgeBySecondCloud(const Job& job, const Options& options)
   const double machined = std::max({r.scallop.max.value, r.stock.max.value, r.rim.max.value, r.gouge.value});
   if (job.machined_max > 0.0)
     table.atMost("greatest error after machining", machined, job.machined_max);
-  table.atMost("uncut points", static_cast<double>(r.stock.uncut + r.rim.uncut), 0.0,
-               "of " + std::to_string(samples));
+  table.atMost("uncut points", static_cast<double>(r.stock.uncut + r.rim.uncut), 0.0, "of " + std::to_string(samples));
   table.note("efficiency", r.efficiency, "");
   if (job.judge_seconds > 0.0)
     table.atMost("time to judge", seconds, job.judge_seconds, "s");

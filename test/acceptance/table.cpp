@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "table.h"
 
 #include <cmath>
@@ -27,8 +28,7 @@ Table::atMost(const std::string& name, double value, double limit, const std::st
 {
   const bool held = value <= limit; // false for NaN
   broken_ += held ? 0 : 1;
-  std::printf("  %-34s %14.6g %14.6g %s%s\n", name.c_str(), value, limit, unit.c_str(),
-              held ? "" : "  BROKEN");
+  std::printf("  %-34s %14.6g %14.6g %s%s\n", name.c_str(), value, limit, unit.c_str(), held ? "" : "  BROKEN");
   std::fflush(stdout);
 }
 
@@ -44,8 +44,7 @@ void
 Table::holds(const std::string& name, bool held, const std::string& text)
 {
   broken_ += held ? 0 : 1;
-  std::printf("  %-34s %s%s%s\n", name.c_str(), held ? "yes" : "NO  BROKEN", text.empty() ? "" : ": ",
-              text.c_str());
+  std::printf("  %-34s %s%s%s\n", name.c_str(), held ? "yes" : "NO  BROKEN", text.empty() ? "" : ": ", text.c_str());
   std::fflush(stdout);
 }
 
@@ -53,9 +52,8 @@ std::string
 text(const test::Place& place)
 {
   char buffer[200];
-  std::snprintf(buffer, sizeof buffer,
-                "%.6g at (%.3f %.3f %.3f), %.3f from the rim, turn %.3f, path index %zu", place.value,
-                place.at.x(), place.at.y(), place.at.z(), place.rim, place.turn, place.index);
+  std::snprintf(buffer, sizeof buffer, "%.6g at (%.3f %.3f %.3f), %.3f from the rim, turn %.3f, path index %zu", place.value, place.at.x(),
+                place.at.y(), place.at.z(), place.rim, place.turn, place.index);
   return buffer;
 }
 

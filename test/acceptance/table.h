@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The printed outcome of an acceptance case: measured values against limits, with places.
  */
@@ -19,14 +20,9 @@ public:
   /** A value that must not exceed the limit. */
   void atMost(const std::string& name, double value, double limit, const std::string& unit = "mm");
   /** The same, with the place it was measured at, printed when the limit is broken. */
-  void atMost(const std::string& name, const test::Place& place, double limit,
-              const std::string& unit = "mm");
+  void atMost(const std::string& name, const test::Place& place, double limit, const std::string& unit = "mm");
   void holds(const std::string& name, bool held, const std::string& text = "");
-  int
-  broken() const
-  {
-    return broken_;
-  }
+  int broken() const { return broken_; }
 
 private:
   int broken_ = 0;

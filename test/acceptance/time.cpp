@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cases.h"
 #include "table.h"
 
@@ -41,8 +42,7 @@ judgeTime(const Options& options)
 {
   const Job row = job("freeform");
   const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
-  Table table("time: the whole free-form run beside PCL's filters, " + std::to_string(threads) +
-              " threads, best of three by turns");
+  Table table("time: the whole free-form run beside PCL's filters, " + std::to_string(threads) + " threads, best of three by turns");
   const Cloud::ConstPtr cloud = test::toCloud(sampled(row, options.seed).points);
   const double spacing = std::sqrt(row.surface->area() / static_cast<double>(row.points));
   double ours = 1e9, theirs = 1e9;

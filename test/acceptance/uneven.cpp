@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Honest but ugly scans of parts known exactly, each beside a clean one: as many points as its sparsest part implies,
 // spread evenly, with the same noise.
 #include "cases.h"
@@ -79,9 +80,7 @@ std::function<double(const Eigen::Vector3d&)>
 fading(const test::AnalyticSurface& surface, double ratio)
 {
   const double low = surface.region().lower().x(), high = surface.region().upper().x();
-  return [=](const Eigen::Vector3d& p) {
-    return std::pow(ratio, -std::clamp((p.x() - low) / (high - low), 0.0, 1.0));
-  };
+  return [=](const Eigen::Vector3d& p) { return std::pow(ratio, -std::clamp((p.x() - low) / (high - low), 0.0, 1.0)); };
 }
 
 std::function<double(const Eigen::Vector3d&)>
@@ -108,8 +107,7 @@ twoPasses(const test::AnalyticSurface& surface, const test::Sampled& first, cons
 /** \p share of false points among the others: half within \p near of the surface, half anywhere in a box
  *  that is \p near larger on all sides. */
 void
-addOutliers(const test::AnalyticSurface& surface, double share, double near, std::uint64_t seed,
-            std::vector<Eigen::Vector3d>& points)
+addOutliers(const test::AnalyticSurface& surface, double share, double near, std::uint64_t seed, std::vector<Eigen::Vector3d>& points)
 {
   test::Random random(seed + 77);
   Eigen::AlignedBox3d box;
@@ -147,8 +145,8 @@ judgeLoopsOf(const Run& run, const std::vector<Polyline>& outlines, double coars
   std::size_t rims = 0;
   for (const BoundaryLoop& loop : run.report.loops)
     rims += loop.type != LoopType::ScanGap;
-  table.atMost("  loops too many or too few",
-               std::abs(static_cast<double>(run.report.loops.size()) - static_cast<double>(outlines.size())), 0.0, "");
+  table.atMost("  loops too many or too few", std::abs(static_cast<double>(run.report.loops.size()) - static_cast<double>(outlines.size())),
+               0.0, "");
   for (const Polyline& outline : outlines) {
     test::Place best;
     best.value = 1e9;
@@ -195,8 +193,10 @@ judgeLines(const Options& options)
   Table table("lines: points ten times closer on scan lines than the lines stand apart");
   for (const Job& job : {dome(), plate()}) {
     const test::AnalyticSurface& surface = *job.surface;
-    judgeScan(job, {"jittered", test::sampleScanLines(surface, 0.2, 2.0, options.seed, 0.4).points, 2.0}, surface.outlines(), options, table);
-    judgeScan(job, {"straight", test::sampleScanLines(surface, 0.2, 2.0, options.seed, 0.0).points, 2.0}, surface.outlines(), options, table);
+    judgeScan(job, {"jittered", test::sampleScanLines(surface, 0.2, 2.0, options.seed, 0.4).points, 2.0}, surface.outlines(), options,
+              table);
+    judgeScan(job, {"straight", test::sampleScanLines(surface, 0.2, 2.0, options.seed, 0.0).points, 2.0}, surface.outlines(), options,
+              table);
     test::Sampled noisy = test::sampleScanLines(surface, 0.2, 2.0, options.seed, 0.1);
     test::addNoise(noisy, 0.02, options.seed);
     judgeScan(job, {"noisy", noisy.points, 2.0, 0.02}, surface.outlines(), options, table);
@@ -214,8 +214,8 @@ judgeUneven(const Options& options)
       const std::string name = std::to_string(static_cast<int>(ratio)) + ":1";
       judgeScan(job, {"fading " + name, sampleByDensity(surface, 2.0, ratio, options.seed, fading(surface, ratio)).points, 2.0},
                 surface.outlines(), options, table);
-      judgeScan(job, {"step " + name, sampleByDensity(surface, 2.0, ratio, options.seed, stepping(ratio)).points, 2.0},
-                surface.outlines(), options, table);
+      judgeScan(job, {"step " + name, sampleByDensity(surface, 2.0, ratio, options.seed, stepping(ratio)).points, 2.0}, surface.outlines(),
+                options, table);
     }
   }
   return table.broken();
@@ -230,8 +230,11 @@ judgePasses(const Options& options)
     const std::size_t count = countAt(surface, 2.0);
     test::Sampled a = test::sampleUniform(surface, count, options.seed), b = test::sampleUniform(surface, count, options.seed + 1);
     if (job.name == "plate") {
-      judgeScan(job, {"scan lines", twoPasses(surface, test::sampleScanLines(surface, 0.2, 2.0, options.seed, 0.1),
-                                              test::sampleScanLines(surface, 0.2, 2.0, options.seed + 1, 0.1), 0.02), 2.0, 0.01},
+      judgeScan(job,
+                {"scan lines",
+                 twoPasses(surface, test::sampleScanLines(surface, 0.2, 2.0, options.seed, 0.1),
+                           test::sampleScanLines(surface, 0.2, 2.0, options.seed + 1, 0.1), 0.02),
+                 2.0, 0.01},
                 surface.outlines(), options, table);
     }
     judgeScan(job, {"without noise", twoPasses(surface, a, b, 0.02), 2.0, 0.01}, surface.outlines(), options, table);

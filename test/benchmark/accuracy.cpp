@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "accuracy.h"
 
 #include "support/ideal_length.h"
@@ -29,8 +30,7 @@ accuracyOf(const RunCase& run, const pcl::PointCloud<ToolpathPoint>& path)
   found.deviation_rms = n > 0 ? std::sqrt(squares / static_cast<double>(n)) : 0.0;
   found.longest_move = longest;
   if (run.round)
-    found.length_ratio = length / test::lengthOverLatitudes(*run.cloud.surface, run.settings.tool_radius,
-                                                            run.settings.scallop_height);
+    found.length_ratio = length / test::lengthOverLatitudes(*run.cloud.surface, run.settings.tool_radius, run.settings.scallop_height);
   return found;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A path against the exact surface, cheaply, so that no time is read without it. mm.
  */

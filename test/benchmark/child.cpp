@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "child.h"
 
 #include <spawn.h>
@@ -44,7 +45,7 @@ Json
 runChild(const ChildTask& task)
 {
   std::filesystem::remove(resultIn(task.folder));
-  std::vector<std::string> words{"pcl_spiral_benchmark_run",   mark, task.what, task.name, std::to_string(task.scallop),
+  std::vector<std::string> words{"pcl_spiral_benchmark_run",   mark,       task.what, task.name, std::to_string(task.scallop),
                                  std::to_string(task.threads), task.folder};
   std::vector<char*> arguments;
   for (std::string& word : words)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The same program once more, so that a measurement has a process, and a peak of memory, of its own.
  */

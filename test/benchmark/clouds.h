@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The clouds that everything is timed on. Lengths in mm.
  */

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "library_stages.h"
 
 #include "core/axis_field.h"
 #include "core/tool_axis.h"
-#include <pcl_spiral/io/cloud_reader.h>
-#include <pcl_spiral/io/toolpath_writer.h>
 #include "search/neighbour_search.h"
 #include <pcl_spiral/cutter/cutter_location.h>
+#include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/io/toolpath_writer.h>
 
 #include <pcl/io/pcd_io.h>
 
@@ -27,8 +28,7 @@ class ScratchFile {
 public:
   explicit ScratchFile(const std::string& extension)
   : path_(std::filesystem::temp_directory_path() / ("pcl_spiral_benchmark_" + std::to_string(::getpid()) + extension))
-  {
-  }
+  {}
   ~ScratchFile() { std::filesystem::remove(path_); }
   std::string path() const { return path_.string(); }
   std::size_t size() const { return std::filesystem::file_size(path_); }
@@ -175,8 +175,7 @@ toolAxis(State& state, StageInput& input, int)
     normals.push_back(foot.normal);
   constexpr double degree = M_PI / 180.0;
   for (auto _ : state)
-    benchmark::DoNotOptimize(
-        smoothAxes(spiral, tiltedAxes(spiral, normals, 15.0 * degree, 0.0), {50.0, 2.0 * degree, 10.0 * degree}));
+    benchmark::DoNotOptimize(smoothAxes(spiral, tiltedAxes(spiral, normals, 15.0 * degree, 0.0), {50.0, 2.0 * degree, 10.0 * degree}));
   count(state, spiral.size(), 2 * spiral.size() * sizeof(Eigen::Vector3d));
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "measured_run.h"
 
 #include "accuracy.h"
@@ -126,8 +127,7 @@ measureOurs(const RunCase& run, const std::string& scan, const std::string& csv,
   const double processor = processorSeconds() - processor_before;
 
   const MemoryUse memory = whole.back().memory;
-  const double own = static_cast<double>(memory.peak) - static_cast<double>(before) -
-                     bytes_a_path_point * static_cast<double>(path.size());
+  const double own = static_cast<double>(memory.peak) - static_cast<double>(before) - bytes_a_path_point * static_cast<double>(path.size());
   Json json{{"seconds", whole.back().seconds},
             {"processor_seconds", processor},
             {"peak_mb", megabytes(memory.peak)},
@@ -148,8 +148,11 @@ measurePcl(const std::string& scan, int threads)
     throw std::runtime_error("PCL cannot read " + scan);
   const double processor_before = processorSeconds();
   const test::PairSeconds pair = test::timePclPair(cloud, threads);
-  return {{"seconds", pair.sum()}, {"processor_seconds", processorSeconds() - processor_before},
-          {"normals", pair.normals}, {"boundary", pair.boundary}, {"peak_mb", megabytes(memoryUse().peak)}};
+  return {{"seconds", pair.sum()},
+          {"processor_seconds", processorSeconds() - processor_before},
+          {"normals", pair.normals},
+          {"boundary", pair.boundary},
+          {"peak_mb", megabytes(memoryUse().peak)}};
 }
 
 } // namespace pcl_spiral::benchmarks

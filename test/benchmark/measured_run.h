@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What one process measures: our whole run, or PCL's pair.
  */

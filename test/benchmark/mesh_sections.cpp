@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sections of a mesh with many planes, one thread: ours by each search, beside the loop over all triangles with points ordered by
 // the nearest, CGAL's Polygon_mesh_slicer and VTK's vtkCutter. pcl_spiral_benchmark_sections [landform|bonnet] [step-over]
 #include "support/mesh_surfaces.h"
@@ -60,10 +61,10 @@ plainLoop(const SurfaceMesh& mesh, const std::vector<double>& levels)
       }
     }
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-      const auto nearest = std::min_element(places.begin() + static_cast<std::ptrdiff_t>(i) + 1, places.end(),
-                                            [&](const Vector3d& a, const Vector3d& b) {
-                                              return (a - places[i]).squaredNorm() < (b - places[i]).squaredNorm();
-                                            });
+      const auto nearest =
+          std::min_element(places.begin() + static_cast<std::ptrdiff_t>(i) + 1, places.end(), [&](const Vector3d& a, const Vector3d& b) {
+            return (a - places[i]).squaredNorm() < (b - places[i]).squaredNorm();
+          });
       std::swap(places[i + 1], *nearest);
     }
     rows.push_back({places});
@@ -169,8 +170,8 @@ main(int argc, char** argv)
 {
   const bool hood = argc < 2 || std::strcmp(argv[1], "bonnet") == 0;
   const double step = argc > 2 ? std::atof(argv[2]) : 2.0 * std::sqrt((2.0 * 5.0 - 0.01) * 0.01); // equation (4): R 5, H 0.01
-  const test::TriangleMesh made = hood ? test::delaunayMesh(*test::bonnet(), {1400, 1000}, 54800, 442)
-                                       : test::gridMesh(*test::landform(), {100, 100}, 49);
+  const test::TriangleMesh made =
+      hood ? test::delaunayMesh(*test::bonnet(), {1400, 1000}, 54800, 442) : test::gridMesh(*test::landform(), {100, 100}, 49);
   const pcl::PolygonMesh::Ptr polygons = made.polygons();
   MeshSettings settings;
   settings.edges = MeshEdges::Straight;
@@ -192,8 +193,9 @@ main(int argc, char** argv)
   const double plain = secondsOf([&] { rows = plainLoop(*mesh, levels); });
   std::printf("| loop over all triangles, nearest-point order | %.3f | 1 |\n", plain);
   const auto print = [&](const char* name, double seconds) { std::printf("| %s | %.3f | %.3f |\n", name, seconds, seconds / plain); };
-  for (const auto& [search, name] : {std::pair(MeshSearch::LevelLines, "ours, all planes at once"), std::pair(MeshSearch::RTree, "ours, R*-tree"),
-                                     std::pair(MeshSearch::AllFaces, "ours, loop over all triangles")}) {
+  for (const auto& [search, name] :
+       {std::pair(MeshSearch::LevelLines, "ours, all planes at once"), std::pair(MeshSearch::RTree, "ours, R*-tree"),
+        std::pair(MeshSearch::AllFaces, "ours, loop over all triangles")}) {
     sections.setSearch(search);
     print(name, secondsOf([&] { sections.compute(passes); }));
   }

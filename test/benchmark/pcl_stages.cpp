@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "library_stages.h"
 
 namespace pcl_spiral::benchmarks {

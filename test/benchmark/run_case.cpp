@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "run_case.h"
 
 #include <cmath>
@@ -49,9 +50,15 @@ methodNamed(const std::string& name)
 const std::vector<std::string>&
 caseNames()
 {
-  static const std::vector<std::string> names{"dome",           "dome200k",         "freeform",           "dome12",
-                                              "dome_scallop",   "dome200k_scallop", "freeform_scallop",
-                                              "dome200k_published", "freeform_published"};
+  static const std::vector<std::string> names{"dome",
+                                              "dome200k",
+                                              "freeform",
+                                              "dome12",
+                                              "dome_scallop",
+                                              "dome200k_scallop",
+                                              "freeform_scallop",
+                                              "dome200k_published",
+                                              "freeform_published"};
   return names;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "stage_input.h"
 
 #include <cmath>
@@ -12,10 +13,7 @@ constexpr std::size_t line_count = 128;
 
 } // namespace
 
-StageInput::StageInput(std::size_t points)
-: plan_{points == freeform_points ? test::freeform() : domeSurface(), points}
-{
-}
+StageInput::StageInput(std::size_t points) : plan_{points == freeform_points ? test::freeform() : domeSurface(), points} {}
 
 const Points&
 StageInput::points(FileOrder order)

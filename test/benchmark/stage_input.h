@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What the stages work on, made once for each size and before the clock runs.
  */
@@ -7,9 +8,9 @@
 
 #include "support/pcl_pair.h"
 
+#include "geodesic/distance_field.h"
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/features/impl/surface_boundary.h>
-#include "geodesic/distance_field.h"
 #include <pcl_spiral/geodesic/impl/geodesic_refinement.h>
 
 #include <map>

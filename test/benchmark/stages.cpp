@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Times every stage of the library, and PCL's normals and boundary points beside them: stage x size x threads.
 #include "library_stages.h"
 
@@ -45,9 +46,8 @@ registerAll(const std::vector<std::size_t>& sizes)
   for (const std::size_t points : sizes)
     for (const Stage& stage : stages)
       for (const int threads : stage.parallel ? threadCounts() : std::vector<int>{1})
-        benchmark::RegisterBenchmark(
-            (stage.name + ("/" + sizeName(points)) + "/" + std::to_string(threads) + "t").c_str(),
-            [=](benchmark::State& state) { runStage(state, stage, points, threads); })
+        benchmark::RegisterBenchmark((stage.name + ("/" + sizeName(points)) + "/" + std::to_string(threads) + "t").c_str(),
+                                     [=](benchmark::State& state) { runStage(state, stage, points, threads); })
             ->UseRealTime()
             ->MeasureProcessCPUTime() // of all threads
             ->Unit(benchmark::kMillisecond);

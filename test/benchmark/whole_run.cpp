@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Times whole runs, reading PCD to written CSV, beside PCL's normals and boundary points of the same cloud.
 #include "child.h"
 #include "run_table.h"
@@ -43,8 +44,8 @@ parse(int argc, char** argv, Plan& plan)
   list("scallop", &plan.scallops, "mm; 0.05 by default");
   list("threads", &plan.threads, "all of the machine's by default");
   options.add_options()("repetitions", po::value(&plan.repetitions), "by turns with PCL; the median counts; 3 by default")(
-      "without-pcl", po::bool_switch(&plan.without_pcl), "time ours alone")(
-      "json", po::value(&plan.json), "file for all that was measured")(
+      "without-pcl", po::bool_switch(&plan.without_pcl), "time ours alone")("json", po::value(&plan.json),
+                                                                            "file for all that was measured")(
       "folder", po::value(&plan.folder), "for the scan and the path; a temporary one by default")("help", "this text");
   po::variables_map given;
   po::store(po::parse_command_line(argc, argv, options), given);
@@ -147,9 +148,8 @@ main(int argc, char** argv)
     const Json runs = runAll(plan);
     printTable(runs);
     if (!plan.json.empty())
-      std::ofstream(plan.json) << Json{{"cores", std::thread::hardware_concurrency()},
-                                       {"pcl", PCL_VERSION_PRETTY},
-                                       {"runs", runs}}.dump(2, ' ', false, Json::error_handler_t::replace)
+      std::ofstream(plan.json) << Json{{"cores", std::thread::hardware_concurrency()}, {"pcl", PCL_VERSION_PRETTY}, {"runs", runs}}.dump(
+                                      2, ' ', false, Json::error_handler_t::replace)
                                << '\n';
     if (own_folder)
       std::filesystem::remove_all(plan.folder);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A scan to run the programs on.
  */
@@ -22,8 +23,7 @@ capScan(int count, double noise = 0.0)
   for (int i = 0; i < count; ++i) {
     const double r = 40.0 * std::sqrt(unit(random)), angle = 2.0 * M_PI * unit(random);
     const double off = noise > 0.0 ? noise * normal(random) : 0.0;
-    text << r * std::cos(angle) << ' ' << r * std::sin(angle) << ' ' << std::sqrt(1e4 - r * r) - 100.0 + off
-         << '\n';
+    text << r * std::cos(angle) << ' ' << r * std::sin(angle) << ' ' << std::sqrt(1e4 - r * r) - 100.0 + off << '\n';
   }
   return text.str();
 }

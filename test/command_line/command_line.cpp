@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The main program from outside: exit codes, words on stderr, and the files it leaves or does not leave.
 #include "core/tool_axis.h"
 #include <pcl_spiral/io/toolpath_reader.h>
@@ -61,21 +62,12 @@ sphere(int count)
 
 class CommandLine : public ::testing::Test {
 protected:
-  void
-  SetUp() override
-  {
-    writeText(folder_.path("cap.xyz"), xyz(cap(6000)));
-  }
+  void SetUp() override { writeText(folder_.path("cap.xyz"), xyz(cap(6000))); }
 
-  RunResult
-  run(const Arguments& arguments)
-  {
-    return endOf(startProgram(program, arguments, folder_), folder_);
-  }
+  RunResult run(const Arguments& arguments) { return endOf(startProgram(program, arguments, folder_), folder_); }
 
   /** Runs with a 3 mm ball and 0.02 mm scallop. */
-  RunResult
-  make(const std::string& scan, Arguments arguments)
+  RunResult make(const std::string& scan, Arguments arguments)
   {
     arguments.insert(arguments.begin(), {scan, "--tool-radius", "3", "--scallop", "0.02"});
     return run(arguments);
@@ -83,8 +75,7 @@ protected:
 
   /** The call must end with \p code, say \p words on stderr and nothing on stdout, and leave the folder as it
    * was. */
-  void
-  expectRefused(const Arguments& arguments, int code, const std::vector<std::string>& words)
+  void expectRefused(const Arguments& arguments, int code, const std::vector<std::string>& words)
   {
     const std::size_t before = folder_.count();
     const RunResult result = run(arguments);
@@ -93,15 +84,13 @@ protected:
       call += argument + " ";
     EXPECT_EQ(result.code, code) << call << "\n" << result.err;
     for (const std::string& word : words)
-      EXPECT_NE(result.err.find(word), std::string::npos)
-          << call << "\nwithout '" << word << "': " << result.err;
+      EXPECT_NE(result.err.find(word), std::string::npos) << call << "\nwithout '" << word << "': " << result.err;
     EXPECT_EQ(result.out, "") << call;
     EXPECT_EQ(folder_.count(), before) << call << "\nleft a file behind";
   }
 
   /** The outputs a.csv, a.pcd and a.json must hold a path from about the middle of the cap to its rim. */
-  void
-  expectWholePath()
+  void expectWholePath()
   {
     const auto csv = pcl_spiral::readToolpath(folder_.path("a.csv"));
     const auto pcd = pcl_spiral::readToolpath(folder_.path("a.pcd"));
@@ -114,8 +103,7 @@ protected:
     EXPECT_NEAR(pcd.path.front().x, 0.0, 3.0) << "from the centre";
     EXPECT_NEAR(std::hypot(pcd.path.back().x, pcd.path.back().y), 40.0, 1.5) << "to the rim";
     const std::string report = readText(folder_.path("a.json"));
-    for (const char* word :
-         {"\"tool_radius\": 3.0", "\"input_points\": 6000", "\"outer\"", "\"warnings\"", "\"stages\""})
+    for (const char* word : {"\"tool_radius\": 3.0", "\"input_points\": 6000", "\"outer\"", "\"warnings\"", "\"stages\""})
       EXPECT_NE(report.find(word), std::string::npos) << word;
   }
 
@@ -130,15 +118,12 @@ TEST_F(CommandLine, HelpShowsEveryOptionWithAnExample)
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.err, "");
   for (const char* option :
-       {"tool-radius",   "scallop", "chord-error", "max-step", "tilt",       "lead",
-        "max-axis-rate", "feed",    "center",      "start",    "view-point", "boundaries",
-        "direction",     "sense",   "pitch",       "lines",    "gaps",       "thin",
-        "outliers",      "units",   "columns",     "threads",  "config",     "origin",
-        "axis-smoothing", "axis-deviation"}) {
+       {"tool-radius", "scallop",    "chord-error", "max-step",  "tilt",   "lead",   "max-axis-rate",  "feed",          "center",
+        "start",       "view-point", "boundaries",  "direction", "sense",  "pitch",  "lines",          "gaps",          "thin",
+        "outliers",    "units",      "columns",     "threads",   "config", "origin", "axis-smoothing", "axis-deviation"}) {
     std::istringstream words(result.out);
     const std::string name = std::string("--") + option;
-    EXPECT_GE(std::count(std::istream_iterator<std::string>(words), {}, name), 2)
-        << "no example of " << option;
+    EXPECT_GE(std::count(std::istream_iterator<std::string>(words), {}, name), 2) << "no example of " << option;
   }
   EXPECT_EQ(run({"--version"}).out.rfind("pcl_spiral_toolpath 0.", 0), 0U);
 }
@@ -154,8 +139,7 @@ TEST_F(CommandLine, RefusesBadCalls)
                   {"--tool-radius " + std::string(radius), "above 0"});
   expectRefused({scan, "--tool-radius", "3", "--scallop", "0.02"}, 2, {"-o"});
   for (const char* scallop : {"0", "-1", "3", "4", "nan", "abc", "0.02mm"})
-    expectRefused({scan, "--tool-radius", "3", "--scallop", scallop, "-o", "a.csv"}, 2,
-                  {"--scallop", scallop});
+    expectRefused({scan, "--tool-radius", "3", "--scallop", scallop, "-o", "a.csv"}, 2, {"--scallop", scallop});
   const auto with = [&scan](const Arguments& more) {
     Arguments arguments{scan, "--tool-radius", "3", "--scallop", "0.02", "-o", "a.csv"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -201,8 +185,7 @@ TEST_F(CommandLine, RefusesOptionsThatDoNotFitTheScan)
 
 TEST_F(CommandLine, RefusesBadFilesBeforeAnyWork)
 {
-  const auto refused = [this](const std::string& scan, const std::string& output,
-                              const std::vector<std::string>& words) {
+  const auto refused = [this](const std::string& scan, const std::string& output, const std::vector<std::string>& words) {
     expectRefused({scan, "--tool-radius", "3", "--scallop", "0.02", "-o", output}, 1, words);
   };
   refused("missing.pcd", "a.csv", {"missing.pcd", "no such file"});
@@ -227,8 +210,7 @@ TEST_F(CommandLine, FileNamesStayAsTheyAreInMessages)
   std::filesystem::create_directory(folder.path("setMethod"));
   for (const std::string name : {"setCenter.xyz", "my-setThinning.xyz", "setMethod/scan.xyz"}) {
     writeText(folder.path(name), "1 2 x\n");
-    const RunResult result = endOf(
-        startProgram(program, {name, "--tool-radius", "3", "--scallop", "0.1", "-o", "a.csv"}, folder), folder);
+    const RunResult result = endOf(startProgram(program, {name, "--tool-radius", "3", "--scallop", "0.1", "-o", "a.csv"}, folder), folder);
     EXPECT_EQ(result.code, 1);
     EXPECT_NE(result.err.find(": " + name), std::string::npos) << result.err;
   }
@@ -264,8 +246,8 @@ TEST_F(CommandLine, WritesEveryOutputAndSaysSo)
     const RunResult result = make("cap.xyz", arguments);
     ASSERT_EQ(result.code, 0) << result.err;
     EXPECT_EQ(folder_.count(), 6U) << "the scan and five outputs";
-    for (const char* word : {"6000 points", "spacing", method == "radial" ? "centre" : "loops", "turns", "path length",
-                             "machining time", "a.csv", "a.json"})
+    for (const char* word :
+         {"6000 points", "spacing", method == "radial" ? "centre" : "loops", "turns", "path length", "machining time", "a.csv", "a.json"})
       EXPECT_NE(result.out.find(word), std::string::npos) << word << " in\n" << result.out;
     expectWholePath();
   }
@@ -338,8 +320,7 @@ TEST_F(CommandLine, UnitsAndThreadsDoNotChangeThePath)
     text << p[0] << ',' << p[1] << ',' << p[2] << '\n';
   writeText(folder_.path("metres.csv"), text.str());
   ASSERT_EQ(make("cap.xyz", {"-o", "mm.csv", "--threads", "1"}).code, 0);
-  const RunResult metre_run =
-      make("metres.csv", {"-o", "m.csv", "--units", "m", "--threads", "2", "--quiet"});
+  const RunResult metre_run = make("metres.csv", {"-o", "m.csv", "--units", "m", "--threads", "2", "--quiet"});
   ASSERT_EQ(metre_run.code, 0) << metre_run.err;
   EXPECT_EQ(metre_run.out + metre_run.err, "");
   const auto a = pcl_spiral::readToolpath(folder_.path("mm.csv")).path;
@@ -349,9 +330,8 @@ TEST_F(CommandLine, UnitsAndThreadsDoNotChangeThePath)
 
 TEST_F(CommandLine, JobFileHoldsTheSameNamesAndTheCommandLineWins)
 {
-  writeText(folder_.path("job.yaml"),
-            "scan: cap.xyz\noutput: [a.csv, a.json]\ntool-radius: 6\nscallop: 0.02\n"
-            "center: [0, 0, 0]\nfeed: 2500\nflip-normals: false\n");
+  writeText(folder_.path("job.yaml"), "scan: cap.xyz\noutput: [a.csv, a.json]\ntool-radius: 6\nscallop: 0.02\n"
+                                      "center: [0, 0, 0]\nfeed: 2500\nflip-normals: false\n");
   const RunResult result = run({"--config", "job.yaml", "--tool-radius", "3"});
   ASSERT_EQ(result.code, 0) << result.err;
   const std::string report = readText(folder_.path("a.json"));
@@ -359,8 +339,7 @@ TEST_F(CommandLine, JobFileHoldsTheSameNamesAndTheCommandLineWins)
   EXPECT_EQ(pcl_spiral::readToolpath(folder_.path("a.csv")).feed.at(0), 2500.0);
 
   writeText(folder_.path("wrong.yaml"), "tool-radius: 3\nscalop: 0.02\n");
-  expectRefused({"cap.xyz", "--config", "wrong.yaml", "-o", "b.csv"}, 2,
-                {"wrong.yaml", "line 2", "scalop", "did you mean 'scallop'"});
+  expectRefused({"cap.xyz", "--config", "wrong.yaml", "-o", "b.csv"}, 2, {"wrong.yaml", "line 2", "scalop", "did you mean 'scallop'"});
   writeText(folder_.path("broken.yaml"), "tool-radius: [3\n");
   expectRefused({"cap.xyz", "--config", "broken.yaml", "-o", "b.csv"}, 1, {"broken.yaml"});
   expectRefused({"cap.xyz", "--config", "none.yaml", "-o", "b.csv"}, 1, {"none.yaml"});
@@ -378,8 +357,7 @@ TEST_F(CommandLine, ControlCLeavesNothingBehind)
 {
   writeText(folder_.path("large.xyz"), xyz(cap(300000)));
   for (const int signal : {SIGINT, SIGTERM}) {
-    const pid_t process = startProgram(
-        program, {"large.xyz", "--tool-radius", "1", "--scallop", "0.0005", "-o", "a.csv"}, folder_);
+    const pid_t process = startProgram(program, {"large.xyz", "--tool-radius", "1", "--scallop", "0.0005", "-o", "a.csv"}, folder_);
     ASSERT_TRUE(waitUntilCaught(process, signal));
     std::this_thread::sleep_for(std::chrono::milliseconds(200)); // into the work
     ASSERT_EQ(::kill(process, signal), 0);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // pcl_spiral_drive from outside: a column by a helix, planes over a cap, and what is said of wrong calls.
 #include "command_line/cap_scan.h"
 #include "command_line/run_program.h"
@@ -64,10 +65,35 @@ rows(const std::string& csv)
 TEST(Drive, AColumnByAHelixForAnyCutter)
 {
   const ScratchFolder folder;
-  const RunResult done =
-      run(folder, {"column.xyz", "--drive", "helix", "--step-over", "2", "--tool-radius", "3", "--corner-radius", "0.5",
-                   "--flank-length", "10", "--point-spacing", "2", "--tolerance", "0.05", "-o", "a.csv", "-o", "a.vtp", "-o",
-                   "a.json", "-o", "a.ngc", "-o", "a.apt", "-o", "a.png", "--machine", machines + "/head_head.yaml"});
+  const RunResult done = run(folder, {"column.xyz",
+                                      "--drive",
+                                      "helix",
+                                      "--step-over",
+                                      "2",
+                                      "--tool-radius",
+                                      "3",
+                                      "--corner-radius",
+                                      "0.5",
+                                      "--flank-length",
+                                      "10",
+                                      "--point-spacing",
+                                      "2",
+                                      "--tolerance",
+                                      "0.05",
+                                      "-o",
+                                      "a.csv",
+                                      "-o",
+                                      "a.vtp",
+                                      "-o",
+                                      "a.json",
+                                      "-o",
+                                      "a.ngc",
+                                      "-o",
+                                      "a.apt",
+                                      "-o",
+                                      "a.png",
+                                      "--machine",
+                                      machines + "/head_head.yaml"});
   ASSERT_EQ(done.code, 0) << done.err;
   expectHas(done.out, "drive path      helix: 1 pass, ");
   expectHas(done.out, "rotary axes     ");
@@ -89,8 +115,8 @@ TEST(Drive, AColumnByAHelixForAnyCutter)
 TEST(Drive, PlanesAreOnePassEachAndLeaveTheSurfaceBetween)
 {
   const ScratchFolder folder;
-  const RunResult done = run(folder, {"cap.xyz", "--tool-radius", "4", "--scallop", "0.2", "--tolerance", "0.05", "-o", "a.csv",
-                                      "-o", "a.ngc"});
+  const RunResult done =
+      run(folder, {"cap.xyz", "--tool-radius", "4", "--scallop", "0.2", "--tolerance", "0.05", "-o", "a.csv", "-o", "a.ngc"});
   ASSERT_EQ(done.code, 0) << done.err;
   const auto all = rows(readText(folder.path("a.csv")));
   std::size_t passes = 1;
@@ -114,8 +140,8 @@ TEST(Drive, PlanesAreOnePassEachAndLeaveTheSurfaceBetween)
 TEST(Drive, RowsAreKeptToTheScallopAndJoined)
 {
   const ScratchFolder folder;
-  const std::vector<std::string> call{"cap.xyz", "--tool-radius", "4", "--scallop", "0.2", "--tolerance", "0.05",
-                                      "-o", "a.csv", "-o", "a.json"};
+  const std::vector<std::string> call{"cap.xyz", "--tool-radius", "4",  "--scallop", "0.2", "--tolerance", "0.05",
+                                      "-o",      "a.csv",         "-o", "a.json"};
   const RunResult even = run(folder, call);
   ASSERT_EQ(even.code, 0) << even.err;
   expectHas(readText(folder.path("a.json")), "\"links\": 0");
@@ -168,8 +194,8 @@ TEST(Drive, APictureOfThePassesNeedsADisplayAndNoMachine)
 TEST(Drive, AHolderThatWouldCollideIsRefused)
 {
   const ScratchFolder folder;
-  const std::vector<std::string> call{"cap.xyz", "--tool-radius", "1", "--flank-length", "2", "--step-over", "8",
-                                      "--holder", "0.9,1/30,20", "--axis", "0.6,0,1", "-o", "a.csv"};
+  const std::vector<std::string> call{"cap.xyz",  "--tool-radius", "1",      "--flank-length", "2",  "--step-over", "8",
+                                      "--holder", "0.9,1/30,20",   "--axis", "0.6,0,1",        "-o", "a.csv"};
   const RunResult refused = run(folder, call);
   EXPECT_EQ(refused.code, 1);
   expectHas(refused.err, "segment 2 of the holder would be ");
@@ -196,8 +222,8 @@ TEST(Drive, ASquareColumnGoesRoundTheAxisGiven)
       text << 5.0 + r * c << ' ' << 7.0 + r * s << ' ' << 0.5 * i + 0.25 * (line % 2) << '\n';
     }
   writeText(folder.path("square.xyz"), text.str());
-  const std::vector<std::string> call{"square.xyz", "--drive", "helix", "--step-over", "2", "--tool-radius", "3",
-                                      "--tolerance", "0.05", "-o", "a.csv"};
+  const std::vector<std::string> call{"square.xyz", "--drive",     "helix", "--step-over", "2",    "--tool-radius",
+                                      "3",          "--tolerance", "0.05",  "-o",          "a.csv"};
   const RunResult refused = endOf(startProgram(program, call, folder), folder);
   EXPECT_EQ(refused.code, 1);
   expectHas(refused.err, "--column-axis");
@@ -232,7 +258,8 @@ TEST(Drive, StraysAreClimbedOverOrLeftOut)
   expectHas(kept.err, "3 points of the scan stand alone off its surface");
   expectHas(kept.err, "--leave-out-strays");
   EXPECT_LT(highest({"--leave-out-strays"}, left_out), 0.1);
-  expectHas(left_out.err, "3 of 6003 points, off the scanned surface, were left out (--leave-out-strays), the largest group of them 1 at (3, 4, 9)");
+  expectHas(left_out.err,
+            "3 of 6003 points, off the scanned surface, were left out (--leave-out-strays), the largest group of them 1 at (3, 4, 9)");
 }
 
 TEST(Drive, MessagesNameOptionsThatThereAre)
@@ -271,9 +298,9 @@ TEST(Drive, MessagesNameOptionsThatThereAre)
 TEST(Drive, AxesAreBlendedAtThePoleForABallAlone)
 {
   const ScratchFolder folder;
-  const std::vector<std::string> call{"cap.xyz", "--axis-mode", "surface", "--step-over", "9", "--tool-radius", "3",
-                                      "--feed", "5000", "--tolerance", "0.05", "-o", "a.ngc", "--machine",
-                                      machines + "/xyzac.yaml"};
+  const std::vector<std::string> call{"cap.xyz",       "--axis-mode", "surface", "--step-over", "9",
+                                      "--tool-radius", "3",           "--feed",  "5000",        "--tolerance",
+                                      "0.05",          "-o",          "a.ngc",   "--machine",   machines + "/xyzac.yaml"};
   const RunResult ball = run(folder, call);
   ASSERT_EQ(ball.code, 0) << ball.err;
   expectHas(ball.err, "the tool axis was blended");
@@ -313,16 +340,14 @@ TEST(Drive, WrongCallsAreRefused)
        "(--axis-mode)");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "dense", "--scallop", "0.1"}, 2, "even");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--link", "--one-way"}, 2, "leave --one-way");
-  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--link", "--drive", "rings"}, 2,
-       "--link: --drive is rings");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--link", "--drive", "rings"}, 2, "--link: --drive is rings");
   for (const char* output : {"a.yaml", "a.pcd", "a.ply"})
     said({"cap.xyz", "-o", output, "--tool-radius", "3", "--corner-radius", "1", "--step-over", "1"}, 2, "for a ball alone");
   writeText(folder.path("job.yaml"), "tool-radius: 3\nstep-over: 1\none-way: perhaps\n");
   said({"cap.xyz", "-o", "a.csv", "--config", "job.yaml"}, 2, "must be true or false");
   writeText(folder.path("machine.yaml"), readText(machines + "/xyzac.yaml"));
-  said({"cap.xyz", "-o", "machine.yaml", "-o", "a.ngc", "--tool-radius", "3", "--step-over", "1", "--machine",
-        "machine.yaml"},
-       2, "this is the machine's file itself");
+  said({"cap.xyz", "-o", "machine.yaml", "-o", "a.ngc", "--tool-radius", "3", "--step-over", "1", "--machine", "machine.yaml"}, 2,
+       "this is the machine's file itself");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-ove", "1"}, 2, "did you mean 'step-over'?");
   EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv")));
 }

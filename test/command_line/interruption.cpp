@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What remains of earlier outputs when a run is killed, ended, or has no room: they are whole, the old or the new.
 #include <pcl_spiral/io/toolpath_reader.h>
 
@@ -38,35 +39,24 @@ call(const Arguments& outputs, const std::string& scallop, const std::string& fo
 
 class Interruption : public ::testing::Test {
 protected:
-  void
-  SetUp() override
-  {
-    writeText(folder_.path("cap.xyz"), capScan(1000));
-  }
+  void SetUp() override { writeText(folder_.path("cap.xyz"), capScan(1000)); }
 
-  RunResult
-  run(const Arguments& arguments)
-  {
-    return endOf(startProgram(program, arguments, folder_), folder_);
-  }
+  RunResult run(const Arguments& arguments) { return endOf(startProgram(program, arguments, folder_), folder_); }
 
   /** The files of a folder that are no scans: seen ones, or hidden ones. */
-  Contents
-  contents(bool hidden = false, const std::string& below = "") const
+  Contents contents(bool hidden = false, const std::string& below = "") const
   {
     Contents result;
     for (const auto& entry : fs::directory_iterator(folder_.root() / below)) {
       const std::string name = entry.path().filename().string();
-      if (entry.is_regular_file() && name != "cap.xyz" && (name[0] == '.') == hidden && name != ".stdout" &&
-          name != ".stderr")
+      if (entry.is_regular_file() && name != "cap.xyz" && (name[0] == '.') == hidden && name != ".stdout" && name != ".stderr")
         result[name] = readText(entry.path().string());
     }
     return result;
   }
 
   /** A report differs from run to run by times: it is whole where it can be read and ends. */
-  void
-  expectWhole(const std::string& name, const std::string& text) const
+  void expectWhole(const std::string& name, const std::string& text) const
   {
     const std::string extension = fs::path(name).extension().string();
     if (extension == ".json")
@@ -80,8 +70,7 @@ protected:
   }
 
   /** Kill runs that overwrite \p outputs, from the share \p from of their time on. */
-  void
-  expectWholeAfterKills(const Arguments& outputs, int kills, double from)
+  void expectWholeAfterKills(const Arguments& outputs, int kills, double from)
   {
     ASSERT_EQ(run(call(outputs, "0.02")).code, 0);
     const Contents old = contents();
@@ -134,8 +123,8 @@ TEST_F(Interruption, WhatAKilledRunLeftIsTakenAwayByTheNext)
   ::waitpid(gone, nullptr, 0);
   const std::string number = std::to_string(gone), own = std::to_string(::getpid());
   const std::string stale = ".a.writing-" + number + ".csv", link = ".a.earlier-" + number + ".csv";
-  const Arguments kept{".a.writing-" + own + ".csv", ".b.writing-" + number + ".csv", ".a.writing-" + number + ".ply",
-                       ".a.writing-.csv", ".a.writing-12x.csv"};
+  const Arguments kept{".a.writing-" + own + ".csv", ".b.writing-" + number + ".csv", ".a.writing-" + number + ".ply", ".a.writing-.csv",
+                       ".a.writing-12x.csv"};
   for (const std::string& name : kept)
     writeText(folder_.path(name), "not of a killed run of a.csv");
   writeText(folder_.path(stale), "half");

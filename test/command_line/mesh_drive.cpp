@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // pcl_spiral_drive --mesh from outside: the tolerance asked for is kept on walls too.
 #include <pcl_spiral/io/toolpath_reader.h>
 
@@ -17,8 +18,7 @@ using namespace pcl_spiral::test;
 
 class MeshDrive : public ::testing::Test {
 protected:
-  RunResult
-  run(std::vector<std::string> arguments)
+  RunResult run(std::vector<std::string> arguments)
   {
     arguments.insert(arguments.begin(), {"part.stl", "--mesh", "-o", "a.csv", "--step-over", "0.4"});
     return endOf(startProgram(PCL_SPIRAL_DRIVE_PROGRAM, arguments, folder_), folder_);

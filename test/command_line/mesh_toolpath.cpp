@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // pcl_spiral_toolpath --mesh from outside: accuracy, what is said of the mesh, and meshes that cannot be.
 #include <pcl_spiral/io/toolpath_reader.h>
 
@@ -33,7 +34,9 @@ hills()
 TriangleMesh
 without(TriangleMesh mesh, const std::function<bool(const Eigen::Vector3d&)>& hole)
 {
-  const auto middle = [&](const auto& f) { return Eigen::Vector3d((mesh.vertices[f[0]] + mesh.vertices[f[1]] + mesh.vertices[f[2]]) / 3.0); };
+  const auto middle = [&](const auto& f) {
+    return Eigen::Vector3d((mesh.vertices[f[0]] + mesh.vertices[f[1]] + mesh.vertices[f[2]]) / 3.0);
+  };
   mesh.faces.erase(std::remove_if(mesh.faces.begin(), mesh.faces.end(), [&](const auto& f) { return hole(middle(f)); }), mesh.faces.end());
   return mesh;
 }
@@ -63,8 +66,7 @@ obj(const TriangleMesh& mesh)
 
 class MeshToolpath : public ::testing::Test {
 protected:
-  RunResult
-  run(const std::string& file, Arguments arguments)
+  RunResult run(const std::string& file, Arguments arguments)
   {
     arguments.insert(arguments.begin(), {file, "--mesh", "-o", "a.csv", "-o", "a.json"});
     for (const auto& [option, value] : {std::pair{"--tool-radius", "3"}, std::pair{"--scallop", "0.05"}})
@@ -72,15 +74,13 @@ protected:
         arguments.insert(arguments.end(), {option, value});
     return endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM, arguments, folder_), folder_);
   }
-  RunResult
-  run(const TriangleMesh& mesh, const Arguments& arguments)
+  RunResult run(const TriangleMesh& mesh, const Arguments& arguments)
   {
     writeStl(folder_.path("part.stl"), mesh);
     return run("part.stl", arguments);
   }
   /** The run must end with \p code, say all of \p words, and leave no path. */
-  void
-  expectRefused(const RunResult& result, int code, const std::vector<std::string>& words)
+  void expectRefused(const RunResult& result, int code, const std::vector<std::string>& words)
   {
     EXPECT_EQ(result.code, code) << result.err;
     for (const std::string& word : words)
@@ -88,26 +88,16 @@ protected:
     EXPECT_FALSE(std::filesystem::exists(folder_.path("a.csv")));
     EXPECT_FALSE(std::filesystem::exists(folder_.path("a.json")));
   }
-  void
-  expectText(const std::string& name, const std::string& text, const std::vector<std::string>& words, int code = 1)
+  void expectText(const std::string& name, const std::string& text, const std::vector<std::string>& words, int code = 1)
   {
     writeText(folder_.path(name), text);
     SCOPED_TRACE(name);
     expectRefused(run(name, {}), code, words);
   }
-  nlohmann::json
-  report() const
-  {
-    return nlohmann::json::parse(readText(folder_.path("a.json")));
-  }
-  pcl::PointCloud<pcl_spiral::ToolpathPoint>
-  path() const
-  {
-    return pcl_spiral::readToolpath(folder_.path("a.csv")).path;
-  }
+  nlohmann::json report() const { return nlohmann::json::parse(readText(folder_.path("a.json"))); }
+  pcl::PointCloud<pcl_spiral::ToolpathPoint> path() const { return pcl_spiral::readToolpath(folder_.path("a.csv")).path; }
   /** Least distance of a path point from \p place. */
-  double
-  distanceFrom(const Eigen::Vector3d& place) const
+  double distanceFrom(const Eigen::Vector3d& place) const
   {
     double least = 1e300;
     for (const auto& p : path())
@@ -199,7 +189,8 @@ TEST_F(MeshToolpath, HolesAreHolesOfThePart)
   EXPECT_EQ(result.err.find("scan"), std::string::npos) << result.err;
   EXPECT_LT(distanceFrom(middle), 1.5);
   // One cell, less than a step-over wide: over it, but where --hole-size asks for it.
-  const TriangleMesh narrow = without(hills(), [](const Eigen::Vector3d& p) { return std::max(std::abs(p.x() - 21.0), std::abs(p.y() - 21.0)) < 1.0; });
+  const TriangleMesh narrow =
+      without(hills(), [](const Eigen::Vector3d& p) { return std::max(std::abs(p.x() - 21.0), std::abs(p.y() - 21.0)) < 1.0; });
   result = run(narrow, {"--scallop", "0.5"});
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(result.err.find("scan"), std::string::npos) << result.err;
@@ -281,10 +272,11 @@ TEST_F(MeshToolpath, OptionsOfScansAlone)
     expectRefused(run("part.stl", option), 2, {option[0] + " belongs to scans", "leave one of the two out"});
   expectRefused(run("part.stl", {"--sample-spacing", "-1"}), 2, {"--sample-spacing -1", "above 0 mm"});
   expectRefused(run("part.stl", {"--sample-spacing", "1e-7"}), 2, {"part.stl", "--sample-spacing"});
-  expectRefused(endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM,
-                                   {"part.stl", "--sample-spacing", "1", "-o", "a.csv", "--tool-radius", "3", "--scallop", "0.05"}, folder_),
-                      folder_),
-                2, {"give --mesh too"});
+  expectRefused(
+      endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM,
+                         {"part.stl", "--sample-spacing", "1", "-o", "a.csv", "--tool-radius", "3", "--scallop", "0.05"}, folder_),
+            folder_),
+      2, {"give --mesh too"});
 }
 
 TEST_F(MeshToolpath, QuietAndEndedFromOutside)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Programs of machines from outside: from a scan to what LinuxCNC's interpreter runs, and what is said of
 // wrong calls.
 #include "command_line/cap_scan.h"
@@ -44,16 +45,14 @@ linesWith(const std::string& text, const std::string& part)
 TEST(Program, FromAScanToWhatTheInterpreterRuns)
 {
   const ScratchFolder folder;
-  const RunResult done = run(folder, {"-o", "part.ngc", "-o", "part.csv", "--machine",
-                                      machines + "/xyzac.yaml", "--spindle", "9000"});
+  const RunResult done = run(folder, {"-o", "part.ngc", "-o", "part.csv", "--machine", machines + "/xyzac.yaml", "--spindle", "9000"});
   ASSERT_EQ(done.code, 0) << done.err;
   expectHas(done.out, "program         xyzac-trt: ");
   expectHas(done.out, "rotary axes     C ");
   const std::string text = readText(folder.path("part.ngc"));
   const std::size_t rows = linesWith(readText(folder.path("part.csv")), ",") - 1;
   EXPECT_GE(linesWith(text, "G1 X"), rows);
-  const std::string call =
-      "cd '" + folder.root().string() + "' && rs274 -g part.ngc canon.txt 2>messages.txt";
+  const std::string call = "cd '" + folder.root().string() + "' && rs274 -g part.ngc canon.txt 2>messages.txt";
   ASSERT_EQ(std::system(call.c_str()), 0) << "run cmake/install_dependencies.sh test where rs274 is missing: "
                                           << readText(folder.path("messages.txt"));
   EXPECT_EQ(linesWith(readText(folder.path("canon.txt")), "STRAIGHT_FEED("), linesWith(text, "G1 X"));
@@ -63,8 +62,8 @@ TEST(Program, EveryLanguageAndExchangeFileIsWritten)
 {
   const ScratchFolder folder;
   for (const std::string dialect : {"linuxcnc", "fanuc", "fanuc-ijk", "siemens", "heidenhain"}) {
-    const RunResult done = run(folder, {"-o", dialect + ".nc", "--dialect", dialect, "--machine",
-                                        machines + "/head_head.yaml", "--tool", "3", "--quiet"});
+    const RunResult done =
+        run(folder, {"-o", dialect + ".nc", "--dialect", dialect, "--machine", machines + "/head_head.yaml", "--tool", "3", "--quiet"});
     ASSERT_EQ(done.code, 0) << done.err;
   }
   expectHas(readText(folder.path("linuxcnc.nc")), "G93\n");
@@ -127,9 +126,8 @@ TEST(Program, OneWayPathsAreLiftedBetweenPassesAndRefusedWhereNoLiftCanBeSaid)
 TEST(Program, CodesStandBeforeAndAfterThePass)
 {
   const ScratchFolder folder;
-  const RunResult done =
-      run(folder, {"-o", "a.ngc", "-o", "b.nc", "--dialect", "heidenhain", "--tool", "3", "--machine", machines + "/xyzac.yaml",
-                   "--pass-begin", "M62 P0", "--pass-end", "M63 P0", "--quiet"});
+  const RunResult done = run(folder, {"-o", "a.ngc", "-o", "b.nc", "--dialect", "heidenhain", "--tool", "3", "--machine",
+                                      machines + "/xyzac.yaml", "--pass-begin", "M62 P0", "--pass-end", "M63 P0", "--quiet"});
   ASSERT_EQ(done.code, 0) << done.err;
   for (const char* code : {"M62 P0", "M63 P0"}) {
     EXPECT_EQ(linesWith(readText(folder.path("a.ngc")), code), 1U);
@@ -180,21 +178,15 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
     return done.err;
   };
   expectHas(said({"-o", "a.nc", "--dialect", "fanuc"}, 2), "-o a.nc: no --machine is given");
-  expectHas(said({"-o", "a.nc", "--machine", machine}, 2),
-            "no --dialect is given; it must be one of linuxcnc|fanuc|");
+  expectHas(said({"-o", "a.nc", "--machine", machine}, 2), "no --dialect is given; it must be one of linuxcnc|fanuc|");
   expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "fanuc"}, 2), "-o a.nc: no --tool is given");
-  expectHas(said({"-o", "a.ngc", "--machine", machine, "--dialect", "siemens"}, 2),
-            "--dialect siemens: no output is in that language");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--dialect", "siemens"}, 2), "--dialect siemens: no output is in that language");
   expectHas(said({"-o", "a.ngc", "--machine", machine, "--block-tolerance", "1e-9,1e-9"}, 2), "must be 0.0001 mm");
-  expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "okuma"}, 2),
-            "--dialect okuma: must be one of");
+  expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "okuma"}, 2), "--dialect okuma: must be one of");
   expectHas(said({"-o", "a.ngc", "--machine", "none.yaml"}, 1), "none.yaml: there is no such machine file");
-  expectHas(said({"-o", "a.ngc", "--machine", machine, "--clearance", "0"}, 2),
-            "--clearance 0: must be above 0 mm");
-  expectHas(said({"-o", "a.ngc", "--machine", machine, "--decimals", "2"}, 2),
-            "--decimals 2: must be 3 to 6");
-  expectHas(said({"-o", "a.ngc", "--machine", machine, "--thin-blocks", "1"}, 2),
-            "--thin-blocks 1: mm of the tip and degrees");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--clearance", "0"}, 2), "--clearance 0: must be above 0 mm");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--decimals", "2"}, 2), "--decimals 2: must be 3 to 6");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--thin-blocks", "1"}, 2), "--thin-blocks 1: mm of the tip and degrees");
   const std::vector<std::string> on{"--pass-begin", "M62 P0"}, off{"--pass-end", "M63 P0"};
   const auto codes = [&](const std::string& output, std::vector<std::string> begin, const std::vector<std::string>& end) {
     begin.insert(begin.begin(), {"-o", output});
@@ -209,8 +201,7 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
   expectHas(codes("a.ngc", {"--pass-begin", "%"}, off), "--pass-begin %: the code holds %, which ends the program");
   expectHas(codes("a.ngc", {"--pass-begin", " "}, off), "the code is blank; give one line such as M62 P0");
   EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv")));
-  expectHas(said({"-o", "a.nc", "--machine", machines + "/head_table.yaml", "--dialect", "siemens", "--tool", "1"}, 1),
-            "rtcp: false");
+  expectHas(said({"-o", "a.nc", "--machine", machines + "/head_table.yaml", "--dialect", "siemens", "--tool", "1"}, 1), "rtcp: false");
 }
 
 /** Across the well the tool's axis, near the normal, points at the other side. */
@@ -227,8 +218,8 @@ TEST(Program, LeadsIntoTheOtherSideOfAWellAreRefused)
   }
   writeText(folder.path("well.xyz"), well.str());
   const auto made = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> call{"well.xyz", "--tool-radius", "5", "--scallop", "0.2", "-o", "part.ngc", "--machine",
-                                  machines + "/head_head.yaml"};
+    std::vector<std::string> call{
+        "well.xyz", "--tool-radius", "5", "--scallop", "0.2", "-o", "part.ngc", "--machine", machines + "/head_head.yaml"};
     call.insert(call.end(), more.begin(), more.end());
     return endOf(startProgram(program, call, folder), folder);
   };
@@ -252,7 +243,8 @@ TEST(Program, OnlyStraysInTheWayOfLeadsAreAWarning)
   for (int i = 0; i < 150; ++i)
     echoes << 40.0 * unit(random) << ' ' << 40.0 * unit(random) << ' ' << 25.0 + 15.0 * unit(random) << '\n';
   writeText(folder.path("echoes.xyz"), capScan(20000) + echoes.str());
-  const RunResult done = endOf(startProgram(program, {"echoes.xyz", "--tool-radius", "8", "--scallop", "0.2", "-o", "part.ngc"}, folder), folder);
+  const RunResult done =
+      endOf(startProgram(program, {"echoes.xyz", "--tool-radius", "8", "--scallop", "0.2", "-o", "part.ngc"}, folder), folder);
   EXPECT_EQ(done.code, 0) << done.err;
   expectHas(done.err, "only single points off the scanned surface");
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a user is told about a scan or a wish that cannot be: the cause, the place, the value and the remedy, in time.
 #include <pcl_spiral/io/toolpath_reader.h>
 
@@ -67,8 +68,7 @@ operator+(Points a, const Points& b)
 
 class Refusals : public ::testing::Test {
 protected:
-  RunResult
-  run(const Points& points, Arguments arguments)
+  RunResult run(const Points& points, Arguments arguments)
   {
     std::ostringstream text;
     text.precision(9);
@@ -84,8 +84,7 @@ protected:
   }
 
   /** The run must end with \p code, say all of \p words, and leave no path. */
-  void
-  expectRefused(const Points& points, const Arguments& arguments, int code, const std::vector<std::string>& words)
+  void expectRefused(const Points& points, const Arguments& arguments, int code, const std::vector<std::string>& words)
   {
     const RunResult result = run(points, arguments);
     EXPECT_EQ(result.code, code) << result.err;
@@ -95,18 +94,10 @@ protected:
     expectSmall(result);
   }
 
-  static void
-  expectSmall(const RunResult& result)
-  {
-    EXPECT_TRUE(sanitized || result.peak_memory < 500 * megabyte) << result.peak_memory;
-  }
+  static void expectSmall(const RunResult& result) { EXPECT_TRUE(sanitized || result.peak_memory < 500 * megabyte) << result.peak_memory; }
 
   /** Of the last run. */
-  nlohmann::json
-  report() const
-  {
-    return nlohmann::json::parse(readText(folder_.path("a.json")));
-  }
+  nlohmann::json report() const { return nlohmann::json::parse(readText(folder_.path("a.json"))); }
 
   ScratchFolder folder_;
 };
@@ -157,9 +148,9 @@ TEST_F(Refusals, ScansThatDoNotHangTogether)
     islands = islands + moved(cap(80, 5.0, 10 + i), 30.0 * (i % 10), 30.0 * (i / 10), 0.0);
   expectRefused(islands, {}, 1, {"separate parts", "mm2 about (", "does not hang together", "--largest"});
   // Half of it a thousand times denser: not outliers, to be left out with a word.
-  expectRefused(cap(3000) + moved(cap(6000), 300.0, 0.0, 0.0, 1e-4), {"--tool-radius", "0.001", "--scallop", "0.0001",
-                                                                      "--chord-error", "0.0005"},
-                1, {"of 9000 points stand alone", "points stand alone", "about (300, ", "--thin"});
+  expectRefused(cap(3000) + moved(cap(6000), 300.0, 0.0, 0.0, 1e-4),
+                {"--tool-radius", "0.001", "--scallop", "0.0001", "--chord-error", "0.0005"}, 1,
+                {"of 9000 points stand alone", "points stand alone", "about (300, ", "--thin"});
 }
 
 TEST_F(Refusals, ThinDoubleWalls)

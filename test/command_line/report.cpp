@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reports in HTML from outside: one file that needs no other, its pictures, figures, verdict and refusals.
 #include "cap_scan.h"
 #include "run_program.h"
@@ -88,35 +89,27 @@ readPage(const std::string& file)
 
 class Report : public ::testing::Test {
 protected:
-  void
-  SetUp() override
+  void SetUp() override
   {
     std::filesystem::create_directory(folder_.path("tmp"));
     ::setenv("TMPDIR", folder_.path("tmp").c_str(), 1);
     writeText(folder_.path(awkward + ".xyz"), capScan(6000));
   }
-  void
-  TearDown() override
+  void TearDown() override
   {
     EXPECT_TRUE(std::filesystem::is_empty(folder_.path("tmp"))) << "pictures left behind";
     ::unsetenv("TMPDIR");
   }
 
-  RunResult
-  run(const char* program, const Arguments& arguments)
-  {
-    return endOf(startProgram(program, arguments, folder_), folder_);
-  }
+  RunResult run(const char* program, const Arguments& arguments) { return endOf(startProgram(program, arguments, folder_), folder_); }
 
-  RunResult
-  make(Arguments arguments)
+  RunResult make(Arguments arguments)
   {
     arguments.insert(arguments.begin(), {awkward + ".xyz", "--tool-radius", "3", "--scallop", "0.1"});
     return run(PCL_SPIRAL_TOOLPATH_PROGRAM, arguments);
   }
 
-  RunResult
-  verify(Arguments arguments)
+  RunResult verify(Arguments arguments)
   {
     arguments.insert(arguments.begin(), {awkward + ".xyz"});
     arguments.insert(arguments.end(), {"--tool-radius", "3", "--scallop", "0.1"});
@@ -124,8 +117,7 @@ protected:
   }
 
   /** The PNG must be of full size and show something. */
-  void
-  expectPicture(const std::string& bytes)
+  void expectPicture(const std::string& bytes)
   {
     writeText(folder_.path("shown.png"), bytes);
     vtkNew<vtkPNGReader> reader;
@@ -151,16 +143,14 @@ TEST_F(Report, HoldsPicturesFiguresAndSettings)
   const RunResult result = make({"--verify", "-o", "a.html", "-o", "a.png", "-o", "a.json", "-o", "a.csv"});
   ASSERT_EQ(result.code, 0) << result.err;
   const Page page = readPage(folder_.path("a.html"));
-  const std::vector<std::string> pictures{"a_deviation.png", "a_stock.png", "a_histogram.png", "a.png",
-                                          "a_lines.png"};
+  const std::vector<std::string> pictures{"a_deviation.png", "a_stock.png", "a_histogram.png", "a.png", "a_lines.png"};
   ASSERT_EQ(page.png.size(), pictures.size());
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     EXPECT_TRUE(page.png[i] == readText(folder_.path(pictures[i]))) << pictures[i];
     expectPicture(page.png[i]);
     EXPECT_NE(result.out.find(pictures[i]), std::string::npos) << result.out;
   }
-  EXPECT_EQ(std::set<std::string>(page.png.begin(), page.png.end()).size(), pictures.size())
-      << "all different";
+  EXPECT_EQ(std::set<std::string>(page.png.begin(), page.png.end()).size(), pictures.size()) << "all different";
 
   const auto json = nlohmann::json::parse(readText(folder_.path("a.json")));
   const auto& judged = json.at("verification");
@@ -173,12 +163,10 @@ TEST_F(Report, HoldsPicturesFiguresAndSettings)
   for (const std::string& words :
        {awkward + ".xyz", number("%+.4f mm\n", judged.at("deviation").at("max").at("value")),
         number("\n%.3f, ", at[0]) + number("%.3f, ", at[1]) + number("%.3f\n", at[2]),
-        number("\n%.4f mm\n", judged.at("material").at("scallop").at("p99.9")),
-        number("\n%.3f\n", judged.at("material").at("efficiency")),
+        number("\n%.4f mm\n", judged.at("material").at("scallop").at("p99.9")), number("\n%.3f\n", judged.at("material").at("efficiency")),
         number("%.3f m\n", 1e-3 * json["path"]["length"].get<double>()), std::string("Longest linear move"),
         std::string("Largest turn per step"), std::string("\n0.1 mm\n"), std::string("Method\nconstant-scallop\n"),
-        std::string("no limits were stated"),
-        std::string("pcl_spiral_toolpath 'ca<p> & \"1\" '\\''x'\\''.xyz'")})
+        std::string("no limits were stated"), std::string("pcl_spiral_toolpath 'ca<p> & \"1\" '\\''x'\\''.xyz'")})
     EXPECT_NE(page.text.find(words), std::string::npos) << words << "\nin\n" << page.text;
   for (const auto& warning : json.at("warnings"))
     EXPECT_NE(page.text.find(warning.get<std::string>()), std::string::npos) << warning;
@@ -188,9 +176,7 @@ TEST_F(Report, OfAPathThatIsNotJudgedSaysSoWhateverItsName)
 {
   const std::string name = "sc\xFF\xC3\x01n.xyz"; // bytes that are no text
   writeText(folder_.path(name), capScan(3000));
-  ASSERT_EQ(
-      run(PCL_SPIRAL_TOOLPATH_PROGRAM, {name, "--tool-radius", "3", "--scallop", "0.2", "-o", "a.html"}).code,
-      0);
+  ASSERT_EQ(run(PCL_SPIRAL_TOOLPATH_PROGRAM, {name, "--tool-radius", "3", "--scallop", "0.2", "-o", "a.html"}).code, 0);
   const std::string html = readText(folder_.path("a.html"));
   EXPECT_EQ(html.find('\xFF'), std::string::npos);
   EXPECT_EQ(html.find('\x01'), std::string::npos);
@@ -211,15 +197,13 @@ TEST_F(Report, OfSeveralPathsSaysWhichKeepsTheLimits)
       spoilt += row + "\n";
   writeText(folder_.path("bad.csv"), spoilt);
 
-  const RunResult result =
-      verify({"bad.csv", "good.csv", "-o", "both.html", "--max-uncut", "0", "--max-gouge", "0.05"});
+  const RunResult result = verify({"bad.csv", "good.csv", "-o", "both.html", "--max-uncut", "0", "--max-gouge", "0.05"});
   EXPECT_EQ(result.code, 1) << result.err;
   const Page page = readPage(folder_.path("both.html"));
   EXPECT_EQ(page.statements, (Arguments{"statement bad", "statement good"})) << result.out;
   ASSERT_EQ(page.png.size(), 8U);
   EXPECT_EQ(std::set<std::string>(page.png.begin(), page.png.end()).size(), 8U) << "each path has its own";
-  for (const char* words :
-       {"Limits are broken", "All stated limits hold", "0 %, BROKEN", "0.05 mm, held", "\ngood.csv\n"})
+  for (const char* words : {"Limits are broken", "All stated limits hold", "0 %, BROKEN", "0.05 mm, held", "\ngood.csv\n"})
     EXPECT_NE(page.text.find(words), std::string::npos) << words;
 }
 

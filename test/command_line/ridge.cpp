@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // pcl_spiral_ridge from outside: files of a beam's rows, a cutter on the ridge and on a scan, both lines out of a scan, and what is said
 // of wrong calls.
 #include "run_program.h"
@@ -52,22 +53,19 @@ protected:
     writeText(folder_.path("generator.txt"), textOf(die.generatorPoints(0.37, 100)));
   }
 
-  RunResult
-  run(const std::vector<std::string>& arguments)
+  RunResult run(const std::vector<std::string>& arguments)
   {
     return endOf(startProgram(PCL_SPIRAL_RIDGE_PROGRAM, arguments, folder_), folder_);
   }
 
   /** With both lines. */
-  RunResult
-  runLines(std::vector<std::string> arguments)
+  RunResult runLines(std::vector<std::string> arguments)
   {
     arguments.insert(arguments.begin(), {"rail.txt", "generator.txt"});
     return run(arguments);
   }
 
-  std::set<std::string>
-  files() const
+  std::set<std::string> files() const
   {
     std::set<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(folder_.root()))
@@ -75,8 +73,7 @@ protected:
     return names;
   }
 
-  void
-  expectRefused(const std::vector<std::string>& arguments, int code, const std::string& words)
+  void expectRefused(const std::vector<std::string>& arguments, int code, const std::string& words)
   {
     const std::set<std::string> before = files();
     const RunResult result = run(arguments);
@@ -124,7 +121,8 @@ expectWithin(const pcl_spiral::RemovalFigures& figures)
 TEST_F(RidgeProgram, WritesABeamsRowsInEveryFormat)
 {
   const std::vector<std::string> named{"a.csv", "a.vtp", "a.6d", "a.5d", "a.json", "a.ngc", "a.png"};
-  std::vector<std::string> arguments{"--spot", "4", "--overlap", "0.25", "--stand-off", "10", "--pass-begin", "M62 P0", "--pass-end", "M63 P0"};
+  std::vector<std::string> arguments{"--spot",       "4",      "--overlap",  "0.25",  "--stand-off", "10",
+                                     "--pass-begin", "M62 P0", "--pass-end", "M63 P0"};
   for (const std::string& name : named)
     arguments.insert(arguments.end(), {"-o", name});
   const RunResult result = runLines(arguments);
@@ -193,8 +191,8 @@ TEST_F(RidgeProgram, FindsBothLinesInAScan)
     const Vector3d p = die.position(t, 0.45);
     return std::to_string(p.x()) + "," + std::to_string(p.y()) + "," + std::to_string(p.z());
   };
-  const RunResult result = run({"--scan", "scan.xyz", "--through", rough(0.02) + "/" + rough(0.3) + "/" + rough(0.6) + "/" + rough(0.98), "--half-width",
-                                "8", "--step-over", "2", "-o", "a.6d", "-o", "a.json"});
+  const RunResult result = run({"--scan", "scan.xyz", "--through", rough(0.02) + "/" + rough(0.3) + "/" + rough(0.6) + "/" + rough(0.98),
+                                "--half-width", "8", "--step-over", "2", "-o", "a.6d", "-o", "a.json"});
   ASSERT_EQ(result.code, 0) << result.err;
   std::istringstream list(readText(folder_.path("a.6d")));
   std::size_t lines = 0;
@@ -213,7 +211,8 @@ TEST_F(RidgeProgram, FindsBothLinesInAScan)
 
 TEST_F(RidgeProgram, TakesAJobFileAndWritesTheSameBytesForAnyNumberOfThreads)
 {
-  writeText(folder_.path("job.yaml"), "rail: rail.txt\ngenerator: generator.txt\nspot: 4\noverlap: 0.25\ndirection: across\noutput: [a.6d]\n");
+  writeText(folder_.path("job.yaml"),
+            "rail: rail.txt\ngenerator: generator.txt\nspot: 4\noverlap: 0.25\ndirection: across\noutput: [a.6d]\n");
   ASSERT_EQ(run({"--config", "job.yaml", "--threads", "1"}).code, 0);
   ASSERT_EQ(runLines({"--spot", "4", "--overlap", "0.25", "--direction", "across", "--threads", "7", "-o", "b.6d"}).code, 0);
   EXPECT_EQ(readText(folder_.path("a.6d")), readText(folder_.path("b.6d")));
@@ -228,8 +227,8 @@ TEST_F(RidgeProgram, ABeamThatWouldStandIsRefused)
     generator.emplace_back(50.0, 20.0 * std::sin((i - 30) / 30.0), 20.0 * std::cos((i - 30) / 30.0) - 20.0);
   writeText(folder_.path("rail.txt"), textOf(rail));
   writeText(folder_.path("generator.txt"), textOf(generator));
-  std::vector<std::string> call{"rail.txt", "generator.txt", "--step-over", "30", "--direction", "across", "--stand-off", "10", "--pass-begin", "M62 P0",
-                                "--pass-end", "M63 P0", "-o", "a.ngc"};
+  std::vector<std::string> call{"rail.txt", "generator.txt", "--step-over", "30",         "--direction", "across", "--stand-off",
+                                "10",       "--pass-begin",  "M62 P0",      "--pass-end", "M63 P0",      "-o",     "a.ngc"};
   expectRefused(call, 1, "of the feed while it is on, and burn the part: lean the beam (--tilt 20)");
   call.insert(call.end(), {"--tilt", "20"});
   EXPECT_EQ(run(call).code, 0);
@@ -258,7 +257,9 @@ TEST_F(RidgeProgram, RemediesOfItsMessagesWork)
 {
   const RunResult leaning = runLines({"--spot", "4", "--stand-off", "10", "--tilt", "10", "-o", "a.csv"});
   EXPECT_EQ(leaning.code, 0);
-  EXPECT_NE(leaning.err.find("meets the surface some 1.763 mm beside the row, and files say where; leave --stand-off out"), std::string::npos) << leaning.err;
+  EXPECT_NE(leaning.err.find("meets the surface some 1.763 mm beside the row, and files say where; leave --stand-off out"),
+            std::string::npos)
+      << leaning.err;
   EXPECT_EQ(runLines({"--spot", "4", "--tilt", "10", "-o", "a.csv"}).err, "");
   const RunResult many = runLines({"--tool-radius", "6", "--step-over", "4", "-o", "a.apt"});
   EXPECT_EQ(many.code, 1);
@@ -281,8 +282,10 @@ TEST_F(RidgeProgram, SaysWhatIsWrongWithACall)
   expectRefused({rail, generator, "--spot", "4", "-o", "x.dxf"}, 2, "extension '.dxf' is not known; use");
   writeText(folder_.path("rail.csv"), "x,y,z\n1,2,3\n");
   expectRefused({"rail.csv", generator, "--spot", "4", "-o", "rail.csv"}, 2, "this is the rail itself; give the output another name");
-  expectRefused({rail, generator, "--spot", "4", "-o", "x_lines.png", "-o", "x.png"}, 2, "x_lines.png: is given twice, for it is written beside another picture");
-  expectRefused(call({"--spot", "4", "--stand-off", "-10"}), 2, "--stand-off -10: must not be below 0 mm; for the other side of the ridge give --flip-normals");
+  expectRefused({rail, generator, "--spot", "4", "-o", "x_lines.png", "-o", "x.png"}, 2,
+                "x_lines.png: is given twice, for it is written beside another picture");
+  expectRefused(call({"--spot", "4", "--stand-off", "-10"}), 2,
+                "--stand-off -10: must not be below 0 mm; for the other side of the ridge give --flip-normals");
   expectRefused({rail, generator, "--spot", "4", "-o", "x.yaml"}, 2, "this format describes a cutter, and a beam has none");
   expectRefused({rail, generator, "--spot", "4", "-o", "none/x.csv"}, 1, "none/x.csv");
   expectRefused(call({}), 2, "nothing says how far rows are apart; give one of --spot, --step-over and --scallop");
@@ -290,13 +293,15 @@ TEST_F(RidgeProgram, SaysWhatIsWrongWithACall)
   expectRefused(call({"--spot", "0"}), 2, "--spot 0: must be above 0 mm");
   expectRefused(call({"--spot", "4", "--overlap", "1"}), 2, "--overlap 1: must be 0 or more and below 1, such as 0.25");
   expectRefused(call({"--step-over", "4", "--overlap", "0.5"}), 2, "--overlap: belongs to --spot");
-  expectRefused(call({"--spot", "4", "--reference", "0,0,0"}), 2, "the reference normal has no direction: set a vector such as (0, 0, 1) (--reference)");
+  expectRefused(call({"--spot", "4", "--reference", "0,0,0"}), 2,
+                "the reference normal has no direction: set a vector such as (0, 0, 1) (--reference)");
   expectRefused(call({"--spot", "4", "--measuring-error", "-1"}), 2, "(--measuring-error)");
   expectRefused(call({"--spot", "4", "--lead", "90"}), 2, "set them below 90 (--lead, --tilt)");
   expectRefused(call({"--scallop", "0.02"}), 2, "--scallop: belongs to a cutter, and no --tool-radius is given");
   expectRefused(call({"--tool-radius", "6", "--spot", "4"}), 2, "--spot: is a beam's");
   expectRefused(call({"--tool-radius", "6", "--step-over", "1", "--stand-off", "3"}), 2, "--stand-off: a cutter touches the surface");
-  expectRefused(call({"--tool-radius", "6", "--scallop", "6"}), 2, "--scallop 6: must lie above 0 and below the tool radius, which is 6 mm");
+  expectRefused(call({"--tool-radius", "6", "--scallop", "6"}), 2,
+                "--scallop 6: must lie above 0 and below the tool radius, which is 6 mm");
   expectRefused(call({"--tool-radius", "6", "--corner-radius", "1", "--scallop", "0.1"}), 2, "known for a ball alone");
   expectRefused(call({"--spot", "4", "--scan", "scan.xyz"}), 2, "a beam is led by rail and generator alone");
   expectRefused(call({"--spot", "4", "--through", "0,0,0/1,1,1"}), 2, "no --scan is given in which the ridge is to be found");

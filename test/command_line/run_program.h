@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Runs a program and keeps what it said.
  */
@@ -24,8 +25,7 @@ struct RunResult {
 
 /** Start \p program in \p folder, with its output in hidden files there. Returns its process. */
 inline pid_t
-startProgram(const std::string& program, const std::vector<std::string>& arguments,
-             const ScratchFolder& folder)
+startProgram(const std::string& program, const std::vector<std::string>& arguments, const ScratchFolder& folder)
 {
   const pid_t process = ::fork();
   if (process != 0)

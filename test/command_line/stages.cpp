@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a run tells about the time and memory of its stages: in the report, on the terminal.
 #include "cap_scan.h"
 #include "run_program.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // pcl_spiral_verify from outside: figures, faults put in on purpose, limits, exit codes.
 #include <pcl_spiral/io/toolpath_reader.h>
 
@@ -27,39 +28,28 @@ protected:
   static constexpr double radius = 3.0, scallop = 0.02, chord_error = 0.005;
 
   /** The scan and its path, made once. */
-  static void
-  SetUpTestSuite()
+  static void SetUpTestSuite()
   {
     made_ = std::make_unique<ScratchFolder>();
     writeText(made_->path("cap.xyz"), capScan(8000));
     const RunResult made = endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM,
-                                              {"cap.xyz", "--tool-radius", "3", "--scallop", "0.02", "-o", "cap.csv", "-o",
-                                               "cap.pcd", "-o", "cap.ply", "-o", "cap.vtp"},
+                                              {"cap.xyz", "--tool-radius", "3", "--scallop", "0.02", "-o", "cap.csv", "-o", "cap.pcd", "-o",
+                                               "cap.ply", "-o", "cap.vtp"},
                                               *made_),
                                  *made_);
     ASSERT_EQ(made.code, 0) << made.err;
   }
-  static void
-  TearDownTestSuite()
-  {
-    made_.reset();
-  }
-  void
-  SetUp() override
-  {
-    std::filesystem::copy(made_->root(), folder_.root());
-  }
+  static void TearDownTestSuite() { made_.reset(); }
+  void SetUp() override { std::filesystem::copy(made_->root(), folder_.root()); }
 
-  RunResult
-  verify(Arguments arguments)
+  RunResult verify(Arguments arguments)
   {
     arguments.insert(arguments.begin(), "cap.xyz");
     arguments.insert(arguments.end(), {"--tool-radius", "3", "--scallop", "0.02"});
     return endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM, arguments, folder_), folder_);
   }
 
-  nlohmann::json
-  figures(const std::string& path, Arguments arguments = {})
+  nlohmann::json figures(const std::string& path, Arguments arguments = {})
   {
     arguments.insert(arguments.begin(), {path, "-o", "figures.json"});
     last_ = verify(arguments);
@@ -68,8 +58,7 @@ protected:
   }
 
   /** An array of a .vtp, as VTK reads it. */
-  std::vector<double>
-  pointData(const std::string& file, const char* name)
+  std::vector<double> pointData(const std::string& file, const char* name)
   {
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(folder_.path(file).c_str());
@@ -83,8 +72,7 @@ protected:
 
   /** cap.csv with its rows changed by \p change(fields of a row, row number); rows it empties go. */
   template <typename Change>
-  void
-  spoil(const Change& change)
+  void spoil(const Change& change)
   {
     std::istringstream in(readText(folder_.path("cap.csv")));
     std::ostringstream out;
@@ -111,8 +99,7 @@ protected:
 
 TEST_F(Verify, AGoodPathKeepsItsLimits)
 {
-  const auto path = figures("cap.csv", {"--max-gouge", "0.008", "--max-scallop", "0.026", "--max-deviation", "0.003",
-                                        "--max-uncut", "0"});
+  const auto path = figures("cap.csv", {"--max-gouge", "0.008", "--max-scallop", "0.026", "--max-deviation", "0.003", "--max-uncut", "0"});
   EXPECT_EQ(last_.code, 0) << last_.out << last_.err;
   EXPECT_GT(path["material"]["scallop"]["p50"], 0.5 * scallop);
   EXPECT_LE(path["material"]["scallop"]["p99.9"], 1.02 * scallop + chord_error);
@@ -156,10 +143,10 @@ TEST_F(Verify, AMeshTakesTheScansPlace)
     for (int i = 0; i <= 80; ++i) {
       const double x = (row % 2 ? -1.0 : 1.0) * (0.25 * i - 10.0), y = 0.5 * row - 10.0, d = 1e-5;
       const double nx = -(height(x + d, y) - height(x - d, y)) / (2 * d), ny = -(height(x, y + d) - height(x, y - d)) / (2 * d);
-      length += i > 0 ? 0.25 : 0.0; // flat enough
+      length += i > 0 ? 0.25 : 0.0;                                              // flat enough
       const double steep = std::sqrt(nx * nx + ny * ny + 1.0), z = height(x, y); // a ball of 3 mm stands on the contact
-      csv << row << ',' << length << ',' << x << ',' << y << ',' << z << ',' << nx / steep << ',' << ny / steep << ',' << 1.0 / steep << ',' << x + 3.0 * nx / steep << ','
-          << y + 3.0 * ny / steep << ',' << z + 3.0 / steep - 3.0 << ",0,0,1,1000\n";
+      csv << row << ',' << length << ',' << x << ',' << y << ',' << z << ',' << nx / steep << ',' << ny / steep << ',' << 1.0 / steep << ','
+          << x + 3.0 * nx / steep << ',' << y + 3.0 * ny / steep << ',' << z + 3.0 / steep - 3.0 << ",0,0,1,1000\n";
     }
   writeText(folder_.path("rows.csv"), csv.str());
   const auto run = [&](Arguments arguments) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // pcl_spiral_view from outside: calls it refuses, and what it says without a display.
 #include "run_program.h"
 
@@ -26,8 +27,7 @@ public:
   NamedWindow& operator=(const NamedWindow&) = delete;
 
   /** Wait for it, no longer than a minute. */
-  bool
-  appears()
+  bool appears()
   {
     for (int i = 0; i < 600 && window_ == 0; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -35,9 +35,9 @@ public:
     }
     return window_ != 0;
   }
+
 private:
-  Window
-  find()
+  Window find()
   {
     Window root = 0, parent = 0, *children = nullptr, found = 0;
     unsigned int count = 0;
@@ -61,8 +61,7 @@ private:
 
 class View : public ::testing::Test {
 protected:
-  void
-  SetUp() override
+  void SetUp() override
   {
     std::ostringstream text; // a flat disc
     for (int i = 0; i < 3000; ++i) {
@@ -71,11 +70,7 @@ protected:
     }
     writeText(folder_.path("disc.xyz"), text.str());
   }
-  RunResult
-  view(const Arguments& arguments)
-  {
-    return endOf(startProgram(PCL_SPIRAL_VIEW_PROGRAM, arguments, folder_), folder_);
-  }
+  RunResult view(const Arguments& arguments) { return endOf(startProgram(PCL_SPIRAL_VIEW_PROGRAM, arguments, folder_), folder_); }
   ScratchFolder folder_;
 };
 
@@ -128,8 +123,7 @@ TEST_F(View, TheWindowOpensAndClosesOnRequest)
   EXPECT_EQ(missing.code, 1);
   EXPECT_NE(missing.err.find("none.csv"), std::string::npos) << missing.err;
   const RunResult made =
-      endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM,
-                         {"disc.xyz", "--tool-radius", "3", "--scallop", "0.05", "-o", "disc.csv"}, folder_),
+      endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM, {"disc.xyz", "--tool-radius", "3", "--scallop", "0.05", "-o", "disc.csv"}, folder_),
             folder_);
   ASSERT_EQ(made.code, 0) << made.err;
   const pid_t process = startProgram(PCL_SPIRAL_VIEW_PROGRAM, {"disc.xyz", "disc.csv"}, folder_);
@@ -153,8 +147,7 @@ TEST_F(View, AMeshIsShownByItsFaces)
   EXPECT_NE(bare.err.find("face"), std::string::npos) << bare.err;
   writeText(folder_.path("plate.obj"), "v -20 -20 0\nv 20 -20 0\nv 20 20 0\nv -20 20 0\nf 1 2 3 4\n");
   const RunResult made =
-      endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM,
-                         {"disc.xyz", "--tool-radius", "3", "--scallop", "0.05", "-o", "plate.csv"}, folder_),
+      endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM, {"disc.xyz", "--tool-radius", "3", "--scallop", "0.05", "-o", "plate.csv"}, folder_),
             folder_);
   ASSERT_EQ(made.code, 0) << made.err;
   const pid_t process = startProgram(PCL_SPIRAL_VIEW_PROGRAM, {"plate.obj", "plate.csv", "--mesh", "--tool-radius", "3"}, folder_);

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs the build, makes outside programs against it, runs them, moves the installation, runs them again.
 # Usage: run.sh BUILD_DIR [option for the outside programs' cmake ...]
 set -euo pipefail

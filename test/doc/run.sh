@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Doxygen has nothing to say of the project's own headers and pages, and finds every fault planted in a copy of them.
 # Usage: run.sh SOURCE_DIR
 set -euo pipefail

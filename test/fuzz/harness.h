@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What every fuzzed reader must keep: a table that is whole and in proportion to its bytes, or a FileError.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The bytes of a fuzzer as a file, for readers that open one themselves.
  */
@@ -17,7 +18,7 @@ namespace pcl_spiral {
 class InputFile {
 public:
   InputFile(const std::string& extension, const std::uint8_t* data, std::size_t size)
-      : name_("/dev/shm/pcl_spiral_fuzz_" + std::to_string(::getpid()) + extension)
+  : name_("/dev/shm/pcl_spiral_fuzz_" + std::to_string(::getpid()) + extension)
   {
     std::FILE* const stream = std::fopen(name_.c_str(), "wb");
     if (!stream || std::fwrite(data, 1, size, stream) != size || std::fclose(stream) != 0)
@@ -27,11 +28,7 @@ public:
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  const std::string&
-  name() const
-  {
-    return name_;
-  }
+  const std::string& name() const { return name_; }
 
 private:
   std::string name_;

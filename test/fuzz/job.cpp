@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Job files (YAML, and JSON as part of it): read, set, and checked as pcl_spiral_toolpath does before any work.
 #include "input_file.h"
 

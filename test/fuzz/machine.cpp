@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Machine files (YAML): read and checked as programs take them.
 #include "input_file.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Scans and meshes in OBJ files.
 #include "harness.h"
 #include "mesh_harness.h"
@@ -7,8 +8,6 @@ using namespace pcl_spiral;
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  fuzzTable(data, size, 3, [](std::string_view bytes) {
-    return readObjTable("scan.obj", bytes);
-  });
+  fuzzTable(data, size, 3, [](std::string_view bytes) { return readObjTable("scan.obj", bytes); });
   return fuzzMesh(".obj", data, size);
 }

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs one fuzzer, or all one after the other, from what earlier runs found; the inputs stay in the build folder.
 # Usage: run.sh BUILD_DIR SECONDS [FORMAT]...     ends with 1 where a finding was made; its input is kept
 set -uo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Makes the first inputs of the fuzzers, with our own writers and PCL's: fuzz_seeds FOLDER.
 #include <pcl_spiral/io/toolpath_writer.h>
 
@@ -64,7 +65,8 @@ writeTexts(const fs::path& folder)
 {
   const std::string rows = "1.5 -2.25 3\n4 5.5e-1 -6\nnan inf 7\n";
   write(folder / "text/plain", "\2" + rows);
-  write(folder / "text/named", "\1" "1;2;3;4\n2;1e3;+5;.5\n");
+  write(folder / "text/named", "\1"
+                               "1;2;3;4\n2;1e3;+5;.5\n");
   write(folder / "text/header", "\2# made by hand\nz,x,\"y\"\r\n1,2,3\r\n4,5,6\r\n");
   write(folder / "text/comment", "\2//X Y Z I\n1\t2\t3\t4\n");
   write(folder / "obj/mesh", "# a mesh\no part\nv 1 2 3\nv 4 5 6 1\nv 1e-3 .5 -7\nvn 0 0 1\nf 1//1 2//1 3//1\n");
@@ -78,14 +80,15 @@ writeTexts(const fs::path& folder)
                               "end_header\n2 8 9\n1 2 3 2 4 5\n");
   write(folder / "ply/big_endian", "ply\nformat binary_big_endian 1.0\nelement face 1\nproperty list uchar short i\n"
                                    "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
-                                   "end_header\n" + std::string("\2\0\1\0\2\0\0\0\0\0\0\0\0\0\0\0\0", 17));
+                                   "end_header\n" +
+                                       std::string("\2\0\1\0\2\0\0\0\0\0\0\0\0\0\0\0\0", 17));
   const std::string corners = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
   write(folder / "ply/faces", "ply\nformat ascii 1.0\n" + corners +
                                   "element face 3\nproperty uchar red\nproperty list uchar int vertex_indices\nend_header\n"
                                   "0 0 0\n9 3 0\n0 6 0\n2 3 1\n1 3 0 1 2\n2 4 0 1 2 3\n3 4 3 2 1 0\n");
   for (const std::string order : {"little", "big"}) {
-    std::string bytes = "ply\nformat binary_" + order + "_endian 1.0\n" + corners +
-                        "element face 2\nproperty list uchar uchar vertex_index\nend_header\n";
+    std::string bytes =
+        "ply\nformat binary_" + order + "_endian 1.0\n" + corners + "element face 2\nproperty list uchar uchar vertex_index\nend_header\n";
     for (std::size_t byte = 0; byte < 48; ++byte)
       bytes += static_cast<char>(byte * 37 % 64);
     write(folder / ("ply/faces_" + order), bytes + std::string("\3\0\1\2\4\0\1\2\3", 9));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Scans in text files: .xyz .txt .csv .asc. The first byte says whether the columns are named by the user.
 #include "harness.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Toolpath files, as pcl_spiral_verify reads them. The first byte says which format.
 #include "input_file.h"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The guards pass the project's own tree and find every fault planted in a copy of it; README's program is the one
 # that the consumer test builds and runs.
 # Usage: run.sh SOURCE_DIR
@@ -7,7 +8,7 @@ source_dir=$1
 guards=$source_dir/cmake/guards.sh
 bash "$guards" "$source_dir"
 
-diff <(sed -n '/^```cpp$/,/^```$/ { /^```/d; p }' "$source_dir/README.md") "$source_dir/test/consumer/cxx_only/main.cpp" ||
+diff <(sed -n '/^```cpp$/,/^```$/ { /^```/d; p }' "$source_dir/README.md") <(grep -v SPDX "$source_dir/test/consumer/cxx_only/main.cpp") ||
   { echo "README's program differs from test/consumer/cxx_only/main.cpp" >&2; exit 1; }
 
 tree=$(mktemp -d)
@@ -18,8 +19,9 @@ plant() { # FILE LINE: a fresh copy with LINE at the end of FILE must be refused
   rm -rf "${tree:?}"/*
   cp -r "$source_dir"/{pcl_spiral,examples,cmake,CMakeLists.txt,CMakePresets.json} "$tree"
   mkdir -p "$(dirname "$tree/$1")"
+  [ -e "$tree/$1" ] || echo '// SPDX-License-Identifier: BSD-3-Clause' >"$tree/$1" # so that it is not this that is found
   printf '%s\n' "$2" >>"$tree/$1"
-  if said=$(bash "$guards" "$tree" 2>&1) || ! grep -qF "$(dirname "$1")" <<<"$said"; then
+  if said=$(CLANG_FORMAT=none bash "$guards" "$tree" 2>&1) || ! grep -qF "$(dirname "$1")" <<<"$said"; then
     echo "not found: '$2' in $1" >&2
     missed=1
   fi
@@ -35,6 +37,7 @@ plant pcl_spiral/src/cutter/planted.cpp '#include <pcl_spiral/io/toolpath_writer
 plant $headers/utils/planted.h '#pragma once'
 plant $headers/core/planted.h '#pragma once'
 plant pcl_spiral/src/mesh/planted.cpp '#include "drive/line_gaps.h"'
+plant $headers/common/status.h "// $(yes x | head -n 140 | tr -d '\n')"
 plant $headers/common/status.h 'struct Planted { int threads_ = 0; };'
 plant $headers/spiral/spiral_settings.h 'struct Planted { int chunk_size_ = 0; };'
 plant pcl_spiral/src/core/polyline.cpp 'const char* const planted = "thin it (--thin)";'
@@ -44,7 +47,7 @@ plant cmake/planted.cmake 'add_compile_definitions(PCL_NO_PRECOMPILE)'
 plant pcl_spiral/src/core/polyline.cpp '#pragma GCC optimize("fast-math")'
 plant $headers/common/impl/progress.h '/** Of \p shares in the work. */
 double percentOf(double share);'
-plant examples/example_step_over.cpp "$(yes '// more' | head -n 60)"
+plant examples/example_step_over.cpp "$(yes '// more' | head -n 61)"
 plant examples/example_stage_by_stage.cpp "$(yes '// more' | head -n 20)"
 plant pcl_spiral/doc/stage_by_stage.md '```cpp
 surface->noSuchFunction();

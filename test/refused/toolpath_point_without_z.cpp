@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Must not compile: a point of a toolpath without z. The compiler's message has to name the remedy.
 #include <pcl_spiral/common/impl/toolpath_fields.h>
 
@@ -10,6 +11,6 @@ int
 main()
 {
   FlatPoint point;
-  pcl_spiral::ToolpathFields<FlatPoint>::set(point, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(),
-                                             Eigen::Vector3f::UnitZ(), 0.0, 0.0f, false);
+  pcl_spiral::ToolpathFields<FlatPoint>::set(point, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), Eigen::Vector3f::UnitZ(), 0.0, 0.0f,
+                                             false);
 }

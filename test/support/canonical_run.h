@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Programs run by LinuxCNC's interpreter, rs274.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/checked_path.h"
 
 #include <algorithm>
@@ -14,7 +15,8 @@ fromToolpath(const pcl::PointCloud<ToolpathPoint>& path)
     result.normals.push_back(p.getNormalVector3fMap().cast<double>().normalized());
     result.turns.push_back(p.turn);
     const std::size_t i = result.size() - 1;
-    if (i > 0 && p.arc_length > 0.0 && p.arc_length - path[i - 1].arc_length < 1e-5 && (result.contacts[i] - result.contacts[i - 1]).norm() > 0.01)
+    if (i > 0 && p.arc_length > 0.0 && p.arc_length - path[i - 1].arc_length < 1e-5 &&
+        (result.contacts[i] - result.contacts[i - 1]).norm() > 0.01)
       result.lifted_to.push_back(i);
   }
   return result;

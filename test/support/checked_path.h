@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A toolpath as the checks read it, and places on it. Lengths in mm.
  */
@@ -23,22 +24,10 @@ struct CheckedPath {
   std::vector<std::size_t> lifted_to; ///< points on the way to which the tool is lifted, ascending
 
   /** Whether the way from point \p move to the next one cuts nothing. */
-  bool
-  isLift(std::size_t move) const
-  {
-    return std::binary_search(lifted_to.begin(), lifted_to.end(), move + 1);
-  }
-  std::size_t
-  size() const
-  {
-    return contacts.size();
-  }
+  bool isLift(std::size_t move) const { return std::binary_search(lifted_to.begin(), lifted_to.end(), move + 1); }
+  std::size_t size() const { return contacts.size(); }
   /** Turn count at a point, or 0 when none was given. */
-  double
-  turn(std::size_t i) const
-  {
-    return i < turns.size() ? turns[i] : 0.0;
-  }
+  double turn(std::size_t i) const { return i < turns.size() ? turns[i] : 0.0; }
 };
 
 /** A measured value and where it was found. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Cutters of every kind, at random.
  */
@@ -24,11 +25,16 @@ randomCutter(Random& random)
   const double flank = random.uniform(0.05, 0.95) * longest;
   const double share = random.uniform(0.02, 0.98);
   switch (random.below(6)) {
-  case 0: return CutterShape::ball(radius, random.uniform(0.0, 30.0));
-  case 1: return CutterShape::flatEnd(radius, random.uniform(0.1, 30.0));
-  case 2: return CutterShape::bullNose(radius, share * radius, random.uniform(0.1, 30.0));
-  case 3: return CutterShape::taper(radius, flank, angle);
-  case 4: return CutterShape::taperedBall(radius, flank, angle);
+  case 0:
+    return CutterShape::ball(radius, random.uniform(0.0, 30.0));
+  case 1:
+    return CutterShape::flatEnd(radius, random.uniform(0.1, 30.0));
+  case 2:
+    return CutterShape::bullNose(radius, share * radius, random.uniform(0.1, 30.0));
+  case 3:
+    return CutterShape::taper(radius, flank, angle);
+  case 4:
+    return CutterShape::taperedBall(radius, flank, angle);
   default: {
     const double largest = CutterShape::taperedBall(radius, flank, angle).corner_radius;
     return CutterShape::taperedBullNose(radius, share * largest, flank, angle);

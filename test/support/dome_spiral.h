@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A spiral over a sphere known exactly.
  */
@@ -15,8 +16,7 @@ namespace pcl_spiral::test {
  * sphere of radius \p sphere down; the axis leans \p tilt degrees to the side of the travel from the normal,
  * eased in over the first \p ease mm from the pole. */
 inline ToolPoses
-domeSpiral(double sphere, double pitch, int turns, int poses_a_turn, double ball, double tilt,
-           double ease = 10.0)
+domeSpiral(double sphere, double pitch, int turns, int poses_a_turn, double ball, double tilt, double ease = 10.0)
 {
   ToolPoses poses;
   for (int i = 0; i <= turns * poses_a_turn; ++i) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Clouds spread as evenly as a thinned scan is. Lengths in mm.
  */

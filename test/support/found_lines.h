@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Lines of ridges found in scans, and how far they are off the die that was scanned.
  */

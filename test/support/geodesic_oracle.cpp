@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/geodesic_oracle.h"
 
 #include <Eigen/Dense>
@@ -50,8 +51,7 @@ shoot(const AnalyticSurface& surface, const Vector3d& from, const Vector3d& dire
 } // namespace
 
 ExactGeodesic
-exactGeodesic(const AnalyticSurface& surface, const Vector3d& from, const Vector3d& to, const Vector3d& towards,
-              double length_guess)
+exactGeodesic(const AnalyticSurface& surface, const Vector3d& from, const Vector3d& to, const Vector3d& towards, double length_guess)
 {
   const Vector3d normal = surface.normal(from);
   const Vector3d e1 = (towards - normal * normal.dot(towards)).normalized(), e2 = normal.cross(e1);

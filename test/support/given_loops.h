@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Loops to be given to a stage: those found on a cloud, and circles drawn on a sphere.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Surfaces that are heights over the x-y plane.
  */
@@ -18,19 +19,13 @@ public:
   };
   virtual Jet jet(double x, double y) const = 0;
 
-  double
-  value(const Eigen::Vector3d& x) const override
-  {
-    return x.z() - jet(x.x(), x.y()).f;
-  }
-  Eigen::Vector3d
-  gradient(const Eigen::Vector3d& x) const override
+  double value(const Eigen::Vector3d& x) const override { return x.z() - jet(x.x(), x.y()).f; }
+  Eigen::Vector3d gradient(const Eigen::Vector3d& x) const override
   {
     const Jet j = jet(x.x(), x.y());
     return {-j.fx, -j.fy, 1.0};
   }
-  Eigen::Matrix3d
-  hessian(const Eigen::Vector3d& x) const override
+  Eigen::Matrix3d hessian(const Eigen::Vector3d& x) const override
   {
     const Jet j = jet(x.x(), x.y());
     Eigen::Matrix3d h = Eigen::Matrix3d::Zero();
@@ -39,18 +34,9 @@ public:
     h(1, 1) = -j.fyy;
     return h;
   }
-  Eigen::Vector3d
-  lift(const Eigen::Vector2d& u) const override
-  {
-    return {u.x(), u.y(), jet(u.x(), u.y()).f};
-  }
-  Eigen::Vector2d
-  chart(const Eigen::Vector3d& x) const override
-  {
-    return x.head<2>();
-  }
-  double
-  areaElement(const Eigen::Vector2d& u) const override
+  Eigen::Vector3d lift(const Eigen::Vector2d& u) const override { return {u.x(), u.y(), jet(u.x(), u.y()).f}; }
+  Eigen::Vector2d chart(const Eigen::Vector3d& x) const override { return x.head<2>(); }
+  double areaElement(const Eigen::Vector2d& u) const override
   {
     const Jet j = jet(u.x(), u.y());
     return std::sqrt(1.0 + j.fx * j.fx + j.fy * j.fy);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/ideal_length.h"
 
 #include "support/checked_path.h"

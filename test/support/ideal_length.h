@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The least length of a spiral over a surface of revolution. mm.
  */

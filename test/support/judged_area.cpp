@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/judged_area.h"
 
 #include "support/checked_path.h"
@@ -40,7 +41,7 @@ meanDistance(const Polyline& from, const MoveTree& to)
 } // namespace
 
 JudgedArea::JudgedArea(const AnalyticSurface& surface, const std::vector<Polyline>& rims)
-    : surface_(surface), region_(chartRegion(surface, rims))
+: surface_(surface), region_(chartRegion(surface, rims))
 {
   for (const Polyline& rim : rims)
     rims_.push_back(closedTree(rim));
@@ -76,8 +77,7 @@ JudgedArea::leastLength(double radius, double scallop) const
 }
 
 std::vector<Polyline>
-rimsAlong(const std::vector<Polyline>& truth, std::vector<Polyline> loops, double tolerance,
-          std::size_t& missed)
+rimsAlong(const std::vector<Polyline>& truth, std::vector<Polyline> loops, double tolerance, std::size_t& missed)
 {
   std::vector<Polyline> rims;
   missed = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The part of a surface that a path has to machine, and the least length of a path over it. Lengths in mm.
  */
@@ -19,11 +20,7 @@ public:
   JudgedArea(const AnalyticSurface& surface, const std::vector<Polyline>& rims);
 
   /** Whether the point of the surface at \p x lies within the rims. */
-  bool
-  contains(const Eigen::Vector3d& x) const
-  {
-    return region_.contains(surface_.chart(x));
-  }
+  bool contains(const Eigen::Vector3d& x) const { return region_.contains(surface_.chart(x)); }
   /** Straight distance to the nearest rim. */
   double rimDistance(const Eigen::Vector3d& x) const;
   /** Length of all rims. */
@@ -44,7 +41,6 @@ private:
 
 /** For every outline of \p truth the loop that runs along it, no loop twice. An outline that no loop follows
  *  within \p tolerance in the mean, both ways, stands for itself and is counted in \p missed. */
-std::vector<Polyline> rimsAlong(const std::vector<Polyline>& truth, std::vector<Polyline> loops,
-                                double tolerance, std::size_t& missed);
+std::vector<Polyline> rimsAlong(const std::vector<Polyline>& truth, std::vector<Polyline> loops, double tolerance, std::size_t& missed);
 
 } // namespace pcl_spiral::test

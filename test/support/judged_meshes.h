@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Meshes to sample and to judge paths by: a landform over a grid, its exact surface, boxes, roofs.
  */
@@ -22,28 +23,24 @@ struct MeshDraft {
   pcl::PointCloud<pcl::PointXYZ> points;
   std::vector<pcl::Vertices> faces;
 
-  std::uint32_t
-  add(double x, double y, double z)
+  std::uint32_t add(double x, double y, double z)
   {
     points.emplace_back(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
     return static_cast<std::uint32_t>(points.size() - 1);
   }
-  void
-  face(std::uint32_t a, std::uint32_t b, std::uint32_t c)
+  void face(std::uint32_t a, std::uint32_t b, std::uint32_t c)
   {
     pcl::Vertices corners;
     for (const std::uint32_t v : {a, b, c})
       corners.vertices.push_back(static_cast<pcl::index_t>(v));
     faces.push_back(corners);
   }
-  void
-  quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
+  void quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
   {
     face(a, b, c);
     face(a, c, d);
   }
-  pcl::PolygonMesh::Ptr
-  made() const
+  pcl::PolygonMesh::Ptr made() const
   {
     auto mesh = pcl::make_shared<pcl::PolygonMesh>();
     pcl::toPCLPointCloud2(points, mesh->cloud);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/left_heights.h"
 
 #include "support/sampling.h"
@@ -17,8 +18,7 @@ ranked(const std::vector<StockSample>& samples, std::vector<std::size_t>& picked
 {
   const double rank = std::ceil(q * static_cast<double>(picked.size())) - 1.0;
   const auto at = picked.begin() + static_cast<std::ptrdiff_t>(std::max(0.0, rank));
-  std::nth_element(picked.begin(), at, picked.end(),
-                   [&](std::size_t a, std::size_t b) { return samples[a].stock < samples[b].stock; });
+  std::nth_element(picked.begin(), at, picked.end(), [&](std::size_t a, std::size_t b) { return samples[a].stock < samples[b].stock; });
   return *at;
 }
 
@@ -46,8 +46,7 @@ passesOf(const CheckedPath& path, const SweptBall& ball)
 
 /** The least height that a pass leaves over \p x. */
 StockSample
-leastOver(const Eigen::Vector3d& x, const AnalyticSurface& surface, const std::vector<Pass>& passes,
-          const SweptBall& ball)
+leastOver(const Eigen::Vector3d& x, const AnalyticSurface& surface, const std::vector<Pass>& passes, const SweptBall& ball)
 {
   StockSample best{x, 20.0 * ball.h, 0, false};
   for (const Pass& pass : passes) {
@@ -61,8 +60,7 @@ leastOver(const Eigen::Vector3d& x, const AnalyticSurface& surface, const std::v
 } // namespace
 
 std::vector<StockSample>
-heightsLeft(const AnalyticSurface& surface, const CheckedPath& path, const SweptBall& ball, std::size_t count,
-            std::uint64_t seed)
+heightsLeft(const AnalyticSurface& surface, const CheckedPath& path, const SweptBall& ball, std::size_t count, std::uint64_t seed)
 {
   const std::vector<Pass> passes = passesOf(path, ball);
   const Sampled points = sampleUniform(surface, count, seed);
@@ -77,8 +75,8 @@ heightsLeft(const AnalyticSurface& surface, const CheckedPath& path, const Swept
 }
 
 HeightFigures
-heightFigures(const std::vector<StockSample>& samples, const CheckedPath& path, const JudgedArea& area,
-              double h, const std::function<bool(std::size_t)>& counts)
+heightFigures(const std::vector<StockSample>& samples, const CheckedPath& path, const JudgedArea& area, double h,
+              const std::function<bool(std::size_t)>& counts)
 {
   HeightFigures f;
   std::vector<std::size_t> picked;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The heights that a swept ball leaves on a surface known exactly. Lengths in mm.
  */
@@ -23,8 +24,8 @@ struct SweptBall {
 
 /** Height over every one of \p count points spread evenly by area over the whole surface, by the capsules
  * that the ball fills along the straight moves between its centres. Rays reach 20 h: above is uncut. */
-std::vector<StockSample> heightsLeft(const AnalyticSurface& surface, const CheckedPath& path,
-                                     const SweptBall& ball, std::size_t count, std::uint64_t seed);
+std::vector<StockSample> heightsLeft(const AnalyticSurface& surface, const CheckedPath& path, const SweptBall& ball, std::size_t count,
+                                     std::uint64_t seed);
 
 /** Figures of heights, as multiples of h; a place's value too. */
 struct HeightFigures {
@@ -37,7 +38,7 @@ struct HeightFigures {
 };
 
 /** Figures of the samples that \p counts picks by their position; \p area gives the distance to the rim. */
-HeightFigures heightFigures(const std::vector<StockSample>& samples, const CheckedPath& path,
-                            const JudgedArea& area, double h, const std::function<bool(std::size_t)>& counts);
+HeightFigures heightFigures(const std::vector<StockSample>& samples, const CheckedPath& path, const JudgedArea& area, double h,
+                            const std::function<bool(std::size_t)>& counts);
 
 } // namespace pcl_spiral::test

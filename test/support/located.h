@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Cutters located on clouds of known surfaces.
  */
@@ -24,16 +25,14 @@ inline Eigen::Vector3d
 leaning(const Eigen::Vector3d& normal, double lean, Random& random)
 {
   const double a = lean * M_PI / 180.0 * std::sqrt(random.uniform());
-  const Eigen::Vector3d side =
-      normal.cross(Eigen::Vector3d(random.normal(), random.normal(), random.normal())).normalized();
+  const Eigen::Vector3d side = normal.cross(Eigen::Vector3d(random.normal(), random.normal(), random.normal())).normalized();
   return std::cos(a) * normal + std::sin(a) * side;
 }
 
 /** Places of a surface with the axis off the normal by up to \p lean degrees, \p inside of the outline or
  * more. */
 inline DrivePoints
-drivePoints(const AnalyticSurface& surface, std::size_t count, double lean, double inside, bool contacts,
-            std::uint64_t seed)
+drivePoints(const AnalyticSurface& surface, std::size_t count, double lean, double inside, bool contacts, std::uint64_t seed)
 {
   Random random(seed);
   DrivePoints drive;
@@ -78,8 +77,7 @@ deepest(const std::vector<Eigen::Vector3d>& points, const CutterProfile& cutter,
 {
   double depth = -1e300;
   for (const Eigen::Vector3d& p : points) {
-    const double h = (p - location.tip).dot(location.axis),
-                 l = (p - location.tip).cross(location.axis).norm();
+    const double h = (p - location.tip).dot(location.axis), l = (p - location.tip).cross(location.axis).norm();
     if (l <= cutter.radius())
       depth = std::max(depth, h - cutter.height(l));
   }

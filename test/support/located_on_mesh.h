@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Cutters located on meshes of known surfaces.
  */
@@ -33,8 +34,7 @@ onMesh(const Mesh& mesh, const CutterShape& cutter, const DrivePoints& drive, co
 
 template <typename Mesh>
 Located
-onMesh(const Mesh& mesh, const CutterShape& cutter, const DrivePoints& drive,
-       Evaluation evaluation = Evaluation::FittedSurface)
+onMesh(const Mesh& mesh, const CutterShape& cutter, const DrivePoints& drive, Evaluation evaluation = Evaluation::FittedSurface)
 {
   return onMesh(mesh, cutter, drive, [&](Location& l) { l.setEvaluation(evaluation); });
 }
@@ -45,19 +45,13 @@ struct Waves {
 
   double height(double x) const { return a * std::cos(k * x); }
   Eigen::Vector3d at(double x, double y) const { return {x, y, height(x)}; }
-  Eigen::Vector3d
-  normal(double x) const
-  {
-    return Eigen::Vector3d(a * k * std::sin(k * x), 0.0, 1.0).normalized();
-  }
-  double
-  curvature(double x) const // positive in valleys
+  Eigen::Vector3d normal(double x) const { return Eigen::Vector3d(a * k * std::sin(k * x), 0.0, 1.0).normalized(); }
+  double curvature(double x) const // positive in valleys
   {
     const double slope = a * k * std::sin(k * x);
     return -a * k * k * std::cos(k * x) / std::pow(1.0 + slope * slope, 1.5);
   }
-  double
-  distance(const Eigen::Vector3d& p) const
+  double distance(const Eigen::Vector3d& p) const
   {
     double best = 1e300;
     for (double x = p.x() - 8.0; x < p.x() + 8.0; x += 0.001)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Forward kinematics of five-axis machines, written apart from the library's: chains of 4x4 matrices from
  * the frame of the workpiece to that of the tool.
@@ -43,8 +44,7 @@ forward(const MachineChain& chain, const AxisValues& at)
 {
   using Pose = Eigen::Isometry3d;
   const auto about = [](const ChainRotary& joint, double degrees) {
-    return Pose(Eigen::Translation3d(joint.point) *
-                Eigen::AngleAxisd(degrees * M_PI / 180.0, joint.direction.normalized()) *
+    return Pose(Eigen::Translation3d(joint.point) * Eigen::AngleAxisd(degrees * M_PI / 180.0, joint.direction.normalized()) *
                 Eigen::Translation3d(-joint.point));
   };
   const double angles[2] = {at.first, at.second};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Where a machine is between two blocks of a program.
  */
@@ -20,9 +21,8 @@ onTheWay(const Machine& machine, const ProgramBlock& a, const ProgramBlock& b, d
   constexpr double degrees = 180.0 / M_PI;
   const auto mix = [t](auto from, auto to) { return from + t * (to - from); };
   const Eigen::Vector3d from = machine.rtcp ? a.tip : a.machine, to = machine.rtcp ? b.tip : b.machine;
-  TipAndAxis found =
-      forward(chainOf(machine), {from + t * (to - from), mix(a.angles.first, b.angles.first) * degrees,
-                                 mix(a.angles.second, b.angles.second) * degrees});
+  TipAndAxis found = forward(chainOf(machine), {from + t * (to - from), mix(a.angles.first, b.angles.first) * degrees,
+                                                mix(a.angles.second, b.angles.second) * degrees});
   if (machine.rtcp)
     found.tip = from + t * (to - from);
   return found;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A ridge that has to be made.
  */

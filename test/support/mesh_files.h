@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Small mesh files made by hand: four corners of a tetrahedron, and two faces over them.
  */
@@ -79,14 +80,12 @@ problem(const std::string& file, const ReadOptions& options = {})
 /** Writes files and reads them. */
 class MeshFiles : public ::testing::Test {
 protected:
-  std::string
-  text(const std::string& name, const std::string& content)
+  std::string text(const std::string& name, const std::string& content)
   {
     writeText(folder_.path(name), content);
     return folder_.path(name);
   }
-  void
-  expectProblem(const std::string& name, const std::string& content, const std::string& words)
+  void expectProblem(const std::string& name, const std::string& content, const std::string& words)
   {
     const std::string file = text(name, content), said = problem(file);
     EXPECT_NE(said.find(file), std::string::npos) << "names the file: " << said;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/mesh_surfaces.h"
 
 #include "support/height_field.h"
@@ -32,8 +33,7 @@ hump(double x, double w, int n)
 class Bonnet : public HeightField {
 public:
   using HeightField::HeightField;
-  Jet
-  jet(double x, double y) const override
+  Jet jet(double x, double y) const override
   {
     Jet j{0, 0, 0, 0, 0, 0};
     add(90.0, cosine(pi / 2400.0, x - 700.0), cosine(pi / 1900.0, y - 500.0), j);
@@ -50,8 +50,7 @@ public:
   }
 
 private:
-  static void
-  add(double amplitude, const Curve& a, const Curve& b, Jet& j)
+  static void add(double amplitude, const Curve& a, const Curve& b, Jet& j)
   {
     j.f += amplitude * a.f * b.f;
     j.fx += amplitude * a.d * b.f;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The exact surface behind the mesh of a bonnet; that of the landform is in surfaces.h. Lengths in mm.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Triangle meshes with their vertices on test surfaces, the same on every platform for a given seed.
  */

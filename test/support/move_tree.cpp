@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/move_tree.h"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ segmentDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen:
 } // namespace
 
 bool
-capsuleInterval(const Eigen::Vector3d& x, const Eigen::Vector3d& n, const Eigen::Vector3d& a,
-                const Eigen::Vector3d& b, double radius, double& enter, double& leave)
+capsuleInterval(const Eigen::Vector3d& x, const Eigen::Vector3d& n, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius,
+                double& enter, double& leave)
 {
   enter = std::numeric_limits<double>::max();
   leave = -enter;
@@ -96,10 +97,9 @@ MoveTree::build(std::uint32_t first, std::uint32_t last)
   Eigen::Index axis = 0;
   middles.sizes().maxCoeff(&axis);
   const std::uint32_t half = first + (last - first) / 2;
-  std::nth_element(order_.begin() + first, order_.begin() + half, order_.begin() + last,
-                   [&](std::uint32_t i, std::uint32_t j) {
-                     return points_[i][axis] + points_[i + 1][axis] < points_[j][axis] + points_[j + 1][axis];
-                   });
+  std::nth_element(order_.begin() + first, order_.begin() + half, order_.begin() + last, [&](std::uint32_t i, std::uint32_t j) {
+    return points_[i][axis] + points_[i + 1][axis] < points_[j][axis] + points_[j + 1][axis];
+  });
   build(first, half);
   const std::uint32_t right = build(half, last);
   nodes_[id].right = right;
@@ -107,8 +107,7 @@ MoveTree::build(std::uint32_t first, std::uint32_t last)
 }
 
 MoveTree::Entry
-MoveTree::entry(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double radius, double start,
-                double reach) const
+MoveTree::entry(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double radius, double start, double reach) const
 {
   Entry best;
   best.t = reach;
@@ -125,8 +124,7 @@ MoveTree::entry(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double radiu
       continue;
     if (node.count == 0) {
       const std::uint32_t left = id + 1;
-      const bool left_first = nodes_[left].box.squaredExteriorDistance(ideal) <
-                              nodes_[node.right].box.squaredExteriorDistance(ideal);
+      const bool left_first = nodes_[left].box.squaredExteriorDistance(ideal) < nodes_[node.right].box.squaredExteriorDistance(ideal);
       stack[depth++] = left_first ? node.right : left;
       stack[depth++] = left_first ? left : node.right;
       continue;
@@ -161,8 +159,7 @@ MoveTree::nearest(const Eigen::Vector3d& p) const
       continue;
     if (node.count == 0) {
       const std::uint32_t left = id + 1;
-      const bool left_first =
-          nodes_[left].box.squaredExteriorDistance(p) < nodes_[node.right].box.squaredExteriorDistance(p);
+      const bool left_first = nodes_[left].box.squaredExteriorDistance(p) < nodes_[node.right].box.squaredExteriorDistance(p);
       stack[depth++] = left_first ? node.right : left;
       stack[depth++] = left_first ? left : node.right;
       continue;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Linear moves in a tree of boxes: where a ray enters the ball swept along them, nearest move, overlaps.
  */
@@ -26,23 +27,14 @@ public:
   };
   /** Smallest t in [-start, reach] at which x + t n lies in the union of the capsules of \p radius about the
    * moves. */
-  Entry entry(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double radius, double start,
-              double reach) const;
+  Entry entry(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double radius, double start, double reach) const;
   /** Distance of \p p to the nearest move, and which it is. */
   std::pair<double, std::size_t> nearest(const Eigen::Vector3d& p) const;
   /** Call \p f with every move after \p move whose box overlaps that of \p move. */
   void laterOverlaps(std::size_t move, const std::function<void(std::size_t)>& f) const;
 
-  const std::vector<Eigen::Vector3d>&
-  points() const
-  {
-    return points_;
-  }
-  std::size_t
-  moves() const
-  {
-    return points_.size() - 1;
-  }
+  const std::vector<Eigen::Vector3d>& points() const { return points_; }
+  std::size_t moves() const { return points_.size() - 1; }
 
 private:
   struct Node {
@@ -59,7 +51,7 @@ private:
 };
 
 /** Interval of the line x + t n within the capsule of \p radius about a-b; false when the line misses it. */
-bool capsuleInterval(const Eigen::Vector3d& x, const Eigen::Vector3d& n, const Eigen::Vector3d& a,
-                     const Eigen::Vector3d& b, double radius, double& enter, double& leave);
+bool capsuleInterval(const Eigen::Vector3d& x, const Eigen::Vector3d& n, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius,
+                     double& enter, double& leave);
 
 } // namespace pcl_spiral::test

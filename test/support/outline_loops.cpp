@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/outline_loops.h"
 
 #include <algorithm>
@@ -11,8 +12,7 @@ constexpr double pi = 3.14159265358979323846;
 
 /** Points of a circle from one angle to another, both ends included. */
 void
-addArc(PlaneLoop& loop, const Eigen::Vector2d& centre, double radius, double from, double to,
-       std::size_t count)
+addArc(PlaneLoop& loop, const Eigen::Vector2d& centre, double radius, double from, double to, std::size_t count)
 {
   for (std::size_t i = 0; i <= count; ++i) {
     const double t = from + (to - from) * static_cast<double>(i) / static_cast<double>(count);
@@ -46,8 +46,7 @@ PlaneLoop
 cross(double size, double arm)
 {
   const double s = 0.5 * size, a = 0.5 * arm;
-  return {{-a, -s}, {a, -s}, {a, -a}, {s, -a}, {s, a},   {a, a},
-          {a, s},   {-a, s}, {-a, a}, {-s, a}, {-s, -a}, {-a, -a}};
+  return {{-a, -s}, {a, -s}, {a, -a}, {s, -a}, {s, a}, {a, a}, {a, s}, {-a, s}, {-a, a}, {-s, a}, {-s, -a}, {-a, -a}};
 }
 
 PlaneLoop
@@ -55,8 +54,7 @@ smoothStar(int tips, double radius, double swing, std::size_t count)
 {
   PlaneLoop loop = ellipse(1.0, 1.0, count);
   for (std::size_t i = 0; i < count; ++i)
-    loop[i] *=
-        radius + swing * std::cos(2.0 * pi * tips * static_cast<double>(i) / static_cast<double>(count));
+    loop[i] *= radius + swing * std::cos(2.0 * pi * tips * static_cast<double>(i) / static_cast<double>(count));
   return loop;
 }
 
@@ -64,8 +62,7 @@ PlaneLoop
 uShape(double width, double height, double limb)
 {
   const double x = 0.5 * width, y = 0.5 * height;
-  return {{-x, -y},       {x, -y}, {x, y}, {x - limb, y}, {x - limb, -y + limb}, {-x + limb, -y + limb},
-          {-x + limb, y}, {-x, y}};
+  return {{-x, -y}, {x, -y}, {x, y}, {x - limb, y}, {x - limb, -y + limb}, {-x + limb, -y + limb}, {-x + limb, y}, {-x, y}};
 }
 
 PlaneLoop

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Closed outlines that test a path's plan: necks, arms, slits, bands. Counter-clockwise, mm.
  */
@@ -27,7 +28,6 @@ PlaneLoop band(double radius, double width, double degrees, std::size_t count = 
 PlaneLoop slitDisc(double radius, double width, std::size_t count = 4096);
 
 /** The loop with edges no longer than \p longest, every vertex moved by \p f. */
-PlaneLoop bent(const PlaneLoop& loop, double longest,
-               const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& f);
+PlaneLoop bent(const PlaneLoop& loop, double longest, const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& f);
 
 } // namespace pcl_spiral::test

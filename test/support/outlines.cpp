@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/outlines.h"
 
 #include "support/outline_loops.h"
@@ -70,12 +71,9 @@ branchedDrawings()
           {"cross", {cross(220.0, 66.0)}, waves},
           {"star_smooth", {smoothStar(5, 75.0, 25.0)}, waves},
           {"star_pointed", {star(5, 100.0, 45.0)}, level},
-          {"holes_2",
-           {superellipse(120.0, 80.0, 3.0), circle({-45.0, 10.0}, 22.0), circle({50.0, -15.0}, 16.0)},
-           waves},
+          {"holes_2", {superellipse(120.0, 80.0, 3.0), circle({-45.0, 10.0}, 22.0), circle({50.0, -15.0}, 16.0)}, waves},
           {"holes_3",
-           {circle({0.0, 0.0}, 110.0), circle({-45.0, 10.0}, 18.0), circle({50.0, -15.0}, 14.0),
-            moved(ellipse(25.0, 10.0), {5.0, 60.0})},
+           {circle({0.0, 0.0}, 110.0), circle({-45.0, 10.0}, 18.0), circle({50.0, -15.0}, 14.0), moved(ellipse(25.0, 10.0), {5.0, 60.0})},
            waves},
           {"holes_6", sixHoles(), waves},
           {"U", {uShape(210.0, 200.0, 70.0)}, waves},
@@ -98,17 +96,14 @@ vary(Drawing& drawing, std::uint64_t seed)
 {
   Random random(seed * 7919 + drawing.name.size());
   const double scale = random.uniform(0.8, 1.15), aspect = random.uniform(0.93, 1.07);
-  const Eigen::Vector2d stretch =
-      drawing.proportions_stay ? Eigen::Vector2d(1.0, 1.0) : Eigen::Vector2d(aspect, 1.0 / aspect);
-  const Eigen::Matrix2d map =
-      scale * Eigen::Rotation2Dd(random.uniform(0.0, 2.0 * pi)).toRotationMatrix() * stretch.asDiagonal();
+  const Eigen::Vector2d stretch = drawing.proportions_stay ? Eigen::Vector2d(1.0, 1.0) : Eigen::Vector2d(aspect, 1.0 / aspect);
+  const Eigen::Matrix2d map = scale * Eigen::Rotation2Dd(random.uniform(0.0, 2.0 * pi)).toRotationMatrix() * stretch.asDiagonal();
   const double bend = random.uniform(0.0, 2.0), length = random.uniform(35.0, 60.0);
   const double a = random.uniform(0.0, 2.0 * pi), b = random.uniform(0.0, 2.0 * pi);
   for (PlaneLoop& loop : drawing.loops)
     loop = bent(loop, 0.5, [&](const Eigen::Vector2d& u) {
       const Eigen::Vector2d v = map * u;
-      return Eigen::Vector2d(
-          v + bend * Eigen::Vector2d(std::sin(v.y() / length + a), std::sin(v.x() / length + b)));
+      return Eigen::Vector2d(v + bend * Eigen::Vector2d(std::sin(v.y() / length + a), std::sin(v.x() / length + b)));
     });
   drawing.ground.amplitude = random.uniform(0.0, 7.0);
   drawing.ground.length_x = random.uniform(40.0, 70.0);

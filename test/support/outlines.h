@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Parts of every kind of outline, on flat and on gently curved ground, known exactly. Lengths in mm.
  */

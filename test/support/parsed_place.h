@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Where the tool is at the moves of a program that was read back.
  */
@@ -23,8 +24,7 @@ where(const Machine& machine, const ParsedMove& move)
   if (move.vector)
     return {move.xyz, move.vector->normalized()};
   const auto& rotary = machine.rotary;
-  TipAndAxis found = forward(
-      chainOf(machine), {move.xyz, move.degrees.at(rotary[0].letter), move.degrees.at(rotary[1].letter)});
+  TipAndAxis found = forward(chainOf(machine), {move.xyz, move.degrees.at(rotary[0].letter), move.degrees.at(rotary[1].letter)});
   if (machine.rtcp)
     found.tip = move.xyz;
   return found;

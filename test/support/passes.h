@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Paths made of parallel passes on exact surfaces, to calibrate the checks with.
  */
@@ -15,18 +16,13 @@ namespace pcl_spiral::test {
 class PassBuilder {
 public:
   explicit PassBuilder(const AnalyticSurface& surface) : surface_(surface) {}
-  void
-  add(const Eigen::Vector2d& u, double pass)
+  void add(const Eigen::Vector2d& u, double pass)
   {
     path_.contacts.push_back(surface_.lift(u));
     path_.normals.push_back(surface_.normal(path_.contacts.back()));
     path_.turns.push_back(pass);
   }
-  const CheckedPath&
-  path() const
-  {
-    return path_;
-  }
+  const CheckedPath& path() const { return path_; }
 
 private:
   const AnalyticSurface& surface_;
@@ -49,8 +45,7 @@ straightPasses(const AnalyticSurface& surface, const std::vector<double>& us, do
 
 /** Circles about the chart's origin of the radii given, \p count contacts each, joined by short moves. */
 inline CheckedPath
-circularPasses(const AnalyticSurface& surface, const std::vector<double>& radii,
-               const std::function<int(double)>& count)
+circularPasses(const AnalyticSurface& surface, const std::vector<double>& radii, const std::function<int(double)>& count)
 {
   PassBuilder builder(surface);
   for (std::size_t p = 0; p < radii.size(); ++p) {

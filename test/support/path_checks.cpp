@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/path_checks.h"
 
 #include "support/move_tree.h"
@@ -32,9 +33,7 @@ std::size_t
 largest(const std::vector<double>& values)
 {
   return static_cast<std::size_t>(
-      std::max_element(values.begin(), values.end(),
-                       [](double a, double b) { return std::abs(a) < std::abs(b); }) -
-      values.begin());
+      std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) - values.begin());
 }
 
 void
@@ -78,8 +77,8 @@ measureMoves(const AnalyticSurface& surface, const CheckedPath& path, double cle
     const Eigen::Vector3d a = path.contacts[i] - path.contacts[i - 1];
     const Eigen::Vector3d b = path.contacts[i + 1] - path.contacts[i];
     const double turn = angle(a, b);
-    const bool near_end = (path.contacts[i] - path.contacts.front()).norm() < clear ||
-                          (path.contacts[i] - path.contacts.back()).norm() < clear;
+    const bool near_end =
+        (path.contacts[i] - path.contacts.front()).norm() < clear || (path.contacts[i] - path.contacts.back()).norm() < clear;
     if (turn <= f.turning.value || near_end)
       continue;
     const Place place = placeAt(surface, path, i, turn);
@@ -102,8 +101,7 @@ measureRim(const AnalyticSurface& surface, const CheckedPath& path, PathFigures&
 
 /** How far each of two moves passes the other, the smaller of the two; negative when they do not cross. */
 double
-crossingDepth(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
-              const Eigen::Vector2d& d)
+crossingDepth(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c, const Eigen::Vector2d& d)
 {
   const auto side = [](const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& p) {
     const Eigen::Vector2d e = to - from, q = p - from;
@@ -132,8 +130,7 @@ crossings(const AnalyticSurface& surface, const CheckedPath& path, double tolera
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(tree.moves()); ++i) {
     const auto at = static_cast<std::size_t>(i);
     tree.laterOverlaps(at, [&](std::size_t j) {
-      const double depth = crossingDepth(plane[at].head<2>(), plane[at + 1].head<2>(), plane[j].head<2>(),
-                                         plane[j + 1].head<2>());
+      const double depth = crossingDepth(plane[at].head<2>(), plane[at + 1].head<2>(), plane[j].head<2>(), plane[j + 1].head<2>());
       if (depth > tolerance) {
         const Place place = placeAt(surface, path, at, depth);
 #pragma omp critical
@@ -141,9 +138,8 @@ crossings(const AnalyticSurface& surface, const CheckedPath& path, double tolera
       }
     });
   }
-  std::sort(found.begin(), found.end(), [](const Place& a, const Place& b) {
-    return a.value != b.value ? a.value > b.value : a.index < b.index;
-  });
+  std::sort(found.begin(), found.end(),
+            [](const Place& a, const Place& b) { return a.value != b.value ? a.value > b.value : a.index < b.index; });
   return found;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A toolpath against an exact surface and against itself: deviation, normals, gaps, turning, crossings. mm,
  * degrees.
@@ -18,8 +19,7 @@ struct PathFigures {
   Place deviation;                                 ///< largest; value keeps its sign
   Place normal_error;                              ///< largest angle of a normal to the exact one
   Place gap;                                       ///< longest move
-  Place
-      turning; ///< largest angle between neighbouring moves, farther than clear from the ends and the outline
+  Place turning;    ///< largest angle between neighbouring moves, farther than clear from the ends and the outline
   Place beyond_rim; ///< farthest contact past the outline
   Place rim_missed; ///< outline point farthest from the path
   std::size_t crossings = 0;
@@ -31,7 +31,6 @@ struct PathFigures {
 PathFigures checkPath(const AnalyticSurface& surface, const CheckedPath& path, double clear, int threads = 0);
 
 /** Crossings of the path with itself in the surface's chart that are deeper than \p tolerance. */
-std::vector<Place> crossings(const AnalyticSurface& surface, const CheckedPath& path, double tolerance = 0.01,
-                             int threads = 0);
+std::vector<Place> crossings(const AnalyticSurface& surface, const CheckedPath& path, double tolerance = 0.01, int threads = 0);
 
 } // namespace pcl_spiral::test

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/path_faults.h"
 
 #include "support/move_tree.h"
@@ -60,15 +61,13 @@ strictCrossings(const AnalyticSurface& surface, const CheckedPath& path, int thr
       const auto at = static_cast<std::size_t>(i);
       const double depth = j > at + 1 && !path.isLift(at) && !path.isLift(j) ? crossingDepth(path, at, j) : 0.0;
       if (depth > rounding) {
-        const Place place{depth, path.contacts[at], surface.rimDistance(path.contacts[at]), path.turn(at),
-                          at};
+        const Place place{depth, path.contacts[at], surface.rimDistance(path.contacts[at]), path.turn(at), at};
 #pragma omp critical
         found.push_back(place);
       }
     });
-  std::sort(found.begin(), found.end(), [](const Place& a, const Place& b) {
-    return a.value != b.value ? a.value > b.value : a.index < b.index;
-  });
+  std::sort(found.begin(), found.end(),
+            [](const Place& a, const Place& b) { return a.value != b.value ? a.value > b.value : a.index < b.index; });
   return found;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What no path may do: cross itself, or jump. Lengths in mm.
  */

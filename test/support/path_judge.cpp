@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/path_judge.h"
 
 #include "support/path_faults.h"
@@ -10,8 +11,7 @@ namespace {
 
 /** Whether more than half of the samples in the gap are cut to within two heights, \p enough. */
 bool
-isOver(const Region& gap, const AnalyticSurface& surface, const std::vector<StockSample>& samples,
-       double enough)
+isOver(const Region& gap, const AnalyticSurface& surface, const std::vector<StockSample>& samples, double enough)
 {
   std::size_t in = 0, cut = 0;
   for (const StockSample& s : samples)
@@ -27,8 +27,7 @@ std::vector<Polyline>
 trueRims(const AnalyticSurface& surface, const JudgeSettings& settings, JudgedFigures& f)
 {
   std::vector<Polyline> rims = surface.outlines();
-  f.over_gap = !settings.gap.empty() &&
-               isOver(Region({settings.gap}), surface, f.samples, 2.0 * settings.scallop_height);
+  f.over_gap = !settings.gap.empty() && isOver(Region({settings.gap}), surface, f.samples, 2.0 * settings.scallop_height);
   if (settings.gap.empty() || f.over_gap)
     return rims;
   rims.emplace_back();
@@ -38,8 +37,7 @@ trueRims(const AnalyticSurface& surface, const JudgeSettings& settings, JudgedFi
 }
 
 void
-judgeHeights(const JudgedArea& area, const JudgedArea& whole, const CheckedPath& path, const JudgeSettings& s,
-             JudgedFigures& f)
+judgeHeights(const JudgedArea& area, const JudgedArea& whole, const CheckedPath& path, const JudgeSettings& s, JudgedFigures& f)
 {
   const std::vector<StockSample>& samples = f.samples;
   double deepest = 0.0;
@@ -49,13 +47,11 @@ judgeHeights(const JudgedArea& area, const JudgedArea& whole, const CheckedPath&
     return rim >= s.margin * f.pitch;
   });
   f.turns = deepest / f.pitch;
-  f.whole = heightFigures(samples, path, whole, s.scallop_height,
-                          [&](std::size_t i) { return whole.contains(samples[i].x); });
+  f.whole = heightFigures(samples, path, whole, s.scallop_height, [&](std::size_t i) { return whole.contains(samples[i].x); });
 }
 
 void
-judgeOutside(const AnalyticSurface& surface, const JudgedArea& whole, const CheckedPath& path,
-             JudgedFigures& f)
+judgeOutside(const AnalyticSurface& surface, const JudgedArea& whole, const CheckedPath& path, JudgedFigures& f)
 {
   const Points points = atEqualSteps(path.contacts, 0.5 * f.pitch);
   std::size_t outside = 0;
@@ -70,8 +66,8 @@ judgeOutside(const AnalyticSurface& surface, const JudgedArea& whole, const Chec
 }
 
 void
-judgeMotion(const AnalyticSurface& surface, const JudgedArea& area, const CheckedPath& path,
-            const JudgeSettings& s, double longest, JudgedFigures& f)
+judgeMotion(const AnalyticSurface& surface, const JudgedArea& area, const CheckedPath& path, const JudgeSettings& s, double longest,
+            JudgedFigures& f)
 {
   f.length = lineLength(path.contacts);
   for (const std::size_t i : path.lifted_to)
@@ -90,8 +86,7 @@ judgeMotion(const AnalyticSurface& surface, const JudgedArea& area, const Checke
 } // namespace
 
 JudgedFigures
-judgedPath(const AnalyticSurface& surface, const std::vector<Polyline>& loops, const CheckedPath& path,
-           const JudgeSettings& settings)
+judgedPath(const AnalyticSurface& surface, const std::vector<Polyline>& loops, const CheckedPath& path, const JudgeSettings& settings)
 {
   JudgedFigures f;
   f.pitch = exactStepOver(settings.tool_radius, settings.scallop_height, 0.0);

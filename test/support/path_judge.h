@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Every figure of a finished path over a part known exactly: heights left, length, motion, faults. Lengths
  * in mm.
@@ -30,46 +31,30 @@ struct JudgeSettings {
 
 /** What a path comes to. Heights in h, lengths in mm, radii in pitches. */
 struct JudgedFigures {
-  double pitch = 0.0;          ///< exact step-over on the plane
-  double turns = 0.0;          ///< largest distance from the rims in pitches
-  std::size_t rims_missed = 0; ///< outlines that no loop follows: the true one counts
-  bool over_gap = false;       ///< the gap is machined like the rest; else its loop counts as a rim
-  HeightFigures inside;        ///< within the fitted rims by the margin
-  HeightFigures whole;         ///< over the whole true surface
+  double pitch = 0.0;                                 ///< exact step-over on the plane
+  double turns = 0.0;                                 ///< largest distance from the rims in pitches
+  std::size_t rims_missed = 0;                        ///< outlines that no loop follows: the true one counts
+  bool over_gap = false;                              ///< the gap is machined like the rest; else its loop counts as a rim
+  HeightFigures inside;                               ///< within the fitted rims by the margin
+  HeightFigures whole;                                ///< over the whole true surface
   double length = 0.0, least = 0.0, least_true = 0.0; ///< least within the fitted rims; within the true ones
-  double outside_share = 0.0; ///< of the length, over half a pitch beyond the true rims
-  Place outside;              ///< farthest; value: mm beyond
+  double outside_share = 0.0;                         ///< of the length, over half a pitch beyond the true rims
+  Place outside;                                      ///< farthest; value: mm beyond
   double seconds = 0.0;
   TurningFigures turning;
   ReversalFigures reversals;
   std::vector<Place> crossings, jumps;
   std::vector<StockSample> samples; ///< for a picture
 
-  double
-  lengthRatio() const
-  {
-    return length / least;
-  }
-  double
-  trueRatio() const
-  {
-    return length / least_true;
-  }
+  double lengthRatio() const { return length / least; }
+  double trueRatio() const { return length / least_true; }
   /** Machine time over that of the least length at full speed. */
-  double
-  timeRatio(const JudgeSettings& s) const
-  {
-    return seconds * s.speed / least;
-  }
-  std::size_t
-  passes() const
-  {
-    return jumps.size() + 1;
-  }
+  double timeRatio(const JudgeSettings& s) const { return seconds * s.speed / least; }
+  std::size_t passes() const { return jumps.size() + 1; }
 };
 
 /** Judge \p path over \p surface; \p loops: the boundaries the planner found, in any order. */
-JudgedFigures judgedPath(const AnalyticSurface& surface, const std::vector<Polyline>& loops,
-                         const CheckedPath& path, const JudgeSettings& settings);
+JudgedFigures judgedPath(const AnalyticSurface& surface, const std::vector<Polyline>& loops, const CheckedPath& path,
+                         const JudgeSettings& settings);
 
 } // namespace pcl_spiral::test

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/path_motion.h"
 
 #include <Eigen/Geometry>
@@ -64,9 +65,7 @@ turningRadii(const Points& line, double pitch)
     radii.emplace_back(circleRadius(p[i - 2], p[i], p[i + 2]) / pitch, i);
   if (radii.empty())
     return f;
-  const auto place = [&](const std::pair<double, std::size_t>& r) {
-    return Place{r.first, p[r.second], 0.0, 0.0, r.second};
-  };
+  const auto place = [&](const std::pair<double, std::size_t>& r) { return Place{r.first, p[r.second], 0.0, 0.0, r.second}; };
   const auto rank = radii.begin() + static_cast<std::ptrdiff_t>(0.001 * static_cast<double>(radii.size()));
   std::nth_element(radii.begin(), rank, radii.end());
   f.smallest = place(*rank);
@@ -101,11 +100,10 @@ machineTime(const Points& line, double speed, double acceleration, double window
   constexpr std::size_t w = 3;
   const Points p = atEqualSteps(line, window / w);
   const double step = lineLength(line) / static_cast<double>(p.size() - 1);
-  const double sharpest = 0.1 * window;                // else a fold back onto itself takes for ever
+  const double sharpest = 0.1 * window;                 // else a fold back onto itself takes for ever
   std::vector<double> squares(p.size(), speed * speed); // of the speed
   for (std::size_t i = w; i + w < p.size(); ++i)
-    squares[i] =
-        std::min(squares[i], acceleration * std::max(sharpest, circleRadius(p[i - w], p[i], p[i + w])));
+    squares[i] = std::min(squares[i], acceleration * std::max(sharpest, circleRadius(p[i - w], p[i], p[i + w])));
   squares.front() = squares.back() = 0.0;
   for (std::size_t i = 1; i < p.size(); ++i)
     squares[i] = std::min(squares[i], squares[i - 1] + 2.0 * acceleration * step);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  How a path moves: sharpness of its turns, reversals, and the time a machine takes. Lengths in mm.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/pcl_pair.h"
 
 #include <pcl/features/boundary.h>
@@ -20,8 +21,7 @@ pclNormals(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud, const Tree::Pt
 }
 
 pcl::PointCloud<pcl::Boundary>
-pclBoundary(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud, const NormalCloud::ConstPtr& normals,
-            const Tree::Ptr& tree)
+pclBoundary(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud, const NormalCloud::ConstPtr& normals, const Tree::Ptr& tree)
 {
   pcl::PointCloud<pcl::Boundary> marks;
   pcl::BoundaryEstimation<pcl::PointXYZ, pcl::Normal, pcl::Boundary> estimation;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What everything is measured against: PCL's own normals and boundary points of the same cloud.
  */
@@ -16,19 +17,15 @@ using Tree = pcl::search::KdTree<pcl::PointXYZ>;
 NormalCloud::Ptr pclNormals(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud, const Tree::Ptr& tree, int threads);
 
 /** BoundaryEstimation with 30 neighbours, which PCL runs on one thread. */
-pcl::PointCloud<pcl::Boundary> pclBoundary(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
-                                           const NormalCloud::ConstPtr& normals, const Tree::Ptr& tree);
+pcl::PointCloud<pcl::Boundary> pclBoundary(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud, const NormalCloud::ConstPtr& normals,
+                                           const Tree::Ptr& tree);
 
 /** Seconds of the one after the other, with one tree for both. */
 struct PairSeconds {
   double normals = 0.0; ///< with the tree
   double boundary = 0.0;
 
-  double
-  sum() const
-  {
-    return normals + boundary;
-  }
+  double sum() const { return normals + boundary; }
 };
 
 PairSeconds timePclPair(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud, int threads);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Triangle meshes for tests.
  */
@@ -24,8 +25,7 @@ struct PlainMesh {
   Faces faces;
 
   /** Two triangles for the quadrilateral a, b, c, d. */
-  void
-  addQuad(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d)
+  void addQuad(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d)
   {
     const auto first = static_cast<std::uint32_t>(corners.size());
     corners.insert(corners.end(), {a, b, c, d});
@@ -33,8 +33,7 @@ struct PlainMesh {
     faces.push_back({first, first + 2, first + 3});
   }
 
-  pcl::PolygonMesh::Ptr
-  polygons() const
+  pcl::PolygonMesh::Ptr polygons() const
   {
     pcl::PointCloud<pcl::PointXYZ> cloud;
     for (const Eigen::Vector3d& p : corners)
@@ -49,8 +48,7 @@ struct PlainMesh {
     return mesh;
   }
 
-  SurfaceMesh::ConstPtr
-  surface() const
+  SurfaceMesh::ConstPtr surface() const
   {
     SurfaceMesh::ConstPtr mesh;
     const Status status = SurfaceMesh::make(*polygons(), {}, mesh);

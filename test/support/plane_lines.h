@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Radial lines known exactly: straight in the plane z = 0, or meridians of a sphere. Lengths in mm.
  */
@@ -35,8 +36,7 @@ lineThrough(const std::function<SurfaceFoot(double)>& foot)
 
 /** Straight lines from \p start(i) to vertex i of the closed \p rim; every fourth is coarse, those between finer. */
 inline std::vector<RadialLine>
-straightLines(const std::function<Eigen::Vector3d(std::size_t)>& start, const Polyline& rim,
-              const std::vector<std::size_t>& corners = {})
+straightLines(const std::function<Eigen::Vector3d(std::size_t)>& start, const Polyline& rim, const std::vector<std::size_t>& corners = {})
 {
   const std::vector<double> s = arcLengths(rim, true);
   std::vector<RadialLine> lines;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/program_parsers.h"
 
 #include <algorithm>
@@ -63,8 +64,7 @@ takePlace(ParsedMove& move, const std::map<std::string, double>& words)
 }
 
 std::optional<Eigen::Vector3d>
-vectorOf(const std::map<std::string, double>& words, const std::string& x, const std::string& y,
-         const std::string& z)
+vectorOf(const std::map<std::string, double>& words, const std::string& x, const std::string& y, const std::string& z)
 {
   if (words.count(x) + words.count(y) + words.count(z) == 0)
     return std::nullopt;

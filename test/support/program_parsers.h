@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Readers of control programs, apart from the library's writers: one a language.
  */

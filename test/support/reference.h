@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Clouds and paths on exact surfaces, as the judging classes take them.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/region.h"
 
 #include <algorithm>
@@ -83,10 +84,8 @@ Region::row(double v) const
 double
 Region::integrate(const std::function<double(const Eigen::Vector2d&)>& f, int rows) const
 {
-  static const std::array<double, 4> nodes{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
-                                           0.9602898564975363};
-  static const std::array<double, 4> weights{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                             0.1012285362903763};
+  static const std::array<double, 4> nodes{0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+  static const std::array<double, 4> weights{0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
   const int pieces = 8;
   const double dv = (upper_.y() - lower_.y()) / rows;
   double sum = 0.0;
@@ -97,8 +96,7 @@ Region::integrate(const std::function<double(const Eigen::Vector2d&)>& f, int ro
       for (int p = 0; p < pieces; ++p) {
         const double middle = from + (2 * p + 1) * half;
         for (std::size_t i = 0; i < nodes.size(); ++i)
-          sum +=
-              weights[i] * half * dv * (f({middle - half * nodes[i], v}) + f({middle + half * nodes[i], v}));
+          sum += weights[i] * half * dv * (f({middle - half * nodes[i], v}) + f({middle + half * nodes[i], v}));
       }
     }
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Regions of the plane bounded by closed outlines, the parameter domains of the test surfaces.
  */
@@ -21,22 +22,10 @@ public:
   Region() = default;
   explicit Region(std::vector<PlaneLoop> loops);
 
-  const std::vector<PlaneLoop>&
-  loops() const
-  {
-    return loops_;
-  }
+  const std::vector<PlaneLoop>& loops() const { return loops_; }
   bool contains(const Eigen::Vector2d& u) const;
-  const Eigen::Vector2d&
-  lower() const
-  {
-    return lower_;
-  }
-  const Eigen::Vector2d&
-  upper() const
-  {
-    return upper_;
-  }
+  const Eigen::Vector2d& lower() const { return lower_; }
+  const Eigen::Vector2d& upper() const { return upper_; }
   /** Intervals of the row v inside the region, ascending. */
   std::vector<std::pair<double, double>> row(double v) const;
   /** Integral of \p f over the region, by midpoint rows and 8-point Gauss rules along them. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/removed_material.h"
 
 #include "support/move_tree.h"
@@ -92,16 +93,14 @@ besidePath(const AnalyticSurface& surface, const CheckedPath& path, const StockF
     const Eigen::Vector3d w = stock.across(contact);
     const double half = 0.5 * stock.pitch(contact, w);
     for (int side = 0; side < 2; ++side)
-      samples[2 * at + static_cast<std::size_t>(side)] =
-          stock.off(contact, w, side == 0 ? half : -half, true);
+      samples[2 * at + static_cast<std::size_t>(side)] = stock.off(contact, w, side == 0 ? half : -half, true);
   }
   return samples;
 }
 
 /** Deepest penetration of the ball along the moves: R less the distance of its centre to the surface. */
 Place
-deepestAlongPath(const AnalyticSurface& surface, const CheckedPath& path, const MoveTree& tree, double radius,
-                 int threads)
+deepestAlongPath(const AnalyticSurface& surface, const CheckedPath& path, const MoveTree& tree, double radius, int threads)
 {
   const auto moves = static_cast<std::ptrdiff_t>(tree.moves());
   const auto depth = [&](std::size_t i, double f) {

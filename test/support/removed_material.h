@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What a ball cutter leaves and what it takes too much, against an exact surface. Lengths in mm.
  */
@@ -44,7 +45,6 @@ struct RemovalFigures {
  * within; the deepest penetration of a ball at centre q is R less the distance of q to the surface, and is
  * sought along every move too.
  */
-RemovalFigures removedMaterial(const AnalyticSurface& surface, const CheckedPath& path,
-                               const RemovalSettings& settings);
+RemovalFigures removedMaterial(const AnalyticSurface& surface, const CheckedPath& path, const RemovalSettings& settings);
 
 } // namespace pcl_spiral::test

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A stage used again: clouds of other sizes, other point types, indices, no cloud at all. Never an answer of before.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/ridge_scans.h"
 
 #include "support/sampling.h"

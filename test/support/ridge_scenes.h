@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Ridges to be drawn, and what is looked for in their pictures.
  */
@@ -36,7 +37,8 @@ dieScene()
 inline RidgeScene
 ringScene()
 {
-  const ExactRidge exact = ringRidge(50.0, [](double w) { return Eigen::Vector3d(0.0, 24.0 * w, 16.0 * w * (1.0 - w)); }, 20.0 * degree);
+  const ExactRidge exact = ringRidge(
+      50.0, [](double w) { return Eigen::Vector3d(0.0, 24.0 * w, 16.0 * w * (1.0 - w)); }, 20.0 * degree);
   Polyline rail = exact.railPoints(315);
   rail.pop_back();
   return sceneOf(rail, exact.generatorPoints(0.2, 60));
@@ -46,7 +48,8 @@ ringScene()
 inline RidgeScene
 helixScene(bool inward = true)
 {
-  ExactRidge exact = helixRidge(100.0, 20.0 * degree, [](double w) { return Eigen::Vector3d(0.0, 20.0 * w, 0.0); }, -15.0 * degree);
+  ExactRidge exact = helixRidge(
+      100.0, 20.0 * degree, [](double w) { return Eigen::Vector3d(0.0, 20.0 * w, 0.0); }, -15.0 * degree);
   if (!inward) {
     exact.reference = -Eigen::Vector3d::UnitZ();
     exact.theta = 15.0 * degree;

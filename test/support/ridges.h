@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Ridges known exactly: a generator along a rail, by their formulas and a frame solved by bisection.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/sampling.h"
 
 #include <algorithm>
@@ -55,8 +56,7 @@ sampleUniform(const AnalyticSurface& surface, std::size_t count, std::uint64_t s
 }
 
 Sampled
-sampleScanLines(const AnalyticSurface& surface, double along, double across, std::uint64_t seed,
-                double jitter)
+sampleScanLines(const AnalyticSurface& surface, double along, double across, std::uint64_t seed, double jitter)
 {
   const Region& region = surface.region();
   Random random(seed);

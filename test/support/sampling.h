@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Clouds sampled from test surfaces, the same on every platform for a given seed.
  */
@@ -23,23 +24,11 @@ class Random {
 public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
   /** Uniform in [0, 1). */
-  double
-  uniform()
-  {
-    return static_cast<double>(engine_() >> 11) * 0x1p-53;
-  }
-  double
-  uniform(double from, double to)
-  {
-    return from + (to - from) * uniform();
-  }
+  double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  double uniform(double from, double to) { return from + (to - from) * uniform(); }
   /** Standard normal, Box-Muller. */
   double normal();
-  std::size_t
-  below(std::size_t n)
-  {
-    return static_cast<std::size_t>(uniform() * static_cast<double>(n));
-  }
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(uniform() * static_cast<double>(n)); }
 
 private:
   std::mt19937_64 engine_;
@@ -56,8 +45,7 @@ Sampled sampleUniform(const AnalyticSurface& surface, std::size_t count, std::ui
 
 /** Points on chart rows \p across apart, \p along apart in the row, each row with a random start; \p jitter
  * moves each point along its row by up to that share of \p along. Spacings in chart units. */
-Sampled sampleScanLines(const AnalyticSurface& surface, double along, double across, std::uint64_t seed,
-                        double jitter = 0.1);
+Sampled sampleScanLines(const AnalyticSurface& surface, double along, double across, std::uint64_t seed, double jitter = 0.1);
 
 /** Move every point along its normal by a normal deviate of standard deviation \p sigma. */
 void addNoise(Sampled& sampled, double sigma, std::uint64_t seed);

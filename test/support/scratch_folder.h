@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A folder for one test, removed at its end.
  */
@@ -17,8 +18,7 @@ public:
   ScratchFolder()
   {
     static std::atomic<int> made{0};
-    root_ = std::filesystem::temp_directory_path() /
-            ("pcl_spiral_test_" + std::to_string(::getpid()) + "_" + std::to_string(made++));
+    root_ = std::filesystem::temp_directory_path() / ("pcl_spiral_test_" + std::to_string(::getpid()) + "_" + std::to_string(made++));
     std::filesystem::create_directories(root_);
   }
   ~ScratchFolder()
@@ -29,22 +29,12 @@ public:
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
-  const std::filesystem::path&
-  root() const
-  {
-    return root_;
-  }
-  std::string
-  path(const std::string& name) const
-  {
-    return (root_ / name).string();
-  }
+  const std::filesystem::path& root() const { return root_; }
+  std::string path(const std::string& name) const { return (root_ / name).string(); }
   /** Entries, hidden ones too. */
-  std::size_t
-  count() const
+  std::size_t count() const
   {
-    return static_cast<std::size_t>(
-        std::distance(std::filesystem::directory_iterator(root_), std::filesystem::directory_iterator()));
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(root_), std::filesystem::directory_iterator()));
   }
 
 private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/stock.h"
 
 #include "support/checked_path.h"
@@ -49,8 +50,7 @@ StockField::pitch(const StockSample& s, const Eigen::Vector3d& w) const
 }
 
 StockSample
-StockField::golden(const StockSample& from, const Eigen::Vector3d& w, double lo, double hi, bool near_rim,
-                   int rounds) const
+StockField::golden(const StockSample& from, const Eigen::Vector3d& w, double lo, double hi, bool near_rim, int rounds) const
 {
   constexpr double g = 0.6180339887498949;
   double a = hi - g * (hi - lo), b = lo + g * (hi - lo);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Stock over exact surface samples under a swept ball, and the search for the tops of its ridges. Lengths in
  * mm.
@@ -25,9 +26,8 @@ class StockField {
 public:
   /** \p band: width at the outline that the searches leave out. Rays reach 20 \p h. */
   StockField(const AnalyticSurface& surface, const MoveTree& centres, double radius, double h, double band)
-      : surface_(surface), tree_(centres), radius_(radius), h_(h), band_(band)
-  {
-  }
+  : surface_(surface), tree_(centres), radius_(radius), h_(h), band_(band)
+  {}
 
   /** Whether the point lies within the outline, outside the band. */
   bool main(const Eigen::Vector3d& x) const;
@@ -46,8 +46,7 @@ public:
 
 private:
   /** Golden section for the largest stock between the offsets \p lo and \p hi along \p w. */
-  StockSample golden(const StockSample& from, const Eigen::Vector3d& w, double lo, double hi, bool near_rim,
-                     int rounds) const;
+  StockSample golden(const StockSample& from, const Eigen::Vector3d& w, double lo, double hi, bool near_rim, int rounds) const;
 
   const AnalyticSurface& surface_;
   const MoveTree& tree_;

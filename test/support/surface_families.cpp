@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/height_field.h"
 
 #include <cmath>
@@ -11,8 +12,7 @@ constexpr double pi = 3.14159265358979323846;
 class SineSum : public HeightField {
 public:
   SineSum(std::vector<Wave> waves, Region region) : HeightField(std::move(region)), waves_(std::move(waves)) {}
-  Jet
-  jet(double x, double y) const override
+  Jet jet(double x, double y) const override
   {
     Jet j{0, 0, 0, 0, 0, 0};
     for (const auto& [amplitude, kx, ky, phase] : waves_) {
@@ -35,11 +35,7 @@ private:
 class Quadric : public HeightField {
 public:
   Quadric(double cx, double cy, Region region) : HeightField(std::move(region)), cx_(cx), cy_(cy) {}
-  Jet
-  jet(double x, double y) const override
-  {
-    return {0.5 * (cx_ * x * x + cy_ * y * y), cx_ * x, cy_ * y, cx_, 0.0, cy_};
-  }
+  Jet jet(double x, double y) const override { return {0.5 * (cx_ * x * x + cy_ * y * y), cx_ * x, cy_ * y, cx_, 0.0, cy_}; }
 
 private:
   double cx_, cy_;
@@ -48,8 +44,7 @@ private:
 class WavyGround : public HeightField {
 public:
   WavyGround(const Ground& form, Region region) : HeightField(std::move(region)), g_(form) {}
-  Jet
-  jet(double x, double y) const override
+  Jet jet(double x, double y) const override
   {
     const double kx = 1.0 / g_.length_x, ky = 1.0 / g_.length_y, a = g_.amplitude;
     const double sx = std::sin(kx * x), cx = std::cos(kx * x), sy = std::sin(ky * y), cy = std::cos(ky * y);
@@ -70,38 +65,19 @@ private:
 class RoundSurface : public AnalyticSurface {
 public:
   RoundSurface(const Eigen::Vector3d& inverse_squares, double scale, Region region)
-      : AnalyticSurface(std::move(region)), q_(inverse_squares), scale_(scale)
-  {
-  }
-  double
-  value(const Eigen::Vector3d& x) const override
-  {
-    return 0.5 * scale_ * (x.dot(q_.cwiseProduct(x)) - 1.0);
-  }
-  Eigen::Vector3d
-  gradient(const Eigen::Vector3d& x) const override
-  {
-    return scale_ * q_.cwiseProduct(x);
-  }
-  Eigen::Matrix3d
-  hessian(const Eigen::Vector3d&) const override
-  {
-    return (scale_ * q_).asDiagonal().toDenseMatrix();
-  }
+  : AnalyticSurface(std::move(region)), q_(inverse_squares), scale_(scale)
+  {}
+  double value(const Eigen::Vector3d& x) const override { return 0.5 * scale_ * (x.dot(q_.cwiseProduct(x)) - 1.0); }
+  Eigen::Vector3d gradient(const Eigen::Vector3d& x) const override { return scale_ * q_.cwiseProduct(x); }
+  Eigen::Matrix3d hessian(const Eigen::Vector3d&) const override { return (scale_ * q_).asDiagonal().toDenseMatrix(); }
   /** Over the plane; the upper half, or the lower for inward normals. */
-  Eigen::Vector3d
-  lift(const Eigen::Vector2d& u) const override
+  Eigen::Vector3d lift(const Eigen::Vector2d& u) const override
   {
     const double z = std::sqrt((1.0 - q_[0] * u.x() * u.x() - q_[1] * u.y() * u.y()) / q_[2]);
     return {u.x(), u.y(), scale_ > 0.0 ? z : -z};
   }
-  Eigen::Vector2d
-  chart(const Eigen::Vector3d& x) const override
-  {
-    return x.head<2>();
-  }
-  double
-  areaElement(const Eigen::Vector2d& u) const override
+  Eigen::Vector2d chart(const Eigen::Vector3d& x) const override { return x.head<2>(); }
+  double areaElement(const Eigen::Vector2d& u) const override
   {
     const Eigen::Vector3d g = gradient(lift(u));
     return g.norm() / std::abs(g.z());
@@ -116,26 +92,20 @@ private:
  */
 class Spheroid : public RoundSurface {
 public:
-  Spheroid(double a, double b, Region region)
-      : RoundSurface({1 / (a * a), 1 / (a * a), 1 / (b * b)}, b, std::move(region)), a_(a), b_(b)
-  {
-  }
-  Eigen::Vector3d
-  lift(const Eigen::Vector2d& u) const override
+  Spheroid(double a, double b, Region region) : RoundSurface({1 / (a * a), 1 / (a * a), 1 / (b * b)}, b, std::move(region)), a_(a), b_(b) {}
+  Eigen::Vector3d lift(const Eigen::Vector2d& u) const override
   {
     const double rho = u.norm(), beta = rho / a_;
     const Eigen::Vector2d plan = rho > 0.0 ? Eigen::Vector2d(a_ * std::sin(beta) / rho * u) : u;
     return {plan.x(), plan.y(), b_ * std::cos(beta)};
   }
-  Eigen::Vector2d
-  chart(const Eigen::Vector3d& x) const override
+  Eigen::Vector2d chart(const Eigen::Vector3d& x) const override
   {
     const double r = x.head<2>().norm();
     const double beta = std::atan2(r / a_, x.z() / b_);
     return r > 0.0 ? Eigen::Vector2d(a_ * beta / r * x.head<2>()) : Eigen::Vector2d(x.head<2>());
   }
-  double
-  areaElement(const Eigen::Vector2d& u) const override
+  double areaElement(const Eigen::Vector2d& u) const override
   {
     const double beta = u.norm() / a_;
     const double ratio = beta > 1e-9 ? std::sin(beta) / beta : 1.0;
@@ -157,9 +127,7 @@ flat(Region region)
 SurfacePtr
 freeform()
 {
-  return waves({{105.9, 0.004286, 0.00132, 1.687},
-                {129.2, -0.001399, 0.004411, 2.88},
-                {7.714, 0.004276, -0.008126, 2.695}},
+  return waves({{105.9, 0.004286, 0.00132, 1.687}, {129.2, -0.001399, 0.004411, 2.88}, {7.714, 0.004276, -0.008126, 2.695}},
                Region({rectangle(1000.0, 1000.0)}));
 }
 
@@ -173,9 +141,8 @@ SurfacePtr
 landform(double size)
 {
   constexpr double k60 = 2.0 * pi / 60.0, k38 = 2.0 * pi / 38.0, k25 = 2.0 * pi / 25.0;
-  return waves(
-      {{1.6, k60, 0.3 * k60, 0.3}, {0.9, 0.5 * k38, k38, 1.1}, {0.35, -k25, 0.6 * k25, 2.0}},
-      Region({rectangle(size, size, {0.5 * size, 0.5 * size})}));
+  return waves({{1.6, k60, 0.3 * k60, 0.3}, {0.9, 0.5 * k38, k38, 1.1}, {0.35, -k25, 0.6 * k25, 2.0}},
+               Region({rectangle(size, size, {0.5 * size, 0.5 * size})}));
 }
 
 SurfacePtr

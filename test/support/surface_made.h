@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Surfaces and loops of sampled clouds, as the stages get them.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Surfaces known exactly: the reference paths are judged by. Lengths in mm.
  */
@@ -35,16 +36,8 @@ public:
   /** dA / du dv. */
   virtual double areaElement(const Eigen::Vector2d& u) const = 0;
 
-  const Region&
-  region() const
-  {
-    return region_;
-  }
-  Eigen::Vector3d
-  normal(const Eigen::Vector3d& x) const
-  {
-    return gradient(x).normalized();
-  }
+  const Region& region() const { return region_; }
+  Eigen::Vector3d normal(const Eigen::Vector3d& x) const { return gradient(x).normalized(); }
   /** Normal curvature in the direction of \p d, 1/mm. */
   double normalCurvature(const Eigen::Vector3d& x, const Eigen::Vector3d& d) const;
   /** Smallest and largest normal curvature, 1/mm. */
@@ -64,11 +57,7 @@ public:
    * k^2 / 24. */
   double rimDistance(const Eigen::Vector3d& x) const;
   /** Whether the point of the surface at \p x is within the outline. */
-  bool
-  contains(const Eigen::Vector3d& x) const
-  {
-    return region_.contains(chart(x));
-  }
+  bool contains(const Eigen::Vector3d& x) const { return region_.contains(chart(x)); }
 
 private:
   struct Rim;
@@ -109,9 +98,9 @@ SurfacePtr quadric(double rx, double ry, Region region);
 
 /** Ground that is flat, or waves gently, or bends as a whole. */
 struct Ground {
-  double amplitude = 0.0;                    ///< mm
-  double length_x = 45.0, length_y = 50.0;   ///< wave lengths over 2 pi, mm
-  double bend_x = 0.0, bend_y = 0.0;         ///< 1/mm, positive concave
+  double amplitude = 0.0;                  ///< mm
+  double length_x = 45.0, length_y = 50.0; ///< wave lengths over 2 pi, mm
+  double bend_x = 0.0, bend_y = 0.0;       ///< 1/mm, positive concave
 };
 /** z = amplitude sin(x / length_x) cos(y / length_y) + (bend_x x^2 + bend_y y^2) / 2 over the region. */
 SurfacePtr ground(const Ground& form, Region region);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Machines of every kind, with nothing at zero that can be off it.
  */
@@ -39,19 +40,13 @@ inline std::vector<Machine>
 testMachines()
 {
   const RotaryMount table = RotaryMount::Table, head = RotaryMount::Head;
-  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
-                        z = Eigen::Vector3d::UnitZ();
-  return {
-      machineOf("xyzac table table", rotaryAxis('C', table, z, {5, 7, 0}),
-                rotaryAxis('A', table, x, {0, 27, 10})),
-      machineOf("xyzbc table table", rotaryAxis('C', table, z, {-3, 2, 0}),
-                rotaryAxis('B', table, y, {12, 0, -8})),
-      machineOf("head head", rotaryAxis('C', head, z, {0, 0, 0}), rotaryAxis('B', head, y, {0.5, 0, 60})),
-      machineOf("head table", rotaryAxis('C', table, z, {10, -20, 0}), rotaryAxis('B', head, y, {0, 0, 80})),
-      machineOf("nutating head", rotaryAxis('C', head, z, {0, 0, 0}),
-                rotaryAxis('B', head, {0, 1, 1}, {0, 30, 40})),
-      machineOf("xyzac counted by the tool", rotaryAxis('C', table, -z, {5, 7, 0}),
-                rotaryAxis('A', table, -x, {0, 27, 10}))};
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
+  return {machineOf("xyzac table table", rotaryAxis('C', table, z, {5, 7, 0}), rotaryAxis('A', table, x, {0, 27, 10})),
+          machineOf("xyzbc table table", rotaryAxis('C', table, z, {-3, 2, 0}), rotaryAxis('B', table, y, {12, 0, -8})),
+          machineOf("head head", rotaryAxis('C', head, z, {0, 0, 0}), rotaryAxis('B', head, y, {0.5, 0, 60})),
+          machineOf("head table", rotaryAxis('C', table, z, {10, -20, 0}), rotaryAxis('B', head, y, {0, 0, 80})),
+          machineOf("nutating head", rotaryAxis('C', head, z, {0, 0, 0}), rotaryAxis('B', head, {0, 1, 1}, {0, 30, 40})),
+          machineOf("xyzac counted by the tool", rotaryAxis('C', table, -z, {5, 7, 0}), rotaryAxis('A', table, -x, {0, 27, 10}))};
 }
 
 inline MachineChain

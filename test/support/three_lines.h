@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The earlier method to measure a ridge: three long lines, an arc through them at each station.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Fields, closed loops and their tree in a user's PCLVisualizer: shapes counted, branches told apart.
 #include <pcl_spiral/visualization/add_scallop_loops.h>
 #include <pcl_spiral/visualization/pictures.h>
@@ -77,8 +78,11 @@ TEST(AddScallopLoops, RidgesLieWhereBothSidesAreAsFar)
 
 TEST(AddScallopLoops, EveryLoopBelongsToABranch)
 {
-  const std::vector<LoopJoint> joints{{5, 4, LoopJointKind::Finger}, {1, 0, LoopJointKind::Ramp}, {2, 1, LoopJointKind::Bridge},
-                                      {3, 2, LoopJointKind::Bridge}, {4, 0, LoopJointKind::Bridge}};
+  const std::vector<LoopJoint> joints{{5, 4, LoopJointKind::Finger},
+                                      {1, 0, LoopJointKind::Ramp},
+                                      {2, 1, LoopJointKind::Bridge},
+                                      {3, 2, LoopJointKind::Bridge},
+                                      {4, 0, LoopJointKind::Bridge}};
   EXPECT_EQ(branchesOf(joints, 6), (std::vector<std::size_t>{0, 0, 1, 1, 2, 2}));
   EXPECT_TRUE(branchesOf({}, 0).empty());
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A toolpath in a user's PCLVisualizer: actors counted and measured, the picture read back.
 #include <pcl_spiral/spiral/radial_lines.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
@@ -114,15 +115,13 @@ Pixel
 pixelOf(const Color& color)
 {
   Pixel pixel{};
-  std::transform(color.begin(), color.end(), pixel.begin(),
-                 [](double c) { return static_cast<int>(std::lround(255.0 * c)); });
+  std::transform(color.begin(), color.end(), pixel.begin(), [](double c) { return static_cast<int>(std::lround(255.0 * c)); });
   return pixel;
 }
 
 class AddToolpath : public testing::Test {
 protected:
-  void
-  SetUp() override
+  void SetUp() override
   {
     if (!displayFault().empty())
       GTEST_SKIP() << "no display here, and PCLVisualizer would end the program";
@@ -131,19 +130,10 @@ protected:
     ASSERT_EQ(dome().report.boundaries, 1U);
     ASSERT_FALSE(dome().lines.empty());
   }
-  PCLVisualizer&
-  viewer()
-  {
-    return *viewer_;
-  }
-  std::size_t
-  shapes()
-  {
-    return viewer_->getShapeActorMap()->size();
-  }
+  PCLVisualizer& viewer() { return *viewer_; }
+  std::size_t shapes() { return viewer_->getShapeActorMap()->size(); }
   /** What the viewer shows, from above: 5 pixels a mm. */
-  vtkSmartPointer<vtkImageData>
-  picture(const std::string& file)
+  vtkSmartPointer<vtkImageData> picture(const std::string& file)
   {
     vtkCamera* const camera = viewer_->getRendererCollection()->GetFirstRenderer()->GetActiveCamera();
     camera->SetParallelProjection(1);
@@ -227,8 +217,7 @@ TEST_F(AddToolpath, ThePathIsColouredByTurnAndOverGaps)
   std::size_t over_gap = 0;
   for (std::size_t i = 0; i < made.path.size(); ++i) {
     over_gap += made.path[i].over_gap;
-    const Color color =
-        made.path[i].over_gap ? loopColor(LoopType::ScanGap) : turnColor(made.path[i].turn / last);
+    const Color color = made.path[i].over_gap ? loopColor(LoopType::ScanGap) : turnColor(made.path[i].turn / last);
     ASSERT_EQ(colorAt(path, static_cast<vtkIdType>(i)), pixelOf(color)) << "point " << i;
   }
   EXPECT_GT(over_gap, 10U);
@@ -366,10 +355,8 @@ TEST(ShowToolpathExample, EndsByItself)
 {
   const bool display = displayFault().empty();
   const ScratchFolder folder;
-  const std::string program =
-      "'" PCL_SPIRAL_EXAMPLES_DIR "/example_show_toolpath' 0.5 >/dev/null 2>" + folder.path("said");
+  const std::string program = "'" PCL_SPIRAL_EXAMPLES_DIR "/example_show_toolpath' 0.5 >/dev/null 2>" + folder.path("said");
   EXPECT_EQ(WEXITSTATUS(std::system(program.c_str())), display ? 0 : 1);
   EXPECT_EQ(WEXITSTATUS(std::system(("env -u DISPLAY " + program).c_str())), 1);
-  EXPECT_NE(readText(folder.path("said")).find("DISPLAY is not set; run it under 'xvfb-run -a'"),
-            std::string::npos);
+  EXPECT_NE(readText(folder.path("said")).find("DISPLAY is not set; run it under 'xvfb-run -a'"), std::string::npos);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "core/axis_field.h"
 #include "core/tool_axis.h"
 #include <pcl_spiral/spiral/axis_field.h>
@@ -88,7 +89,8 @@ const AxisFieldOptions both{20.0, 3 * degree, 2 * degree};
 
 TEST(SmoothAxes, ConstantAxesStay)
 {
-  const TestPath path = straightPath(500, 0.3, [](double) { return 0.2; }, [](double) { return -0.4; });
+  const TestPath path = straightPath(
+      500, 0.3, [](double) { return 0.2; }, [](double) { return -0.4; });
   const SmoothAxes field = smoothAxes(path.points, path.wanted, both);
   EXPECT_LT(largestAngle(field.axes, path.wanted), 1e-15);
   EXPECT_LT(field.largest_change, 1e-15);
@@ -107,8 +109,8 @@ TEST(SmoothAxes, AWaveKeepsTheShareOfTheory)
   // Of the least of |a - w|^2 + L^4 |a''|^2 a wave of length 2 pi l keeps 1 / (1 + (L / l)^4).
   for (const double l : {10.0, 20.0, 40.0}) {
     const double length = 20.0, height = 1e-3;
-    const TestPath path =
-        straightPath(8000, 0.25, [&](double s) { return height * std::sin(s / l); }, [](double) { return 0.0; });
+    const TestPath path = straightPath(
+        8000, 0.25, [&](double s) { return height * std::sin(s / l); }, [](double) { return 0.0; });
     const SmoothAxes field = smoothAxes(path.points, path.wanted, {length, 3 * degree, 0.0});
     const double share = 1.0 / (1.0 + std::pow(length / l, 4));
     for (std::size_t i = 2000; i < 6000; ++i) // away from the ends
@@ -154,8 +156,8 @@ TEST(SmoothAxes, EndsAreNatural)
 TEST(SmoothAxes, AStepBecomesARampWithinTheRate)
 {
   const double height = 0.5;
-  const TestPath path =
-      straightPath(1000, 0.2, [&](double s) { return s < 100.0 ? 0.0 : height; }, [](double) { return 0.0; });
+  const TestPath path = straightPath(
+      1000, 0.2, [&](double s) { return s < 100.0 ? 0.0 : height; }, [](double) { return 0.0; });
   for (const double rate : {0.3 * degree, 2 * degree}) {
     const SmoothAxes field = smoothAxes(path.points, path.wanted, {0.0, 3 * degree, rate});
     EXPECT_LE(rateExcess(path.points, field.axes, rate), 1e-8 * rate + 1e-12);
@@ -215,7 +217,8 @@ TEST(SmoothAxes, ThroughThePoleWithoutASpin)
         if (radius > 8.0 && radius < 58.0) { // at radius r the tilt spins at sin(15 deg) / r: the rate at 3.7 mm
           least = std::min(least, tilt);
           most = std::max(most, tilt);
-        } else if (radius > 2.0 && radius < 3.5)
+        }
+        else if (radius > 2.0 && radius < 3.5)
           ASSERT_GT(std::sin(tilt) / radius, 0.4 * rate) << "gives away too much at " << radius;
       }
       EXPECT_GT(least, (15 - 3 * 1.05 - 0.3) * degree) << "smoothing takes no more tilt than allowed";
@@ -250,7 +253,8 @@ TEST(SmoothAxes, ADentOfTheTurnsIsSmoothedAway)
 
 TEST(SmoothAxes, PointsAtOnePlaceShareAnAxis)
 {
-  TestPath path = straightPath(200, 0.5, [](double s) { return 0.3 * std::sin(s); }, [](double) { return 0.1; });
+  TestPath path = straightPath(
+      200, 0.5, [](double s) { return 0.3 * std::sin(s); }, [](double) { return 0.1; });
   for (int i = 0; i < 6; ++i) {
     path.points.insert(path.points.begin() + 80, path.points[80]);
     path.wanted.insert(path.wanted.begin() + 80, Vector3d(0.1 * i, 0.0, 1.0).normalized());
@@ -268,7 +272,8 @@ TEST(SmoothAxes, PointsAtOnePlaceShareAnAxis)
 
 TEST(SmoothAxes, OppositeAxesAreTurnedThroughAndSaid)
 {
-  const TestPath path = straightPath(400, 0.5, [](double) { return 0.0; }, [](double) { return 0.0; });
+  const TestPath path = straightPath(
+      400, 0.5, [](double) { return 0.0; }, [](double) { return 0.0; });
   Vectors wanted = path.wanted;
   for (std::size_t i = 200; i < wanted.size(); ++i)
     wanted[i] = -wanted[i];
@@ -401,7 +406,8 @@ TEST(AxisField, SaysWhatIsWrong)
 TEST(AxisField, RefusesAnAxisInTheSurface)
 {
   // Over a fin 4 mm wide the normal leans by 150 degrees: there is no time to follow it.
-  TestPath path = straightPath(100, 0.5, [](double) { return 0.0; }, [](double) { return 0.0; });
+  TestPath path = straightPath(
+      100, 0.5, [](double) { return 0.0; }, [](double) { return 0.0; });
   for (std::size_t i = 50; i < 58; ++i)
     path.wanted[i] = path.normals[i] = Vector3d(std::sin(150 * degree), 0.0, std::cos(150 * degree));
   AxisField field;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Gouges of a ball that touches the mesh where a local fit, carried on as far as the ball is wide, would lie inside the ball.
 #include <pcl_spiral/verify/material_removal.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Boundary loops against outlines known exactly: loop count, distance both ways, corners, invariance, given boundary
 // points, the published walk, refusals.
 #include "core/self_crossing.h"
@@ -98,8 +99,8 @@ struct Shape {
   PlaneLoop outline;
   std::vector<PlaneLoop> holes;
   std::size_t points;
-  std::size_t corners; ///< 0: not asked for
-  std::uint64_t seeds; ///< 1 to this
+  std::size_t corners;           ///< 0: not asked for
+  std::uint64_t seeds;           ///< 1 to this
   double corner_tolerance = 1.5; ///< of the distance from each true corner to one found, spacings
 };
 
@@ -449,8 +450,7 @@ TEST(BoundaryLoops, WalkStopsAtCornersBeyondItsTurn)
       cloud->emplace_back(static_cast<float>(i), static_cast<float>(j), 0.0f);
   BoundaryLoops<pcl::PointXYZ> boundary;
   boundary.setInputCloud(cloud);
-  boundary.setBoundaryPoints(
-      flagsWhere(*cloud, [](const auto& p) { return p.x == 0.0f || p.x == 60.0f || p.y == 0.0f || p.y == 40.0f; }));
+  boundary.setBoundaryPoints(flagsWhere(*cloud, [](const auto& p) { return p.x == 0.0f || p.x == 60.0f || p.y == 0.0f || p.y == 40.0f; }));
   boundary.setLoopMethod(LoopMethod::Walk);
   boundary.setMaxTurn(95.0);
   std::vector<BoundaryLoop> loops;

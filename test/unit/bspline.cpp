@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/bspline_fit.h>
 
 #include <Eigen/QR>
@@ -23,8 +24,7 @@ basisByDefinition(const std::vector<double>& t, std::size_t i, int degree, doubl
   }
   auto ratio = [](double a, double b) { return b > 0.0 ? a / b : 0.0; };
   return ratio(u - t[i], t[i + degree] - t[i]) * basisByDefinition(t, i, degree - 1, u) +
-         ratio(t[i + degree + 1] - u, t[i + degree + 1] - t[i + 1]) *
-             basisByDefinition(t, i + 1, degree - 1, u);
+         ratio(t[i + degree + 1] - u, t[i + degree + 1] - t[i + 1]) * basisByDefinition(t, i + 1, degree - 1, u);
 }
 
 Vector3d

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // CentroidBoundaryEstimation over a base class that keeps a number of threads of its own, as PCL's does from 2026 on.
 #include <pcl/features/boundary.h>
 #include <pcl/point_types.h>
@@ -10,20 +11,11 @@ POINT_CLOUD_REGISTER_POINT_STRUCT(NewPoint, (float, x, x)(float, y, y)(float, z,
 
 /** What CentroidBoundaryEstimation uses of the base, with setNumberOfThreads, which is not virtual. */
 template <>
-class pcl::BoundaryEstimation<NewPoint, pcl::Normal, pcl::Boundary>
-: public pcl::FeatureFromNormals<NewPoint, pcl::Normal, pcl::Boundary> {
+class pcl::BoundaryEstimation<NewPoint, pcl::Normal, pcl::Boundary> : public pcl::FeatureFromNormals<NewPoint, pcl::Normal, pcl::Boundary> {
 public:
   using PointCloudOut = pcl::PointCloud<pcl::Boundary>;
-  void
-  setNumberOfThreads(unsigned int count = 0)
-  {
-    threads_ = count == 0 ? 4 : count;
-  }
-  unsigned int
-  told() const
-  {
-    return threads_;
-  }
+  void setNumberOfThreads(unsigned int count = 0) { threads_ = count == 0 ? 4 : count; }
+  unsigned int told() const { return threads_; }
 
 protected:
   float angle_threshold_ = 0.0f;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/sampling.h"
 
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
@@ -21,8 +22,7 @@ namespace {
 pcl::PointCloud<pcl::Normal>::Ptr
 upwards(std::size_t n)
 {
-  return pcl::PointCloud<pcl::Normal>::Ptr(
-      new pcl::PointCloud<pcl::Normal>(static_cast<std::uint32_t>(n), 1, pcl::Normal(0, 0, 1)));
+  return pcl::PointCloud<pcl::Normal>::Ptr(new pcl::PointCloud<pcl::Normal>(static_cast<std::uint32_t>(n), 1, pcl::Normal(0, 0, 1)));
 }
 
 /** Random points on a square, spacing 1. */
@@ -33,8 +33,7 @@ square(double side, std::uint64_t seed)
   Cloud::Ptr cloud(new Cloud);
   const auto n = static_cast<std::size_t>(side * side);
   for (std::size_t i = 0; i < n; ++i)
-    cloud->push_back(pcl::PointXYZ(static_cast<float>(random.uniform(0, side)),
-                                   static_cast<float>(random.uniform(0, side)), 0.0f));
+    cloud->push_back(pcl::PointXYZ(static_cast<float>(random.uniform(0, side)), static_cast<float>(random.uniform(0, side)), 0.0f));
   return cloud;
 }
 
@@ -314,10 +313,7 @@ TEST(CentroidBoundaryEstimation, SaysWhatIsWrong)
   EXPECT_EQ(codeOf([](Estimation& e) { e.setInputNormals(upwards(3)); }), input);
   EXPECT_EQ(codeOf([](Estimation& e) { e.setSearchSurface(square(20, 13)); }), input);
   EXPECT_EQ(codeOf([](Estimation& e) { e.setIndices(pcl::IndicesPtr(new pcl::Indices{400})); }), input);
-  EXPECT_EQ(codeOf([](Estimation& e) {
-              e.setInputCloud(Cloud::Ptr(new Cloud(400, 1, pcl::PointXYZ(NAN, NAN, NAN))));
-            }),
-            input);
+  EXPECT_EQ(codeOf([](Estimation& e) { e.setInputCloud(Cloud::Ptr(new Cloud(400, 1, pcl::PointXYZ(NAN, NAN, NAN)))); }), input);
   EXPECT_EQ(codeOf([](Estimation& e) { e.setRadiusSearch(2.0); }), argument);
   EXPECT_EQ(codeOf([](Estimation& e) { e.setKSearch(0); }), argument);
   EXPECT_EQ(codeOf([](Estimation& e) { e.setKSearch(-3); }), argument);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Scans in every format: the same points out of each, units and columns, and a clear error for each broken
 // file.
 #include <pcl_spiral/io/cloud_reader.h>
@@ -34,9 +35,7 @@ expectPoints(const std::string& file, const ReadOptions& options = {}, float sca
   const Scan scan = readCloud(file, options);
   ASSERT_EQ(scan.cloud->size(), points.size()) << file;
   for (std::size_t i = 0; i < points.size(); ++i)
-    EXPECT_LE(((*scan.cloud)[i].getVector3fMap() - scale * points[i]).norm(),
-              1e-7f * scale * points[i].norm())
-        << file << " point " << i;
+    EXPECT_LE(((*scan.cloud)[i].getVector3fMap() - scale * points[i]).norm(), 1e-7f * scale * points[i].norm()) << file << " point " << i;
 }
 
 /** The message of the error that reading ends in; empty where it does not. */
@@ -54,14 +53,12 @@ problem(const std::string& file, const ReadOptions& options = {})
 
 class CloudReader : public ::testing::Test {
 protected:
-  std::string
-  text(const std::string& name, const std::string& content)
+  std::string text(const std::string& name, const std::string& content)
   {
     writeText(folder_.path(name), content);
     return folder_.path(name);
   }
-  void
-  expectProblem(const std::string& name, const std::string& content, const std::string& words)
+  void expectProblem(const std::string& name, const std::string& content, const std::string& words)
   {
     const std::string file = text(name, content), said = problem(file);
     EXPECT_NE(said.find(file), std::string::npos) << "names the file: " << said;
@@ -70,9 +67,8 @@ protected:
   ScratchFolder folder_;
 };
 
-const std::string pcd_header =
-    "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 3\nHEIGHT 1\n"
-    "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3\nDATA ";
+const std::string pcd_header = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 3\nHEIGHT 1\n"
+                               "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3\nDATA ";
 const std::string ply_vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string rows = "1.5 -2.25 3\n4 5.5 -6\n0.125 1e-3 700.5\n";
 
@@ -96,8 +92,7 @@ TEST_F(CloudReader, FilesOfPcl)
 TEST_F(CloudReader, TextInEveryDress)
 {
   expectPoints(text("a.xyz", rows));
-  expectPoints(
-      text("b.xyz", "\xEF\xBB\xBF# a comment\n\n  1.5\t-2.25 3 7\r\n+4 5.5 -6 8\r\n0.125 1e-3 700.5 9"));
+  expectPoints(text("b.xyz", "\xEF\xBB\xBF# a comment\n\n  1.5\t-2.25 3 7\r\n+4 5.5 -6 8\r\n0.125 1e-3 700.5 9"));
   expectPoints(text("c.csv", "z,x,y\n3,1.5,-2.25\n-6, 4, 5.5\n700.5,0.125,0.001\n"));
   expectPoints(text("d.csv", "\"X\";\"Y\";\"Z\";\"I\"\n1.5;-2.25;3;\n4;5.5;-6;1\n0.125;.001;700.5;1\n"));
   expectPoints(text("e.asc", "//X Y Z R G B\n1.5 -2.25 3 1 2 3\n4 5.5 -6 1 2 3\n0.125 0.001 700.5 1 2 3\n"));
@@ -109,8 +104,7 @@ TEST_F(CloudReader, TextInEveryDress)
 
 TEST_F(CloudReader, Meshes)
 {
-  expectPoints(
-      text("a.obj", "o part\nv 1.5 -2.25 3\nv 4 5.5 -6 1.0\nvn 0 0 1\nv 0.125 0.001 700.5\nf 1 2 3\n"));
+  expectPoints(text("a.obj", "o part\nv 1.5 -2.25 3\nv 4 5.5 -6 1.0\nvn 0 0 1\nv 0.125 0.001 700.5\nf 1 2 3\n"));
   expectPoints(text("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 1.5 -2.25 3\nvertex 4 5.5 -6\n"
                              "vertex 0.125 0.001 700.5\nendloop\nendfacet\nendsolid a\n"));
   std::string binary(84 + 50, '\0');
@@ -118,10 +112,8 @@ TEST_F(CloudReader, Meshes)
   for (std::size_t i = 0; i < 3; ++i)
     std::memcpy(&binary[84 + 12 + 12 * i], points[i].data(), 12);
   expectPoints(text("b.stl", binary));
-  expectPoints(
-      text("a.ply", "ply\nformat ascii 1.0\nelement camera 1\nproperty list uchar int k\n" + ply_vertices +
-                        "element face 1\nproperty list uchar int vertex_indices\nend_header\n2 8 9\n" + rows +
-                        "3 0 1 2\n"));
+  expectPoints(text("a.ply", "ply\nformat ascii 1.0\nelement camera 1\nproperty list uchar int k\n" + ply_vertices +
+                                 "element face 1\nproperty list uchar int vertex_indices\nend_header\n2 8 9\n" + rows + "3 0 1 2\n"));
 }
 
 TEST_F(CloudReader, BigEndianAndDoublePly)
@@ -217,17 +209,11 @@ TEST_F(CloudReader, SaysWhatIsWrongInPcd)
   expectProblem("e.pcd", pcd_header + "ascii\n1 2 3\n4 6\n7 8 9\n", "line 12: 2 values");
   expectProblem("f.pcd", pcd_header + "binary\n1234567890", "cut off");
   expectProblem("g.pcd", pcd_header + "binary_compressed\nabc", "cut off");
-  expectProblem("h.pcd",
-                pcd_header + std::string("binary_compressed\n\x04\0\0\0\x24\0\0\0\xff\xff\xff\xff", 30),
-                "unpacked");
-  expectProblem("i.pcd", "FIELDS x y\nSIZE 4 4\nTYPE F F\nCOUNT 1 1\nWIDTH 1\nHEIGHT 1\nDATA ascii\n1 2\n",
-                "has no 'z'; it has: x, y");
-  expectProblem("j.pcd", "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 400000000000\nHEIGHT 1\nDATA binary\n1",
-                "cut off");
-  expectProblem("k.pcd", "FIELDS x y z\nSIZE 3 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 1\nDATA ascii\n1 2 3\n",
-                "SIZE 3");
-  expectProblem("l.pcd", "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 0\nHEIGHT 1\nPOINTS 0\nDATA ascii\n",
-                "no points");
+  expectProblem("h.pcd", pcd_header + std::string("binary_compressed\n\x04\0\0\0\x24\0\0\0\xff\xff\xff\xff", 30), "unpacked");
+  expectProblem("i.pcd", "FIELDS x y\nSIZE 4 4\nTYPE F F\nCOUNT 1 1\nWIDTH 1\nHEIGHT 1\nDATA ascii\n1 2\n", "has no 'z'; it has: x, y");
+  expectProblem("j.pcd", "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 400000000000\nHEIGHT 1\nDATA binary\n1", "cut off");
+  expectProblem("k.pcd", "FIELDS x y z\nSIZE 3 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 1\nDATA ascii\n1 2 3\n", "SIZE 3");
+  expectProblem("l.pcd", "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 0\nHEIGHT 1\nPOINTS 0\nDATA ascii\n", "no points");
 }
 
 TEST_F(CloudReader, SaysWhatIsWrongInPly)
@@ -237,14 +223,12 @@ TEST_F(CloudReader, SaysWhatIsWrongInPly)
   expectProblem("b.ply", ascii + "1 2 3\n4 abc 6\n7 8 9\n", "line 9: 'abc'");
   expectProblem("c.ply", ascii + "1 2 3\n4 5 6\n", "vertex 3 of 3");
   expectProblem("d.ply", ascii + "1 2 3\n4 5\n7 8 9\n", "line 9: 2 values");
-  expectProblem("e.ply", "ply\nformat binary_little_endian 1.0\n" + ply_vertices + "end_header\n123456789",
-                "cut off");
+  expectProblem("e.ply", "ply\nformat binary_little_endian 1.0\n" + ply_vertices + "end_header\n123456789", "cut off");
   expectProblem("f.ply",
                 "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
                 "property float z\nend_header\n",
                 "no vertices");
-  expectProblem("g.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",
-                "has no 'y'");
+  expectProblem("g.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n", "has no 'y'");
   expectProblem("h.ply",
                 "ply\nformat binary_little_endian 1.0\nelement vertex 900000000000\nproperty float x\n"
                 "property float y\nproperty float z\nend_header\n1",
@@ -262,16 +246,16 @@ TEST_F(CloudReader, HeadersThatPromiseTooMuchAreRefusedBeforeMemoryIsTaken)
                 "WIDTH 4294967296 and HEIGHT 4294967296"); // their product is 0 in 64 bits
   expectProblem("c.pcd", fields + "COUNT 1 1 900000000000000\nWIDTH 99999\nHEIGHT 1\nDATA binary\n1", "COUNT 900000000000000");
   expectProblem("d.pcd", fields + "WIDTH 1e18\nHEIGHT 1\nDATA ascii\n1 2 3\n", "'1e18' is not a count");
-  expectProblem("e.pcd", fields + "WIDTH 300000000\nHEIGHT 1\nDATA binary_compressed\n" +
-                             std::string("\x01\0\0\0\0\xa4\x93\xd6q", 9), "1 packed bytes cannot come to 3600000000");
-  expectProblem("f.pcd", fields + "WIDTH 1\nHEIGHT 1\nDATA binary_compressed\n" + std::string("\0\0\0\0\x0c\0\0\0", 8),
-                "0 packed bytes");
+  expectProblem("e.pcd", fields + "WIDTH 300000000\nHEIGHT 1\nDATA binary_compressed\n" + std::string("\x01\0\0\0\0\xa4\x93\xd6q", 9),
+                "1 packed bytes cannot come to 3600000000");
+  expectProblem("f.pcd", fields + "WIDTH 1\nHEIGHT 1\nDATA binary_compressed\n" + std::string("\0\0\0\0\x0c\0\0\0", 8), "0 packed bytes");
   const std::string binary = "ply\nformat binary_little_endian 1.0\n";
-  expectProblem("g.ply", binary + "element vertex 999999999999999\nproperty float x\nproperty float y\nproperty float z\n"
-                                  "end_header\n1", "cut off");
-  expectProblem("h.ply", binary + "element nothing 999999999999999\nend_header\n", "no vertices");
-  expectProblem("i.ply", binary + "element face 999999999999999\nproperty list uint double k\nend_header\n\xff\xff\xff\xff",
+  expectProblem("g.ply",
+                binary + "element vertex 999999999999999\nproperty float x\nproperty float y\nproperty float z\n"
+                         "end_header\n1",
                 "cut off");
+  expectProblem("h.ply", binary + "element nothing 999999999999999\nend_header\n", "no vertices");
+  expectProblem("i.ply", binary + "element face 999999999999999\nproperty list uint double k\nend_header\n\xff\xff\xff\xff", "cut off");
   expectProblem("j.stl", std::string(80, ' ') + "\xff\xff\xff\xff", "cut off");
 }
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A column that hides a part of itself from every side, driven by a helix on its cylinder: covered whole, and its
 // rotary axes calmer than with the normals of local planes on the same path.
-#include <pcl_spiral/machine/machine.h>
-#include <pcl_spiral/machine/impl/rotary_path.h>
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/drive/drive_path.h>
+#include <pcl_spiral/machine/impl/rotary_path.h>
+#include <pcl_spiral/machine/machine.h>
 
 #include "support/cutters.h"
 #include "support/sampling.h"
@@ -86,9 +87,7 @@ calmOf(const DrivePass& pass)
   const Status status = rotaryPath(Kinematics(xyzacTrunnion()), poses, {1000.0, 0.0, 0.0}, path);
   EXPECT_TRUE(status.ok()) << status.message();
   Calm calm;
-  const auto angle = [&](std::size_t i, int axis) {
-    return axis == 0 ? path.locations[i].angles.first : path.locations[i].angles.second;
-  };
+  const auto angle = [&](std::size_t i, int axis) { return axis == 0 ? path.locations[i].angles.first : path.locations[i].angles.second; };
   for (const int axis : {0, 1})
     for (std::size_t i = 1; i < poses.size(); ++i) {
       const double step = angle(i, axis) - angle(i - 1, axis);
@@ -107,8 +106,7 @@ TEST(ColumnDrive, RotaryAxesAreCalmerThanWithLocalPlanes)
   const Calm driven = calmOf(helix(cloud, DriveAxisMode::Cylinder)[0]);
   const Calm local = calmOf(helix(cloud, DriveAxisMode::LocalPlane)[0]);
   std::printf("largest rotary step %.3f degrees, with local planes %.3f; variation of the steps %.3f and %.1f turns\n",
-              driven.largest * 180 / M_PI, local.largest * 180 / M_PI, driven.variation / (2 * M_PI),
-              local.variation / (2 * M_PI));
+              driven.largest * 180 / M_PI, local.largest * 180 / M_PI, driven.variation / (2 * M_PI), local.variation / (2 * M_PI));
   EXPECT_GE(local.largest, 5.0 * driven.largest);
   EXPECT_GE(local.variation, 5.0 * driven.variation);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // SpiralMethod::ConstantScallop through the generator: what is left, which way it goes, what it refuses.
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
@@ -124,8 +125,7 @@ TEST(ConstantScallop, BeginsAtTheRimNearThePlaceAskedFor)
     EXPECT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
     EXPECT_LT(checkedRim(path.front()), 1.0);
     const auto& warnings = generator.getReport().warnings;
-    warned = std::any_of(warnings.begin(), warnings.end(),
-                         [](const std::string& w) { return w.find("start point") != std::string::npos; });
+    warned = std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) { return w.find("start point") != std::string::npos; });
     return (path.front().getVector3fMap().cast<double>() - place).norm();
   };
   bool warned = false, unused = false;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ridges foretold at corners, and the remedy, against the material that moves of a ball leave on the exact plate.
 #include "support/removed_material.h"
 #include "support/sampling.h"

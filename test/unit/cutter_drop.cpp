@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cutters brought down on points and on height models, against brute force.
 #include "core/model_touch.h"
 #include "core/sampling_gap.h"
@@ -37,8 +38,7 @@ publishedHeight(const CutterShape& s, double l)
 
 /** As the method is published: over all points, no search. */
 double
-highestTip(const std::vector<Eigen::Vector3f>& points, const CutterShape& cutter, const Vector3d& through,
-           const Vector3d& axis)
+highestTip(const std::vector<Eigen::Vector3f>& points, const CutterShape& cutter, const Vector3d& through, const Vector3d& axis)
 {
   double highest = -std::numeric_limits<double>::infinity();
   for (const Eigen::Vector3f& point : points) {
@@ -60,14 +60,10 @@ TEST(CutterDrop, EqualsBruteForceForTenThousandCutters)
     // A box of points, a thin layer, or a few clusters far apart, somewhere in space.
     std::vector<Eigen::Vector3f> points(1 + random.below(400));
     const Vector3d middle = 200.0 * unitVector(random);
-    const Vector3d size = cloud % 3 == 0   ? Vector3d(40, 40, 40)
-                          : cloud % 3 == 1 ? Vector3d(60, 60, 1)
-                                           : Vector3d(3, 3, 3);
+    const Vector3d size = cloud % 3 == 0 ? Vector3d(40, 40, 40) : cloud % 3 == 1 ? Vector3d(60, 60, 1) : Vector3d(3, 3, 3);
     for (Eigen::Vector3f& p : points) {
       const Vector3d spread(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-      const Vector3d cluster = cloud % 3 == 2
-                                   ? Vector3d(30.0 * Vector3d::Unit(static_cast<int>(random.below(3))))
-                                   : Vector3d(0, 0, 0);
+      const Vector3d cluster = cloud % 3 == 2 ? Vector3d(30.0 * Vector3d::Unit(static_cast<int>(random.below(3)))) : Vector3d(0, 0, 0);
       p = (middle + cluster + size.cwiseProduct(spread)).cast<float>();
     }
     const PointBlocks blocks(points);
@@ -100,8 +96,7 @@ TEST(CutterDrop, NoPointLiesInTheCutterThatRestsOnThem)
     const DropContact drop = CutterDrop(blocks, cutter).highest(frame);
     int touching = 0;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-      const double l = frame.across(blocks.position(i)).norm(),
-                   height = frame.along(blocks.position(i)) - drop.height;
+      const double l = frame.across(blocks.position(i)).norm(), height = frame.along(blocks.position(i)) - drop.height;
       ASSERT_FALSE(cutter.contains(l, height, 1e-12 * (1.0 + std::abs(drop.height)))) << k;
       touching += l <= cutter.radius() && std::abs(height - cutter.height(l)) < 1e-9;
     }
@@ -124,8 +119,7 @@ TEST(ModelTouch, TheProximalRadiusIsTheLeastOfItsFunction)
   Random random(3);
   for (int k = 0; k < 2000; ++k) {
     const CutterProfile cutter(randomCutter(random));
-    const double R = cutter.radius(), q = random.uniform(0.0, 3.0 * R),
-                 c = R * std::pow(10.0, random.uniform(-2, 2));
+    const double R = cutter.radius(), q = random.uniform(0.0, 3.0 * R), c = R * std::pow(10.0, random.uniform(-2, 2));
     double derivative = 0.0, unused = 0.0;
     const double p = proximalRadius(cutter, q, c, derivative);
     const auto cost = [&](double l) { return cutter.height(l) + (l - q) * (l - q) / (2.0 * c); };
@@ -155,9 +149,7 @@ TEST(ModelTouch, FindsTheFirstTouchOfEveryQuadraticThatTheCutterFits)
     const double hollow = shape.flank_angle == 0.0 && shape.corner_radius == R ? 0.5 / R : 0.0;
     const double t = random.uniform(0.0, M_PI);
     const Eigen::Matrix2d turn = Eigen::Rotation2Dd(t).toRotationMatrix();
-    model.bend = turn *
-                 Vector2d(random.uniform(-2.0 / R, hollow), random.uniform(-2.0 / R, hollow)).asDiagonal() *
-                 turn.transpose();
+    model.bend = turn * Vector2d(random.uniform(-2.0 / R, hollow), random.uniform(-2.0 / R, hollow)).asDiagonal() * turn.transpose();
     const auto tip = [&](const Vector2d& x) { return model.value(x) - cutter.height(std::min(x.norm(), R)); };
     const Vector2d found = touchModel(cutter, model);
     ASSERT_LE(found.norm(), R * (1.0 + 1e-12));
@@ -178,8 +170,7 @@ TEST(SamplingGap, BoundsWhatCuttersSinkOnAGrid)
   for (int k = 0; k < 3000; ++k) {
     const CutterShape shape = randomCutter(random);
     const CutterProfile cutter(shape);
-    const double s = cutter.radius() * random.uniform(0.08, 0.5),
-                 curvature = k % 2 ? 1.0 / random.uniform(30.0, 200.0) : 0.0;
+    const double s = cutter.radius() * random.uniform(0.08, 0.5), curvature = k % 2 ? 1.0 / random.uniform(30.0, 200.0) : 0.0;
     const double lean = random.uniform(0.0, std::min(1.2, 0.5 * M_PI - cutter.flankAngle() - 0.05));
     const Vector3d normal = Vector3d::UnitZ(), axis(std::sin(lean), 0.0, std::cos(lean));
     const CutterContact contact = cutter.locate(Vector3d::Zero(), normal, axis);
@@ -191,10 +182,7 @@ TEST(SamplingGap, BoundsWhatCuttersSinkOnAGrid)
       for (int j = -reach; j <= reach; ++j) {
         const double x = s * (i + u), y = s * (j + v), rho = x * x + y * y;
         const Vector3d p(x * std::cos(a) - y * std::sin(a), x * std::sin(a) + y * std::cos(a),
-                         curvature > 0.0
-                             ? -curvature * rho /
-                                   (1.0 + std::sqrt(std::max(0.0, 1.0 - curvature * curvature * rho)))
-                             : 0.0);
+                         curvature > 0.0 ? -curvature * rho / (1.0 + std::sqrt(std::max(0.0, 1.0 - curvature * curvature * rho))) : 0.0);
         if (curvature * curvature * rho < 0.25)
           points.push_back(p.cast<float>());
         nearest = std::min(nearest, p.norm());

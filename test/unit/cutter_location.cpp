@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Locations of cutters on clouds of known surfaces: exact on planes and spheres, free of gouge, honest where
 // the scan ends.
 #include <pcl_spiral/cutter/cutter_location.h>
@@ -18,8 +19,7 @@ TEST(CutterLocation, IsExactOnATiltedPlane)
 {
   const SurfacePtr plane = flat(Region({rectangle(30.0, 30.0)}));
   Sampled sampled = sampleUniform(*plane, 12000, 1);
-  const Eigen::Isometry3d motion =
-      Eigen::Isometry3d(Eigen::AngleAxisd(0.6, Vector3d(1, 2, 0.5).normalized()));
+  const Eigen::Isometry3d motion = Eigen::Isometry3d(Eigen::AngleAxisd(0.6, Vector3d(1, 2, 0.5).normalized()));
   for (Vector3d& p : sampled.points)
     p = motion * p;
   const auto cloud = toCloud(sampled.points);
@@ -35,8 +35,7 @@ TEST(CutterLocation, IsExactOnATiltedPlane)
       const Vector3d n = motion.linear() * Vector3d::UnitZ(), v = drive[i].axis;
       const CutterContact c = cutter.locate(Vector3d::Zero(), n, v);
       const double s = (c.tip - drive[i].position).dot(n) / v.dot(n);
-      ASSERT_LT((run.locations[i].tip - drive[i].position - s * v).norm(), 1e-6)
-          << i << ' ' << shape.flank_angle;
+      ASSERT_LT((run.locations[i].tip - drive[i].position - s * v).norm(), 1e-6) << i << ' ' << shape.flank_angle;
       ASSERT_EQ(run.locations[i].state, LocationState::Touching);
       ASSERT_NEAR(run.locations[i].contact.dot(n), 0.0, 1e-6);
     }
@@ -59,8 +58,7 @@ TEST(CutterLocation, ABallOnASphereStandsWhereItShould)
   const Located points = located(cloud, CutterShape::ball(R), drive, Evaluation::Points);
   double worst = 0.0, worst_points = 0.0;
   for (std::size_t i = 0; i < drive.size(); ++i) {
-    const double l2 = drive[i].position.head<2>().squaredNorm(),
-                 expected = std::sqrt((rho + R) * (rho + R) - l2) - R;
+    const double l2 = drive[i].position.head<2>().squaredNorm(), expected = std::sqrt((rho + R) * (rho + R) - l2) - R;
     worst = std::max(worst, std::abs(fitted.locations[i].tip.z() - expected));
     worst_points = std::max(worst_points, expected - points.locations[i].tip.z());
     ASSERT_LT(points.locations[i].tip.z(), expected + 1e-5);
@@ -94,15 +92,13 @@ TEST(CutterLocation, ABallTooLargeForABowlIsLiftedByWhatItMisses)
   const double bowl_radius = 8.0, R = 10.0; // a trough along y
   const SurfacePtr trough = quadric(bowl_radius, 1e9, Region({rectangle(24.0, 60.0)}));
   const auto cloud = toCloud(sampleUniform(*trough, 40000, 7).points);
-  const Located large =
-      located(cloud, CutterShape::ball(R), {{Vector3d::Zero(), Vector3d::UnitZ(), Vector3d::UnitZ()}});
+  const Located large = located(cloud, CutterShape::ball(R), {{Vector3d::Zero(), Vector3d::UnitZ(), Vector3d::UnitZ()}});
   const ToolLocation& location = large.locations[0];
   EXPECT_EQ(location.state, LocationState::Lifted);
   // The ball rests on both sides, at x^2 = R^2 - a^2: its centre is R^2 / (2 a) + a / 2 high.
   EXPECT_NEAR(location.lift, R * R / (2.0 * bowl_radius) + 0.5 * bowl_radius - R, 1e-3);
   EXPECT_NEAR(std::abs(location.contact.x()), std::sqrt(R * R - bowl_radius * bowl_radius), 0.05);
-  const Located small =
-      located(cloud, CutterShape::ball(5.0), {{Vector3d::Zero(), Vector3d::UnitZ(), Vector3d::UnitZ()}});
+  const Located small = located(cloud, CutterShape::ball(5.0), {{Vector3d::Zero(), Vector3d::UnitZ(), Vector3d::UnitZ()}});
   EXPECT_EQ(small.locations[0].state, LocationState::Reached);
 }
 
@@ -141,8 +137,7 @@ TEST(CutterLocation, AHoleInTheScanIsNoPlaceToSinkInto)
   const SurfacePtr plane = flat(Region({rectangle(60.0, 60.0), circle({0, 0}, 6.0)}));
   const auto cloud = toCloud(sampleUniform(*plane, 12000, 9).points);
   const Vector3d up = Vector3d::UnitZ();
-  const Located run =
-      located(cloud, CutterShape::ball(8.0), {{{0, 0, 0}, up, up}, {{0, 0, 0}, up, Vector3d::Zero()}});
+  const Located run = located(cloud, CutterShape::ball(8.0), {{{0, 0, 0}, up, up}, {{0, 0, 0}, up, Vector3d::Zero()}});
   EXPECT_EQ(run.locations[0].state,
             LocationState::Clear); // left on the contact, since the hole tells nothing
   EXPECT_NEAR(run.locations[0].tip.z(), 0.0, 1e-9);
@@ -165,8 +160,7 @@ TEST(CutterLocation, AColumnIsFollowedAllRound)
   }
   DrivePoints drive;
   for (double z = -40.0; z <= 40.0; z += 0.05)
-    drive.push_back(
-        {{40.0 * std::cos(z), 40.0 * std::sin(z), z}, {std::cos(z), std::sin(z), 0.0}, {0, 0, 0}});
+    drive.push_back({{40.0 * std::cos(z), 40.0 * std::sin(z), z}, {std::cos(z), std::sin(z), 0.0}, {0, 0, 0}});
   const Located run = located(toCloud(points), CutterShape::ball(R), drive);
   EXPECT_EQ(run.figures.count(LocationBasis::FittedSurface), drive.size());
   for (std::size_t i = 0; i < drive.size(); ++i) {
@@ -198,15 +192,13 @@ TEST(CutterLocation, NoPointOfTwentyFreeFormCloudsLiesInTheCutter)
     const CutterShape shape = k < 6 ? all_kinds[k] : randomCutter(random);
     DrivePoints drive;
     for (int i = 0; i < 40; ++i)
-      drive.push_back({{random.uniform(-25, 25), random.uniform(-25, 25), 0.0},
-                       leaning(Vector3d::UnitZ(), 30.0, random),
-                       Vector3d::Zero()});
+      drive.push_back(
+          {{random.uniform(-25, 25), random.uniform(-25, 25), 0.0}, leaning(Vector3d::UnitZ(), 30.0, random), Vector3d::Zero()});
     CutterLocation<pcl::PointXYZ> location;
     location.setInputCloud(toCloud(points));
     location.setCutter(shape);
     location.setDrivePoints(drive);
-    for (const Evaluation evaluation :
-         {Evaluation::FittedSurface, Evaluation::PointsAndBound, Evaluation::Points}) {
+    for (const Evaluation evaluation : {Evaluation::FittedSurface, Evaluation::PointsAndBound, Evaluation::Points}) {
       Located run;
       location.setEvaluation(evaluation);
       location.compute(run.locations);
@@ -221,8 +213,7 @@ TEST(CutterLocation, NoPointOfTwentyFreeFormCloudsLiesInTheCutter)
         if (evaluation != Evaluation::FittedSurface) // on the points, or above
           ASSERT_LT(depth, 1e-9) << k;
         else { // below a point by what its noise allows, and no more than it says
-          const double share =
-              location.normal.isZero(0.0) ? 1.0 : std::max(0.2, location.normal.dot(location.axis));
+          const double share = location.normal.isZero(0.0) ? 1.0 : std::max(0.2, location.normal.dot(location.axis));
           ASSERT_LT(depth, run.figures.noise_allowance / share + 1e-9) << k;
           ASSERT_NEAR(depth, std::max(0.0, -location.gap) - std::max(0.0, location.gap), 1e-6) << k;
         }
@@ -243,8 +234,7 @@ TEST(CutterLocation, TheTrueSurfaceIsNotCutInto)
   for (const CutterShape& shape : all_kinds) {
     const DrivePoints drive = drivePoints(*part, 25, 35.0, 10.0, false, 13);
     const CutterProfile cutter(shape);
-    const Located fitted = located(cloud, shape, drive),
-                  points = located(cloud, shape, drive, Evaluation::Points);
+    const Located fitted = located(cloud, shape, drive), points = located(cloud, shape, drive, Evaluation::Points);
     double sunk = 0.0, sunk_points = 0.0;
     for (std::size_t i = 0; i < drive.size(); ++i) {
       sunk = std::max(sunk, deepest(dense, cutter, fitted.locations[i]));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The class CutterLocation: what must not change its output, and what it refuses.
 #include <pcl_spiral/cutter/cutter_location.h>
 
@@ -57,8 +58,7 @@ TEST(CutterLocation, ThreadsAndOrderOfTheCloudChangeNothing)
     for (const Located* run : {&three, &other}) {
       ASSERT_EQ(run->locations[i].tip, one.locations[i].tip) << i;
       ASSERT_EQ(run->locations[i].gap_bound, one.locations[i].gap_bound);
-      ASSERT_EQ(run == &other ? order[run->locations[i].cloud_index] : run->locations[i].cloud_index,
-                one.locations[i].cloud_index);
+      ASSERT_EQ(run == &other ? order[run->locations[i].cloud_index] : run->locations[i].cloud_index, one.locations[i].cloud_index);
     }
 }
 
@@ -68,8 +68,7 @@ TEST(CutterLocation, AnEchoAboveTheSurfaceLiftsAndIsReported)
   std::vector<Vector3d> points = sampleUniform(*plane, 8000, 19).points;
   points.emplace_back(1.0, 0.0, 3.0);
   const Vector3d up = Vector3d::UnitZ();
-  const Located run =
-      located(toCloud(points), CutterShape::ball(4.0), {{{0, 0, 0}, up, up}, {{15, 0, 0}, up, up}});
+  const Located run = located(toCloud(points), CutterShape::ball(4.0), {{{0, 0, 0}, up, up}, {{15, 0, 0}, up, up}});
   EXPECT_EQ(run.locations[0].state, LocationState::Lifted);
   EXPECT_EQ(run.locations[0].cloud_index, points.size() - 1);
   EXPECT_GE(run.locations[0].lift, 3.0 - 4.0 + std::sqrt(15.0) - 1e-9);
@@ -102,17 +101,13 @@ TEST(CutterLocation, PathsCloudsAndSettingsThatCannotBeAreNamed)
   fails("radius is 0 mm; set it above 0", [](Location& l) { l.setCutter(CutterShape()); });
   fails("corner reaches across", [](Location& l) { l.setCutter(CutterShape::bullNose(2.0, 3.0)); });
   fails("no drive points", [](Location& l) { l.setDrivePoints({}); });
-  fails("drive point 0 at (1, 2, 3) has no tool axis", [&](Location& l) {
-    l.setDrivePoints({{{1, 2, 3}, {0, 0, 0}, up}});
-  });
+  fails("drive point 0 at (1, 2, 3) has no tool axis", [&](Location& l) { l.setDrivePoints({{{1, 2, 3}, {0, 0, 0}, up}}); });
   fails("drive point 1, its axis or its normal is not finite", [&](Location& l) {
     l.setDrivePoints({{{1, 2, 3}, up, up}, {{1, nan, 3}, up, up}});
   });
   fails("tolerance is -1 mm", [](Location& l) { l.setContactTolerance(-1.0); });
   fails("threads is 4294967295", [](Location& l) { l.setNumberOfThreads(-1); });
-  fails("cancelled", [](Location& l) {
-    l.setProgressCallback([](double, const std::string& s) { return s != "locations"; });
-  });
+  fails("cancelled", [](Location& l) { l.setProgressCallback([](double, const std::string& s) { return s != "locations"; }); });
   Cloud::Ptr few(new Cloud(10, 1, pcl::PointXYZ(1, 2, 3)));
   for (std::size_t i = 0; i < few->size(); ++i)
     (*few)[i].x = static_cast<float>(i);
@@ -126,11 +121,9 @@ TEST(CutterLocation, PathsCloudsAndSettingsThatCannotBeAreNamed)
     });
   };
   by_points("view point is not finite", [&](Location& l) { l.setViewPoint(Vector3d(nan, 0.0, 0.0)); });
-  by_points("there are 5 normals for 2000 points", [](Location& l) {
-    l.setInputNormals(pcl::PointCloud<pcl::Normal>::Ptr(new pcl::PointCloud<pcl::Normal>(5, 1)));
-  });
-  const Located points =
-      located(few, CutterShape::ball(2.0), {{{1, 2, 0}, up, Vector3d::Zero()}}, Evaluation::Points);
+  by_points("there are 5 normals for 2000 points",
+            [](Location& l) { l.setInputNormals(pcl::PointCloud<pcl::Normal>::Ptr(new pcl::PointCloud<pcl::Normal>(5, 1))); });
+  const Located points = located(few, CutterShape::ball(2.0), {{{1, 2, 0}, up, Vector3d::Zero()}}, Evaluation::Points);
   EXPECT_NEAR(points.locations[0].tip.z(), 3.0, 1e-6);
   EXPECT_EQ(points.figures.warnings.size(), 2u);
 }

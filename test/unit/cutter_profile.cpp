@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Profiles of cutters: continuity, inverse, closed forms of the special cases, contact to location by brute force.
 #include <pcl_spiral/core/cutter_profile.h>
 
@@ -162,8 +163,7 @@ TEST(CutterProfile, LocationsTouchTiltedPlanes)
     const double l = (from_tip - from_tip.dot(axis) * axis).norm();
     ASSERT_NEAR(l, found.distance, 1e-9 * scale + 1e-12);
     ASSERT_NEAR(from_tip.dot(axis), found.height, 1e-9 * scale + 1e-12);
-    ASSERT_LT(std::min(std::abs(c.radiusAt(found.height) - l), std::abs(c.height(std::min(l, c.radius())) - found.height)),
-              1e-9 * scale);
+    ASSERT_LT(std::min(std::abs(c.radiusAt(found.height) - l), std::abs(c.height(std::min(l, c.radius())) - found.height)), 1e-9 * scale);
 
     const Vector3d u = axis.unitOrthogonal(), v = axis.cross(u);
     double least = 1e300;

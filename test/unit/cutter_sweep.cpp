@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The swept ball, its index and the ridge search, against trying every move and against exact peaks.
-#include <pcl_spiral/verify/impl/cutter_sweep.h>
 #include <pcl_spiral/search/impl/move_index.h>
+#include <pcl_spiral/verify/impl/cutter_sweep.h>
 
 #include "support/move_tree.h"
 #include "support/sampling.h"
@@ -116,8 +117,7 @@ TEST(MoveIndex, AgreesWithTryingEveryMove)
       nearest = std::min(nearest, test::MoveTree({points[i], points[i + 1]}).nearest(x).first);
     }
     index.search(
-        x, [&] { return radius + std::max(found, start); },
-        [&](std::size_t move) { sweep.enter(move, x, n, start, found); });
+        x, [&] { return radius + std::max(found, start); }, [&](std::size_t move) { sweep.enter(move, x, n, start, found); });
     EXPECT_EQ(found, all);
     Eigen::Vector3d point;
     EXPECT_TRUE(index.nearest(x, seen, point));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Deviation of path points from a raw cloud: faults found in their places, noise told apart, the class's manners.
 #include <pcl_spiral/verify/deviation_estimation.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Shortest paths over edges that are given: those of the elliptic Gabriel graph.
 #include "support/even_cloud.h"
 #include "support/surfaces.h"
@@ -17,8 +18,7 @@ using Eigen::Vector3d;
 
 class OverGabrielEdges : public ::testing::Test {
 protected:
-  const SurfaceGraph graph_ = test::graphOf(
-      test::sampleUniform(*test::flat(test::Region({test::rectangle(200, 200)})), 20000, 7).points);
+  const SurfaceGraph graph_ = test::graphOf(test::sampleUniform(*test::flat(test::Region({test::rectangle(200, 200)})), 20000, 7).points);
   const NeighbourLists edges_ = ellipticGabrielEdges(graph_.blocks().points(), {}, GabrielOptions());
 };
 

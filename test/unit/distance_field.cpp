@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Distances along surfaces against exact ones: plane, sphere, cylinder, spheroid; from points and from curves.
 #include "support/sampling.h"
 #include "support/surfaces.h"
@@ -49,8 +50,7 @@ errorsOf(const SurfaceGraph& graph, const DistanceField& field, const std::funct
   }
   e.rms = std::sqrt(e.rms / count);
   e.mean /= count;
-  std::printf("  %zu points: mean %.5f rms %.5f largest %.4f mm, %zu unreached\n", graph.size(), e.mean, e.rms,
-              e.largest, e.unreached);
+  std::printf("  %zu points: mean %.5f rms %.5f largest %.4f mm, %zu unreached\n", graph.size(), e.mean, e.rms, e.largest, e.unreached);
   return e;
 }
 
@@ -65,8 +65,7 @@ public:
       arc_[i] = arc_[i - 1] + std::hypot(a * std::cos(t), b * std::sin(t)) * step;
     }
   }
-  double
-  operator()(const Vector3d& p) const
+  double operator()(const Vector3d& p) const
   {
     const double at = std::atan2(std::hypot(p.x(), p.y()) / a_, p.z() / b_) / (0.5 * M_PI) * 200000;
     const auto i = std::min<std::size_t>(199999, static_cast<std::size_t>(std::max(0.0, at)));
@@ -118,9 +117,7 @@ TEST(DistanceField, GreatCircles)
   const Vector3d source = radius * Vector3d(0.3, 0.2, std::sqrt(1 - 0.13)), s = source / radius;
   DistanceField field;
   ASSERT_TRUE(field.compute(graph, source));
-  const Errors e = errorsOf(graph, field, [&](const Vector3d& p) {
-    return radius * std::atan2(s.cross(p).norm(), s.dot(p));
-  });
+  const Errors e = errorsOf(graph, field, [&](const Vector3d& p) { return radius * std::atan2(s.cross(p).norm(), s.dot(p)); });
   EXPECT_LT(e.rms, 0.05);
 }
 
@@ -132,9 +129,8 @@ TEST(DistanceField, Cylinder)
   const Vector3d source(radius * std::sin(-0.4), 30.0, radius * std::cos(-0.4));
   DistanceField field;
   ASSERT_TRUE(field.compute(graph, source));
-  const Errors e = errorsOf(graph, field, [&](const Vector3d& p) {
-    return std::hypot(radius * (std::atan2(p.x(), p.z()) + 0.4), p.y() - 30.0);
-  });
+  const Errors e =
+      errorsOf(graph, field, [&](const Vector3d& p) { return std::hypot(radius * (std::atan2(p.x(), p.z()) + 0.4), p.y() - 30.0); });
   EXPECT_LT(e.rms, 0.01);
 }
 
@@ -148,9 +144,7 @@ TEST(DistanceField, FromACircleInThePlane)
     circle.emplace_back(5 + 30 * std::cos(2 * M_PI * i / 500), 30 * std::sin(2 * M_PI * i / 500), 0.0);
   DistanceField field;
   ASSERT_TRUE(field.compute(graph, circle));
-  const Errors e = errorsOf(graph, field, [&](const Vector3d& p) {
-    return std::abs(30.0 - (p - Vector3d(5, 0, 0)).norm());
-  });
+  const Errors e = errorsOf(graph, field, [&](const Vector3d& p) { return std::abs(30.0 - (p - Vector3d(5, 0, 0)).norm()); });
   EXPECT_LT(e.rms, 0.01);
 }
 
@@ -221,8 +215,7 @@ TEST(DistanceField, TracesGoRoundACorner)
   const auto surface = test::flat(test::Region({test::ell(200, 90)}));
   const SurfaceGraph graph = graphOf(test::sampleUniform(*surface, 30000, 18).points);
   const Eigen::Vector2d low = surface->region().lower();
-  const Vector3d corner(low.x() + 90, low.y() + 90, 0), source(low.x() + 195, low.y() + 45, 0),
-      to(low.x() + 45, low.y() + 195, 0);
+  const Vector3d corner(low.x() + 90, low.y() + 90, 0), source(low.x() + 195, low.y() + 45, 0), to(low.x() + 45, low.y() + 195, 0);
   DistanceField field;
   ASSERT_TRUE(field.compute(graph, source));
   const double exact = (source - corner).norm() + (to - corner).norm();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Drive paths at equal distances from the boundary: on a disc, a spherical cap, over islands; and along
 // curves.
 #include "support/driven.h"
@@ -32,8 +33,7 @@ farthestFrom(const Driven& run, const std::vector<Vector3d>& points)
 TEST(DriveOffsets, OfADiscAreCirclesOfTheRadiiAskedFor)
 {
   const double radius = 30.0;
-  const std::vector<Vector3d> points =
-      sampleUniform(*flat(Region({circle({0, 0}, radius)})), 30000, 1).points;
+  const std::vector<Vector3d> points = sampleUniform(*flat(Region({circle({0, 0}, radius)})), 30000, 1).points;
   const Driven run = driven(points, [](Drive& drive) { byOffsets(drive, 4.0); });
   ASSERT_EQ(run.passes.size(), 8u); // 30 / 4
   EXPECT_NEAR(run.report.step_over, radius / 8.0, 0.02);
@@ -57,8 +57,8 @@ TEST(DriveOffsets, OfADiscAreCirclesOfTheRadiiAskedFor)
 TEST(DriveOffsets, OfASphericalCapKeepTheirDistanceAlongTheSurface)
 {
   const double radius = 50.0, rim = 40.0, arc = radius * std::asin(rim / radius);
-  const Driven run = driven(sampleUniform(*ball(radius, Region({circle({0, 0}, rim)})), 40000, 2).points,
-                            [](Drive& drive) { byOffsets(drive, 5.0); });
+  const Driven run =
+      driven(sampleUniform(*ball(radius, Region({circle({0, 0}, rim)})), 40000, 2).points, [](Drive& drive) { byOffsets(drive, 5.0); });
   ASSERT_EQ(run.passes.size(), 10u); // 46.4 / 5
   for (std::size_t k = 0; k < run.passes.size(); ++k)
     for (const DrivePoint& p : run.passes[k].points) {
@@ -78,16 +78,14 @@ TEST(DriveOffsets, CoverIslandsWhereTheSurfaceParts)
     for (const DrivePass& pass : run.passes)
       EXPECT_TRUE(pass.closed);
     const double farthest = farthestFrom(run, points);
-    std::printf("  step %.3f: %zu passes, farthest %.3f\n", run.report.step_over, run.passes.size(),
-                farthest);
+    std::printf("  step %.3f: %zu passes, farthest %.3f\n", run.report.step_over, run.passes.size(), farthest);
     // Corners: lines are mitred or round there, so corners of the outline are farther by up to sqrt 2.
     EXPECT_LT(farthest, 0.5 * std::sqrt(2.0) * run.report.step_over + 0.5);
     const double middle = distanceFrom(run.passes, {25.0, 0.0, 0.0}, [](const Vector3d& p) { return p; });
     EXPECT_LT(middle, 0.5 * run.report.step_over + 0.2); // 13 deep, between two lines of the larger square
-    std::size_t inside_small = 0; // its inner lines, the last of them half a step or less from its middle
+    std::size_t inside_small = 0;                        // its inner lines, the last of them half a step or less from its middle
     for (const DrivePass& pass : run.passes)
-      inside_small += std::all_of(pass.points.begin(), pass.points.end(),
-                                  [](const DrivePoint& p) { return p.position.x() > 12.0; });
+      inside_small += std::all_of(pass.points.begin(), pass.points.end(), [](const DrivePoint& p) { return p.position.x() > 12.0; });
     EXPECT_GE(inside_small, static_cast<std::size_t>(13.0 / run.report.step_over - 1.0));
   }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The class DrivePath: what must not change its output, and what it refuses.
 #include "support/driven.h"
 
@@ -18,8 +19,7 @@ someColumn(std::size_t count)
   Random random(1);
   std::vector<Vector3d> points;
   for (std::size_t i = 0; i < count; ++i) {
-    const double z = random.uniform(-15.0, 15.0), a = random.uniform(0.0, 2.0 * M_PI),
-                 r = 12.0 + 0.01 * z * z;
+    const double z = random.uniform(-15.0, 15.0), a = random.uniform(0.0, 2.0 * M_PI), r = 12.0 + 0.01 * z * z;
     points.emplace_back(r * std::cos(a), r * std::sin(a), z);
   }
   return points;
@@ -37,20 +37,16 @@ refused(const std::vector<Vector3d>& points, const std::function<void(Drive&)>& 
 
 TEST(DrivePath, OrderOfTheCloudAndThreadsChangeNothing)
 {
-  const std::vector<Vector3d> patch =
-      sampleUniform(*quadric(90.0, -60.0, Region({circle({0, 0}, 20.0)})), 5000, 2).points;
+  const std::vector<Vector3d> patch = sampleUniform(*quadric(90.0, -60.0, Region({circle({0, 0}, 20.0)})), 5000, 2).points;
   const std::vector<Vector3d> column = someColumn(5000);
-  for (const DriveKind kind :
-       {DriveKind::Planes, DriveKind::Helix, DriveKind::Rings, DriveKind::BoundaryOffset})
-    for (const DriveAxisMode mode :
-         {DriveAxisMode::Fixed, DriveAxisMode::LocalPlane, DriveAxisMode::Surface}) {
+  for (const DriveKind kind : {DriveKind::Planes, DriveKind::Helix, DriveKind::Rings, DriveKind::BoundaryOffset})
+    for (const DriveAxisMode mode : {DriveAxisMode::Fixed, DriveAxisMode::LocalPlane, DriveAxisMode::Surface}) {
       const auto set = [&](Drive& drive) {
         drive.setKind(kind);
         drive.setStepOver(2.3);
         drive.setAxisMode(mode);
       };
-      const std::vector<Vector3d>& points =
-          kind == DriveKind::Helix || kind == DriveKind::Rings ? column : patch;
+      const std::vector<Vector3d>& points = kind == DriveKind::Helix || kind == DriveKind::Rings ? column : patch;
       const Driven one = driven(points, [&](Drive& drive) {
         set(drive);
         drive.setNumberOfThreads(1);
@@ -71,8 +67,7 @@ TEST(DrivePath, OrderOfTheCloudAndThreadsChangeNothing)
 
 TEST(DrivePath, KeptAndLinkedRowsAreTheSameForAnyOrderAndThreads)
 {
-  const std::vector<Vector3d> patch =
-      sampleUniform(*quadric(90.0, -60.0, Region({circle({0, 0}, 20.0)})), 9000, 2).points;
+  const std::vector<Vector3d> patch = sampleUniform(*quadric(90.0, -60.0, Region({circle({0, 0}, 20.0)})), 9000, 2).points;
   const auto set = [](unsigned int threads, double height) {
     return [=](Drive& drive) {
       drive.setRows(DriveRows::Kept);
@@ -94,8 +89,7 @@ TEST(DrivePath, KeptAndLinkedRowsAreTheSameForAnyOrderAndThreads)
 
 TEST(DrivePath, MovesWithThePart)
 {
-  const std::vector<Vector3d> patch =
-      sampleUniform(*quadric(90.0, -60.0, Region({rectangle(40.0, 30.0)})), 9000, 4).points;
+  const std::vector<Vector3d> patch = sampleUniform(*quadric(90.0, -60.0, Region({rectangle(40.0, 30.0)})), 9000, 4).points;
   const Driven still = driven(patch, [](Drive& drive) { drive.setStepOver(2.3); });
   const Eigen::Isometry3d motion = randomMotion(5, 20.0);
   std::vector<Vector3d> moved;
@@ -111,9 +105,7 @@ TEST(DrivePath, MovesWithThePart)
   for (std::size_t k = 0; k < run.passes.size(); ++k)
     for (const bool last : {false, true}) {
       const auto &a = run.passes[k].points, &b = still.passes[k].points;
-      EXPECT_LT(
-          ((last ? a.back() : a.front()).position - motion * (last ? b.back() : b.front()).position).norm(),
-          0.5);
+      EXPECT_LT(((last ? a.back() : a.front()).position - motion * (last ? b.back() : b.front()).position).norm(), 0.5);
     }
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Drive paths round columns: constant radius, exact pitch, radial axes, fitted axis; the whole surface
 // covered.
 #include "support/driven.h"
@@ -12,8 +13,8 @@ namespace {
 
 /** Points of a column about z from -height / 2 to height / 2, even by area of its cylinder, moved. */
 std::vector<Vector3d>
-column(const std::function<double(double)>& radius, double height, double sector, double noise,
-       const Eigen::Isometry3d& motion, std::size_t count, std::uint64_t seed)
+column(const std::function<double(double)>& radius, double height, double sector, double noise, const Eigen::Isometry3d& motion,
+       std::size_t count, std::uint64_t seed)
 {
   Random random(seed);
   std::vector<Vector3d> points;
@@ -64,31 +65,27 @@ TEST(DriveRings, TheAxisIsFoundUnderNoise)
       for (const double height : {50.0, 8.0}) {
         const Eigen::Isometry3d motion = randomMotion(seed, 200.0);
         const std::size_t count = static_cast<std::size_t>(2.0 * M_PI * 20.0 * height / 0.5);
-        const Driven run =
-            driven(column(radius, height, 2.0 * M_PI, 0.02, motion, count, seed), [](Drive& drive) {
-              drive.setKind(DriveKind::Rings);
-              drive.setStepOver(2.0);
-            });
+        const Driven run = driven(column(radius, height, 2.0 * M_PI, 0.02, motion, count, seed), [](Drive& drive) {
+          drive.setKind(DriveKind::Rings);
+          drive.setStepOver(2.0);
+        });
         ASSERT_TRUE(run.report.column && run.report.column->fitted);
         const DriveColumn& c = *run.report.column;
         const Vector3d z = motion.linear().col(2);
         const double angle = c.cylinder.direction.cross(z).norm();
-        std::printf("  height %g: %.6f rad, %.4f mm off; normals miss by %.3f mm, radius %.3f\n", height,
-                    angle, (c.cylinder.origin - motion.translation()).cross(z).norm(), c.normal_miss,
-                    c.radius);
+        std::printf("  height %g: %.6f rad, %.4f mm off; normals miss by %.3f mm, radius %.3f\n", height, angle,
+                    (c.cylinder.origin - motion.translation()).cross(z).norm(), c.normal_miss, c.radius);
         EXPECT_LT(angle, height > 10.0 ? 1e-3 : 3e-3);
         EXPECT_LT((c.cylinder.origin - motion.translation()).cross(z).norm(), 0.02);
         EXPECT_NEAR(c.cylinder.last - c.cylinder.first, height, 0.1);
         EXPECT_EQ(c.covered_angle, 360.0);
-        EXPECT_EQ(run.passes.size(),
-                  static_cast<std::size_t>(std::ceil((c.cylinder.last - c.cylinder.first) / 2.0 - 1e-9)));
+        EXPECT_EQ(run.passes.size(), static_cast<std::size_t>(std::ceil((c.cylinder.last - c.cylinder.first) / 2.0 - 1e-9)));
       }
 }
 
 TEST(DriveRings, RingsLieWhereTheyShould)
 {
-  const std::vector<Vector3d> points =
-      column(round20, 30.0, 2.0 * M_PI, 0.0, Eigen::Isometry3d::Identity(), 12000, 4);
+  const std::vector<Vector3d> points = column(round20, 30.0, 2.0 * M_PI, 0.0, Eigen::Isometry3d::Identity(), 12000, 4);
   const Driven run = driven(points, [](Drive& drive) {
     drive.setKind(DriveKind::Rings);
     drive.setStepOver(4.0);
@@ -218,8 +215,7 @@ TEST(DriveRings, AWholeBallIsRefused)
 
 TEST(DriveRings, SurfaceAxesAreNormalsAlsoFarOffTheCylinder)
 {
-  const std::vector<Vector3d> points =
-      column(waisted, 50.0, 2.0 * M_PI, 0.0, Eigen::Isometry3d::Identity(), 25000, 9);
+  const std::vector<Vector3d> points = column(waisted, 50.0, 2.0 * M_PI, 0.0, Eigen::Isometry3d::Identity(), 25000, 9);
   double step[3];
   const DriveAxisMode modes[] = {DriveAxisMode::Cylinder, DriveAxisMode::Surface, DriveAxisMode::LocalPlane};
   for (int m = 0; m < 3; ++m) {
@@ -249,7 +245,6 @@ TEST(DriveRings, SurfaceAxesAreNormalsAlsoFarOffTheCylinder)
     std::printf("  normals off by %.5f rad\n", worst);
     EXPECT_LT(worst, 3e-3);
   }
-  std::printf("  largest steps: cylinder %.3f, surface %.3f, local planes %.3f degrees\n", step[0], step[1],
-              step[2]);
+  std::printf("  largest steps: cylinder %.3f, surface %.3f, local planes %.3f degrees\n", step[0], step[1], step[2]);
   EXPECT_GT(step[2], 1.2 * step[0]);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Drive paths by section planes: on the plane, on the surface, evenly spaced, all of the surface near a pass.
 #include "support/driven.h"
 
@@ -79,10 +80,9 @@ TEST(DriveSections, RunOneWayWhereAsked)
 
 TEST(DriveSections, AreCutByHolesButNotBySmallGaps)
 {
-  const SurfacePtr plate = flat(Region(
-      {rectangle(60.0, 40.0), circle({5.0, 0.0}, 8.0), circle({-20.0, 0.4}, 0.6)})); // points are 0.34 apart
-  const Driven run =
-      driven(sampleUniform(*plate, 20000, 3).points, [](Drive& drive) { drive.setStepOver(2.0); });
+  const SurfacePtr plate =
+      flat(Region({rectangle(60.0, 40.0), circle({5.0, 0.0}, 8.0), circle({-20.0, 0.4}, 0.6)})); // points are 0.34 apart
+  const Driven run = driven(sampleUniform(*plate, 20000, 3).points, [](Drive& drive) { drive.setStepOver(2.0); });
   std::multiset<int> at_row;
   for (const DrivePass& pass : run.passes)
     at_row.insert(static_cast<int>(std::floor(pass.points.front().position.y() / run.report.step_over)));
@@ -92,8 +92,7 @@ TEST(DriveSections, AreCutByHolesButNotBySmallGaps)
       EXPECT_EQ(at_row.count(row), std::abs(y) < 8.0 ? 2u : 1u) << y;
   }
   for (std::size_t k = 0; k + 1 < run.passes.size(); ++k) // the pieces of a plane in the order of travel
-    EXPECT_LT((run.passes[k + 1].points.front().position - run.passes[k].points.back().position).norm(),
-              17.5);
+    EXPECT_LT((run.passes[k + 1].points.front().position - run.passes[k].points.back().position).norm(), 17.5);
 }
 
 TEST(DriveSections, AreLinkedOnTheSurface)
@@ -162,8 +161,7 @@ TEST(DriveSections, AreNotLinkedAcrossAHole)
 
 TEST(DriveSections, StayWholeUnderNoiseOfTheSpacingAndSaySo)
 {
-  Sampled sampled =
-      sampleUniform(*quadric(90.0, -60.0, Region({rectangle(60.0, 60.0)})), 14000, 6); // 0.5 apart
+  Sampled sampled = sampleUniform(*quadric(90.0, -60.0, Region({rectangle(60.0, 60.0)})), 14000, 6); // 0.5 apart
   const auto set = [](Drive& drive) { drive.setStepOver(1.0); };
   const Driven clean = driven(sampled.points, set);
   EXPECT_EQ(clean.passes.size(), 60u);
@@ -222,8 +220,8 @@ TEST(DriveSections, FollowATiltedAxisAndTheFittedSurface)
           worst = std::max(worst, std::acos(std::min(1.0, p.axis.dot(part->normal(p.position)))));
       }
     }
-    std::printf("  axes of mode %d: off the normal by %.5f rad, largest step %.3f degrees\n",
-                static_cast<int>(mode), worst, run.report.largest_axis_step);
+    std::printf("  axes of mode %d: off the normal by %.5f rad, largest step %.3f degrees\n", static_cast<int>(mode), worst,
+                run.report.largest_axis_step);
     EXPECT_LT(worst, mode == DriveAxisMode::LocalPlane ? 0.02 : 1e-3);
   }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/sampling.h"
 
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
@@ -73,8 +74,7 @@ meanDegreeInside(const Cloud& cloud, const NeighbourLists& graph, double width, 
 {
   double sum = 0.0, n = 0.0;
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    if (std::abs(cloud[i].x - width / 2) < width / 2 - margin &&
-        std::abs(cloud[i].y - width / 2) < width / 2 - margin) {
+    if (std::abs(cloud[i].x - width / 2) < width / 2 - margin && std::abs(cloud[i].y - width / 2) < width / 2 - margin) {
       sum += static_cast<double>(graph[i].size());
       n += 1.0;
     }
@@ -95,9 +95,7 @@ TEST(EllipticGabrielGraph, AgreesWithTheDefinitionOverAllPoints)
 TEST(EllipticGabrielGraph, BlockingTestIsTheEllipsoid)
 {
   test::Random random(3);
-  const auto point = [&] {
-    return Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-  };
+  const auto point = [&] { return Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)); };
   for (int i = 0; i < 20000; ++i) {
     const Vector3d x = point(), p = point(), q = point();
     const double alpha = random.uniform(0.1, 1.41);
@@ -111,8 +109,8 @@ TEST(EllipticGabrielGraph, MeanDegreeIsFourOverAlpha)
   EXPECT_NEAR(meanDegreeInside(*cloud, graphOf(cloud, 0.75, 48), 245, 10), 4 / 0.75, 0.03);
   EXPECT_NEAR(meanDegreeInside(*cloud, graphOf(cloud, 0.5, 64), 245, 10), 4 / 0.5, 0.05);
   EXPECT_NEAR(meanDegreeInside(*cloud, graphOf(cloud, 1.0, 64), 245, 10), 4.0, 0.03);
-  const double missed = 1.0 - static_cast<double>(graphOf(cloud, 0.75, 32).edgeCount()) /
-                                  static_cast<double>(graphOf(cloud, 0.75, 80).edgeCount());
+  const double missed =
+      1.0 - static_cast<double>(graphOf(cloud, 0.75, 32).edgeCount()) / static_cast<double>(graphOf(cloud, 0.75, 80).edgeCount());
   EXPECT_LT(missed, 0.002);
   EXPECT_GE(missed, 0.0);
 }

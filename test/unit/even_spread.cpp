@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Clouds whose points lie much closer one way than the other, twice at one place, or change density at a step: what the
 // graph is built of, and that clouds spread evenly stay as they are.
 #include <pcl_spiral/cleaning/impl/clean_graph.h>
@@ -57,8 +58,7 @@ distanceFrom(const SurfaceGraph& graph, const Eigen::Vector3d& p)
 TEST(EvenSpread, EvenCloudsStayWhole)
 {
   const SurfacePtr surface = saddle();
-  for (const auto& points : {floats(sampleUniform(*surface, 20000, 1).points),
-                             floats(sampleScanLines(*surface, 1.0, 1.0, 2, 0.0).points),
+  for (const auto& points : {floats(sampleUniform(*surface, 20000, 1).points), floats(sampleScanLines(*surface, 1.0, 1.0, 2, 0.0).points),
                              floats(sampleScanLines(*surface, 0.5, 1.0, 2, 0.3).points)}) {
     const Built b = built(points);
     EXPECT_EQ(b.source.surplus, 0u);
@@ -78,7 +78,7 @@ TEST(EvenSpread, ScanLinesAreThinnedToAboutTheDistanceOfTheLines)
       EXPECT_GT(b.graph.spacing(), 0.9) << along;
       EXPECT_LT(b.graph.spacing(), 2.1) << along;
       EXPECT_EQ(b.graph.neighbours(), 32) << along; // the stars are settled by as many as of an even cloud
-      double farthest = 0.0; // no hole is torn: every point given has one kept near it
+      double farthest = 0.0;                        // no hole is torn: every point given has one kept near it
       for (const Eigen::Vector3f& p : points)
         farthest = std::max(farthest, distanceFrom(b.graph, p.cast<double>()));
       EXPECT_LT(farthest, 2.0) << along;

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // False points close to surfaces known exactly are found, and no others.
-#include <pcl_spiral/cleaning/impl/clean_graph.h>
 #include "cleaning/false_points.h"
+#include <pcl_spiral/cleaning/impl/clean_graph.h>
 
 #include "support/sampling.h"
 #include "support/surfaces.h"
@@ -52,9 +53,8 @@ falseOf(const std::vector<Eigen::Vector3f>& points)
 std::size_t
 countOf(const std::vector<std::uint32_t>& some, const std::vector<std::uint32_t>& all)
 {
-  return static_cast<std::size_t>(std::count_if(some.begin(), some.end(), [&](std::uint32_t i) {
-    return std::binary_search(all.begin(), all.end(), i);
-  }));
+  return static_cast<std::size_t>(
+      std::count_if(some.begin(), some.end(), [&](std::uint32_t i) { return std::binary_search(all.begin(), all.end(), i); }));
 }
 
 std::vector<test::SurfacePtr>
@@ -69,8 +69,7 @@ TEST(FalsePoints, NextToNoneOnTrueSurfaces)
   for (const test::SurfacePtr& surface : surfaces())
     for (const double noise : {0.0, 0.02 * spacing, 0.1 * spacing}) {
       const auto points = single(scanOf(*surface, noise, 7).points);
-      EXPECT_LE(falseOf(points).size(), noise > 0.0 ? 2 + points.size() / 20000 : 0u)
-          << surface->area() << " mm^2, noise " << noise;
+      EXPECT_LE(falseOf(points).size(), noise > 0.0 ? 2 + points.size() / 20000 : 0u) << surface->area() << " mm^2, noise " << noise;
     }
 }
 

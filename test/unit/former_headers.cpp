@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Headers by the places they had: each forwards to where it is now.
 #include <pcl_spiral/surface/stray_removal.h>
 #include <pcl_spiral/toolpath/axis_field.h>
@@ -20,7 +21,7 @@ TEST(FormerHeaders, BringTheirClasses)
 {
   using Point = pcl::PointXYZ;
   EXPECT_FALSE(SpiralToolpathGenerator<Point>().getStatus().message().size() > 1000);
-  EXPECT_GT(sizeof(StrayRemoval<Point>) + sizeof(CutterLocation<Point>) + sizeof(DrivePath<Point>) + sizeof(RadialLines<Point>) + sizeof(DrivePass) +
-                sizeof(DriveSettings) + sizeof(SpiralReport) + sizeof(SpiralSettings) + sizeof(ToolLocation),
+  EXPECT_GT(sizeof(StrayRemoval<Point>) + sizeof(CutterLocation<Point>) + sizeof(DrivePath<Point>) + sizeof(RadialLines<Point>) +
+                sizeof(DrivePass) + sizeof(DriveSettings) + sizeof(SpiralReport) + sizeof(SpiralSettings) + sizeof(ToolLocation),
             0U);
 }

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Setters, getters and callbacks by the names they had: they forward, with a warning of the compiler that is left out here.
 #include <pcl_spiral/geodesic/geodesic_path.h>
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
+#include <pcl_spiral/spiral/radial_lines.h>
 #include <pcl_spiral/surface/mls_projector.h>
 #include <pcl_spiral/surface/surface_preparation.h>
-#include <pcl_spiral/spiral/radial_lines.h>
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pass that SpiralToolpathGenerator makes over all neighbourhoods against the classes of PCL's kind, given any of PCL's
 // searches: both give the same neighbours, normals, boundary points and loops.
 #include "support/sampling.h"
 
+#include "search/neighbour_search.h"
 #include <pcl_spiral/core/impl/frame.h>
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
-#include "search/neighbour_search.h"
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include <pcl/features/normal_3d.h>
@@ -55,9 +56,8 @@ scanOf(const test::SurfacePtr& surface, double noise)
 const std::vector<Scan>&
 scans()
 {
-  static const std::vector<Scan> all{
-      scanOf(test::spheroidCap(80.0, 45.0), 0.0), scanOf(test::spheroidCap(80.0, 45.0, 25.0), 0.0),
-      scanOf(test::spheroidCap(80.0, 45.0), 0.02), scanOf(test::spheroidCap(80.0, 45.0, 25.0), 0.02)};
+  static const std::vector<Scan> all{scanOf(test::spheroidCap(80.0, 45.0), 0.0), scanOf(test::spheroidCap(80.0, 45.0, 25.0), 0.0),
+                                     scanOf(test::spheroidCap(80.0, 45.0), 0.02), scanOf(test::spheroidCap(80.0, 45.0, 25.0), 0.02)};
   return all;
 }
 
@@ -147,8 +147,8 @@ TEST(FusedPass, BoundaryEvidenceIsThatOfTheFilterWithAnySearch)
           const std::size_t original = blocks.originalIndex(i);
           ASSERT_NEAR(evidence.offset, estimation.getOffsets()[original], 1e-4) << search->getName() << ", point " << i;
           ASSERT_NEAR(evidence.gap, estimation.getGaps()[original], 1e-3) << search->getName() << ", point " << i;
-          const bool mark = isBoundary(evidence, estimation.getCriterion(), estimation.getOffsetThreshold(),
-                                       estimation.getAngleThreshold());
+          const bool mark =
+              isBoundary(evidence, estimation.getCriterion(), estimation.getOffsetThreshold(), estimation.getAngleThreshold());
           marked += mark;
           differing += mark != (marks[original].boundary_point != 0);
         }

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Gaps in spheres: the points put there lie on the sphere, fill the gap, and stay in it.
 #include "support/sampling.h"
 
-#include <pcl_spiral/features/impl/surface_boundary.h>
 #include "surface/gap_filling.h"
+#include <pcl_spiral/features/impl/surface_boundary.h>
 #include <pcl_spiral/surface/scanned_surface.h>
 
 #include <gtest/gtest.h>
@@ -17,8 +18,7 @@ const Eigen::Vector2d gap_centre(10.0, 5.0);
 
 class GapInASphere : public ::testing::TestWithParam<int> {
 protected:
-  void
-  SetUp() override
+  void SetUp() override
   {
     if (GetParam() > 0)
       motion_ = test::randomMotion(GetParam(), 100.0);
@@ -52,8 +52,8 @@ TEST_P(GapInASphere, PatchIsTheSphere)
     worst = std::max(worst, std::abs(p.norm() - radius));
     farthest = std::max(farthest, (p.head<2>() - gap_centre).norm());
   }
-  std::printf("  %zu points, largest distance to the sphere %.5f mm, residual %.5f mm, spacing %.2f mm\n",
-              fill_.points.size(), worst, fill_.residual, graph_.spacing());
+  std::printf("  %zu points, largest distance to the sphere %.5f mm, residual %.5f mm, spacing %.2f mm\n", fill_.points.size(), worst,
+              fill_.residual, graph_.spacing());
   // The fit reaches 23 mm from the centre: (23 mm)^4 / (8 r^3) = 0.010 is the first term a cubic does not have.
   EXPECT_LT(worst, 0.005);
   EXPECT_LT(fill_.residual, 0.003);

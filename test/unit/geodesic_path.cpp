@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // GeodesicPath as a PCL user meets it: published distances, both starts, moved clouds, threads, bad input.
 #include "support/geodesic_oracle.h"
 #include "support/sampling.h"
@@ -70,9 +71,8 @@ TEST(GeodesicPath, PublishedDistancesFromBothStarts)
       const auto exact = test::exactGeodesic(*surface, source, targets[k], found[k][1] - source, length);
       ASSERT_LT(exact.miss, 1e-6);
       const double sideways = test::sidewaysDistance(*surface, found[k], exact.points);
-      std::printf("  longitude %3zu: length %+.6f, sideways %.5f mm, graph path longer by %.2f %%\n", 30 * k,
-                  length - published[k], sideways,
-                  100.0 * (pcl_spiral::length(tree.path(targets[k])) / published[k] - 1.0));
+      std::printf("  longitude %3zu: length %+.6f, sideways %.5f mm, graph path longer by %.2f %%\n", 30 * k, length - published[k],
+                  sideways, 100.0 * (pcl_spiral::length(tree.path(targets[k])) / published[k] - 1.0));
       EXPECT_LT(sideways, 0.01);
     }
   }
@@ -105,8 +105,7 @@ TEST(DijkstraTree, EveryPathIsTheShortestOverEdges)
 
 class OnSaddle : public ::testing::Test {
 protected:
-  void
-  SetUp() override
+  void SetUp() override
   {
     sampled_ = test::sampleUniform(*surface_, 30000, 43);
     geodesic_.setInputCloud(test::toCloud(sampled_.points));
@@ -129,8 +128,7 @@ TEST_F(OnSaddle, IntegratedGeodesics)
   ASSERT_TRUE(geodesic_.getStatus().ok());
   for (std::size_t k = 0; k < paths.size(); ++k) {
     const double length = geodesic_.getLengths()[k];
-    const auto exact =
-        test::exactGeodesic(*surface_, paths[k].front(), targets_[k], paths[k][1] - paths[k][0], length);
+    const auto exact = test::exactGeodesic(*surface_, paths[k].front(), targets_[k], paths[k][1] - paths[k][0], length);
     ASSERT_LT(exact.miss, 1e-6);
     EXPECT_NEAR(length, exact.length, 1e-4);
     EXPECT_LT(test::sidewaysDistance(*surface_, paths[k], exact.points), 0.005);

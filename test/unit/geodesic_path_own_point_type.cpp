@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // GeodesicPath on a point type that PCL does not know, with no header but its own: a link test too.
 #include <pcl_spiral/geodesic/geodesic_path.h>
 
@@ -10,8 +11,7 @@ struct EIGEN_ALIGN16 PointWithConfidence {
   float confidence = 0.0f;
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
-POINT_CLOUD_REGISTER_POINT_STRUCT(PointWithConfidence,
-                                  (float, x, x)(float, y, y)(float, z, z)(float, confidence, confidence))
+POINT_CLOUD_REGISTER_POINT_STRUCT(PointWithConfidence, (float, x, x)(float, y, y)(float, z, z)(float, confidence, confidence))
 
 TEST(GeodesicPathOwnPointType, StraightOnAPlane)
 {

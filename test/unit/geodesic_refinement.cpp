@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Refined geodesics against published lengths on a spheroid, integrated geodesics, helices and straight lines.
 #include "support/geodesic_oracle.h"
 #include "support/sampling.h"
@@ -69,13 +70,12 @@ worstOnSpheroid(const std::vector<GeodesicLine>& lines)
     EXPECT_EQ(line.points.front(), source);
     EXPECT_EQ(line.points.back(), targets[k]);
     EXPECT_FALSE(line.left_surface);
-    const auto exact =
-        test::exactGeodesic(*surface, source, targets[k], line.points[1] - line.points[0], line.length);
+    const auto exact = test::exactGeodesic(*surface, source, targets[k], line.points[1] - line.points[0], line.length);
     EXPECT_LT(exact.miss, 1e-6);
     EXPECT_NEAR(exact.length, published[k], 1e-6);
     const double sideways = test::sidewaysDistance(*surface, line.points, exact.points);
-    std::printf("  longitude %3zu: length %+.6f mm, sideways %.5f mm, last move %.6f\n", 30 * k,
-                line.length - published[k], sideways, line.largest_move);
+    std::printf("  longitude %3zu: length %+.6f mm, sideways %.5f mm, last move %.6f\n", 30 * k, line.length - published[k], sideways,
+                line.largest_move);
     worst.length = std::max(worst.length, std::abs(line.length - published[k]));
     worst.sideways = std::max(worst.sideways, sideways);
   }
@@ -84,16 +84,8 @@ worstOnSpheroid(const std::vector<GeodesicLine>& lines)
 
 class OnSpheroid : public ::testing::Test {
 protected:
-  static void
-  SetUpTestSuite()
-  {
-    graph_ = new SurfaceGraph(graphOf(test::sampleUniform(*test::spheroidCap(a, b), 200000, 31).points));
-  }
-  static void
-  TearDownTestSuite()
-  {
-    delete graph_;
-  }
+  static void SetUpTestSuite() { graph_ = new SurfaceGraph(graphOf(test::sampleUniform(*test::spheroidCap(a, b), 200000, 31).points)); }
+  static void TearDownTestSuite() { delete graph_; }
   static SurfaceGraph* graph_;
 };
 SurfaceGraph* OnSpheroid::graph_ = nullptr;
@@ -181,9 +173,7 @@ TEST(GeodesicRefinement, HelicesOnACylinder)
   const double radius = 60.0;
   const auto surface = test::cylinder(radius, test::Region({test::rectangle(110, 200)}));
   const SurfaceGraph graph = graphOf(test::sampleUniform(*surface, 40000, 34).points);
-  const auto at = [&](double angle, double y) {
-    return Vector3d(radius * std::sin(angle), y, radius * std::cos(angle));
-  };
+  const auto at = [&](double angle, double y) { return Vector3d(radius * std::sin(angle), y, radius * std::cos(angle)); };
   const double ends[][2] = {{0.9, 80}, {0.9, -70}, {0.2, 95}, {-1.0, 60}, {1.0, -50.5}};
   Polyline targets;
   for (const auto& e : ends)
@@ -195,8 +185,7 @@ TEST(GeodesicRefinement, HelicesOnACylinder)
     EXPECT_TRUE(lines[k].converged);
     EXPECT_NEAR(lines[k].length, std::hypot(radius * turn, rise), 1e-3);
     for (const Vector3d& p : lines[k].points) // sideways: along (-rise, radius turn) in the unrolled plane
-      EXPECT_LT(std::abs(radius * (std::atan2(p.x(), p.z()) + 0.5) * rise - (p.y() + 50) * radius * turn) /
-                    std::hypot(radius * turn, rise),
+      EXPECT_LT(std::abs(radius * (std::atan2(p.x(), p.z()) + 0.5) * rise - (p.y() + 50) * radius * turn) / std::hypot(radius * turn, rise),
                 0.01);
   }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Radial lines of the user's own: what cannot be drawn on is refused, and the scan's noise is told as ever.
 #include "support/sampling.h"
 #include "support/surfaces.h"
@@ -68,8 +69,7 @@ TEST(GivenLines, ThatCannotBeDrawnOnAreRefused)
     EXPECT_TRUE(path.empty());
   };
   refused("point 5 of the rim", [](RadialLineSet& set) { set.rim[5].setConstant(nan); });
-  refused("inner boundary of the radial lines has 1 points",
-          [](RadialLineSet& set) { set.inner = {set.lines[0].feet[0].position}; });
+  refused("inner boundary of the radial lines has 1 points", [](RadialLineSet& set) { set.inner = {set.lines[0].feet[0].position}; });
   refused("point 1 of the inner boundary", [](RadialLineSet& set) {
     set.inner = {set.lines[0].feet[0].position, Eigen::Vector3d::Constant(nan), set.lines[2].feet[0].position};
   });

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A user's own loops: kept as they are where gaps are bridged, refused where they belong to another scan.
 #include "support/given_loops.h"
 #include "support/sampling.h"
@@ -114,8 +115,7 @@ TEST(GivenLoops, AnOwnOutlineHoldsWithAndWithoutGaps)
 TEST(GivenLoops, AnOwnInnerOutlineHoldsAndTheRimIsFoundAgain)
 {
   Cloud::Ptr cloud = dome(4.0, 40.0);
-  cloud->erase(std::remove_if(cloud->begin(), cloud->end(), [](const auto& p) { return std::hypot(p.x, p.y) < 15.0; }),
-               cloud->end());
+  cloud->erase(std::remove_if(cloud->begin(), cloud->end(), [](const auto& p) { return std::hypot(p.x, p.y) < 15.0; }), cloud->end());
   Loops loops = test::loopsOf(cloud);
   ASSERT_EQ(loops.size(), 3u);
   ASSERT_EQ(loops[1].type, LoopType::Inner);
@@ -156,8 +156,7 @@ TEST(GivenLoops, FoundLoopsAreFoundAgainAsWithoutThem)
 
 class RefusedLoops : public ::testing::Test {
 protected:
-  void
-  expectRefused(const Cloud::ConstPtr& cloud, const Loops& loops, const std::string& word)
+  void expectRefused(const Cloud::ConstPtr& cloud, const Loops& loops, const std::string& word)
   {
     GapBridging<pcl::PointXYZ> bridging;
     bridging.setQuiet(true);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Handles of triangulations: found where they are, cut through where noise made them, refused where they are the part's.
 #include "spiral/handle_loop.h"
 #include "spiral/outline_cut.h"
@@ -26,7 +27,9 @@ struct TubedSheet {
         positions.emplace_back(step * x, step * y, 0.0);
     const int y0 = side / 2, xa = side / 3, xb = 2 * side / 3;
     const auto node = [side](int x, int y) { return static_cast<std::uint32_t>(y * side + x); };
-    const auto open = [&](int x, int y) { return y >= y0 && y < y0 + width && ((x >= xa && x < xa + width) || (x >= xb && x < xb + width)); };
+    const auto open = [&](int x, int y) {
+      return y >= y0 && y < y0 + width && ((x >= xa && x < xa + width) || (x >= xb && x < xb + width));
+    };
     for (int y = 0; y + 1 < side; ++y)
       for (int x = 0; x + 1 < side; ++x)
         if (!open(x, y))
@@ -55,16 +58,14 @@ struct TubedSheet {
     }
   }
 
-  StepOverMesh
-  mesh() const
+  StepOverMesh mesh() const
   {
     StepOverMesh made;
     made.positions = positions;
     made.normals.assign(positions.size(), Eigen::Vector3f::UnitZ());
     return made;
   }
-  OutlineSide
-  rim(int side) const
+  OutlineSide rim(int side) const
   {
     BoundaryLoop loop;
     const double end = side - 1.0 + 1.0; // beyond the sheet by a spacing
@@ -73,8 +74,7 @@ struct TubedSheet {
   }
 
 private:
-  void
-  addQuad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
+  void addQuad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
   {
     triangles.push_back({a, b, c});
     triangles.push_back({a, c, d});

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Harmonic fields against the exact ones of the plane: radii, logarithms, circles through the limiting points; lines of
 // outlines without a formula reach the middle and never cross.
 #include "support/sampling.h"
@@ -54,8 +55,8 @@ plane(const Vector3d& p)
 
 /** Largest sideways error of lines that ought to be level lines of arg f, in spacings. \p slope: |f' / f|. */
 double
-sidewaysError(const HarmonicField& field, const Polyline& rim, double spacing,
-              const std::function<Complex(Complex)>& f, const std::function<double(Complex)>& slope)
+sidewaysError(const HarmonicField& field, const Polyline& rim, double spacing, const std::function<Complex(Complex)>& f,
+              const std::function<double(Complex)>& slope)
 {
   double largest = 0.0;
   const std::vector<Polyline> lines = field.trace(rim);
@@ -104,8 +105,7 @@ TEST(HarmonicField, DiscLinesAreRadii)
     ASSERT_TRUE(status.ok()) << status.message();
     const auto f = [](Complex z) { return z; };
     const auto slope = [](Complex z) { return 1.0 / std::abs(z); };
-    const double error =
-        sidewaysError(field, resampled(surface->outlines()[0], 400, true), scan.graph.spacing(), f, slope);
+    const double error = sidewaysError(field, resampled(surface->outlines()[0], 400, true), scan.graph.spacing(), f, slope);
     EXPECT_LT(error, 0.9);
   }
 }
@@ -120,11 +120,8 @@ TEST(HarmonicField, OffCentreDisc)
   const Status status = field.compute(scan.graph, Vector3d(p.real(), p.imag(), 0), scan.loops[0]);
   ASSERT_TRUE(status.ok()) << status.message();
   const auto f = [&](Complex z) { return (z - p) / (radius * radius - std::conj(p) * z); };
-  const auto slope = [&](Complex z) {
-    return std::abs(1.0 / (z - p) + std::conj(p) / (radius * radius - std::conj(p) * z));
-  };
-  const double error =
-      sidewaysError(field, resampled(surface->outlines()[0], 400, true), scan.graph.spacing(), f, slope);
+  const auto slope = [&](Complex z) { return std::abs(1.0 / (z - p) + std::conj(p) / (radius * radius - std::conj(p) * z)); };
+  const double error = sidewaysError(field, resampled(surface->outlines()[0], 400, true), scan.graph.spacing(), f, slope);
   EXPECT_LT(error, 1.2);
 }
 
@@ -143,8 +140,7 @@ TEST(HarmonicField, Annulus)
   EXPECT_LT(worst, 0.06);
   const auto f = [](Complex z) { return z; };
   const auto slope = [](Complex z) { return 1.0 / std::abs(z); };
-  const double error =
-      sidewaysError(field, resampled(surface->outlines()[0], 400, true), scan.graph.spacing(), f, slope);
+  const double error = sidewaysError(field, resampled(surface->outlines()[0], 400, true), scan.graph.spacing(), f, slope);
   EXPECT_LT(error, 0.9);
 }
 
@@ -152,8 +148,7 @@ TEST(HarmonicField, OffCentreAnnulusIsBipolar)
 {
   const double r1 = 150.0, r0 = 45.0;
   const Complex c(40.0, 25.0);
-  const auto surface =
-      test::flat(test::Region({test::circle({0, 0}, r1), test::circle({c.real(), c.imag()}, r0)}));
+  const auto surface = test::flat(test::Region({test::circle({0, 0}, r1), test::circle({c.real(), c.imag()}, r0)}));
   const Scan scan(test::sampleUniform(*surface, 20000, 6).points);
   ASSERT_EQ(scan.loops.size(), 2u);
   HarmonicField field;
@@ -168,8 +163,7 @@ TEST(HarmonicField, OffCentreAnnulusIsBipolar)
   const double low = std::log(std::abs(f(c + r0))), high = std::log(std::abs(f(Complex(r1)))), size = high - low;
   double worst = 0.0;
   for (std::size_t i = 0; i < scan.graph.size(); ++i)
-    worst = std::max(worst,
-                     std::abs(field.value(i) - (std::log(std::abs(f(plane(scan.graph.position(i))))) - low) / size));
+    worst = std::max(worst, std::abs(field.value(i) - (std::log(std::abs(f(plane(scan.graph.position(i))))) - low) / size));
   EXPECT_LT(worst, 0.1);
   EXPECT_LT(sidewaysError(field, resampled(surface->outlines()[0], 400, true), scan.graph.spacing(), f, slope), 1.2);
 }
@@ -240,9 +234,9 @@ TEST(HarmonicField, RefusesWithAReason)
   const auto refused = [&](const Vector3d& centre, const std::vector<std::uint32_t>& rim) {
     return field.compute(scan.graph, centre, rim).code() == StatusCode::InvalidArgument;
   };
-  EXPECT_TRUE(refused({45, 10, 0}, scan.loops[0]));    // in the gap
-  EXPECT_TRUE(refused({0, 0, 50}, scan.loops[0]));     // off the surface
-  EXPECT_TRUE(refused({99.5, 0, 0}, scan.loops[0]));   // at the rim
+  EXPECT_TRUE(refused({45, 10, 0}, scan.loops[0]));  // in the gap
+  EXPECT_TRUE(refused({0, 0, 50}, scan.loops[0]));   // off the surface
+  EXPECT_TRUE(refused({99.5, 0, 0}, scan.loops[0])); // at the rim
   EXPECT_TRUE(refused({NAN, 0, 0}, scan.loops[0]));
   EXPECT_TRUE(refused({-30, 0, 0}, {}));
   EXPECT_TRUE(refused({-30, 0, 0}, {1, 2, 4000000}));

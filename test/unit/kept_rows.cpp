@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rows of a scan kept to the scallop: a ball brought down along them, and the heights it leaves.
 #include "support/driven.h"
 #include "support/left_heights.h"
@@ -69,9 +70,8 @@ TEST(KeptRows, LeaveTheScallopOnAScanOfTheLandform)
         drive.setPointSpacing(0.5);
       });
       const auto [p99, p999] = heightsLeftBy(*land, ballPath(scan, run.passes), size);
-      std::printf("  %s: %zu rows, %.4f to %.4f mm, p99 %.4f h, p99.9 %.4f h\n",
-                  rows == DriveRows::Even ? "even" : "kept", run.report.rows, run.report.smallest_step,
-                  run.report.step_over, p99, p999);
+      std::printf("  %s: %zu rows, %.4f to %.4f mm, p99 %.4f h, p99.9 %.4f h\n", rows == DriveRows::Even ? "even" : "kept", run.report.rows,
+                  run.report.smallest_step, run.report.step_over, p99, p999);
       EXPECT_TRUE(run.report.warnings.empty());
       if (rows == DriveRows::Even) {
         even = run.report.rows;
@@ -97,8 +97,7 @@ TEST(KeptRows, AreHardlyMoreUnderNoise)
       drive.setRows(DriveRows::Kept);
       drive.setScallop(radius, height);
     });
-    std::printf("  noise %.3f mm: %zu rows, %.4f to %.4f mm\n", sigma, run.report.rows,
-                run.report.smallest_step, run.report.step_over);
+    std::printf("  noise %.3f mm: %zu rows, %.4f to %.4f mm\n", sigma, run.report.rows, run.report.smallest_step, run.report.step_over);
     EXPECT_LE(static_cast<double>(run.report.rows), 1.12 * 159.0);
     EXPECT_TRUE(run.report.warnings.empty());
   }

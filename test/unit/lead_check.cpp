@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Moves off the path against a scan: a wall beside the path by hand, any scene by brute force through the oracle's kinematics.
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/verify/lead_check.h>
@@ -56,13 +57,12 @@ struct BruteDepth {
 };
 
 BruteDepth
-bruteDepth(const Cloud& cloud, const CutterShape& shape, double inset, const HolderProfile& holder,
-           const MachineProgram& program, std::size_t block)
+bruteDepth(const Cloud& cloud, const CutterShape& shape, double inset, const HolderProfile& holder, const MachineProgram& program,
+           std::size_t block)
 {
   const CutterProfile cutter = insetCutter(CutterProfile(shape), inset);
   const ProgramBlock &a = program.blocks[block - 1], &b = program.blocks[block];
-  const int samples = 1 + static_cast<int>(std::ceil((b.tip - a.tip).norm() / 0.05 +
-                                                     std::abs(b.angles.first - a.angles.first) / 0.002 +
+  const int samples = 1 + static_cast<int>(std::ceil((b.tip - a.tip).norm() / 0.05 + std::abs(b.angles.first - a.angles.first) / 0.002 +
                                                      std::abs(b.angles.second - a.angles.second) / 0.002));
   BruteDepth deepest;
   for (int s = 0; s <= samples; ++s) {
@@ -71,8 +71,7 @@ bruteDepth(const Cloud& cloud, const CutterShape& shape, double inset, const Hol
       const Eigen::Vector3d way = point.getVector3fMap().cast<double>() - tool.tip;
       const double along = way.dot(tool.axis), across = (way - along * tool.axis).norm(), up = along - inset;
       if (across <= cutter.radius())
-        deepest.cutter =
-            std::max(deepest.cutter, std::min(up - cutter.height(across), cutter.radiusAt(up) - across));
+        deepest.cutter = std::max(deepest.cutter, std::min(up - cutter.height(across), cutter.radiusAt(up) - across));
       double depth = 0.0;
       if (!holder.empty() && holder.inside(across, along, depth) >= 0)
         deepest.holder = std::max(deepest.holder, depth);
@@ -122,8 +121,7 @@ TEST(LeadCheck, AnArcAsWideAsTheRoomBeforeAWallIsFree)
       settings.lead = LeadKind::Arc;
       settings.lead_length = lead;
       const MachineProgram program = made(machine, {overTheFloor()}, settings);
-      const LeadFigures found =
-          figures(floorAndWall(static_cast<float>(ball + lead + room)), CutterShape::ball(ball), program, tolerance);
+      const LeadFigures found = figures(floorAndWall(static_cast<float>(ball + lead + room)), CutterShape::ball(ball), program, tolerance);
       EXPECT_EQ(found.collided > 0, room < 0.0) << lead << " and " << room;
       if (room > 0.0)
         continue;
@@ -144,8 +142,8 @@ TEST(LeadCheck, AHolderMeetsTheWallThatTheCutterPasses)
   const auto cloud = floorAndWall(6.0f);
   EXPECT_EQ(figures(cloud, cutter, program, 0.01).collided, 0U);
   EXPECT_EQ(figures(cloud, cutter, program, 0.01, {ToolSegment::cylinder(5.9, 30.0, "chuck")}).collided, 0U);
-  const LeadFigures found = figures(
-      cloud, cutter, program, 0.01, {ToolSegment::cylinder(3.0, 4.0, "shank"), ToolSegment::cylinder(6.5, 30.0, "chuck")});
+  const LeadFigures found =
+      figures(cloud, cutter, program, 0.01, {ToolSegment::cylinder(3.0, 4.0, "shank"), ToolSegment::cylinder(6.5, 30.0, "chuck")});
   EXPECT_GT(found.collided, 0U);
   EXPECT_EQ(found.deepest.segment, 1);
   EXPECT_NEAR(found.deepest.depth, 0.5, 1e-5) << "out through the side";
@@ -175,8 +173,7 @@ TEST(LeadCheck, FindsWhatDenseSamplesOfTheMachineFind)
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const ToolPoses spiral = domeSpiral(80.0, 2.0, 8, 60, 4.0, 25.0);
-  const std::vector<ToolPoses> passes{ToolPoses(spiral.begin(), spiral.begin() + 200),
-                                      ToolPoses(spiral.begin() + 260, spiral.end())};
+  const std::vector<ToolPoses> passes{ToolPoses(spiral.begin(), spiral.begin() + 200), ToolPoses(spiral.begin() + 260, spiral.end())};
   constexpr double tolerance = 0.2;
   std::size_t hits = 0, holder_hits = 0, free = 0;
   for (Machine machine : testMachines())
@@ -244,9 +241,7 @@ TEST(LeadCheck, RefusesWhatCannotBe)
     return check.getStatus().message();
   };
   using Check = LeadCheck<pcl::PointXYZ>;
-  const auto expectHas = [](const std::string& text, const char* part) {
-    EXPECT_NE(text.find(part), std::string::npos) << text;
-  };
+  const auto expectHas = [](const std::string& text, const char* part) { EXPECT_NE(text.find(part), std::string::npos) << text; };
   expectHas(message([](Check& c) { c.setInputCloud(Cloud::Ptr(new Cloud)); }), "empty");
   expectHas(message([](Check& c) {
               const float nan = std::numeric_limits<float>::quiet_NaN();

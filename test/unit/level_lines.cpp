@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Level lines of random functions on random triangulations, against what each triangle says by itself.
 #include "graph/level_lines.h"
 
@@ -30,8 +31,7 @@ graphOf(const AnalyticSurface& surface, std::size_t count, std::uint64_t seed)
 
 /** Place on the edge a b at which a linear function reaches the level. */
 Vector3d
-placeOn(const SurfaceGraph& graph, const std::vector<double>& values, std::uint32_t a, std::uint32_t b,
-        double level)
+placeOn(const SurfaceGraph& graph, const std::vector<double>& values, std::uint32_t a, std::uint32_t b, double level)
 {
   const double t = (level - values[a]) / (values[b] - values[a]);
   return graph.position(a) + t * (graph.position(b) - graph.position(a));
@@ -92,8 +92,7 @@ check(const SurfaceGraph& graph, const std::vector<double>& values, const std::v
 TEST(LevelLines, AreThoseOfEachTriangle)
 {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    const SurfaceGraph graph =
-        graphOf(*quadric(90.0, -60.0, Region({circle({0, 0}, 30.0), circle({5, 0}, 8.0)})), 4000, seed);
+    const SurfaceGraph graph = graphOf(*quadric(90.0, -60.0, Region({circle({0, 0}, 30.0), circle({5, 0}, 8.0)})), 4000, seed);
     Random random(seed);
     std::vector<double> noise, smooth, steps; // steps: many points exactly on a level, and whole triangles
     for (std::size_t i = 0; i < graph.size(); ++i) {
@@ -130,8 +129,7 @@ TEST(LevelLines, EndAtTrianglesWithoutAValue)
   const SurfaceGraph graph = graphOf(*flat(Region({rectangle(60.0, 40.0)})), 4000, 5);
   std::vector<double> x;
   for (std::size_t i = 0; i < graph.size(); ++i)
-    x.push_back(std::abs(graph.position(i).y()) < 4.0 ? std::numeric_limits<double>::infinity()
-                                                      : graph.position(i).x());
+    x.push_back(std::abs(graph.position(i).y()) < 4.0 ? std::numeric_limits<double>::infinity() : graph.position(i).x());
   const auto all = levelLines(graph.triangulation(), x, {3.0});
   std::size_t lines = 0;
   for (const LevelLine& line : all[0]) {

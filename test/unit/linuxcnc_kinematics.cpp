@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Our kinematics against LinuxCNC's own modules for trunnion tables, which are loaded here with a stand-in
 // for their HAL.
 #include <pcl_spiral/machine/impl/kinematics.h>
@@ -78,12 +79,10 @@ hal_pin_float_newf(int, double** data, int, const char* format, ...)
 }
 void
 rtapi_print(const char*, ...)
-{
-}
+{}
 void
 rtapi_print_msg(int, const char*, ...)
-{
-}
+{}
 }
 
 namespace {
@@ -115,19 +114,14 @@ public:
   Module(const Module&) = delete;
   Module& operator=(const Module&) = delete;
 
-  bool
-  isThere() const
-  {
-    return handle_ != nullptr;
-  }
-  EmcPosition
-  forward(const std::array<double, 5>& joints) const
+  bool isThere() const { return handle_ != nullptr; }
+  EmcPosition forward(const std::array<double, 5>& joints) const
   {
     double all[16] = {joints[0], joints[1], joints[2], joints[3], joints[4]};
     EmcPosition position{};
     unsigned long flags = 0, back = 0;
-    reinterpret_cast<int (*)(const double*, EmcPosition*, const unsigned long*, unsigned long*)>(
-        dlsym(handle_, "kinematicsForward"))(all, &position, &flags, &back);
+    reinterpret_cast<int (*)(const double*, EmcPosition*, const unsigned long*, unsigned long*)>(dlsym(handle_, "kinematicsForward"))(
+        all, &position, &flags, &back);
     return position;
   }
 
@@ -160,10 +154,8 @@ expectTheSame(const Machine& machine, const std::string& name, const Eigen::Vect
     const RotaryAngles angles{turns(random), tilt(random)};
     const Eigen::Vector3d gauge = kinematics.gaugePoint(kinematics.programmed(tip, angles));
     const double degrees = 180.0 / M_PI;
-    const EmcPosition found =
-        module.forward({gauge.x(), gauge.y(), gauge.z(), angles.second * degrees, angles.first * degrees});
-    const Eigen::Vector3d back =
-        Eigen::Vector3d(found.x, found.y, found.z - machine.tool_length) - machine.work_zero;
+    const EmcPosition found = module.forward({gauge.x(), gauge.y(), gauge.z(), angles.second * degrees, angles.first * degrees});
+    const Eigen::Vector3d back = Eigen::Vector3d(found.x, found.y, found.z - machine.tool_length) - machine.work_zero;
     largest = std::max(largest, (back - tip).norm());
   }
   EXPECT_LT(largest, 1e-9);

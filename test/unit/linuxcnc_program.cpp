@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // LinuxCNC programs: run by its own interpreter, and the canonical motions compared with the path.
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
@@ -24,9 +25,7 @@ word(const Machine& machine, const CanonicalMotion& motion, int rotary)
 TipAndAxis
 where(const Machine& machine, const CanonicalMotion& motion)
 {
-  AxisValues values{{motion.xyzabc[0], motion.xyzabc[1], motion.xyzabc[2]},
-                    word(machine, motion, 0),
-                    word(machine, motion, 1)};
+  AxisValues values{{motion.xyzabc[0], motion.xyzabc[1], motion.xyzabc[2]}, word(machine, motion, 0), word(machine, motion, 1)};
   TipAndAxis found = forward(chainOf(machine), values);
   if (machine.rtcp)
     found.tip = values.xyz;
@@ -34,11 +33,9 @@ where(const Machine& machine, const CanonicalMotion& motion)
 }
 
 void
-expectPath(const Machine& machine, const CanonicalRun& run, const MachineProgram& program,
-           const ToolPoses& poses)
+expectPath(const Machine& machine, const CanonicalRun& run, const MachineProgram& program, const ToolPoses& poses)
 {
-  std::size_t at = 0,
-              poles_end = program.report.poles.empty() ? 0 : program.report.poles.back().last_pose + 1;
+  std::size_t at = 0, poles_end = program.report.poles.empty() ? 0 : program.report.poles.back().last_pose + 1;
   std::vector<const CanonicalMotion*> cuts;
   for (const CanonicalMotion& motion : run.motions)
     if (!motion.rapid)
@@ -47,8 +44,7 @@ expectPath(const Machine& machine, const CanonicalRun& run, const MachineProgram
   for (std::size_t i = poles_end; i < poses.size(); ++i) { // every pose is passed, in order
     while (at < cuts.size()) {
       const TipAndAxis found = where(machine, *cuts[at]);
-      const double off = (found.tip - poses[i].tip).norm(),
-                   angle = angleBetween(found.axis, poses[i].axis) * 180.0 / M_PI;
+      const double off = (found.tip - poses[i].tip).norm(), angle = angleBetween(found.axis, poses[i].axis) * 180.0 / M_PI;
       if (off < 1e-3 && angle < 1e-3) {
         tip = std::max(tip, off);
         axis = std::max(axis, angle);
@@ -58,8 +54,7 @@ expectPath(const Machine& machine, const CanonicalRun& run, const MachineProgram
     }
     ASSERT_LT(at, cuts.size()) << machine.name << ": pose " << i << " is not on the program's way";
   }
-  std::printf("%s: %zu motions, tip within %.2g mm, axis within %.2g degrees\n", machine.name.c_str(),
-              run.motions.size(), tip, axis);
+  std::printf("%s: %zu motions, tip within %.2g mm, axis within %.2g degrees\n", machine.name.c_str(), run.motions.size(), tip, axis);
 }
 
 } // namespace

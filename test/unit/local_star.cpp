@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A star is what the circles through the point and pairs of neighbours say, and stands on lattices, too.
 #include "graph/local_star.h"
 
@@ -13,28 +14,21 @@ namespace {
 struct Neighbours {
   std::vector<double> u{0.0}, v{0.0}; // the point itself first
 
-  void
-  add(double x, double y)
+  void add(double x, double y)
   {
     u.push_back(x);
     v.push_back(y);
   }
 
-  int
-  count() const
-  {
-    return static_cast<int>(u.size());
-  }
+  int count() const { return static_cast<int>(u.size()); }
 
   /** Nearest first, as the search gives them. */
-  Neighbours
-  sorted() const
+  Neighbours sorted() const
   {
     std::vector<int> order;
     for (int i = 1; i < count(); ++i)
       order.push_back(i);
-    std::sort(order.begin(), order.end(),
-              [&](int a, int b) { return std::hypot(u[a], v[a]) < std::hypot(u[b], v[b]); });
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return std::hypot(u[a], v[a]) < std::hypot(u[b], v[b]); });
     Neighbours result;
     for (int i : order)
       result.add(u[i], v[i]);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bisection of located passes, against dense samples of the swept cutter in the cloud it was located on.
 #include <pcl_spiral/cutter/impl/location_bisection.h>
 
@@ -62,19 +63,17 @@ bisected(const LocationSurface& surface, const CutterShape& shape)
 
 /** Depth along the normal of the deepest point in the cutter on its way along \p passes. \p points in order of x. */
 double
-deepestOnTheWay(const std::vector<Vector3d>& points, const CutterProfile& cutter,
-                const std::vector<ToolLocations>& passes)
+deepestOnTheWay(const std::vector<Vector3d>& points, const CutterProfile& cutter, const std::vector<ToolLocations>& passes)
 {
   constexpr int steps = 6;
   double deepest = -1e300;
   for (const ToolLocations& pass : passes)
     for (std::size_t i = 0; i + 1 < pass.size(); ++i)
       for (int k = 0; k <= steps; ++k) {
-        const CutterPlace at =
-            onTheWay({pass[i].tip, pass[i].axis}, {pass[i + 1].tip, pass[i + 1].axis}, static_cast<double>(k) / steps);
+        const CutterPlace at = onTheWay({pass[i].tip, pass[i].axis}, {pass[i + 1].tip, pass[i + 1].axis}, static_cast<double>(k) / steps);
         const double reach = cutter.radius() + 10.0 * at.axis.head<2>().norm();
-        const auto begin = std::lower_bound(points.begin(), points.end(), at.tip.x() - reach,
-                                            [](const Vector3d& p, double x) { return p.x() < x; });
+        const auto begin =
+            std::lower_bound(points.begin(), points.end(), at.tip.x() - reach, [](const Vector3d& p, double x) { return p.x() < x; });
         for (auto p = begin; p != points.end() && p->x() < at.tip.x() + reach; ++p)
           deepest = std::max(deepest, depthOf(*p, cutter, at));
       }

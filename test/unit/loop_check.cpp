@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Loops from outside: which way round an outline goes that is drawn across the surface, and what lies inside a loop.
 #include "support/even_cloud.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/features/impl/surface_boundary.h>
 #include "surface/gap_filling.h"
+#include <pcl_spiral/features/impl/surface_boundary.h>
 #include <pcl_spiral/spiral/impl/loop_check.h>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One path over loops drawn by hand: every loop is travelled, nothing crosses.
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/spiral/loop_linking.h>
@@ -174,7 +175,9 @@ TEST(LoopLinking, OneWayEveryLoopIsTravelledOnceInItsSense)
   EXPECT_EQ(path.bridges, 0u);
   EXPECT_EQ(std::count(path.reversed.begin(), path.reversed.end(), 1), 0);
   for (const PassRange& pass : passRanges(path.passes, path.points.size()))
-    EXPECT_EQ(crossings(Polyline(path.points.begin() + static_cast<std::ptrdiff_t>(pass.begin), path.points.begin() + static_cast<std::ptrdiff_t>(pass.end))), 0u);
+    EXPECT_EQ(crossings(Polyline(path.points.begin() + static_cast<std::ptrdiff_t>(pass.begin),
+                                 path.points.begin() + static_cast<std::ptrdiff_t>(pass.end))),
+              0u);
   for (const auto& [x, reach, count] : {std::tuple(-9.5, 9.9, 9), std::tuple(10.1, 9.3, 7)}) {
     std::vector<int> times;
     int back = 0;

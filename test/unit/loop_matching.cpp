@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pairs of points on two loops: against all pairings there are, and where the answer is known.
 #include "spiral/loop_matching.h"
 #include "support/plane_lines.h"
@@ -27,9 +28,7 @@ leastOfAll(const Polyline& seeds, const Polyline& candidates)
         least = std::min(least, matchingCost(seeds, candidates, partners));
       return;
     }
-    for (std::size_t k = from;
-         k <= std::min(from + 4 * candidates.size() / seeds.size(), partners.front() + candidates.size());
-         ++k) {
+    for (std::size_t k = from; k <= std::min(from + 4 * candidates.size() / seeds.size(), partners.front() + candidates.size()); ++k) {
       partners.push_back(k);
       extend(k);
       partners.pop_back();
@@ -81,7 +80,7 @@ TEST(LoopMatching, OffCentreRingsKeepOrder)
     longest = std::max(longest, static_cast<double>(next - partners[i]) / 4.0);
   }
   EXPECT_LT((candidates[partners[0] % 256] - Vector3d(80, 0, 0)).norm(),
-            1.0); // nearest to the seed on the axis
+            1.0);                                                               // nearest to the seed on the axis
   EXPECT_LT((candidates[partners[32] % 256] - Vector3d(20, 0, 0)).norm(), 1.0); // and on the far side of it
   EXPECT_LT(longest, 2.0);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Kinematics of every kind of machine against chains of matrices.
 #include <pcl_spiral/machine/impl/kinematics.h>
 #include <pcl_spiral/machine/impl/tool_pose.h>
@@ -31,8 +32,7 @@ TEST(MachineKinematics, InverseThenTheOraclesForwardGivesTipAndAxisBack)
     const Kinematics kinematics(machine);
     int reached = 0;
     for (int i = 0; i < 2000; ++i) {
-      const Eigen::Vector3d axis =
-          Eigen::Vector3d(normal(random), normal(random), normal(random) + 1.0).normalized();
+      const Eigen::Vector3d axis = Eigen::Vector3d(normal(random), normal(random), normal(random) + 1.0).normalized();
       const Eigen::Vector3d tip = 100.0 * Eigen::Vector3d(normal(random), normal(random), normal(random));
       for (Branch branch : {Branch::Larger, Branch::Smaller}) {
         const auto angles = kinematics.anglesOf(axis, branch);
@@ -56,8 +56,7 @@ TEST(MachineKinematics, BranchesAreTheTwoOfTheBook)
   const Kinematics kinematics(testMachines()[0]);
   const double a = 0.4, c = 0.9; // u = (sin c sin a, cos c sin a, cos a)
   const Eigen::Vector3d axis(std::sin(c) * std::sin(a), std::cos(c) * std::sin(a), std::cos(a));
-  const auto larger = kinematics.anglesOf(axis, Branch::Larger),
-             smaller = kinematics.anglesOf(axis, Branch::Smaller);
+  const auto larger = kinematics.anglesOf(axis, Branch::Larger), smaller = kinematics.anglesOf(axis, Branch::Smaller);
   EXPECT_NEAR(larger->second, a, 1e-12);
   EXPECT_NEAR(larger->first, c, 1e-12);
   EXPECT_NEAR(smaller->second, -a, 1e-12);
@@ -78,8 +77,7 @@ TEST(MachineKinematics, NutatingHeadsReachOnlySoFar)
 {
   const Kinematics kinematics(testMachines()[4]); // 45 degrees: a right angle is the most
   EXPECT_TRUE(kinematics.anglesOf(Eigen::Vector3d(1.0, 0.0, 0.01).normalized(), Branch::Larger).has_value());
-  EXPECT_FALSE(
-      kinematics.anglesOf(Eigen::Vector3d(1.0, 0.0, -0.01).normalized(), Branch::Larger).has_value());
+  EXPECT_FALSE(kinematics.anglesOf(Eigen::Vector3d(1.0, 0.0, -0.01).normalized(), Branch::Larger).has_value());
 }
 
 TEST(MachineKinematics, MachinesThatCannotBeAreNamed)
@@ -92,9 +90,7 @@ TEST(MachineKinematics, MachinesThatCannotBeAreNamed)
     EXPECT_THROW(Kinematics{machine}, std::invalid_argument);
     return status.message();
   };
-  const auto has = [](const std::string& text, const std::string& part) {
-    EXPECT_NE(text.find(part), std::string::npos) << text;
-  };
+  const auto has = [](const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text; };
   has(said([](Machine& m) { m.rotary[1].letter = 'C'; }), "both rotary axes are called C");
   has(said([](Machine& m) { m.rotary[1].letter = 'Q'; }), "A, B and C are known");
   has(said([](Machine& m) { m.rotary[1].direction.setZero(); }), "direction of A is (0, 0, 0)");
@@ -103,7 +99,6 @@ TEST(MachineKinematics, MachinesThatCannotBeAreNamed)
   has(said([](Machine& m) { m.rotary[0].mount = RotaryMount::Head; }), "tables first");
   has(said([](Machine& m) { m.linear[2].lower = 5.0, m.linear[2].upper = 5.0; }), "lower limit of Z");
   has(said([](Machine& m) { m.rotary[0].home = 10.0, m.rotary[0].range.upper = 1.0; }), "home of C");
-  has(said([](Machine& m) { m.rotary[0].range.largest_rate = std::numeric_limits<double>::infinity(); }),
-      "max_rpm");
+  has(said([](Machine& m) { m.rotary[0].range.largest_rate = std::numeric_limits<double>::infinity(); }), "max_rpm");
   has(said([](Machine& m) { m.tool_length = -1.0; }), "tool_length -1");
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Programs of every kind of machine: unwinding, pole, finite axes, limits, spacing of blocks, times and
 // leads.
 #include <pcl_spiral/machine/machine_program_generator.h>
@@ -62,8 +63,7 @@ expectHas(const std::string& text, const std::string& part)
 /** The largest share of the tolerances by which the machine leaves the poses: over dense samples of the path
  * in order, the least over the machine's way over the next \p ahead blocks. */
 double
-leaving(const Machine& machine, const MachineProgram& program, const ToolPoses& poses, double tip,
-        double axis, std::size_t ahead)
+leaving(const Machine& machine, const MachineProgram& program, const ToolPoses& poses, double tip, double axis, std::size_t ahead)
 {
   std::vector<ProgramBlock> way;
   for (std::size_t i = 1; i < program.blocks.size(); ++i)
@@ -80,14 +80,12 @@ leaving(const Machine& machine, const MachineProgram& program, const ToolPoses& 
       double least = 1e9;
       std::size_t best = at;
       for (std::size_t k = at; k + 1 < way.size() && k < at + ahead; ++k)
-        for (double centre = 0.5, reach = 0.5; reach > 1e-4;
-             reach *= 0.1) { // nearer and nearer to the nearest
+        for (double centre = 0.5, reach = 0.5; reach > 1e-4; reach *= 0.1) { // nearer and nearer to the nearest
           const double begin = std::max(0.0, centre - reach), end = std::min(1.0, centre + reach);
           for (int j = 0; j <= 20; ++j) {
             const double t = begin + (end - begin) * j / 20.0;
             const TipAndAxis found = onTheWay(machine, way[k], way[k + 1], t);
-            const double off =
-                std::max((found.tip - pose.tip).norm() / tip, angleBetween(found.axis, pose.axis) / axis);
+            const double off = std::max((found.tip - pose.tip).norm() / tip, angleBetween(found.axis, pose.axis) / axis);
             if (off < least) {
               least = off;
               best = k;
@@ -109,8 +107,7 @@ passOverThePole(double sphere, double offset)
   for (int i = -100; i <= 100; ++i) {
     ToolPose pose;
     const double u = i * 0.5 / sphere, v = offset / sphere;
-    pose.normal = Eigen::Vector3d(std::sin(u), std::sin(v),
-                                  std::sqrt(1.0 - std::pow(std::sin(u), 2) - std::pow(std::sin(v), 2)));
+    pose.normal = Eigen::Vector3d(std::sin(u), std::sin(v), std::sqrt(1.0 - std::pow(std::sin(u), 2) - std::pow(std::sin(v), 2)));
     pose.axis = pose.normal;
     pose.contact = sphere * pose.normal;
     pose.tip = pose.contact;
@@ -124,8 +121,7 @@ passOverThePole(double sphere, double offset)
 TEST(MachineProgram, TurnsAreCountedOnAndBlocksStayBelowAHalfTurn)
 {
   for (const Machine& machine : testMachines()) {
-    const MachineProgram program =
-        made(machine, domeSpiral(300.0, 2.0, 30, 40, 6.0, 12.0), ballSettings(6.0));
+    const MachineProgram program = made(machine, domeSpiral(300.0, 2.0, 30, 40, 6.0, 12.0), ballSettings(6.0));
     const ProgramReport& report = program.report;
     EXPECT_GT(report.highest_first - report.lowest_first, 28.0 * 2.0 * M_PI) << machine.name;
     EXPECT_GT(report.first_travel, 28.0 * 2.0 * M_PI);
@@ -150,8 +146,7 @@ TEST(MachineProgram, OfTwoBranchesTheOneWithinTheLimitsIsTaken)
   EXPECT_LT(program.report.highest_second, 1e-9);
   machine.rotary[1].range.lower = -10.0 / degrees;
   const std::string message = refusal(machine, poses, ballSettings(6.0));
-  for (const char* part : {"block ", " mm of the path: A would stand at ",
-                           " degrees above its upper limit of 10 degrees", "turn the part"})
+  for (const char* part : {"block ", " mm of the path: A would stand at ", " degrees above its upper limit of 10 degrees", "turn the part"})
     expectHas(message, part);
 }
 
@@ -205,8 +200,7 @@ TEST(MachineProgram, NearThePoleTheAxisIsBlendedAndTheBallStays)
       const PoleZone& zone = program.report.poles[0];
       EXPECT_NEAR(0.5 * (zone.begin + zone.end), 50.0, 1.1);
       EXPECT_LT(zone.end - zone.begin, 4.0 * rho_min + 1.1);
-      EXPECT_LT(zone.largest_change, 2.0 * (rho_min + 1.0) / 200.0 + 1e-3)
-          << "twice the pole angle at the zone's end";
+      EXPECT_LT(zone.largest_change, 2.0 * (rho_min + 1.0) / 200.0 + 1e-3) << "twice the pole angle at the zone's end";
       std::size_t i = 0;
       for (const ProgramBlock& block : program.blocks) { // ball centres run straight on in order
         if (block.section != BlockSection::Cut)
@@ -214,8 +208,7 @@ TEST(MachineProgram, NearThePoleTheAxisIsBlendedAndTheBallStays)
         const Eigen::Vector3d centre = block.tip + ball * block.axis;
         double least = 1e9;
         for (std::size_t k = i; k + 1 < poses.size() && k < i + 3; ++k) {
-          const Eigen::Vector3d a = poses[k].tip + ball * poses[k].axis,
-                                b = poses[k + 1].tip + ball * poses[k + 1].axis;
+          const Eigen::Vector3d a = poses[k].tip + ball * poses[k].axis, b = poses[k + 1].tip + ball * poses[k + 1].axis;
           const double t = std::clamp((centre - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
           const double off = (a + t * (b - a) - centre).norm();
           if (off < least) {
@@ -313,8 +306,7 @@ TEST(MachineProgram, BlocksAreSplitUntilTheMachineStaysNear)
       settings.block = {0.01, 0.002};
       const MachineProgram program = made(machine, poses, settings);
       EXPECT_GT(program.report.split_blocks, rtcp ? 0U : 200U);
-      EXPECT_LT(leaving(machine, program, poses, settings.block.tip, settings.block.axis, 24), 1.05)
-          << machine.name << rtcp;
+      EXPECT_LT(leaving(machine, program, poses, settings.block.tip, settings.block.axis, 24), 1.05) << machine.name << rtcp;
     }
 }
 
@@ -330,9 +322,9 @@ TEST(MachineProgram, ThinnedBlocksKeepTipAndAxisWithinTheTolerance)
       settings.thinning = {0.02, 0.003};
       const MachineProgram program = made(machine, poses, settings);
       EXPECT_GT(program.report.thinned_poses, poses.size() * (rtcp ? 6 : 2) / 10) << machine.name << rtcp;
-      EXPECT_LT(leaving(machine, program, poses, settings.thinning.tip + settings.block.tip,
-                        settings.thinning.axis + settings.block.axis, 3),
-                1.05)
+      EXPECT_LT(
+          leaving(machine, program, poses, settings.thinning.tip + settings.block.tip, settings.thinning.axis + settings.block.axis, 3),
+          1.05)
           << machine.name << rtcp;
     }
 }
@@ -367,8 +359,7 @@ TEST(MachineProgram, LeadsComeFromAboveAndArcsAreTangent)
     }
     ASSERT_TRUE(last != nullptr && cut != nullptr);
     EXPECT_LT((last->tip - poses.front().tip).norm(), 1e-9);
-    const Eigen::Vector3d in = (last->tip - before->tip).normalized(),
-                          on = (cut->tip - last->tip).normalized();
+    const Eigen::Vector3d in = (last->tip - before->tip).normalized(), on = (cut->tip - last->tip).normalized();
     EXPECT_GT(lead == LeadKind::Arc ? in.dot(on) : in.dot(-poses.front().normal), 0.998);
   }
 }

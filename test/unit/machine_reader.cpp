@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Machine files: those that come with the programs, and what is said of wrong ones.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/machine_reader.h>
@@ -15,10 +16,9 @@ namespace {
 const std::string machines = PCL_SPIRAL_MACHINES_DIR;
 constexpr double degree = M_PI / 180.0;
 
-const std::string whole =
-    "rotary:\n"
-    "  - {axis: C, mount: table, direction: [0, 0, 1], limits: unlimited, max_rpm: 20}\n"
-    "  - {axis: A, mount: table, direction: [1, 0, 0], limits: [-100, 50], max_rpm: 10}\n";
+const std::string whole = "rotary:\n"
+                          "  - {axis: C, mount: table, direction: [0, 0, 1], limits: unlimited, max_rpm: 20}\n"
+                          "  - {axis: A, mount: table, direction: [1, 0, 0], limits: [-100, 50], max_rpm: 10}\n";
 
 /** What is said of \p text as a machine file. */
 std::string
@@ -96,12 +96,9 @@ TEST(MachineReader, WhatIsWrongIsSaidWithItsLine)
   expectHas(said("name: [1\n"), "m.yaml: ");
   expectHas(said("- 1\n"), "line 1: a machine file holds lines");
   expectHas(said("name: a\n"), "has no rotary");
-  expectHas(said(whole + "tool_lenght: 5\n"),
-            "line 4: 'tool_lenght' is no setting of a machine file; there are rotary");
-  expectHas(said(replaced("max_rpm: 20", "max_rmp: 20")),
-            "a rotary axis has no max_rpm; give one, such as max_rpm: 20");
-  expectHas(said(replaced("mount: table", "mount: floor")),
-            "line 2: mount of C is floor; it must be table or head");
+  expectHas(said(whole + "tool_lenght: 5\n"), "line 4: 'tool_lenght' is no setting of a machine file; there are rotary");
+  expectHas(said(replaced("max_rpm: 20", "max_rmp: 20")), "a rotary axis has no max_rpm; give one, such as max_rpm: 20");
+  expectHas(said(replaced("mount: table", "mount: floor")), "line 2: mount of C is floor; it must be table or head");
   expectHas(said(replaced("[1, 0, 0]", "[1, 0]")), "line 3: direction of a rotary axis needs three numbers");
   expectHas(said(replaced("[1, 0, 0]", "[1, 0, x]")), "line 3: direction of a rotary axis cannot be read");
   expectHas(said(replaced("unlimited", "endless")), "line 2: limits of a rotary axis cannot be read");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Stock and gouge from a raw cloud: exact peaks on plane, cylinder and sphere, faults put in on purpose, the class.
 #include <pcl_spiral/verify/material_removal.h>
 
@@ -92,8 +93,7 @@ TEST(MaterialRemoval, PeakOnTheSphereIsExactOutsideAndInside)
     std::vector<double> radii;
     for (double a = 0.25 * angle; a < std::asin(33.0 / radius); a += angle)
       radii.push_back(radius * std::sin(a));
-    const CheckedPath path =
-        circularPasses(*surface, radii, [](double r) { return 24 + static_cast<int>(25.0 * r); });
+    const CheckedPath path = circularPasses(*surface, radii, [](double r) { return 24 + static_cast<int>(25.0 * r); });
     const auto f = measured(*surface, path, 30000);
     EXPECT_NEAR(f.scallop.max.value / h, 1.0, 0.005) << convex;
     EXPECT_NEAR(f.scallop.p50 / h, 1.0, 0.005) << convex;
@@ -300,8 +300,7 @@ TEST(MaterialRemoval, IndicesAndCloudsThatDoNotFitTheSurfaceAreRefused)
 TEST(MaterialRemoval, TheNumberOfThreadsChangesNothing)
 {
   const SurfacePtr surface = quadric(200.0, -120.0, Region({circle({0, 0}, 30.0)}));
-  const CheckedPath path =
-      straightPasses(*surface, {-20, -17, -15, -12, -9, -6, -4, -2, 0, 2, 5, 8, 11, 14}, 32.0, 3.0);
+  const CheckedPath path = straightPasses(*surface, {-20, -17, -15, -12, -9, -6, -4, -2, 0, 2, 5, 8, 11, 14}, 32.0, 3.0);
   const auto cloud = toCloud(sampleUniform(*surface, 10000, 3).points);
   pcl::PointCloud<pcl::PointXYZI> first;
   pcl_spiral::RemovalFigures figures;

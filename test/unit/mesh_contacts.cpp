@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is written of a location on a mesh belongs together: the ball at the tip touches at the contact, along the normal.
-#include <pcl_spiral/mesh/mesh_sections.h>
 #include <pcl_spiral/cutter/cutter_location.h>
+#include <pcl_spiral/mesh/mesh_sections.h>
 
 #include "support/meshes.h"
 #include "support/solids.h"

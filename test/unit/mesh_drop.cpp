@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cutters brought down on meshes, against all triangles one by one.
 #include "cutter/mesh_drop.h"
 
@@ -174,8 +175,7 @@ TEST(MeshDrop, AsHighOnTwoFacesIsThatOfTheLowerIndex)
   plain.addQuad({-9, -9, 1}, {9, -9, 1}, {9, 9, 1}, {-9, 9, 1});
   const PatchTree faces = facesOf(*plain.surface());
   for (const double x : {-2.0, 0.0, 2.0}) {
-    const MeshContact contact =
-        MeshDrop(faces, CutterProfile(CutterShape::flatEnd(6.0)), 1e-4).highest({{x, -x, 7.0}, Vector3d::UnitZ()});
+    const MeshContact contact = MeshDrop(faces, CutterProfile(CutterShape::flatEnd(6.0)), 1e-4).highest({{x, -x, 7.0}, Vector3d::UnitZ()});
     ASSERT_TRUE(contact.found);
     EXPECT_EQ(contact.face, 0u) << x;
     EXPECT_NEAR(contact.height, -6.0, 1e-12);
@@ -195,9 +195,9 @@ TEST(PatchTree, FindsTheNearestPlace)
     double expected = as_they_are;
     for (const Matrix3d& t : triangles)
       expected = std::min(expected, -largest([&](double u) {
-        const Vector3d a = (1.0 - u) * t.col(0) + u * t.col(1), b = (1.0 - u) * t.col(0) + u * t.col(2);
-        return largest([&](double w) { return -((1.0 - w) * a + w * b - p).norm(); });
-      }));
+                            const Vector3d a = (1.0 - u) * t.col(0) + u * t.col(1), b = (1.0 - u) * t.col(0) + u * t.col(2);
+                            return largest([&](double w) { return -((1.0 - w) * a + w * b - p).norm(); });
+                          }));
     PatchPlace place;
     ASSERT_TRUE(faces.nearest(p, 100.0, sag, place));
     ASSERT_NEAR(place.distance, expected, 1e-7);

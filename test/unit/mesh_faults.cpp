@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Faults planted in meshes, counted by SurfaceMesh and by admesh, a program for solid meshes that Debian has.
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/mesh/surface_mesh.h>

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Shank and holder against meshes: a wall without a vertex nearby, and facets flat and curved against dense samples.
 #include <pcl_spiral/cutter/cutter_location.h>
 
-#include "support/located_on_mesh.h"
 #include "cutter/mesh_collision.h"
+#include "support/located_on_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -19,10 +20,13 @@ TEST(MeshHolder, AHolderMeetsAWallOfTwoTriangles)
   mesh.addQuad({-12, -12, 0}, {12, -12, 0}, {12, 12, 0}, {-12, 12, 0});
   mesh.addQuad({12, -500, -500}, {12, -500, 500}, {12, 500, 500}, {12, 500, -500});
   const auto run = [&](double radius, double clearance) {
-    return onMesh(mesh.polygons(), CutterShape::ball(2.0, 10.0), {{{0, 0, 0}, up, up}}, [&](Location& l) {
-             l.setHolder({ToolSegment::cylinder(2.0, 20.0, "shank"), ToolSegment{radius - 5.0, radius, 20.0, "chuck"}});
-             l.setHolderClearance(clearance);
-           }).locations[0].collision;
+    return onMesh(mesh.polygons(), CutterShape::ball(2.0, 10.0), {{{0, 0, 0}, up, up}},
+                  [&](Location& l) {
+                    l.setHolder({ToolSegment::cylinder(2.0, 20.0, "shank"), ToolSegment{radius - 5.0, radius, 20.0, "chuck"}});
+                    l.setHolderClearance(clearance);
+                  })
+        .locations[0]
+        .collision;
   };
   EXPECT_FALSE(run(11.9, 0.0).found());
   const HolderCollision deep = run(15.0, 0.0);
@@ -37,8 +41,8 @@ TEST(MeshHolder, AHolderMeetsAWallOfTwoTriangles)
 TEST(MeshHolder, HoldersAgainstSamplesOfEveryFacet)
 {
   Random random(3);
-  const HolderProfile holder({ToolSegment::cylinder(3.0, 8.0, "shank"), {6.0, 12.0, 6.0, "nut"}, {12.0, 8.0, 10.0, "chuck"}}, 5.0,
-                             2.0, 0.3);
+  const HolderProfile holder({ToolSegment::cylinder(3.0, 8.0, "shank"), {6.0, 12.0, 6.0, "nut"}, {12.0, 8.0, 10.0, "chuck"}}, 5.0, 2.0,
+                             0.3);
   constexpr double tolerance = 0.01, precision = 1e-3;
   constexpr int n = 300;
   std::size_t found = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cutters located on meshes of known surfaces: what is reached, and what lifts the cutter.
 #include <pcl_spiral/cutter/cutter_location.h>
 
@@ -49,8 +50,7 @@ TEST(MeshLocation, InAValleyNarrowerThanTheBallItIsLiftedAndGougesNoMoreThanTheM
         ASSERT_LE(waves.distance(l.tip + R * l.axis), R + e + 0.002) << step << ' ' << i;
       }
       ASSERT_FALSE(run.figures.warnings.empty());
-      EXPECT_NE(run.figures.warnings.back().find("200 of 200 locations are lifted off the contact asked for, the most"),
-                std::string::npos);
+      EXPECT_NE(run.figures.warnings.back().find("200 of 200 locations are lifted off the contact asked for, the most"), std::string::npos);
     }
   }
 }
@@ -94,8 +94,8 @@ TEST(MeshLocation, AFlatEndStandsOnAFloorAndIsLiftedOverAWall)
 {
   const PlainMesh mesh = pocket();
   const CutterShape cutter = CutterShape::flatEnd(4.0, 30.0);
-  const Located run = onMesh(mesh.polygons(), cutter,
-                             {{{0, 0, 0}, up, up}, {{3, -5, 50}, up, none}, {{8, 0, 0}, up, up}, {{6, 0, 0}, up, up}});
+  const Located run =
+      onMesh(mesh.polygons(), cutter, {{{0, 0, 0}, up, up}, {{3, -5, 50}, up, none}, {{8, 0, 0}, up, up}, {{6, 0, 0}, up, up}});
   EXPECT_EQ(run.locations[0].state, LocationState::Reached);
   EXPECT_EQ(run.locations[0].tip, Vector3d(0, 0, 0));
   EXPECT_EQ(run.locations[1].state, LocationState::Touching);
@@ -133,17 +133,16 @@ TEST(MeshLocation, EveryState)
   const PlainMesh mesh = pocket();
   const Vector3d side(1, 0, 0);
   const Located run = onMesh(mesh.polygons(), CutterShape::ball(2.0, 10.0),
-                             {{{0, 0, 9}, up, none},         // touching
-                              {{0, 0, 0}, up, up},           // reached
-                              {{9.5, 0, 0}, up, up},         // lifted by the wall
-                              {{0, 0, 5}, up, up},           // clear
-                              {{0, 0, 0}, -up, up},          // unreachable: from below
-                              {{40, 0, 0}, up, up},          // no mesh
-                              {{-10, 0, 10}, up, side},      // the flank along the wall
-                              {{-10, 0, 25}, up, side}});    // above the wall
-  const LocationState expected[] = {LocationState::Touching,    LocationState::Reached, LocationState::Lifted,
-                                    LocationState::Clear,       LocationState::Unreachable, LocationState::NoCloud,
-                                    LocationState::Reached,     LocationState::Clear};
+                             {{{0, 0, 9}, up, none},      // touching
+                              {{0, 0, 0}, up, up},        // reached
+                              {{9.5, 0, 0}, up, up},      // lifted by the wall
+                              {{0, 0, 5}, up, up},        // clear
+                              {{0, 0, 0}, -up, up},       // unreachable: from below
+                              {{40, 0, 0}, up, up},       // no mesh
+                              {{-10, 0, 10}, up, side},   // the flank along the wall
+                              {{-10, 0, 25}, up, side}}); // above the wall
+  const LocationState expected[] = {LocationState::Touching,    LocationState::Reached, LocationState::Lifted,  LocationState::Clear,
+                                    LocationState::Unreachable, LocationState::NoCloud, LocationState::Reached, LocationState::Clear};
   for (std::size_t i = 0; i < run.locations.size(); ++i)
     EXPECT_EQ(run.locations[i].state, expected[i]) << i;
   EXPECT_EQ(run.locations[6].basis, LocationBasis::AskedContact);

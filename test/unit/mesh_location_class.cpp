@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The class CutterLocation on meshes: what must not change its output, and what it refuses.
 #include <pcl_spiral/cutter/cutter_location.h>
 
@@ -14,18 +15,15 @@ using Eigen::Vector3d;
 TEST(MeshLocation, AxesAreTiltedAndMovesBisectedAsOnClouds)
 {
   const PlainMesh mesh = pocket();
-  const Located tilted = onMesh(mesh.polygons(), CutterShape::ball(2.0, 30.0), {{{0, 0, 0}, {0.9, 0, 1}, up}}, [](Location& l) {
-    l.setMaxRetilt(40.0);
-  });
+  const Located tilted =
+      onMesh(mesh.polygons(), CutterShape::ball(2.0, 30.0), {{{0, 0, 0}, {0.9, 0, 1}, up}}, [](Location& l) { l.setMaxRetilt(40.0); });
   EXPECT_EQ(tilted.locations[0].state, LocationState::Reached);
   EXPECT_GT(tilted.locations[0].retilt, 1.0);
   const Waves waves{2.0, 0.3};
   DrivePoints line;
   for (double x = -8.0; x <= 8.0; x += 4.0)
     line.push_back({waves.at(x, 0.0), up, none});
-  const Located bisected = onMesh(waves.mesh(0.5).polygons(), CutterShape::ball(3.0), line, [](Location& l) {
-    l.setPathTolerance(0.01);
-  });
+  const Located bisected = onMesh(waves.mesh(0.5).polygons(), CutterShape::ball(3.0), line, [](Location& l) { l.setPathTolerance(0.01); });
   EXPECT_GT(bisected.locations.size(), 4 * line.size());
 }
 
@@ -121,12 +119,9 @@ TEST(MeshLocation, MeshesAndSettingsThatCannotBeAreNamed)
   });
   fails("setThinning was called beside setInputMesh", [](Location& l) { l.setThinning(0.5); });
   fails("setFlipNormals was called beside setInputMesh", [](Location& l) { l.setFlipNormals(true); });
-  fails("setInputNormals was called beside", [](Location& l) {
-    l.setInputNormals(pcl::PointCloud<pcl::Normal>::Ptr(new pcl::PointCloud<pcl::Normal>(5, 1)));
-  });
+  fails("setInputNormals was called beside",
+        [](Location& l) { l.setInputNormals(pcl::PointCloud<pcl::Normal>::Ptr(new pcl::PointCloud<pcl::Normal>(5, 1))); });
   fails("radius is 0 mm", [](Location& l) { l.setCutter(CutterShape()); });
   fails("threads is 4294967295", [](Location& l) { l.setNumberOfThreads(-1); });
-  fails("cancelled", [](Location& l) {
-    l.setProgressCallback([](double, const std::string& s) { return s != "locations"; });
-  });
+  fails("cancelled", [](Location& l) { l.setProgressCallback([](double, const std::string& s) { return s != "locations"; }); });
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Straight moves of cutters over meshes: what stands between two locations is not cut into, and nothing is halved for fear.
 #include <pcl_spiral/core/impl/swept_error.h>
 
@@ -20,9 +21,7 @@ const CutterShape ball_end = CutterShape::ball(R, 3.0);
 void
 addBox(PlainMesh& m, const Vector3d& low, const Vector3d& high)
 {
-  const auto at = [&](int x, int y, int z) {
-    return Vector3d(x ? high.x() : low.x(), y ? high.y() : low.y(), z ? high.z() : low.z());
-  };
+  const auto at = [&](int x, int y, int z) { return Vector3d(x ? high.x() : low.x(), y ? high.y() : low.y(), z ? high.z() : low.z()); };
   m.addQuad(at(0, 0, 0), at(0, 1, 0), at(1, 1, 0), at(1, 0, 0));
   m.addQuad(at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1));
   m.addQuad(at(0, 0, 0), at(1, 0, 0), at(1, 0, 1), at(0, 0, 1));
@@ -174,8 +173,8 @@ TEST(MeshMoves, CutNoDeeperThanTheBoundOrTheMesh)
   const CutterLocator locator(ridge, CutterProfile(ball_end), {});
   const auto at = [](double x, double z) { return CutterPlace{{x, 0.0, z}, Vector3d::UnitZ()}; };
   const double sag = 5e-4;
-  EXPECT_NEAR(locator.moveError(at(-2, 0), at(2, 0), 0.005), 0.15, sag + 1e-6);           // the ridge's height
-  EXPECT_NEAR(locator.moveError(at(-2, -0.1), at(2, -0.1), 0.005), 0.25, sag + 1e-6);     // both ends cut: so does the way
+  EXPECT_NEAR(locator.moveError(at(-2, 0), at(2, 0), 0.005), 0.15, sag + 1e-6);       // the ridge's height
+  EXPECT_NEAR(locator.moveError(at(-2, -0.1), at(2, -0.1), 0.005), 0.25, sag + 1e-6); // both ends cut: so does the way
   EXPECT_EQ(locator.moveError(at(-0.4, -0.1), at(0.4, -0.1), 0.005),
             sweptError(locator.profile(), at(-0.4, -0.1), at(0.4, -0.1))); // what the way adds to the ends
 }

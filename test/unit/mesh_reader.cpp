@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Meshes in every format: the same faces out of each.
 #include <pcl_spiral/io/mesh_reader.h>
 
@@ -58,8 +59,7 @@ bulgedSphere(int rings, int sectors)
   for (int r = 0; r < rings; ++r)
     for (int s = 0; s < sectors; ++s) {
       const int here = r * sectors + s, next = r * sectors + (s + 1) % sectors;
-      for (const std::array<int, 3>& t :
-           {std::array<int, 3>{here, here + sectors, next}, {next, here + sectors, next + sectors}}) {
+      for (const std::array<int, 3>& t : {std::array<int, 3>{here, here + sectors, next}, {next, here + sectors, next + sectors}}) {
         mesh.polygons.emplace_back();
         mesh.polygons.back().vertices.assign(t.begin(), t.end());
       }
@@ -70,8 +70,7 @@ bulgedSphere(int rings, int sectors)
 
 class MeshReader : public MeshFiles {
 protected:
-  void
-  expectMesh(const std::string& file, const Triangles& faces = two_faces)
+  void expectMesh(const std::string& file, const Triangles& faces = two_faces)
   {
     const MeshFile read = readMesh(file);
     const auto points = pointsOf(*read.mesh);
@@ -95,9 +94,8 @@ TEST_F(MeshReader, Stl)
     EXPECT_EQ(pointsOf(*read.mesh).size(), 4U) << "corners at one place are one vertex";
   };
   inOrder(readMesh(text("a.stl", binaryStl(two_faces))));
-  inOrder(
-      readMesh(text("b.stl", "solid a\n" + facet("vertex 0 0 0\nvertex 0 10 0\nvertex 10 -0 0\n") +
-                                 facet("VERTEX 0 0 0\r\nVERTEX 10 0 0\r\nVERTEX 0 0 1.05E1\r\n") + "endsolid a\n")));
+  inOrder(readMesh(text("b.stl", "solid a\n" + facet("vertex 0 0 0\nvertex 0 10 0\nvertex 10 -0 0\n") +
+                                     facet("VERTEX 0 0 0\r\nVERTEX 10 0 0\r\nVERTEX 0 0 1.05E1\r\n") + "endsolid a\n")));
 }
 
 TEST_F(MeshReader, Obj)
@@ -105,8 +103,7 @@ TEST_F(MeshReader, Obj)
   expectMesh(text("a.obj", "mtllib m.mtl\n" + obj_corners + "vt 0 0\nvn 0 0 1\ng one\nf 1 3 2\ns 1\nf 1 2 4\n"));
   expectMesh(text("b.obj", obj_corners + "f 1/1 3/1 2/1\nf 1//1 2//1 4//1\n"));
   expectMesh(text("c.obj", obj_corners + "f 1/1/1 3/2/1 2/3/1 # first\nf -4 -3/1/1 -1\n"));
-  expectMesh(
-      text("d.obj", "v 0 0 0\nv 10 0 0\nf 1 3 2\nv 0 10 0\nv 0 0 10.5\nf\t1  2\t4 \n")); // named before it is there
+  expectMesh(text("d.obj", "v 0 0 0\nv 10 0 0\nf 1 3 2\nv 0 10 0\nv 0 0 10.5\nf\t1  2\t4 \n")); // named before it is there
   expectMesh(text("e.obj", obj_corners + "f 1 3 \\\r\n 2\r\nf 1 \\\r\n2\\\r\n4"));
 }
 
@@ -118,8 +115,7 @@ TEST_F(MeshReader, AsciiPly)
                                "property list uchar uint vertex_index\nproperty float quality\n"
                                "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n" +
                                ply_rows + "7 2 .5 .5 3 0 2 1 0.5\n\n8 0 3 0 1 3 nan\n0 1\n"));
-  expectMesh(
-      text("c.ply", ascii + ply_faces + ply_vertices + "end_header\n3 0 2 1\n3 0 1 3\n" + ply_rows)); // faces first
+  expectMesh(text("c.ply", ascii + ply_faces + ply_vertices + "end_header\n3 0 2 1\n3 0 1 3\n" + ply_rows)); // faces first
   expectMesh(text("d.ply", ascii + ply_vertices + "element face 1\nproperty list uchar int vertex_indices\n" +
                                "element face 1\nproperty list uchar int vertex_index\n"
                                "element tristrips 0\nproperty list int int vertex_indices\nend_header\n" +
@@ -129,14 +125,13 @@ TEST_F(MeshReader, AsciiPly)
 TEST_F(MeshReader, BinaryPlyOfBothOrders)
 {
   for (const bool swapped : {false, true}) {
-    std::string bytes =
-        std::string("ply\nformat binary_") + (swapped ? "big" : "little") + "_endian 1.0\n" +
-        "element vertex 4\nproperty double x\nproperty uchar red\nproperty float y\nproperty double z\n"
-        "element face 2\nproperty list uchar float texcoord\nproperty list ushort short vertex_indices\n"
-        "property uchar flags\nend_header\n";
+    std::string bytes = std::string("ply\nformat binary_") + (swapped ? "big" : "little") + "_endian 1.0\n" +
+                        "element vertex 4\nproperty double x\nproperty uchar red\nproperty float y\nproperty double z\n"
+                        "element face 2\nproperty list uchar float texcoord\nproperty list ushort short vertex_indices\n"
+                        "property uchar flags\nend_header\n";
     for (const Eigen::Vector3f& p : corners)
-      bytes += bytesOf(static_cast<double>(p.x()), swapped) + "\x7f" + bytesOf(p.y(), swapped) +
-               bytesOf(static_cast<double>(p.z()), swapped);
+      bytes +=
+          bytesOf(static_cast<double>(p.x()), swapped) + "\x7f" + bytesOf(p.y(), swapped) + bytesOf(static_cast<double>(p.z()), swapped);
     for (const auto& face : two_faces) {
       bytes += "\x01" + bytesOf(0.5f, swapped) + bytesOf(std::uint16_t{3}, swapped);
       for (const int corner : face)
@@ -156,8 +151,7 @@ TEST_F(MeshReader, AgreesWithVtkOnItsOwnFiles)
   for (const std::string& extension : meshExtensions())
     for (const bool binary : {false, true}) {
       const std::string file = folder_.path("sphere" + extension);
-      ASSERT_TRUE(extension == ".obj" ? pcl::io::saveOBJFile(file, made, 9) == 0
-                                      : pcl::io::savePolygonFile(file, made, binary));
+      ASSERT_TRUE(extension == ".obj" ? pcl::io::saveOBJFile(file, made, 9) == 0 : pcl::io::savePolygonFile(file, made, binary));
       pcl::PolygonMesh theirs;
       ASSERT_GT(pcl::io::loadPolygonFile(file, theirs), 0);
       const std::vector<Eigen::Vector3f> by_us = cornerPlaces(*readMesh(file).mesh), by_vtk = cornerPlaces(theirs);
@@ -176,8 +170,7 @@ TEST_F(MeshReader, VerticesAreThoseOfTheScan)
                           "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
                           "393775.001 3689071.002 3107.003\n393776.001 3689072.002 3108.003\nnan 0 0\n"
                           "393775.501 3689071.002 3107.003\n1 2 3\n3 0 1 3\n";
-  for (const std::string& file :
-       {text("far.ply", ply), text("a.obj", obj_corners + "f 1 3 2\n"), text("a.stl", binaryStl(two_faces))}) {
+  for (const std::string& file : {text("far.ply", ply), text("a.obj", obj_corners + "f 1 3 2\n"), text("a.stl", binaryStl(two_faces))}) {
     ReadOptions options;
     options.unit = LengthUnit::Metre;
     options.origin = {393775.0, 3689071.0, 3107.0};
@@ -205,8 +198,7 @@ TEST_F(MeshReader, UnitsHintsAndColumns)
 
 TEST_F(MeshReader, FacesWithoutAreaStayButTheyAreNotCut)
 {
-  expectMesh(text("a.obj", obj_corners + "f 1 3 2\nf 1 1 2\nf 4 4 4 4\nf 1 3 2\n"),
-             {{0, 2, 1}, {0, 0, 1}, {3, 3, 3}, {0, 2, 1}});
+  expectMesh(text("a.obj", obj_corners + "f 1 3 2\nf 1 1 2\nf 4 4 4 4\nf 1 3 2\n"), {{0, 2, 1}, {0, 0, 1}, {3, 3, 3}, {0, 2, 1}});
   const MeshFile read = readMesh(text("b.obj", obj_corners + "f 1 3 2 2\nf 1 2 4 1\n"));
   EXPECT_EQ(trianglesOf(*read.mesh), two_faces) << "corners named twice running count once";
   EXPECT_EQ(read.polygons, 0U);

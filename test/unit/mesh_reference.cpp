@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // DeviationEstimation and MaterialRemoval by a mesh: the exact surface, planted faults, creases apart, solids, holes, passes.
 #include <pcl_spiral/verify/deviation_estimation.h>
 #include <pcl_spiral/verify/material_removal.h>
@@ -37,10 +38,10 @@ void
 measureRows(Path& path, bool lifts)
 {
   for (std::size_t i = 0; i < path.size(); ++i)
-    path[i].arc_length = i == 0 ? 0.0
-                                : path[i - 1].arc_length + (lifts && path[i].turn != path[i - 1].turn
-                                                                ? 0.0
-                                                                : (path[i].getVector3fMap() - path[i - 1].getVector3fMap()).norm());
+    path[i].arc_length =
+        i == 0 ? 0.0
+               : path[i - 1].arc_length +
+                     (lifts && path[i].turn != path[i - 1].turn ? 0.0 : (path[i].getVector3fMap() - path[i - 1].getVector3fMap()).norm());
 }
 
 /** Rows along x, or along y, \p step apart, \p along between contacts, over |x|, |y| <= half, to and fro. */
@@ -89,9 +90,21 @@ removed(const pcl::PolygonMesh::ConstPtr& mesh, const Path::ConstPtr& path, doub
   return judge.getFigures();
 }
 
-double flat(double, double) { return 0.0; }
-double roof(double x, double) { return -0.5 * std::abs(x); }
-double valley(double x, double) { return 0.5 * std::abs(x); }
+double
+flat(double, double)
+{
+  return 0.0;
+}
+double
+roof(double x, double)
+{
+  return -0.5 * std::abs(x);
+}
+double
+valley(double x, double)
+{
+  return 0.5 * std::abs(x);
+}
 
 /** The largest warning-free statement: all warnings in one text. */
 std::string
@@ -140,7 +153,7 @@ TEST(MeshReference, PointsOfTheSurfaceThatWasMeshedDeviateByWhatTheMeshDoes)
     on_ball->push_back(contact(ball, 60.0 * place(random), 60.0 * place(random)));
     on_land->push_back(contact(landform, 100.0 * place(random), 100.0 * place(random)));
   }
-  EXPECT_LT(std::abs(deviations(heightMesh(ball, 60.0, 30).made(), on_ball).max.value), 5e-4);       // faces of 2 mm
+  EXPECT_LT(std::abs(deviations(heightMesh(ball, 60.0, 30).made(), on_ball).max.value), 5e-4);        // faces of 2 mm
   EXPECT_LT(std::abs(deviations(heightMesh(landform, 100.0, 49).made(), on_land).max.value), 1.3e-3); // of 2 mm: the patches' own 1.1e-3
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // MeshSampling: all of the surface, evenly, on the patches, the same however the mesh is written.
 #include <pcl_spiral/mesh/impl/crease_lines.h>
 #include <pcl_spiral/mesh/impl/mesh_rims.h>

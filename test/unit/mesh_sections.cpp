@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/mesh/mesh_sections.h>
 
 #include "support/mesh_surfaces.h"
@@ -244,7 +245,9 @@ TEST(MeshSections, RowsFollowEachOther)
   sections.setZigzag(false);
   passes = passesOf(sections);
   for (const DrivePass& pass : passes)
-    EXPECT_GT((pass.points.back().position - pass.points.front().position).dot(passes[0].points.back().position - passes[0].points.front().position), 0.0);
+    EXPECT_GT((pass.points.back().position - pass.points.front().position)
+                  .dot(passes[0].points.back().position - passes[0].points.front().position),
+              0.0);
 }
 
 TEST(MeshSections, AreTheSameOnAMovedMesh)

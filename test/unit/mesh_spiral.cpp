@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From an STL file to a spiral: samples of the curved surface behind the faces, and how far the contacts stand off the exact one.
-#include <pcl_spiral/io/mesh_reader.h>
 #include "mesh/mesh_findings.h"
+#include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/mesh/mesh_sampling.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ball cutters led straight over triangles: how deep they cut, against search over move and triangle.
 #include "cutter/mesh_sweep.h"
 
@@ -24,8 +25,7 @@ struct Move {
   Vector3d from, to, axis; ///< the ball's centre
 
   /** Depth of \p p in ball and shank at share \p t of the way. */
-  double
-  depthAt(const Vector3d& p, double t) const
+  double depthAt(const Vector3d& p, double t) const
   {
     const Vector3d off = p - from - t * (to - from);
     return radius - (off - std::max(0.0, off.dot(axis)) * axis).norm();
@@ -41,11 +41,20 @@ randomMove(Random& random)
   Move move{random.uniform(0.5, 6.0), {random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-8, 8)}, {}, any()};
   Vector3d way = length * any();
   switch (random.below(5)) {
-  case 0: way -= way.dot(move.axis) * move.axis; break;
-  case 1: way = random.uniform(-length, length) * move.axis; break;
-  case 2: move.axis = Vector3d::UnitZ(), way = length * Vector3d::UnitX(); break;
-  case 3: way *= static_cast<double>(random.below(2)); break;
-  default: break;
+  case 0:
+    way -= way.dot(move.axis) * move.axis;
+    break;
+  case 1:
+    way = random.uniform(-length, length) * move.axis;
+    break;
+  case 2:
+    move.axis = Vector3d::UnitZ(), way = length * Vector3d::UnitX();
+    break;
+  case 3:
+    way *= static_cast<double>(random.below(2));
+    break;
+  default:
+    break;
   }
   move.to = move.from + way;
   return move;
@@ -95,8 +104,8 @@ TEST(MeshSweep, IntoATriangleIsAsDeepAsSearchFinds)
     const Move move = randomMove(random);
     Matrix3d corners = randomTriangle(5.0, random);
     if (i % 4 == 0) // about a place of the strip
-      corners.colwise() += Vector3d(move.from + random.uniform(0.0, 1.0) * (move.to - move.from) +
-                                    random.uniform(0.0, 3.0) * move.axis - corners.rowwise().mean());
+      corners.colwise() += Vector3d(move.from + random.uniform(0.0, 1.0) * (move.to - move.from) + random.uniform(0.0, 3.0) * move.axis -
+                                    corners.rowwise().mean());
     const double expected = searchedDepth(corners, move), found = depthIn(PatchTree({flatCell(corners)}), move, 0.0, -1e3);
     ASSERT_NEAR(found, expected, 1e-6) << i;
     pierced += found == move.radius;

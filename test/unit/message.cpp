@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Numbers and places in messages read as a person would write them.
 #include <pcl_spiral/common/impl/message.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // SpiralMethod::Shortest: which method it takes, and how well it foresees both.
 #include "support/sampling.h"
 #include "support/surfaces.h"

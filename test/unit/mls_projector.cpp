@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The projector against surfaces known exactly, with PCL's point types and one of a user's own.
 #include "support/sampling.h"
 #include "support/surfaces.h"
@@ -15,9 +16,8 @@ struct CurvedPoint {
   float principal_curvature_x, principal_curvature_y, principal_curvature_z, pc1, pc2;
 };
 POINT_CLOUD_REGISTER_POINT_STRUCT(
-    CurvedPoint, (float, x, x)(float, y, y)(float, z, z)(float, normal_x, normal_x)(float, normal_y, normal_y)(
-                     float, normal_z, normal_z)(float, principal_curvature_x, principal_curvature_x)(
-                     float, principal_curvature_y, principal_curvature_y)(
+    CurvedPoint, (float, x, x)(float, y, y)(float, z, z)(float, normal_x, normal_x)(float, normal_y, normal_y)(float, normal_z, normal_z)(
+                     float, principal_curvature_x, principal_curvature_x)(float, principal_curvature_y, principal_curvature_y)(
                      float, principal_curvature_z, principal_curvature_z)(float, pc1, pc1)(float, pc2, pc2))
 
 namespace {
@@ -200,7 +200,7 @@ TEST(MLSProjector, RefusesWithAReason)
   Cloud::Ptr cloud(new Cloud);
   projector.setInputCloud(cloud);
   refused(StatusCode::InvalidInput); // empty
-  cloud->resize(100); // one place
+  cloud->resize(100);                // one place
   refused(StatusCode::InvalidInput);
   for (auto& p : *cloud)
     p.x = std::numeric_limits<float>::quiet_NaN();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Moving least squares against a sphere, a cylinder and a paraboloid known exactly, with and without noise.
 #include <pcl_spiral/surface/impl/mls_surface.h>
 
@@ -117,16 +118,14 @@ TEST(MlsSurface, FitNoiseIsThatOfTheFeet)
   std::vector<Vector3d> queries(5000);
   for (auto& q : queries)
     q = Vector3d(0.9 * u(random), 0.9 * u(random), 0.0);
-  for (const auto method :
-       {ProjectionMethod::Quadratic, ProjectionMethod::RobustQuartic, ProjectionMethod::DirectionalCentroid}) {
+  for (const auto method : {ProjectionMethod::Quadratic, ProjectionMethod::RobustQuartic, ProjectionMethod::DirectionalCentroid}) {
     const pcl_spiral::MlsSurface surface(graph, 128, method);
     std::vector<pcl_spiral::SurfaceFoot> feet;
     surface.project(queries, feet);
     double squares = 0.0;
     for (const auto& foot : feet)
       squares += foot.position.z() * foot.position.z();
-    EXPECT_NEAR(std::sqrt(squares / feet.size()), surface.fitNoise(), 0.06 * surface.fitNoise())
-        << static_cast<int>(method);
+    EXPECT_NEAR(std::sqrt(squares / feet.size()), surface.fitNoise(), 0.06 * surface.fitNoise()) << static_cast<int>(method);
   }
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Neighbour search against brute force, and the spatial order's independence of the input's order.
 #include "search/neighbour_search.h"
 
@@ -21,8 +22,8 @@ randomSurface(std::size_t n, std::uint64_t seed)
 }
 
 void
-expectBruteForce(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& query,
-                 const pcl_spiral::PointBlocks& blocks, const pcl_spiral::Neighbourhood& found, int k)
+expectBruteForce(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& query, const pcl_spiral::PointBlocks& blocks,
+                 const pcl_spiral::Neighbourhood& found, int k)
 {
   std::vector<double> distance;
   for (const auto& p : points)
@@ -59,8 +60,7 @@ TEST(NeighbourSearch, QueriesOffTheCloudAgainstBruteForce)
   const auto points = randomSurface(2000, 8);
   const pcl_spiral::PointBlocks blocks(points);
   pcl_spiral::NeighbourSearch search(blocks, 20);
-  for (const Eigen::Vector3d& query :
-       {Eigen::Vector3d(5000, 0, 3), Eigen::Vector3d(5300, 50, -20), Eigen::Vector3d(0, 0, 900)}) {
+  for (const Eigen::Vector3d& query : {Eigen::Vector3d(5000, 0, 3), Eigen::Vector3d(5300, 50, -20), Eigen::Vector3d(0, 0, 900)}) {
     pcl_spiral::Box box;
     const Eigen::Vector3f q = query.cast<float>();
     box.extend(q.data());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Paths at constant scallop height that cut in one sense alone: which way every move goes, what is left, what passes become.
 #include <pcl_spiral/common/pass_begins.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
@@ -125,8 +126,9 @@ TEST_F(OneWay, NothingIsCutAgainstTheSenseAndNoMoreIsLeft)
   for (const SurfacePtr& part : {twoHoles(), ell(), outlinedPart("dumbbell", 0, 0.6)}) {
     const Made two_way = made(*part, both), one_way = made(*part, oneWay());
     const SenseOfTravel before = senseOf(*part, two_way.path, {}), after = senseOf(*part, one_way.path, one_way.report.pass_begins);
-    std::printf("  %.0f mm, %.0f against the sense; one way %.0f mm, %.0f against, %zu passes, %.0f mm of lifts\n", two_way.report.path_length,
-                before.right, one_way.report.path_length, after.right, one_way.report.pass_begins.size() + 1, one_way.report.lift_length);
+    std::printf("  %.0f mm, %.0f against the sense; one way %.0f mm, %.0f against, %zu passes, %.0f mm of lifts\n",
+                two_way.report.path_length, before.right, one_way.report.path_length, after.right, one_way.report.pass_begins.size() + 1,
+                one_way.report.lift_length);
     if (two_way.report.reversed_share > 0.05) {
       EXPECT_GT(before.right, 0.02 * before.left); // the oracle sees what bridges turn round
     }

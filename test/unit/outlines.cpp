@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The outlines: areas by formula, simple and counter-clockwise, wide enough, softly varied.
 #include "support/outlines.h"
 #include "support/checked_path.h"
@@ -47,8 +48,7 @@ TEST(OutlineLoops, HaveTheAreasOfTheirFormulas)
   EXPECT_NEAR(signedArea(cross(220.0, 66.0)), 2.0 * 220.0 * 66.0 - 66.0 * 66.0, 1e-9);
   EXPECT_NEAR(signedArea(uShape(210.0, 200.0, 70.0)), 210.0 * 200.0 - 70.0 * 130.0, 1e-9);
   EXPECT_NEAR(signedArea(smoothStar(5, 75.0, 25.0)), pi * (75.0 * 75.0 + 0.5 * 25.0 * 25.0), 0.1);
-  EXPECT_NEAR(signedArea(band(115.0, 82.0, 150.0)), 115.0 * 82.0 * 150.0 / 180.0 * pi + pi * 41.0 * 41.0,
-              0.5);
+  EXPECT_NEAR(signedArea(band(115.0, 82.0, 150.0)), 115.0 * 82.0 * 150.0 / 180.0 * pi + pi * 41.0 * 41.0, 0.5);
   const double slit = 8.0 * 105.0 + 0.5 * pi * 16.0; // less a sliver at the rim
   EXPECT_NEAR(signedArea(slitDisc(105.0, 8.0)), pi * 105.0 * 105.0 - slit, 0.5);
   EXPECT_NEAR(signedArea(superellipse(120.0, 80.0, 2.0)), pi * 120.0 * 80.0, 0.1);

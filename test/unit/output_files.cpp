@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Outputs that appear together or not at all: what lies in the folder before, during and after.
-#include <pcl_spiral/io/file_error.h>
 #include "io/output_files.h"
+#include <pcl_spiral/io/file_error.h>
 
 #include "support/scratch_folder.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The filters on a point type that PCL does not know, with nothing but their own headers.
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
@@ -13,8 +14,7 @@ struct OwnPoint {
   float reflectance = 0.0f;
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
-POINT_CLOUD_REGISTER_POINT_STRUCT(OwnPoint,
-                                  (float, x, x)(float, y, y)(float, z, z)(float, reflectance, reflectance))
+POINT_CLOUD_REGISTER_POINT_STRUCT(OwnPoint, (float, x, x)(float, y, y)(float, z, z)(float, reflectance, reflectance))
 
 namespace {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Codes before and after each row of a program, read back in every language: a beam is on along the rows and nowhere else.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
@@ -201,10 +202,17 @@ TEST(PassCodes, WhatIsNoLineOfAProgramIsRefused)
   const ScratchFolder folder;
   const std::string file = folder.path("a.nc");
   const MachineProgram program = programFor(testMachines()[0], threeRows());
-  const std::pair<std::string, std::string> wrong[] = {
-      {"M62 P0\nM3", "line break"}, {"M62\r", "line break"},      {"\tM62", "not plain"},       {"M62 \x80", "not plain"},
-      {"M62 (beam", "holds ("},     {"M62 beam)", "holds )"},     {"M62 ; beam", "holds ;"},    {"%", "holds %"},
-      {"  ", "is blank"},           {std::string(81, 'M'), "80"}, {std::string("M\0", 2), "not plain"}};
+  const std::pair<std::string, std::string> wrong[] = {{"M62 P0\nM3", "line break"},
+                                                       {"M62\r", "line break"},
+                                                       {"\tM62", "not plain"},
+                                                       {"M62 \x80", "not plain"},
+                                                       {"M62 (beam", "holds ("},
+                                                       {"M62 beam)", "holds )"},
+                                                       {"M62 ; beam", "holds ;"},
+                                                       {"%", "holds %"},
+                                                       {"  ", "is blank"},
+                                                       {std::string(81, 'M'), "80"},
+                                                       {std::string("M\0", 2), "not plain"}};
   for (const auto& [code, words] : wrong)
     for (const bool begin : {true, false})
       for (const Dialect dialect : dialects) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The judge of finished paths, on paths whose figures are known by formula.
 #include "support/path_judge.h"
 #include "support/passes.h"
@@ -82,8 +83,7 @@ TEST(PathJudge, ParallelPassesLeaveTheHeightAskedFor)
   EXPECT_EQ(f.inside.uncut_share, 0.0);
   EXPECT_LT(f.inside.gouge.value, 1e-9);
   EXPECT_NEAR(f.turns, 10.0, 0.1);
-  EXPECT_NEAR(static_cast<double>(f.inside.samples) / static_cast<double>(f.whole.samples),
-              19.8 * 19.8 / 400.0, 0.003);
+  EXPECT_NEAR(static_cast<double>(f.inside.samples) / static_cast<double>(f.whole.samples), 19.8 * 19.8 / 400.0, 0.003);
   EXPECT_EQ(f.rims_missed, 0u);
 }
 
@@ -127,8 +127,7 @@ TEST(PathJudge, AJumpCutsNothing)
   const JudgedFigures f = judgedPath(*part, part->outlines(), lifted, settings());
   EXPECT_EQ(f.jumps.size(), 21u);
   EXPECT_EQ(f.passes(), 22u);
-  const double reach =
-      std::sqrt(R * R - (R - 20.0 * h) * (R - 20.0 * h)); // from 4 pitches in, less between passes
+  const double reach = std::sqrt(R * R - (R - 20.0 * h) * (R - 20.0 * h)); // from 4 pitches in, less between passes
   EXPECT_GT(f.whole.uncut_share, (8.0 * pitch - 2.0 * reach) / (20.0 * pitch) - 0.003);
   EXPECT_LT(f.whole.uncut_share, (8.0 * pitch - 1.8 * reach) / (20.0 * pitch));
 }
@@ -141,8 +140,7 @@ TEST(PathJudge, CirclesOnADiscAreTheLeastLengthButForTheirJoins)
   for (int k = n; k > 0; --k)
     radii.push_back(k * pitch);
   radii.push_back(1e-3);
-  const CheckedPath path =
-      circularPasses(*disc, radii, [](double r) { return 100 + static_cast<int>(60.0 * r); });
+  const CheckedPath path = circularPasses(*disc, radii, [](double r) { return 100 + static_cast<int>(60.0 * r); });
   const JudgedFigures f = judgedPath(*disc, disc->outlines(), path, settings());
   EXPECT_NEAR(f.least, pi * pitch * n * (n + 1), 1e-3 * f.least);
   EXPECT_NEAR(f.lengthRatio(), 1.0 + 1.0 / (pi * (n + 1)), 1e-3);
@@ -172,8 +170,7 @@ TEST(PathJudge, LoopsInsideTheOutlineAreTheRimsThatCount)
     return line;
   };
   std::size_t missed = 9;
-  const std::vector<Polyline> rims =
-      rimsAlong(disc->outlines(), {ring(20.0, 2.0), ring(5.0, 10.5), ring(0.0, 39.5)}, 2.0, missed);
+  const std::vector<Polyline> rims = rimsAlong(disc->outlines(), {ring(20.0, 2.0), ring(5.0, 10.5), ring(0.0, 39.5)}, 2.0, missed);
   ASSERT_EQ(rims.size(), 2u);
   EXPECT_EQ(missed, 0u);
   const JudgedArea area(*disc, rims);
@@ -189,8 +186,7 @@ TEST(PathJudge, LoopsInsideTheOutlineAreTheRimsThatCount)
 TEST(PathJudge, TheLeastLengthTakesTheWidestStepThatTheCurvaturesAllow)
 {
   const Region region({rectangle(30.0, 40.0)});
-  const SurfacePtr round = cylinder(50.0, region),
-                   hollow = quadric(80.0, 80.0, Region({circle({0.0, 0.0}, 3.0)}));
+  const SurfacePtr round = cylinder(50.0, region), hollow = quadric(80.0, 80.0, Region({circle({0.0, 0.0}, 3.0)}));
   const double arc = 2.0 * 50.0 * std::asin(15.0 / 50.0); // across the axis; the widest step is along it
   EXPECT_NEAR(JudgedArea(*round, round->outlines()).leastLength(R, h), arc * 40.0 / pitch + arc + 40.0, 0.05);
   const double bottom = pi * 9.0 / exactStepOver(R, h, -1.0 / 80.0);
@@ -212,8 +208,7 @@ TEST(PathJudge, AGapIsMachinedOrGoneRound)
   std::vector<double> radii;
   for (int k = 20; k >= 10; --k)
     radii.push_back(k * pitch);
-  const CheckedPath rings =
-      circularPasses(*disc, radii, [](double r) { return 100 + static_cast<int>(60.0 * r); });
+  const CheckedPath rings = circularPasses(*disc, radii, [](double r) { return 100 + static_cast<int>(60.0 * r); });
   const JudgedFigures round = judgedPath(*disc, disc->outlines(), rings, s);
   EXPECT_FALSE(round.over_gap);
   EXPECT_EQ(round.rims_missed, 1u); // no loop is given for it

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How large a path becomes, foretold: against the spiral that is then made, and refused beyond what can be.
 #include "support/plane_lines.h"
 
@@ -28,7 +29,8 @@ TEST(PathSize, ForetellsTheSpiralsPoints)
 {
   const auto lines = test::straightLines([](std::size_t) { return Vector3d(0, 0, 0); }, test::ring(radius, 128));
   // Moves by the chord error on the circles, by the longest step, and turns far closer than either.
-  for (const SpiralSettings& s : {settings(0.1, 0.002, 0.0), settings(0.1, 1e-5, 0.0), settings(0.1, 0.05, 0.2), settings(1e-5, 0.01, 0.0)}) {
+  for (const SpiralSettings& s :
+       {settings(0.1, 0.002, 0.0), settings(0.1, 1e-5, 0.0), settings(0.1, 0.05, 0.2), settings(1e-5, 0.01, 0.0)}) {
     TurnFunction turns(lines, s, 0.5);
     ASSERT_TRUE(turns.compute().ok());
     const PathSize size = turns.pathSize();

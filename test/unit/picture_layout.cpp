@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What goes where in a picture: axes apart from one another and from the part, turns apart on the screen.
 #include "visualization/box_axes.h"
 #include "visualization/shown_turns.h"
@@ -55,15 +56,12 @@ expectLegible(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Par
   std::vector<AxisText> texts;
   for (const BoxAxis& axis : axes) {
     const double length = (axis.to - axis.from).norm();
-    EXPECT_NEAR(length,
-                view.project((high[axis.axis] - low[axis.axis]) * Eigen::Vector3d::Unit(axis.axis)).norm(),
-                1e-6);
+    EXPECT_NEAR(length, view.project((high[axis.axis] - low[axis.axis]) * Eigen::Vector3d::Unit(axis.axis)).norm(), 1e-6);
     ASSERT_FALSE(axis.texts.empty());
     EXPECT_EQ(axis.texts.front().words, std::string(1, "xyz"[axis.axis]) + ", mm");
     for (std::size_t i = 1; i < axis.texts.size(); ++i) {
       // every number stands beside the place it names
-      const double share =
-          (std::atof(axis.texts[i].words.c_str()) - low[axis.axis]) / (high[axis.axis] - low[axis.axis]);
+      const double share = (std::atof(axis.texts[i].words.c_str()) - low[axis.axis]) / (high[axis.axis] - low[axis.axis]);
       const Eigen::Vector2d named = axis.from + share * (axis.to - axis.from);
       const Eigen::Vector2d off = axis.texts[i].middle - named;
       EXPECT_NEAR(off.dot(axis.to - axis.from) / length, 0.0, 0.01 * length);
@@ -76,8 +74,7 @@ expectLegible(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Par
       texts.push_back(text);
     }
     for (int c = 0; c < 8; ++c) {
-      const Eigen::Vector3d corner((c & 1 ? high : low).x(), (c & 2 ? high : low).y(),
-                                   (c & 4 ? high : low).z());
+      const Eigen::Vector3d corner((c & 1 ? high : low).x(), (c & 2 ? high : low).y(), (c & 4 ? high : low).z());
       EXPECT_LT(axis.outward.dot(view.project(corner) - axis.from), 3.5);
     }
     for (const BoxAxis& other : axes)
@@ -112,8 +109,7 @@ TEST(BoxAxes, AreApartInTheUsualViewOfFlatAndTallParts)
     const Eigen::Vector3d low(-55.0, -65.0, 1.0), high(75.0, 70.0, 1.0 + height);
     for (const double tilt : {35.0, 34.0, 36.0})
       for (const double azimuth : {0.0, 0.1, -0.3, 90.0, 180.0}) {
-        SCOPED_TRACE(std::to_string(height) + " mm high, tilt " + std::to_string(tilt) + ", azimuth " +
-                     std::to_string(azimuth));
+        SCOPED_TRACE(std::to_string(height) + " mm high, tilt " + std::to_string(tilt) + ", azimuth " + std::to_string(azimuth));
         expectLegible(low, high, viewFrom(azimuth, tilt, high - low));
       }
   }
@@ -125,8 +121,7 @@ TEST(BoxAxes, AreApartFromAnySide)
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int trial = 0; trial < 200; ++trial) {
     const Eigen::Vector3d low = 1000.0 * (Eigen::Vector3d::NullaryExpr([&] { return unit(random) - 0.5; }));
-    const Eigen::Vector3d size =
-        Eigen::Vector3d::NullaryExpr([&] { return std::pow(10.0, 1.0 + 2.0 * unit(random)); });
+    const Eigen::Vector3d size = Eigen::Vector3d::NullaryExpr([&] { return std::pow(10.0, 1.0 + 2.0 * unit(random)); });
     SCOPED_TRACE(trial);
     expectLegible(low, low + size, viewFrom(360.0 * unit(random), 180.0 * unit(random), size));
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures: drawn where there is a display, refused with the remedy where there is none.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/visualization/pictures.h>
@@ -26,11 +27,7 @@ struct Paraboloid {
   int turns = 50;
   double end_angle = 0.0;
 
-  Eigen::Vector3d
-  place(double r, double angle) const
-  {
-    return {r * std::cos(angle), r * std::sin(angle), depth * (1.0 - 1e-4 * r * r)};
-  }
+  Eigen::Vector3d place(double r, double angle) const { return {r * std::cos(angle), r * std::sin(angle), depth * (1.0 - 1e-4 * r * r)}; }
 };
 
 PictureScene
@@ -52,12 +49,10 @@ scene(const Paraboloid& part = {})
     const Eigen::Vector3d p = part.place(100.0 * i / steps, 2.0 * M_PI * turn + part.end_angle);
     ToolpathPoint point;
     point.getVector3fMap() = p.cast<float>();
-    point.getNormalVector3fMap() =
-        Eigen::Vector3d(2e-4 * part.depth * p.x(), 2e-4 * part.depth * p.y(), 1.0).normalized().cast<float>();
+    point.getNormalVector3fMap() = Eigen::Vector3d(2e-4 * part.depth * p.x(), 2e-4 * part.depth * p.y(), 1.0).normalized().cast<float>();
     point.turn = static_cast<float>(turn);
     if (!path->empty())
-      point.arc_length =
-          path->back().arc_length + (point.getVector3fMap() - path->back().getVector3fMap()).norm();
+      point.arc_length = path->back().arc_length + (point.getVector3fMap() - path->back().getVector3fMap()).norm();
     path->push_back(point);
   }
   BoundaryLoop rim;
@@ -65,8 +60,7 @@ scene(const Paraboloid& part = {})
     rim.curve.push_back(part.place(100.0, 2.0 * M_PI * i / 200.0));
   result.report.loops.push_back(rim);
   for (int i = 0; i < 12; ++i)
-    result.report.radial_lines.push_back(
-        {part.place(0.0, 0.0), part.place(50.0, M_PI * i / 6.0), part.place(100.0, M_PI * i / 6.0)});
+    result.report.radial_lines.push_back({part.place(0.0, 0.0), part.place(50.0, M_PI * i / 6.0), part.place(100.0, M_PI * i / 6.0)});
   result.report.centre = part.place(0.0, 0.0);
   result.report.boundaries = 1;
   result.report.turns = static_cast<std::size_t>(part.turns);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Polygons cut into triangles: their areas add up to the polygon's, and no place in it lies in two of them. The oracle
 // counts how often a ray crosses the polygon's sides.
 #include <pcl_spiral/io/mesh_reader.h>
@@ -67,8 +68,7 @@ crosses(const Outline& outline)
 /** Reads the outline, laid into a tilted plane, as the one face of an OBJ file; its triangles back in the plane. */
 class PolygonCutting : public ::testing::Test {
 protected:
-  MeshFile
-  readFace(const Outline& outline)
+  MeshFile readFace(const Outline& outline)
   {
     std::string text;
     char line[120];
@@ -84,8 +84,7 @@ protected:
     return readMesh(folder_.path("face.obj"));
   }
 
-  std::vector<Outline>
-  trianglesOf(const Outline& outline)
+  std::vector<Outline> trianglesOf(const Outline& outline)
   {
     const MeshFile read = readFace(outline);
     EXPECT_EQ(read.polygons, outline.size() > 3 ? 1U : 0U);
@@ -96,15 +95,13 @@ protected:
     for (const pcl::Vertices& face : read.mesh->polygons) {
       triangles.emplace_back();
       for (const auto corner : face.vertices)
-        triangles.back().push_back(
-            (tilt_.inverse() * points[static_cast<std::size_t>(corner)].getVector3fMap().cast<double>()).head<2>());
+        triangles.back().push_back((tilt_.inverse() * points[static_cast<std::size_t>(corner)].getVector3fMap().cast<double>()).head<2>());
     }
     return triangles;
   }
 
   /** One triangle fewer than corners but one, none flat, all round as the outline, one over each place in it. */
-  void
-  expectCut(const Outline& outline, const std::string& name)
+  void expectCut(const Outline& outline, const std::string& name)
   {
     SCOPED_TRACE(name);
     const std::vector<Outline> triangles = trianglesOf(outline);
@@ -134,8 +131,7 @@ protected:
     EXPECT_LE(wrong, 1) << "places on a side may be taken for one beside it";
   }
 
-  void
-  expectBothWays(Outline outline, const std::string& name)
+  void expectBothWays(Outline outline, const std::string& name)
   {
     for (std::size_t first = 0; first < std::min<std::size_t>(outline.size(), 5); ++first) {
       expectCut(outline, name + " from corner " + std::to_string(first));
@@ -208,8 +204,7 @@ TEST_F(PolygonCutting, CornersOnStraightSidesAreNoFlatTriangles)
 
 TEST_F(PolygonCutting, HolesJoinedToTheOutlineByADoubleSide)
 {
-  expectBothWays({{0, 0}, {30, 0}, {30, 30}, {0, 30}, {0, 0}, {10, 10}, {10, 20}, {20, 20}, {20, 10}, {10, 10}},
-                 "frame");
+  expectBothWays({{0, 0}, {30, 0}, {30, 30}, {0, 30}, {0, 0}, {10, 10}, {10, 20}, {20, 20}, {20, 10}, {10, 10}}, "frame");
   Outline ring = around(std::vector<double>(24, 40.0));
   ring.push_back(ring.front());
   const Outline hole = around(std::vector<double>(17, 22.0));
@@ -261,13 +256,11 @@ TEST_F(PolygonCutting, TwiceRoundIsNoConvexPolygon)
 
 TEST_F(PolygonCutting, SaysWhatCannotBeCut)
 {
-  for (const Outline& outline :
-       {Outline{{0, 0}, {20, 20}, {20, 0}, {0, 20}}, Outline{{0, 0}, {10, 0}, {20, 0}, {30, 0}}}) {
+  for (const Outline& outline : {Outline{{0, 0}, {20, 20}, {20, 0}, {0, 20}}, Outline{{0, 0}, {10, 0}, {20, 0}, {30, 0}}}) {
     const MeshFile read = readFace(outline);
     EXPECT_EQ(read.mesh->polygons.size(), 2U);
     ASSERT_EQ(read.warnings.size(), 1U);
-    EXPECT_NE(read.warnings[0].find("face 1 (line 5) cannot be cut into triangles that neither overlap nor are flat"),
-              std::string::npos)
+    EXPECT_NE(read.warnings[0].find("face 1 (line 5) cannot be cut into triangles that neither overlap nor are flat"), std::string::npos)
         << read.warnings[0];
   }
   std::vector<double> radii(20002, 40.0);
@@ -278,8 +271,6 @@ TEST_F(PolygonCutting, SaysWhatCannotBeCut)
     FAIL();
   }
   catch (const std::exception& error) {
-    EXPECT_NE(std::string(error.what()).find("face 1 (line 20003) has 20002 corners and is not convex"),
-              std::string::npos)
-        << error.what();
+    EXPECT_NE(std::string(error.what()).find("face 1 (line 20003) has 20002 corners and is not convex"), std::string::npos) << error.what();
   }
 }

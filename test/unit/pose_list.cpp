@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lists of poses, .6d and .5d, read back by a parser of the test and led through kinematics of the tests.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/pose_list.h>
@@ -119,7 +120,8 @@ TEST(PoseList, AnglesAreThoseOfTheTrunnionAndGoOn)
   const Rows read = readRows(folder.path("a.5d"));
   ASSERT_EQ(read.size(), rows.size());
   MachineChain chain; // C on a trunnion A, as LinuxCNC's xyzac-trt has them
-  chain.rotary = {{'C', true, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero()}, {'A', true, Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero()}};
+  chain.rotary = {{'C', true, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero()},
+                  {'A', true, Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero()}};
   double before = 0.0, lowest = 0.0, highest = 0.0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     ASSERT_EQ(read[k].size(), rows[k].size());
@@ -176,8 +178,7 @@ TEST(PoseList, WhatCannotBeWrittenIsNamed)
     expectRefused({upright(), {ToolPose()}}, "row 2 has 1 poses");
     ToolPoses wrong = upright();
     wrong[3].axis = {0.0, 0.0, 2.0};
-    expectRefused({upright(), wrong},
-                  "row 2 has a pose at (-15, 0.333, 0) that is not finite, or whose axis (0, 0, 2) is no unit vector");
+    expectRefused({upright(), wrong}, "row 2 has a pose at (-15, 0.333, 0) that is not finite, or whose axis (0, 0, 2) is no unit vector");
     wrong[3].axis = Eigen::Vector3d::UnitZ();
     wrong[3].tip.x() = std::numeric_limits<double>::quiet_NaN();
     expectRefused({wrong}, "not finite");

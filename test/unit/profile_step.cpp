@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Step-over from the cutter's profile, against ridges found by moving the two passes apart.
 #include <pcl_spiral/core/profile_step.h>
 
@@ -47,10 +48,8 @@ TEST(ProfileStep, LeavesRidgesOfTheScallopAndNoWiderStepDoes)
 
 TEST(ProfileStep, IsThatOfTheFormulasForBallBullNoseAndFlatEnd)
 {
-  EXPECT_NEAR(*stepForScallop(CutterProfile(CutterShape::ball(10.0)), 0.05),
-              2.0 * std::sqrt(100.0 - 9.95 * 9.95), 1e-12);
-  EXPECT_NEAR(*stepForScallop(CutterProfile(CutterShape::bullNose(8.0, 2.0, 5.0)), 0.1),
-              12.0 + 2.0 * std::sqrt(4.0 - 1.9 * 1.9), 1e-12);
+  EXPECT_NEAR(*stepForScallop(CutterProfile(CutterShape::ball(10.0)), 0.05), 2.0 * std::sqrt(100.0 - 9.95 * 9.95), 1e-12);
+  EXPECT_NEAR(*stepForScallop(CutterProfile(CutterShape::bullNose(8.0, 2.0, 5.0)), 0.1), 12.0 + 2.0 * std::sqrt(4.0 - 1.9 * 1.9), 1e-12);
   EXPECT_EQ(*stepForScallop(CutterProfile(CutterShape::flatEnd(6.0, 5.0)), 0.1), 12.0);
   EXPECT_EQ(*stepForScallop(CutterProfile(CutterShape::ball(3.0)), 30.0), 6.0);
   const CutterProfile ball(CutterShape::ball(10.0));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every language of programs and paths, read back by parsers of the tests and led through kinematics of the
 // tests.
 #include <pcl_spiral/io/file_error.h>
@@ -46,8 +47,7 @@ programFor(const Machine& machine, const ToolPoses& poses)
 /** Every pose behind the pole's zone is passed in order, within 1e-3 mm and 1e-3 degree; the times are those
  * of the program. */
 void
-expectPath(const Machine& machine, const ParsedProgram& parsed, const MachineProgram& program,
-           const ToolPoses& poses)
+expectPath(const Machine& machine, const ParsedProgram& parsed, const MachineProgram& program, const ToolPoses& poses)
 {
   ASSERT_EQ(parsed.moves.size(), program.blocks.size());
   std::size_t at = 0;
@@ -55,8 +55,7 @@ expectPath(const Machine& machine, const ParsedProgram& parsed, const MachinePro
   for (std::size_t i = begin; i < poses.size(); ++i) {
     for (; at < parsed.moves.size(); ++at) {
       const TipAndAxis found = where(machine, parsed.moves[at]);
-      if ((found.tip - poses[i].tip).norm() < 1e-3 &&
-          angleBetween(found.axis, poses[i].axis) < 1e-3 * M_PI / 180.0)
+      if ((found.tip - poses[i].tip).norm() < 1e-3 && angleBetween(found.axis, poses[i].axis) < 1e-3 * M_PI / 180.0)
         break;
     }
     ASSERT_LT(at, parsed.moves.size()) << machine.name << ": pose " << i << " is not on the program's way";
@@ -74,21 +73,9 @@ expectPath(const Machine& machine, const ParsedProgram& parsed, const MachinePro
 /** A locale that writes 1.234,5. */
 class CommaPoint : public std::numpunct<char> {
 protected:
-  char
-  do_decimal_point() const override
-  {
-    return ',';
-  }
-  char
-  do_thousands_sep() const override
-  {
-    return '.';
-  }
-  std::string
-  do_grouping() const override
-  {
-    return "\3";
-  }
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
 };
 
 } // namespace
@@ -104,8 +91,7 @@ TEST(ProgramDialects, EveryLanguageSaysThePath)
     writeProgram(file, program, Dialect::LinuxCNC, header);
     ParsedProgram parsed = parseFanuc(file);
     expectPath(machine, parsed, program, poses);
-    for (const char* line :
-         {"G21 G90 G17 G40 G49 G80 G94", "G64 P0.010000", "T3 M6", "G43", "S12000 M3", "G93", "G94", "M2"})
+    for (const char* line : {"G21 G90 G17 G40 G49 G80 G94", "G64 P0.010000", "T3 M6", "G43", "S12000 M3", "G93", "G94", "M2"})
       EXPECT_TRUE(parsed.has(line)) << line;
     MachineProgram exact = program;
     exact.machine.path_tolerance = 0.0;
@@ -117,9 +103,9 @@ TEST(ProgramDialects, EveryLanguageSaysThePath)
     EXPECT_EQ(parsed.others.front(), "%");
     EXPECT_EQ(parsed.others.back(), "%");
     EXPECT_TRUE(parsed.has("M30"));
-    EXPECT_EQ(std::count_if(parsed.others.begin(), parsed.others.end(),
-                            [](const std::string& line) { return line.rfind("G43.4 H3 X", 0) == 0; }),
-              1);
+    EXPECT_EQ(
+        std::count_if(parsed.others.begin(), parsed.others.end(), [](const std::string& line) { return line.rfind("G43.4 H3 X", 0) == 0; }),
+        1);
     writeProgram(file, program, Dialect::FanucVectors, header);
     parsed = parseFanuc(file);
     expectPath(machine, parsed, program, poses);
@@ -133,8 +119,7 @@ TEST(ProgramDialects, EveryLanguageSaysThePath)
     writeProgram(file, program, Dialect::Heidenhain, header);
     parsed = parseHeidenhain(file);
     expectPath(machine, parsed, program, poses);
-    for (const char* line :
-         {"BEGIN PGM part MM", "TOOL CALL 3 Z S12000", "M128", "M129", "M30", "END PGM part MM"})
+    for (const char* line : {"BEGIN PGM part MM", "TOOL CALL 3 Z S12000", "M128", "M129", "M30", "END PGM part MM"})
       EXPECT_TRUE(parsed.has(line)) << line;
     for (std::size_t i = 0; i < parsed.moves.size(); ++i)
       ASSERT_LT((*parsed.moves[i].normal - program.blocks[i].normal).norm(), 1e-7);
@@ -197,8 +182,7 @@ TEST(ProgramDialects, NumbersDoNotDependOnTheLocale)
   const MachineProgram program = programFor(testMachines()[0], poses);
   const auto all = [&] {
     std::string text;
-    for (Dialect dialect :
-         {Dialect::LinuxCNC, Dialect::Fanuc, Dialect::FanucVectors, Dialect::Siemens, Dialect::Heidenhain}) {
+    for (Dialect dialect : {Dialect::LinuxCNC, Dialect::Fanuc, Dialect::FanucVectors, Dialect::Siemens, Dialect::Heidenhain}) {
       writeProgram(folder.path("a.nc"), program, dialect, {"part", 12500.0, 12, 4});
       text += readText(folder.path("a.nc"));
     }
@@ -238,14 +222,13 @@ TEST(PathExchange, AptSaysTipAxisAndFeed)
   writeAPT(folder.path("a.apt"), poses, {"dome", ballCutter(ball), 12000.0, 1500.0});
   std::vector<std::string> others;
   const std::vector<AptMove> moves = parseAPT(folder.path("a.apt"), others);
-  const std::vector<std::string> expected{
-      "PARTNO dome",
-      "UNITS/MM",
-      "MULTAX/ON",
-      "CUTTER/12.000000,6.000000,0.000000,6.000000,0.000000,0.000000,24.000000",
-      "SPINDL/12000.0,RPM,CLW",
-      "SPINDL/OFF",
-      "FINI"};
+  const std::vector<std::string> expected{"PARTNO dome",
+                                          "UNITS/MM",
+                                          "MULTAX/ON",
+                                          "CUTTER/12.000000,6.000000,0.000000,6.000000,0.000000,0.000000,24.000000",
+                                          "SPINDL/12000.0,RPM,CLW",
+                                          "SPINDL/OFF",
+                                          "FINI"};
   EXPECT_EQ(others, expected);
   ASSERT_EQ(moves.size(), poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -254,8 +237,7 @@ TEST(PathExchange, AptSaysTipAxisAndFeed)
     ASSERT_NEAR(moves[i].axis.norm(), 1.0, 1e-8);
     if (i == 0)
       continue;
-    const double contact = (poses[i].contact - poses[i - 1].contact).norm(),
-                 tip = (poses[i].tip - poses[i - 1].tip).norm();
+    const double contact = (poses[i].contact - poses[i - 1].contact).norm(), tip = (poses[i].tip - poses[i - 1].tip).norm();
     ASSERT_NEAR(moves[i].feed * contact / tip / 1500.0, 1.0, 0.011) << i;
   }
 }
@@ -288,8 +270,7 @@ TEST(PathExchange, RobotFramesAreNestedFourDeep)
     ASSERT_LT((1000.0 * place - path[i].getVector3fMap().cast<double>()).norm(), 2e-6);
     ASSERT_LT(angleBetween(frame.col(2), path[i].getNormalVector3fMap().cast<double>().normalized()), 1e-6);
     if (i + 1 < path.size()) {
-      const Eigen::Vector3d travel =
-          (path[i + 1].getVector3fMap() - path[i].getVector3fMap()).cast<double>().normalized();
+      const Eigen::Vector3d travel = (path[i + 1].getVector3fMap() - path[i].getVector3fMap()).cast<double>().normalized();
       ASSERT_GT(frame.col(0).dot(travel), 0.99) << i;
       ASSERT_NEAR(frame.col(1).dot(travel), 0.0, 1e-4);
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The published method through SpiralToolpathGenerator: gaps marked or refused, loops of the user's own, what a failure reports.
 #include "support/even_cloud.h"
 #include "support/given_loops.h"
@@ -126,8 +127,7 @@ TEST(PublishedGenerator, KeepsToAnOutlineOfTheUsersOwn)
   for (std::size_t i = 0; i < path.size(); ++i) {
     reach = std::max(reach, static_cast<double>(std::hypot(path[i].x, path[i].y)));
     if (i > 0)
-      round += std::atan2(path[i - 1].x * path[i].y - path[i - 1].y * path[i].x,
-                          path[i - 1].x * path[i].x + path[i - 1].y * path[i].y);
+      round += std::atan2(path[i - 1].x * path[i].y - path[i - 1].y * path[i].x, path[i - 1].x * path[i].x + path[i - 1].y * path[i].y);
   }
   EXPECT_NEAR(reach, 35.0, 0.5);
   EXPECT_GT(round, 0.0) << "counter-clockwise";
@@ -162,8 +162,7 @@ TEST(PublishedGenerator, AFailureReportsLoopsAndWarnings)
   std::vector<Eigen::Vector3d> points = test::evenPoints(*exact, 2.0, 10.0, 6);
   const Eigen::Vector3d middle = *std::max_element(
       points.begin(), points.end(), [&](const auto& a, const auto& b) { return exact->rimDistance(a) < exact->rimDistance(b); });
-  points.erase(std::remove_if(points.begin(), points.end(), [&](const auto& p) { return (p - middle).norm() < 15.0; }),
-               points.end());
+  points.erase(std::remove_if(points.begin(), points.end(), [&](const auto& p) { return (p - middle).norm() < 15.0; }), points.end());
   const auto cloud = test::toCloud(points);
   auto spiral = published(cloud);
   spiral.setBoundaryLoops(test::loopsOf(cloud));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Radial lines as published, and the step of (13)-(15): against meridians, exact surfaces, sagittas; where
 // lines fail.
 #include "spiral/published_lines.h"
@@ -25,7 +26,7 @@ constexpr double chord_error = 0.005;
 /** A cloud, its surface as published, its loops. */
 struct Scan {
   explicit Scan(const std::vector<Vector3d>& points)
-      : graph(test::graphOf(points)), surface(graph, 0, ProjectionMethod::DirectionalCentroid)
+  : graph(test::graphOf(points)), surface(graph, 0, ProjectionMethod::DirectionalCentroid)
   {
     EXPECT_TRUE(findBoundaryLoops(graph, {}, loops).ok());
   }
@@ -47,16 +48,8 @@ largestDeviation(const test::AnalyticSurface& exact, const std::vector<RadialLin
 
 class OnDome : public ::testing::Test {
 protected:
-  static void
-  SetUpTestSuite()
-  {
-    scan_ = new Scan(test::evenPoints(*test::spheroidCap(200.0, 100.0), 1.5, 10.0, 4));
-  }
-  static void
-  TearDownTestSuite()
-  {
-    delete scan_;
-  }
+  static void SetUpTestSuite() { scan_ = new Scan(test::evenPoints(*test::spheroidCap(200.0, 100.0), 1.5, 10.0, 4)); }
+  static void TearDownTestSuite() { delete scan_; }
   const test::SurfacePtr exact_ = test::spheroidCap(200.0, 100.0);
   static const Scan* scan_;
 };
@@ -67,13 +60,11 @@ TEST_F(OnDome, LinesAreMeridiansInOrder)
   RadialLineSet set;
   PublishedLineFigures figures;
   const Vector3d pole(0, 0, 100);
-  const PublishedLineRequest request{scan_->surface,      scan_->loops[0], nullptr, pole,
-                                     Vector3d(200, 0, 0), chord_error,     {}};
+  const PublishedLineRequest request{scan_->surface, scan_->loops[0], nullptr, pole, Vector3d(200, 0, 0), chord_error, {}};
   const Status status = publishedLines(request, set, figures);
   ASSERT_TRUE(status.ok()) << status.message();
   const auto n = static_cast<double>(set.lines.size());
-  EXPECT_EQ(set.lines.size(),
-            publishedLineCount(scan_->loops[0].length, chord_error, scan_->graph.spacing()));
+  EXPECT_EQ(set.lines.size(), publishedLineCount(scan_->loops[0].length, chord_error, scan_->graph.spacing()));
   double sideways = 0.0, curvature = 0.0;
   std::size_t stations = 0;
   for (std::size_t i = 0; i < set.lines.size(); ++i) {
@@ -103,8 +94,7 @@ TEST_F(OnDome, LinesAreMeridiansInOrder)
 
 TEST_F(OnDome, SameBytesForAnyThreads)
 {
-  const PublishedLineRequest request{
-      scan_->surface, scan_->loops[0], nullptr, Vector3d(0, 0, 100), {}, chord_error, {}};
+  const PublishedLineRequest request{scan_->surface, scan_->loops[0], nullptr, Vector3d(0, 0, 100), {}, chord_error, {}};
   RadialLineSet sets[2];
   const int before = omp_get_max_threads();
   for (const int threads : {1, 2}) {
@@ -123,8 +113,7 @@ TEST_F(OnDome, SameBytesForAnyThreads)
 
 TEST_F(OnDome, CanBeCancelled)
 {
-  PublishedLineRequest request{
-      scan_->surface, scan_->loops[0], nullptr, Vector3d(0, 0, 100), {}, chord_error, {}};
+  PublishedLineRequest request{scan_->surface, scan_->loops[0], nullptr, Vector3d(0, 0, 100), {}, chord_error, {}};
   request.progress = [](double) { return false; };
   RadialLineSet set;
   PublishedLineFigures figures;
@@ -138,8 +127,7 @@ TEST(PublishedLines, BetweenTwoBoundaries)
   ASSERT_EQ(scan.loops.size(), 2u);
   RadialLineSet set;
   PublishedLineFigures figures;
-  const Status status =
-      publishedLines({scan.surface, scan.loops[0], &scan.loops[1], {}, {}, chord_error, {}}, set, figures);
+  const Status status = publishedLines({scan.surface, scan.loops[0], &scan.loops[1], {}, {}, chord_error, {}}, set, figures);
   ASSERT_TRUE(status.ok()) << status.message();
   const Eigen::Vector2d hole(40, 25);
   double round = 0.0, before = 0.0;
@@ -167,12 +155,10 @@ TEST(PublishedLines, SayWhereALineLeavesTheSurface)
   Vector3d low = Vector3d::Constant(1e9);
   for (const Vector3d& p : scan.loops[0].curve)
     low = low.cwiseMin(p);
-  const Vector3d centre =
-      scan.surface.project(Vector3d(low.x() + 150.0, low.y() + 45.0, scan.graph.position(0).z())).position;
+  const Vector3d centre = scan.surface.project(Vector3d(low.x() + 150.0, low.y() + 45.0, scan.graph.position(0).z())).position;
   RadialLineSet set;
   PublishedLineFigures figures;
-  const Status status =
-      publishedLines({scan.surface, scan.loops[0], nullptr, centre, {}, chord_error, {}}, set, figures);
+  const Status status = publishedLines({scan.surface, scan.loops[0], nullptr, centre, {}, chord_error, {}}, set, figures);
   EXPECT_EQ(status.code(), StatusCode::Failed);
   for (const char* word : {"leaves the surface at (", "re-entrant outline"})
     EXPECT_NE(status.message().find(word), std::string::npos) << status.message();
@@ -180,8 +166,7 @@ TEST(PublishedLines, SayWhereALineLeavesTheSurface)
 
 TEST(PublishedLines, SayWhereTheGraphFallsApart)
 {
-  std::vector<Vector3d> points =
-      test::evenPoints(*test::flat(test::Region({test::circle({0, 0}, 40.0)})), 1.5, 10.0, 7);
+  std::vector<Vector3d> points = test::evenPoints(*test::flat(test::Region({test::circle({0, 0}, 40.0)})), 1.5, 10.0, 7);
   const Scan one(points);
   const std::size_t half = points.size();
   for (std::size_t i = 0; i < half; ++i)
@@ -190,12 +175,9 @@ TEST(PublishedLines, SayWhereTheGraphFallsApart)
   const MlsSurface surface(both, 0, ProjectionMethod::DirectionalCentroid);
   RadialLineSet set;
   PublishedLineFigures figures;
-  const Status status = publishedLines(
-      {surface, one.loops[0], nullptr, Vector3d(200, 0, 0), {}, chord_error, {}}, set, figures);
+  const Status status = publishedLines({surface, one.loops[0], nullptr, Vector3d(200, 0, 0), {}, chord_error, {}}, set, figures);
   EXPECT_EQ(status.code(), StatusCode::Failed);
-  EXPECT_NE(
-      status.message().find("no way over the edges of the elliptic Gabriel graph leads from (200, 0, 0)"),
-      std::string::npos)
+  EXPECT_NE(status.message().find("no way over the edges of the elliptic Gabriel graph leads from (200, 0, 0)"), std::string::npos)
       << status.message();
 }
 
@@ -216,9 +198,7 @@ TEST(PublishedLines, CountKeepsTheRimsChordError)
     for (const double e : {0.001, 0.005, 0.05}) {
       const std::size_t count = publishedLineCount(length, e, 1e-3);
       const double radius = length / (2.0 * M_PI);
-      const auto chord = [&](std::size_t n) {
-        return 2.0 * radius * std::sin(M_PI / static_cast<double>(n));
-      };
+      const auto chord = [&](std::size_t n) { return 2.0 * radius * std::sin(M_PI / static_cast<double>(n)); };
       EXPECT_LE(sagitta(radius, chord(count)), e * (1.0 + 1e-9));
       EXPECT_GT(sagitta(radius, chord(count - 2)), e);
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Boundaries as published: flags by equation (1) against a search of all pairs, walks that close and walks
 // that end.
 #include "spiral/published_loops.h"
@@ -28,8 +29,7 @@ flagsByAllPairs(const SurfaceGraph& graph, int neighbours, double threshold)
     const Vector3d p = graph.position(i);
     const auto distance = [&](std::size_t j) { return (graph.position(j) - p).norm(); };
     std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
     Vector3d offset = -p;
     for (int k = 1; k <= neighbours; ++k)
       offset += graph.position(order[k]) / neighbours;
@@ -90,8 +90,7 @@ TEST(PublishedLoops, WalkEndsAtACornerSharperThanItsTurn)
 
 TEST(PublishedLoops, WalkLosesItselfInTheBandOfARandomCloud)
 {
-  const SurfaceGraph graph =
-      test::graphOf(test::sampleUniform(*test::spheroidCap(200.0, 100.0), 20000, 3).points);
+  const SurfaceGraph graph = test::graphOf(test::sampleUniform(*test::spheroidCap(200.0, 100.0), 20000, 3).points);
   std::vector<BoundaryLoop> loops;
   const Status status = publishedLoops(graph, {}, loops);
   EXPECT_EQ(status.code(), StatusCode::Failed);

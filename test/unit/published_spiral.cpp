@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The published chain from a cloud to a path: what the path keeps, the same bytes for any threads, and how it
 // fails.
 #include "support/even_cloud.h"
 #include "support/surfaces.h"
 
+#include "spiral/surface_centre.h"
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/features/impl/surface_boundary.h>
 #include <pcl_spiral/spiral/impl/published_spiral.h>
-#include "spiral/surface_centre.h"
 
 #include <gtest/gtest.h>
 
@@ -63,31 +64,23 @@ expectSoundPath(const test::AnalyticSurface& exact, const SurfaceGraph& graph, c
     squares += off * off;
     EXPECT_NEAR(degreesBetween(result.axes[i].cast<double>(), result.normals[i]), settings.tilt_angle, 1e-3);
     if (i > 0)
-      EXPECT_NEAR(result.arc_lengths[i] - result.arc_lengths[i - 1],
-                  (result.contacts[i] - result.contacts[i - 1]).norm(), 1e-9);
+      EXPECT_NEAR(result.arc_lengths[i] - result.arc_lengths[i - 1], (result.contacts[i] - result.contacts[i - 1]).norm(), 1e-9);
   }
   std::printf("  %zu lines (%zu unsettled), step %.3f mm, %zu turns, %zu points, %.0f mm; off the surface by "
               "%.4f mm at most, "
               "%.4f rms (spacing %.2f)\n",
-              figures.lines, figures.unsettled_lines, figures.step, figures.turns, n,
-              result.arc_lengths.back(), largest, std::sqrt(squares / static_cast<double>(n)),
-              graph.spacing());
+              figures.lines, figures.unsettled_lines, figures.step, figures.turns, n, result.arc_lengths.back(), largest,
+              std::sqrt(squares / static_cast<double>(n)), graph.spacing());
   return largest;
 }
 
 class OnEvenDome : public ::testing::Test {
 protected:
-  static void
-  SetUpTestSuite()
+  static void SetUpTestSuite()
   {
-    graph_ =
-        new SurfaceGraph(test::graphOf(test::evenPoints(*test::spheroidCap(200.0, 100.0), 2.0, 10.0, 1)));
+    graph_ = new SurfaceGraph(test::graphOf(test::evenPoints(*test::spheroidCap(200.0, 100.0), 2.0, 10.0, 1)));
   }
-  static void
-  TearDownTestSuite()
-  {
-    delete graph_;
-  }
+  static void TearDownTestSuite() { delete graph_; }
   const test::SurfacePtr exact_ = test::spheroidCap(200.0, 100.0);
   static const SurfaceGraph* graph_;
 };
@@ -162,8 +155,7 @@ TEST_F(OnEvenDome, RefusesWhatHasNoStep)
   off.centre = Vector3d(0, 0, 500);
   const Status away = planPublishedWithin(*graph_, loops, off, {}, result);
   EXPECT_EQ(away.code(), StatusCode::InvalidArgument);
-  EXPECT_NE(away.message().find("(0, 0, 500) does not lie on the surface"), std::string::npos)
-      << away.message();
+  EXPECT_NE(away.message().find("(0, 0, 500) does not lie on the surface"), std::string::npos) << away.message();
 }
 
 TEST(PublishedSpiral, BetweenTwoBoundariesInwardClockwise)
@@ -199,8 +191,7 @@ TEST(PublishedSpiral, ARandomCloudNeedsLoopsFromElsewhere)
   PublishedResult result;
   const Status walked = planPublished(graph, cutter(), {}, result);
   EXPECT_EQ(walked.code(), StatusCode::Failed);
-  EXPECT_NE(walked.message().find("the walk along the boundary ends at ("), std::string::npos)
-      << walked.message();
+  EXPECT_NE(walked.message().find("the walk along the boundary ends at ("), std::string::npos) << walked.message();
   EXPECT_TRUE(result.contacts.empty());
   std::vector<BoundaryLoop> loops;
   ASSERT_TRUE(findBoundaryLoops(graph, {}, loops).ok());
@@ -229,10 +220,9 @@ TEST(PublishedSpiral, WarnsWhereTheCutterGouges)
     PublishedResult result;
     const Status status = planPublishedWithin(graph, loops, cutter(radius, 0.5), {}, result);
     ASSERT_TRUE(status.ok()) << status.message();
-    const bool warned =
-        std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& warning) {
-          return warning.find("the cutter gouges there") != std::string::npos;
-        });
+    const bool warned = std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& warning) {
+      return warning.find("the cutter gouges there") != std::string::npos;
+    });
     EXPECT_EQ(warned, radius > 130.0);
   }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Radial lines of clouds whose lines are known: radii, meridians, corners; and what is refused.
 #include "support/plane_lines.h"
 #include "support/sampling.h"
@@ -61,8 +62,7 @@ expectSplines(const std::vector<RadialLine>& lines, double tolerance)
       const double s = line.stationSpacing() * static_cast<double>(k);
       double nearest = 1e300;
       for (double t = -0.5; t <= 0.5; t += 0.01)
-        nearest = std::min(nearest,
-                           (line.curve.positionAt(s + t * line.stationSpacing()) - line.feet[k].position).norm());
+        nearest = std::min(nearest, (line.curve.positionAt(s + t * line.stationSpacing()) - line.feet[k].position).norm());
       worst = std::max(worst, nearest);
     }
     EXPECT_LE(worst, tolerance + 0.005 * line.stationSpacing());
@@ -147,7 +147,7 @@ TEST(RadialLines, AnnulusBetweenItsLoops)
     const Vector3d start = line.feet.front().position, end = line.feet.back().position;
     EXPECT_NEAR(start.norm(), 30.0, 1.5);
     EXPECT_NEAR(end.norm(), 80.0, 1.5);
-    EXPECT_LT(bow(line, start, end), 0.02);                            // straight: a geodesic
+    EXPECT_LT(bow(line, start, end), 0.02);                              // straight: a geodesic
     EXPECT_GT(start.normalized().dot(end.normalized()), std::cos(0.08)); // and radial, to the rims' jaggedness
   }
   EXPECT_EQ(crossings(lines, Vector3d::Zero(), 0.0), 0u);

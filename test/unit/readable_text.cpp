@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bytes that are no text are replaced one by one; text stays as it is (RFC 3629, and the characters of
 // XML 1.0).
 #include "common/readable_text.h"
@@ -8,9 +9,8 @@ using pcl_spiral::readableText;
 
 TEST(ReadableText, WellFormedTextStays)
 {
-  for (const char* text :
-       {"", "part.xyz", "a\tb\nc", "\x7F", "\xC2\x80", "K\xC3\xBChler", "\xDF\xBF", "\xE0\xA0\x80",
-        "\xED\x9F\xBF", "\xEE\x80\x80", "\xEF\xBF\xBD", "\xF0\x90\x80\x80", "\xF4\x8F\xBF\xBD"})
+  for (const char* text : {"", "part.xyz", "a\tb\nc", "\x7F", "\xC2\x80", "K\xC3\xBChler", "\xDF\xBF", "\xE0\xA0\x80", "\xED\x9F\xBF",
+                           "\xEE\x80\x80", "\xEF\xBF\xBD", "\xF0\x90\x80\x80", "\xF4\x8F\xBF\xBD"})
     EXPECT_EQ(readableText(text), text);
 }
 

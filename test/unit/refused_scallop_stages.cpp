@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the stages at constant scallop height refuse, each with its remedy, and that they can be cancelled.
 #include "support/given_loops.h"
 #include "support/sampling.h"

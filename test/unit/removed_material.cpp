@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Calibration of the checker: exact peaks on plane, cylinder and sphere, and faults put in on purpose.
 #include "support/removed_material.h"
 #include "support/move_tree.h"
@@ -66,8 +67,7 @@ TEST(StepOver, MatchesThePublishedValues)
   for (double kappa = 1e-3; kappa > 1e-14; kappa *= 0.3) // nearly flat, from both sides
     for (const double sign : {-1.0, 1.0}) {
       const double flat_step = exactStepOver(10, 0.05, 0.0);
-      EXPECT_NEAR(exactStepOver(10, 0.05, sign * kappa) / flat_step, 1.0 - sign * 5.025 * kappa,
-                  60 * kappa * kappa + 1e-9);
+      EXPECT_NEAR(exactStepOver(10, 0.05, sign * kappa) / flat_step, 1.0 - sign * 5.025 * kappa, 60 * kappa * kappa + 1e-9);
     }
 }
 
@@ -104,9 +104,7 @@ TEST(MoveTree, AgreesWithTryingEveryMove)
 TEST(MoveTree, TheIntervalIsWhereTheSegmentIsWithinTheRadius)
 {
   Random random(2);
-  const auto vec = [&](double r) {
-    return Eigen::Vector3d(random.uniform(-r, r), random.uniform(-r, r), random.uniform(-r, r));
-  };
+  const auto vec = [&](double r) { return Eigen::Vector3d(random.uniform(-r, r), random.uniform(-r, r), random.uniform(-r, r)); };
   for (int k = 0; k < 500; ++k) {
     const Eigen::Vector3d a = vec(2), b = k % 10 == 0 ? a : vec(2), x = vec(2), n = vec(1).normalized();
     const MoveTree one({a, b});
@@ -158,8 +156,7 @@ TEST(RemovedMaterial, PeakOnTheSphereIsExactOutsideAndInside)
     std::vector<double> radii;
     for (double a = 0.25 * angle; a < std::asin(33.0 / radius); a += angle)
       radii.push_back(radius * std::sin(a));
-    const CheckedPath path =
-        circularPasses(*surface, radii, [](double r) { return 24 + static_cast<int>(25.0 * r); });
+    const CheckedPath path = circularPasses(*surface, radii, [](double r) { return 24 + static_cast<int>(25.0 * r); });
     const RemovalFigures f = removedMaterial(*surface, path, settings());
     EXPECT_NEAR(f.ridge.max.value / h, 1.0, 0.005) << convex;
     EXPECT_NEAR(f.ridge.p50 / h, 1.0, 0.005) << convex;
@@ -180,8 +177,7 @@ TEST(RemovedMaterial, ChordsAddTheirSagittaWhereTheFeedIsConcaveAndGougeWhereCon
     // Every circle's chords of the centre's path leave the offset surface by e along the normal.
     const CheckedPath path = circularPasses(*surface, radii, [&](double r) {
       const double sine = r / radius, centre = (convex ? radius + R : radius - R) * sine;
-      return std::max(
-          24, static_cast<int>(std::lround(M_PI / std::acos(std::max(0.0, 1.0 - e / (centre * sine))))));
+      return std::max(24, static_cast<int>(std::lround(M_PI / std::acos(std::max(0.0, 1.0 - e / (centre * sine))))));
     });
     const RemovalFigures f = removedMaterial(*surface, path, settings());
     if (convex)
@@ -295,9 +291,8 @@ TEST(PathChecks, TheRimThatThePathMissesIsMeasured)
 {
   const SurfacePtr surface = flat(Region({rectangle(100.0, 100.0)}));
   PassBuilder builder(*surface);
-  for (const Eigen::Vector2d& u :
-       {Eigen::Vector2d(-50, -50), Eigen::Vector2d(50, -50), Eigen::Vector2d(50, 47), Eigen::Vector2d(47, 50),
-        Eigen::Vector2d(-52, 50), Eigen::Vector2d(-50, -50)})
+  for (const Eigen::Vector2d& u : {Eigen::Vector2d(-50, -50), Eigen::Vector2d(50, -50), Eigen::Vector2d(50, 47), Eigen::Vector2d(47, 50),
+                                   Eigen::Vector2d(-52, 50), Eigen::Vector2d(-50, -50)})
     builder.add(u, 0.0);
   const PathFigures p = checkPath(*surface, builder.path(), 1.0);
   EXPECT_NEAR(p.rim_missed.value, 1.5 * std::sqrt(2.0), 1e-9); // the corner cut off

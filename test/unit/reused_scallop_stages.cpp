@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The stages at constant scallop height used again, as reused_stages does with the others.
 #include "support/reused_stage.h"
 
@@ -19,8 +20,7 @@ struct Field : StepOverField<PointT> {
     this->setToolRadius(8.0);
     this->setScallopHeight(0.2);
   }
-  Values
-  run()
+  Values run()
   {
     this->compute(field);
     return field ? field->distance : Values();
@@ -35,8 +35,7 @@ struct Loops : ScallopLoops<PointT> {
     this->setToolRadius(8.0);
     this->setScallopHeight(0.2);
   }
-  Values
-  run()
+  Values run()
   {
     this->compute(set);
     Values values;
@@ -55,8 +54,7 @@ struct Passes : ScallopLoops<PointT> {
     this->setScallopHeight(0.2);
     this->setChordError(0.05);
   }
-  Values
-  run()
+  Values run()
   {
     this->compute(passes);
     Values values;
@@ -75,8 +73,7 @@ struct Linked : LoopLinking<PointT> {
     this->setToolRadius(8.0);
     this->setScallopHeight(0.2);
   }
-  Values
-  run()
+  Values run()
   {
     this->compute(path);
     Values values;
@@ -93,7 +90,19 @@ protected:
 
 } // namespace
 
-TEST_F(ReusedScallopStages, Field) { checkReuse<Field>("StepOverField"); }
-TEST_F(ReusedScallopStages, Loops) { checkReuse<Loops>("ScallopLoops"); }
-TEST_F(ReusedScallopStages, Passes) { checkReuse<Passes>("ScallopLoops, passes"); }
-TEST_F(ReusedScallopStages, Path) { checkReuse<Linked>("LoopLinking"); }
+TEST_F(ReusedScallopStages, Field)
+{
+  checkReuse<Field>("StepOverField");
+}
+TEST_F(ReusedScallopStages, Loops)
+{
+  checkReuse<Loops>("ScallopLoops");
+}
+TEST_F(ReusedScallopStages, Passes)
+{
+  checkReuse<Passes>("ScallopLoops, passes");
+}
+TEST_F(ReusedScallopStages, Path)
+{
+  checkReuse<Linked>("LoopLinking");
+}

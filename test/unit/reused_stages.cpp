@@ -1,20 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every class used again: clouds of other sizes, other point types, indices, no cloud at all. Never an answer of before.
 #include "support/reused_stage.h"
 #include "support/test_machines.h"
 
+#include <pcl_spiral/cleaning/stray_removal.h>
+#include <pcl_spiral/cutter/cutter_location.h>
+#include <pcl_spiral/drive/drive_path.h>
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 #include <pcl_spiral/geodesic/geodesic_path.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
-#include <pcl_spiral/surface/mls_projector.h>
-#include <pcl_spiral/cleaning/stray_removal.h>
-#include <pcl_spiral/surface/surface_preparation.h>
-#include <pcl_spiral/cutter/cutter_location.h>
-#include <pcl_spiral/drive/drive_path.h>
 #include <pcl_spiral/spiral/radial_lines.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
+#include <pcl_spiral/surface/mls_projector.h>
+#include <pcl_spiral/surface/surface_preparation.h>
 #include <pcl_spiral/verify/deviation_estimation.h>
 #include <pcl_spiral/verify/lead_check.h>
 #include <pcl_spiral/verify/material_removal.h>
@@ -61,8 +62,7 @@ addPoints(const Points& points, Values& values)
 
 template <typename PointT>
 struct Scanned : ScannedSurface<PointT> {
-  Values
-  run()
+  Values run()
   {
     this->compute(surface);
     Values values;
@@ -76,8 +76,7 @@ struct Scanned : ScannedSurface<PointT> {
 
 template <typename PointT>
 struct Prepared : SurfacePreparation<PointT> {
-  Values
-  run()
+  Values run()
   {
     this->filter(cloud);
     Values values;
@@ -89,8 +88,7 @@ struct Prepared : SurfacePreparation<PointT> {
 
 template <typename PointT>
 struct Removal : StrayRemoval<PointT> {
-  Values
-  run()
+  Values run()
   {
     this->filter(cloud);
     Values values;
@@ -102,8 +100,7 @@ struct Removal : StrayRemoval<PointT> {
 
 template <typename PointT>
 struct Graph : EllipticGabrielGraph<PointT> {
-  Values
-  run()
+  Values run()
   {
     this->compute(lists);
     return lists.size() > 0 ? Values{static_cast<double>(lists.edgeCount())} : Values();
@@ -113,8 +110,7 @@ struct Graph : EllipticGabrielGraph<PointT> {
 
 template <typename PointT>
 struct Loops : BoundaryLoops<PointT> {
-  Values
-  run()
+  Values run()
   {
     this->compute(loops);
     Values values;
@@ -127,8 +123,7 @@ struct Loops : BoundaryLoops<PointT> {
 
 template <typename PointT>
 struct Bridged : GapBridging<PointT> {
-  Values
-  run()
+  Values run()
   {
     this->compute(surface, loops);
     Values values;
@@ -147,8 +142,7 @@ struct Geodesic : GeodesicPath<PointT> {
     this->setSourcePoint({0.0, 0.0, b});
     this->setTargetPoints({Vector3d(40.0, 0.0, b * std::sqrt(1.0 - 0.25))});
   }
-  Values
-  run()
+  Values run()
   {
     this->compute(paths);
     Values values;
@@ -161,8 +155,7 @@ struct Geodesic : GeodesicPath<PointT> {
 
 template <typename PointT>
 struct Lines : RadialLines<PointT> {
-  Values
-  run()
+  Values run()
   {
     this->compute(set);
     Values values;
@@ -184,8 +177,7 @@ struct Projected : MLSProjector<PointT, pcl::PointNormal> {
     queries->push_back(p);
     this->setQueryCloud(queries);
   }
-  Values
-  run()
+  Values run()
   {
     this->process(feet);
     Values values;
@@ -203,8 +195,7 @@ struct Spiral : SpiralToolpathGenerator<PointT> {
     this->setScallopHeight(0.2);
     this->setChordError(0.05);
   }
-  Values
-  run()
+  Values run()
   {
     this->compute(path);
     Values values;
@@ -221,8 +212,7 @@ struct Located : CutterLocation<PointT> {
     this->setCutter(CutterShape::ball(5.0));
     this->setDrivePath(*ring());
   }
-  Values
-  run()
+  Values run()
   {
     this->compute(locations);
     Values values;
@@ -236,8 +226,7 @@ struct Located : CutterLocation<PointT> {
 template <typename PointT>
 struct Driven : DrivePath<PointT> {
   Driven() { this->setStepOver(5.0); }
-  Values
-  run()
+  Values run()
   {
     this->compute(passes);
     Values values;
@@ -252,8 +241,7 @@ struct Driven : DrivePath<PointT> {
 template <typename PointT>
 struct Deviation : DeviationEstimation<PointT> {
   Deviation() { this->setInputToolpath(ring()); }
-  Values
-  run()
+  Values run()
   {
     this->compute(out);
     Values values;
@@ -272,8 +260,7 @@ struct Removed : MaterialRemoval<PointT> {
     this->setToolRadius(5.0);
     this->setScallopHeight(0.1);
   }
-  Values
-  run()
+  Values run()
   {
     this->compute(out);
     return out.empty() ? Values() : Values{this->getFigures().area, this->getFigures().path_length};
@@ -284,8 +271,7 @@ struct Removed : MaterialRemoval<PointT> {
 template <typename PointT>
 struct Leads : LeadCheck<PointT> {
   Leads() { this->setCutter(CutterShape::ball(5.0)); }
-  Values
-  run()
+  Values run()
   {
     ToolPoses poses; // a line over the top
     for (int i = 0; i <= 10; ++i) {
@@ -305,8 +291,7 @@ struct Leads : LeadCheck<PointT> {
 template <typename PointT>
 struct Flags : CentroidBoundaryEstimation<PointT, pcl::Normal> {
   Flags() { this->setKSearch(32); }
-  Values
-  run()
+  Values run()
   {
     if (this->getInputCloud() && !this->getInputCloud()->empty()) {
       pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
@@ -330,7 +315,10 @@ protected:
 
 } // namespace
 
-TEST_F(ReusedStages, Surface) { checkReuse<Scanned>("ScannedSurface"); }
+TEST_F(ReusedStages, Surface)
+{
+  checkReuse<Scanned>("ScannedSurface");
+}
 TEST_F(ReusedStages, Filters)
 {
   checkReuse<Prepared>("SurfacePreparation");
@@ -342,9 +330,18 @@ TEST_F(ReusedStages, Boundaries)
   checkReuse<Loops>("BoundaryLoops");
   checkReuse<Bridged>("GapBridging");
 }
-TEST_F(ReusedStages, Graph) { checkReuse<Graph>("EllipticGabrielGraph"); }
-TEST_F(ReusedStages, Geodesics) { checkReuse<Geodesic>("GeodesicPath"); }
-TEST_F(ReusedStages, Projector) { checkReuse<Projected>("MLSProjector"); }
+TEST_F(ReusedStages, Graph)
+{
+  checkReuse<Graph>("EllipticGabrielGraph");
+}
+TEST_F(ReusedStages, Geodesics)
+{
+  checkReuse<Geodesic>("GeodesicPath");
+}
+TEST_F(ReusedStages, Projector)
+{
+  checkReuse<Projected>("MLSProjector");
+}
 TEST_F(ReusedStages, Spiral)
 {
   checkReuse<Lines>("RadialLines");
@@ -391,8 +388,8 @@ TEST_F(ReusedStages, ThroughPclsBases)
   SurfacePreparation<pcl::PointXYZ> preparation(true);
   StrayRemoval<pcl::PointXYZ> removal(true);
   cloud->emplace_back(0.0f, 0.0f, 300.0f);
-  for (pcl::Filter<pcl::PointXYZ>* filter : {static_cast<pcl::Filter<pcl::PointXYZ>*>(&preparation),
-                                             static_cast<pcl::Filter<pcl::PointXYZ>*>(&removal)}) {
+  for (pcl::Filter<pcl::PointXYZ>* filter :
+       {static_cast<pcl::Filter<pcl::PointXYZ>*>(&preparation), static_cast<pcl::Filter<pcl::PointXYZ>*>(&removal)}) {
     pcl::PointCloud<pcl::PointXYZ> kept;
     filter->setInputCloud(cloud);
     filter->filter(kept);

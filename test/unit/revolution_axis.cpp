@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Axes fitted to columns of known shape, moved at random.
 #include "core/revolution_axis.h"
 
@@ -22,13 +23,11 @@ struct Cloud {
 /** Column of the radius \p radius(z, angle) about z, normals by differences and off by \p noise radians,
  * moved. */
 Cloud
-column(const std::function<double(double, double)>& radius, double height, double sector, double noise,
-       const Eigen::Isometry3d& motion, std::uint64_t seed)
+column(const std::function<double(double, double)>& radius, double height, double sector, double noise, const Eigen::Isometry3d& motion,
+       std::uint64_t seed)
 {
   Random random(seed);
-  const auto place = [&](double z, double a) {
-    return Vector3d(radius(z, a) * std::cos(a), radius(z, a) * std::sin(a), z);
-  };
+  const auto place = [&](double z, double a) { return Vector3d(radius(z, a) * std::cos(a), radius(z, a) * std::sin(a), z); };
   Cloud cloud;
   for (int i = 0; i < 5000; ++i) {
     const double z = random.uniform(-0.5 * height, 0.5 * height), a = random.uniform(0.0, sector), h = 1e-5;
@@ -54,8 +53,7 @@ errorOf(const Cloud& cloud, const Eigen::Isometry3d& motion)
   if (!axis)
     return {};
   const Vector3d d = motion.linear().col(2);
-  return {std::asin(std::min(1.0, axis->direction.cross(d).norm())),
-          (axis->origin - motion.translation()).cross(d).norm(), *axis};
+  return {std::asin(std::min(1.0, axis->direction.cross(d).norm())), (axis->origin - motion.translation()).cross(d).norm(), *axis};
 }
 
 } // namespace
@@ -75,15 +73,14 @@ TEST(RevolutionAxis, OfColumnsOfManyShapes)
       {"taper of 40 degrees", [](double z, double) { return 30.0 + 0.84 * z; }, 40.0, all, 0.01, 1e-3, 0.03},
       {"five flutes", [](double, double a) { return 20.0 + std::sin(5.0 * a); }, 40.0, all, 0.0, 1e-2, 0.3},
       {"third of a turn", [](double, double) { return 20.0; }, 60.0, all / 3.0, 0.005, 1e-3, 0.02},
-      {"third of a waist", [](double z, double) { return 20.0 + 0.01 * z * z; }, 50.0, all / 3.0, 0.005, 2e-3,
-       0.05},
+      {"third of a waist", [](double z, double) { return 20.0 + 0.01 * z * z; }, 50.0, all / 3.0, 0.005, 2e-3, 0.05},
   };
   for (const Case& c : cases)
     for (const std::uint64_t seed : {1, 2, 3}) {
       const Eigen::Isometry3d motion = randomMotion(seed, 300.0);
       const Error e = errorOf(column(c.radius, c.height, c.sector, c.noise, motion, seed), motion);
-      std::printf("  %s: %.6f rad, %.4f mm; turning %.4f radial %.3f uncertainty %.4f\n", c.name, e.angle,
-                  e.offset, e.axis.turning, e.axis.radial, e.axis.uncertainty);
+      std::printf("  %s: %.6f rad, %.4f mm; turning %.4f radial %.3f uncertainty %.4f\n", c.name, e.angle, e.offset, e.axis.turning,
+                  e.axis.radial, e.axis.uncertainty);
       EXPECT_LT(e.angle, c.most_angle) << c.name;
       EXPECT_LT(e.offset, c.most_offset) << c.name;
       EXPECT_LT(e.axis.uncertainty, 0.4) << c.name;
@@ -97,8 +94,7 @@ TEST(RevolutionAxis, ACylinderIsNoPieceOfAHugeRing)
   for (std::uint64_t seed = 1; seed <= 40; ++seed)
     for (const double noise : {0.0, 0.01, 0.05}) {
       const Eigen::Isometry3d motion = randomMotion(seed, 300.0);
-      const Error e =
-          errorOf(column([](double, double) { return 10.0; }, 60.0, 2.0 * M_PI, noise, motion, seed), motion);
+      const Error e = errorOf(column([](double, double) { return 10.0; }, 60.0, 2.0 * M_PI, noise, motion, seed), motion);
       EXPECT_LT(e.angle, 5e-4 + 0.05 * noise) << seed << ", noise " << noise;
       EXPECT_LT(e.offset, 0.02 + 2.0 * noise) << seed << ", noise " << noise;
     }
@@ -107,8 +103,7 @@ TEST(RevolutionAxis, ACylinderIsNoPieceOfAHugeRing)
 TEST(RevolutionAxis, ABossOnTheSideCountsLess)
 {
   const auto boss = [](double z, double a) {
-    return 20.0 +
-           (std::hypot(z, 20.0 * (a - 1.0)) < 6.0 ? 0.8 * (6.0 - std::hypot(z, 20.0 * (a - 1.0))) : 0.0);
+    return 20.0 + (std::hypot(z, 20.0 * (a - 1.0)) < 6.0 ? 0.8 * (6.0 - std::hypot(z, 20.0 * (a - 1.0))) : 0.0);
   };
   const Eigen::Isometry3d motion = randomMotion(4, 100.0);
   const Error e = errorOf(column(boss, 60.0, 2.0 * M_PI, 0.005, motion, 4), motion);

@@ -1,5 +1,6 @@
-// Ridges that are measured awkwardly: rails through the upright, dense or noisy lines, lines that do not meet, rings that do not close, hollows
-// tighter than the stand-off, edges sharper than the steps.
+// SPDX-License-Identifier: BSD-3-Clause
+// Ridges that are measured awkwardly: rails through the upright, dense or noisy lines, lines that do not meet, rings that do not close,
+// hollows tighter than the stand-off, edges sharper than the steps.
 #include <pcl_spiral/ridge/ridge_rows.h>
 
 #include "support/made_ridge.h"
@@ -75,14 +76,16 @@ across(double stand_off)
 
 TEST(AwkwardRidge, IsRefusedWhereItsRailPassesTheReferenceNormal)
 {
-  const Polyline wheel = lineOf(200, [](double t) -> Vector3d { return 50.0 * Vector3d(std::cos(1.5 * M_PI * t), 0.0, std::sin(1.5 * M_PI * t)); });
+  const Polyline wheel =
+      lineOf(200, [](double t) -> Vector3d { return 50.0 * Vector3d(std::cos(1.5 * M_PI * t), 0.0, std::sin(1.5 * M_PI * t)); });
   for (const double theta : {0.0, 1e-4}) { // no angle stands in the way of such a chord
     const Polyline tread = lineOf(30, [&](double t) -> Vector3d {
       return 50.0 * Vector3d(0.0, 0.0, 1.0) + 10.0 * (t - 0.5) * Vector3d(0.0, std::cos(theta), std::sin(theta));
     });
     const Status refused = statusOf(wheel, tread);
     EXPECT_EQ(refused.code(), StatusCode::InvalidInput);
-    EXPECT_NE(refused.message().find(theta == 0.0 ? "stands upright, along the reference normal, at (" : "has a slope of"), std::string::npos)
+    EXPECT_NE(refused.message().find(theta == 0.0 ? "stands upright, along the reference normal, at (" : "has a slope of"),
+              std::string::npos)
         << refused.message();
     RidgeSettings settings;
     settings.reference = Vector3d::UnitY(); // the remedy: across the rail
@@ -104,7 +107,8 @@ TEST(AwkwardRidge, DenseLinesAreNoLessSmooth)
       double largest = 0.0;
       for (int k = 0; k <= 400; ++k) {
         const double u = ridge->rail().length() * k / 400.0, t = ridge->rail().position(u).x() / 600.0;
-        const double off = std::acos(std::min(1.0, std::abs(ridge->rail().tangent(u).dot(die.frame(std::clamp(t, 0.0, 1.0)).col(0))))) / degree;
+        const double off =
+            std::acos(std::min(1.0, std::abs(ridge->rail().tangent(u).dot(die.frame(std::clamp(t, 0.0, 1.0)).col(0))))) / degree;
         largest = std::max(largest, off);
       }
       EXPECT_LT(largest, 0.6) << count << " points, error given: " << error;
@@ -115,7 +119,8 @@ TEST(AwkwardRidge, DenseLinesAreNoLessSmooth)
 
 TEST(AwkwardRidge, SaysHowWellDirectionsAreKnown)
 {
-  EXPECT_FALSE(warns(madeRidge(moved(die.railPoints(300), 0.02, 1), moved(die.generatorPoints(0.37, 60), 0.02, 2))->report().warnings, "direction"));
+  EXPECT_FALSE(
+      warns(madeRidge(moved(die.railPoints(300), 0.02, 1), moved(die.generatorPoints(0.37, 60), 0.02, 2))->report().warnings, "direction"));
   const auto noisy = madeRidge(die.railPoints(300), moved(die.generatorPoints(0.37, 50), 0.3, 3));
   EXPECT_TRUE(warns(noisy->report().warnings, "the direction of the generator is known to"));
   double squares = 0.0; // of the true error, inside
@@ -147,7 +152,9 @@ TEST(AwkwardRidge, LinesThatDoNotMeetAndRingsThatDoNotCloseAreWarnedOf)
   EXPECT_FALSE(warns(madeRidge(die.railPoints(300), die.generatorPoints(0.37, 60))->report().warnings, "come nearest"));
 
   const auto ring = [](double share) {
-    return lineOf(300, [share](double t) -> Vector3d { return 50.0 * Vector3d(std::cos(2.0 * M_PI * share * t), std::sin(2.0 * M_PI * share * t), 0.0); });
+    return lineOf(300, [share](double t) -> Vector3d {
+      return 50.0 * Vector3d(std::cos(2.0 * M_PI * share * t), std::sin(2.0 * M_PI * share * t), 0.0);
+    });
   };
   const Polyline generator = lineOf(30, [](double t) -> Vector3d { return Vector3d(-50.0 - 8.0 * t, 0.0, 2.0 * t); });
   const auto open = madeRidge(ring(0.987), generator); // a gap of four spacings
@@ -210,7 +217,8 @@ TEST(AwkwardRidge, MovesBetweenStepsKeepTheChordError)
 
 TEST(AwkwardRidge, SaysHowFarRowsAreApart)
 {
-  const Polyline ring = lineOf(315, [](double t) -> Vector3d { return 50.0 * Vector3d(std::cos(1.99365 * M_PI * t), std::sin(1.99365 * M_PI * t), 0.0); });
+  const Polyline ring =
+      lineOf(315, [](double t) -> Vector3d { return 50.0 * Vector3d(std::cos(1.99365 * M_PI * t), std::sin(1.99365 * M_PI * t), 0.0); });
   const Polyline generator = lineOf(30, [](double t) -> Vector3d { return Vector3d(50.0 + 10.0 * t, 0.0, 3.0 * t * (1.0 - t)); });
   const auto ridge = madeRidge(ring, generator);
   ASSERT_TRUE(ridge->report().closed);

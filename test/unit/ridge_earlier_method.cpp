@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The earlier method, three long lines and arcs across them, beside a rail and a generator.
 #include <pcl_spiral/ridge/ridge_surface.h>
 
@@ -151,7 +152,8 @@ TEST(EarlierMethod, IsFartherOffThanARailAndAGenerator)
   EXPECT_NEAR(without_noise.largest, 1.02, 0.01);
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const Off theirs = offOf(exact, measuredLines(exact, 300, noise, 10 * seed));
-    const auto surface = madeRidge(moved(exact.railPoints(300), noise, 2 * seed), moved(exact.generatorPoints(0.37, 60), noise, 2 * seed + 1));
+    const auto surface =
+        madeRidge(moved(exact.railPoints(300), noise, 2 * seed), moved(exact.generatorPoints(0.37, 60), noise, 2 * seed + 1));
     ASSERT_TRUE(surface);
     const Off ours = offOf(exact, *surface);
     EXPECT_NEAR(theirs.rms(), without_noise.rms(), 0.01);
@@ -182,5 +184,6 @@ TEST(EarlierMethod, TakesNearlyThreeTimesTheMeasuring)
     theirs += pointsAt(step, lengthOf(line));
   }
   EXPECT_NEAR(static_cast<double>(pointsAt(step, rail) + pointsAt(step, generator)) / static_cast<double>(theirs), 0.35, 0.005);
-  std::printf("points: %zu and 900 at %.2f mm, %zu and %zu at %.2f mm\n", ours, apart, pointsAt(step, rail) + pointsAt(step, generator), theirs, step);
+  std::printf("points: %zu and 900 at %.2f mm, %zu and %zu at %.2f mm\n", ours, apart, pointsAt(step, rail) + pointsAt(step, generator),
+              theirs, step);
 }

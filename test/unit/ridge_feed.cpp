@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Speed of a beam over a ridge: programs of rows, read back, and the contact's way in the time of every block.
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
@@ -24,7 +25,8 @@ constexpr double feed = 600.0, stand_off = 10.0;
 ExactRidge
 archedRing(double theta)
 {
-  return ringRidge(50.0, [](double w) { return Vector3d(0.0, 36.0 * w, 15.0 * w * (1.0 - w)); }, theta * M_PI / 180.0);
+  return ringRidge(
+      50.0, [](double w) { return Vector3d(0.0, 36.0 * w, 15.0 * w * (1.0 - w)); }, theta * M_PI / 180.0);
 }
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr

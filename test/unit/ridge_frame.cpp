@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/ridge_frame.h>
 
 #include "support/sampling.h"
@@ -51,9 +52,7 @@ TEST(RidgeFrame, IsRightHandedAndKeepsTheAngle)
 
 TEST(RidgeFrame, TellsHowFarAnErrorOfTheSlopeTurnsTheChord)
 {
-  const auto at = [](double slope) {
-    return ridgeFrame({std::cos(slope), 0.0, std::sin(slope)}, {Vector3d::UnitZ(), 0.5, 1});
-  };
+  const auto at = [](double slope) { return ridgeFrame({std::cos(slope), 0.0, std::sin(slope)}, {Vector3d::UnitZ(), 0.5, 1}); };
   EXPECT_NEAR(at(59.5 * degree)->slopeFactor(), 9.7, 0.05);
   const double slope = 50.0 * degree, change = 1e-6;
   const double turned = std::asin(at(slope + change)->sin_psi) - std::asin(at(slope)->sin_psi);
@@ -65,13 +64,16 @@ TEST(RidgeFrame, TellsHowFarAnErrorOfTheSlopeTurnsTheChord)
 TEST(RidgeFrame, TurnsAsFiniteDifferencesSay)
 {
   // Along a curve with a slope of its own at every place.
-  const auto tangentAt = [](double s) { return Vector3d(std::cos(0.3 * s), std::sin(0.3 * s), 0.4 * std::sin(0.2 * s) + 0.1).normalized(); };
+  const auto tangentAt = [](double s) {
+    return Vector3d(std::cos(0.3 * s), std::sin(0.3 * s), 0.4 * std::sin(0.2 * s) + 0.1).normalized();
+  };
   const Vector3d reference = Vector3d(0.1, -0.2, 1.0).normalized();
   for (double s = 0.0; s < 20.0; s += 0.37)
     for (const int branch : {1, -1}) {
       const RidgeChord chord{reference, std::sin(-15.0 * degree), branch};
       const double d = 1e-5;
-      const auto before = ridgeFrame(tangentAt(s - d), chord), frame = ridgeFrame(tangentAt(s), chord), after = ridgeFrame(tangentAt(s + d), chord);
+      const auto before = ridgeFrame(tangentAt(s - d), chord), frame = ridgeFrame(tangentAt(s), chord),
+                 after = ridgeFrame(tangentAt(s + d), chord);
       const Vector3d omega = ridgeTurn(*frame, (tangentAt(s + d) - tangentAt(s - d)) / (2.0 * d), reference);
       const Vector3d chord_change = (after->chord - before->chord) / (2.0 * d), up_change = (after->up - before->up) / (2.0 * d);
       EXPECT_NEAR((frame->localOf(chord_change) - omega.cross(Vector3d::UnitY())).norm(), 0.0, 1e-8);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rail and generator out of full scans of ridges that are known exactly.
 #include <pcl_spiral/ridge/ridge_toolpath.h>
 
@@ -74,8 +75,8 @@ TEST(RidgeLines, OfANoisyScanAreTheDie)
     EXPECT_NEAR(report.misfit, 0.02, 0.002);
     EXPECT_LT(report.largest_misfit, 0.08);
     EXPECT_GT(wander(report.crest), 5.0 * wander(lines.getRail())) << seed; // the crest alone
-    std::printf("seed %u: off by %.4f rms, %.4f at most; wander %.3f, of the crest alone %.3f; %d rounds\n", static_cast<unsigned>(seed), off.rms,
-                off.largest, wander(lines.getRail()), wander(report.crest), report.rounds);
+    std::printf("seed %u: off by %.4f rms, %.4f at most; wander %.3f, of the crest alone %.3f; %d rounds\n", static_cast<unsigned>(seed),
+                off.rms, off.largest, wander(lines.getRail()), wander(report.crest), report.rounds);
   }
 }
 
@@ -96,7 +97,8 @@ TEST(RidgeLines, OfAProfileThatChangesAreSaidWithPlace)
   EXPECT_GT(report.largest_place.x(), 570.0);
   EXPECT_GT(report.misfit, 0.05);
   ASSERT_FALSE(report.warnings.empty());
-  EXPECT_NE(report.warnings.back().find("the part is off the surface that the generator sweeps by 0.0"), std::string::npos) << report.warnings.back();
+  EXPECT_NE(report.warnings.back().find("the part is off the surface that the generator sweeps by 0.0"), std::string::npos)
+      << report.warnings.back();
   Lines same = linesOf(coarseDie(), roughPointsOfDie(die), 20.0);
   find(same);
   for (const std::string& warning : same.getReport().warnings)

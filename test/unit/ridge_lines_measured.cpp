@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Measured lines: any order, any place, and lines that are none.
 #include <pcl_spiral/ridge/ridge_surface.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Scans and rough points that are no ridge, with the remedies that messages name.
 #include "support/found_lines.h"
 
@@ -49,7 +50,8 @@ TEST(RidgeLines, RefuseWhatIsNoRidge)
 
 TEST(RidgeLines, OfAHollowAreThoseOfTheOtherSide)
 {
-  const ExactRidge hollow{[](double t) { return Vector3d(200.0 * t, 0.0, 0.0); }, [](double w) { return Vector3d(0.0, 60.0 * w, -40.0 * w * (1.0 - w)); }};
+  const ExactRidge hollow{[](double t) { return Vector3d(200.0 * t, 0.0, 0.0); },
+                          [](double w) { return Vector3d(0.0, 60.0 * w, -40.0 * w * (1.0 - w)); }};
   Lines lines = linesOf(scanOf(hollow, 200, 60, 0.02, 1), {Vector3d(20.0, 32.0, -10.0), Vector3d(180.0, 29.0, -10.0)}, 10.0);
   refused(lines, "there is no crest between the rough points at (");
   lines.setFlipNormals(true); // the remedy

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Triangles over ridges: on the surface, as near to it as asked, looking up, without a seam.
 #include <pcl_spiral/ridge/ridge_mesh.h>
 
@@ -32,7 +33,8 @@ die()
 RidgeSurface::ConstPtr
 ring()
 {
-  const ExactRidge exact = ringRidge(50.0, [](double w) { return Vector3d(0.0, 24.0 * w, 16.0 * w * (1.0 - w)); }, 20.0 * degree);
+  const ExactRidge exact = ringRidge(
+      50.0, [](double w) { return Vector3d(0.0, 24.0 * w, 16.0 * w * (1.0 - w)); }, 20.0 * degree);
   Polyline rail = exact.railPoints(315);
   rail.pop_back();
   return madeRidge(rail, exact.generatorPoints(0.2, 60));
@@ -41,7 +43,8 @@ ring()
 RidgeSurface::ConstPtr
 helix()
 {
-  const ExactRidge exact = helixRidge(100.0, 20.0 * degree, [](double w) { return Vector3d(0.0, 20.0 * w, 0.0); }, -15.0 * degree);
+  const ExactRidge exact = helixRidge(
+      100.0, 20.0 * degree, [](double w) { return Vector3d(0.0, 20.0 * w, 0.0); }, -15.0 * degree);
   return madeRidge(exact.railPoints(600), exact.generatorPoints(0.37, 41));
 }
 
@@ -68,7 +71,8 @@ Judged
 judge(const RidgeSurface& surface, const RidgeMesh& mesh)
 {
   Judged judged;
-  const double du = surface.rail().length() / static_cast<double>(mesh.along), dv = surface.generator().length() / static_cast<double>(mesh.across);
+  const double du = surface.rail().length() / static_cast<double>(mesh.along),
+               dv = surface.generator().length() / static_cast<double>(mesh.across);
   const auto placeOf = [&](std::uint32_t vertex) {
     return Eigen::Vector2d(du * static_cast<double>(vertex / (mesh.across + 1)), dv * static_cast<double>(vertex % (mesh.across + 1)));
   };
@@ -179,7 +183,8 @@ TEST(RidgeMesh, OfAStraightRailIsFlatAlongIt)
   const auto surface = madeRidge(exact.railPoints(101), exact.generatorPoints(0.3, 60));
   RidgeMesh mesh;
   ASSERT_TRUE(ridgeMesh(*surface, 0.01, mesh).ok());
-  const double du = surface->rail().length() / static_cast<double>(mesh.along), dv = surface->generator().length() / static_cast<double>(mesh.across);
+  const double du = surface->rail().length() / static_cast<double>(mesh.along),
+               dv = surface->generator().length() / static_cast<double>(mesh.across);
   EXPECT_NEAR(du / dv, 4.0, 0.4) << "as long as a cell may be";
   EXPECT_LE(judge(*surface, mesh).largest_face, 0.01);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The picture of the normals of a ridge: angles by the formula, and their colours.
 #include <pcl_spiral/visualization/pictures.h>
 #include <pcl_spiral/visualization/ridge_picture.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The picture of the lines of a ridge: lines and frames as they are, words inside the sheet.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/visualization/pictures.h>
@@ -82,7 +83,8 @@ TEST(RidgePicture, ShowsLinesAndFrames)
   for (const RidgeScene& scene : {dieScene(), ringScene(), helixScene()}) {
     writeRidgeLines(folder.path("a.png"), scene);
     const auto counts = colorsOf(folder.path("a.png"), 0, part_end);
-    for (const auto& [matches, least] : {std::make_pair(isRailColor, 400u), {isGeneratorColor, 60u}, {isRed, 300u}, {isGreen, 300u}, {isBlue, 300u}})
+    for (const auto& [matches, least] :
+         {std::make_pair(isRailColor, 400u), {isGeneratorColor, 60u}, {isRed, 300u}, {isGreen, 300u}, {isBlue, 300u}})
       EXPECT_GT(countOf(counts, matches), least);
     EXPECT_GT(share(counts, isGray), 0.015) << "the ridge";
     EXPECT_GT(counts.size(), 1000u) << "is shaded";

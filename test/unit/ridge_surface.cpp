@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ridges of measured lines against ridges known exactly.
 #include <pcl_spiral/ridge/ridge_surface.h>
 
@@ -103,7 +104,10 @@ TEST(RidgeSurface, OfARingIsATorusWithoutASeam)
 
 TEST(RidgeSurface, FoldsWhereTheGeneratorReachesTheMiddleOfTheBend)
 {
-  const auto inward = [](double reach) { return ringRidge(50.0, [reach](double w) { return Vector3d(0.0, reach * w, 0.0); }, 0.0); };
+  const auto inward = [](double reach) {
+    return ringRidge(
+        50.0, [reach](double w) { return Vector3d(0.0, reach * w, 0.0); }, 0.0);
+  };
   Polyline rail = inward(1.0).railPoints(315);
   rail.pop_back();
   EXPECT_TRUE(madeRidge(rail, inward(49.0).generatorPoints(0.2, 50)));
@@ -116,7 +120,8 @@ TEST(RidgeSurface, OfAHelixTwists)
 {
   const double slope = 20.0 * degree, radius = 100.0, twist = std::sin(slope) * std::cos(slope) / radius;
   for (const double side : {1.0, -1.0}) { // inwards and outwards
-    ExactRidge exact = helixRidge(radius, slope, [](double w) { return Vector3d(0.0, 20.0 * w, 0.0); }, -15.0 * degree);
+    ExactRidge exact = helixRidge(
+        radius, slope, [](double w) { return Vector3d(0.0, 20.0 * w, 0.0); }, -15.0 * degree);
     if (side < 0.0)
       exact.rail = [first = exact.rail](double t) { return first(1.0 - t); };
     const auto surface = madeRidge(exact.railPoints(2100), exact.generatorPoints(0.4, 40));

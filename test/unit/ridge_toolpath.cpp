@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rows over ridges: spots that cover all of it, equal steps, scallops of a ball, and what is refused.
 #include <pcl_spiral/ridge/ridge_toolpath.h>
 
@@ -177,7 +178,8 @@ TEST(RidgeToolpath, IsTheSameForAnyNumberOfThreads)
 
 TEST(RidgeToolpath, RingsOfRowsAreClosed)
 {
-  const ExactRidge exact = ringRidge(50.0, [](double w) { return Vector3d(0.0, 20.0 * w, 12.0 * w * (1.0 - w)); }, 0.0);
+  const ExactRidge exact = ringRidge(
+      50.0, [](double w) { return Vector3d(0.0, 20.0 * w, 12.0 * w * (1.0 - w)); }, 0.0);
   RidgeToolpath<pcl::PointXYZ> ridge;
   std::vector<Vector3d> rail = exact.railPoints(315);
   rail.pop_back();
@@ -219,8 +221,18 @@ TEST(RidgeToolpath, RefusesWhatCannotBe)
   refused([](Ridge& r) { r.setInputGenerator(nullptr); }, "the generator is missing or empty");
   refused([](Ridge& r) { r.setStepOver(0.0); }, "nothing tells how far rows are apart");
   refused([](Ridge& r) { r.setSpot(4.0, 0.0); }, "more than one setting tells");
-  refused([](Ridge& r) { r.setStepOver(0.0); r.setSpot(4.0, 1.0); }, "the overlap is 1");
-  refused([](Ridge& r) { r.setStepOver(0.0); r.setScallop(6.0, 6.0); }, "the scallop height is 6");
+  refused(
+      [](Ridge& r) {
+        r.setStepOver(0.0);
+        r.setSpot(4.0, 1.0);
+      },
+      "the overlap is 1");
+  refused(
+      [](Ridge& r) {
+        r.setStepOver(0.0);
+        r.setScallop(6.0, 6.0);
+      },
+      "the scallop height is 6");
   refused([](Ridge& r) { r.setPointSpacing(0.0); }, "the spacing of points is 0");
   refused([](Ridge& r) { r.setLead(90.0); }, "lead and tilt");
   refused([](Ridge& r) { r.setRunIn(-1.0); }, "run-in");
@@ -229,5 +241,11 @@ TEST(RidgeToolpath, RefusesWhatCannotBe)
   refused([](Ridge& r) { r.setPointSpacing(1e-6); }, "raise the spacing of points");
   refused([](Ridge& r) { r.setReferenceNormal(Vector3d::Zero()); }, "has no direction");
   refused([](Ridge& r) { r.setNumberOfThreads(static_cast<unsigned int>(-1)); }, "number of threads");
-  refused([](Ridge& r) { r.setFlipNormals(true); r.setStepOver(0.0); r.setScallop(60.0, 0.02); }, "the ridge is hollow with radius");
+  refused(
+      [](Ridge& r) {
+        r.setFlipNormals(true);
+        r.setStepOver(0.0);
+        r.setScallop(60.0, 0.02);
+      },
+      "the ridge is hollow with radius");
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pass along the rim inside it, on it and beyond it; the margin about holes; what does not go is refused with the place.
 #include "support/outlines.h"
 #include "support/sampling.h"

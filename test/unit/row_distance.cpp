@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The distance of rows at which a ball leaves a ridge of the height asked for: on exact surfaces, by force.
 #include "support/left_heights.h"
 #include "support/sampling.h"
@@ -48,27 +49,11 @@ struct RowCut {
   double radius = 5.0, height = 0.01;
   RowsThrough through = RowsThrough::Centres;
 
-  Vector3d
-  along() const
-  {
-    return {std::cos(direction * M_PI / 180.0), std::sin(direction * M_PI / 180.0), 0.0};
-  }
-  Vector3d
-  across() const
-  {
-    return Vector3d::UnitZ().cross(along());
-  }
+  Vector3d along() const { return {std::cos(direction * M_PI / 180.0), std::sin(direction * M_PI / 180.0), 0.0}; }
+  Vector3d across() const { return Vector3d::UnitZ().cross(along()); }
   /** What has to be on a plane: the contact, or the centre. */
-  Vector3d
-  led(const Vector3d& x) const
-  {
-    return through == RowsThrough::Contacts ? x : Vector3d(x + radius * surface->normal(x));
-  }
-  double
-  nominal() const
-  {
-    return 2.0 * std::sqrt((2.0 * radius - height) * height);
-  }
+  Vector3d led(const Vector3d& x) const { return through == RowsThrough::Contacts ? x : Vector3d(x + radius * surface->normal(x)); }
+  double nominal() const { return 2.0 * std::sqrt((2.0 * radius - height) * height); }
 };
 
 /** Patches of a fine grid, and the extent of what is led over them. */
@@ -151,9 +136,8 @@ keptRowsLeave(const RowCut& cut, int cells, std::size_t samples, double least)
   const double even = std::ceil((high - low) / cut.nominal());
   const auto [p99, p999, largest] = heightsInside(cut, rows.levels, samples);
   const double more = static_cast<double>(rows.levels.size()) / even;
-  std::printf(
-      "  %zu rows for %.0f even ones, steps %.4f to %.4f mm: p99 %.4f h, p99.9 %.4f h, largest %.4f h\n",
-      rows.levels.size(), even, rows.smallest_step, rows.largest_step, p99, p999, largest);
+  std::printf("  %zu rows for %.0f even ones, steps %.4f to %.4f mm: p99 %.4f h, p99.9 %.4f h, largest %.4f h\n", rows.levels.size(), even,
+              rows.smallest_step, rows.largest_step, p99, p999, largest);
   EXPECT_LE(largest, 1.02);
   EXPECT_GE(largest, least);
   return more;
@@ -176,8 +160,7 @@ TEST(RowDistance, OfAPlaneIsTheStepByItsSlopeAcross)
     for (const RowsThrough through : {RowsThrough::Contacts, RowsThrough::Centres}) {
       SurfaceBend plane;
       plane.normal = Vector3d(0.0, -slope, 1.0).normalized();
-      EXPECT_NEAR(rowDistance(plane, Vector3d::UnitY(), 5.0, 0.01, through), step / std::hypot(1.0, slope),
-                  1e-12);
+      EXPECT_NEAR(rowDistance(plane, Vector3d::UnitY(), 5.0, 0.01, through), step / std::hypot(1.0, slope), 1e-12);
       EXPECT_NEAR(rowDistance(plane, Vector3d::UnitX(), 5.0, 0.01, through), step, 1e-12);
     }
   EXPECT_EQ(rowDistance({}, Vector3d::UnitZ(), 5.0, 0.01, RowsThrough::Contacts), 0.0);
@@ -194,10 +177,9 @@ TEST(RowDistance, OfACylinderIsExactForLongSteps)
     const double a = rho + radius, b = rho + height;
     const double half = 0.5 * std::acos((a * a + b * b - radius * radius) / (2.0 * a * b)) * 2.0;
     const SurfaceBend top{Vector3d::UnitZ(), Vector3d::UnitY(), 1.0 / rho, 0.0};
-    EXPECT_NEAR(rowDistance(top, Vector3d::UnitY(), radius, height, RowsThrough::Contacts),
-                2.0 * std::abs(rho) * std::sin(half), 1e-9);
-    EXPECT_NEAR(rowDistance(top, Vector3d::UnitY(), radius, height, RowsThrough::Centres),
-                2.0 * std::abs(rho + radius) * std::sin(half), 1e-9);
+    EXPECT_NEAR(rowDistance(top, Vector3d::UnitY(), radius, height, RowsThrough::Contacts), 2.0 * std::abs(rho) * std::sin(half), 1e-9);
+    EXPECT_NEAR(rowDistance(top, Vector3d::UnitY(), radius, height, RowsThrough::Centres), 2.0 * std::abs(rho + radius) * std::sin(half),
+                1e-9);
   }
 }
 
@@ -206,14 +188,11 @@ TEST(RowDistance, LeavesTheRidgeOnPlanesSpheresAndTwistedSurfaces)
   const Vector2d half(10.0, 10.0);
   for (const RowsThrough through : {RowsThrough::Contacts, RowsThrough::Centres}) {
     keptRowsLeave({tilted(0.4, 0.8), -half, half, 0.0, 5.0, 0.01, through}, 60, 4000, 0.95);
-    keptRowsLeave({ball(40.0, Region({rectangle(20.0, 20.0)})), -half, half, 20.0, 5.0, 0.01, through}, 60,
-                  4000, 0.95);
-    keptRowsLeave({quadric(12.0, -12.0, Region({rectangle(8.0, 8.0)})), -0.4 * half, 0.4 * half, 45.0, 5.0,
-                   0.02, through},
-                  100, 8000, 0.85);
-    keptRowsLeave({waves({{1.0, 0.35, 0.2, 0.3}}, Region({rectangle(20.0, 20.0)})), -half, half, 70.0, 3.0,
-                   0.01, through},
-                  100, 8000, 0.95);
+    keptRowsLeave({ball(40.0, Region({rectangle(20.0, 20.0)})), -half, half, 20.0, 5.0, 0.01, through}, 60, 4000, 0.95);
+    keptRowsLeave({quadric(12.0, -12.0, Region({rectangle(8.0, 8.0)})), -0.4 * half, 0.4 * half, 45.0, 5.0, 0.02, through}, 100, 8000,
+                  0.85);
+    keptRowsLeave({waves({{1.0, 0.35, 0.2, 0.3}}, Region({rectangle(20.0, 20.0)})), -half, half, 70.0, 3.0, 0.01, through}, 100, 8000,
+                  0.95);
   }
 }
 
@@ -221,8 +200,8 @@ TEST(RowDistance, LeavesTheRidgeOnPlanesSpheresAndTwistedSurfaces)
 TEST(RowDistance, LeavesTheHeightMidway)
 {
   const Region square({rectangle(20.0, 20.0)});
-  for (const SurfacePtr& surface : {quadric(12.0, -12.0, square), quadric(-9.0, 30.0, square),
-                                    tilted(0.9, 0.7), waves({{1.0, 0.35, 0.2, 1.9}}, square)})
+  for (const SurfacePtr& surface :
+       {quadric(12.0, -12.0, square), quadric(-9.0, 30.0, square), tilted(0.9, 0.7), waves({{1.0, 0.35, 0.2, 1.9}}, square)})
     for (const RowsThrough through : {RowsThrough::Contacts, RowsThrough::Centres})
       for (const double direction : {0.0, 30.0, 45.0, 80.0}) {
         const RowCut cut{surface, {-3.0, -3.0}, {3.0, 3.0}, direction, 4.0, 0.01, through};
@@ -246,7 +225,5 @@ TEST(RowDistance, KeepsTheScallopOfTheLandformWithFewRowsMore)
 {
   for (const RowsThrough through : {RowsThrough::Contacts, RowsThrough::Centres})
     for (const double direction : {0.0, 90.0})
-      EXPECT_LE(keptRowsLeave({landform(), {0.0, 0.0}, {100.0, 100.0}, direction, 5.0, 0.01, through}, 300,
-                              25000, 0.97),
-                1.12);
+      EXPECT_LE(keptRowsLeave({landform(), {0.0, 0.0}, {100.0, 100.0}, direction, 5.0, 0.01, through}, 300, 25000, 0.97), 1.12);
 }

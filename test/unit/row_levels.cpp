@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Levels of rows as far apart as the patches between them allow, and no more of them than needed.
 #include "support/sampling.h"
 
@@ -18,8 +19,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /** Largest distance of neighbours, in what the patches between allow; of the ends, in half of it. */
 double
-largestShare(const std::vector<RowPatch>& patches, const std::vector<double>& levels, double low, double high,
-             double floor)
+largestShare(const std::vector<RowPatch>& patches, const std::vector<double>& levels, double low, double high, double floor)
 {
   std::vector<double> stops{low};
   stops.insert(stops.end(), levels.begin(), levels.end());
@@ -28,8 +28,8 @@ largestShare(const std::vector<RowPatch>& patches, const std::vector<double>& le
   for (std::size_t k = 0; k + 1 < stops.size(); ++k)
     for (const RowPatch& patch : patches)
       if (patch.high > stops[k] + 1e-9 && patch.low < stops[k + 1] - 1e-9)
-        largest = std::max(largest, (k == 0 || k + 2 == stops.size() ? 2.0 : 1.0) *
-                                        (stops[k + 1] - stops[k]) / std::max(floor, patch.most));
+        largest =
+            std::max(largest, (k == 0 || k + 2 == stops.size() ? 2.0 : 1.0) * (stops[k + 1] - stops[k]) / std::max(floor, patch.most));
   return largest;
 }
 
@@ -40,8 +40,7 @@ someShape(std::uint64_t seed, double floor)
   std::vector<RowPatch> patches;
   for (int i = 0; i < 400; ++i) {
     const double low = random.uniform(-2.0, 40.0);
-    patches.push_back({low, low + random.uniform(0.0, i % 40 == 0 ? 10.0 : 0.3),
-                       random.uniform(0.5 * floor, 1.5), random.uniform()});
+    patches.push_back({low, low + random.uniform(0.0, i % 40 == 0 ? 10.0 : 0.3), random.uniform(0.5 * floor, 1.5), random.uniform()});
   }
   return patches;
 }
@@ -105,17 +104,14 @@ TEST(RowLevels, AreCloserOnlyWhereNeeded)
 
 TEST(RowLevels, AreHeldAtTheFloorAndSayWhere)
 {
-  const std::vector<RowPatch> patches{
-      {0.0, 6.0, 1.0, 6.0}, {6.0, 6.5, 0.01, 1.0}, {6.5, 7.0, 0.0, 1.0}, {7.0, 10.0, infinity, 2.0}};
+  const std::vector<RowPatch> patches{{0.0, 6.0, 1.0, 6.0}, {6.0, 6.5, 0.01, 1.0}, {6.5, 7.0, 0.0, 1.0}, {7.0, 10.0, infinity, 2.0}};
   const RowLevels rows = rowLevels(patches, 0.0, 10.0, 0.2);
   EXPECT_EQ(rows.narrowest, 2U);
   EXPECT_NEAR(rows.held_share, 0.2, 1e-12);
   EXPECT_LT(rows.levels.size(), 15U);
   EXPECT_LE(largestShare(patches, rows.levels, 0.0, 10.0, 0.2), 1.0 + 1e-9);
   const double nan = std::nan("");
-  EXPECT_EQ(rowLevels({{nan, nan, 1.0, 1.0}, {0.0, 1.0, nan, 1.0}, {0.0, 4.0, 1.0, 1.0}}, 0.0, 4.0, 0.1)
-                .levels.size(),
-            4U);
+  EXPECT_EQ(rowLevels({{nan, nan, 1.0, 1.0}, {0.0, 1.0, nan, 1.0}, {0.0, 4.0, 1.0, 1.0}}, 0.0, 4.0, 0.1).levels.size(), 4U);
   EXPECT_EQ(rowLevels({}, 0.0, 4.0, 0.1).levels.size(), 1U);
   EXPECT_EQ(rowLevels(patches, 3.0, 3.0, 0.2).levels, std::vector<double>{3.0});
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Passes joined on a surface that is told by a function: which, by what way, and which stay alone.
 #include "mesh/row_links.h"
 

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sections of a mesh whose faces bow far: contacts stay on it.
-#include <pcl_spiral/mesh/mesh_sections.h>
 #include <pcl_spiral/mesh/impl/patch_tree.h>
+#include <pcl_spiral/mesh/mesh_sections.h>
 
 #include "support/meshes.h"
 

@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A path at constant scallop height composed by hand is the generator's, to the byte; closed loops are a toolpath of their own.
 #include "support/outlines.h"
 #include "support/sampling.h"
 
 #include <pcl_spiral/core/step_over.h>
+#include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/path_sampling.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
 #include <pcl_spiral/spiral/spiral_path.h>
-#include <pcl_spiral/spiral/step_over_field.h>
-#include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
+#include <pcl_spiral/spiral/step_over_field.h>
 
 #include <pcl/console/print.h>
 

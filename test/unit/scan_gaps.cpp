@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Gaps of a scan: ridden over and marked where asked for, refused where not; the path over them lies on the true surface.
 #include "support/sampling.h"
 #include "support/surfaces.h"
@@ -14,8 +15,8 @@ namespace {
 using namespace pcl_spiral;
 using Path = pcl::PointCloud<ToolpathPoint>;
 
-constexpr double radius = 150.0;   // of the sphere
-constexpr double spacing = 0.75;   // about: 20,000 points within 60 mm
+constexpr double radius = 150.0; // of the sphere
+constexpr double spacing = 0.75; // about: 20,000 points within 60 mm
 
 /** A gap on the plan of the part, and how far inside it a place lies (negative: outside). */
 struct Gap {
@@ -49,9 +50,8 @@ generatorFor(const std::vector<Gap>& gaps, double noise)
 bool
 hasPointNear(const pcl::PointCloud<pcl::PointXYZ>& scan, const ToolpathPoint& p)
 {
-  return std::any_of(scan.begin(), scan.end(), [&p](const pcl::PointXYZ& q) {
-    return (q.getVector3fMap() - p.getVector3fMap()).norm() < spacing;
-  });
+  return std::any_of(scan.begin(), scan.end(),
+                     [&p](const pcl::PointXYZ& q) { return (q.getVector3fMap() - p.getVector3fMap()).norm() < spacing; });
 }
 
 /** Marked well inside the gaps and not well outside, unless by chance no point of the scan is near there; near the sphere
@@ -117,9 +117,9 @@ TEST(ScanGaps, UnderNoiseTheBridgeStaysNear)
 TEST(ScanGaps, ARealHoleIsRiddenOverWhenOneBoundaryIsAskedFor)
 {
   // The shadow of a clamp, 8 by 40 mm.
-  const std::vector<Gap> shadow{
-      {test::rectangle(40, 8, {-15, 20}),
-       [](double u, double v) { return std::min({u + 35, 5 - u, v - 16, 24 - v}); }}};
+  const std::vector<Gap> shadow{{test::rectangle(40, 8, {-15, 20}), [](double u, double v) {
+                                   return std::min({u + 35, 5 - u, v - 16, 24 - v});
+                                 }}};
   auto generator = generatorFor(shadow, 0.0);
   generator.setBoundaryMode(BoundaryMode::OneBoundary);
   Path path;

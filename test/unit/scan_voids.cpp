@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Holes too narrow to be open loops: told from chance, marked on the path, opened where their size is given.
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/surface/impl/scan_voids.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
+#include <pcl_spiral/surface/impl/scan_voids.h>
 
 #include <gtest/gtest.h>
 

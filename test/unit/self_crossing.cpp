@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Self-crossings put in on purpose are found where they are; a spiral has none.
 #include "core/self_crossing.h"
 
@@ -81,11 +82,9 @@ TEST(SelfCrossing, ShortPathsAndRepeatedPoints)
 
 // Whether two segments of the plane z = 0 cross, each leaving the other's ends on either side by more than the slack.
 bool
-crossInPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d,
-             double slack)
+crossInPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d, double slack)
 {
-  const auto offSides = [slack](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r,
-                                const Eigen::Vector3d& s) {
+  const auto offSides = [slack](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r, const Eigen::Vector3d& s) {
     const Eigen::Vector2d across = Eigen::Vector2d(p.y() - q.y(), q.x() - p.x()).normalized();
     const double one = across.dot((r - p).head<2>()), other = across.dot((s - p).head<2>());
     return (one > slack && other < -slack) || (one < -slack && other > slack);

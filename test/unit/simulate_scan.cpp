@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The simulated scan against the spheroid, and the ridge, it is taken from.
 #include <pcl_spiral/io/cloud_reader.h>
 
@@ -44,27 +45,20 @@ protected:
   }
   ~SimulateScan() override { fs::remove_all(folder_); }
 
-  std::string
-  file(const std::string& name) const
-  {
-    return (folder_ / name).string();
-  }
-  int
-  run(const std::string& options) const
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  int run(const std::string& options) const
   {
     const std::string program = "'" PCL_SPIRAL_PROGRAMS_DIR "/pcl_spiral_simulate_scan' ";
     return WEXITSTATUS(std::system((program + options + " >/dev/null 2>" + file("said")).c_str()));
   }
-  Cloud
-  scan(const std::string& options) const
+  Cloud scan(const std::string& options) const
   {
     Cloud cloud;
     EXPECT_EQ(run("-o " + file("scan.pcd") + " " + options), 0);
     EXPECT_EQ(pcl::io::loadPCDFile(file("scan.pcd"), cloud), 0);
     return cloud;
   }
-  std::string
-  bytes(const std::string& name) const
+  std::string bytes(const std::string& name) const
   {
     std::ifstream in(file(name), std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -129,8 +123,8 @@ TEST_F(SimulateScan, seedDecidesTheBytesAndFormatsAgree)
 
 TEST_F(SimulateScan, refusesWhatItCannotDoAndLeavesNoFile)
 {
-  for (const std::string wrong : {"--rim 301", "--noise -1", "--line-spacing 0", "--outliers 1",
-                                  "--radius nan", "--line-spacing 1e-9", "--bogus 1"}) {
+  for (const std::string wrong :
+       {"--rim 301", "--noise -1", "--line-spacing 0", "--outliers 1", "--radius nan", "--line-spacing 1e-9", "--bogus 1"}) {
     EXPECT_EQ(run("-o " + file("scan.pcd") + " " + wrong), 2) << wrong;
     EXPECT_FALSE(bytes("said").empty()) << wrong;
   }
@@ -147,8 +141,7 @@ TEST_F(SimulateScan, refusesWhatItCannotDoAndLeavesNoFile)
 TEST_F(SimulateScan, ColumnHasItsRadiusAllRound)
 {
   const double mean = 30.0;
-  const Cloud cloud =
-      scan("--part column --radius 30 --height 60 --line-spacing 1 --point-spacing 0.5 --noise 0 --outliers 0");
+  const Cloud cloud = scan("--part column --radius 30 --height 60 --line-spacing 1 --point-spacing 0.5 --noise 0 --outliers 0");
   ASSERT_EQ(cloud.size(), 189U * 120U);
   double least = 1e9, largest = 0;
   for (const auto& p : cloud) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The spiral between lines known exactly: on a plane disc it is Archimedes'.
 #include "support/plane_lines.h"
 
@@ -23,8 +24,7 @@ public:
     settings.chord_error = 0.002;
   }
 
-  std::vector<SpiralPoint>
-  sample()
+  std::vector<SpiralPoint> sample()
   {
     TurnFunction turn_function(lines_, settings, 0.5);
     EXPECT_TRUE(turn_function.compute().ok());
@@ -55,8 +55,7 @@ private:
 Case
 disc()
 {
-  return Case(test::straightLines([](std::size_t) { return Vector3d(0, 0, 0); }, test::ring(radius, 128)),
-              test::ring(radius, 1024), {});
+  return Case(test::straightLines([](std::size_t) { return Vector3d(0, 0, 0); }, test::ring(radius, 128)), test::ring(radius, 1024), {});
 }
 
 Vector3d
@@ -98,8 +97,7 @@ TEST(SpiralCurve, ArchimedesOnADisc)
     if (b.position.norm() > 5.0)
       sagitta = std::max(sagitta, offArchimedes(0.5 * (a.position + b.position), 0.5 * (a.turn + b.turn), c.turns));
   }
-  std::printf("  off Archimedes' spiral: %.2g mm within 5 mm of the centre, %.2g mm outside; sagitta %.4f mm\n", inside,
-              outside, sagitta);
+  std::printf("  off Archimedes' spiral: %.2g mm within 5 mm of the centre, %.2g mm outside; sagitta %.4f mm\n", inside, outside, sagitta);
   EXPECT_LT(inside, 2e-3);
   EXPECT_LT(outside, 1e-3); // the chord error is twice that
   EXPECT_LT(rim, 1e-3);
@@ -169,8 +167,7 @@ TEST(SpiralCurve, SquareKeepsItsCorners)
 TEST(SpiralCurve, AnnulusBeginsAndEndsRoundItsLoopsInTheSenseAskedFor)
 {
   const Polyline outer = test::ring(radius, 128), inner = test::ring(20.0, 128);
-  Case c(test::straightLines([&](std::size_t i) { return inner[i]; }, outer), test::ring(radius, 1024), {},
-         test::ring(20.0, 1024));
+  Case c(test::straightLines([&](std::size_t i) { return inner[i]; }, outer), test::ring(radius, 1024), {}, test::ring(20.0, 1024));
   const auto [ccw, cw] = std::pair(SpiralSense::CounterClockwise, SpiralSense::Clockwise);
   const auto [out, in] = std::pair(SpiralDirection::Outward, SpiralDirection::Inward);
   for (const auto& [sense, direction] : {std::pair(ccw, out), std::pair(cw, out), std::pair(ccw, in), std::pair(cw, in)}) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The generator as a PCL user meets it: ends, axes, sides, orders, threads, progress, refusals.
 #include "support/sampling.h"
 
@@ -20,8 +21,7 @@ constexpr double radius = 80.0, reach = 30.0;
 const test::Sampled&
 ballPoints()
 {
-  static const test::Sampled sampled =
-      test::sampleUniform(*test::ball(radius, test::Region({test::circle({0, 0}, reach)})), 4000, 31);
+  static const test::Sampled sampled = test::sampleUniform(*test::ball(radius, test::Region({test::circle({0, 0}, reach)})), 4000, 31);
   return sampled;
 }
 
@@ -39,8 +39,8 @@ bool
 sameBytes(const Path& a, const Path& b)
 {
   const auto same = [](const ToolpathPoint& p, const ToolpathPoint& q) {
-    return !std::memcmp(p.data, q.data, 12) && !std::memcmp(p.data_n, q.data_n, 12) &&
-           !std::memcmp(p.axis, q.axis, 12) && p.arc_length == q.arc_length && p.turn == q.turn;
+    return !std::memcmp(p.data, q.data, 12) && !std::memcmp(p.data_n, q.data_n, 12) && !std::memcmp(p.axis, q.axis, 12) &&
+           p.arc_length == q.arc_length && p.turn == q.turn;
   };
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), same);
 }
@@ -343,8 +343,7 @@ TEST(SpiralToolpathGenerator, RefusesWithAnEmptyPath)
   with([](Generator& g) { g.setToolRadius(100.0); }, StatusCode::InvalidInput, "is the scan in metres");
   with([](Generator& g) { g.setInputNormals(test::toNormals({Vector3d(0, 0, 1)})); }, StatusCode::InvalidInput, "normals");
   with([](Generator& g) { g.setBoundaryMode(BoundaryMode::TwoBoundaries); }, argument, "two boundaries");
-  with([](Generator& g) { g.setIndices(pcl::make_shared<pcl::Indices>(pcl::Indices{3, 4000})); },
-       StatusCode::InvalidInput, "4000");
+  with([](Generator& g) { g.setIndices(pcl::make_shared<pcl::Indices>(pcl::Indices{3, 4000})); }, StatusCode::InvalidInput, "4000");
 }
 
 } // namespace

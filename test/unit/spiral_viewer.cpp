@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The viewer driven as a user does: keys and clicks sent to its window, frames read back.
 #include <pcl_spiral/visualization/spiral_viewer.h>
 
@@ -46,29 +47,23 @@ scene(int reference_points = 20000, int turns = 60, int steps_a_turn = 200)
   result.part.settings.scallop_height = 0.01;
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   for (int i = 0; i < reference_points; ++i) { // a sunflower
-    const Eigen::Vector3f p =
-        place(radius * std::sqrt((i + 0.5) / reference_points), 2.39996322972865 * i).cast<float>();
+    const Eigen::Vector3f p = place(radius * std::sqrt((i + 0.5) / reference_points), 2.39996322972865 * i).cast<float>();
     cloud->emplace_back(p.x(), p.y(), p.z());
     result.stock.push_back(0.004f + 0.003f * static_cast<float>(std::sin(0.01 * i)));
-    result.ridges.push_back(
-        p.head<2>().norm() > 98.0f ? nothing : 0.0095f + 0.0005f * static_cast<float>(std::sin(0.02 * i)));
+    result.ridges.push_back(p.head<2>().norm() > 98.0f ? nothing : 0.0095f + 0.0005f * static_cast<float>(std::sin(0.02 * i)));
   }
   auto path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
   const int steps = turns * steps_a_turn;
   for (int i = 0; i <= steps; ++i) {
     const Eigen::Vector3d p = place(radius * i / steps, 2.0 * M_PI * i / steps_a_turn);
-    const Eigen::Vector3f normal =
-        Eigen::Vector3d(2.0 * height * p.x(), 2.0 * height * p.y(), radius * radius)
-            .normalized()
-            .cast<float>();
+    const Eigen::Vector3f normal = Eigen::Vector3d(2.0 * height * p.x(), 2.0 * height * p.y(), radius * radius).normalized().cast<float>();
     ToolpathPoint point;
     point.getVector3fMap() = p.cast<float>();
     point.getNormalVector3fMap() = normal;
     point.getAxisVector3fMap() = normal;
     point.turn = static_cast<float>(i) / static_cast<float>(steps_a_turn);
     if (!path->empty())
-      point.arc_length =
-          path->back().arc_length + (point.getVector3fMap() - path->back().getVector3fMap()).norm();
+      point.arc_length = path->back().arc_length + (point.getVector3fMap() - path->back().getVector3fMap()).norm();
     path->push_back(point);
     result.deviation.push_back(0.001f * static_cast<float>(std::sin(0.03 * i)));
   }
@@ -102,25 +97,15 @@ public:
     window->GetPixelData(0, 0, width_ - 1, height_ - 1, front, bytes);
     bytes_.assign(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
   }
-  int
-  width() const
-  {
-    return width_;
-  }
-  int
-  height() const
-  {
-    return height_;
-  }
-  Pixel
-  at(int x, int y) const
+  int width() const { return width_; }
+  int height() const { return height_; }
+  Pixel at(int x, int y) const
   {
     const auto* const p = &bytes_[3 * (static_cast<std::size_t>(y) * width_ + x)];
     return {p[0], p[1], p[2]};
   }
   /** How many pixels from column \p first to before \p last match, from row \p low to before \p high. */
-  std::size_t
-  count(const std::function<bool(const Pixel&)>& matches, int first, int last, int low, int high) const
+  std::size_t count(const std::function<bool(const Pixel&)>& matches, int first, int last, int low, int high) const
   {
     std::size_t n = 0;
     for (int y = low; y < high; ++y)
@@ -128,19 +113,13 @@ public:
         n += matches(at(x, y));
     return n;
   }
-  std::size_t
-  count(const std::function<bool(const Pixel&)>& matches) const
-  {
-    return count(matches, 0, width_, 0, height_);
-  }
+  std::size_t count(const std::function<bool(const Pixel&)>& matches) const { return count(matches, 0, width_, 0, height_); }
   /** Share of pixels that differ from those of \p other. */
-  double
-  difference(const Frame& other) const
+  double difference(const Frame& other) const
   {
     std::size_t n = 0;
     for (std::size_t i = 0; i + 2 < bytes_.size(); i += 3)
-      n += bytes_[i] != other.bytes_[i] || bytes_[i + 1] != other.bytes_[i + 1] ||
-           bytes_[i + 2] != other.bytes_[i + 2];
+      n += bytes_[i] != other.bytes_[i] || bytes_[i + 1] != other.bytes_[i + 1] || bytes_[i + 2] != other.bytes_[i + 2];
     return static_cast<double>(n) / (static_cast<double>(width_) * height_);
   }
 
@@ -152,9 +131,7 @@ private:
 std::function<bool(const Pixel&)>
 like(double r, double g, double b)
 {
-  return [=](const Pixel& p) {
-    return std::abs(p[0] - 255 * r) < 6 && std::abs(p[1] - 255 * g) < 6 && std::abs(p[2] - 255 * b) < 6;
-  };
+  return [=](const Pixel& p) { return std::abs(p[0] - 255 * r) < 6 && std::abs(p[1] - 255 * g) < 6 && std::abs(p[2] - 255 * b) < 6; };
 }
 
 const auto is_white = like(1.0, 1.0, 1.0), is_rim = like(0.80, 0.11, 0.13), is_over = like(0.85, 0.0, 0.75),
@@ -174,20 +151,14 @@ isDark(const Pixel& p)
 
 class Viewer : public testing::Test {
 protected:
-  static void
-  TearDownTestSuite()
-  {
-    shared_.reset();
-  }
-  void
-  SetUp() override
+  static void TearDownTestSuite() { shared_.reset(); }
+  void SetUp() override
   {
     if (!displayFault().empty())
       GTEST_SKIP() << "no display here";
   }
   /** In a window that is quickly drawn even by a processor. */
-  std::unique_ptr<SpiralViewer>
-  open(const VerificationScene& shown) const
+  std::unique_ptr<SpiralViewer> open(const VerificationScene& shown) const
   {
     auto viewer = std::make_unique<SpiralViewer>(shown);
     viewer->getInteractor()->GetRenderWindow()->SetSize(960, 720);
@@ -195,16 +166,14 @@ protected:
     return viewer;
   }
   /** Of scene(); opening a window takes a second where the processor draws. */
-  SpiralViewer&
-  shared() const
+  SpiralViewer& shared() const
   {
     if (!shared_)
       shared_ = open(scene());
     press(*shared_, "r");
     return *shared_;
   }
-  void
-  press(SpiralViewer& viewer, const std::string& key) const
+  void press(SpiralViewer& viewer, const std::string& key) const
   {
     vtkRenderWindowInteractor* const interactor = viewer.getInteractor();
     interactor->SetKeyEventInformation(0, 0, key.size() == 1 ? key[0] : '\0', 1, key.c_str());
@@ -212,8 +181,7 @@ protected:
     interactor->InvokeEvent(vtkCommand::CharEvent);
     interactor->InvokeEvent(vtkCommand::KeyReleaseEvent);
   }
-  void
-  drag(SpiralViewer& viewer, int from_x, int from_y, int to_x, int to_y) const
+  void drag(SpiralViewer& viewer, int from_x, int from_y, int to_x, int to_y) const
   {
     vtkRenderWindowInteractor* const interactor = viewer.getInteractor();
     interactor->SetEventInformation(from_x, from_y);
@@ -223,11 +191,7 @@ protected:
       interactor->InvokeEvent(vtkCommand::MouseMoveEvent);
     interactor->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
   }
-  Frame
-  frame(SpiralViewer& viewer) const
-  {
-    return Frame(viewer.getInteractor()->GetRenderWindow());
-  }
+  Frame frame(SpiralViewer& viewer) const { return Frame(viewer.getInteractor()->GetRenderWindow()); }
 
 private:
   static std::unique_ptr<SpiralViewer> shared_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/common/impl/stage_clock.h>
 
 #include "support/sanitizers.h"
@@ -52,7 +53,9 @@ TEST(StageClock, MemoryOfAStageIsWhatItHoldsAndThePeakWhatItHeld)
   StageClock clock(stages);
   clock.end("before");
   auto held = touched(64 * megabyte);
-  { const auto freed = touched(64 * megabyte); }
+  {
+    const auto freed = touched(64 * megabyte);
+  }
   clock.end("held");
   held.reset();
   clock.end("freed");

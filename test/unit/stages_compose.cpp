@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A path composed by hand from public classes is the generator's, to the byte; a user's own stage stands in the middle.
 #include "support/sampling.h"
 #include "support/scratch_folder.h"
@@ -8,12 +9,12 @@
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
-#include <pcl_spiral/spiral/spiral_path.h>
-#include <pcl_spiral/spiral/spiral_reports.h>
-#include <pcl_spiral/surface/mls_projector.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
 #include <pcl_spiral/spiral/radial_lines.h>
+#include <pcl_spiral/spiral/spiral_path.h>
+#include <pcl_spiral/spiral/spiral_reports.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
+#include <pcl_spiral/surface/mls_projector.h>
 #include <pcl_spiral/verify/deviation_estimation.h>
 
 #include <pcl/console/print.h>
@@ -368,8 +369,7 @@ TEST(StagesCompose, PclsOwnProjectionInPlaceOfOurs)
   MLSProjector<pcl::PointXYZ, pcl::PointNormal> projector;
   projector.setSearchRadius(3.0);
   projector.setPolynomialOrder(2);
-  const auto smoothed = [&](pcl::CloudSurfaceProcessing<pcl::PointXYZ, pcl::PointNormal>& stage,
-                            pcl::PointCloud<pcl::PointNormal>& out) {
+  const auto smoothed = [&](pcl::CloudSurfaceProcessing<pcl::PointXYZ, pcl::PointNormal>& stage, pcl::PointCloud<pcl::PointNormal>& out) {
     stage.setInputCloud(cloud);
     stage.process(out);
   };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Contacts where a height along the axis says nothing: flanks along walls, and cutters smaller than the gaps
 // of the scan.
 #include <pcl_spiral/cutter/cutter_location.h>
@@ -32,8 +33,8 @@ TEST(SteepContact, AFlankAlongAWallReachesItInSpiteOfNoise)
   const Vector3d up = Vector3d::UnitZ(), out = -Vector3d::UnitX();
   const double a = 10.0 * M_PI / 180.0;
   for (const double noise : {0.0, 0.003}) {
-    const Located straight = located(wall(noise), CutterShape::flatEnd(5.0, 15.0),
-                                     {{{10.0, 0.0, 15.0}, up, out}, {{10.3, 0.0, 15.0}, up, out}});
+    const Located straight =
+        located(wall(noise), CutterShape::flatEnd(5.0, 15.0), {{{10.0, 0.0, 15.0}, up, out}, {{10.3, 0.0, 15.0}, up, out}});
     EXPECT_EQ(straight.locations[0].state, LocationState::Reached) << noise;
     EXPECT_EQ(straight.locations[0].basis, LocationBasis::AskedContact);
     EXPECT_LT((straight.locations[0].tip - Vector3d(5.0, 0.0, 15.0)).norm(), 1e-6);
@@ -48,8 +49,7 @@ TEST(SteepContact, AFlankAlongAWallReachesItInSpiteOfNoise)
 TEST(SteepContact, ACutterBetweenThePointsStandsOnTheSurface)
 {
   const SurfacePtr plane = flat(Region({rectangle(60.0, 60.0)}));
-  const auto cloud =
-      toCloud(sampleUniform(*plane, 5000, 2).points); // a point on 0.7 mm^2, the cutter covers 0.03
+  const auto cloud = toCloud(sampleUniform(*plane, 5000, 2).points); // a point on 0.7 mm^2, the cutter covers 0.03
   const CutterShape cutter = CutterShape::bullNose(0.1, 0.02, 1.0);
   DrivePoints drive = drivePoints(*plane, 200, 20.0, 5.0, true, 3);
   const Located run = located(cloud, cutter, drive);
@@ -75,8 +75,8 @@ TEST(SteepContact, OffTheScanNothingIsClaimed)
 {
   const SurfacePtr plane = flat(Region({rectangle(60.0, 60.0), circle({0, 0}, 6.0)}));
   const Vector3d up = Vector3d::UnitZ();
-  const Located run = located(toCloud(sampleUniform(*plane, 5000, 4).points), CutterShape::ball(0.1),
-                              {{{0, 0, 0}, up, up}, {{40, 0, 0}, up, up}});
+  const Located run =
+      located(toCloud(sampleUniform(*plane, 5000, 4).points), CutterShape::ball(0.1), {{{0, 0, 0}, up, up}, {{40, 0, 0}, up, up}});
   EXPECT_EQ(run.figures.count(LocationState::NoCloud), 2u);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/step_over.h>
 
 #include <boost/multiprecision/cpp_dec_float.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Distances from the rims in step-overs against formulas on discs, rings and strips.
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/spiral/step_over_field.h>
@@ -73,8 +74,8 @@ TEST(StepOverField, ADiscsDistancesAreThoseOfThePlane)
 
 TEST(StepOverField, AllHolesCount)
 {
-  const SurfaceMade made = surfaceOf(
-      *flat(Region({rectangle(160.0, 90.0), circle({-40.0, 5.0}, 14.0), circle({35.0, -8.0}, 18.0)})), 6000, 2);
+  const SurfaceMade made =
+      surfaceOf(*flat(Region({rectangle(160.0, 90.0), circle({-40.0, 5.0}, 14.0), circle({35.0, -8.0}, 18.0)})), 6000, 2);
   ASSERT_EQ(made.loops.size(), 3u);
   expectDistances(made, 0.25);
 }

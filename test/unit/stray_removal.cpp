@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Strays go, the surface stays: against points whose kind is known.
 #include <pcl_spiral/cleaning/stray_removal.h>
 

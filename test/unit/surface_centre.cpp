@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The balanced centre against brute force in the plane, and carried along by a motion.
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/features/impl/surface_boundary.h>
 #include "spiral/surface_centre.h"
+#include <pcl_spiral/features/impl/surface_boundary.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The graph of a surface: topology on known surfaces, the empty-circle property, orientation, invariance.
 #include <pcl_spiral/graph/impl/surface_graph.h>
 
@@ -141,8 +142,7 @@ TEST(SurfaceGraph, TrianglesHaveEmptyCircles)
     const Eigen::Vector3d a = graph.position(c[0]), b = graph.position(c[1]), p = graph.position(c[2]);
     const Eigen::Vector3d u = b - a, v = p - a, w = u.cross(v);
     EXPECT_GT(w.dot(graph.normal(c[0])), 0.0);
-    const Eigen::Vector3d centre =
-        a + (u.squaredNorm() * v.cross(w) + v.squaredNorm() * w.cross(u)) / (2.0 * w.squaredNorm());
+    const Eigen::Vector3d centre = a + (u.squaredNorm() * v.cross(w) + v.squaredNorm() * w.cross(u)) / (2.0 * w.squaredNorm());
     const double radius = (a - centre).norm();
     for (std::size_t i = 0; i < graph.size(); ++i)
       filled += (graph.position(i) - centre).norm() < 0.99 * radius;

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What every stage that works on a surface takes over of ScannedSurface: the remedies its messages name, and what is refused
 // beside a surface that is there already.
-#include <pcl_spiral/features/boundary_loops.h>
-#include <pcl_spiral/spiral/gap_bridging.h>
-#include <pcl_spiral/surface/mls_projector.h>
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/drive/drive_path.h>
+#include <pcl_spiral/features/boundary_loops.h>
+#include <pcl_spiral/spiral/gap_bridging.h>
 #include <pcl_spiral/spiral/radial_lines.h>
+#include <pcl_spiral/surface/mls_projector.h>
 #include <pcl_spiral/verify/material_removal.h>
 
 #include <gtest/gtest.h>
@@ -139,8 +140,7 @@ TEST(SurfaceInput, NormalsBesideASurfaceAndTheRemedy)
   loops.setInputNormals(up);
   loops.setInputSurface(surface);
   EXPECT_EQ(outcome(loops).code(), StatusCode::InvalidArgument);
-  EXPECT_NE(loops.getStatus().message().find("call setInputNormals with a null pointer"), std::string::npos)
-      << loops.getStatus().message();
+  EXPECT_NE(loops.getStatus().message().find("call setInputNormals with a null pointer"), std::string::npos) << loops.getStatus().message();
   loops.setInputNormals(nullptr);
   EXPECT_TRUE(outcome(loops).ok()) << loops.getStatus().message();
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 #include "support/mesh_surfaces.h"
@@ -59,9 +60,9 @@ TEST(SurfaceMesh, CountsPlantedFaults)
   TriangleMesh mesh = unwelded(icoSphere(50.0, 3));
   const std::size_t faces = mesh.faces.size();
   const Vector3d at = mesh.vertices[mesh.faces[100][0]];
-  std::swap(mesh.faces[100][1], mesh.faces[100][2]);                  // flipped
-  std::swap(mesh.faces[777][1], mesh.faces[777][2]);                  // flipped
-  mesh.faces.push_back(mesh.faces[5]);                                // repeated
+  std::swap(mesh.faces[100][1], mesh.faces[100][2]);                            // flipped
+  std::swap(mesh.faces[777][1], mesh.faces[777][2]);                            // flipped
+  mesh.faces.push_back(mesh.faces[5]);                                          // repeated
   mesh.faces.push_back({mesh.faces[6][1], mesh.faces[6][0], mesh.faces[6][2]}); // repeated the other way round
   mesh.faces.push_back({mesh.faces[7][0], mesh.faces[7][0], mesh.faces[7][1]}); // a corner twice
   mesh.vertices.push_back(0.5 * (mesh.vertices[mesh.faces[8][0]] + mesh.vertices[mesh.faces[8][1]]));

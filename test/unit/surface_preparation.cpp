@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/sampling.h"
 
 #include <pcl_spiral/search/impl/point_selection.h>
@@ -60,8 +61,7 @@ TEST(PointSelection, OutliersAreThoseOfPcl)
   auto cloud = dome(5000, 3);
   test::Random random(4);
   for (int i = 0; i < 30; ++i)
-    cloud->push_back(pcl::PointXYZ(static_cast<float>(random.uniform(-90, 90)),
-                                   static_cast<float>(random.uniform(-90, 90)),
+    cloud->push_back(pcl::PointXYZ(static_cast<float>(random.uniform(-90, 90)), static_cast<float>(random.uniform(-90, 90)),
                                    static_cast<float>(random.uniform(60, 120))));
   for (int k : {8, 20}) {
     pcl::StatisticalOutlierRemoval<pcl::PointXYZ> filter;
@@ -128,8 +128,8 @@ TEST(SurfacePreparation, CountsEveryPointAndKeepsItsIndex)
   EXPECT_EQ(counts.duplicate, 40u);
   EXPECT_EQ(counts.outlier, 1u);
   EXPECT_GT(counts.thinned, 0u);
-  EXPECT_EQ(counts.nonfinite + counts.duplicate + counts.outlier + counts.thinned + counts.surplus + counts.isolated +
-                counts.speck + counts.other_part + counts.used,
+  EXPECT_EQ(counts.nonfinite + counts.duplicate + counts.outlier + counts.thinned + counts.surplus + counts.isolated + counts.speck +
+                counts.other_part + counts.used,
             counts.input);
   ASSERT_EQ(out.size(), counts.used);
   ASSERT_EQ(normals.size(), counts.used);
@@ -241,6 +241,5 @@ TEST(SurfacePreparation, SaysWhatIsWrong)
   EXPECT_EQ(codeOf(cloud, [](Preparation& p) { p.setOutlierRemoval(-1); }), argument);
   EXPECT_EQ(codeOf(cloud, [](Preparation& p) { p.setOutlierRemoval(8, 0.0); }), argument);
   EXPECT_EQ(codeOf(cloud, [](Preparation& p) { p.setKSearch(2); }), argument);
-  EXPECT_EQ(codeOf(cloud, [](Preparation& p) { p.setIndices(pcl::IndicesPtr(new pcl::Indices{500})); }),
-            input);
+  EXPECT_EQ(codeOf(cloud, [](Preparation& p) { p.setIndices(pcl::IndicesPtr(new pcl::Indices{500})); }), input);
 }

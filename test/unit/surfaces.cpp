@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "support/surfaces.h"
 #include "support/sampling.h"
 
@@ -56,8 +57,7 @@ TEST(Surfaces, DerivativesAgreeWithDifferences)
       const double h = 1e-4;
       for (int k = 0; k < 3; ++k) {
         const Eigen::Vector3d e = h * Eigen::Vector3d::Unit(k);
-        EXPECT_NEAR((surface->value(x + e) - surface->value(x - e)) / (2 * h), surface->gradient(x)[k], 1e-6)
-            << name;
+        EXPECT_NEAR((surface->value(x + e) - surface->value(x - e)) / (2 * h), surface->gradient(x)[k], 1e-6) << name;
         const Eigen::Vector3d column = (surface->gradient(x + e) - surface->gradient(x - e)) / (2 * h);
         EXPECT_LT((column - surface->hessian(x).col(k)).norm(), 1e-7) << name;
       }
@@ -98,8 +98,7 @@ TEST(Surfaces, AreasAndOutlinesAreExact)
   const double dome = pi * a * a * (1 + (1 - e * e) / e * std::atanh(e));
   EXPECT_NEAR(spheroidCap(a, b)->area() / dome, 1.0, 1e-4);
   EXPECT_NEAR(bowl()->area() / (2 * pi * 130 * (130 - std::sqrt(130.0 * 130 - 100 * 100))), 1.0, 1e-4);
-  EXPECT_NEAR(ellPatch()->region().integrate([](const Eigen::Vector2d&) { return 1.0; }),
-              200 * 200 - 110 * 110, 40.0);
+  EXPECT_NEAR(ellPatch()->region().integrate([](const Eigen::Vector2d&) { return 1.0; }), 200 * 200 - 110 * 110, 40.0);
   const SurfacePtr annulus = spheroidCap(a, b, 260);
   ASSERT_EQ(annulus->outlines().size(), 2u);
   EXPECT_NEAR(pcl_spiral::length(annulus->outlines()[0], true), 2 * pi * a, 1e-2);
@@ -116,8 +115,7 @@ TEST(Surfaces, RimDistanceIsExactAtASquareAndACircle)
     EXPECT_NEAR(square->rimDistance(x), std::min(50 - std::abs(x.x()), 30 - std::abs(x.y())), 1e-12);
     const Eigen::Vector3d p = sampleUniform(*dome, 1, 50 + i).points[0];
     const double r = p.head<2>().norm(), z_hole = 860 * std::sqrt(1 - 260.0 * 260 / (1650.0 * 1650));
-    EXPECT_NEAR(dome->rimDistance(p),
-                std::min(std::hypot(1650 - r, p.z()), std::hypot(r - 260, p.z() - z_hole)), 2e-3);
+    EXPECT_NEAR(dome->rimDistance(p), std::min(std::hypot(1650 - r, p.z()), std::hypot(r - 260, p.z() - z_hole)), 2e-3);
   }
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The bound of what a cutter cuts between two free places, against points sampled densely in the swept cutter.
 #include <pcl_spiral/core/impl/swept_error.h>
 
@@ -90,8 +91,8 @@ TEST(SweptError, BoundsWhatTheSweptCutterCuts)
       b.tip.z() *= 0.05;
     const double bound = sweptError(c, b.tip.z(), b.tip.head<2>().norm());
     const double cut = deepestByForce(random, c, a, b, 2000);
-    ASSERT_LE(cut, bound + 1e-9) << i << ": step " << b.tip.transpose() << ", R " << c.radius() << ", r "
-                                 << c.cornerRadius() << ", flank angle " << c.flankAngle() / degree;
+    ASSERT_LE(cut, bound + 1e-9) << i << ": step " << b.tip.transpose() << ", R " << c.radius() << ", r " << c.cornerRadius()
+                                 << ", flank angle " << c.flankAngle() / degree;
     if (bound > 0.0)
       nearest = std::max(nearest, cut / bound);
   }
@@ -108,7 +109,7 @@ TEST(SweptError, BoundsWhatTheTurningCutterCuts)
     b.axis = Eigen::AngleAxisd(degree * std::pow(10.0, random.uniform(-1.0, 1.0)), unitVector(random)) * a.axis;
     const double bound = sweptError(c, a, b);
     ASSERT_LE(deepestByForce(random, c, a, b, 1500), bound + 1e-9)
-        << i << ": step " << b.tip.transpose() << ", axis " << b.axis.transpose() << ", R " << c.radius() << ", r "
-        << c.cornerRadius() << ", top " << c.topHeight() << ", flank angle " << c.flankAngle() / degree;
+        << i << ": step " << b.tip.transpose() << ", axis " << b.axis.transpose() << ", R " << c.radius() << ", r " << c.cornerRadius()
+        << ", top " << c.topHeight() << ", flank angle " << c.flankAngle() / degree;
   }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/core/taubin.h>
 
@@ -83,8 +84,7 @@ TEST(Taubin, TransferFunctionIsTheDocumentedOne)
   options.wavelength = 12.0;
   for (double spacing : {0.2, 0.5})
     for (double w : {6.0, 8.0, 10.0, 12.0, 15.0, 18.75, 30.0, 75.0})
-      EXPECT_NEAR(measuredGain(spacing, w, options), taubinGain(w, spacing, options), 0.004)
-          << spacing << ' ' << w;
+      EXPECT_NEAR(measuredGain(spacing, w, options), taubinGain(w, spacing, options), 0.004) << spacing << ' ' << w;
 }
 
 TEST(Taubin, NoShortWaveGetsThrough)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Equation (12) on surfaces of known curvature: even fans of neighbours, then the Gabriel neighbours of
 // clouds.
 #include "spiral/taubin_curvature.h"
@@ -39,8 +40,7 @@ TEST(TaubinCurvature, SphereIsExactFromAnyNeighboursInTheMean)
     const Vector3d n = Vector3d(random.normal(), random.normal(), random.normal()).normalized();
     Polyline neighbours;
     for (int k = 0; k < 6; ++k)
-      neighbours.push_back(
-          radius * (n + 0.1 * Vector3d(random.normal(), random.normal(), random.normal())).normalized());
+      neighbours.push_back(radius * (n + 0.1 * Vector3d(random.normal(), random.normal(), random.normal())).normalized());
     const auto outside = taubinCurvatures(radius * n, n, neighbours);
     const auto inside = taubinCurvatures(radius * n, -n, neighbours); // seen from within: hollow
     ASSERT_TRUE(outside && inside);
@@ -62,15 +62,13 @@ TEST(TaubinCurvature, EvenFansGiveTheCurvaturesAndTheirDirection)
     const test::AnalyticSurface& surface;
     Vector3d at, along; ///< the principal direction of the larger curvature; zero: none
   };
-  for (const Case& c : {Case{*sphere, sphere->lift({12, -7}), Vector3d::Zero()},
-                        Case{*cylinder, cylinder->lift({10, 3}), Vector3d(0, 1, 0)},
-                        Case{*saddle, saddle->lift({0, 0}), Vector3d(0, 1, 0)},
-                        Case{*plane, plane->lift({3, 4}), Vector3d::Zero()}}) {
+  for (const Case& c :
+       {Case{*sphere, sphere->lift({12, -7}), Vector3d::Zero()}, Case{*cylinder, cylinder->lift({10, 3}), Vector3d(0, 1, 0)},
+        Case{*saddle, saddle->lift({0, 0}), Vector3d(0, 1, 0)}, Case{*plane, plane->lift({3, 4}), Vector3d::Zero()}}) {
     const auto [smallest, largest] = c.surface.principalCurvatures(c.at);
     for (const int count : {5, 6, 8, 13})
       for (const double first : {0.0, 0.4}) {
-        const auto found =
-            taubinCurvatures(c.at, c.surface.normal(c.at), fan(c.surface, c.at, 0.2, count, first));
+        const auto found = taubinCurvatures(c.at, c.surface.normal(c.at), fan(c.surface, c.at, 0.2, count, first));
         ASSERT_TRUE(found);
         EXPECT_NEAR(found->larger, largest, 1e-5);
         EXPECT_NEAR(found->smaller, smallest, 1e-5);
@@ -90,10 +88,9 @@ TEST(TaubinCurvature, GabrielNeighboursOfClouds)
     double bound; ///< of the median error of either curvature, 1/mm
   };
   const double k = 1.0 / 50.0;
-  for (const Case& c :
-       {Case{"sphere", test::ball(50.0, test::Region({test::circle({0, 0}, 30.0)})), 0.5 * k},
-        Case{"cylinder", test::cylinder(50.0, test::Region({test::rectangle(60, 60)})), 0.5 * k},
-        Case{"plane", test::flat(test::Region({test::rectangle(60, 60)})), 1e-6}}) {
+  for (const Case& c : {Case{"sphere", test::ball(50.0, test::Region({test::circle({0, 0}, 30.0)})), 0.5 * k},
+                        Case{"cylinder", test::cylinder(50.0, test::Region({test::rectangle(60, 60)})), 0.5 * k},
+                        Case{"plane", test::flat(test::Region({test::rectangle(60, 60)})), 1e-6}}) {
     const SurfaceGraph graph = test::graphOf(test::evenPoints(*c.surface, 0.5, 10.0, 5));
     const NeighbourLists edges = ellipticGabrielEdges(graph.blocks().points(), {}, GabrielOptions());
     std::vector<double> errors, middle;
@@ -109,9 +106,8 @@ TEST(TaubinCurvature, GabrielNeighboursOfClouds)
     }
     std::nth_element(errors.begin(), errors.begin() + errors.size() / 2, errors.end());
     std::nth_element(middle.begin(), middle.begin() + middle.size() / 2, middle.end());
-    std::printf("  %s: median error %.5f, largest %.5f, of the sum in the median %.6f (%zu points)\n", c.name,
-                errors[errors.size() / 2], *std::max_element(errors.begin(), errors.end()),
-                middle[middle.size() / 2], errors.size());
+    std::printf("  %s: median error %.5f, largest %.5f, of the sum in the median %.6f (%zu points)\n", c.name, errors[errors.size() / 2],
+                *std::max_element(errors.begin(), errors.end()), middle[middle.size() / 2], errors.size());
     EXPECT_LT(errors[errors.size() / 2], c.bound);
     EXPECT_LT(std::abs(middle[middle.size() / 2]), 0.05 * k);
   }

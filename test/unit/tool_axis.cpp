@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "core/tool_axis.h"
 #include <pcl_spiral/spiral/tool_axis.h>
 
@@ -27,8 +28,7 @@ sphereSpiral(double step, double end_radius)
   TestPath path;
   for (double angle = 0.0, r = 0.0; r < end_radius; angle += step / std::max(r, 0.2)) {
     r = angle / (2 * M_PI);
-    const Vector3d n =
-        Vector3d(r * std::cos(angle), r * std::sin(angle), std::sqrt(200.0 * 200.0 - r * r)) / 200.0;
+    const Vector3d n = Vector3d(r * std::cos(angle), r * std::sin(angle), std::sqrt(200.0 * 200.0 - r * r)) / 200.0;
     path.normals.push_back(n);
     path.points.push_back(200.0 * n);
   }
@@ -65,11 +65,9 @@ TEST(TiltedAxis, IsTheProductOfRotations)
     const Vector3d n = Vector3d(value(random), value(random), value(random)).normalized();
     const Vector3d f = n.unitOrthogonal();
     const double side = 0.5 * value(random), lead = 0.5 * value(random);
-    const Vector3d expected =
-        Eigen::AngleAxisd(side, f) * (Eigen::AngleAxisd(lead, Vector3d(n.cross(f))) * n);
+    const Vector3d expected = Eigen::AngleAxisd(side, f) * (Eigen::AngleAxisd(lead, Vector3d(n.cross(f))) * n);
     EXPECT_LT((tiltedAxis(n, f, side, lead) - expected).norm(), 1e-14);
-    EXPECT_NEAR(std::cos(angleBetween(tiltedAxis(n, f, side, lead), n)), std::cos(side) * std::cos(lead),
-                1e-14);
+    EXPECT_NEAR(std::cos(angleBetween(tiltedAxis(n, f, side, lead), n)), std::cos(side) * std::cos(lead), 1e-14);
   }
   const Vector3d x = Vector3d::UnitX(), z = Vector3d::UnitZ();
   EXPECT_LT(tiltedAxis(z, x, 15 * degree, 0.0).y(), 0.0) << "right of travel";
@@ -165,8 +163,7 @@ TEST(ToolAxisClass, SetsAxesAndReports)
   ASSERT_EQ(out.size(), path->size());
   EXPECT_EQ(out[7].arc_length, 7.0);
   EXPECT_EQ(out.back().getVector3fMap(), path->back().getVector3fMap());
-  EXPECT_NEAR(out.back().getAxisVector3fMap().dot(out.back().getNormalVector3fMap()), std::cos(20 * degree),
-              1e-5);
+  EXPECT_NEAR(out.back().getAxisVector3fMap().dot(out.back().getNormalVector3fMap()), std::cos(20 * degree), 1e-5);
   EXPECT_LE(tool_axis.getField().getLargestAxisRate(), 6.0 * 1.001);
   EXPECT_GT(tool_axis.getField().getDeviatingPoints(), 0u);
   tool_axis.compute(*path); // in place

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Shank and holder: their solid, collisions against brute force, and axes tilted out of the way.
 #include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/cutter/impl/holder_collision.h>
@@ -16,9 +17,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-const std::vector<ToolSegment> shank_and_chuck{ToolSegment::cylinder(5.0, 20.0, "shank"),
-                                               {15.0, 25.0, 10.0, "nut"},
-                                               ToolSegment::cylinder(25.0, 30.0, "chuck")};
+const std::vector<ToolSegment> shank_and_chuck{
+    ToolSegment::cylinder(5.0, 20.0, "shank"), {15.0, 25.0, 10.0, "nut"}, ToolSegment::cylinder(25.0, 30.0, "chuck")};
 
 /** The segment that a place is in, by the drawing: radii between their ends. */
 int
@@ -46,8 +46,7 @@ TEST(ToolHolder, IsTheSolidOfItsDrawing)
   for (int i = 0; i < 10000; ++i) {
     const double l = random.uniform(0.0, 30.0), height = random.uniform(0.0, 80.0);
     double depth = 0.0;
-    ASSERT_EQ(holder.inside(l, height, depth), segmentOf(shank_and_chuck, 12.0, l, height))
-        << l << ' ' << height;
+    ASSERT_EQ(holder.inside(l, height, depth), segmentOf(shank_and_chuck, 12.0, l, height)) << l << ' ' << height;
   }
 }
 
@@ -90,8 +89,7 @@ TEST(ToolHolder, CollisionsEqualBruteForce)
     const HolderProfile holder(shank_and_chuck, 12.0, 5.0, clearance);
     const Vector3d axis = Vector3d(random.normal(), random.normal(), random.normal()).normalized();
     const Vector3d through(random.uniform(-80, 80), random.uniform(-80, 80), 0.0);
-    const HolderCollision worst =
-        findCollision(PointBlocks(points), holder, AxisFrame(through, axis), tip, 0.5);
+    const HolderCollision worst = findCollision(PointBlocks(points), holder, AxisFrame(through, axis), tip, 0.5);
     double deepest = 0.5;
     int segment = -1;
     for (const Eigen::Vector3f& point : points) {
@@ -117,13 +115,10 @@ TEST(ToolHolder, CollisionsEqualBruteForce)
 TEST(ToolHolder, SegmentsThatCannotBeAreNamed)
 {
   EXPECT_EQ(faultOf(shank_and_chuck), "");
-  EXPECT_EQ(faultOf(std::vector<ToolSegment>{{5, 5, 0, "shank"}}),
-            "segment 1 of the holder (shank) is 0 mm long; set its length above 0");
-  EXPECT_NE(faultOf(std::vector<ToolSegment>{{5, 5, 1, ""}, {-1, 5, 2, ""}})
-                .find("segment 2 of the holder has the lower"),
+  EXPECT_EQ(faultOf(std::vector<ToolSegment>{{5, 5, 0, "shank"}}), "segment 1 of the holder (shank) is 0 mm long; set its length above 0");
+  EXPECT_NE(faultOf(std::vector<ToolSegment>{{5, 5, 1, ""}, {-1, 5, 2, ""}}).find("segment 2 of the holder has the lower"),
             std::string::npos);
-  EXPECT_NE(faultOf(std::vector<ToolSegment>{{5, std::nan(""), 1, ""}}).find("upper radius nan"),
-            std::string::npos);
+  EXPECT_NE(faultOf(std::vector<ToolSegment>{{5, std::nan(""), 1, ""}}).find("upper radius nan"), std::string::npos);
   EXPECT_THROW(HolderProfile({{5, 5, 0, ""}}, 0.0, 1.0, 0.0), std::invalid_argument);
   EXPECT_THROW(HolderProfile(shank_and_chuck, 0.0, 1.0, -1.0), std::invalid_argument);
 }
@@ -208,8 +203,7 @@ TEST(ToolHolder, WhereNoTiltHelpsTheCutterIsLifted)
 TEST(ToolHolder, AFlankThatIsLeantOverIsTiltedUntilItTouches)
 {
   const SurfacePtr plane = flat(Region({rectangle(60.0, 60.0)}));
-  const Vector3d up = Vector3d::UnitZ(),
-                 steep(std::sin(1.2), 0.0, std::cos(1.2)); // 68.8 degrees off the normal
+  const Vector3d up = Vector3d::UnitZ(), steep(std::sin(1.2), 0.0, std::cos(1.2)); // 68.8 degrees off the normal
   CutterLocation<pcl::PointXYZ> location;
   location.setInputCloud(toCloud(sampleUniform(*plane, 12000, 4).points));
   location.setCutter(CutterShape::taperedBullNose(6.0, 1.0, 8.0, 30.0));
@@ -224,6 +218,5 @@ TEST(ToolHolder, AFlankThatIsLeantOverIsTiltedUntilItTouches)
   location.setDrivePoints({{Vector3d::Zero(), steep, Vector3d::Zero()}});
   location.compute(found);
   EXPECT_TRUE(found.empty());
-  EXPECT_NE(location.getStatus().message().find("no drive point asks for one"), std::string::npos)
-      << location.getStatus().message();
+  EXPECT_NE(location.getStatus().message().find("no drive point asks for one"), std::string::npos) << location.getStatus().message();
 }

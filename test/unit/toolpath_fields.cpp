@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the generator writes lands in the fields that a point type has, of any number type, and nowhere else.
 #include <pcl_spiral/common/impl/toolpath_fields.h>
 
@@ -10,8 +11,8 @@ struct TurnPoint {
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
 POINT_CLOUD_REGISTER_POINT_STRUCT(TurnPoint,
-                                  (float, x, x)(float, y, y)(float, z, z)(float, reflectance, reflectance)(
-                                      float, turn, turn)(float, arc_length, arc_length))
+                                  (float, x, x)(float, y, y)(float, z, z)(float, reflectance,
+                                                                          reflectance)(float, turn, turn)(float, arc_length, arc_length))
 
 #include <pcl_spiral/common/point_types.h>
 
@@ -36,8 +37,7 @@ struct Written {
   bool over_gap = true;
 
   template <typename PointT>
-  PointT
-  to(PointT point = PointT()) const
+  PointT to(PointT point = PointT()) const
   {
     ToolpathFields<PointT>::set(point, contact, normal, axis, arc_length, turn, over_gap);
     return point;
@@ -57,8 +57,7 @@ struct OddPoint {
 };
 POINT_CLOUD_REGISTER_POINT_STRUCT(OddPoint,
                                   (double, east, x)(double, north, y)(double, up, z)(double, nx, normal_x)(
-                                      std::int32_t, whole_mm, arc_length)(std::uint16_t, whole_turns,
-                                                                          turn)(bool, guessed, over_gap))
+                                      std::int32_t, whole_mm, arc_length)(std::uint16_t, whole_turns, turn)(bool, guessed, over_gap))
 
 /** Known to PCL by no name at all. */
 struct Station {
@@ -67,9 +66,8 @@ struct Station {
 };
 template <>
 struct pcl_spiral::ToolpathFields<Station> {
-  static void
-  set(Station& station, const Eigen::Vector3d& contact, const Eigen::Vector3d& normal, const Eigen::Vector3f&,
-      double arc_length, float, bool)
+  static void set(Station& station, const Eigen::Vector3d& contact, const Eigen::Vector3d& normal, const Eigen::Vector3f&,
+                  double arc_length, float, bool)
   {
     station.lifted = (contact + 10.0 * normal).cast<float>();
     station.metres = 0.001 * arc_length;

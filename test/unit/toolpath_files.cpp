@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Toolpath files: read back by our readers, by PCL and VTK, and by a plain parser of the header.
 #include <pcl_spiral/common/pass_begins.h>
 #include <pcl_spiral/io/file_error.h>
@@ -46,8 +47,7 @@ spiral(std::size_t count)
 }
 
 void
-expectNear(const pcl::PointCloud<ToolpathPoint>& a, const pcl::PointCloud<ToolpathPoint>& b, double length,
-           double direction)
+expectNear(const pcl::PointCloud<ToolpathPoint>& a, const pcl::PointCloud<ToolpathPoint>& b, double length, double direction)
 {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -315,8 +315,7 @@ TEST(ToolpathFiles, EveryPolylineIsAPassWhateverTheArcLengthsSay)
 TEST(ToolpathFiles, TipLiesBelowTheBallCentre)
 {
   for (const ToolpathPoint& point : spiral(100)) {
-    const Eigen::Vector3d centre =
-        point.getVector3fMap().cast<double>() + 10.0 * point.getNormalVector3fMap().cast<double>();
+    const Eigen::Vector3d centre = point.getVector3fMap().cast<double>() + 10.0 * point.getNormalVector3fMap().cast<double>();
     EXPECT_NEAR((centre - toolTip(point, 10.0)).norm(), 10.0, 1e-5);
     EXPECT_NEAR((centre - toolTip(point, 10.0)).dot(point.getAxisVector3fMap().cast<double>()), 10.0, 1e-5);
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cutters brought down on single triangles, against search in two dimensions.
 #include "core/triangle_touch.h"
 

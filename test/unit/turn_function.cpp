@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The turn function on lines known exactly: plane disc, square, sphere, bowl.
 #include "support/checked_path.h"
 #include "support/plane_lines.h"
@@ -56,8 +57,8 @@ expectEven(const TurnFunction& turns, double length, double step, std::size_t li
   for (std::size_t i = 0; i < lines; i += 5)
     for (const double share : {0.0, 0.004, 0.13, 0.5, 0.77, 0.999, 1.0}) {
       EXPECT_NEAR(turns.shareAt(i, share * length), share, 1e-6);
-      EXPECT_NEAR(turns.arcLengthAt(i, share * static_cast<double>(turns.turns())),
-                  share * static_cast<double>(turns.turns()) * pitch, 1e-5 * length);
+      EXPECT_NEAR(turns.arcLengthAt(i, share * static_cast<double>(turns.turns())), share * static_cast<double>(turns.turns()) * pitch,
+                  1e-5 * length);
     }
 }
 
@@ -177,8 +178,7 @@ TEST(TurnFunction, SquareSavesTheRootOfTwo)
     for (const Vector3d& p : contour(tau + 0.5))
       widest = std::max(widest, 2.0 * std::min(distance(p, inside), distance(p, outside)));
   }
-  std::printf("  turns %zu along, %zu across; widest pitch %.4f of the step-over\n", along.turns(), across.turns(),
-              widest / step);
+  std::printf("  turns %zu along, %zu across; widest pitch %.4f of the step-over\n", along.turns(), across.turns(), widest / step);
   EXPECT_LT(widest, 1.001 * step);
 }
 

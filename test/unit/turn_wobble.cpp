@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Wobble from turn to turn of flat spirals with deviations whose second difference across the turns is known.
 #include <pcl_spiral/verify/impl/turn_wobble.h>
 
@@ -43,9 +44,8 @@ deviations(const CutterPath& path, const std::function<double(double)>& of_turn)
 TEST(TurnWobble, WhatTheTurnsShareOrWhatChangesEvenlyIsNone)
 {
   const CutterPath path = spiral();
-  for (const auto& even : std::vector<std::function<double(double)>>{
-           [](double) { return 0.3; }, [](double t) { return 0.02 * t - 0.1; },
-           [](double t) { return 0.2 * std::sin(2.0 * M_PI * t); }}) {
+  for (const auto& even : std::vector<std::function<double(double)>>{[](double) { return 0.3; }, [](double t) { return 0.02 * t - 0.1; },
+                                                                     [](double t) { return 0.2 * std::sin(2.0 * M_PI * t); }}) {
     const TurnWobble wobble = turnWobble(path, deviations(path, even));
     EXPECT_EQ(wobble.measured, static_cast<std::size_t>((turn_count - 2) * points_a_turn));
     EXPECT_LT(std::abs(wobble.max.value), 1e-6);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures of a verification: faults planted at known places are seen there, and nowhere else.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/visualization/verification_pictures.h>
@@ -37,8 +38,7 @@ Eigen::Vector2d
 pixel(const Eigen::Vector3d& p)
 {
   const double tilt = 35.0 * M_PI / 180.0, scale = 886.0 / (2.0 * radius);
-  return {595.0 + scale * p.x(),
-          580.0 + scale * (std::cos(tilt) * p.y() + std::sin(tilt) * (p.z() - 0.5 * height))};
+  return {595.0 + scale * p.x(), 580.0 + scale * (std::cos(tilt) * p.y() + std::sin(tilt) * (p.z() - 0.5 * height))};
 }
 
 /** A part cut well: deviations within a micrometre, ridges of 9 to 10 um. */
@@ -51,12 +51,10 @@ scene(int reference_points = 20000, int turns = 60, int steps_a_turn = 200)
   result.part.settings.scallop_height = 0.01;
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   for (int i = 0; i < reference_points; ++i) { // a sunflower
-    const Eigen::Vector3f p =
-        place(radius * std::sqrt((i + 0.5) / reference_points), 2.39996322972865 * i).cast<float>();
+    const Eigen::Vector3f p = place(radius * std::sqrt((i + 0.5) / reference_points), 2.39996322972865 * i).cast<float>();
     cloud->emplace_back(p.x(), p.y(), p.z());
     result.stock.push_back(0.004f + 0.003f * static_cast<float>(std::sin(0.01 * i)));
-    result.ridges.push_back(
-        p.head<2>().norm() > 98.0f ? nothing : 0.0095f + 0.0005f * static_cast<float>(std::sin(0.02 * i)));
+    result.ridges.push_back(p.head<2>().norm() > 98.0f ? nothing : 0.0095f + 0.0005f * static_cast<float>(std::sin(0.02 * i)));
   }
   auto path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
   const int steps = turns * steps_a_turn;
@@ -64,14 +62,10 @@ scene(int reference_points = 20000, int turns = 60, int steps_a_turn = 200)
     const Eigen::Vector3d p = place(radius * i / steps, 2.0 * M_PI * i / steps_a_turn);
     ToolpathPoint point;
     point.getVector3fMap() = p.cast<float>();
-    point.getNormalVector3fMap() =
-        Eigen::Vector3d(2.0 * height * p.x(), 2.0 * height * p.y(), radius * radius)
-            .normalized()
-            .cast<float>();
+    point.getNormalVector3fMap() = Eigen::Vector3d(2.0 * height * p.x(), 2.0 * height * p.y(), radius * radius).normalized().cast<float>();
     point.turn = static_cast<float>(i) / static_cast<float>(steps_a_turn);
     if (!path->empty())
-      point.arc_length =
-          path->back().arc_length + (point.getVector3fMap() - path->back().getVector3fMap()).norm();
+      point.arc_length = path->back().arc_length + (point.getVector3fMap() - path->back().getVector3fMap()).norm();
     path->push_back(point);
     result.deviation.push_back(0.001f * static_cast<float>(std::sin(0.03 * i)));
   }
@@ -95,9 +89,7 @@ nearest(const VerificationScene& scene, const Eigen::Vector3d& p)
 {
   std::size_t best = 0;
   for (std::size_t i = 0; i < scene.part.cloud->size(); ++i) {
-    const auto off = [&](std::size_t k) {
-      return ((*scene.part.cloud)[k].getVector3fMap().cast<double>() - p).norm();
-    };
+    const auto off = [&](std::size_t k) { return ((*scene.part.cloud)[k].getVector3fMap().cast<double>() - p).norm(); };
     best = off(i) < off(best) ? i : best;
   }
   return best;
@@ -140,14 +132,11 @@ find(const std::string& file, const Matches& matches, int first = 0, int last = 
 Matches
 like(double r, double g, double b)
 {
-  return [=](const Pixel& p) {
-    return std::abs(p[0] - 255 * r) < 6 && std::abs(p[1] - 255 * g) < 6 && std::abs(p[2] - 255 * b) < 6;
-  };
+  return [=](const Pixel& p) { return std::abs(p[0] - 255 * r) < 6 && std::abs(p[1] - 255 * g) < 6 && std::abs(p[2] - 255 * b) < 6; };
 }
 
-const Matches is_gouge = like(0.84, 0.04, 0.07), is_uncut = like(0.93, 0.16, 0.88),
-              is_above = like(1.0, 0.55, 0.0), is_over = like(0.85, 0.0, 0.75),
-              is_under = like(0.0, 0.40, 0.20), is_white = like(1.0, 1.0, 1.0);
+const Matches is_gouge = like(0.84, 0.04, 0.07), is_uncut = like(0.93, 0.16, 0.88), is_above = like(1.0, 0.55, 0.0),
+              is_over = like(0.85, 0.0, 0.75), is_under = like(0.0, 0.40, 0.20), is_white = like(1.0, 1.0, 1.0);
 
 std::string
 bytes(const std::string& file)
@@ -158,8 +147,7 @@ bytes(const std::string& file)
 
 class VerificationPicture : public testing::Test {
 protected:
-  void
-  SetUp() override
+  void SetUp() override
   {
     if (!displayProblem().empty())
       GTEST_SKIP() << "no display here";
@@ -240,8 +228,7 @@ TEST_F(VerificationPicture, TheHistogramShowsHowManyAndTheLimit)
 {
   VerificationScene with = scene();
   VerificationPictures(with).writeHistogram(file);
-  const Matches is_bar = like(0.128, 0.567, 0.551), is_limit = like(0.84, 0.04, 0.07),
-                is_asked = like(0.10, 0.22, 0.66);
+  const Matches is_bar = like(0.128, 0.567, 0.551), is_limit = like(0.84, 0.04, 0.07), is_asked = like(0.10, 0.22, 0.66);
   const Found bars = find(file, is_bar), limit = find(file, is_limit), asked = find(file, is_asked);
   EXPECT_EQ(find(file, is_above).count, 0U);
   EXPECT_GT(bars.count, 2000U);
@@ -257,8 +244,8 @@ TEST_F(VerificationPicture, TheHistogramShowsHowManyAndTheLimit)
 TEST_F(VerificationPicture, TheSameSceneGivesTheSameBytes)
 {
   const std::string again = folder.path("b.png");
-  for (const auto write : {&VerificationPictures::writeDeviation, &VerificationPictures::writeStock,
-                           &VerificationPictures::writeHistogram}) {
+  for (const auto write :
+       {&VerificationPictures::writeDeviation, &VerificationPictures::writeStock, &VerificationPictures::writeHistogram}) {
     (VerificationPictures(scene()).*write)(file);
     (VerificationPictures(scene()).*write)(again);
     EXPECT_GT(bytes(file).size(), 10000U);

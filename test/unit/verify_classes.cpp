@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // MaterialRemoval and DeviationEstimation on a point type that PCL does not know, with no header but their own; one
 // surface for both; the parts of a cloud that are no surface.
 #include <pcl_spiral/verify/deviation_estimation.h>
@@ -18,8 +19,7 @@ struct EIGEN_ALIGN16 ScannerPoint {
   float reflectance = 0.0f;
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
-POINT_CLOUD_REGISTER_POINT_STRUCT(ScannerPoint,
-                                  (float, x, x)(float, y, y)(float, z, z)(float, reflectance, reflectance))
+POINT_CLOUD_REGISTER_POINT_STRUCT(ScannerPoint, (float, x, x)(float, y, y)(float, z, z)(float, reflectance, reflectance))
 
 using namespace pcl_spiral;
 using namespace pcl_spiral::test;
@@ -41,12 +41,10 @@ struct Scene {
     }
   }
   template <typename Class>
-  void
-  give(Class& judge) const
+  void give(Class& judge) const
   {
     judge.setInputToolpath(toolpath(path));
-    if constexpr (std::is_same_v<Class, MaterialRemoval<ScannerPoint>> ||
-                  std::is_same_v<Class, MaterialRemoval<pcl::PointXYZ>>) {
+    if constexpr (std::is_same_v<Class, MaterialRemoval<ScannerPoint>> || std::is_same_v<Class, MaterialRemoval<pcl::PointXYZ>>) {
       judge.setToolRadius(R);
       judge.setScallopHeight(h);
     }

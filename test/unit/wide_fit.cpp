@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Fits of more neighbours than usual, where the nearest points do not tell the surface.
 #include <pcl_spiral/surface/impl/mls_surface.h>
 

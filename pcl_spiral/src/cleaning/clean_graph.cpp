@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/cleaning/impl/clean_graph.h>
 
 #include "even_spread.h"
-#include "lone_points.h"
 #include "false_points.h"
+#include "lone_points.h"
 
 #include <algorithm>
 #include <iterator>
@@ -55,11 +56,9 @@ class CleanGraph {
 public:
   CleanGraph(const SurfaceGraphOptions& options, SurfaceGraph& graph, GraphSource& source)
   : options_(options), graph_(graph), source_(source)
-  {
-  }
+  {}
 
-  Status
-  build(std::vector<Eigen::Vector3f> points)
+  Status build(std::vector<Eigen::Vector3f> points)
   {
     left_out_.assign(points.size(), 0);
     source_ = GraphSource();
@@ -82,8 +81,7 @@ public:
 
 private:
   /** Build of an even choice of the points that were not left out; \p points are kept where it is not all of them. */
-  Status
-  buildEvenly(std::vector<Eigen::Vector3f>& points)
+  Status buildEvenly(std::vector<Eigen::Vector3f>& points)
   {
     source_.indices.clear();
     for (std::uint32_t i = 0; i < left_out_.size(); ++i)
@@ -105,8 +103,7 @@ private:
     return graph_.build(std::move(blocks), ownOptions());
   }
 
-  Status
-  leaveOutliersOut()
+  Status leaveOutliersOut()
   {
     constexpr int rounds = 5;
     constexpr double some = 0.001; // of the points
@@ -124,8 +121,7 @@ private:
   }
 
   /** Build again less some points, by their original indices in the graph. */
-  Status
-  buildWithout(const Indices& off)
+  Status buildWithout(const Indices& off)
   {
     for (const std::uint32_t i : off)
       left_out_[source_.indices[i]] = 1;
@@ -138,8 +134,7 @@ private:
   }
 
   /** The options with the normals of the points in use alone. */
-  SurfaceGraphOptions
-  ownOptions() const
+  SurfaceGraphOptions ownOptions() const
   {
     SurfaceGraphOptions own = options_;
     if (!options_.given_normals.empty())
@@ -158,8 +153,7 @@ private:
 } // namespace
 
 Status
-buildCleanGraph(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options, SurfaceGraph& graph,
-                GraphSource& source)
+buildCleanGraph(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options, SurfaceGraph& graph, GraphSource& source)
 {
   return CleanGraph(options, graph, source).build(std::move(points));
 }

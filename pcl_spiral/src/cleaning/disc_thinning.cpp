@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "disc_thinning.h"
 
 namespace pcl_spiral {

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "even_spread.h"
 
-#include "search/all_neighbourhoods.h"
 #include "disc_thinning.h"
-#include "search/own_frame.h"
 #include "graph/spread_shape.h"
+#include "search/all_neighbourhoods.h"
+#include "search/own_frame.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -17,12 +18,12 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double most_points = 0.5;   // of a block, for what they show to hold for all of it
-constexpr float line_growth = 1.5f;   // of the step along a line, in one round
+constexpr double most_points = 0.5;    // of a block, for what they show to hold for all of it
+constexpr float line_growth = 1.5f;    // of the step along a line, in one round
 constexpr float double_growth = 0.25f; // of the spacing: distance that points nearly at one place are thinned to
-constexpr float steepest = 0.12f;     // change of the spacing along the way
-constexpr float uneven = 1.75f;       // times the spacing: less is left as it is
-constexpr float even_fill = 0.8f;     // distance of thinned points over the spacing they come to
+constexpr float steepest = 0.12f;      // change of the spacing along the way
+constexpr float uneven = 1.75f;        // times the spacing: less is left as it is
+constexpr float even_fill = 0.8f;      // distance of thinned points over the spacing they come to
 
 /** Points in the order of their blocks, and what is known of each. */
 struct Spread {
@@ -30,8 +31,7 @@ struct Spread {
   std::vector<std::uint32_t> source; ///< of each point, in the first cloud
   std::vector<SpreadShape> shapes;
 
-  void
-  measure()
+  void measure()
   {
     shapes.resize(blocks.size());
     forNeighbourhoods(blocks, SpreadShape::neighbours, omp_get_max_threads(),
@@ -39,8 +39,7 @@ struct Spread {
   }
 
   /** Go on with some of the points. */
-  void
-  keep(const std::vector<std::uint8_t>& kept)
+  void keep(const std::vector<std::uint8_t>& kept)
   {
     std::vector<Eigen::Vector3f> points;
     std::vector<std::uint32_t> from;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A subset of points that is spread evenly enough for neighbourhoods to be round.
  */
@@ -24,7 +25,6 @@ struct EvenSpread {
  *
  *  All are kept when spread well enough as they are: a look at some neighbourhoods and at the sizes of the blocks
  *  tells. The result depends on the set of points alone, not on their order nor on the number of threads. */
-EvenSpread
-evenSpread(const PointBlocks& blocks);
+EvenSpread evenSpread(const PointBlocks& blocks);
 
 } // namespace pcl_spiral

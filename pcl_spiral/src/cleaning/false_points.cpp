@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "false_points.h"
 
 #include "core/lanes.h"
@@ -14,7 +15,7 @@ namespace {
 
 constexpr int fit_neighbours = 48; // without the point itself
 constexpr int fewest_for_fit = 24;
-constexpr int company = 8;         // nearest neighbours that may be off as well
+constexpr int company = 8; // nearest neighbours that may be off as well
 constexpr int nearest_for_normal = 12;
 constexpr double over_scatter = 6.0, over_spacing = 0.03, half = 0.5;
 
@@ -22,14 +23,11 @@ constexpr double over_scatter = 6.0, over_spacing = 0.03, half = 0.5;
 class DeletedResidual {
 public:
   DeletedResidual(const SurfaceGraph& graph, const std::vector<std::uint8_t>& is_doubtful)
-  : graph_(graph), is_doubtful_(is_doubtful),
-    search_(graph.blocks(), std::min<int>(fit_neighbours + 1, static_cast<int>(graph.size())))
-  {
-  }
+  : graph_(graph), is_doubtful_(is_doubtful), search_(graph.blocks(), std::min<int>(fit_neighbours + 1, static_cast<int>(graph.size())))
+  {}
 
   /** How far point \p i lies off the surface of the others; 0 where that is not determined or they scatter as much. */
-  double
-  operator()(std::uint32_t i)
+  double operator()(std::uint32_t i)
   {
     Box place;
     place.extend(graph_.blocks().point(i).data());
@@ -43,16 +41,11 @@ public:
   }
 
   /** The nearest neighbours of the point that was asked for last. */
-  std::vector<std::uint32_t>
-  nearest() const
-  {
-    return {near_.index + 1, near_.index + 1 + std::min(company, near_.size - 1)};
-  }
+  std::vector<std::uint32_t> nearest() const { return {near_.index + 1, near_.index + 1 + std::min(company, near_.size - 1)}; }
 
 private:
   /** The neighbours beyond doubt, or all where those are few: two false points side by side vouch for each other. */
-  Neighbourhood
-  chosen()
+  Neighbourhood chosen()
   {
     places_.clear();
     for (int j = 1; j < near_.size; ++j)
@@ -73,8 +66,7 @@ private:
     }
     for (auto& values : values_)
       values.resize((values.size() + lane_count - 1) / lane_count * lane_count, 0.0f);
-    return {static_cast<int>(places_.size()), values_[0].data(), values_[1].data(), values_[2].data(), values_[3].data(),
-            index_.data()};
+    return {static_cast<int>(places_.size()), values_[0].data(), values_[1].data(), values_[2].data(), values_[3].data(), index_.data()};
   }
 
   const SurfaceGraph& graph_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Points close to a surface that are none of it.
  */
@@ -16,7 +17,6 @@ namespace pcl_spiral {
  *
  *  The surface is that of ProjectionMethod::RobustQuartic; leaving the point itself out of its fit is the deleted
  *  residual of Cook, Detection of influential observation in linear regression, 1977. */
-std::vector<std::uint32_t>
-falsePoints(const SurfaceGraph& graph);
+std::vector<std::uint32_t> falsePoints(const SurfaceGraph& graph);
 
 } // namespace pcl_spiral

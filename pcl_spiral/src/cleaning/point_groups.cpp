@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/cleaning/impl/point_groups.h>
 
 #include <pcl_spiral/search/impl/point_blocks.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/cleaning/stray_removal.h>
 
 namespace pcl_spiral {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "readable_text.h"
 
 #include <cstdint>
@@ -25,10 +26,7 @@ characterLength(const std::string& text, std::size_t at)
   }
   const std::uint32_t least = length == 2 ? 0x80 : length == 3 ? 0x800 : 0x10000;
   const bool surrogate = code >= 0xD800 && code < 0xE000;
-  return first < 0xC0 || first > 0xF4 || code < least || code > 0x10FFFF || surrogate ||
-                 (code & 0xFFFE) == 0xFFFE
-             ? 0
-             : length;
+  return first < 0xC0 || first > 0xF4 || code < least || code > 0x10FFFF || surrogate || (code & 0xFFFE) == 0xFFFE ? 0 : length;
 }
 
 } // namespace

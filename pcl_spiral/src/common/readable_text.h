@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Bytes that need be no text, such as the name of a file, made into text that can be shown.
  */

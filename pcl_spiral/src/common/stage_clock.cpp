@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/common/impl/stage_clock.h>
 
 #include <fstream>

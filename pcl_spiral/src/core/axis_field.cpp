@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "axis_field.h"
 
 #include "axis_smoothing.h"
@@ -39,8 +40,7 @@ turnedTowards(const Vector3d& from, const Vector3d& to, double angle)
 /** Limits the turn on every move. */
 class RateLimit {
 public:
-  RateLimit(const std::vector<double>& s, double max_rate)
-  : limits_(s.size() - 1), chords_(s.size() - 1)
+  RateLimit(const std::vector<double>& s, double max_rate) : limits_(s.size() - 1), chords_(s.size() - 1)
   {
     const auto moves = static_cast<std::int64_t>(limits_.size());
 #pragma omp parallel for schedule(static)
@@ -52,8 +52,7 @@ public:
   }
 
   /** Moves on which the turn is above the limit. */
-  std::size_t
-  exceeded(const Vectors& axes) const
+  std::size_t exceeded(const Vectors& axes) const
   {
     std::size_t count = 0;
     const auto moves = static_cast<std::int64_t>(limits_.size());
@@ -63,8 +62,7 @@ public:
     return count;
   }
 
-  void
-  apply(Vectors& axes) const
+  void apply(Vectors& axes) const
   {
     for (int round = 0; round < most_rounds && exceeded(axes) > 0; ++round) {
       Vectors back = axes;
@@ -81,22 +79,19 @@ public:
   }
 
 private:
-  bool
-  exceeds(std::size_t move, const Vector3d& a, const Vector3d& b) const
+  bool exceeds(std::size_t move, const Vector3d& a, const Vector3d& b) const
   {
     return (b - a).squaredNorm() > chords_[move] + 1e-24;
   }
 
-  void
-  forward(Vectors& axes) const
+  void forward(Vectors& axes) const
   {
     for (std::size_t i = 1; i < axes.size(); ++i)
       if (exceeds(i - 1, axes[i - 1], axes[i]))
         axes[i] = turnedTowards(axes[i - 1], axes[i], limits_[i - 1]);
   }
 
-  void
-  backward(Vectors& axes) const
+  void backward(Vectors& axes) const
   {
     for (std::size_t i = axes.size() - 1; i-- > 0;)
       if (exceeds(i, axes[i], axes[i + 1]))
@@ -125,8 +120,7 @@ measure(const std::vector<double>& s, const Vectors& wanted, double max_deviatio
   const auto n = static_cast<std::int64_t>(axes.size());
   double largest_deviation = 0.0, largest_change = 0.0, largest_rate = 0.0;
   std::size_t deviating = 0;
-#pragma omp parallel for schedule(static) reduction(max : largest_deviation, largest_change, largest_rate)          \
-    reduction(+ : deviating)
+#pragma omp parallel for schedule(static) reduction(max : largest_deviation, largest_change, largest_rate) reduction(+ : deviating)
   for (std::int64_t i = 0; i < n; ++i) {
     const double deviation = angleBetween(axes[i], wanted[i]);
     largest_deviation = std::max(largest_deviation, deviation);
@@ -152,9 +146,7 @@ smoothAxes(const Polyline& points, const Vectors& wanted, const AxisFieldOptions
   check(points, wanted, options);
   const std::vector<double> s = arcLengths(points);
   SmoothAxes result;
-  result.axes = options.smoothing_length > 0.0
-                    ? splineOfAxes(s, wanted, options.smoothing_length, options.max_deviation)
-                    : wanted;
+  result.axes = options.smoothing_length > 0.0 ? splineOfAxes(s, wanted, options.smoothing_length, options.max_deviation) : wanted;
   if (options.max_rate > 0.0 && points.size() > 1)
     RateLimit(s, options.max_rate).apply(result.axes);
   measure(s, wanted, options.max_deviation, result);

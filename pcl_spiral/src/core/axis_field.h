@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Tool axes that turn smoothly and no faster than a limit along a path. Angles in radians, lengths in the unit of the
  *  points.
@@ -41,12 +42,10 @@ struct SmoothAxes {
  *  Time is linear in the number of points; the same for any number of threads.
  *  Source: Reinsch 1967; Green and Silverman 1994, section 2.3.
  *  \throws std::invalid_argument when points and axes differ in number, or an option is out of range */
-SmoothAxes smoothAxes(const Polyline& points, const std::vector<Eigen::Vector3d>& wanted,
-                      const AxisFieldOptions& options);
+SmoothAxes smoothAxes(const Polyline& points, const std::vector<Eigen::Vector3d>& wanted, const AxisFieldOptions& options);
 
 /** Moves of a path on which unit \p directions, one a point, turn faster than \p max_rate per length of path. */
-std::size_t movesTurningFaster(const Polyline& points, const std::vector<Eigen::Vector3d>& directions,
-                               double max_rate);
+std::size_t movesTurningFaster(const Polyline& points, const std::vector<Eigen::Vector3d>& directions, double max_rate);
 
 /** The place where an axis leans most off the normal. */
 struct AxisLean {
@@ -58,7 +57,6 @@ struct AxisLean {
 AxisLean largestLean(const std::vector<Eigen::Vector3d>& normals, const std::vector<Eigen::Vector3d>& axes);
 
 /** Whether axes of largest \p lean come within a degree of the surface, or into it, where \p wanted ones did not. */
-bool liesInSurface(const AxisLean& lean, const std::vector<Eigen::Vector3d>& normals,
-                   const std::vector<Eigen::Vector3d>& wanted);
+bool liesInSurface(const AxisLean& lean, const std::vector<Eigen::Vector3d>& normals, const std::vector<Eigen::Vector3d>& wanted);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "axis_smoothing.h"
 
 #include <algorithm>
@@ -45,8 +46,7 @@ struct Spline {
   Vectors value, second;
 
   /** Values at \p s between the knots \p at; straight on beyond them. */
-  Vectors
-  values(const std::vector<double>& at, const std::vector<double>& s) const
+  Vectors values(const std::vector<double>& at, const std::vector<double>& s) const
   {
     if (at.size() == 1)
       return Vectors(s.size(), value[0]);
@@ -71,11 +71,9 @@ class SmoothingSpline {
 public:
   SmoothingSpline(const Knots& knots, double length)
   : knots_(knots), stiffness_(length * length * length * length), n_(knots.at.size()), d_(n_), l1_(n_), l2_(n_)
-  {
-  }
+  {}
 
-  void
-  solve(const std::vector<double>& weights, Spline& spline)
+  void solve(const std::vector<double>& weights, Spline& spline)
   {
     spline.value = knots_.wanted;
     Vectors& z = spline.second;
@@ -143,8 +141,7 @@ public:
       fade_[k] = std::exp((knots.at[k] - knots.at[k + 1]) / length);
   }
 
-  std::vector<double>
-  operator()(const std::vector<double>& values) const
+  std::vector<double> operator()(const std::vector<double>& values) const
   {
     const std::size_t n = values.size();
     std::vector<double> sum(n), whole(n);

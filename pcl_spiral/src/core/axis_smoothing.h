@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Smoothing spline of axes over the arc length.
 #pragma once
 
@@ -8,8 +9,7 @@
 namespace pcl_spiral {
 
 /** Axes at \p arc_lengths (not falling), the same smoothed; see smoothAxes in core/axis_field.h. */
-std::vector<Eigen::Vector3d> splineOfAxes(const std::vector<double>& arc_lengths,
-                                          const std::vector<Eigen::Vector3d>& wanted, double length,
+std::vector<Eigen::Vector3d> splineOfAxes(const std::vector<double>& arc_lengths, const std::vector<Eigen::Vector3d>& wanted, double length,
                                           double max_deviation);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/bspline.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ checkKnots(const std::vector<double>& t, std::size_t controls)
 } // namespace
 
 BSplineCurve::BSplineCurve(std::vector<double> knots, Polyline control_points)
-    : knots_(std::move(knots)), control_points_(std::move(control_points))
+: knots_(std::move(knots)), control_points_(std::move(control_points))
 {
   checkKnots(knots_, control_points_.size());
   breaks_.assign(knots_.begin() + 3, knots_.end() - 3);
@@ -49,8 +50,8 @@ BSplineCurve::BSplineCurve(std::vector<double> knots, Polyline control_points)
     const Eigen::Vector3d b1 = blossom(knots_, control_points_, k, u0, u0, u1);
     const Eigen::Vector3d b2 = blossom(knots_, control_points_, k, u0, u1, u1);
     const Eigen::Vector3d b3 = blossom(knots_, control_points_, k, u1, u1, u1);
-    polynomials_.push_back({b0, 3.0 / h * (b1 - b0), 3.0 / (h * h) * (b0 - 2.0 * b1 + b2),
-                            1.0 / (h * h * h) * (b3 - 3.0 * b2 + 3.0 * b1 - b0)});
+    polynomials_.push_back(
+        {b0, 3.0 / h * (b1 - b0), 3.0 / (h * h) * (b0 - 2.0 * b1 + b2), 1.0 / (h * h * h) * (b3 - 3.0 * b2 + 3.0 * b1 - b0)});
   }
   stations_.assign(1, breaks_.front());
   lengths_.assign(1, 0.0);
@@ -102,10 +103,9 @@ BSplineCurve::secondDerivative(double u) const
 double
 BSplineCurve::lengthBetween(std::size_t span, double u0, double u1) const
 {
-  static constexpr std::array<double, 5> node{-0.90617984593866399, -0.53846931010568309, 0.0,
-                                              0.53846931010568309, 0.90617984593866399};
-  static constexpr std::array<double, 5> weight{0.23692688505618909, 0.47862867049936647, 0.56888888888888889,
-                                                0.47862867049936647, 0.23692688505618909};
+  static constexpr std::array<double, 5> node{-0.90617984593866399, -0.53846931010568309, 0.0, 0.53846931010568309, 0.90617984593866399};
+  static constexpr std::array<double, 5> weight{0.23692688505618909, 0.47862867049936647, 0.56888888888888889, 0.47862867049936647,
+                                                0.23692688505618909};
   const Polynomial& a = polynomials_[span];
   const double middle = 0.5 * (u0 + u1) - breaks_[span], half = 0.5 * (u1 - u0);
   double sum = 0.0;

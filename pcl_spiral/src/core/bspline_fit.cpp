@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/bspline_fit.h>
 
 #include <algorithm>
@@ -86,20 +87,11 @@ public:
   explicit BandedSystem(std::size_t n) : rows_(n, {0.0, 0.0, 0.0, 0.0}), right_(n, Eigen::Vector3d::Zero()) {}
 
   /** Entry (row, row - back). */
-  double&
-  at(std::size_t row, std::size_t back)
-  {
-    return rows_[row][back];
-  }
-  Eigen::Vector3d&
-  right(std::size_t row)
-  {
-    return right_[row];
-  }
+  double& at(std::size_t row, std::size_t back) { return rows_[row][back]; }
+  Eigen::Vector3d& right(std::size_t row) { return right_[row]; }
 
   /** Cholesky; false when the matrix is not well positive definite. The solution replaces right(). */
-  bool
-  solve()
+  bool solve()
   {
     const std::size_t n = rows_.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -196,8 +188,7 @@ lowDegree(const std::vector<double>& u, const Polyline& p)
     middle = (p[1] - (1 - f) * (1 - f) * p[0] - f * f * p[2]) / (2.0 * f * (1 - f));
   }
   BSplineFit fit;
-  fit.curve = BSplineCurve(equalKnots(end, 1), {p.front(), (p.front() + 2.0 * middle) / 3.0,
-                                                (p.back() + 2.0 * middle) / 3.0, p.back()});
+  fit.curve = BSplineCurve(equalKnots(end, 1), {p.front(), (p.front() + 2.0 * middle) / 3.0, (p.back() + 2.0 * middle) / 3.0, p.back()});
   fit.within_tolerance = true;
   return fit;
 }
@@ -246,8 +237,8 @@ fitBSpline(const Polyline& points, const BSplineFitOptions& options)
   }
   if (best.control.empty())
     return std::nullopt;
-  return BSplineFit{BSplineCurve(std::move(best.knots), std::move(best.control)), best.max_deviation,
-                    best.rms_deviation, best.max_deviation <= options.tolerance};
+  return BSplineFit{BSplineCurve(std::move(best.knots), std::move(best.control)), best.max_deviation, best.rms_deviation,
+                    best.max_deviation <= options.tolerance};
 }
 
 } // namespace pcl_spiral

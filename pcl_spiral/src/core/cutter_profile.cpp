@@ -1,5 +1,6 @@
-#include <pcl_spiral/core/impl/angles.h>
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/cutter_profile.h>
+#include <pcl_spiral/core/impl/angles.h>
 
 #include <Eigen/Geometry>
 
@@ -12,10 +13,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double rounding = 1e-9;        // of R: a flat smaller than this, either way, is none
-constexpr double angle_rounding = 1e-6;  // radians: axes and normals often come in single precision
-constexpr double steepest_angle = 89.9;  // degrees, of a flank
-constexpr double largest_radius = 1e6;   // mm
+constexpr double rounding = 1e-9;       // of R: a flat smaller than this, either way, is none
+constexpr double angle_rounding = 1e-6; // radians: axes and normals often come in single precision
+constexpr double steepest_angle = 89.9; // degrees, of a flank
+constexpr double largest_radius = 1e6;  // mm
 
 std::string
 said(const std::string& what, double value, const std::string& remedy)
@@ -91,8 +92,7 @@ faultOf(const CutterShape& s)
     return said("the flank meets the axis before its lower end: its length is", s.flank_length, " mm") +
            said("; set it to", s.radius / sine, " mm or less, or the flank angle or radius otherwise");
   if (!(s.corner_radius >= 0.0) || !(s.corner_radius <= largest_radius))
-    return said("the cutter's corner radius is", s.corner_radius,
-                " mm; set it to 0 or more (a tapered ball needs R > L sin alpha)");
+    return said("the cutter's corner radius is", s.corner_radius, " mm; set it to 0 or more (a tapered ball needs R > L sin alpha)");
   if (flatRadiusOf(s) < -rounding * s.radius)
     return said("the corner reaches across the axis: its radius is", s.corner_radius, " mm") +
            said("; set it to", std::max(0.0, flankRadiusOf(s) / cosine), " mm (a ball end) or less");

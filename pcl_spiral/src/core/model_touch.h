@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Where a cutter touches a quadratic height model.
  */
@@ -17,8 +18,7 @@ struct HeightModel {
   Eigen::Vector2d slope = Eigen::Vector2d::Zero();
   Eigen::Matrix2d bend = Eigen::Matrix2d::Zero();
 
-  double
-  value(const Eigen::Vector2d& x) const
+  double value(const Eigen::Vector2d& x) const
   {
     const Eigen::Vector2d d = x - at;
     return height + slope.dot(d) + 0.5 * d.dot(bend * d);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/parabola_edge.h>
 
 #include <Eigen/Geometry>
@@ -31,7 +32,7 @@ robustBow(const Vector3d& d, const Vector3d& n0, const Vector3d& n1)
 Vector3d
 publishedBow(const Vector3d& d, const Vector3d& n0, const Vector3d& n1)
 {
-  constexpr double same = 1e-12; // squared sine between the projections
+  constexpr double same = 1e-12;                                   // squared sine between the projections
   const Vector3d t0 = d - n0.dot(d) * n0, t1 = d - n1.dot(d) * n1; // from P0 on, and back from P1
   const double a = t0.squaredNorm(), b = t0.dot(t1), c = t1.squaredNorm();
   const double det = a * c - b * b;

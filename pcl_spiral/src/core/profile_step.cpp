@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/profile_step.h>
 
 namespace pcl_spiral {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "revolution_axis.h"
 
 #include <pcl_spiral/core/impl/frame.h>
@@ -27,8 +28,7 @@ struct Sample {
   std::vector<double> weights;
 
   /** Some of the points, \p most or fewer. */
-  Sample
-  thinned(std::size_t most) const
+  Sample thinned(std::size_t most) const
   {
     Sample some;
     for (std::size_t i = 0; i < points.size(); i += (points.size() + most - 1) / most) {
@@ -43,8 +43,7 @@ struct Sample {
 struct Axis {
   Vector3d origin, direction;
 
-  Axis
-  moved(const Vector8& by) const
+  Axis moved(const Vector8& by) const
   {
     Vector3d e1, e2;
     tangentFrame(direction, e1, e2);
@@ -73,8 +72,7 @@ struct Equations {
   Vector8 right = Vector8::Zero();
   double square = 0.0, weight = 0.0;
 
-  void
-  add(const Vector8& row, double residual, double weight)
+  void add(const Vector8& row, double residual, double weight)
   {
     normal += weight * row * row.transpose();
     right -= weight * residual * row;
@@ -89,8 +87,7 @@ equationsAt(const Sample& sample, const Axis& axis, const Eigen::Vector4d& cubic
   tangentFrame(axis.direction, e[0], e[1]);
   Equations equations;
   for (std::size_t i = 0; i < sample.points.size(); ++i) {
-    const Vector3d &x = sample.points[i], &n = sample.normals[i], y = x - axis.origin,
-                   round = axis.direction.cross(y);
+    const Vector3d &x = sample.points[i], &n = sample.normals[i], y = x - axis.origin, round = axis.direction.cross(y);
     const double z = axis.direction.dot(x), r = std::max(on_axis, round.norm()), turning = n.dot(round) / r;
     const Eigen::Vector4d powers(1.0, z, z * z, z * z * z);
     const double leaning = n.dot(axis.direction) - cubic.dot(powers);
@@ -121,8 +118,7 @@ scaleAt(const Sample& sample, const Axis& axis, const Eigen::Vector4d& cubic)
   left.reserve(sample.points.size());
   for (std::size_t i = 0; i < sample.points.size(); ++i) {
     left.push_back(std::hypot(turningOf(axis, sample.points[i], sample.normals[i]),
-                              sample.normals[i].dot(axis.direction) -
-                                  cubicAt(cubic, axis.direction.dot(sample.points[i]))));
+                              sample.normals[i].dot(axis.direction) - cubicAt(cubic, axis.direction.dot(sample.points[i]))));
   }
   std::nth_element(left.begin(), left.begin() + left.size() / 2, left.end());
   return std::max(0.05, 2.0 * left[left.size() / 2]);
@@ -158,9 +154,8 @@ judged(const Sample& sample, const Axis& axis, const Eigen::Vector4d& cubic, con
   fit.axis.origin = axis.origin - axis.direction * axis.direction.dot(axis.origin);
   double weights = 0.0;
   for (std::size_t i = 0; i < sample.points.size(); ++i) {
-    const double turning = turningOf(axis, sample.points[i], sample.normals[i]),
-                 along = sample.normals[i].dot(axis.direction), weight = sample.weights[i],
-                 leaning = along - cubicAt(cubic, axis.direction.dot(sample.points[i]));
+    const double turning = turningOf(axis, sample.points[i], sample.normals[i]), along = sample.normals[i].dot(axis.direction),
+                 weight = sample.weights[i], leaning = along - cubicAt(cubic, axis.direction.dot(sample.points[i]));
     fit.axis.turning += weight * turning * turning;
     fit.axis.radial += weight * std::max(0.0, 1.0 - turning * turning - along * along);
     fit.left += weight * (turning * turning + leaning * leaning);
@@ -171,11 +166,9 @@ judged(const Sample& sample, const Axis& axis, const Eigen::Vector4d& cubic, con
   fit.left /= weights;
   // What the turns determine that shift and cubic cannot make up for.
   const Eigen::Matrix<double, 6, 6> others =
-      equations.normal.bottomRightCorner<6, 6>() +
-      1e-12 * equations.weight * Eigen::Matrix<double, 6, 6>::Identity();
+      equations.normal.bottomRightCorner<6, 6>() + 1e-12 * equations.weight * Eigen::Matrix<double, 6, 6>::Identity();
   const Eigen::Matrix<double, 6, 2> coupling = equations.normal.bottomLeftCorner<6, 2>();
-  const Eigen::Matrix2d turns =
-      equations.normal.topLeftCorner<2, 2>() - coupling.transpose() * others.ldlt().solve(coupling);
+  const Eigen::Matrix2d turns = equations.normal.topLeftCorner<2, 2>() - coupling.transpose() * others.ldlt().solve(coupling);
   const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(turns).eigenvalues()[0];
   fit.axis.uncertainty = std::sqrt((equations.square + 1e-8 * equations.weight) / std::max(least, 1e-300));
   return fit;
@@ -223,8 +216,7 @@ bestOf(const std::vector<Fit>& fits)
 } // namespace
 
 std::optional<RevolutionAxis>
-fitRevolutionAxis(const std::vector<Vector3d>& points, const std::vector<Vector3d>& normals,
-                  const std::vector<double>& weights)
+fitRevolutionAxis(const std::vector<Vector3d>& points, const std::vector<Vector3d>& normals, const std::vector<double>& weights)
 {
   double whole = 0.0, square = 0.0;
   Vector3d mean = Vector3d::Zero();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The axis a surface goes round, from points and normals.
  */
@@ -14,9 +15,9 @@ namespace pcl_spiral {
 struct RevolutionAxis {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();     ///< foot of the points' mean on the axis
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); ///< unit; its largest component is positive
-  double turning = 0.0;     ///< rms share of the normals round the axis: 0 for a surface of revolution
-  double radial = 0.0;      ///< rms share of the normals out of the axis, or towards it: 1 for a cylinder
-  double uncertainty = 0.0; ///< of the direction, as if each point were by itself; a sphere's is about 1
+  double turning = 0.0;                                 ///< rms share of the normals round the axis: 0 for a surface of revolution
+  double radial = 0.0;                                  ///< rms share of the normals out of the axis, or towards it: 1 for a cylinder
+  double uncertainty = 0.0;                             ///< of the direction, as if each point were by itself; a sphere's is about 1
 };
 
 /** Axis that the normals of a column pass closest to. \p weights count the points; not negative.
@@ -28,8 +29,7 @@ struct RevolutionAxis {
  * each principal axis of the normals; that which leaves least wins, and of some that leave about as much (a cylinder is a
  * piece of a huge ring, too) that with the least uncertainty. Empty where there are fewer than 10 points, or no end is
  * found. */
-std::optional<RevolutionAxis> fitRevolutionAxis(const std::vector<Eigen::Vector3d>& points,
-                                                const std::vector<Eigen::Vector3d>& normals,
+std::optional<RevolutionAxis> fitRevolutionAxis(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals,
                                                 const std::vector<double>& weights);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/ridge_frame.h>
 
 #include <Eigen/Geometry>

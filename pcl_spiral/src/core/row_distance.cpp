@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "row_distance.h"
 
 #include <pcl_spiral/core/impl/angles.h>
@@ -23,8 +24,7 @@ chordOf(double arc, double curvature)
 } // namespace
 
 double
-rowDistance(const SurfaceBend& place, const Eigen::Vector3d& across, double radius, double height,
-            RowsThrough through)
+rowDistance(const SurfaceBend& place, const Eigen::Vector3d& across, double radius, double height, RowsThrough through)
 {
   constexpr double unlimited = std::numeric_limits<double>::infinity();
   const Eigen::Vector3d along = place.normal.cross(across);
@@ -37,8 +37,7 @@ rowDistance(const SurfaceBend& place, const Eigen::Vector3d& across, double radi
   const double c = w.dot(place.direction1), s = w.dot(place.normal.cross(place.direction1));
   const double across_rows = k1 * c * c + k2 * s * s, torsion = (k1 - k2) * c * s;
   const bool centres = through == RowsThrough::Centres;
-  const double k =
-      centres ? across_rows : across_rows - torsion * torsion / (k1 * s * s + k2 * c * c + 1.0 / radius);
+  const double k = centres ? across_rows : across_rows - torsion * torsion / (k1 * s * s + k2 * c * c + 1.0 / radius);
   const auto step = stepOver(radius, k, height);
   return step ? (centres ? 1.0 + radius * k : 1.0) * chordOf(*step, k) * lean : unlimited;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  How far apart neighbouring rows of parallel planes may be where a ball cuts a curved surface.
  */
@@ -35,7 +36,6 @@ struct SurfaceBend {
  *    that the height is v'(I + R S)^-1 v / 2R for a centre a v off. Normals of the contacts differ by
  *    2 sin(k L / 2) w, so centres are R times that farther apart: D = (1 + R k) c w.m.
  * Exact on spheres, cylinders and planes, but for the change of k over a step. */
-double rowDistance(const SurfaceBend& place, const Eigen::Vector3d& across, double radius, double height,
-                   RowsThrough through);
+double rowDistance(const SurfaceBend& place, const Eigen::Vector3d& across, double radius, double height, RowsThrough through);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "row_levels.h"
 
 #include <algorithm>
@@ -15,8 +16,7 @@ constexpr double most_bins = 1 << 24;
 /** What may lie between two rows, in equal bins across them. */
 class AllowedDistance {
 public:
-  AllowedDistance(const std::vector<RowPatch>& patches, double low, double high, double floor)
-      : low_(low), high_(high)
+  AllowedDistance(const std::vector<RowPatch>& patches, double low, double high, double floor) : low_(low), high_(high)
   {
     const double bins = std::clamp(std::ceil(8.0 * (high - low) / floor), 1.0, most_bins);
     width_ = (high - low) / bins;
@@ -27,8 +27,7 @@ public:
   /** The farthest row from one at \p from such that all between allow their distance, times \p share; the end
    * at the most. It does not come closer as \p from goes on, so that going as far as can be makes the fewest
    * rows. */
-  double
-  farthest(double from, double share) const
+  double farthest(double from, double share) const
   {
     double most = unlimited;
     for (std::size_t bin = binOf(from); bin < most_.size(); ++bin) {
@@ -44,8 +43,7 @@ public:
 
   /** The rows where all take up that \p share of what is allowed; one more than \p limit where these do not
    * do. */
-  std::vector<double>
-  rows(double share, std::size_t limit) const
+  std::vector<double> rows(double share, std::size_t limit) const
   {
     const double end = high_ - 1e-9 * (high_ - low_);
     std::vector<double> levels{farthest(low_, 0.5 * share)};
@@ -55,16 +53,13 @@ public:
   }
 
 private:
-  std::size_t
-  binOf(double x) const
+  std::size_t binOf(double x) const
   {
-    return static_cast<std::size_t>(
-        std::clamp((x - low_) / width_, 0.0, static_cast<double>(most_.size() - 1)));
+    return static_cast<std::size_t>(std::clamp((x - low_) / width_, 0.0, static_cast<double>(most_.size() - 1)));
   }
 
   /** Narrowest first, so that each bin is entered once. */
-  void
-  enter(const std::vector<RowPatch>& patches, double floor)
+  void enter(const std::vector<RowPatch>& patches, double floor)
   {
     std::vector<std::size_t> order, open(most_.size() + 1);
     for (std::size_t i = 0; i < patches.size(); ++i)
@@ -80,8 +75,7 @@ private:
       return bin;
     };
     for (const std::size_t i : order)
-      for (std::size_t bin = nextOpen(binOf(patches[i].low)), last = binOf(patches[i].high); bin <= last;
-           bin = nextOpen(bin)) {
+      for (std::size_t bin = nextOpen(binOf(patches[i].low)), last = binOf(patches[i].high); bin <= last; bin = nextOpen(bin)) {
         most_[bin] = std::max(patches[i].most, floor);
         open[bin] = bin + 1;
       }
@@ -127,8 +121,7 @@ rowLevels(const std::vector<RowPatch>& patches, double low, double high, double 
 {
   RowLevels rows;
   findHeld(patches, floor, rows);
-  rows.levels =
-      !(high > low) ? std::vector<double>{low} : evenRows(AllowedDistance(patches, low, high, floor));
+  rows.levels = !(high > low) ? std::vector<double>{low} : evenRows(AllowedDistance(patches, low, high, floor));
   for (std::size_t k = 0; k + 1 < rows.levels.size(); ++k) {
     const double step = rows.levels[k + 1] - rows.levels[k];
     rows.smallest_step = k == 0 ? step : std::min(rows.smallest_step, step);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Unequal distances of rows, each as far from the next as the surface between them allows.
  */
@@ -21,8 +22,8 @@ struct RowLevels {
 
   std::vector<double> levels;                     ///< ascending
   double smallest_step = 0.0, largest_step = 0.0; ///< of neighbours; 0 with one row
-  double held_share = 0.0;      ///< of the area: patches that allow less than the floor, and get it
-  std::size_t narrowest = none; ///< the patch that allows least of these
+  double held_share = 0.0;                        ///< of the area: patches that allow less than the floor, and get it
+  std::size_t narrowest = none;                   ///< the patch that allows least of these
 };
 
 /** As few rows over \p low to \p high as leave no patch between two neighbours farther apart than it allows,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sampling_gap.h"
 
 #include <algorithm>
@@ -17,9 +18,7 @@ samplingGap(const CutterProfile& profile, const SampledContact& contact)
   const double D = contact.distance + d <= R ? d : 2.0 * d;
   const double convex = std::max(0.0, contact.curvature);
   // The surface falls from the contact, at the distance x across the axis, by no more than this.
-  const auto fall = [&](double x) {
-    return x * tangent + 0.5 * convex * x * x * (1.0 + tangent * tangent) / cosine;
-  };
+  const auto fall = [&](double x) { return x * tangent + 0.5 * convex * x * x * (1.0 + tangent * tangent) / cosine; };
   double bound = unbounded;
   if (r > 0.0) {
     const double b = cosine / (1.0 / r + convex) - D * std::sin(contact.lean);

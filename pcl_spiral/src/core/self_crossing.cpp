@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "self_crossing.h"
 
 #include <pcl_spiral/core/impl/pass_ranges.h>
@@ -12,8 +13,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double width_in_mean =
-    1.5; // of a cell, in mean segments: smaller ones cost more to look up than they leave out
+constexpr double width_in_mean = 1.5; // of a cell, in mean segments: smaller ones cost more to look up than they leave out
 constexpr double most_cells_along = 16.0;
 constexpr double margin_in_width = 0.1; // segments that cross may lie so far over each other
 constexpr double margin_in_slack = 4.0;
@@ -43,14 +43,12 @@ public:
     segments_.resize(before);
     for (std::size_t i = segments; i-- > 0;)
       if (!beginsPass(passes, i + 1))
-        forBuckets(i, 0.0,
-                   [&](std::size_t bucket) { segments_[--begin_[bucket]] = static_cast<std::uint32_t>(i); });
+        forBuckets(i, 0.0, [&](std::size_t bucket) { segments_[--begin_[bucket]] = static_cast<std::uint32_t>(i); });
   }
 
   /** Call \p visit with the segments after the next one that may come within \p margin of a segment. */
   template <typename Visit>
-  void
-  visitNear(std::size_t segment, double margin, Visit visit) const
+  void visitNear(std::size_t segment, double margin, Visit visit) const
   {
     forBuckets(segment, margin, [&](std::size_t bucket) {
       for (std::uint32_t k = begin_[bucket + 1]; k-- > begin_[bucket] && segments_[k] > segment + 1;)
@@ -60,25 +58,17 @@ public:
 
 private:
   template <typename Visit>
-  void
-  forBuckets(std::size_t segment, double margin, Visit visit) const
+  void forBuckets(std::size_t segment, double margin, Visit visit) const
   {
-    const Eigen::Vector3d &a = path_[segment], &b = path_[segment + 1],
-                          reach = Eigen::Vector3d::Constant(margin);
+    const Eigen::Vector3d &a = path_[segment], &b = path_[segment + 1], reach = Eigen::Vector3d::Constant(margin);
     const Cell low = cellAt(a.cwiseMin(b) - reach), high = cellAt(a.cwiseMax(b) + reach);
     for (std::int64_t z = low.z(); z <= high.z(); ++z)
       for (std::int64_t y = low.y(); y <= high.y(); ++y)
         for (std::int64_t x = low.x(); x <= high.x(); ++x)
-          visit((static_cast<std::size_t>(x) + 73856093u * static_cast<std::size_t>(y) +
-                 19349663u * static_cast<std::size_t>(z)) &
-                mask_);
+          visit((static_cast<std::size_t>(x) + 73856093u * static_cast<std::size_t>(y) + 19349663u * static_cast<std::size_t>(z)) & mask_);
   }
 
-  Cell
-  cellAt(const Eigen::Vector3d& place) const
-  {
-    return (place / width_).array().floor().matrix().cast<std::int64_t>();
-  }
+  Cell cellAt(const Eigen::Vector3d& place) const { return (place / width_).array().floor().matrix().cast<std::int64_t>(); }
 
   const Polyline& path_;
   double width_;
@@ -112,8 +102,8 @@ cross(const Polyline& p, std::size_t i, std::size_t j, const Eigen::Vector3d& n,
 } // namespace
 
 std::optional<std::size_t>
-firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& normals, double slack,
-                  const std::function<bool(double)>& go_on, const std::vector<std::size_t>& passes)
+firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& normals, double slack, const std::function<bool(double)>& go_on,
+                  const std::vector<std::size_t>& passes)
 {
   if (path.size() < 4)
     return std::nullopt;
@@ -126,8 +116,7 @@ firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& norm
   }
   if (!(longest > 0.0))
     return std::nullopt;
-  const double width =
-      std::max(width_in_mean * sum / static_cast<double>(segments), longest / most_cells_along);
+  const double width = std::max(width_in_mean * sum / static_cast<double>(segments), longest / most_cells_along);
   const double margin = margin_in_slack * slack + margin_in_width * width;
   const SegmentCells cells(path, passes, width);
   auto first = std::numeric_limits<std::int64_t>::max();
@@ -142,8 +131,7 @@ firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& norm
       const Eigen::Vector3d start = path[i], along = path[i + 1] - start, left = normals[i].cross(along);
       cells.visitNear(i, margin, [&](std::size_t j) {
         // Hardly any has its ends on either side.
-        if (left.dot(path[j] - start) * left.dot(path[j + 1] - start) < 0.0 &&
-            cross(path, i, j, normals[i], slack))
+        if (left.dot(path[j] - start) * left.dot(path[j + 1] - start) < 0.0 && cross(path, i, j, normals[i], slack))
           first = i;
       });
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Hot loops twice in the library: for AVX2, and for any machine.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/step_over.h>
 
@@ -92,8 +93,7 @@ stepFromChordError(double curvature, double chord_error, double max_step)
     return std::min(max_step, 2.0 / k);
   // Multiplied out, so that a flat curve divides by nothing.
   const double error_at_max = 0.25 * k * (max_step * max_step) + k * chord_error * chord_error;
-  return error_at_max <= 2.0 * chord_error ? max_step
-                                           : 2.0 * std::sqrt(chord_error * (2.0 / k - chord_error));
+  return error_at_max <= 2.0 * chord_error ? max_step : 2.0 * std::sqrt(chord_error * (2.0 / k - chord_error));
 }
 
 double

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/step_over_metric.h>
 
 #include <Eigen/Eigenvalues>
@@ -21,14 +22,13 @@ longestStepOver(const StepOverMetric& metric)
 }
 
 StepOverMetric
-stepOverMetric(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction1, double k1, double k2, double radius,
-               double scallop_height)
+stepOverMetric(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction1, double k1, double k2, double radius, double scallop_height)
 {
   const double flat = 1.0 / radius;
   const Eigen::Vector3d direction2 = normal.cross(direction1);
   const double g1 = std::max(k1 + flat, least_share * flat), g2 = std::max(k2 + flat, least_share * flat);
-  const Eigen::Matrix3d g = g1 * direction1 * direction1.transpose() + g2 * direction2 * direction2.transpose() +
-                            flat * normal * normal.transpose();
+  const Eigen::Matrix3d g =
+      g1 * direction1 * direction1.transpose() + g2 * direction2 * direction2.transpose() + flat * normal * normal.transpose();
   return StepOverMetric(Eigen::Matrix3d(g / (8.0 * scallop_height * (1.0 - 0.5 * scallop_height / radius))));
 }
 

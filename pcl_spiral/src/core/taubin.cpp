@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/taubin.h>
 
@@ -24,8 +25,7 @@ check(const TaubinOptions& o)
     throw std::invalid_argument("taubinSmoothed: needs 0 < lambda <= 1 and -1.2 <= mu <= -lambda");
   const double k = 1.0 - std::cos(1.0);
   if ((1.0 - o.lambda * k) * (1.0 - o.mu * k) >= 0.995)
-    throw std::invalid_argument(
-        "taubinSmoothed: lambda and mu let the wavelength pass; bring mu nearer to -lambda");
+    throw std::invalid_argument("taubinSmoothed: lambda and mu let the wavelength pass; bring mu nearer to -lambda");
 }
 
 /** Sampling, stride and passes for a stretch of line. */
@@ -90,8 +90,7 @@ public:
   }
 
   /** \param piece where to start looking; moves on with ascending \p at. */
-  Vector3d
-  operator()(double at, std::size_t& piece) const
+  Vector3d operator()(double at, std::size_t& piece) const
   {
     while (piece + 2 < s_.size() && s_[piece + 1] < at)
       ++piece;
@@ -218,8 +217,7 @@ taubinGain(double wave_length, double spacing, const TaubinOptions& options)
   const double phase = options.wavelength / wave_length; // of the last stride
   double gain = std::pow(passGain(phase, options), p.passes);
   for (Index stride : fineStrides(p.stride))
-    gain *= std::pow(passGain(phase * static_cast<double>(stride) / static_cast<double>(p.stride), options),
-                     fine_passes);
+    gain *= std::pow(passGain(phase * static_cast<double>(stride) / static_cast<double>(p.stride), options), fine_passes);
   return gain;
 }
 

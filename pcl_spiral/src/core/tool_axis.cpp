@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tool_axis.h"
 
 #include <Eigen/Geometry>
@@ -18,8 +19,7 @@ Vector3d
 chordAt(const Polyline& points, std::size_t first, std::size_t end)
 {
   const Vector3d back = first > 0 ? Vector3d(points[first] - points[first - 1]) : Vector3d(Vector3d::Zero());
-  const Vector3d ahead =
-      end < points.size() ? Vector3d(points[end] - points[first]) : Vector3d(Vector3d::Zero());
+  const Vector3d ahead = end < points.size() ? Vector3d(points[end] - points[first]) : Vector3d(Vector3d::Zero());
   const double f = back.squaredNorm(), g = ahead.squaredNorm();
   return f > 0.0 && g > 0.0 ? Vector3d(back / f + ahead / g) : Vector3d(back + ahead);
 }
@@ -53,12 +53,10 @@ forEachFeed(const Polyline& points, const Vectors& normals, Visit visit)
 /** Two angles, ready to be set at many points. */
 struct Tilt {
   Tilt(double side_tilt, double lead)
-      : side_cos(std::cos(side_tilt)), side_sin(std::sin(side_tilt)), lead_cos(std::cos(lead)), lead_sin(std::sin(lead))
-  {
-  }
+  : side_cos(std::cos(side_tilt)), side_sin(std::sin(side_tilt)), lead_cos(std::cos(lead)), lead_sin(std::sin(lead))
+  {}
 
-  Vector3d
-  axis(const Vector3d& normal, const Vector3d& feed) const
+  Vector3d axis(const Vector3d& normal, const Vector3d& feed) const
   {
     if (feed.isZero(0.0))
       return normal;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/tool_holder.h>
 
 #include <algorithm>
@@ -30,8 +31,7 @@ faultOf(const std::vector<ToolSegment>& segments)
   return std::string();
 }
 
-HolderProfile::HolderProfile(const std::vector<ToolSegment>& segments, double base, double cutter_radius,
-                             double clearance)
+HolderProfile::HolderProfile(const std::vector<ToolSegment>& segments, double base, double cutter_radius, double clearance)
 {
   if (const std::string fault = faultOf(segments); !fault.empty())
     throw std::invalid_argument("HolderProfile: " + fault);
@@ -42,8 +42,7 @@ HolderProfile::HolderProfile(const std::vector<ToolSegment>& segments, double ba
   for (const ToolSegment& s : segments) {
     const double slope = (s.upper_radius - s.lower_radius) / s.length, cosine = 1.0 / std::hypot(1.0, slope);
     const double sideways = clearance / cosine, down = s.lower_radius > below ? clearance : 0.0;
-    parts_.push_back(
-        {height - down, height, height + s.length, s.lower_radius + sideways, slope, cosine, below});
+    parts_.push_back({height - down, height, height + s.length, s.lower_radius + sideways, slope, cosine, below});
     radius_ = std::max({radius_, s.lower_radius + sideways, s.upper_radius + sideways});
     bottom_ = std::min(bottom_, height - down);
     height += s.length;

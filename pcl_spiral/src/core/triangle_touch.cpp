@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "triangle_touch.h"
 
 #include <algorithm>
@@ -31,8 +32,7 @@ halfChord(double radius, double p)
 TriangleTouch::TriangleTouch(const CutterProfile& profile)
 : profile_(profile), cos_angle_(std::cos(profile.flankAngle())),
   steepest_(profile.flankAngle() > 0.0 ? 1.0 / std::tan(profile.flankAngle()) : std::numeric_limits<double>::infinity())
-{
-}
+{}
 
 double
 TriangleTouch::heightAt(double l, double wider) const
@@ -76,7 +76,8 @@ TriangleTouch::alongCorner(double p, double slope, double wider) const
   const double R2 = profile_.flatRadius() + wider, r = profile_.cornerRadius();
   double low = std::max(0.0, (p - R2) / r), high = cos_angle_;
   const double lean = slope / std::sqrt(1.0 + slope * slope); // sine; of the touch, where p is 0
-  const double on_ball = (std::sqrt(p * p + lean * lean * (R2 + r - p) * (R2 + r + p)) - R2) / r; // of the touch on a ball of the radius R2 + r
+  const double on_ball =
+      (std::sqrt(p * p + lean * lean * (R2 + r - p) * (R2 + r + p)) - R2) / r; // of the touch on a ball of the radius R2 + r
   double v = std::clamp(R2 < r ? on_ball : lean, low, high);
   for (int i = 0; i < 60; ++i) {
     const double l = R2 + r * v, s = halfChord(l, p), c = std::sqrt(std::max(0.0, 1.0 - v * v));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Where a cutter that comes down along its axis touches a flat triangle.
  */
@@ -13,8 +14,8 @@ namespace pcl_spiral {
 
 /** What a triangle does to a cutter that comes down on it. */
 struct TouchedTriangle {
-  bool found = false; ///< false: no place of the triangle within the cutter's radius of the axis
-  double height = 0.0; ///< of the tip along the axis
+  bool found = false;                                ///< false: no place of the triangle within the cutter's radius of the axis
+  double height = 0.0;                               ///< of the tip along the axis
   Eigen::Vector3d weights = Eigen::Vector3d::Zero(); ///< barycentric, of the place that is touched
 };
 
@@ -32,8 +33,7 @@ public:
   /** \p corners, one a column: along two directions across the axis, from the axis, and along it. \p wider: the profile is
    *  moved out by it all round, z(l - wider), a bound for triangles that are known across the axis to so much. Triangles whose
    *  plane holds the tip no higher than \p floor may be passed by. */
-  TouchedTriangle touch(const Eigen::Matrix3d& corners, double wider = 0.0,
-                        double floor = -std::numeric_limits<double>::infinity()) const;
+  TouchedTriangle touch(const Eigen::Matrix3d& corners, double wider = 0.0, double floor = -std::numeric_limits<double>::infinity()) const;
 
 private:
   double heightAt(double l, double wider) const;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_ground.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -8,19 +9,15 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double least_share =
-    0.2; // of the normal along the axis, when noise along the normal is taken along it
+constexpr double least_share = 0.2; // of the normal along the axis, when noise along the normal is taken along it
 
 } // namespace
 
-CloudGround::CloudGround(const LocationSurface& surface, const CutterProfile& profile,
-                             const LocationOptions& options)
-    : surface_(surface), options_(options), profile_(profile), drop_(surface.obstacles(), profile),
-      rim_drop_(surface.rim(), profile), inner_drop_(surface.obstacles(), insetCutter(profile, near())),
-      fitted_drop_(surface, profile),
-      holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance)
-{
-}
+CloudGround::CloudGround(const LocationSurface& surface, const CutterProfile& profile, const LocationOptions& options)
+: surface_(surface), options_(options), profile_(profile), drop_(surface.obstacles(), profile), rim_drop_(surface.rim(), profile),
+  inner_drop_(surface.obstacles(), insetCutter(profile, near())), fitted_drop_(surface, profile),
+  holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance)
+{}
 
 bool
 CloudGround::trusted(const FittedContact& fitted, const DropContact& drop) const
@@ -68,8 +65,7 @@ CloudGround::standOn(const AskedLocation& asked, const SurfaceFoot& foot, ToolLo
 }
 
 ToolLocation
-CloudGround::resolve(const AskedLocation& asked, const DropContact& drop, const FittedContact& fitted,
-                       const SurfaceFoot& foot) const
+CloudGround::resolve(const AskedLocation& asked, const DropContact& drop, const FittedContact& fitted, const SurfaceFoot& foot) const
 {
   ToolLocation location;
   location.axis = asked.frame.axis;
@@ -90,8 +86,7 @@ CloudGround::resolve(const AskedLocation& asked, const DropContact& drop, const 
     height = fitted.height;
   }
   else {
-    location.gap_bound =
-        foot.valid ? fitted_drop_.gapBound(asked.frame, foot) : std::numeric_limits<double>::infinity();
+    location.gap_bound = foot.valid ? fitted_drop_.gapBound(asked.frame, foot) : std::numeric_limits<double>::infinity();
     if (options_.evaluation != LocationEvaluation::Points && std::isfinite(location.gap_bound)) {
       location.basis = LocationBasis::PointsAndBound;
       location.gap = location.gap_bound;
@@ -124,8 +119,7 @@ CloudGround::locate(const DrivePoint* drive, std::size_t count, ToolLocation* lo
   if (options_.evaluation == LocationEvaluation::FittedSurface)
     fitted_drop_.locate(frames, drops, fitted);
   std::vector<SurfaceFoot> feet(count);
-  if (surface_
-          .hasSurface()) { // where the points decide, the surface about them tells how far a cutter may sink
+  if (surface_.hasSurface()) { // where the points decide, the surface about them tells how far a cutter may sink
     std::vector<std::uint32_t> which;
     std::vector<Eigen::Vector3d> queries;
     std::vector<SurfaceFoot> found;
@@ -148,18 +142,16 @@ CloudGround::clears(const DrivePoint& drive) const
 {
   const AskedLocation asked(drive, profile_);
   const bool clear = !drop_.highest(asked.frame, options_.tolerance).found || holds(asked);
-  return asked.contact.touches && clear &&
-         !findCollision(surface_.obstacles(), holder_, asked.frame, 0.0, options_.tolerance).found();
+  return asked.contact.touches && clear && !findCollision(surface_.obstacles(), holder_, asked.frame, 0.0, options_.tolerance).found();
 }
 
 Status
 CloudGround::check() const
 {
   if (options_.evaluation != LocationEvaluation::Points && !surface_.hasSurface())
-    return {surface_.whyNone().code(),
-            surface_.whyNone().message() +
-                "; without a surface cutters can be located on the points alone (as "
-                "LocationEvaluation::Points), with no bound of how far they sink between them"};
+    return {surface_.whyNone().code(), surface_.whyNone().message() +
+                                           "; without a surface cutters can be located on the points alone (as "
+                                           "LocationEvaluation::Points), with no bound of how far they sink between them"};
   return Status::success();
 }
 
@@ -174,21 +166,17 @@ CloudGround::describe(const ToolLocations&, LocationFigures& f) const
 {
   f.noise_allowance = surface_.noiseAllowance();
   f.stray_points = surface_.hasSurface() ? surface_.strayPoints() : 0;
-  const std::size_t asked =
-      f.count(LocationState::Reached) + f.count(LocationState::Lifted) + f.count(LocationState::Clear);
+  const std::size_t asked = f.count(LocationState::Reached) + f.count(LocationState::Lifted) + f.count(LocationState::Clear);
   if (asked > 0 && surface_.hasSurface() && surface_.surface().fitNoise() > options_.tolerance)
-    f.warnings.push_back(
-        textOf("the scan's noise leaves its surface known to ", surface_.surface().fitNoise(),
-               " mm, more than the contact tolerance of ", options_.tolerance,
-               " mm: contacts count as lifted or clear by chance; raise the tolerance to three times "
-               "that"));
+    f.warnings.push_back(textOf("the scan's noise leaves its surface known to ", surface_.surface().fitNoise(),
+                                " mm, more than the contact tolerance of ", options_.tolerance,
+                                " mm: contacts count as lifted or clear by chance; raise the tolerance to three times "
+                                "that"));
   if (f.stray_points > 0)
-    f.warnings.push_back(textOf(f.stray_points,
-                                " points of the scan stand alone off its surface; the cutter stays off "
-                                "them as well: remove them before if they are false echoes (StrayRemoval)"));
+    f.warnings.push_back(textOf(f.stray_points, " points of the scan stand alone off its surface; the cutter stays off "
+                                                "them as well: remove them before if they are false echoes (StrayRemoval)"));
   if (!surface_.hasSurface())
-    f.warnings.push_back("the points form no surface, so the rim of the scan is not known: " +
-                         surface_.whyNone().message());
+    f.warnings.push_back("the points form no surface, so the rim of the scan is not known: " + surface_.whyNone().message());
 }
 
 } // namespace pcl_spiral

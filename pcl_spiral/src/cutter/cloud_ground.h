@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Cutters located on a scan. Private.
  */
@@ -6,8 +7,8 @@
 #include "asked_location.h"
 #include "location_ground.h"
 
-#include <pcl_spiral/cutter/impl/cutter_locator.h>
 #include "fitted_drop.h"
+#include <pcl_spiral/cutter/impl/cutter_locator.h>
 
 namespace pcl_spiral {
 
@@ -26,18 +27,13 @@ public:
   const char* item() const override { return "point"; }
 
 private:
-  ToolLocation resolve(const AskedLocation& asked, const DropContact& drop, const FittedContact& fitted,
-                       const SurfaceFoot& foot) const;
+  ToolLocation resolve(const AskedLocation& asked, const DropContact& drop, const FittedContact& fitted, const SurfaceFoot& foot) const;
   void settle(const AskedLocation& asked, double height, ToolLocation& location) const;
   /** Whether the contact asked for is steep, and no point is deeper in the cutter there than near(), along
    * the cutter's normal. */
   bool holds(const AskedLocation& asked) const;
   /** How near, along a normal, the scan is where it is touched. */
-  double
-  near() const
-  {
-    return options_.tolerance + surface_.noiseAllowance();
-  }
+  double near() const { return options_.tolerance + surface_.noiseAllowance(); }
   void standOn(const AskedLocation& asked, const SurfaceFoot& foot, ToolLocation& location) const;
   bool trusted(const FittedContact& fitted, const DropContact& drop) const;
 

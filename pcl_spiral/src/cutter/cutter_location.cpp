@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/cutter/cutter_location.h>
 
 namespace pcl_spiral {
@@ -9,11 +10,10 @@ checkDrivePoints(const DrivePoints& drive)
     return {StatusCode::InvalidInput, "there are no drive points; call setDrivePoints or setDrivePath"};
   for (std::size_t i = 0; i < drive.size(); ++i) {
     if (!drive[i].position.allFinite() || !drive[i].axis.allFinite() || !drive[i].normal.allFinite())
-      return {StatusCode::InvalidInput,
-              textOf("drive point ", i, ", its axis or its normal is not finite; remove it")};
+      return {StatusCode::InvalidInput, textOf("drive point ", i, ", its axis or its normal is not finite; remove it")};
     if (!(drive[i].axis.norm() > 1e-6))
-      return {StatusCode::InvalidInput, textOf("drive point ", i, " at ", placeText(drive[i].position),
-                                               " has no tool axis; set one, from the tip to the shank")};
+      return {StatusCode::InvalidInput,
+              textOf("drive point ", i, " at ", placeText(drive[i].position), " has no tool axis; set one, from the tip to the shank")};
   }
   return Status::success();
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_ground.h"
 #include "mesh_ground.h"
 
@@ -12,16 +13,13 @@ constexpr std::size_t chunk = 8192; // drive points between two reports of progr
 
 } // namespace
 
-CutterLocator::CutterLocator(const LocationSurface& surface, const CutterProfile& profile,
-                             const LocationOptions& options)
-    : options_(options), profile_(profile), ground_(std::make_shared<CloudGround>(surface, profile, options))
-{
-}
+CutterLocator::CutterLocator(const LocationSurface& surface, const CutterProfile& profile, const LocationOptions& options)
+: options_(options), profile_(profile), ground_(std::make_shared<CloudGround>(surface, profile, options))
+{}
 
 CutterLocator::CutterLocator(const LocationMesh& mesh, const CutterProfile& profile, const LocationOptions& options)
-    : options_(options), profile_(profile), ground_(std::make_shared<MeshGround>(mesh, profile, options))
-{
-}
+: options_(options), profile_(profile), ground_(std::make_shared<MeshGround>(mesh, profile, options))
+{}
 
 double
 CutterLocator::moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const
@@ -30,8 +28,7 @@ CutterLocator::moveError(const CutterPlace& from, const CutterPlace& to, double 
 }
 
 Status
-CutterLocator::locate(const DrivePoints& drive, const ProgressCallback& progress,
-                      ToolLocations& locations) const
+CutterLocator::locate(const DrivePoints& drive, const ProgressCallback& progress, ToolLocations& locations) const
 {
   locations.clear();
   if (const Status status = ground_->check(); !status.ok())

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fitted_drop.h"
 
 #include "core/model_touch.h"
@@ -41,8 +42,7 @@ modelOf(const AxisFrame& frame, const SurfaceFoot& foot, const FacingFoot& facin
   model.height = frame.along(foot.position);
   model.slope = -Eigen::Vector2d(facing.normal.dot(frame.e1), facing.normal.dot(frame.e2)) / facing.share;
   const Eigen::Vector3d direction2 = foot.normal.cross(foot.direction1);
-  const Eigen::Vector3d tangent[2] = {frame.e1 + model.slope.x() * frame.axis,
-                                      frame.e2 + model.slope.y() * frame.axis};
+  const Eigen::Vector3d tangent[2] = {frame.e1 + model.slope.x() * frame.axis, frame.e2 + model.slope.y() * frame.axis};
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
       model.bend(i, j) = -(facing.k1 * tangent[i].dot(foot.direction1) * tangent[j].dot(foot.direction1) +
@@ -80,8 +80,7 @@ FittedDrop::findStarts(const AxisFrame& frame, const DropContact& drop, Start* s
     std::uint32_t point;
   };
   const double spacing = surface_.surface().graph().spacing(), apart = starts_apart * spacing;
-  const double margin =
-      spacing * spacing / std::max(profile_.cornerRadius(), spacing) + surface_.noiseAllowance();
+  const double margin = spacing * spacing / std::max(profile_.cornerRadius(), spacing) + surface_.noiseAllowance();
   std::vector<Candidate> candidates;
   const double floor = drop.height - margin;
   drop_.visitAbove(frame, floor, [&](std::uint32_t point, double height) {
@@ -89,15 +88,12 @@ FittedDrop::findStarts(const AxisFrame& frame, const DropContact& drop, Start* s
       candidates.push_back({height, point});
   });
   for (int k = 0; k < most_starts && !candidates.empty(); ++k) {
-    const auto top =
-        std::max_element(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-          return a.height != b.height ? a.height < b.height : a.point > b.point;
-        });
+    const auto top = std::max_element(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+      return a.height != b.height ? a.height < b.height : a.point > b.point;
+    });
     starts[k].query = drop_.blocks().position(top->point);
     starts[k].active = true;
-    const auto near = [&](const Candidate& c) {
-      return (drop_.blocks().position(c.point) - starts[k].query).norm() < apart;
-    };
+    const auto near = [&](const Candidate& c) { return (drop_.blocks().position(c.point) - starts[k].query).norm() < apart; };
     candidates.erase(std::remove_if(candidates.begin(), candidates.end(), near), candidates.end());
   }
 }
@@ -116,8 +112,7 @@ FittedDrop::step(const AxisFrame& frame, const SurfaceFoot& foot, Start& start) 
   const Eigen::Vector2d found = touchModel(profile_, model);
   const Eigen::Vector2d move = found - model.at;
   const double length = move.norm();
-  const Eigen::Vector2d x =
-      length > longest_step * spacing ? model.at + longest_step * spacing / length * move : found;
+  const Eigen::Vector2d x = length > longest_step * spacing ? model.at + longest_step * spacing / length * move : found;
   start.query = frame.place(x, model.value(x));
   if (length > still * spacing) {
     start.active = true;
@@ -132,8 +127,7 @@ FittedDrop::step(const AxisFrame& frame, const SurfaceFoot& foot, Start& start) 
 }
 
 void
-FittedDrop::locate(const std::vector<AxisFrame>& frames, const std::vector<DropContact>& drops,
-                   std::vector<FittedContact>& contacts) const
+FittedDrop::locate(const std::vector<AxisFrame>& frames, const std::vector<DropContact>& drops, std::vector<FittedContact>& contacts) const
 {
   const auto count = static_cast<std::int64_t>(frames.size());
   std::vector<Start> starts(frames.size() * most_starts);

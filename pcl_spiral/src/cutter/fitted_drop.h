@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A cutter brought down onto the surface fitted to a scan.
  */
@@ -12,12 +13,12 @@ namespace pcl_spiral {
 
 /** Where a cutter coming down along its axis meets the fitted surface. */
 struct FittedContact {
-  bool found = false; ///< false where there is no fit to trust, or the surface is nearly parallel to the axis
+  bool found = false;  ///< false where there is no fit to trust, or the surface is nearly parallel to the axis
   double height = 0.0; ///< of the tip along the axis, from the frame's origin
   Eigen::Vector3d contact = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< unit, to the side the tool is on
-  double gap_bound = 0.0;    ///< how far the points alone may let the cutter sink here, see samplingGap
-  double normal_share = 1.0; ///< cosine between normal and axis
+  double gap_bound = 0.0;                           ///< how far the points alone may let the cutter sink here, see samplingGap
+  double normal_share = 1.0;                        ///< cosine between normal and axis
 };
 
 /** Refines what a cutter meets among the points to where it touches the moving-least-squares surface.
@@ -28,13 +29,11 @@ struct FittedContact {
 class FittedDrop {
 public:
   FittedDrop(const LocationSurface& surface, const CutterProfile& profile)
-      : surface_(surface), profile_(profile), drop_(surface.obstacles(), profile)
-  {
-  }
+  : surface_(surface), profile_(profile), drop_(surface.obstacles(), profile)
+  {}
 
   /** One contact a frame. \p drops are those of the same frames on the points alone. */
-  void locate(const std::vector<AxisFrame>& frames, const std::vector<DropContact>& drops,
-              std::vector<FittedContact>& contacts) const;
+  void locate(const std::vector<AxisFrame>& frames, const std::vector<DropContact>& drops, std::vector<FittedContact>& contacts) const;
 
   /** How far the cutter may sink between the points round \p foot, where it touches, as seen in \p frame. */
   double gapBound(const AxisFrame& frame, const SurfaceFoot& foot) const;

@@ -1,10 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/cutter/impl/holder_collision.h>
 
 namespace pcl_spiral {
 
 HolderCollision
-findCollision(const PointBlocks& blocks, const HolderProfile& holder, const AxisFrame& frame, double tip,
-              double tolerance)
+findCollision(const PointBlocks& blocks, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance)
 {
   HolderCollision worst;
   if (holder.empty())

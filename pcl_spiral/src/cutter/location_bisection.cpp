@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "location_thinning.h"
 
 #include "common/available_memory.h"
@@ -51,14 +52,11 @@ public:
       open_.push_back({pass, std::vector<std::int8_t>(pass.size(), 0), std::vector<std::uint8_t>(pass.size(), 1)});
   }
 
-  Status
-  run(const ProgressCallback& progress)
+  Status run(const ProgressCallback& progress)
   {
     for (int round = 0; round <= settings_.most_halvings; ++round) {
       const double share = static_cast<double>(round) / (settings_.most_halvings + 1);
-      const ProgressCallback inside = [&](double, const std::string&) {
-        return !progress || progress(share, "bisection");
-      };
+      const ProgressCallback inside = [&](double, const std::string&) { return !progress || progress(share, "bisection"); };
       std::vector<OpenMove> moves = openMoves();
       if (moves.empty())
         break;
@@ -78,8 +76,7 @@ public:
     return Status::success();
   }
 
-  void
-  take(std::vector<ToolLocations>& passes, BisectionFigures& figures)
+  void take(std::vector<ToolLocations>& passes, BisectionFigures& figures)
   {
     for (std::size_t p = 0; p < passes.size(); ++p) {
       figures_.inserted += open_[p].locations.size() - passes[p].size();
@@ -91,8 +88,7 @@ public:
 
 private:
   /** Whether a round with so many middles can be held; each may stay, beside what there is. */
-  Status
-  checkSize(std::size_t moves) const
+  Status checkSize(std::size_t moves) const
   {
     std::size_t locations = moves;
     for (const OpenPass& pass : open_)
@@ -102,24 +98,14 @@ private:
     const std::optional<double> free_bytes = availableMemory();
     if (static_cast<double>(locations) <= most_path_points && (!free_bytes || bytes <= *free_bytes))
       return Status::success();
-    return {StatusCode::InvalidArgument,
-            textOf("a tolerance of ", settings_.tolerance, " mm between locations takes more than ", locations,
-                   " of them, ", bytes / 1e9, " GB: raise the tolerance, or space passes wider")};
+    return {StatusCode::InvalidArgument, textOf("a tolerance of ", settings_.tolerance, " mm between locations takes more than ", locations,
+                                                " of them, ", bytes / 1e9, " GB: raise the tolerance, or space passes wider")};
   }
 
-  const ToolLocation&
-  from(const OpenMove& move) const
-  {
-    return open_[move.pass].locations[move.from];
-  }
-  const ToolLocation&
-  to(const OpenMove& move) const
-  {
-    return open_[move.pass].locations[move.from + 1];
-  }
+  const ToolLocation& from(const OpenMove& move) const { return open_[move.pass].locations[move.from]; }
+  const ToolLocation& to(const OpenMove& move) const { return open_[move.pass].locations[move.from + 1]; }
 
-  std::vector<OpenMove>
-  openMoves()
+  std::vector<OpenMove> openMoves()
   {
     std::vector<OpenMove> moves;
     for (std::size_t p = 0; p < open_.size(); ++p)
@@ -139,8 +125,7 @@ private:
   }
 
   /** Find what \p moves cut, or leave in their middles. */
-  void
-  judge(std::vector<OpenMove>& moves, const ToolLocations& middles) const
+  void judge(std::vector<OpenMove>& moves, const ToolLocations& middles) const
   {
 #pragma omp parallel for schedule(dynamic, 64)
     for (std::int64_t m = 0; m < static_cast<std::int64_t>(moves.size()); ++m) {
@@ -152,8 +137,7 @@ private:
   }
 
   /** Halve those of \p moves that err too much. */
-  void
-  insert(const std::vector<OpenMove>& moves, const ToolLocations& middles)
+  void insert(const std::vector<OpenMove>& moves, const ToolLocations& middles)
   {
     std::vector<OpenPass> next(open_.size());
     std::size_t m = 0;
@@ -176,8 +160,7 @@ private:
     open_ = std::move(next);
   }
 
-  bool
-  isHalved(const OpenMove& move, const ToolLocation& middle, int halvings)
+  bool isHalved(const OpenMove& move, const ToolLocation& middle, int halvings)
   {
     const Eigen::Vector3d straight = 0.5 * (from(move).tip + to(move).tip);
     const bool kept = move.error <= 0.5 * settings_.tolerance;
@@ -193,8 +176,7 @@ private:
 
   /** How far the cutter passes above \p middle: along the axis, or, at a wall, to the place beside where it would
    *  not. */
-  double
-  leftAbove(const OpenMove& move, const ToolLocation& middle) const
+  double leftAbove(const OpenMove& move, const ToolLocation& middle) const
   {
     const Eigen::Vector3d way = to(move).tip - from(move).tip;
     const double above = (0.5 * (from(move).tip + to(move).tip) - middle.tip).dot(middle.axis);
@@ -203,15 +185,14 @@ private:
 
   /** The moves err by half the tolerance; locations put in that move the cutter by no more than the other half
    *  go again. */
-  void
-  thin(OpenPass& pass)
+  void thin(OpenPass& pass)
   {
     const CutterProfile& cutter = locator_.profile();
     std::vector<CutterPlace> places;
     for (const ToolLocation& location : pass.locations)
       places.push_back({location.tip, location.axis});
-    const std::vector<std::uint8_t> kept = keptPlaces(places, pass.given, std::hypot(cutter.topHeight(), cutter.radius()),
-                                                      0.5 * settings_.tolerance, thinned_by_);
+    const std::vector<std::uint8_t> kept =
+        keptPlaces(places, pass.given, std::hypot(cutter.topHeight(), cutter.radius()), 0.5 * settings_.tolerance, thinned_by_);
     std::size_t left = 0;
     for (std::size_t i = 0; i < kept.size(); ++i)
       if (kept[i])
@@ -233,11 +214,9 @@ bisectLocations(const CutterLocator& locator, const BisectionSettings& settings,
                 std::vector<ToolLocations>& passes, BisectionFigures& figures)
 {
   if (!(settings.tolerance > 0.0) || !std::isfinite(settings.tolerance))
-    return {StatusCode::InvalidArgument,
-            textOf("the tolerance between locations is ", settings.tolerance, " mm; set it above 0")};
+    return {StatusCode::InvalidArgument, textOf("the tolerance between locations is ", settings.tolerance, " mm; set it above 0")};
   if (settings.most_halvings < 1 || settings.most_halvings > 30)
-    return {StatusCode::InvalidArgument,
-            textOf("the limit of halvings is ", settings.most_halvings, "; set it between 1 and 30")};
+    return {StatusCode::InvalidArgument, textOf("the limit of halvings is ", settings.most_halvings, "; set it between 1 and 30")};
   Bisection bisection(locator, settings, passes);
   if (const Status status = bisection.run(progress); !status.ok())
     return status;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "location_ground.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -18,8 +19,7 @@ CutterLocator::figures(const ToolLocations& locations) const
       continue;
     ++f.bases[static_cast<std::size_t>(location.basis)];
     if (location.over_rim) {
-      f.least_rim_clearance =
-          f.over_rim == 0 ? location.rim_clearance : std::min(f.least_rim_clearance, location.rim_clearance);
+      f.least_rim_clearance = f.over_rim == 0 ? location.rim_clearance : std::min(f.least_rim_clearance, location.rim_clearance);
       ++f.over_rim;
     }
     f.retilted += location.retilt > 0.0;
@@ -44,28 +44,27 @@ CutterLocator::figures(const ToolLocations& locations) const
     if (count > 0)
       f.warnings.push_back(textOf(count, " of ", locations.size(), " locations ", what));
   };
-  warn(f.count(LocationState::NoCloud), textOf("have no ", ground_->item(), " of the ", ground_->name(), " under the cutter: they have no height"));
+  warn(f.count(LocationState::NoCloud),
+       textOf("have no ", ground_->item(), " of the ", ground_->name(), " under the cutter: they have no height"));
   constexpr double touched = 1e-3; // mm
-  warn(f.over_rim, textOf("stand partly beyond the rim of the ", ground_->name(), " or over a gap in it, ",
-                          f.least_rim_clearance < touched ? std::string("down to it")
-                                                          : textOf("at least ", f.least_rim_clearance, " mm above it"),
-                          ": what is higher there is not known"));
+  warn(f.over_rim,
+       textOf("stand partly beyond the rim of the ", ground_->name(), " or over a gap in it, ",
+              f.least_rim_clearance < touched ? std::string("down to it") : textOf("at least ", f.least_rim_clearance, " mm above it"),
+              ": what is higher there is not known"));
   warn(f.unbounded, "rest on single points, and how far the cutter sinks between them has no bound");
-  warn(f.count(LocationBasis::PointsAndBound),
-       textOf("are raised by up to ", f.largest_gap_bound,
-              " mm above single points, the bound of how far the cutter would "
-              "sink between them: no fitted surface to trust was there"));
+  warn(f.count(LocationBasis::PointsAndBound), textOf("are raised by up to ", f.largest_gap_bound,
+                                                      " mm above single points, the bound of how far the cutter would "
+                                                      "sink between them: no fitted surface to trust was there"));
   warn(f.count(LocationState::Unreachable), "ask for a contact that leans over the cutter's flank");
   if (f.collisions > 0) {
     const HolderCollision& worst = locations[f.most_collided].collision;
     const auto segment = static_cast<std::size_t>(worst.segment);
     const std::string& name = options_.holder[segment].name;
-    warn(f.collisions,
-         textOf("put the holder into the ", ground_->name(), ", the deepest ", worst.depth,
-                " mm, clearance included: ", name.empty() ? textOf("segment ", segment + 1) : name,
-                " of location ", f.most_collided, " at ", placeText(worst.place),
-                "; lengthen the tool, lean the axis away, or allow it "
-                "to be tilted"));
+    warn(f.collisions, textOf("put the holder into the ", ground_->name(), ", the deepest ", worst.depth,
+                              " mm, clearance included: ", name.empty() ? textOf("segment ", segment + 1) : name, " of location ",
+                              f.most_collided, " at ", placeText(worst.place),
+                              "; lengthen the tool, lean the axis away, or allow it "
+                              "to be tilted"));
   }
   ground_->describe(locations, f);
   return f;

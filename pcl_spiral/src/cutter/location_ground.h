@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What cutters are located on, as CutterLocator sees it. Private.
  */
 #pragma once
 
+#include <pcl_spiral/common/impl/drive_point.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/core/impl/swept_error.h>
-#include <pcl_spiral/common/impl/drive_point.h>
 #include <pcl_spiral/cutter/tool_location.h>
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/cutter/impl/location_mesh.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/cutter/impl/location_surface.h>
 
 #include <Eigen/Geometry>
@@ -26,10 +27,9 @@ circumradius(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
 
 } // namespace
 
-LocationSurface::LocationSurface(std::vector<Eigen::Vector3f> points, std::vector<std::uint32_t> source,
-                                 Surface::ConstPtr surface, Status why_none)
-: obstacles_(std::move(points)), source_(std::move(source)), surface_(std::move(surface)),
-  surface_status_(std::move(why_none))
+LocationSurface::LocationSurface(std::vector<Eigen::Vector3f> points, std::vector<std::uint32_t> source, Surface::ConstPtr surface,
+                                 Status why_none)
+: obstacles_(std::move(points)), source_(std::move(source)), surface_(std::move(surface)), surface_status_(std::move(why_none))
 {
   measure();
 }
@@ -53,8 +53,7 @@ LocationSurface::measure()
     return;
   double magnitude = 0.0;
   for (int d = 0; d < 3; ++d)
-    magnitude =
-        std::max<double>({magnitude, std::abs(obstacles_.box().low[d]), std::abs(obstacles_.box().high[d])});
+    magnitude = std::max<double>({magnitude, std::abs(obstacles_.box().low[d]), std::abs(obstacles_.box().high[d])});
   noise_allowance_ = standard_deviations * surface_->noise() + rounding * magnitude;
   findRim();
   findCoveringRadii();
@@ -86,8 +85,7 @@ LocationSurface::findCoveringRadii()
   std::vector<float> own(graph.size(), static_cast<float>(graph.spacing()));
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
     const auto& corner = mesh.triangle(t);
-    const auto radius = static_cast<float>(
-        circumradius(graph.position(corner[0]), graph.position(corner[1]), graph.position(corner[2])));
+    const auto radius = static_cast<float>(circumradius(graph.position(corner[0]), graph.position(corner[1]), graph.position(corner[2])));
     for (const std::uint32_t c : corner)
       own[c] = std::max(own[c], radius);
   }

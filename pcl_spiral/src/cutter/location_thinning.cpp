@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "location_thinning.h"
 
 #include <algorithm>
@@ -15,8 +16,7 @@ offTheWay(const CutterPlace& a, const CutterPlace& b, const CutterPlace& place, 
   const Eigen::Vector3d way = b.tip - a.tip, turn = b.axis - a.axis;
   const Eigen::Vector3d tip = place.tip - a.tip, axis = place.axis - a.axis;
   const double whole = way.squaredNorm() + reach * reach * turn.squaredNorm();
-  const double t =
-      whole > 0.0 ? std::clamp((tip.dot(way) + reach * reach * axis.dot(turn)) / whole, 0.0, 1.0) : 0.0;
+  const double t = whole > 0.0 ? std::clamp((tip.dot(way) + reach * reach * axis.dot(turn)) / whole, 0.0, 1.0) : 0.0;
   return (tip - t * way).norm() + reach * (axis - t * turn).norm();
 }
 
@@ -33,8 +33,7 @@ largestOff(const std::vector<CutterPlace>& places, std::size_t from, std::size_t
 } // namespace
 
 std::vector<std::uint8_t>
-keptPlaces(const std::vector<CutterPlace>& places, const std::vector<std::uint8_t>& needed, double reach,
-           double tolerance, double& largest)
+keptPlaces(const std::vector<CutterPlace>& places, const std::vector<std::uint8_t>& needed, double reach, double tolerance, double& largest)
 {
   std::vector<std::uint8_t> kept(places.size(), 0);
   for (std::size_t from = 0; from < places.size();) {

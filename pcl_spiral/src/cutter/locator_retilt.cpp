@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "location_ground.h"
 
 #include <pcl_spiral/core/impl/angles.h>
@@ -16,8 +17,7 @@ constexpr int most_rounds = 6; // of axes that clear the points but not the fitt
 /** Axes about \p axis, the least tilt first, and of those with the same tilt the ones nearest to \p away. */
 class ConeOfAxes {
 public:
-  ConeOfAxes(const Eigen::Vector3d& axis, const Eigen::Vector3d& away, double angle)
-      : axis_(axis), angle_(angle)
+  ConeOfAxes(const Eigen::Vector3d& axis, const Eigen::Vector3d& away, double angle) : axis_(axis), angle_(angle)
   {
     const Eigen::Vector3d across = away - away.dot(axis) * axis;
     Eigen::Vector3d e1, e2;
@@ -27,13 +27,8 @@ public:
   }
   static constexpr int size = rings * around;
 
-  double
-  tilt(int i) const
-  {
-    return angle_ * (i / around + 1) / rings;
-  }
-  Eigen::Vector3d
-  operator[](int i) const
+  double tilt(int i) const { return angle_ * (i / around + 1) / rings; }
+  Eigen::Vector3d operator[](int i) const
   {
     const int turn = (i % around + 1) / 2 * (i % 2 == 0 ? 1 : -1); // 0, then to either side by turns
     const double azimuth = 2.0 * pi * turn / around;
@@ -49,8 +44,7 @@ private:
 bool
 isWanting(const ToolLocation& location)
 {
-  return location.state == LocationState::Lifted || location.state == LocationState::Unreachable ||
-         location.collision.found();
+  return location.state == LocationState::Lifted || location.state == LocationState::Unreachable || location.collision.found();
 }
 
 } // namespace
@@ -66,11 +60,9 @@ CutterLocator::retilt(const DrivePoint* drive, std::size_t count, ToolLocation* 
   std::vector<Pending> pending;
   for (std::size_t i = 0; i < count; ++i)
     if (drive[i].asksForContact() && isWanting(locations[i])) {
-      const Eigen::Vector3d met =
-          locations[i].collision.found() ? locations[i].collision.place : locations[i].contact;
-      const Eigen::Vector3d away = locations[i].state == LocationState::Unreachable
-                                       ? drive[i].normal
-                                       : Eigen::Vector3d(locations[i].tip - met);
+      const Eigen::Vector3d met = locations[i].collision.found() ? locations[i].collision.place : locations[i].contact;
+      const Eigen::Vector3d away =
+          locations[i].state == LocationState::Unreachable ? drive[i].normal : Eigen::Vector3d(locations[i].tip - met);
       pending.push_back({i, ConeOfAxes(locations[i].axis, away, options_.max_retilt * degree)});
     }
   for (int round = 0; round < most_rounds && !pending.empty(); ++round) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_collision.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double precision = 1e-3;          // mm, of the depth
+constexpr double precision = 1e-3;        // mm, of the depth
 constexpr std::size_t most_parts = 20000; // cut up for one location; the deepest left is then taken as deep as it may be
 
 /** A part of a face that may be deeper than what was found, and how deep it may be. */
@@ -20,32 +21,25 @@ struct DeepPart {
   int segment = -1;
   std::uint32_t face = 0;
 
-  bool
-  operator<(const DeepPart& other) const
-  {
-    return bound != other.bound ? bound < other.bound : face > other.face;
-  }
+  bool operator<(const DeepPart& other) const { return bound != other.bound ? bound < other.bound : face > other.face; }
 };
 
 class CollisionSearch {
 public:
-  CollisionSearch(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, double tip,
-                  double tolerance, double sag)
+  CollisionSearch(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance, double sag)
   : patches_(patches), holder_(holder), frame_(frame), tip_(tip), least_(tolerance), sag_(sag)
   {
     axes_ << frame.e1.transpose(), frame.e2.transpose(), frame.axis.transpose();
   }
 
-  HolderCollision
-  run()
+  HolderCollision run()
   {
     constexpr double slack = 1e-9;
     const AxisView view(frame_);
     const auto keep = [&](const Box& box) {
       const AxisBox seen = view.see(box);
       double depth = 0.0;
-      return holder_.mayBeInside(seen.nearest - slack, seen.low - tip_ - slack, seen.high - tip_ + slack, depth) >= 0 &&
-             depth > least_;
+      return holder_.mayBeInside(seen.nearest - slack, seen.low - tip_ - slack, seen.high - tip_ + slack, depth) >= 0 && depth > least_;
     };
     patches_.boxes().forItems(keep, [&](std::uint32_t place) {
       const PatchCell cell = patches_.cell(place);
@@ -70,8 +64,7 @@ public:
 
 private:
   /** Take the deepest of some places of \p cell, and keep it where others may be deeper. */
-  void
-  look(const PatchCell& cell, std::uint32_t face)
+  void look(const PatchCell& cell, std::uint32_t face)
   {
     Matrix3d across = cell.corners;
     across.row(2).setZero();
@@ -93,8 +86,7 @@ private:
     }
   }
 
-  void
-  take(const Vector3d& p, double depth, int segment, std::uint32_t face)
+  void take(const Vector3d& p, double depth, int segment, std::uint32_t face)
   {
     if (!(depth > least_) && !(depth == least_ && worst_.found() && face < worst_.cloud_index))
       return;
@@ -115,8 +107,7 @@ private:
 } // namespace
 
 HolderCollision
-findCollision(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance,
-              double sag)
+findCollision(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance, double sag)
 {
   if (holder.empty())
     return {};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_drop.h"
 
 #include <algorithm>
@@ -23,8 +24,7 @@ struct Waiting {
   BoxTree::Node node;
 
   /** Whether \p other is to be looked at first: the higher; of all as high contacts last, and by their faces. */
-  bool
-  operator<(const Waiting& other) const
+  bool operator<(const Waiting& other) const
   {
     if (height != other.height)
       return height < other.height;
@@ -43,8 +43,7 @@ public:
     waiting_.reserve(64);
   }
 
-  MeshContact
-  run()
+  MeshContact run()
   {
     if (patches_.size() > 0)
       addNode(patches_.boxes().root());
@@ -62,14 +61,9 @@ public:
 
 private:
   /** Whether what is in it is no higher than a contact found, but for the slack, and on no lower face. */
-  bool
-  isSurpassed(const Waiting& waiting) const
-  {
-    return waiting.height <= best_.height + 2.0 * slack && waiting.face >= best_.face;
-  }
+  bool isSurpassed(const Waiting& waiting) const { return waiting.height <= best_.height + 2.0 * slack && waiting.face >= best_.face; }
 
-  void
-  open(const Waiting& top)
+  void open(const Waiting& top)
   {
     if (top.kind == Waiting::Part) {
       const PatchCell cell = parts_[top.place];
@@ -84,15 +78,13 @@ private:
     }
   }
 
-  void
-  push(const Waiting& waiting)
+  void push(const Waiting& waiting)
   {
     waiting_.push_back(waiting);
     std::push_heap(waiting_.begin(), waiting_.end());
   }
 
-  void
-  addNode(const BoxTree::Node& node)
+  void addNode(const BoxTree::Node& node)
   {
     const AxisBox box = view_.see(patches_.boxes().box(node));
     const double nearest = std::max(0.0, box.nearest - slack);
@@ -103,14 +95,9 @@ private:
       push({height, Waiting::Boxes, patches_.boxes().lowestItem(node), 0, node});
   }
 
-  PatchCell
-  seen(const PatchCell& cell) const
-  {
-    return {axes_ * (cell.corners.colwise() - frame_.origin), axes_ * cell.bows};
-  }
+  PatchCell seen(const PatchCell& cell) const { return {axes_ * (cell.corners.colwise() - frame_.origin), axes_ * cell.bows}; }
 
-  void
-  addPart(const PatchCell& cell, std::uint32_t face)
+  void addPart(const PatchCell& cell, std::uint32_t face)
   {
     const bool flat = !(cell.sag() > sag_);
     const double wider = flat ? 0.0 : std::sqrt(cell.bows.topRows<2>().colwise().squaredNorm().maxCoeff()) / 3.0;
@@ -132,8 +119,7 @@ private:
     push(waiting);
   }
 
-  MeshContact
-  contactOf(const Waiting& top) const
+  MeshContact contactOf(const Waiting& top) const
   {
     MeshContact contact;
     contact.found = true;
@@ -150,7 +136,7 @@ private:
   double sag_;
   const AxisFrame& frame_;
   AxisView view_;
-  double floor_; ///< no contact below it counts any more
+  double floor_;                                                                             ///< no contact below it counts any more
   Waiting best_{-std::numeric_limits<double>::infinity(), Waiting::Contact, 0, nothing, {}}; ///< of the contacts found
   Matrix3d axes_;
   std::vector<Waiting> waiting_; ///< a heap

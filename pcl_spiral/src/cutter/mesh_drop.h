@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A cutter brought down along its axis onto a mesh.
  */
 #pragma once
 
 #include "core/triangle_touch.h"
-#include <pcl_spiral/mesh/impl/patch_tree.h>
 #include <pcl_spiral/cutter/impl/cutter_drop.h>
+#include <pcl_spiral/mesh/impl/patch_tree.h>
 
 #include <cstdint>
 #include <limits>
@@ -17,7 +18,7 @@ struct MeshContact {
   bool found = false; ///< false: no part of the mesh within the cutter's radius of the axis, or above the floor
   double height = -std::numeric_limits<double>::infinity(); ///< of the tip along the axis, from the frame's origin
   std::uint32_t face = 0;
-  Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< barycentric, of the contact in the face
+  Eigen::Vector3d weights = Eigen::Vector3d::Zero(); ///< barycentric, of the contact in the face
   Eigen::Vector3d contact = Eigen::Vector3d::Zero();
 };
 
@@ -29,10 +30,7 @@ struct MeshContact {
 class MeshDrop {
 public:
   /** \p sag: how near to the curved surface, mm; infinite: triangles are flat. */
-  MeshDrop(const PatchTree& patches, const CutterProfile& profile, double sag)
-  : patches_(patches), touch_(profile), sag_(sag)
-  {
-  }
+  MeshDrop(const PatchTree& patches, const CutterProfile& profile, double sag) : patches_(patches), touch_(profile), sag_(sag) {}
 
   const CutterProfile& profile() const { return touch_.profile(); }
   double sag() const { return sag_; }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_ground.h"
 
 #include "mesh_collision.h"
@@ -11,9 +12,9 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double finest = 5e-4;     // mm: faces are taken for the curved surface when nearer to it
-constexpr double fine_share = 0.05; // the same, of the tolerance
-constexpr double same_axis = 1e-9; // between unit axes
+constexpr double finest = 5e-4;        // mm: faces are taken for the curved surface when nearer to it
+constexpr double fine_share = 0.05;    // the same, of the tolerance
+constexpr double same_axis = 1e-9;     // between unit axes
 constexpr double expected_share = 2.0; // of the tolerance, below the drive point
 
 double
@@ -27,12 +28,10 @@ sagFor(const LocationOptions& options)
 } // namespace
 
 MeshGround::MeshGround(const LocationMesh& mesh, const CutterProfile& profile, const LocationOptions& options)
-    : mesh_(mesh), options_(options), profile_(profile), sag_(sagFor(options)), drop_(mesh.faces(), profile, sag_),
-      rim_drop_(mesh.rim(), profile, sag_), inner_drop_(mesh.faces(), insetCutter(profile, near()), sag_),
-      sweep_(mesh.faces(), profile.radius(), sag_),
-      holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance)
-{
-}
+: mesh_(mesh), options_(options), profile_(profile), sag_(sagFor(options)), drop_(mesh.faces(), profile, sag_),
+  rim_drop_(mesh.rim(), profile, sag_), inner_drop_(mesh.faces(), insetCutter(profile, near()), sag_),
+  sweep_(mesh.faces(), profile.radius(), sag_), holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance)
+{}
 
 Status
 MeshGround::check() const
@@ -45,11 +44,9 @@ MeshGround::check() const
 }
 
 void
-MeshGround::touch(std::uint32_t face, const Eigen::Vector3d& weights, const Eigen::Vector3d& contact,
-                  ToolLocation& location) const
+MeshGround::touch(std::uint32_t face, const Eigen::Vector3d& weights, const Eigen::Vector3d& contact, ToolLocation& location) const
 {
-  const Eigen::Vector3d normal =
-      std::isfinite(sag_) ? mesh_.mesh()->patch(face).normal(weights) : mesh_.mesh()->faceNormal(face);
+  const Eigen::Vector3d normal = std::isfinite(sag_) ? mesh_.mesh()->patch(face).normal(weights) : mesh_.mesh()->faceNormal(face);
   location.cloud_index = face;
   location.contact = contact;
   location.normal = normal.dot(location.axis) < 0.0 ? Eigen::Vector3d(-normal) : normal;
@@ -147,8 +144,7 @@ MeshGround::clears(const DrivePoint& drive) const
 {
   const AskedLocation asked(drive, profile_);
   const bool clear = !drop_.highest(asked.frame, options_.tolerance).found || holds(asked);
-  return asked.contact.touches && clear &&
-         !findCollision(mesh_.faces(), holder_, asked.frame, 0.0, options_.tolerance, sag_).found();
+  return asked.contact.touches && clear && !findCollision(mesh_.faces(), holder_, asked.frame, 0.0, options_.tolerance, sag_).found();
 }
 
 double
@@ -169,13 +165,11 @@ MeshGround::describe(const ToolLocations& locations, LocationFigures& f) const
 {
   f.noise_allowance = mesh_.rounding() + (std::isfinite(sag_) ? sag_ : 0.0);
   const auto lift = [](const ToolLocation& l) { return l.state == LocationState::Lifted ? l.lift : 0.0; };
-  const auto most = std::max_element(locations.begin(), locations.end(), [&](const ToolLocation& a, const ToolLocation& b) {
-    return lift(a) < lift(b);
-  });
+  const auto most =
+      std::max_element(locations.begin(), locations.end(), [&](const ToolLocation& a, const ToolLocation& b) { return lift(a) < lift(b); });
   if (const std::size_t lifted = f.count(LocationState::Lifted); lifted > 0)
-    f.warnings.push_back(textOf(lifted, " of ", locations.size(), " locations are lifted off the contact asked for, the most ",
-                                most->lift, " mm: location ", most - locations.begin(), ", held at ",
-                                placeText(most->contact),
+    f.warnings.push_back(textOf(lifted, " of ", locations.size(), " locations are lifted off the contact asked for, the most ", most->lift,
+                                " mm: location ", most - locations.begin(), ", held at ", placeText(most->contact),
                                 "; material is left there: use a smaller cutter, or allow the axis to be tilted"));
 }
 

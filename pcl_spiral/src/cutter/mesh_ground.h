@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Cutters located on a mesh. Private.
  */
@@ -7,8 +8,8 @@
 #include "location_ground.h"
 #include "mesh_sweep.h"
 
-#include <pcl_spiral/cutter/impl/cutter_locator.h>
 #include "mesh_drop.h"
+#include <pcl_spiral/cutter/impl/cutter_locator.h>
 
 namespace pcl_spiral {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_sweep.h"
 
 #include "drive/swept_strip.h"
@@ -19,12 +20,10 @@ class NearestToStrip {
 public:
   NearestToStrip(const PatchTree& patches, double sag, const SweptStrip& strip, double limit)
   : patches_(patches), sag_(sag), strip_(strip), nearest_(limit)
-  {
-  }
+  {}
 
   /** The distance, or the limit where nothing is nearer. */
-  double
-  run()
+  double run()
   {
     if (patches_.size() > 0)
       open(patches_.boxes().root());
@@ -32,16 +31,11 @@ public:
   }
 
 private:
-  double
-  distanceTo(const BoxTree::Node& node) const
-  {
-    return strip_.toTurnedBox(patches_.boxes().box(node));
-  }
+  double distanceTo(const BoxTree::Node& node) const { return strip_.toTurnedBox(patches_.boxes().box(node)); }
 
   bool isNearer(double squared, double off = 0.0) const { return squared < (nearest_ + off) * (nearest_ + off); }
 
-  void
-  open(const BoxTree::Node& node)
+  void open(const BoxTree::Node& node)
   {
     if (node.isItem()) {
       take(strip_.seen(patches_.cell(node.begin)));
@@ -59,8 +53,7 @@ private:
       open(second);
   }
 
-  void
-  take(const PatchCell& cell)
+  void take(const PatchCell& cell)
   {
     const double sag = cell.sag(), off = sag > sag_ ? sag : 0.0;
     if (!isNearer(strip_.toPlane(cell.corners, cell.bows)) ||

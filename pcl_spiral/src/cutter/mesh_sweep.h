@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A ball cutter led straight over a mesh. Private.
  */

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tool axes of drive points.
 #include "drive_kinds.h"
 
-#include <pcl_spiral/common/impl/message.h>
 #include "search/neighbour_search.h"
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <Eigen/Eigenvalues>
@@ -125,15 +126,12 @@ fillAxes(DrivePass& pass, const std::uint8_t* known)
     ++filled;
     const std::size_t reach = pass.closed ? n : 0;
     std::size_t before = 1, after = 1;
-    const auto end = [&](std::size_t steps, bool back) {
-      return pass.closed ? steps >= reach : back ? steps > i : i + steps >= n;
-    };
+    const auto end = [&](std::size_t steps, bool back) { return pass.closed ? steps >= reach : back ? steps > i : i + steps >= n; };
     while (!end(before, true) && !known[(i + n - before) % n])
       ++before;
     while (!end(after, false) && !known[(i + after) % n])
       ++after;
-    const Vector3d a =
-        end(before, true) ? Vector3d(Vector3d::Zero()) : pass.points[(i + n - before) % n].axis;
+    const Vector3d a = end(before, true) ? Vector3d(Vector3d::Zero()) : pass.points[(i + n - before) % n].axis;
     const Vector3d b = end(after, false) ? Vector3d(Vector3d::Zero()) : pass.points[(i + after) % n].axis;
     const Vector3d mean = a * static_cast<double>(after) + b * static_cast<double>(before);
     pass.points[i].axis = mean.norm() > 1e-6 ? Vector3d(mean.normalized()) : a;
@@ -142,8 +140,8 @@ fillAxes(DrivePass& pass, const std::uint8_t* known)
 }
 
 Status
-setSurfaceNormals(const SurfaceGraph& graph, const Pointers& points, const ProgressCallback& progress,
-                  DrivePasses& passes, DriveReport& report)
+setSurfaceNormals(const SurfaceGraph& graph, const Pointers& points, const ProgressCallback& progress, DrivePasses& passes,
+                  DriveReport& report)
 {
   constexpr std::size_t at_a_time = 20000;
   const MlsSurface surface(graph);
@@ -161,26 +159,23 @@ setSurfaceNormals(const SurfaceGraph& graph, const Pointers& points, const Progr
   const std::uint8_t* of_pass = known.data();
   for (DrivePass& pass : passes) {
     if (std::none_of(of_pass, of_pass + pass.points.size(), [](std::uint8_t k) { return k != 0; }))
-      return {StatusCode::InvalidInput,
-              "no surface was found next to the pass that begins at " +
-                  placeText(pass.points.front().position) +
-                  ", for its axes to be normals of; put it on the scan, or take another axis mode"};
+      return {StatusCode::InvalidInput, "no surface was found next to the pass that begins at " + placeText(pass.points.front().position) +
+                                            ", for its axes to be normals of; put it on the scan, or take another axis mode"};
     report.axes_from_neighbours += fillAxes(pass, of_pass);
     of_pass += pass.points.size();
   }
   if (report.axes_from_neighbours > 0)
-    report.warnings.push_back(
-        textOf(report.axes_from_neighbours, " of ", points.size(),
-               " drive points have no surface next to them; their axes lie between those before "
-               "and after"));
+    report.warnings.push_back(textOf(report.axes_from_neighbours, " of ", points.size(),
+                                     " drive points have no surface next to them; their axes lie between those before "
+                                     "and after"));
   return Status::success();
 }
 
 } // namespace
 
 Status
-setAxes(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress,
-        DrivePasses& passes, DriveReport& report)
+setAxes(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress, DrivePasses& passes,
+        DriveReport& report)
 {
   const Pointers points = pointsIn(passes);
   switch (settings.axisMode()) {

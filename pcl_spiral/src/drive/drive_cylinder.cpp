@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/drive/impl/drive_cylinder.h>
 
-#include <pcl_spiral/common/impl/message.h>
 #include "core/revolution_axis.h"
+#include <pcl_spiral/common/impl/message.h>
 
 #include <Eigen/Geometry>
 
@@ -65,13 +66,12 @@ fitCylinder(const SurfaceGraph& graph, DriveColumn& column)
   if (axis->uncertainty > most_uncertainty)
     return noColumn("its normals do not tell an axis, as on a sphere or a plate");
   if (axis->radial < least_radial)
-    return noColumn(textOf("about the best axis, ", placeText(axis->direction),
-                           ", its normals stand out of it by a share of ", axis->radial, " only, where ",
-                           least_radial, " is the least"));
+    return noColumn(textOf("about the best axis, ", placeText(axis->direction), ", its normals stand out of it by a share of ",
+                           axis->radial, " only, where ", least_radial, " is the least"));
   if (axis->turning > most_turning)
-    return noColumn(textOf("about the best axis, ", placeText(axis->direction),
-                           ", its normals turn aside by ", std::asin(std::min(1.0, axis->turning)) * in_degrees,
-                           " degrees (rms), where ", std::asin(most_turning) * in_degrees, " are the most"));
+    return noColumn(textOf("about the best axis, ", placeText(axis->direction), ", its normals turn aside by ",
+                           std::asin(std::min(1.0, axis->turning)) * in_degrees, " degrees (rms), where ",
+                           std::asin(most_turning) * in_degrees, " are the most"));
   column.cylinder.origin = axis->origin;
   column.cylinder.direction = axis->direction;
   double square = 0.0, whole = 0.0;
@@ -85,8 +85,7 @@ fitCylinder(const SurfaceGraph& graph, DriveColumn& column)
   }
   column.normal_miss = std::sqrt(square / whole);
   if (const double share = shareFacingAlong(graph, column.cylinder); share > most_facing_along)
-    return noColumn(
-        textOf(100.0 * share, " % of it faces along the best axis, ", placeText(axis->direction)));
+    return noColumn(textOf(100.0 * share, " % of it faces along the best axis, ", placeText(axis->direction)));
   return Status::success();
 }
 
@@ -172,14 +171,12 @@ Status
 checkCylinder(const DriveCylinder& c)
 {
   if (!c.origin.allFinite() || !c.direction.allFinite() || !std::isfinite(c.first) || !std::isfinite(c.last))
-    return {StatusCode::InvalidArgument,
-            "the drive cylinder is not finite; set its origin, direction and ends"};
+    return {StatusCode::InvalidArgument, "the drive cylinder is not finite; set its origin, direction and ends"};
   if (!(c.direction.norm() > 1e-9))
     return {StatusCode::InvalidArgument, "the axis of the drive cylinder has no length; set its direction"};
   if (c.last < c.first)
-    return {StatusCode::InvalidArgument,
-            textOf("the drive cylinder runs from ", c.first, " to ", c.last,
-                   " mm along its axis; set the last beyond the first, or both to 0 for the whole scan")};
+    return {StatusCode::InvalidArgument, textOf("the drive cylinder runs from ", c.first, " to ", c.last,
+                                                " mm along its axis; set the last beyond the first, or both to 0 for the whole scan")};
   return Status::success();
 }
 
@@ -195,15 +192,13 @@ findColumn(const SurfaceGraph& graph, const std::optional<DriveCylinder>& given,
   else if (const Status status = fitCylinder(graph, column); !status.ok())
     return status;
   if (!measure(graph, column) || !(column.radius > 0.0))
-    return {StatusCode::InvalidInput,
-            textOf("nothing of the part lies between ", column.cylinder.first, " and ", column.cylinder.last,
-                   " mm along the axis of the drive cylinder from ", placeText(column.cylinder.origin),
-                   "; set its ends to where the surface is")};
+    return {StatusCode::InvalidInput, textOf("nothing of the part lies between ", column.cylinder.first, " and ", column.cylinder.last,
+                                             " mm along the axis of the drive cylinder from ", placeText(column.cylinder.origin),
+                                             "; set its ends to where the surface is")};
   measureSector(graph, column);
   if (column.fitted && column.covered_angle < least_covered)
-    return noColumn(textOf("it covers only ", column.covered_angle, " degrees about the best axis, ",
-                           placeText(column.cylinder.direction), ", where ", least_covered,
-                           " are the least"));
+    return noColumn(textOf("it covers only ", column.covered_angle, " degrees about the best axis, ", placeText(column.cylinder.direction),
+                           ", where ", least_covered, " are the least"));
   return Status::success();
 }
 

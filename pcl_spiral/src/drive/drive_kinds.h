@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The passes of each kind, without axes yet. Private.
  */
 #pragma once
 
+#include <pcl_spiral/common/drive_pass.h>
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/drive/drive_settings.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
 #include <pcl_spiral/surface/surface.h>
-#include <pcl_spiral/common/drive_pass.h>
-#include <pcl_spiral/drive/drive_settings.h>
 
 #include <vector>
 
@@ -36,17 +37,16 @@ Eigen::Vector3d acrossPlanes(const DriveSettings& settings);
 /** Points, length and largest step of the axes of finished passes. */
 void measureDrive(const DrivePasses& passes, DriveReport& report);
 
-Status planSections(const Surface& surface, const DriveSettings& settings, DrivePasses& passes,
-                    DriveReport& report);
+Status planSections(const Surface& surface, const DriveSettings& settings, DrivePasses& passes, DriveReport& report);
 
 /** Helix, rings or arcs about report.column. */
 Status planRings(const DriveSettings& settings, DrivePasses& passes, DriveReport& report);
 
-Status planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress,
-                   DrivePasses& passes, DriveReport& report);
+Status planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress, DrivePasses& passes,
+                   DriveReport& report);
 
 /** Axes of all points. \p graph may be empty for fixed axes. */
-Status setAxes(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress,
-               DrivePasses& passes, DriveReport& report);
+Status setAxes(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress, DrivePasses& passes,
+               DriveReport& report);
 
 } // namespace pcl_spiral

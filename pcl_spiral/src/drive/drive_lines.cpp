@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drive_lines.h"
 
 #include <algorithm>

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Level lines of a scan made whole. Private.
  */
 #pragma once
 
-#include <pcl_spiral/core/impl/polyline.h>
 #include "graph/level_lines.h"
+#include <pcl_spiral/core/impl/polyline.h>
 
 #include <vector>
 

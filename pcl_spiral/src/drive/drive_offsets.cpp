@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lines of equal distance along the surface from its boundary.
 #include "drive_kinds.h"
 #include "drive_lines.h"
 #include "level_islands.h"
 
+#include "geodesic/distance_field.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/features/impl/surface_boundary.h>
-#include "geodesic/distance_field.h"
 #include <pcl_spiral/spiral/impl/path_size.h>
 
 #include <algorithm>
@@ -46,17 +47,15 @@ beginNextTo(const Eigen::Vector3d& place, Polyline& line)
 {
   std::rotate(line.begin(),
               std::min_element(line.begin(), line.end(),
-                               [&](const auto& a, const auto& b) {
-                                 return (a - place).squaredNorm() < (b - place).squaredNorm();
-                               }),
+                               [&](const auto& a, const auto& b) { return (a - place).squaredNorm() < (b - place).squaredNorm(); }),
               line.end());
 }
 
 } // namespace
 
 Status
-planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress,
-            DrivePasses& passes, DriveReport& report)
+planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, const ProgressCallback& progress, DrivePasses& passes,
+            DriveReport& report)
 {
   std::vector<BoundaryLoop> loops;
   BoundaryOptions options;
@@ -65,16 +64,15 @@ planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, const Prog
     return status;
   DistanceField field;
   if (!field.compute(graph, loops.front().curve))
-    return {StatusCode::Failed,
-            "the distance from the outer boundary cannot be found: its outline runs farther than "
-            "three spacings from the points; remove points off the surface, or scan more densely"};
+    return {StatusCode::Failed, "the distance from the outer boundary cannot be found: its outline runs farther than "
+                                "three spacings from the points; remove points off the surface, or scan more densely"};
   double deepest = 0.0;
   for (const double distance : field.distances())
     if (std::isfinite(distance))
       deepest = std::max(deepest, distance);
   const double rows = surfaceArea(graph) / settings.step_over;
-  if (const Status status = checkDriveSize(rows / settings.point_spacing + deepest / settings.step_over,
-                                           2.0 * rows / graph.spacing(), settings);
+  if (const Status status =
+          checkDriveSize(rows / settings.point_spacing + deepest / settings.step_over, 2.0 * rows / graph.spacing(), settings);
       !status.ok())
     return status;
   const Triangulation mesh = withoutFlaws(graph);
@@ -89,8 +87,7 @@ planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, const Prog
   for (std::size_t k = 0; k < lines.size(); ++k) {
     std::vector<LevelLine> wanted;
     for (const LevelLine& line : lines[k])
-      if (levels[k].island == LevelIslands::none ||
-          islands.of_point[line.crossings.front().above] == levels[k].island)
+      if (levels[k].island == LevelIslands::none || islands.of_point[line.crossings.front().above] == levels[k].island)
         wanted.push_back(line);
     std::vector<DriveLine> pieces = joined(driveLines(wanted, graph), widest_gap * graph.spacing());
     report.short_pieces += dropShort(pieces, graph.spacing());
@@ -100,8 +97,8 @@ planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, const Prog
       passes.push_back(passAlong(piece.points, piece.closed, settings.point_spacing));
     }
   }
-  const auto open = static_cast<std::size_t>(
-      std::count_if(passes.begin(), passes.end(), [](const DrivePass& pass) { return !pass.closed; }));
+  const auto open =
+      static_cast<std::size_t>(std::count_if(passes.begin(), passes.end(), [](const DrivePass& pass) { return !pass.closed; }));
   if (open > 0)
     report.warnings.push_back(textOf(open, " of ", passes.size(),
                                      " lines are cut: by holes in the scan, or by its rim "

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/drive/drive_path.h>
 
 namespace pcl_spiral {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/drive/impl/drive_planner.h>
 
@@ -24,8 +25,7 @@ cancelled()
 Status
 planCurve(const DriveSettings& settings, DrivePasses& passes)
 {
-  if (const Status status = checkDriveSize(
-          length(settings.curve, settings.curve_closed) / settings.point_spacing, 0.0, settings);
+  if (const Status status = checkDriveSize(length(settings.curve, settings.curve_closed) / settings.point_spacing, 0.0, settings);
       !status.ok())
     return status;
   passes.push_back(passAlong(settings.curve, settings.curve_closed, settings.point_spacing));
@@ -33,8 +33,8 @@ planCurve(const DriveSettings& settings, DrivePasses& passes)
 }
 
 Status
-planPasses(const Surface* surface, const DriveSettings& settings, const ProgressCallback& progress,
-           DrivePasses& passes, DriveReport& report)
+planPasses(const Surface* surface, const DriveSettings& settings, const ProgressCallback& progress, DrivePasses& passes,
+           DriveReport& report)
 {
   switch (settings.kind) {
   case DriveKind::Planes:
@@ -58,8 +58,7 @@ warnOfScatter(const Surface& surface, const DriveSettings& settings, DriveReport
   if (settings.kind != DriveKind::Planes && settings.kind != DriveKind::BoundaryOffset)
     return;
   if (const double noise = surface.noise(); noise > much * surface.spacing())
-    report.warnings.push_back(textOf("the points scatter by ", noise,
-                                     " mm about the surface, against a spacing of ", surface.spacing(),
+    report.warnings.push_back(textOf("the points scatter by ", noise, " mm about the surface, against a spacing of ", surface.spacing(),
                                      " mm: passes are ragged, and cut where sheets overlap; thin the "
                                      "cloud to a spacing of ",
                                      4.0 * noise, " mm (setThinning)"));
@@ -78,16 +77,15 @@ measureDrive(const DrivePasses& passes, DriveReport& report)
       if (i + 1 == n && !pass.closed)
         break;
       report.length += (b.position - a.position).norm();
-      report.largest_axis_step =
-          std::max(report.largest_axis_step, std::atan2(a.axis.cross(b.axis).norm(), a.axis.dot(b.axis)));
+      report.largest_axis_step = std::max(report.largest_axis_step, std::atan2(a.axis.cross(b.axis).norm(), a.axis.dot(b.axis)));
     }
   }
   report.largest_axis_step *= 180.0 / pi;
 }
 
 Status
-planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const ProgressCallback& progress,
-          DrivePasses& passes, DriveReport& report)
+planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const ProgressCallback& progress, DrivePasses& passes,
+          DriveReport& report)
 {
   const auto told = [&](double share, const char* stage) { return !progress || progress(share, stage); };
   if (const Status status = checkSettings(settings); !status.ok())
@@ -106,13 +104,11 @@ planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const
   }
   if (surface)
     warnOfScatter(*surface, settings, report);
-  if (const Status status = planPasses(surface.get(), settings, partOf(progress, 0.0, 0.5), passes, report);
-      !status.ok())
+  if (const Status status = planPasses(surface.get(), settings, partOf(progress, 0.0, 0.5), passes, report); !status.ok())
     return status;
   if (passes.empty())
-    return {StatusCode::Failed,
-            textOf("no line of the scan is longer than its spacing, ", graph.spacing(),
-                   " mm; lower the step-over, ", report.step_over, " mm, or scan more densely")};
+    return {StatusCode::Failed, textOf("no line of the scan is longer than its spacing, ", graph.spacing(), " mm; lower the step-over, ",
+                                       report.step_over, " mm, or scan more densely")};
   if (!told(0.5, "axes"))
     return cancelled();
   if (const Status status = setAxes(graph, settings, partOf(progress, 0.5, 1.0), passes, report); !status.ok())

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Helix, rings and arcs about the axis of a column.
 #include "drive_kinds.h"
 
-#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +38,8 @@ helix(const DriveColumn& column, const EqualSteps& rings, double spacing)
   for (std::size_t i = 0; i <= turns * a_turn; ++i) {
     const double turn = static_cast<double>(i) / static_cast<double>(a_turn);
     const double climbed = std::clamp(turn - 1.0, 0.0, static_cast<double>(levels - 1));
-    add(column, 2.0 * pi * static_cast<double>(i % a_turn) / static_cast<double>(a_turn),
-        rings.middles.front() + rings.step * climbed, pass);
+    add(column, 2.0 * pi * static_cast<double>(i % a_turn) / static_cast<double>(a_turn), rings.middles.front() + rings.step * climbed,
+        pass);
   }
   return pass;
 }
@@ -74,14 +75,12 @@ planRings(const DriveSettings& settings, DrivePasses& passes, DriveReport& repor
   const bool sector = column.covered_angle < 360.0;
   if (sector && settings.kind == DriveKind::Helix)
     return {StatusCode::InvalidInput,
-            textOf("the part covers only ", column.covered_angle,
-                   " degrees about the axis of the column, from ", column.first_angle,
+            textOf("the part covers only ", column.covered_angle, " degrees about the axis of the column, from ", column.first_angle,
                    " on: a helix would leave it in every turn; drive it by rings, which become arcs")};
   const double first = column.cylinder.first - settings.overrun, last = column.cylinder.last + settings.overrun;
   const double height = last - first, around = 2.0 * pi * column.radius;
   const double lines = height / settings.step_over + 2.0;
-  if (const Status status = checkDriveSize(lines * (around / settings.point_spacing + 3.0), 0.0, settings);
-      !status.ok())
+  if (const Status status = checkDriveSize(lines * (around / settings.point_spacing + 3.0), 0.0, settings); !status.ok())
     return status;
   const EqualSteps rings = equalSteps(first, last, settings.step_over);
   report.step_over = rings.step;

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sections of the surface with planes along the tool axis.
 #include "drive_kinds.h"
 #include "drive_lines.h"
 #include "kept_rows.h"
 #include "scan_links.h"
 
-#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
 
 #include <Eigen/Geometry>
@@ -27,9 +28,8 @@ SectionFrame
 frameOf(const DriveSettings& settings, const Vector3d& origin)
 {
   const Vector3d axis = settings.axis.normalized();
-  Vector3d along = settings.plane_direction.isZero(0.0)
-                       ? Eigen::AngleAxisd(settings.plane_angle * pi / 180.0, axis) * referenceAcross(axis)
-                       : settings.plane_direction.normalized();
+  Vector3d along = settings.plane_direction.isZero(0.0) ? Eigen::AngleAxisd(settings.plane_angle * pi / 180.0, axis) * referenceAcross(axis)
+                                                        : settings.plane_direction.normalized();
   along = (along - axis * axis.dot(along)).normalized();
   return {along, axis.cross(along), origin};
 }
@@ -50,11 +50,9 @@ sortAlong(std::vector<DriveLine>& lines, const Vector3d& along)
   const auto isBefore = [&](const Vector3d& a, const Vector3d& b) { return a.dot(along) < b.dot(along); };
   for (DriveLine& line : lines)
     if (line.closed)
-      std::rotate(line.points.begin(), std::min_element(line.points.begin(), line.points.end(), isBefore),
-                  line.points.end());
-  std::stable_sort(lines.begin(), lines.end(), [&](const DriveLine& a, const DriveLine& b) {
-    return isBefore(a.points.front(), b.points.front());
-  });
+      std::rotate(line.points.begin(), std::min_element(line.points.begin(), line.points.end(), isBefore), line.points.end());
+  std::stable_sort(lines.begin(), lines.end(),
+                   [&](const DriveLine& a, const DriveLine& b) { return isBefore(a.points.front(), b.points.front()); });
 }
 
 void
@@ -91,13 +89,12 @@ Status
 checkSize(const SurfaceGraph& graph, const DriveSettings& settings, double extent, double step)
 {
   const double rows = surfaceArea(graph) / step;
-  return checkDriveSize(rows / settings.point_spacing + extent / step, 2.0 * rows / graph.spacing(),
-                        settings);
+  return checkDriveSize(rows / settings.point_spacing + extent / step, 2.0 * rows / graph.spacing(), settings);
 }
 
 Status
-planesOf(const Surface& surface, const DriveSettings& settings, const SectionFrame& frame,
-         const AcrossPasses& across, std::vector<double>& planes, DriveReport& report)
+planesOf(const Surface& surface, const DriveSettings& settings, const SectionFrame& frame, const AcrossPasses& across,
+         std::vector<double>& planes, DriveReport& report)
 {
   const double extent = across.high - across.low;
   if (const Status status = checkSize(surface.graph(), settings, extent, settings.step_over); !status.ok())
@@ -122,17 +119,14 @@ DriveSettings
 withStep(DriveSettings settings)
 {
   if (settings.rows == DriveRows::Kept)
-    settings.step_over =
-        2.0 * std::sqrt((2.0 * settings.tool_radius - settings.scallop_height) * settings.scallop_height);
+    settings.step_over = 2.0 * std::sqrt((2.0 * settings.tool_radius - settings.scallop_height) * settings.scallop_height);
   return settings;
 }
 
 void
-link(const Surface& surface, const Triangulation& mesh, const DriveSettings& settings, DrivePasses& passes,
-     DriveReport& report)
+link(const Surface& surface, const Triangulation& mesh, const DriveSettings& settings, DrivePasses& passes, DriveReport& report)
 {
-  const LinkLimits limits{2.0 * report.step_over, std::min(settings.point_spacing, 0.5 * surface.spacing()),
-                          settings.point_spacing};
+  const LinkLimits limits{2.0 * report.step_over, std::min(settings.point_spacing, 0.5 * surface.spacing()), settings.point_spacing};
   const RowLinks links = linkRows(passes, limits, onScan(surface, mesh));
   report.links = links.made;
   report.rows_apart = links.not_made;
@@ -155,8 +149,7 @@ planSections(const Surface& surface, const DriveSettings& asked, DrivePasses& pa
   const Triangulation mesh = withoutFlaws(graph);
   const AcrossPasses across = acrossPasses(graph, mesh, frame);
   if (!(across.high > across.low))
-    return {StatusCode::InvalidInput,
-            "the scan has no extent across the passes; turn the direction of the planes"};
+    return {StatusCode::InvalidInput, "the scan has no extent across the passes; turn the direction of the planes"};
   std::vector<double> planes;
   if (const Status status = planesOf(surface, settings, frame, across, planes, report); !status.ok())
     return status;

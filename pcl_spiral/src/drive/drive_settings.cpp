@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/drive/drive_settings.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -28,16 +29,14 @@ Status
 checkDirections(const DriveSettings& s)
 {
   if (!s.axis.allFinite() || !(s.axis.norm() > shortest))
-    return bad("the tool axis is " + placeText(s.axis) +
-               ", which has no direction; set it from the tip to the shank");
+    return bad("the tool axis is " + placeText(s.axis) + ", which has no direction; set it from the tip to the shank");
   if (s.kind != DriveKind::Planes)
     return Status::success();
   if (!std::isfinite(s.plane_angle) || !s.plane_direction.allFinite())
     return bad("the direction of the section planes is not finite; set an angle in degrees, or a vector");
-  if (!s.plane_direction.isZero(0.0) &&
-      !(s.axis.normalized().cross(s.plane_direction.normalized()).norm() > most_parallel))
-    return bad("the direction of the passes " + placeText(s.plane_direction) + " runs along the tool axis " +
-               placeText(s.axis) + ": no plane is told by them; set one across the axis");
+  if (!s.plane_direction.isZero(0.0) && !(s.axis.normalized().cross(s.plane_direction.normalized()).norm() > most_parallel))
+    return bad("the direction of the passes " + placeText(s.plane_direction) + " runs along the tool axis " + placeText(s.axis) +
+               ": no plane is told by them; set one across the axis");
   return Status::success();
 }
 
@@ -48,8 +47,7 @@ checkCurve(const DriveSettings& s)
     if (!s.curve[i].allFinite())
       return bad(textOf("point ", i, " of the curve is not finite; remove it"));
   if (s.curve.size() < 2 || !(length(s.curve, s.curve_closed) > 0.0))
-    return bad(textOf("the curve has ", s.curve.size(), " points and a length of ",
-                      length(s.curve, s.curve_closed),
+    return bad(textOf("the curve has ", s.curve.size(), " points and a length of ", length(s.curve, s.curve_closed),
                       " mm; call setCurve with two points or more, apart from each other"));
   return Status::success();
 }
@@ -78,8 +76,8 @@ checkRows(const DriveSettings& s)
     return bad("rows are kept to a scallop height for axes that are fixed or stand on the surface, not out of a cylinder; "
                "take another axis mode (setAxisMode), or even rows (setRows)");
   if (!isPositive(s.tool_radius) || !(s.scallop_height > 0.0 && s.scallop_height < s.tool_radius))
-    return bad(textOf("rows are to be kept for a ball of radius ", s.tool_radius, " mm and a scallop height of ",
-                      s.scallop_height, " mm; set both above 0, the height below the radius (setScallop)"));
+    return bad(textOf("rows are to be kept for a ball of radius ", s.tool_radius, " mm and a scallop height of ", s.scallop_height,
+                      " mm; set both above 0, the height below the radius (setScallop)"));
   return Status::success();
 }
 

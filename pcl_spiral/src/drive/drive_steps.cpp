@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What all kinds of drive paths have in common: equal steps, equal spacing, size.
 #include "drive_kinds.h"
 
@@ -29,27 +30,23 @@ checkDriveSize(double points, double crossings, const DriveSettings& settings)
   if (!too_many && !(memory && bytes > *memory))
     return Status::success();
   return {StatusCode::InvalidArgument,
-          textOf("the drive path asked for is too large: about ", points, " points and ", bytes / 1e9,
-                 " GB of memory, where ", most_path_points, " points are the most") +
+          textOf("the drive path asked for is too large: about ", points, " points and ", bytes / 1e9, " GB of memory, where ",
+                 most_path_points, " points are the most") +
               (memory ? textOf(" and ", *memory / 1e9, " GB are free") : std::string()) +
               "; is the part in another unit than mm? Otherwise raise " +
-              (settings.kind == DriveKind::Curve
-                   ? std::string()
-               : settings.rows == DriveRows::Kept
-                   ? textOf("the scallop height (", settings.scallop_height, " mm) or ")
-                   : textOf("the step-over (", settings.step_over, " mm) or ")) +
+              (settings.kind == DriveKind::Curve  ? std::string()
+               : settings.rows == DriveRows::Kept ? textOf("the scallop height (", settings.scallop_height, " mm) or ")
+                                                  : textOf("the step-over (", settings.step_over, " mm) or ")) +
               textOf("the spacing of points (", settings.point_spacing, " mm)")};
 }
 
 DrivePass
 passAlong(const Polyline& line, bool closed, double spacing)
 {
-  const auto steps =
-      static_cast<std::size_t>(std::max(1.0, std::ceil(length(line, closed) / spacing - 1e-9)));
+  const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(length(line, closed) / spacing - 1e-9)));
   DrivePass pass;
   pass.closed = closed;
-  for (const Eigen::Vector3d& p :
-       resampled(line, closed ? std::max<std::size_t>(3, steps) : steps + 1, closed)) {
+  for (const Eigen::Vector3d& p : resampled(line, closed ? std::max<std::size_t>(3, steps) : steps + 1, closed)) {
     DrivePoint point;
     point.position = p;
     pass.points.push_back(point);

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "kept_rows.h"
 
-#include <pcl_spiral/common/impl/message.h>
 #include "core/row_distance.h"
+#include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
 #include <array>
@@ -52,8 +53,8 @@ warnOfFloor(const DriveSettings& settings, double floor, const Vector3d& narrowe
 } // namespace
 
 RowLevels
-keptRows(const Surface& surface, const DriveSettings& settings, const Vector3d& across,
-         const Vector3d& origin, double low, double high, DriveReport& report)
+keptRows(const Surface& surface, const DriveSettings& settings, const Vector3d& across, const Vector3d& origin, double low, double high,
+         DriveReport& report)
 {
   const double radius = settings.tool_radius, height = settings.scallop_height, step = settings.step_over;
   const bool fixed = settings.axisMode() == DriveAxisMode::Fixed;
@@ -61,15 +62,13 @@ keptRows(const Surface& surface, const DriveSettings& settings, const Vector3d& 
   const double edge = cell_share * step;
   std::vector<SurfaceFoot> feet;
   surface.fit().project(placesOf(surface.graph(), edge), feet);
-  feet.erase(std::remove_if(feet.begin(), feet.end(), [](const SurfaceFoot& foot) { return !foot.valid; }),
-             feet.end());
+  feet.erase(std::remove_if(feet.begin(), feet.end(), [](const SurfaceFoot& foot) { return !foot.valid; }), feet.end());
   std::vector<RowPatch> patches;
   for (const SurfaceFoot& foot : feet) {
     const double width = std::max(edge, surface.graph().spacing(foot.nearest));
     const double at = across.dot(foot.position + (fixed ? radius : 0.0) * foot.normal - origin);
     const SurfaceBend bend{foot.normal, foot.direction1, foot.curvature1, foot.curvature2};
-    patches.push_back({at - 0.5 * width, at + 0.5 * width, rowDistance(bend, across, radius, height, through),
-                       width * width});
+    patches.push_back({at - 0.5 * width, at + 0.5 * width, rowDistance(bend, across, radius, height, through), width * width});
   }
   const RowLevels rows = rowLevels(patches, low, high, floor_share * step);
   report.held_share = rows.held_share;

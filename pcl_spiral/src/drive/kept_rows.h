@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Section planes of a scan as close as the scallop asks. Private.
  */
 #pragma once
 
 #include "core/row_levels.h"
-#include <pcl_spiral/surface/surface.h>
 #include <pcl_spiral/drive/drive_settings.h>
+#include <pcl_spiral/surface/surface.h>
 
 namespace pcl_spiral {
 
@@ -13,7 +14,7 @@ namespace pcl_spiral {
  * centres are in the planes; otherwise, dropped along the surface's normal, its contacts. Of a cloud denser
  * than half a step one place a cell of that size is looked at. Steps are held at a quarter of that on a
  * plane, with a warning. */
-RowLevels keptRows(const Surface& surface, const DriveSettings& settings, const Eigen::Vector3d& across,
-                   const Eigen::Vector3d& origin, double low, double high, DriveReport& report);
+RowLevels keptRows(const Surface& surface, const DriveSettings& settings, const Eigen::Vector3d& across, const Eigen::Vector3d& origin,
+                   double low, double high, DriveReport& report);
 
 } // namespace pcl_spiral

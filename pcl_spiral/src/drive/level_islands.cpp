@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "level_islands.h"
 
 #include <algorithm>
@@ -10,19 +11,14 @@ namespace {
 /** Sets of points joined so far, each known by its highest point. */
 class Summits {
 public:
-  Summits(const std::vector<double>& values) : values_(values), parent_(values.size())
-  {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  std::uint32_t
-  of(std::uint32_t point)
+  Summits(const std::vector<double>& values) : values_(values), parent_(values.size()) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  std::uint32_t of(std::uint32_t point)
   {
     while (parent_[point] != point)
       point = parent_[point] = parent_[parent_[point]];
     return point;
   }
-  void
-  join(std::uint32_t a, std::uint32_t b)
+  void join(std::uint32_t a, std::uint32_t b)
   {
     a = of(a);
     b = of(b);
@@ -42,9 +38,8 @@ fromHighest(const std::vector<double>& values)
   for (std::uint32_t i = 0; i < values.size(); ++i)
     if (std::isfinite(values[i]))
       order.push_back(i);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return values[a] > values[b] || (values[a] == values[b] && a < b);
-  });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return values[a] > values[b] || (values[a] == values[b] && a < b); });
   return order;
 }
 

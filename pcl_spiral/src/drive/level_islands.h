@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Tops of a function that lie between two of its level lines. Private.
  */
@@ -23,7 +24,6 @@ struct LevelIslands {
 
 /** Islands of a function with \p values at the points, over ascending \p levels; points without a finite
  * value belong to none. Points with the value of a level count as above it. */
-LevelIslands levelIslands(const Triangulation& mesh, const std::vector<double>& values,
-                          const std::vector<double>& levels);
+LevelIslands levelIslands(const Triangulation& mesh, const std::vector<double>& values, const std::vector<double>& levels);
 
 } // namespace pcl_spiral

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Drive paths over a mesh: its sections; and helix, rings and curves as over a cloud of its points.
 #include "drive_kinds.h"
 
-#include <pcl_spiral/common/impl/message.h>
 #include "mesh/mesh_feet.h"
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/drive/impl/drive_planner.h>
 #include <pcl_spiral/mesh/mesh_sampling.h>
 #include <pcl_spiral/mesh/mesh_sections.h>
-#include <pcl_spiral/drive/impl/drive_planner.h>
 
 #include <omp.h>
 
@@ -64,8 +65,8 @@ takeReport(const SectionReport& sections, DriveReport& report)
 }
 
 Status
-planMeshSections(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& settings, const ProgressCallback& progress,
-                 DrivePasses& passes, DriveReport& report)
+planMeshSections(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& settings, const ProgressCallback& progress, DrivePasses& passes,
+                 DriveReport& report)
 {
   MeshSections sections;
   sections.setInputMesh(mesh);
@@ -125,12 +126,13 @@ setContactAxes(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& settings,
 } // namespace
 
 Status
-planMeshDrive(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& settings, const ProgressCallback& progress,
-              DrivePasses& passes, DriveReport& report)
+planMeshDrive(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& settings, const ProgressCallback& progress, DrivePasses& passes,
+              DriveReport& report)
 {
   if (settings.kind == DriveKind::BoundaryOffset)
-    return {StatusCode::InvalidArgument, "offsets of the boundary run over a scan's points, not over a mesh: call setKind(DriveKind::Planes), "
-                                         "or give the mesh's vertices as a cloud (setInputCloud)"};
+    return {StatusCode::InvalidArgument,
+            "offsets of the boundary run over a scan's points, not over a mesh: call setKind(DriveKind::Planes), "
+            "or give the mesh's vertices as a cloud (setInputCloud)"};
   if (settings.kind != DriveKind::Planes) {
     Surface::ConstPtr surface;
     if (settings.needsSurface())

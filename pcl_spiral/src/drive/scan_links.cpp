@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "scan_links.h"
 
 #include <Eigen/Geometry>
@@ -35,8 +36,7 @@ distanceToTriangle(const Vector3d& x, const std::array<Vector3d, 3>& corners)
 
 /** Whether a triangle about \p vertex comes within \p most of \p x. */
 bool
-reaches(const SurfaceGraph& graph, const Triangulation& mesh, std::uint32_t vertex, const Vector3d& x,
-        double most)
+reaches(const SurfaceGraph& graph, const Triangulation& mesh, std::uint32_t vertex, const Vector3d& x, double most)
 {
   for (std::uint32_t i = mesh.outgoingBegin(vertex); i < mesh.outgoingBegin(vertex + 1); ++i) {
     const auto& [a, b, c] = mesh.triangle(mesh.outgoing(i) / 3);

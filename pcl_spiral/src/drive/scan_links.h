@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Links of rows over a scan. Private.
  */
 #pragma once
 
-#include <pcl_spiral/surface/surface.h>
 #include "mesh/row_links.h"
+#include <pcl_spiral/surface/surface.h>
 
 namespace pcl_spiral {
 

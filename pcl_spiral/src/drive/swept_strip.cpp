@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "swept_strip.h"
 
 #include <pcl_spiral/core/impl/frame.h>
@@ -114,9 +115,7 @@ SweptStrip::toPlane(const Matrix3d& corners, const Matrix3d& bows) const
 bool
 SweptStrip::meetsInPlane(const Vector2d& from, const Vector2d& to) const
 {
-  const auto above = [&](const Vector2d& p) {
-    return length_ > 0.0 ? p.y() * length_ - rise_ * p.x() : p.y() - std::min(0.0, rise_);
-  };
+  const auto above = [&](const Vector2d& p) { return length_ > 0.0 ? p.y() * length_ - rise_ * p.x() : p.y() - std::min(0.0, rise_); };
   const double sides[3][2] = {{from.x(), to.x()}, {length_ - from.x(), length_ - to.x()}, {above(from), above(to)}};
   double first = 0.0, last = 1.0;
   for (const auto& side : sides) {

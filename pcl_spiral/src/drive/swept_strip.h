@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What the axis of a ball cutter sweeps on a straight move. Private.
  */
@@ -18,11 +19,7 @@ public:
   SweptStrip(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& axis);
 
   /** \p cell in the frame. */
-  PatchCell
-  seen(const PatchCell& cell) const
-  {
-    return {axes_ * (cell.corners.colwise() - origin_), axes_ * cell.bows};
-  }
+  PatchCell seen(const PatchCell& cell) const { return {axes_ * (cell.corners.colwise() - origin_), axes_ * cell.bows}; }
   /** The way of the centre, in the frame. */
   Eigen::Vector3d way() const { return {length_, 0.0, rise_}; }
 
@@ -46,8 +43,8 @@ private:
 
   Eigen::Vector3d origin_;
   Eigen::Matrix3d axes_, turned_; ///< one a row; the same without signs
-  double length_, rise_; ///< of the lower edge, from (0, 0) to (length, rise)
-  double per_squared_;   ///< one over its squared length; 0 of none
+  double length_, rise_;          ///< of the lower edge, from (0, 0) to (length, rise)
+  double per_squared_;            ///< one over its squared length; 0 of none
 };
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "way_cover.h"
 
 #include <Eigen/Geometry>

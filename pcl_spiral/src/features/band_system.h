@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Symmetric positive definite systems with few diagonals, of a run of unknowns open or closed. Private to features.
  */
@@ -17,12 +18,10 @@ class BandSystem {
 public:
   BandSystem(std::size_t unknowns, std::size_t reach, bool closed)
   : n_(unknowns), width_(closed ? 2 * reach : reach), closed_(closed), entries_((unknowns + width_) * (width_ + 1), 0.0)
-  {
-  }
+  {}
 
   /** Add \p value to the entry (i, j) and to (j, i). */
-  void
-  add(std::size_t i, std::size_t j, double value)
+  void add(std::size_t i, std::size_t j, double value)
   {
     std::size_t row = folded(i), column = folded(j);
     if (row < column)
@@ -31,8 +30,7 @@ public:
   }
 
   /** Solve for \p right, by Cholesky; the matrix is lost. */
-  std::vector<double>
-  solve(const std::vector<double>& right)
+  std::vector<double> solve(const std::vector<double>& right)
   {
     std::vector<double> x(n_ + width_, 0.0);
     for (std::size_t i = 0; i < n_; ++i)
@@ -56,8 +54,7 @@ private:
   /** The solution replaces \p x, which begins with width_ zeros, as entries_ do with rows. \p Width: of the band, known
    *  beforehand so that its loops are unrolled; 0 if it is not. */
   template <std::size_t Width>
-  void
-  solveBand(std::vector<double>& x)
+  void solveBand(std::vector<double>& x)
   {
     const std::size_t w = Width > 0 ? Width : width_;
     std::vector<double> inverse(n_ + w, 0.0); // of the factor's diagonal

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/features/impl/boundary_evidence.h>
 
@@ -26,8 +27,7 @@ boundaryEvidence(const std::vector<Eigen::Vector2d>& offsets, double radius, std
 }
 
 bool
-isBoundary(const BoundaryEvidence& evidence, BoundaryCriterion criterion, double offset_threshold,
-           double gap_threshold)
+isBoundary(const BoundaryEvidence& evidence, BoundaryCriterion criterion, double offset_threshold, double gap_threshold)
 {
   const double offset = evidence.offset / offset_threshold, gap = evidence.gap / gap_threshold;
   switch (criterion) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/features/boundary_loops.h>
 
 namespace pcl_spiral {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "boundary_walk.h"
 
 #include "search/neighbour_search.h"
@@ -14,7 +15,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int looked_at = 64; // nearest boundary points, visited ones among them
+constexpr int looked_at = 64;  // nearest boundary points, visited ones among them
 constexpr double beside = 2.0; // spacings from a closed walk: points of the same band
 
 /** Boundary points and which of them have been passed. */
@@ -23,12 +24,10 @@ public:
   BoundaryWalk(const SurfaceGraph& graph, const std::vector<std::uint32_t>& marked, const WalkOptions& options)
   : options_(options), spacing_(graph.spacing()), blocks_(positionsOf(graph, marked)), taken_(marked.size(), 0),
     search_(blocks_, looked_at, static_cast<float>(options.reach * spacing_))
-  {
-  }
+  {}
 
   /** The free point farthest from the mean of all free ones: on the outermost boundary, wherever the cloud lies. */
-  std::optional<std::uint32_t>
-  start() const
+  std::optional<std::uint32_t> start() const
   {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     std::size_t count = 0;
@@ -49,8 +48,7 @@ public:
   }
 
   /** Walk from \p first; true when it came back. Points of \p path are of the blocks, all taken. */
-  bool
-  walkFrom(std::uint32_t first, std::vector<std::uint32_t>& path, double& walked)
+  bool walkFrom(std::uint32_t first, std::vector<std::uint32_t>& path, double& walked)
   {
     path.assign(1, first);
     walked = 0.0;
@@ -68,8 +66,7 @@ public:
   }
 
   /** Take the points beside a closed walk. */
-  void
-  takeBeside(const std::vector<std::uint32_t>& path)
+  void takeBeside(const std::vector<std::uint32_t>& path)
   {
     const double radius = beside * spacing_;
     for (const std::uint32_t i : path) {
@@ -84,8 +81,7 @@ public:
   Eigen::Vector3d position(std::uint32_t i) const { return blocks_.position(i); }
 
 private:
-  static std::vector<Eigen::Vector3f>
-  positionsOf(const SurfaceGraph& graph, const std::vector<std::uint32_t>& marked)
+  static std::vector<Eigen::Vector3f> positionsOf(const SurfaceGraph& graph, const std::vector<std::uint32_t>& marked)
   {
     std::vector<Eigen::Vector3f> positions;
     for (const std::uint32_t v : marked)
@@ -93,8 +89,7 @@ private:
     return positions;
   }
 
-  const Neighbourhood&
-  neighbours(std::uint32_t i)
+  const Neighbourhood& neighbours(std::uint32_t i)
   {
     Box box;
     box.extend(blocks_.point(i).data());
@@ -103,13 +98,12 @@ private:
   }
 
   /** The nearest free point, or the first one, that turns little enough. */
-  std::optional<std::uint32_t>
-  step(const std::vector<std::uint32_t>& path, double walked)
+  std::optional<std::uint32_t> step(const std::vector<std::uint32_t>& path, double walked)
   {
     const std::uint32_t from = path.back();
     const Eigen::Vector3d p = blocks_.position(from);
-    const Eigen::Vector3d came = path.size() > 1 ? Eigen::Vector3d(p - blocks_.position(path[path.size() - 2]))
-                                                 : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    const Eigen::Vector3d came =
+        path.size() > 1 ? Eigen::Vector3d(p - blocks_.position(path[path.size() - 2])) : Eigen::Vector3d(Eigen::Vector3d::Zero());
     const bool may_close = walked >= options_.shortest * spacing_;
     const Neighbourhood& near = neighbours(from);
     for (int k = 0; k < near.size; ++k) {
@@ -138,8 +132,7 @@ surfaceOnLeft(const SurfaceGraph& graph, const Ring& ring)
   double left_sum = 0.0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const std::uint32_t v = ring[i];
-    const Eigen::Vector3d along =
-        graph.position(ring[(i + 1) % ring.size()]) - graph.position(ring[(i + ring.size() - 1) % ring.size()]);
+    const Eigen::Vector3d along = graph.position(ring[(i + 1) % ring.size()]) - graph.position(ring[(i + ring.size() - 1) % ring.size()]);
     const Eigen::Vector3d left = graph.normal(v).cross(along);
     for (std::uint32_t k = mesh.outgoingBegin(v); k < mesh.outgoingBegin(v + 1); ++k) {
       const std::uint32_t h = mesh.outgoing(k);
@@ -163,8 +156,8 @@ stopped(const Eigen::Vector3d& place, double walked, double reach, double max_tu
 } // namespace
 
 Status
-walkRings(const SurfaceGraph& graph, const std::vector<std::uint32_t>& marked, const WalkOptions& options,
-          std::vector<Ring>& rings, std::size_t& left_out)
+walkRings(const SurfaceGraph& graph, const std::vector<std::uint32_t>& marked, const WalkOptions& options, std::vector<Ring>& rings,
+          std::size_t& left_out)
 {
   rings.clear();
   if (marked.empty())

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Boundary points put in order by walking from one to the next. Private to features.
  */
@@ -14,9 +15,9 @@ namespace pcl_spiral {
 
 /** How a walk goes on. */
 struct WalkOptions {
-  double max_turn = 0.0;   ///< theta_th of Wu et al. 2025, radians
-  double reach = 6.0;      ///< of a step, in spacings: the longest edge that the boundary of a triangulation has
-  double shortest = 8.0;   ///< in spacings: a walk that ends before is left out
+  double max_turn = 0.0; ///< theta_th of Wu et al. 2025, radians
+  double reach = 6.0;    ///< of a step, in spacings: the longest edge that the boundary of a triangulation has
+  double shortest = 8.0; ///< in spacings: a walk that ends before is left out
 };
 
 /** Walk from each point of \p marked to the nearest one not yet visited that turns no more than allowed, until it comes
@@ -24,8 +25,7 @@ struct WalkOptions {
  *  \p marked: points of the graph, ascending. \p left_out counts walks that end early. Fails where a longer one ends,
  *  and names the place.
  *  Source: Wu et al. 2025, section 1; they search neighbours by an octree, here it is the graph's own tree of boxes. */
-Status
-walkRings(const SurfaceGraph& graph, const std::vector<std::uint32_t>& marked, const WalkOptions& options,
-          std::vector<Ring>& rings, std::size_t& left_out);
+Status walkRings(const SurfaceGraph& graph, const std::vector<std::uint32_t>& marked, const WalkOptions& options, std::vector<Ring>& rings,
+                 std::size_t& left_out);
 
 } // namespace pcl_spiral

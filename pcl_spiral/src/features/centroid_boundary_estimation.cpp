@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 
 namespace pcl_spiral {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "corner_choice.h"
 
 #include <pcl_spiral/core/impl/angles.h>
@@ -20,8 +21,7 @@ constexpr double freedom_cost = 6.0; // of one wave more
 double
 ownCost(const FittedSide& fitted, double spacing)
 {
-  return fitted.outside + fitted.roughness +
-         freedom_cost * length(fitted.side.nodes, fitted.side.closed) / spacing / fitted.wavelength;
+  return fitted.outside + fitted.roughness + freedom_cost * length(fitted.side.nodes, fitted.side.closed) / spacing / fitted.wavelength;
 }
 
 /** Squared spacings by which the run of sides \p now encloses more than the run \p was between the same ends. */
@@ -53,8 +53,7 @@ isSmooth(const OutlineDraft& draft, std::size_t c, const FittedSide& through)
   double apart = ownCost(draft.sides[c], draft.spacing());
   if (draft.corners.size() > 1)
     apart += ownCost(draft.sides[draft.preceding(c)], draft.spacing());
-  const double more =
-      extraArea({draft.trimmed(draft.preceding(c)), draft.trimmed(c)}, {through.side}, draft.spacing());
+  const double more = extraArea({draft.trimmed(draft.preceding(c)), draft.trimmed(c)}, {through.side}, draft.spacing());
   return ownCost(through, draft.spacing()) + more < apart + corner_cost;
 }
 
@@ -98,11 +97,9 @@ sharpestBend(const OutlineSide& side)
 bool
 isSound(const OutlineDraft& draft, std::size_t c, double turn, const Corner& was_before, const Corner& was_after)
 {
-  const auto kept = [](const Corner& was, const Corner& now) {
-    return std::abs(was.turn) < sure_corner || now.turn / was.turn > 0.5;
-  };
-  return draft.corners[c].turn * (turn > 0.0 ? 1.0 : -1.0) >= least_corner &&
-         kept(was_before, draft.corners[draft.preceding(c)]) && kept(was_after, draft.corners[draft.following(c)]);
+  const auto kept = [](const Corner& was, const Corner& now) { return std::abs(was.turn) < sure_corner || now.turn / was.turn > 0.5; };
+  return draft.corners[c].turn * (turn > 0.0 ? 1.0 : -1.0) >= least_corner && kept(was_before, draft.corners[draft.preceding(c)]) &&
+         kept(was_after, draft.corners[draft.following(c)]);
 }
 
 /** Whether the corner between the new sides \p s and the next is better placed than that between the two in \p was. */
@@ -147,8 +144,7 @@ addMissedCorner(OutlineDraft& draft, std::size_t s, std::size_t node, double tur
 {
   OutlineDraft split = draft;
   split.split(s, node, turn);
-  if (split.corners.size() == draft.corners.size() ||
-      !isSound(split, s + 1, turn, draft.corners[s], draft.corners[draft.following(s)]))
+  if (split.corners.size() == draft.corners.size() || !isSound(split, s + 1, turn, draft.corners[s], draft.corners[draft.following(s)]))
     return false;
   if (isSmooth(split, s + 1, draft.sides[s]) && !moveCorner(draft, split, s))
     return false;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Which corners of an outline are real. Private to features.
  */
@@ -8,7 +9,6 @@
 namespace pcl_spiral {
 
 /** Drop corners that a smooth side explains as well, and put corners where one explains a side's bend better. */
-void
-chooseCorners(OutlineDraft& draft);
+void chooseCorners(OutlineDraft& draft);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edge_fit.h"
 
 #include "band_system.h"
@@ -12,7 +13,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double straightness = 0.3; // weight of the squared curvature: settles sides too short for more
-constexpr double tether = 1.0; // weight of the squared offset: one fit moves a side no farther than its points warrant
+constexpr double tether = 1.0;       // weight of the squared offset: one fit moves a side no farther than its points warrant
 
 /** A weighted sum of neighbouring offsets, plus a constant. */
 struct Stencil {
@@ -21,8 +22,7 @@ struct Stencil {
   int size = 0;
   double constant = 0.0;
 
-  void
-  add(std::size_t i, double f)
+  void add(std::size_t i, double f)
   {
     for (int k = 0; k < size; ++k)
       if (node[k] == i) {
@@ -32,15 +32,13 @@ struct Stencil {
     node[size] = i;
     factor[size++] = f;
   }
-  void
-  add(const Stencil& other, double f)
+  void add(const Stencil& other, double f)
   {
     for (int k = 0; k < other.size; ++k)
       add(other.node[k], f * other.factor[k]);
     constant += f * other.constant;
   }
-  double
-  value(const std::vector<double>& d) const
+  double value(const std::vector<double>& d) const
   {
     double sum = constant;
     for (int k = 0; k < size; ++k)
@@ -117,24 +115,21 @@ gapOf(const OutlineSide& side, const SidePoint& point)
 class OutsideCost {
 public:
   /** \p small = exp(-|u|). */
-  void
-  add(double u, double small)
+  void add(double u, double small)
   {
     product_ *= 1.0 + small;
     sum_ -= std::min(u, 0.0);
     if (++count_ % 64 == 0)
       flush();
   }
-  double
-  total()
+  double total()
   {
     flush();
     return sum_;
   }
 
 private:
-  void
-  flush()
+  void flush()
   {
     sum_ += std::log(product_);
     product_ = 1.0;
@@ -166,8 +161,7 @@ public:
   }
 
   /** Its value at \p d, where the next step starts from. */
-  double
-  value(const std::vector<double>& d)
+  double value(const std::vector<double>& d)
   {
     double sum = 0.0;
     for (std::size_t i = 0; i < d.size(); ++i)
@@ -179,8 +173,7 @@ public:
   }
 
   /** Newton's step from \p d, the place of the last value; a point far outside counts with some curvature too. */
-  std::vector<double>
-  step(const std::vector<double>& d) const
+  std::vector<double> step(const std::vector<double>& d) const
   {
     std::vector<double> descent(d.size());
     for (std::size_t i = 0; i < d.size(); ++i)
@@ -205,8 +198,7 @@ public:
     return hessian.solve(descent);
   }
 
-  EdgeFit
-  result(std::vector<double> d)
+  EdgeFit result(std::vector<double> d)
   {
     EdgeFit fit;
     for (std::size_t i = 0; i < d.size(); ++i)
@@ -219,8 +211,7 @@ public:
   }
 
 private:
-  double
-  outside(const std::vector<double>& d)
+  double outside(const std::vector<double>& d)
   {
     OutsideCost cost;
     for (std::size_t k = 0; k < gaps_.size(); ++k) {
@@ -230,15 +221,13 @@ private:
     }
     return cost.total();
   }
-  static void
-  addSquare(BandSystem& matrix, const Stencil& s, double weight)
+  static void addSquare(BandSystem& matrix, const Stencil& s, double weight)
   {
     for (int i = 0; i < s.size; ++i)
       for (int j = 0; j <= i; ++j)
         matrix.add(s.node[i], s.node[j], weight * s.factor[i] * s.factor[j]);
   }
-  static void
-  addScaled(std::vector<double>& sum, const Stencil& s, double weight)
+  static void addScaled(std::vector<double>& sum, const Stencil& s, double weight)
   {
     for (int i = 0; i < s.size; ++i)
       sum[s.node[i]] += weight * s.factor[i];

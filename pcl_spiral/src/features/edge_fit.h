@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The most likely edge of a scatter of points along a smooth line. Private to features.
  */
@@ -29,9 +30,9 @@ struct SidePoint {
 
 /** How an edge is fitted. Lengths in spacings. */
 struct EdgeOptions {
-  double spacing = 1.0;      ///< mm
-  double blur = 0.1;         ///< how far points scatter across the edge
-  double wavelength = 30.0;  ///< shorter waves are taken for the jaggedness of sampling
+  double spacing = 1.0;     ///< mm
+  double blur = 0.1;        ///< how far points scatter across the edge
+  double wavelength = 30.0; ///< shorter waves are taken for the jaggedness of sampling
 };
 
 /** Offsets of a side's nodes and what speaks against them. */
@@ -50,7 +51,6 @@ struct EdgeFit {
  *  edge is drawn in by its length, and held out by each point it would leave outside. The rate of change of geodesic
  *  curvature along the side is penalised. The problem is convex.
  */
-EdgeFit
-fitEdge(const OutlineSide& side, const std::vector<SidePoint>& points, const EdgeOptions& options);
+EdgeFit fitEdge(const OutlineSide& side, const std::vector<SidePoint>& points, const EdgeOptions& options);
 
 } // namespace pcl_spiral

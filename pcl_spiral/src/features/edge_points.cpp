@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edge_points.h"
 
 #include <pcl_spiral/core/impl/polyline.h>
@@ -58,8 +59,7 @@ public:
   explicit RingLine(Polyline line) : line_(std::move(line)), at_(arcLengths(line_, true)) {}
 
   /** Place of the foot of \p p among the edges up to \p window from entry \p about either way; its distance. */
-  std::pair<double, double>
-  foot(const Eigen::Vector3d& p, std::size_t about, double window) const
+  std::pair<double, double> foot(const Eigen::Vector3d& p, std::size_t about, double window) const
   {
     const std::size_t n = line_.size();
     std::pair<double, double> best{0.0, std::numeric_limits<double>::infinity()};
@@ -77,8 +77,7 @@ public:
   }
 
 private:
-  void
-  look(const Eigen::Vector3d& p, std::size_t i, std::pair<double, double>& best) const
+  void look(const Eigen::Vector3d& p, std::size_t i, std::pair<double, double>& best) const
   {
     const Eigen::Vector3d a = line_[i], d = line_[(i + 1) % line_.size()] - a;
     const double f = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The points along the boundary of a triangulation. Private to features.
  */
@@ -24,7 +25,6 @@ struct EdgePoint {
  *  The ring alone does not tell the edge: at a re-entrant corner its edges span the notch, and the points of the true
  *  edge lie behind them.
  */
-std::vector<EdgePoint>
-edgePoints(const SurfaceGraph& graph, const Ring& ring);
+std::vector<EdgePoint> edgePoints(const SurfaceGraph& graph, const Ring& ring);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "loop_rings.h"
 
 #include <pcl_spiral/core/impl/angles.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The boundary of a triangulation as rings of points. Private to features.
  */
@@ -15,25 +16,19 @@ namespace pcl_spiral {
 using Ring = std::vector<std::uint32_t>;
 
 /** Split a closed run of points at those it visits more than once: rings that touch themselves nowhere. */
-std::vector<Ring>
-simpleRings(const Ring& run);
+std::vector<Ring> simpleRings(const Ring& run);
 
 /** Simple rings round the triangles of part \p which (as given by Triangulation::parts). */
-std::vector<Ring>
-boundaryRings(const Triangulation& mesh, const std::vector<std::uint32_t>& parts, std::uint32_t which);
+std::vector<Ring> boundaryRings(const Triangulation& mesh, const std::vector<std::uint32_t>& parts, std::uint32_t which);
 
 /** Length of a ring, mm, and the area it encloses as seen from where that is largest, mm2. */
-double
-ringLength(const SurfaceGraph& graph, const Ring& ring);
-double
-ringArea(const SurfaceGraph& graph, const Ring& ring);
+double ringLength(const SurfaceGraph& graph, const Ring& ring);
+double ringArea(const SurfaceGraph& graph, const Ring& ring);
 
 /** Whether a ring is shorter than a loop must be, or so thin that it encloses less than such a loop does. */
-bool
-isFlaw(const SurfaceGraph& graph, const Ring& ring, double shortest);
+bool isFlaw(const SurfaceGraph& graph, const Ring& ring, double shortest);
 
 /** The ring begun at the point farthest from its mean: the same one wherever the cloud lies. */
-Ring
-begunFarOut(const SurfaceGraph& graph, Ring ring);
+Ring begunFarOut(const SurfaceGraph& graph, Ring ring);
 
 } // namespace pcl_spiral

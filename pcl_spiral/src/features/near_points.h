@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Points about a place. Private to features.
  */
@@ -25,8 +26,7 @@ public:
 
   /** Whether any point within \p reach of \p place, or a little farther, passes the \p test(point, its number). */
   template <typename Test>
-  bool
-  any(const Eigen::Vector3d& place, double reach, Test test) const
+  bool any(const Eigen::Vector3d& place, double reach, Test test) const
   {
     if (points_.empty())
       return false;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "outline.h"
 
 #include "corner_choice.h"
@@ -13,8 +14,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int most_draws = 12;      // a node beyond what is known of the surface is drawn back
-constexpr double draw_step = 0.25;  // spacings
+constexpr int most_draws = 12;     // a node beyond what is known of the surface is drawn back
+constexpr double draw_step = 0.25; // spacings
 
 /** Whether the surface is known at \p foot and some way round it, so that it is between such places too: fits reach 1.25
  *  spacings beyond the outermost points. */
@@ -110,9 +111,8 @@ std::size_t
 firstSide(const OutlineDraft& draft)
 {
   const auto distance = [&](const Corner& corner) { return (corner.position - draft.points().front()).squaredNorm(); };
-  const auto nearest = std::min_element(draft.corners.begin(), draft.corners.end(), [&](const Corner& a, const Corner& b) {
-    return distance(a) < distance(b);
-  });
+  const auto nearest = std::min_element(draft.corners.begin(), draft.corners.end(),
+                                        [&](const Corner& a, const Corner& b) { return distance(a) < distance(b); });
   return static_cast<std::size_t>(nearest - draft.corners.begin());
 }
 
@@ -242,9 +242,7 @@ fitOutline(const MlsSurface& surface, const Ring& ring, const std::function<bool
   OutlineDraft draft(surface, ring);
   if (!goOn())
     return {};
-  const auto isGood = [&](const Outline& outline) {
-    return staysByRing(draft, outline) && isSimple(surface.graph(), outline);
-  };
+  const auto isGood = [&](const Outline& outline) { return staysByRing(draft, outline) && isSimple(surface.graph(), outline); };
   if (ring.size() >= fewest_points) {
     const Outline outline = withCorners(draft, goOn);
     if (outline.curve.empty() || isGood(outline))

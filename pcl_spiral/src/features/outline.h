@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The true outline behind the jagged run of outermost points. Private to features.
  */
@@ -21,7 +22,6 @@ struct Outline {
 };
 
 /** Outline of \p ring. Between the fits it takes, \p goOn is asked; what comes of a false is not worth having. */
-Outline
-fitOutline(const MlsSurface& surface, const Ring& ring, const std::function<bool()>& goOn);
+Outline fitOutline(const MlsSurface& surface, const Ring& ring, const std::function<bool()>& goOn);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "outline_corners.h"
 
 #include <pcl_spiral/core/impl/angles.h>
@@ -58,8 +59,7 @@ fitPiece(const std::vector<Eigen::Vector2d>& line, std::size_t from, std::size_t
 
 /** Places where the cheapest chain of pieces over [begin, end] of the line breaks, both ends among them. */
 std::vector<std::size_t>
-cheapestBreaks(const std::vector<Eigen::Vector2d>& line, const std::vector<double>& at, std::size_t begin,
-               std::size_t end, double spacing)
+cheapestBreaks(const std::vector<Eigen::Vector2d>& line, const std::vector<double>& at, std::size_t begin, std::size_t end, double spacing)
 {
   std::vector<double> best(end - begin + 1, std::numeric_limits<double>::infinity());
   std::vector<std::size_t> before(end - begin + 1, begin);

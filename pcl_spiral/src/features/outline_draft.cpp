@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "outline_draft.h"
 
 #include "outline_corners.h"
@@ -17,8 +18,7 @@ namespace {
 
 /** Where two lines in the plane, a + s u and b + t v, meet. */
 bool
-crossing(const Eigen::Vector2d& a, const Eigen::Vector2d& u, const Eigen::Vector2d& b, const Eigen::Vector2d& v, double& s,
-         double& t)
+crossing(const Eigen::Vector2d& a, const Eigen::Vector2d& u, const Eigen::Vector2d& b, const Eigen::Vector2d& v, double& s, double& t)
 {
   const double det = u.x() * v.y() - u.y() * v.x();
   if (std::abs(det) < 1e-6 * u.norm() * v.norm())
@@ -31,8 +31,7 @@ crossing(const Eigen::Vector2d& a, const Eigen::Vector2d& u, const Eigen::Vector
 
 } // namespace
 
-OutlineDraft::OutlineDraft(const MlsSurface& surface, const Ring& given)
-: surface_(surface), spacing_(surface.graph().spacing())
+OutlineDraft::OutlineDraft(const MlsSurface& surface, const Ring& given) : surface_(surface), spacing_(surface.graph().spacing())
 {
   const SurfaceGraph& graph = surface.graph();
   const Ring ring = begunFarOut(graph, given);
@@ -118,7 +117,7 @@ FittedSide
 OutlineDraft::fitBetween(std::size_t from, std::size_t to, OutlineSide start) const
 {
   constexpr double beyond = 6.0, contested = 14.0; // spacings, from a re-entrant corner
-  constexpr std::ptrdiff_t reach = 40;            // nodes
+  constexpr std::ptrdiff_t reach = 40;             // nodes
   const Corner &a = corners[from], &b = corners[to];
   makeEven(start, spacing_);
   const auto last = static_cast<std::ptrdiff_t>(start.nodes.size()) - 1;

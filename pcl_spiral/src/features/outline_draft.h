@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  An outline in the making: corners, and a side from every corner to the next. Private to features.
  */
@@ -13,8 +14,8 @@ namespace pcl_spiral {
 
 /** Where two sides meet. */
 struct Corner {
-  std::size_t point;        ///< of the ring, nearest
-  double turn;              ///< radians, positive is convex
+  std::size_t point; ///< of the ring, nearest
+  double turn;       ///< radians, positive is convex
   Eigen::Vector3d position;
   std::size_t cut_before = 0, cut_after = 0; ///< nodes past the corner on the sides before and after it
   bool sure = false;                         ///< not to be questioned again

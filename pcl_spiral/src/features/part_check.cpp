@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "part_check.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -9,8 +10,7 @@
 namespace pcl_spiral {
 
 Status
-checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<std::uint32_t>& part_of,
-           BoundaryCounts& counts)
+checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<std::uint32_t>& part_of, BoundaryCounts& counts)
 {
   SurfaceParts found;
   std::vector<std::size_t> sizes;
@@ -26,10 +26,9 @@ checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vecto
   if (others == OtherParts::TooLarge || others == OtherParts::TooMany) {
     const bool large = others == OtherParts::TooLarge;
     if (large)
-      parts.erase(std::remove_if(parts.begin() + 1, parts.end(),
-                                 [&, first = parts.front()](const SurfacePart& part) {
-                                   return isSpeck(part, first, all, options.largest_left_out);
-                                 }),
+      parts.erase(std::remove_if(
+                      parts.begin() + 1, parts.end(),
+                      [&, first = parts.front()](const SurfacePart& part) { return isSpeck(part, first, all, options.largest_left_out); }),
                   parts.end());
     return {StatusCode::InvalidInput,
             textOf("the cloud has ", parts.size(), " separate parts: ", partsText(parts),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "side_fit.h"
 
 #include "band_system.h"

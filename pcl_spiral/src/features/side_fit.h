@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A side of an outline drawn along the edge of its points. Private to features.
  */
@@ -23,26 +24,22 @@ struct FittedSide {
 
 /** Where a point falls on a side. */
 struct SideFoot {
-  double place = 0.0;                       ///< in nodes; beyond the ends of an open side as far as the point is
-  double offset = 0.0;                      ///< outward, mm
+  double place = 0.0;  ///< in nodes; beyond the ends of an open side as far as the point is
+  double offset = 0.0; ///< outward, mm
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
 /** Foot of \p point on \p side, searched among the nodes within \p reach of node \p expected. */
-SideFoot
-footOn(const OutlineSide& side, const Eigen::Vector3d& point, std::ptrdiff_t expected, std::ptrdiff_t reach);
+SideFoot footOn(const OutlineSide& side, const Eigen::Vector3d& point, std::ptrdiff_t expected, std::ptrdiff_t reach);
 
 /** Replace the nodes by even ones, the ends kept; then set the outward directions. */
-void
-makeEven(OutlineSide& side, double spacing);
+void makeEven(OutlineSide& side, double spacing);
 
 /** An even line through a jagged one, without waves shorter than a few spacings. */
-OutlineSide
-smoothSide(const Polyline& line, bool closed, double spacing);
+OutlineSide smoothSide(const Polyline& line, bool closed, double spacing);
 
 /** Move the nodes onto the surface where it is known there, and take its normals. */
-void
-layOnSurface(const MlsSurface& surface, OutlineSide& side);
+void layOnSurface(const MlsSurface& surface, OutlineSide& side);
 
 /** A point of an edge and where along the side, as a share of its length, it is expected. */
 struct ExpectedPoint {
@@ -51,7 +48,6 @@ struct ExpectedPoint {
 };
 
 /** Draw \p start along the edge of \p points. */
-FittedSide
-fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vector<ExpectedPoint> points);
+FittedSide fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vector<ExpectedPoint> points);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/features/impl/surface_boundary.h>
 
@@ -37,16 +38,15 @@ checkOptions(const SurfaceGraph& graph, const BoundaryOptions& options)
                                                    "an eighth of the outer boundary",
                                                    options.min_hole_length)};
   if (!(options.min_hole_width >= 0.0) || !std::isfinite(options.min_hole_width))
-    return {StatusCode::InvalidArgument, formatted("the least width of a hole is %g; set it above 0, or 0 to have it found",
-                                                   options.min_hole_width)};
+    return {StatusCode::InvalidArgument,
+            formatted("the least width of a hole is %g; set it above 0, or 0 to have it found", options.min_hole_width)};
   if (!(options.largest_gap >= 0.0) || !(options.shortest_loop >= 0.0))
     return {StatusCode::InvalidArgument, formatted("the largest gap is %g spacings, the shortest loop %g; neither "
                                                    "may be negative",
                                                    options.largest_gap, options.shortest_loop)};
   if (!(options.largest_left_out >= 0.0 && options.largest_left_out <= 1.0))
     return {StatusCode::InvalidArgument,
-            formatted("the share of a part that may be left out is %g; set it between 0 and 1",
-                      options.largest_left_out)};
+            formatted("the share of a part that may be left out is %g; set it between 0 and 1", options.largest_left_out)};
   if (!(options.max_turn > 0.0 && options.max_turn <= 180.0))
     return {StatusCode::InvalidArgument,
             formatted("the largest turn of the walk is %g degrees; set it above 0 and not above 180", options.max_turn)};
@@ -78,14 +78,12 @@ width(const Polyline& curve)
 void
 classify(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops)
 {
-  std::stable_sort(loops.begin(), loops.end(),
-                   [](const BoundaryLoop& a, const BoundaryLoop& b) { return a.length > b.length; });
+  std::stable_sort(loops.begin(), loops.end(), [](const BoundaryLoop& a, const BoundaryLoop& b) { return a.length > b.length; });
   for (BoundaryLoop& loop : loops) {
     const bool hole = options.min_hole_width > 0.0 ? width(loop.curve) >= options.min_hole_width
                       : options.min_hole_length > 0.0
                           ? loop.length >= options.min_hole_length
-                          : loop.length >= loops.front().length / 8.0 &&
-                                width(loop.curve) > options.largest_gap * graph.spacing();
+                          : loop.length >= loops.front().length / 8.0 && width(loop.curve) > options.largest_gap * graph.spacing();
     loop.type = hole ? LoopType::Inner : LoopType::ScanGap;
   }
   if (!loops.empty())
@@ -99,9 +97,9 @@ checkWidth(const SurfaceGraph& graph, const std::vector<Ring>& rings)
   for (const Ring& ring : rings)
     if (const double length = ringLength(graph, ring); length > graph.blocks().box().diagonal())
       return {StatusCode::InvalidInput,
-              textOf("the surface is too narrow for its points: its boundary at ", placeText(graph.position(ring.front())),
-                     ", ", length, " mm long, encloses but ", ringArea(graph, ring), " mm2, and points lie ",
-                     graph.spacing(), " mm apart: scan more densely, for at least seven points across")};
+              textOf("the surface is too narrow for its points: its boundary at ", placeText(graph.position(ring.front())), ", ", length,
+                     " mm long, encloses but ", ringArea(graph, ring), " mm2, and points lie ", graph.spacing(),
+                     " mm apart: scan more densely, for at least seven points across")};
   return Status::success();
 }
 
@@ -116,16 +114,14 @@ checkOpen(const SurfaceGraph& graph, const BoundaryOptions& options, const std::
     const double across = width(longest.curve);
     if (across > options.largest_gap * graph.spacing() || longest.length * longest.length >= 0.1 * 4.0 * pi * area)
       return Status::success();
-    opening = textOf(" (its largest opening, ", across, " mm across at ", placeText(longest.curve.front()),
-                     ", is but a gap in the scan)");
+    opening = textOf(" (its largest opening, ", across, " mm across at ", placeText(longest.curve.front()), ", is but a gap in the scan)");
   }
   const Box box = graph.blocks().box();
   const Eigen::Vector3d low = Eigen::Map<const Eigen::Vector3f>(box.low.data()).cast<double>();
   const Eigen::Vector3d high = Eigen::Map<const Eigen::Vector3f>(box.high.data()).cast<double>();
-  return {StatusCode::InvalidInput,
-          textOf("the surface from ", placeText(low), " to ", placeText(high),
-                 " is closed: it has no boundary for a path to begin or end at", opening,
-                 "; cut the cloud down to the side to be machined")};
+  return {StatusCode::InvalidInput, textOf("the surface from ", placeText(low), " to ", placeText(high),
+                                           " is closed: it has no boundary for a path to begin or end at", opening,
+                                           "; cut the cloud down to the side to be machined")};
 }
 
 bool
@@ -175,8 +171,8 @@ loopOf(const SurfaceGraph& graph, const MlsSurface& surface, const Ring& ring, c
 /** Fit a loop to every ring that is no flaw. Curves have two nodes a spacing: rings of points far sparser than the rest of
  *  the cloud, which would have no end of them, are refused. */
 Status
-fitLoops(const MlsSurface& surface, const BoundaryOptions& options, const std::vector<Ring>& rings,
-         std::vector<BoundaryLoop>& loops, BoundaryCounts& found)
+fitLoops(const MlsSurface& surface, const BoundaryOptions& options, const std::vector<Ring>& rings, std::vector<BoundaryLoop>& loops,
+         BoundaryCounts& found)
 {
   constexpr double sparsest = 32.0; // spacings between the points of a ring
   constexpr double fits = 8.0;      // of one ring
@@ -197,9 +193,9 @@ fitLoops(const MlsSurface& surface, const BoundaryOptions& options, const std::v
       ++found.left_out_loops;
     else if (apart > sparsest * graph.spacing())
       return {StatusCode::InvalidInput,
-              textOf("the points of the boundary at ", placeText(graph.position(ring.front())), " lie ", apart,
-                     " mm apart, ", apart / graph.spacing(), " times as far as points of the scan usually do (",
-                     graph.spacing(), " mm): the scan is far denser elsewhere; thin it to an even spacing (setThinning ", apart,
+              textOf("the points of the boundary at ", placeText(graph.position(ring.front())), " lie ", apart, " mm apart, ",
+                     apart / graph.spacing(), " times as far as points of the scan usually do (", graph.spacing(),
+                     " mm): the scan is far denser elsewhere; thin it to an even spacing (setThinning ", apart,
                      "), or leave the dense part out")};
     else
       loops.push_back(loopOf(graph, surface, ring, goOn));
@@ -217,8 +213,7 @@ keepMarked(const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, std
   if (options.marked.empty())
     return Status::success();
   const auto share = [&](const BoundaryLoop& loop) {
-    const auto count = std::count_if(loop.indices.begin(), loop.indices.end(),
-                                     [&](std::uint32_t i) { return options.marked[i] != 0; });
+    const auto count = std::count_if(loop.indices.begin(), loop.indices.end(), [&](std::uint32_t i) { return options.marked[i] != 0; });
     return static_cast<double>(count) / static_cast<double>(loop.indices.size());
   };
   constexpr double least = 0.5;
@@ -227,8 +222,7 @@ keepMarked(const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, std
             formatted("of the %.0f points of the outer boundary only %.0f %% are marked as boundary; mark them, or give "
                       "no flags to have the boundaries found",
                       static_cast<double>(loops.front().indices.size()), 100.0 * share(loops.front()))};
-  const auto kept = std::remove_if(loops.begin() + 1, loops.end(),
-                                   [&](const BoundaryLoop& loop) { return share(loop) < least; });
+  const auto kept = std::remove_if(loops.begin() + 1, loops.end(), [&](const BoundaryLoop& loop) { return share(loop) < least; });
   dropped = static_cast<std::size_t>(loops.end() - kept);
   loops.erase(kept, loops.end());
   return Status::success();
@@ -237,8 +231,7 @@ keepMarked(const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, std
 } // namespace
 
 Status
-findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
-                  BoundaryCounts* counts)
+findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, BoundaryCounts* counts)
 {
   const SurfaceGraph& graph = surface.graph();
   loops.clear();
@@ -248,8 +241,8 @@ findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std
   std::vector<std::uint32_t> parts;
   if (const Status status = checkParts(graph, options, parts, found); !status.ok())
     return status;
-  std::vector<Ring> rings = options.min_hole_width > 0.0 ? ringsWithVoids(graph, parts, options.min_hole_width)
-                                                         : boundaryRings(graph.triangulation(), parts, 0);
+  std::vector<Ring> rings =
+      options.min_hole_width > 0.0 ? ringsWithVoids(graph, parts, options.min_hole_width) : boundaryRings(graph.triangulation(), parts, 0);
   if (options.method == LoopMethod::Walk) {
     const std::vector<std::uint32_t> points = pointsToWalk(graph, options, parts, rings);
     WalkOptions walk;
@@ -275,8 +268,7 @@ findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std
 }
 
 Status
-findBoundaryLoops(const Surface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
-                  BoundaryCounts* counts)
+findBoundaryLoops(const Surface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, BoundaryCounts* counts)
 {
   const Status status = findBoundaryLoops(surface.fit(), options, loops, counts);
   for (BoundaryLoop& loop : loops)
@@ -286,8 +278,7 @@ findBoundaryLoops(const Surface& surface, const BoundaryOptions& options, std::v
 }
 
 Status
-findBoundaryLoops(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
-                  BoundaryCounts* counts)
+findBoundaryLoops(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, BoundaryCounts* counts)
 {
   return findBoundaryLoops(MlsSurface(graph), options, loops, counts);
 }

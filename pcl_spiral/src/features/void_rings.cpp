@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "void_rings.h"
 
 #include <pcl_spiral/surface/impl/scan_voids.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Rings of a surface whose narrow holes are opened. Private to features.
  */
@@ -12,7 +13,6 @@ namespace pcl_spiral {
 
 /** boundaryRings of part 0 of the graph's triangles, given the part \p part_of each, without those that close voids at least
  *  \p width mm wide (ScanVoids). */
-std::vector<Ring>
-ringsWithVoids(const SurfaceGraph& graph, const std::vector<std::uint32_t>& part_of, double width);
+std::vector<Ring> ringsWithVoids(const SurfaceGraph& graph, const std::vector<std::uint32_t>& part_of, double width);
 
 } // namespace pcl_spiral

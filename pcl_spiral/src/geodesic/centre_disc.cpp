@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "centre_disc.h"
 
 #include <pcl_spiral/core/impl/angles.h>
@@ -97,8 +98,7 @@ makeCentreDisc(const SurfaceGraph& graph, std::uint32_t triangle, HarmonicDomain
   for (const std::uint32_t h : domain.rim)
     if (domain.in_disc[mesh.origin(h)]) {
       std::ostringstream message;
-      message << "the centre (" << domain.centre.transpose() << ") is within " << radius
-              << " mm of the rim: move it inwards";
+      message << "the centre (" << domain.centre.transpose() << ") is within " << radius << " mm of the rim: move it inwards";
       return {StatusCode::InvalidArgument, message.str()};
     }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The small disc about the centre, in which a harmonic function has the known shape of its singularity.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "dijkstra_tree.h"
 
 #include "mesh_walk.h"
@@ -52,8 +53,7 @@ DijkstraTree::search()
   const SurfaceGraph& graph = *graph_;
   distances_.assign(graph.size(), unreached);
   before_.assign(graph.size(), Triangulation::none);
-  const std::uint32_t nearest =
-      nearestPoint(graph, source_, reachOf(graph), [&](std::uint32_t i) { return hasEdges(i); });
+  const std::uint32_t nearest = nearestPoint(graph, source_, reachOf(graph), [&](std::uint32_t i) { return hasEdges(i); });
   if (nearest == Triangulation::none)
     return false;
   using Entry = std::pair<double, std::uint32_t>;
@@ -65,9 +65,7 @@ DijkstraTree::search()
       queue.emplace(distance, point);
     }
   };
-  const auto straight = [&](std::uint32_t j) {
-    reach(j, (graph.position(j) - source_).norm(), Triangulation::none);
-  };
+  const auto straight = [&](std::uint32_t j) { reach(j, (graph.position(j) - source_).norm(), Triangulation::none); };
   straight(nearest);
   forEdges(nearest, straight);
   while (!queue.empty()) {
@@ -76,9 +74,7 @@ DijkstraTree::search()
     if (distance > distances_[v])
       continue;
     const Eigen::Vector3d from = graph.position(v);
-    forEdges(v, [&, distance = distance, v = v](std::uint32_t j) {
-      reach(j, distance + (graph.position(j) - from).norm(), v);
-    });
+    forEdges(v, [&, distance = distance, v = v](std::uint32_t j) { reach(j, distance + (graph.position(j) - from).norm(), v); });
   }
   return true;
 }

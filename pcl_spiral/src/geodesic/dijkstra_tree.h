@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Shortest paths over edges between the points of a surface.
  */
 #pragma once
 
 #include <pcl_spiral/core/impl/polyline.h>
-#include <pcl_spiral/search/impl/neighbour_lists.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
+#include <pcl_spiral/search/impl/neighbour_lists.h>
 
 #include <cstdint>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "distance_field.h"
 
 #include "front_march.h"
@@ -48,8 +49,7 @@ public:
   const Polyline& samples() const { return samples_; }
 
   /** Nearest point of the curve, walking from sample \p k. */
-  Foot
-  foot(const Eigen::Vector3d& x, std::size_t k) const
+  Foot foot(const Eigen::Vector3d& x, std::size_t k) const
   {
     const std::size_t n = samples_.size();
     double here = (samples_[k] - x).squaredNorm();
@@ -73,8 +73,7 @@ public:
   }
 
   /** Curvature vector over two spacings either way. */
-  Eigen::Vector3d
-  curvature(std::size_t k) const
+  Eigen::Vector3d curvature(std::size_t k) const
   {
     const std::size_t n = samples_.size(), w = std::min<std::size_t>(4, n / 6);
     const Eigen::Vector3d after = samples_[(k + w) % n] - samples_[k], before = samples_[k] - samples_[(k + n - w) % n];
@@ -101,8 +100,7 @@ DistanceField::compute(const SurfaceGraph& graph, const Eigen::Vector3d& source)
 {
   prepare(graph);
   const Triangulation& mesh = graph.triangulation();
-  const std::uint32_t nearest =
-      nearestPoint(graph, source, reachOf(graph), [&](std::uint32_t i) { return hasTriangles(mesh, i); });
+  const std::uint32_t nearest = nearestPoint(graph, source, reachOf(graph), [&](std::uint32_t i) { return hasTriangles(mesh, i); });
   if (nearest == Triangulation::none)
     return false;
   source_.assign(1, source);
@@ -138,8 +136,7 @@ DistanceField::compute(const SurfaceGraph& graph, const Polyline& closed_source_
   };
   std::deque<Candidate> queue;
   for (std::size_t k = 0; k < curve.samples().size(); ++k) {
-    const std::uint32_t v = nearestPoint(graph, curve.samples()[k], reachOf(graph),
-                                         [&](std::uint32_t i) { return hasTriangles(mesh, i); });
+    const std::uint32_t v = nearestPoint(graph, curve.samples()[k], reachOf(graph), [&](std::uint32_t i) { return hasTriangles(mesh, i); });
     if (v == Triangulation::none)
       return false;
     queue.push_back({v, k});

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Distance along a surface from a point or a closed curve, and the way back.
  */

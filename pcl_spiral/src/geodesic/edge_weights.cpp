@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edge_weights.h"
 
 #include <Eigen/Geometry>
@@ -16,8 +17,7 @@ std::array<double, 3>
 cotangents(const SurfaceGraph& graph, std::uint32_t t)
 {
   const auto& corner = graph.triangulation().triangle(t);
-  const std::array<Eigen::Vector3d, 3> p{graph.position(corner[0]), graph.position(corner[1]),
-                                         graph.position(corner[2])};
+  const std::array<Eigen::Vector3d, 3> p{graph.position(corner[0]), graph.position(corner[1]), graph.position(corner[2])};
   const double area = std::max((p[1] - p[0]).cross(p[2] - p[0]).norm(), 1e-300); // twice the triangle's
   std::array<double, 3> cotangent{};
   for (int i = 0; i < 3; ++i) {
@@ -33,9 +33,7 @@ void
 peel(const Triangulation& mesh, std::vector<double>& cotangent)
 {
   std::vector<std::uint8_t> left_out(mesh.triangleCount(), 0);
-  const auto isOuter = [&](std::uint32_t h) {
-    return mesh.opposite(h) == Triangulation::none || left_out[mesh.opposite(h) / 3];
-  };
+  const auto isOuter = [&](std::uint32_t h) { return mesh.opposite(h) == Triangulation::none || left_out[mesh.opposite(h) / 3]; };
   std::vector<std::uint32_t> open;
   for (std::uint32_t h = 0; h < mesh.halfEdgeCount(); ++h)
     if (mesh.opposite(h) == Triangulation::none)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Weights of the edges of a triangulation for the Laplace equation.
  */

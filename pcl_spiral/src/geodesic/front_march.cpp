@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "front_march.h"
 
 #include "mesh_walk.h"
@@ -9,9 +10,9 @@ namespace {
 
 constexpr double bucket_width = 0.5; // in spacings
 constexpr std::size_t bucket_count = 256;
-constexpr double least_gain = 1e-6;  // in spacings
-constexpr double flattest = 1e4;     // radius in spacings at which a front counts as straight
-constexpr std::size_t piece = 64;    // points of the front that one thread takes at a time
+constexpr double least_gain = 1e-6; // in spacings
+constexpr double flattest = 1e4;    // radius in spacings at which a front counts as straight
+constexpr std::size_t piece = 64;   // points of the front that one thread takes at a time
 
 } // namespace
 
@@ -39,11 +40,9 @@ BucketQueue::pop(std::vector<std::uint32_t>& points)
   return true;
 }
 
-FrontMarch::FrontMarch(const SurfaceGraph& graph, std::vector<double>& distances,
-                       std::vector<Eigen::Vector3f>& gradients)
-: graph_(graph), mesh_(graph.triangulation()), distances_(distances), gradients_(gradients),
-  centres_(graph.size(), 0.0), state_(graph.size(), State::Far), least_gain_(least_gain * graph.spacing()),
-  queue_(bucket_width * graph.spacing(), bucket_count)
+FrontMarch::FrontMarch(const SurfaceGraph& graph, std::vector<double>& distances, std::vector<Eigen::Vector3f>& gradients)
+: graph_(graph), mesh_(graph.triangulation()), distances_(distances), gradients_(gradients), centres_(graph.size(), 0.0),
+  state_(graph.size(), State::Far), least_gain_(least_gain * graph.spacing()), queue_(bucket_width * graph.spacing(), bucket_count)
 {}
 
 void

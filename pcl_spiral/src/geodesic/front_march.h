@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A front that runs over the triangles of a graph, triangle by triangle.
  */

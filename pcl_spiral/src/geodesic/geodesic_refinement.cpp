@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/geodesic/impl/geodesic_refinement.h>
 
 #include "line_refiner.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "geodesic_steps.h"
 
 #include <pcl_spiral/core/impl/angles.h>
@@ -26,8 +27,7 @@ public:
     for (std::size_t i = 1; i < points.size(); ++i)
       inverse_.push_back(1.0 / (points[i] - points[i - 1]).norm());
   }
-  Polyline
-  apply(const Polyline& x) const
+  Polyline apply(const Polyline& x) const
   {
     Polyline y(x.size(), Vector3d::Zero());
     for (std::size_t i = 1; i + 1 < x.size(); ++i) {
@@ -36,8 +36,7 @@ public:
     }
     return y;
   }
-  Polyline
-  applyTransposed(const Polyline& y) const
+  Polyline applyTransposed(const Polyline& y) const
   {
     Polyline tangent(y.size(), Vector3d::Zero()), x(y.size(), Vector3d::Zero());
     for (std::size_t i = 1; i + 1 < y.size(); ++i)
@@ -48,16 +47,11 @@ public:
   }
 
   /** (K K)^-1 x: without it the condition of M^T M grows with the fourth power of the number of points. */
-  Polyline
-  precondition(const Polyline& x) const
-  {
-    return solveDifference(solveDifference(x));
-  }
+  Polyline precondition(const Polyline& x) const { return solveDifference(solveDifference(x)); }
 
 private:
   /** K^-1 x, all three coordinates at once. */
-  Polyline
-  solveDifference(const Polyline& x) const
+  Polyline solveDifference(const Polyline& x) const
   {
     const std::size_t n = x.size();
     Polyline y(n, Vector3d::Zero());

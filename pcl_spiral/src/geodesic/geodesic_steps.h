@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  One step of a line towards its geodesic.
  */
@@ -16,13 +17,11 @@ namespace pcl_spiral {
  *  the matrix is positive definite. The turn of the chords is compared with what a geodesic's own bending gives them
  *  (Numerov), which makes it exact to the fourth order. Points evenly spaced, all different.
  */
-Polyline
-tridiagonalStep(const Polyline& points, const std::vector<SurfaceFoot>& feet);
+Polyline tridiagonalStep(const Polyline& points, const std::vector<SurfaceFoot>& feet);
 
 /** Moves of all points by a Newton step on Q = |M p|^2 / 2, M = (I - N N^T) K with K the second differences over the
  *  true spacings, M frozen (Wu et al. 2025, equations 2-7), by preconditioned conjugate gradients; zero at the
  *  ends. */
-Polyline
-conjugateGradientStep(const Polyline& points, const std::vector<SurfaceFoot>& feet);
+Polyline conjugateGradientStep(const Polyline& points, const std::vector<SurfaceFoot>& feet);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "distance_field.h"
 
 #include "mesh_walk.h"
@@ -27,8 +28,7 @@ reachAbout(const SurfaceGraph& graph, std::uint32_t v)
 {
   const Eigen::Vector3d x = graph.position(v);
   double squared = std::pow(kernel_reach * graph.spacing(v), 2);
-  forNeighbours(graph.triangulation(), v,
-                [&](std::uint32_t j) { squared = std::max(squared, (graph.position(j) - x).squaredNorm()); });
+  forNeighbours(graph.triangulation(), v, [&](std::uint32_t j) { squared = std::max(squared, (graph.position(j) - x).squaredNorm()); });
   return std::sqrt(squared);
 }
 

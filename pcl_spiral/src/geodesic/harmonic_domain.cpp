@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "harmonic_domain.h"
 
 #include "centre_disc.h"
@@ -24,8 +25,7 @@ marked(std::size_t size, const std::vector<std::uint32_t>& which)
 
 /** The loop with most of the marked points; none when it has not half of them. */
 std::size_t
-loopOf(const Triangulation& mesh, const Loops& loops, const std::vector<std::uint32_t>& points,
-       const std::vector<std::uint8_t>& mark)
+loopOf(const Triangulation& mesh, const Loops& loops, const std::vector<std::uint32_t>& points, const std::vector<std::uint8_t>& mark)
 {
   std::size_t best = loops.size(), most = 0;
   for (std::size_t l = 0; l < loops.size(); ++l) {
@@ -73,8 +73,7 @@ simpleLoops(const Triangulation& mesh)
 /** Cut the surface along the shortest row of triangles from \p starts to the rim. A start is a triangle, entered through
  *  the half-edge beside it, or none for the triangle about the centre. */
 bool
-cutToRim(const Triangulation& mesh, const std::vector<std::uint32_t>& starts, std::uint32_t start_triangle,
-         HarmonicDomain& domain)
+cutToRim(const Triangulation& mesh, const std::vector<std::uint32_t>& starts, std::uint32_t start_triangle, HarmonicDomain& domain)
 {
   constexpr std::uint32_t unseen = none, root = none - 1;
   std::vector<std::uint32_t> from(mesh.triangleCount(), unseen), queue; // half-edge a triangle was entered through
@@ -115,15 +114,15 @@ cutToRim(const Triangulation& mesh, const std::vector<std::uint32_t>& starts, st
 
 /** Sort the loops into rim, inner and gaps. */
 Status
-classify(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_points,
-         const std::vector<std::uint32_t>& rim_points, HarmonicDomain& domain, std::vector<std::uint32_t>& inner)
+classify(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_points, const std::vector<std::uint32_t>& rim_points,
+         HarmonicDomain& domain, std::vector<std::uint32_t>& inner)
 {
   const Triangulation& mesh = graph.triangulation();
   for (const auto* points : {&inner_points, &rim_points})
     for (const std::uint32_t i : *points)
       if (i >= graph.size())
-        return {StatusCode::InvalidArgument, "point " + std::to_string(i) + " of a boundary is outside the cloud of " +
-                                                 std::to_string(graph.size()) + " points"};
+        return {StatusCode::InvalidArgument,
+                "point " + std::to_string(i) + " of a boundary is outside the cloud of " + std::to_string(graph.size()) + " points"};
   const Loops loops = simpleLoops(mesh);
   const auto on_rim = marked(graph.size(), rim_points), on_inner = marked(graph.size(), inner_points);
   const std::size_t rim = loopOf(mesh, loops, rim_points, on_rim);
@@ -173,8 +172,7 @@ const Status apart(StatusCode::Failed, "the surface between the middle and the r
 } // namespace
 
 Status
-makeDomain(const SurfaceGraph& graph, const Eigen::Vector3d& centre, const std::vector<std::uint32_t>& rim_points,
-           HarmonicDomain& domain)
+makeDomain(const SurfaceGraph& graph, const Eigen::Vector3d& centre, const std::vector<std::uint32_t>& rim_points, HarmonicDomain& domain)
 {
   std::vector<std::uint32_t> inner;
   const Status status = classify(graph, {}, rim_points, domain, inner);
@@ -189,8 +187,8 @@ makeDomain(const SurfaceGraph& graph, const Eigen::Vector3d& centre, const std::
 }
 
 Status
-makeDomain(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_points,
-           const std::vector<std::uint32_t>& rim_points, HarmonicDomain& domain)
+makeDomain(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_points, const std::vector<std::uint32_t>& rim_points,
+           HarmonicDomain& domain)
 {
   std::vector<std::uint32_t> inner;
   if (inner_points.empty())

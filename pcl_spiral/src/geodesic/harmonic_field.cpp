@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "harmonic_field.h"
 
 #include "edge_weights.h"
@@ -53,8 +54,7 @@ HarmonicField::HarmonicField(HarmonicField&&) noexcept = default;
 HarmonicField& HarmonicField::operator=(HarmonicField&&) noexcept = default;
 
 Status
-HarmonicField::compute(const SurfaceGraph& graph, const Eigen::Vector3d& centre,
-                       const std::vector<std::uint32_t>& rim_points)
+HarmonicField::compute(const SurfaceGraph& graph, const Eigen::Vector3d& centre, const std::vector<std::uint32_t>& rim_points)
 {
   *this = HarmonicField();
   auto domain = std::make_unique<HarmonicDomain>();
@@ -67,13 +67,13 @@ HarmonicField::compute(const SurfaceGraph& graph, const Eigen::Vector3d& centre,
 }
 
 Status
-HarmonicField::compute(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_points,
-                       const Polyline& inner_curve, const std::vector<std::uint32_t>& rim_points)
+HarmonicField::compute(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_points, const Polyline& inner_curve,
+                       const std::vector<std::uint32_t>& rim_points)
 {
   *this = HarmonicField();
   if (inner_curve.size() < 3)
-    return {StatusCode::InvalidArgument, "the inner curve has " + std::to_string(inner_curve.size()) +
-                                             " points: give the closed inner outline"};
+    return {StatusCode::InvalidArgument,
+            "the inner curve has " + std::to_string(inner_curve.size()) + " points: give the closed inner outline"};
   auto domain = std::make_unique<HarmonicDomain>();
   Status status = makeDomain(graph, inner_points, rim_points, *domain);
   if (!status.ok())
@@ -87,8 +87,7 @@ HarmonicField::compute(const SurfaceGraph& graph, const std::vector<std::uint32_
 }
 
 Status
-HarmonicField::solveFields(const std::vector<std::uint32_t>& inner_points,
-                           const std::vector<std::uint32_t>& rim_points)
+HarmonicField::solveFields(const std::vector<std::uint32_t>& inner_points, const std::vector<std::uint32_t>& rim_points)
 {
   const std::vector<double> weight = edgeWeights(*graph_);
   bool height_done = false, angle_done = false;
@@ -117,9 +116,7 @@ HarmonicField::solveHeight(const std::vector<double>& weight, const std::vector<
   const HarmonicDomain& domain = *domain_;
   // Two solutions: from 0 in the middle to 1 on the rim, and from log r in the disc to 0 on the rim.
   LaplaceProblem problem = problemOn(mesh, domain, graph_->size(), 2);
-  const auto fix = [&](std::uint32_t point, double first, double second) {
-    setKnown(problem, point, Eigen::RowVector2d(first, second));
-  };
+  const auto fix = [&](std::uint32_t point, double first, double second) { setKnown(problem, point, Eigen::RowVector2d(first, second)); };
   for (const std::uint32_t i : inner_points)
     fix(i, 0.0, 0.0);
   for (std::size_t k = 0; k < domain.disc.size(); ++k)

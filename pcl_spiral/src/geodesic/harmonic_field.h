@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Lines from a centre, or an inner loop, to the rim of a surface that cannot cross: gradient lines of a harmonic
  *  function.
@@ -36,12 +37,11 @@ public:
 
   /** One boundary. \p centre on the surface, at least three spacings from the rim; \p rim_points: points of the outer
    *  loop, in any order. u falls like the logarithm of the distance about the centre and is 0 within two spacings. */
-  Status compute(const SurfaceGraph& graph, const Eigen::Vector3d& centre,
-                 const std::vector<std::uint32_t>& rim_points);
+  Status compute(const SurfaceGraph& graph, const Eigen::Vector3d& centre, const std::vector<std::uint32_t>& rim_points);
 
   /** Two boundaries. \p inner_curve: the inner outline, closed, on which the lines begin. */
-  Status compute(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_points,
-                 const Polyline& inner_curve, const std::vector<std::uint32_t>& rim_points);
+  Status compute(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_points, const Polyline& inner_curve,
+                 const std::vector<std::uint32_t>& rim_points);
 
   /** u at point \p i of the graph; NaN on parts of the cloud not joined to the rim. */
   double value(std::size_t i) const { return height_[i]; }
@@ -79,7 +79,7 @@ private:
   std::vector<double> height_, angle_; ///< u, and v up to whole turns
   std::vector<double> rim_angle_;      ///< v at the start of each half-edge of the rim, growing, and at the end
   Polyline inner_curve_;
-  std::vector<double> inner_angle_;    ///< v at each point of the inner curve, growing, and at its end
+  std::vector<double> inner_angle_; ///< v at each point of the inner curve, growing, and at its end
 };
 
 } // namespace pcl_spiral

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harmonic_field.h"
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/taubin.h>
-#include "harmonic_field.h"
 
 #include "harmonic_domain.h"
 #include "level_fit.h"

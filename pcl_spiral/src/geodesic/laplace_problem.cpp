@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "laplace_problem.h"
 
 #include <Eigen/IterativeLinearSolvers>
@@ -50,8 +51,7 @@ assemble(const Triangulation& mesh, const std::vector<std::uint32_t>& edges, con
 } // namespace
 
 bool
-solve(const Triangulation& mesh, const std::vector<std::uint32_t>& edges, const std::vector<double>& weight,
-      LaplaceProblem& problem)
+solve(const Triangulation& mesh, const std::vector<std::uint32_t>& edges, const std::vector<double>& weight, LaplaceProblem& problem)
 {
   Matrix matrix;
   Eigen::MatrixXd right, solution;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "level_fit.h"
 
 #include <pcl_spiral/core/impl/frame.h>
@@ -43,8 +44,7 @@ valuesNear(const SurfaceGraph& graph, std::uint32_t start, const Eigen::Vector3d
 } // namespace
 
 double
-fitLevel(const SurfaceGraph& graph, std::uint32_t start, const Eigen::Vector3d& query,
-         const std::function<double(std::uint32_t)>& growth)
+fitLevel(const SurfaceGraph& graph, std::uint32_t start, const Eigen::Vector3d& query, const std::function<double(std::uint32_t)>& growth)
 {
   double reach = 5.0 * graph.spacing();
   std::vector<Value> values;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The value of a function of a triangulation's points between and a little beyond them.
  */

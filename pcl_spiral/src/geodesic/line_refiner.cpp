@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "line_refiner.h"
 
 #include "geodesic_steps.h"
@@ -12,12 +13,12 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double least_scale = 1.0 / 32.0; // of a step that is being shortened
-constexpr double coarse_tolerance = 2e-4; // of the segments' length: enough at the coarser levels
-constexpr double longest_step = 1.5; // in segments
-constexpr double uneven = 1.8; // a chord so many times the mean is a jump
-constexpr double slow = 0.97; // of the smallest move so far: an iteration that brings nothing
-constexpr int most_stalls = 3; // such iterations in a row
-constexpr double probe_distance = 0.5; // in spacings, either side of the line
+constexpr double coarse_tolerance = 2e-4;  // of the segments' length: enough at the coarser levels
+constexpr double longest_step = 1.5;       // in segments
+constexpr double uneven = 1.8;             // a chord so many times the mean is a jump
+constexpr double slow = 0.97;              // of the smallest move so far: an iteration that brings nothing
+constexpr int most_stalls = 3;             // such iterations in a row
+constexpr double probe_distance = 0.5;     // in spacings, either side of the line
 
 } // namespace
 
@@ -142,7 +143,7 @@ LineRefiner::chooseMoves()
 {
   const std::vector<SurfaceFoot> feet = straightened();
   moves_ = options_.method == RefinementMethod::TridiagonalNewton ? tridiagonalStep(line_.points, feet)
-                                                                   : conjugateGradientStep(line_.points, feet);
+                                                                  : conjugateGradientStep(line_.points, feet);
   double largest = 0.0;
   for (std::size_t i = 1; i < segments_; ++i) {
     const Vector3d along = (line_.points[i + 1] - line_.points[i - 1]).normalized();

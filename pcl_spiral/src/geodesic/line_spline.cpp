@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "line_spline.h"
 
 #include <algorithm>
@@ -53,25 +54,23 @@ LineSpline::LineSpline(const Polyline& points) : points_(points), lengths_(point
   second_ = secondDerivatives(points, chords_);
   const double off = std::sqrt(15.0) / 10.0; // Gauss-Legendre, three points
   for (std::size_t i = 0; i < chords_.size(); ++i)
-    lengths_[i + 1] = lengths_[i] + chords_[i] / 18.0 *
-                                        (5.0 * derivative(i, 0.5 - off).norm() + 8.0 * derivative(i, 0.5).norm() +
-                                         5.0 * derivative(i, 0.5 + off).norm());
+    lengths_[i + 1] =
+        lengths_[i] + chords_[i] / 18.0 *
+                          (5.0 * derivative(i, 0.5 - off).norm() + 8.0 * derivative(i, 0.5).norm() + 5.0 * derivative(i, 0.5 + off).norm());
 }
 
 Eigen::Vector3d
 LineSpline::derivative(std::size_t i, double f) const
 {
   const double e = 1.0 - f, h = chords_[i];
-  return (points_[i + 1] - points_[i]) / h +
-         h / 6.0 * ((3.0 * f * f - 1.0) * second_[i + 1] - (3.0 * e * e - 1.0) * second_[i]);
+  return (points_[i + 1] - points_[i]) / h + h / 6.0 * ((3.0 * f * f - 1.0) * second_[i + 1] - (3.0 * e * e - 1.0) * second_[i]);
 }
 
 Eigen::Vector3d
 LineSpline::position(std::size_t i, double f) const
 {
   const double e = 1.0 - f, h = chords_[i];
-  return e * points_[i] + f * points_[i + 1] +
-         h * h / 6.0 * ((e * e * e - e) * second_[i] + (f * f * f - f) * second_[i + 1]);
+  return e * points_[i] + f * points_[i + 1] + h * h / 6.0 * ((e * e * e - e) * second_[i] + (f * f * f - f) * second_[i + 1]);
 }
 
 Polyline

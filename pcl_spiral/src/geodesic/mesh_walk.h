@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Neighbours over a triangulation's edges, and the nearest point that has a property.
  */

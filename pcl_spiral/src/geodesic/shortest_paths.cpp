@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/geodesic/impl/shortest_paths.h>
 
 #include "dijkstra_tree.h"
@@ -69,8 +70,8 @@ judge(const Polyline& targets, const std::vector<GeodesicLine>& lines, const Ref
     return {StatusCode::Failed, message.str()};
   }
   if (unsettled > 0) {
-    message << "done; " << unsettled << " of " << lines.size() << " paths still moved sideways by up to " << largest
-            << " mm (tolerance " << options.tolerance << "): allow more iterations, or a tolerance as large";
+    message << "done; " << unsettled << " of " << lines.size() << " paths still moved sideways by up to " << largest << " mm (tolerance "
+            << options.tolerance << "): allow more iterations, or a tolerance as large";
     return {StatusCode::Ok, message.str()};
   }
   return Status::success();
@@ -86,8 +87,7 @@ checkRefinement(const RefinementOptions& options)
     message << "there are no levels; give at least one number of segments";
   for (std::size_t i = 0; i < options.levels.size(); ++i)
     if (options.levels[i] < 2 || options.levels[i] > 100000 || (i > 0 && options.levels[i] < options.levels[i - 1])) {
-      message << "level " << i << " has " << options.levels[i]
-              << " segments; levels go up, from 2 to 100000 segments";
+      message << "level " << i << " has " << options.levels[i] << " segments; levels go up, from 2 to 100000 segments";
       break;
     }
   if (message.str().empty() && options.max_iterations < 1)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "level_lines.h"
 
 #include <algorithm>
@@ -15,8 +16,7 @@ struct CrossedTriangles {
 /** Calls visit(first, end) with the levels that cross triangle t, if any. */
 template <typename Visit>
 void
-forLevels(const Triangulation& mesh, const std::vector<double>& values, const std::vector<double>& levels,
-          std::size_t t, Visit visit)
+forLevels(const Triangulation& mesh, const std::vector<double>& values, const std::vector<double>& levels, std::size_t t, Visit visit)
 {
   const auto& corner = mesh.triangle(t);
   const double a = values[corner[0]], b = values[corner[1]], c = values[corner[2]];
@@ -28,8 +28,7 @@ forLevels(const Triangulation& mesh, const std::vector<double>& values, const st
 }
 
 CrossedTriangles
-crossedTriangles(const Triangulation& mesh, const std::vector<double>& values,
-                 const std::vector<double>& levels)
+crossedTriangles(const Triangulation& mesh, const std::vector<double>& values, const std::vector<double>& levels)
 {
   CrossedTriangles crossed;
   crossed.begin.assign(levels.size() + 1, 0);
@@ -53,14 +52,12 @@ crossedTriangles(const Triangulation& mesh, const std::vector<double>& values,
 /** Follows the lines of one level. */
 class LevelTracer {
 public:
-  LevelTracer(const Triangulation& mesh, const std::vector<double>& values, double level,
-              const std::uint32_t* begin, const std::uint32_t* end)
-      : mesh_(mesh), values_(values), level_(level), begin_(begin), end_(end), seen_(end - begin, 0)
-  {
-  }
+  LevelTracer(const Triangulation& mesh, const std::vector<double>& values, double level, const std::uint32_t* begin,
+              const std::uint32_t* end)
+  : mesh_(mesh), values_(values), level_(level), begin_(begin), end_(end), seen_(end - begin, 0)
+  {}
 
-  std::vector<LevelLine>
-  lines()
+  std::vector<LevelLine> lines()
   {
     std::vector<LevelLine> lines;
     for (const bool open : {true, false})
@@ -73,23 +70,17 @@ public:
 private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  bool
-  isAbove(std::uint32_t point) const
-  {
-    return values_[point] >= level_;
-  }
+  bool isAbove(std::uint32_t point) const { return values_[point] >= level_; }
   /** The half-edge of a crossed triangle that runs up through the level, or down. The line enters where it
    * runs down. */
-  std::uint32_t
-  sideOf(std::uint32_t triangle, bool up) const
+  std::uint32_t sideOf(std::uint32_t triangle, bool up) const
   {
     std::uint32_t h = 3 * triangle;
     while (isAbove(mesh_.origin(h)) == up || isAbove(mesh_.target(h)) != up)
       ++h;
     return h;
   }
-  LevelCrossing
-  crossing(std::uint32_t h) const
+  LevelCrossing crossing(std::uint32_t h) const
   {
     LevelCrossing c{mesh_.origin(h), mesh_.target(h), 0.0, h};
     if (isAbove(c.below))
@@ -98,16 +89,14 @@ private:
     return c;
   }
   /** Where the triangle of half-edge \p h stands among those crossed, if it is one. */
-  std::size_t
-  indexOf(std::uint32_t h) const
+  std::size_t indexOf(std::uint32_t h) const
   {
     if (h == Triangulation::none)
       return none;
     const std::uint32_t* at = std::lower_bound(begin_, end_, h / 3);
     return at != end_ && *at == h / 3 ? static_cast<std::size_t>(at - begin_) : none;
   }
-  LevelLine
-  follow(std::uint32_t first)
+  LevelLine follow(std::uint32_t first)
   {
     LevelLine line;
     std::uint32_t in = sideOf(first, false);
@@ -142,15 +131,14 @@ levelLines(const Triangulation& mesh, const std::vector<double>& values, const s
   std::vector<std::vector<LevelLine>> lines(levels.size());
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::int64_t k = 0; k < static_cast<std::int64_t>(levels.size()); ++k)
-    lines[k] = LevelTracer(mesh, values, levels[k], crossed.triangles.data() + crossed.begin[k],
-                           crossed.triangles.data() + crossed.begin[k + 1])
-                   .lines();
+    lines[k] =
+        LevelTracer(mesh, values, levels[k], crossed.triangles.data() + crossed.begin[k], crossed.triangles.data() + crossed.begin[k + 1])
+            .lines();
   return lines;
 }
 
 std::vector<LevelLine>
-levelLines(const Triangulation& mesh, const std::vector<double>& values, double level,
-           const std::vector<std::uint32_t>& triangles)
+levelLines(const Triangulation& mesh, const std::vector<double>& values, double level, const std::vector<std::uint32_t>& triangles)
 {
   std::vector<std::uint32_t> crossed;
   for (const std::uint32_t t : triangles)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Lines along which a function of a triangulation's points has one value.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "local_shape.h"
 
 #include "core/lanes.h"
@@ -19,8 +20,8 @@ leastAxis(const Eigen::Matrix3d& c)
 {
   constexpr int most_iterations = 16;
   const double trace = c.trace(), determinant = c.determinant();
-  const double minors = c(0, 0) * c(1, 1) + c(0, 0) * c(2, 2) + c(1, 1) * c(2, 2) - c(0, 1) * c(0, 1) -
-                        c(0, 2) * c(0, 2) - c(1, 2) * c(1, 2);
+  const double minors =
+      c(0, 0) * c(1, 1) + c(0, 0) * c(2, 2) + c(1, 1) * c(2, 2) - c(0, 1) * c(0, 1) - c(0, 2) * c(0, 2) - c(1, 2) * c(1, 2);
   double root = 0.0;
   for (int i = 0; i < most_iterations; ++i) {
     const double slope = (2.0 * trace - 3.0 * root) * root - minors;
@@ -33,9 +34,8 @@ leastAxis(const Eigen::Matrix3d& c)
   }
   const Eigen::Matrix3d m = c - root * Eigen::Matrix3d::Identity();
   const std::array<Eigen::Vector3d, 3> columns{m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1))};
-  const auto largest = std::max_element(columns.begin(), columns.end(), [](const auto& a, const auto& b) {
-    return a.squaredNorm() < b.squaredNorm();
-  });
+  const auto largest =
+      std::max_element(columns.begin(), columns.end(), [](const auto& a, const auto& b) { return a.squaredNorm() < b.squaredNorm(); });
   const double norm = largest->norm();
   if (norm > 1e-6 * trace * trace)
     return *largest / norm;
@@ -52,8 +52,7 @@ localShape(const Neighbourhood& near)
   using Lane = Eigen::Array<float, lane_count, 1>;
   Lane x1 = Lane::Zero(), y1 = x1, z1 = x1, xx = x1, xy = x1, xz = x1, yy = x1, yz = x1, zz = x1;
   for (int j = 0; j < near.size; j += lane_count) {
-    const Lane x = Eigen::Map<const Lane>(near.x + j), y = Eigen::Map<const Lane>(near.y + j),
-                z = Eigen::Map<const Lane>(near.z + j);
+    const Lane x = Eigen::Map<const Lane>(near.x + j), y = Eigen::Map<const Lane>(near.y + j), z = Eigen::Map<const Lane>(near.z + j);
     x1 += x;
     y1 += y;
     z1 += z;

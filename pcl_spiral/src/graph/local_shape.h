@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Normal and extent of one neighbourhood. Private.
  */
@@ -27,7 +28,6 @@ evenSpacing(double radius, int k)
   return radius * std::sqrt(pi / k);
 }
 
-LocalShape
-localShape(const Neighbourhood& near);
+LocalShape localShape(const Neighbourhood& near);
 
 } // namespace pcl_spiral

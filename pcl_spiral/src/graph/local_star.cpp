@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "local_star.h"
 
 #include "core/simd_clones.h"
@@ -16,8 +17,7 @@ constexpr int lane_sites = 4;
 
 constexpr int frame_sites = 4;     // sides of the square, before the neighbours
 constexpr int usually_enough = 16; // neighbours
-constexpr double touching =
-    2e-9; // of a site's half square: a bisector that comes so near a corner cuts nothing off
+constexpr double touching = 2e-9;  // of a site's half square: a bisector that comes so near a corner cuts nothing off
 
 struct Cell {
   const double *u, *v, *half_square; ///< filled up with zeros to whole lanes
@@ -87,9 +87,8 @@ walkRound(const Cell& cell, int start, int* edges, double* ends)
     }
     edges[edge_count] = own;
     ends[edge_count++] = least;
-    own = hits[0] + hits[1] + hits[2] + hits[3] == 1
-              ? static_cast<int>(places[0] + places[1] + places[2] + places[3])
-              : chosen(cell, own, start, perhaps);
+    own = hits[0] + hits[1] + hits[2] + hits[3] == 1 ? static_cast<int>(places[0] + places[1] + places[2] + places[3])
+                                                     : chosen(cell, own, start, perhaps);
   } while (own != start && edge_count < count);
   return edge_count;
 }
@@ -116,18 +115,16 @@ LocalStar::setSites(const double* u, const double* v, int count, double half_wid
     std::fill_n(array->begin() + sites, lane_sites, 0.0);
   for (int j = 0; j < room; ++j) {
     const double half_square = 0.5 * (u_[j] * u_[j] + v_[j] * v_[j]);
-    half_square_[j] =
-        half_square > 0.0 ? half_square : std::numeric_limits<double>::infinity(); // at the point itself
+    half_square_[j] = half_square > 0.0 ? half_square : std::numeric_limits<double>::infinity(); // at the point itself
   }
 }
 
 void
 LocalStar::walk(int sites, double max_circumradius)
 {
-  const auto start = static_cast<int>(std::min_element(half_square_.begin(), half_square_.begin() + sites) -
-                                      half_square_.begin()); // it has an edge
-  const Cell cell{u_.data(), v_.data(), half_square_.data(),
-                  (sites + lane_sites - 1) / lane_sites * lane_sites, cut_.data()};
+  const auto start =
+      static_cast<int>(std::min_element(half_square_.begin(), half_square_.begin() + sites) - half_square_.begin()); // it has an edge
+  const Cell cell{u_.data(), v_.data(), half_square_.data(), (sites + lane_sites - 1) / lane_sites * lane_sites, cut_.data()};
   const int edges = walkRound(cell, start, edges_.data(), ends_.data());
   spokes_.clear();
   corners_.clear();
@@ -138,8 +135,7 @@ LocalStar::walk(int sites, double max_circumradius)
     corners_.push_back({0.5 * u_[own] - end * v_[own], 0.5 * v_[own] + end * u_[own]});
     farthest = std::max(farthest, squared);
     if (own >= frame_sites)
-      spokes_.push_back(
-          {own - frame_sites + 1, squared <= max_circumradius * max_circumradius && next >= frame_sites});
+      spokes_.push_back({own - frame_sites + 1, squared <= max_circumradius * max_circumradius && next >= frame_sites});
   }
   reach_ = std::min(std::sqrt(farthest), 2.0 * max_circumradius);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The Delaunay neighbours of one point in its tangent plane.
  */
@@ -24,18 +25,10 @@ public:
    * the first is the point itself. \p max_circumradius in the same unit. */
   void compute(const double* u, const double* v, int count, double max_circumradius);
 
-  const std::vector<Spoke>&
-  spokes() const
-  {
-    return spokes_;
-  }
+  const std::vector<Spoke>& spokes() const { return spokes_; }
   /** Distance of the farthest vertex of the cell, before triangles were dropped, but at most twice
    *  the largest circumradius: neighbours beyond twice this distance cannot change the star. */
-  double
-  reach() const
-  {
-    return reach_;
-  }
+  double reach() const { return reach_; }
 
 private:
   struct Corner {

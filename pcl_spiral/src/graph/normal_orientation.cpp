@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "normal_orientation.h"
 
 #include "search/pieces.h"
@@ -13,13 +14,9 @@ namespace {
 /** Union-find whose members also know whether they are turned against their root. */
 class ParityForest {
 public:
-  explicit ParityForest(std::size_t n) : parent_(n), parity_(n, 0)
-  {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
+  explicit ParityForest(std::size_t n) : parent_(n), parity_(n, 0) { std::iota(parent_.begin(), parent_.end(), 0u); }
 
-  std::uint32_t
-  find(std::uint32_t i)
+  std::uint32_t find(std::uint32_t i)
   {
     while (parent_[i] != i) {
       const std::uint32_t p = parent_[i];
@@ -33,16 +30,14 @@ public:
     }
     return i;
   }
-  std::uint8_t
-  parity(std::uint32_t i) const
+  std::uint8_t parity(std::uint32_t i) const
   {
     std::uint8_t sum = 0;
     for (; parent_[i] != i; i = parent_[i])
       sum ^= parity_[i];
     return sum;
   }
-  void
-  join(std::uint32_t a, std::uint32_t b, std::uint8_t turned)
+  void join(std::uint32_t a, std::uint32_t b, std::uint8_t turned)
   {
     std::uint32_t ra = find(a), rb = find(b);
     if (ra == rb)
@@ -98,8 +93,8 @@ consistentSigns(const std::vector<Eigen::Vector3f>& normals, const StarSet& star
 }
 
 bool
-chooseOuterSide(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& normals, const std::vector<float>& radii,
-                double farthest, const SurfaceGraphOptions& options, std::vector<std::uint8_t>& flipped)
+chooseOuterSide(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& normals, const std::vector<float>& radii, double farthest,
+                const SurfaceGraphOptions& options, std::vector<std::uint8_t>& flipped)
 {
   const Eigen::Vector4d zero = Eigen::Vector4d::Zero();
   const Eigen::Vector4d places = sumOverPoints(blocks.size(), zero, [&](std::uint32_t i, Eigen::Vector4d& sum) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Points that their neighbours' planes say lie off the surface. Private.
  */
@@ -28,12 +29,10 @@ struct PointShapes {
 /** Points that stand alone off the surface: high over their neighbours' plane, which none of these is nearly as much.
  *  Along a crease points are high too, but in company. Those farther than \p far from their neighbours lie in the plane
  *  that they make with the rest. Original indices, ascending. */
-std::vector<std::uint32_t>
-strayPoints(const PointBlocks& blocks, const StarSet& stars, const PointShapes& shapes, double far);
+std::vector<std::uint32_t> strayPoints(const PointBlocks& blocks, const StarSet& stars, const PointShapes& shapes, double far);
 
 /** Points whose height differs from their neighbours' mean by more than noise does: on the surface where its curvature
  *  changes, or false. In the order of the blocks, ascending. */
-std::vector<std::uint32_t>
-doubtfulPoints(const StarSet& stars, const PointShapes& shapes);
+std::vector<std::uint32_t> doubtfulPoints(const StarSet& stars, const PointShapes& shapes);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "spread_shape.h"
 
 #include <pcl_spiral/core/impl/angles.h>

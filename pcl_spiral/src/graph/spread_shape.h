@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  How the nearest few neighbours of a point are spread. Private.
  */
@@ -19,7 +20,6 @@ struct SpreadShape {
   bool is_off;     ///< the neighbours lie in no plane, or the point off theirs
 };
 
-SpreadShape
-spreadShape(const Neighbourhood& near);
+SpreadShape spreadShape(const Neighbourhood& near);
 
 } // namespace pcl_spiral

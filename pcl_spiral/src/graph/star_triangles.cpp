@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "star_triangles.h"
 
 #include "search/pieces.h"
@@ -24,7 +25,7 @@ cornerOf(std::uint32_t v, std::uint32_t a, std::uint32_t b)
 std::vector<std::uint32_t>
 agreedHalfEdges(const StarSet& stars, std::size_t& triangle_count)
 {
-  std::vector<std::uint32_t> half_edge(stars.spokes.size(), none); // at first the number of the triangle in its piece
+  std::vector<std::uint32_t> half_edge(stars.spokes.size(), none);   // at first the number of the triangle in its piece
   std::vector<std::uint32_t> first(pieceCount(stars.size()) + 1, 0); // of each piece
   forPoints(stars.size(), [&](std::uint32_t v) {
     std::uint32_t& own = first[v / piece_size + 1];
@@ -94,8 +95,7 @@ struct Candidate {
 /** Triangles that not all agree on, each named by the smallest corner that has it; those with most votes first, then the
  *  smallest. */
 std::vector<Candidate>
-disputedTriangles(const std::vector<Eigen::Vector3f>& points, const StarSet& stars,
-                  const std::vector<std::uint32_t>& half_edge)
+disputedTriangles(const std::vector<Eigen::Vector3f>& points, const StarSet& stars, const std::vector<std::uint32_t>& half_edge)
 {
   const auto squared = [&](std::uint32_t a, std::uint32_t b) { return (points[a] - points[b]).squaredNorm(); };
   std::vector<std::vector<Candidate>> found(pieceCount(stars.size()));
@@ -112,9 +112,8 @@ disputedTriangles(const std::vector<Eigen::Vector3f>& points, const StarSet& sta
   std::vector<Candidate> disputed;
   for (const auto& part : found)
     disputed.insert(disputed.end(), part.begin(), part.end());
-  std::stable_sort(disputed.begin(), disputed.end(), [](const Candidate& a, const Candidate& b) {
-    return a.votes > b.votes || (a.votes == b.votes && a.size < b.size);
-  });
+  std::stable_sort(disputed.begin(), disputed.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.votes > b.votes || (a.votes == b.votes && a.size < b.size); });
   return disputed;
 }
 

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/graph/impl/surface_graph.h>
 
 #include "common/freed_memory.h"
-#include <pcl_spiral/core/impl/frame.h>
 #include "local_star.h"
 #include "search/neighbour_search.h"
+#include <pcl_spiral/core/impl/frame.h>
 
-#include "normal_orientation.h"
 #include "local_shape.h"
+#include "normal_orientation.h"
 #include "off_points.h"
 #include "search/pieces.h"
 #include "star_triangles.h"
@@ -28,11 +29,9 @@ class StarWorker {
 public:
   StarWorker(const PointBlocks& blocks, int k, double max_circumradius)
   : search_(blocks, k), wide_search_(blocks, 4 * k), blocks_(blocks), k_(k), max_circumradius_(max_circumradius)
-  {
-  }
+  {}
 
-  void
-  setRun(std::size_t block)
+  void setRun(std::size_t block)
   {
     block_ = block;
     search_.setRun(blocks_.blockBox(block));
@@ -40,8 +39,7 @@ public:
   }
 
   /** Shape and star of point \p i; true when the first k neighbours were enough to settle the star. */
-  bool
-  visit(std::size_t i, LocalShape& shape)
+  bool visit(std::size_t i, LocalShape& shape)
   {
     near_ = &search_.find(blocks_.position(i));
     shape = localShape(*near_);
@@ -58,8 +56,7 @@ public:
   }
 
   /** Append the star's spokes as indices. */
-  void
-  append(std::vector<std::uint32_t>& spokes) const
+  void append(std::vector<std::uint32_t>& spokes) const
   {
     for (const LocalStar::Spoke& s : star_.spokes())
       spokes.push_back(near_->index[s.neighbour] | (s.triangle_next ? StarSet::triangle_flag : 0u));
@@ -67,8 +64,7 @@ public:
   std::size_t spokeCount() const { return star_.spokes().size(); }
 
 private:
-  void
-  computeStar(const Neighbourhood& near, const Eigen::Vector3d& normal, double max_circumradius)
+  void computeStar(const Neighbourhood& near, const Eigen::Vector3d& normal, double max_circumradius)
   {
     Eigen::Vector3d e1, e2;
     tangentFrame(normal, e1, e2);
@@ -187,8 +183,7 @@ Status
 SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
 {
   if (blocks.size() < fewest_points)
-    return {StatusCode::InvalidInput, "the cloud has " + std::to_string(blocks.size()) +
-                                          " usable points; a surface needs at least " +
+    return {StatusCode::InvalidInput, "the cloud has " + std::to_string(blocks.size()) + " usable points; a surface needs at least " +
                                           std::to_string(fewest_points) + ": scan more densely or thin less"};
   blocks_ = std::move(blocks);
   neighbours_ = enoughNeighbours(blocks_, options);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/graph/impl/triangulation.h>
 
 #include <algorithm>
@@ -5,8 +6,7 @@
 
 namespace pcl_spiral {
 
-Triangulation::Triangulation(std::size_t point_count, const std::vector<Triangle>& triangles)
-: outgoing_begin_(point_count + 1, 0)
+Triangulation::Triangulation(std::size_t point_count, const std::vector<Triangle>& triangles) : outgoing_begin_(point_count + 1, 0)
 {
   append(triangles);
 }
@@ -15,8 +15,7 @@ Triangulation::Triangulation(std::vector<Triangle> triangles, std::vector<std::u
                              std::vector<std::uint32_t> outgoing_begin, std::vector<std::uint32_t> outgoing)
 : triangles_(std::move(triangles)), opposite_(std::move(opposite)), outgoing_begin_(std::move(outgoing_begin)),
   outgoing_(std::move(outgoing))
-{
-}
+{}
 
 void
 Triangulation::append(const std::vector<Triangle>& triangles)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "byte_file.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -58,8 +59,7 @@ readBytes(const std::string& file)
   const bool failed = std::ferror(stream) != 0;
   std::fclose(stream);
   if (failed || got != bytes.size())
-    throw FileError(file, std::string("cannot be read: ") + std::strerror(errno) + " after byte " +
-                              std::to_string(got));
+    throw FileError(file, std::string("cannot be read: ") + std::strerror(errno) + " after byte " + std::to_string(got));
   if (bytes.empty())
     throw FileError(file, "is empty (0 bytes); export or make it again");
   return bytes;
@@ -69,8 +69,7 @@ std::string
 lowerExtension(const std::string& file)
 {
   std::string extension = fs::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
 }
 

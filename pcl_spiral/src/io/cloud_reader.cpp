@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "byte_file.h"
 #include "point_table.h"
 #include "scaled_points.h"
@@ -37,8 +38,7 @@ readTable(const std::string& file, const std::string& extension, const Names& co
 const std::vector<std::string>&
 cloudExtensions()
 {
-  static const std::vector<std::string> extensions{".pcd", ".ply", ".xyz", ".txt",
-                                                   ".csv", ".asc", ".stl", ".obj"};
+  static const std::vector<std::string> extensions{".pcd", ".ply", ".xyz", ".txt", ".csv", ".asc", ".stl", ".obj"};
   return extensions;
 }
 
@@ -48,8 +48,7 @@ readCloud(const std::string& file, const ReadOptions& options)
   const std::string extension = lowerExtension(file);
   const auto& known = cloudExtensions();
   if (std::find(known.begin(), known.end(), extension) == known.end())
-    throw FileError(file, "extension '" + extension +
-                              "' is not known for a scan; use .pcd .ply .xyz .txt .csv .asc .stl or .obj");
+    throw FileError(file, "extension '" + extension + "' is not known for a scan; use .pcd .ply .xyz .txt .csv .asc .stl or .obj");
   if (!options.columns.empty() && !isText(extension))
     throw FileError(file, "columns can be named for text files alone; leave ReadOptions::columns out");
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Faces as they stand in a file: polygons over numbered vertices.
  */
@@ -17,27 +18,17 @@ struct FaceList {
   const char* place_word = "line";
   std::int64_t first_vertex = 0; ///< how the file counts: its first vertex is this number
 
-  std::size_t
-  begin(std::size_t face) const
-  {
-    return face == 0 ? 0 : ends[face - 1];
-  }
+  std::size_t begin(std::size_t face) const { return face == 0 ? 0 : ends[face - 1]; }
   /** Corners added since the last close. */
-  std::size_t
-  open() const
-  {
-    return corners.size() - begin(ends.size());
-  }
+  std::size_t open() const { return corners.size() - begin(ends.size()); }
   /** The corners added since the last close are a face. */
-  void
-  close(std::size_t place)
+  void close(std::size_t place)
   {
     ends.push_back(corners.size());
     places.push_back(place);
   }
   /** "face 3 (line 17)" */
-  std::string
-  nameOf(std::size_t face) const
+  std::string nameOf(std::size_t face) const
   {
     return "face " + std::to_string(face + 1) + " (" + place_word + " " + std::to_string(places[face]) + ")";
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "html_page.h"
 
 #include "byte_file.h"
@@ -50,9 +51,8 @@ std::string
 base64(const std::string& bytes)
 {
   std::string text(4 * ((bytes.size() + 2) / 3) + 4, '\0');
-  const unsigned long length =
-      vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
-                                 reinterpret_cast<unsigned char*>(text.data()));
+  const unsigned long length = vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
+                                                          reinterpret_cast<unsigned char*>(text.data()));
   text.resize(length);
   return text;
 }
@@ -66,12 +66,11 @@ element(const char* name, const std::string& text)
 } // namespace
 
 HtmlPage::HtmlPage(const std::string& title, const std::string& subtitle)
-    : body_("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-            "<meta name=\"viewport\" content=\"width=device-width\"/>\n" +
-            element("title", title) + "<style>" + style + "</style>\n</head>\n<body>\n" +
-            element("h1", title) + "<p class=\"subtitle\">" + escaped(subtitle) + "</p>\n")
-{
-}
+: body_("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+        "<meta name=\"viewport\" content=\"width=device-width\"/>\n" +
+        element("title", title) + "<style>" + style + "</style>\n</head>\n<body>\n" + element("h1", title) + "<p class=\"subtitle\">" +
+        escaped(subtitle) + "</p>\n")
+{}
 
 void
 HtmlPage::addPart(const std::string& text)
@@ -145,8 +144,8 @@ HtmlPage::addTable(const HtmlRows& rows, bool head)
 void
 HtmlPage::addPicture(const ReportPicture& picture)
 {
-  body_ += "<figure><img alt=\"" + escaped(picture.caption) + "\" src=\"data:image/png;base64," +
-           base64(readBytes(picture.file)) + "\"/>" + element("figcaption", picture.caption) + "</figure>\n";
+  body_ += "<figure><img alt=\"" + escaped(picture.caption) + "\" src=\"data:image/png;base64," + base64(readBytes(picture.file)) + "\"/>" +
+           element("figcaption", picture.caption) + "</figure>\n";
 }
 
 void

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A page for people as one HTML file that needs no other. Private to io.
  */

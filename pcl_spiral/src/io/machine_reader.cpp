@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/machine_reader.h>
@@ -15,35 +16,30 @@ namespace {
 /** A map of a machine file: every value is asked for once, and what was not asked for is no setting. */
 class Settings {
 public:
-  Settings(std::string file, const YAML::Node& node, std::string what)
-      : file_(std::move(file)), node_(node), what_(std::move(what))
+  Settings(std::string file, const YAML::Node& node, std::string what) : file_(std::move(file)), node_(node), what_(std::move(what))
   {
     if (!node_.IsMap())
       fail(node_, what_ + " holds lines such as 'name: value'");
   }
 
-  [[noreturn]] void
-  fail(const YAML::Node& node, const std::string& reason) const
+  [[noreturn]] void fail(const YAML::Node& node, const std::string& reason) const
   {
     throw FileError(file_, "line " + std::to_string(node.Mark().line + 1) + ": " + reason);
   }
-  bool
-  has(const std::string& name)
+  bool has(const std::string& name)
   {
     asked_.push_back(name);
     return static_cast<bool>(node_[name]);
   }
   /** \throw FileError where there is none */
-  YAML::Node
-  at(const std::string& name, const std::string& example)
+  YAML::Node at(const std::string& name, const std::string& example)
   {
     if (!has(name))
       fail(node_, what_ + " has no " + name + "; give one, such as " + name + ": " + example);
     return node_[name];
   }
   template <typename Value>
-  Value
-  value(const std::string& name, const std::string& example)
+  Value value(const std::string& name, const std::string& example)
   {
     const YAML::Node node = at(name, example);
     try {
@@ -53,16 +49,14 @@ public:
       fail(node, name + " of " + what_ + " cannot be read; write it as " + name + ": " + example);
     }
   }
-  double
-  number(const std::string& name, const std::string& example)
+  double number(const std::string& name, const std::string& example)
   {
     const double number = value<double>(name, example);
     if (!std::isfinite(number))
       fail(node_[name], name + " of " + what_ + " is not finite; write it as " + name + ": " + example);
     return number;
   }
-  Eigen::Vector3d
-  vector(const std::string& name, const std::string& example)
+  Eigen::Vector3d vector(const std::string& name, const std::string& example)
   {
     const auto v = value<std::vector<double>>(name, example);
     if (v.size() != 3)
@@ -70,8 +64,7 @@ public:
     return {v[0], v[1], v[2]};
   }
   /** To be called last. */
-  void
-  refuseOthers() const
+  void refuseOthers() const
   {
     for (const auto& entry : node_) {
       const std::string name = entry.first.as<std::string>();
@@ -81,8 +74,7 @@ public:
   }
 
 private:
-  std::string
-  listed() const
+  std::string listed() const
   {
     std::string list;
     for (const std::string& name : asked_)
@@ -168,8 +160,7 @@ machineFrom(const std::string& file, const YAML::Node& root)
 {
   Settings settings(file, root, "a machine file");
   Machine machine;
-  const YAML::Node rotary =
-      settings.at("rotary", "[{axis: C, mount: table, ...}, {axis: A, mount: table, ...}]");
+  const YAML::Node rotary = settings.at("rotary", "[{axis: C, mount: table, ...}, {axis: A, mount: table, ...}]");
   if (!rotary.IsSequence() || rotary.size() != 2)
     settings.fail(rotary, "rotary is a list of the two rotary axes, from the workpiece to the tool");
   for (std::size_t i = 0; i < 2; ++i)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The mesh of a run as a JSON object, for the reports. Private to io.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "byte_file.h"
 #include "face_list.h"
 #include "polygon_cut.h"
@@ -41,9 +42,8 @@ checkFaces(const std::string& file, const FaceList& faces, const Points& points)
     for (std::size_t i = faces.begin(f); i < faces.ends[f]; ++i) {
       const std::int64_t vertex = faces.corners[i], first = faces.first_vertex;
       if (vertex < 0 || vertex >= count)
-        throw FileError(file, faces.nameOf(f) + " names vertex " + std::to_string(vertex + first) +
-                                  ", where the file has vertices " + std::to_string(first) + " to " +
-                                  std::to_string(count - 1 + first) + "; copy or export it again");
+        throw FileError(file, faces.nameOf(f) + " names vertex " + std::to_string(vertex + first) + ", where the file has vertices " +
+                                  std::to_string(first) + " to " + std::to_string(count - 1 + first) + "; copy or export it again");
       const Eigen::Vector3f at = points[static_cast<std::size_t>(vertex)].getVector3fMap();
       if (!at.allFinite())
         throw FileError(file, faces.nameOf(f) + ": its vertex " + std::to_string(vertex + first) + " is at " +
@@ -55,13 +55,9 @@ checkFaces(const std::string& file, const FaceList& faces, const Points& points)
 /** Puts the faces into a mesh, polygons cut. */
 class FaceCutter {
 public:
-  FaceCutter(const std::string& file, const FaceList& faces, const Points& points)
-      : file_(file), faces_(faces), points_(points)
-  {
-  }
+  FaceCutter(const std::string& file, const FaceList& faces, const Points& points) : file_(file), faces_(faces), points_(points) {}
 
-  void
-  cutInto(MeshFile& result)
+  void cutInto(MeshFile& result)
   {
     result.mesh->polygons.reserve(faces_.corners.size() - 2 * faces_.ends.size());
     for (std::size_t f = 0; f < faces_.ends.size(); ++f) {
@@ -75,16 +71,14 @@ public:
         add(triangle, *result.mesh);
     }
     if (faulty_ > 0)
-      result.warnings.push_back(file_ + ": " + faces_.nameOf(first_faulty_) +
-                                (faulty_ > 1 ? textOf(" and ", faulty_ - 1, " more") : "") +
+      result.warnings.push_back(file_ + ": " + faces_.nameOf(first_faulty_) + (faulty_ > 1 ? textOf(" and ", faulty_ - 1, " more") : "") +
                                 " cannot be cut into triangles that neither overlap nor are flat: the polygon crosses "
                                 "itself, or has no area; export the mesh in triangles");
   }
 
 private:
   /** A corner that is there twice, one after the other, counts once, as long as three are left. */
-  void
-  takeCorners(std::size_t face)
+  void takeCorners(std::size_t face)
   {
     const auto begin = faces_.corners.begin() + static_cast<std::ptrdiff_t>(faces_.begin(face));
     const auto end = faces_.corners.begin() + static_cast<std::ptrdiff_t>(faces_.ends[face]);
@@ -98,8 +92,7 @@ private:
       corners_.assign(begin, begin + 3);
   }
 
-  std::vector<CutTriangle>
-  trianglesOf(std::size_t face)
+  std::vector<CutTriangle> trianglesOf(std::size_t face)
   {
     std::vector<Eigen::Vector3d> at;
     for (const std::int64_t corner : corners_)
@@ -108,17 +101,15 @@ private:
     if (polygon.convex())
       return polygon.fan();
     if (at.size() > most_ear_corners)
-      throw FileError(file_, faces_.nameOf(face) + " has " + std::to_string(at.size()) +
-                                 " corners and is not convex; such are cut up to " + std::to_string(most_ear_corners) +
-                                 " corners; export the mesh in triangles");
+      throw FileError(file_, faces_.nameOf(face) + " has " + std::to_string(at.size()) + " corners and is not convex; such are cut up to " +
+                                 std::to_string(most_ear_corners) + " corners; export the mesh in triangles");
     const std::vector<CutTriangle> ears = polygon.ears();
     if (polygon.faulty() && faulty_++ == 0)
       first_faulty_ = face;
     return ears;
   }
 
-  void
-  add(const CutTriangle& triangle, pcl::PolygonMesh& mesh) const
+  void add(const CutTriangle& triangle, pcl::PolygonMesh& mesh) const
   {
     pcl::Vertices vertices;
     vertices.vertices.reserve(3);
@@ -149,8 +140,8 @@ readMesh(const std::string& file, const ReadOptions& options)
   const std::string extension = lowerExtension(file);
   const auto& known = meshExtensions();
   if (std::find(known.begin(), known.end(), extension) == known.end())
-    throw FileError(file, "extension '" + extension +
-                              "' is not known for a mesh; use .stl .obj or .ply, or read points as a scan (readCloud)");
+    throw FileError(file,
+                    "extension '" + extension + "' is not known for a mesh; use .stl .obj or .ply, or read points as a scan (readCloud)");
   if (!options.columns.empty())
     throw FileError(file, "columns can be named for text files alone; leave ReadOptions::columns out");
   const MeshTable table = readTable(file, extension);

@@ -1,5 +1,6 @@
-#include <pcl_spiral/io/file_error.h>
+// SPDX-License-Identifier: BSD-3-Clause
 #include "output_files.h"
+#include <pcl_spiral/io/file_error.h>
 
 #include <fcntl.h>
 #include <signal.h>
@@ -77,16 +78,15 @@ checkWritable(const std::string& path, const fs::path& target, const fs::path& t
   std::error_code error;
   const fs::path folder = target.parent_path();
   if (!fs::exists(folder, error))
-    throw FileError(path,
-                    "cannot be written: the folder " + folder.string() + " does not exist; create it first");
+    throw FileError(path, "cannot be written: the folder " + folder.string() + " does not exist; create it first");
   if (!fs::is_directory(folder, error))
     throw FileError(path, "cannot be written: " + folder.string() + " is not a folder");
   if (fs::exists(target, error) && !fs::is_regular_file(target, error))
     throw FileError(path, "cannot be written: it exists and is not a file; give another name");
   const int handle = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY, 0666);
   if (handle < 0)
-    throw FileError(path, "cannot be written: " + std::string(std::strerror(errno)) + " in " +
-                              folder.string() + "; choose a folder you may write to");
+    throw FileError(path, "cannot be written: " + std::string(std::strerror(errno)) + " in " + folder.string() +
+                              "; choose a folder you may write to");
   ::close(handle);
   ::unlink(temporary.c_str());
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Several output files that appear together or not at all.
  */
@@ -29,28 +30,17 @@ public:
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
 
-  std::size_t
-  size() const
-  {
-    return targets_.size();
-  }
+  std::size_t size() const { return targets_.size(); }
   /** The path as it was given. */
-  const std::string&
-  path(std::size_t i) const
-  {
-    return paths_[i];
-  }
+  const std::string& path(std::size_t i) const { return paths_[i]; }
   /** Where to write the file \p i; ends in the same extension. */
-  const std::string&
-  temporary(std::size_t i) const
-  {
-    return temporaries_[i];
-  }
+  const std::string& temporary(std::size_t i) const { return temporaries_[i]; }
 
   /** \p message with the names that were given in place of the temporaries'. */
   std::string asGiven(std::string message) const;
 
-  /** Have every temporary on the disk, then rename them all to their targets, one right after the other. \throw FileError after earlier files have been put back */
+  /** Have every temporary on the disk, then rename them all to their targets, one right after the other. \throw FileError after earlier
+   *  files have been put back */
   void commit();
 
 private:

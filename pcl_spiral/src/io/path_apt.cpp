@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "post_text.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -69,10 +70,8 @@ writeAPT(const std::string& file, const ToolPoses& poses, const AptHeader& heade
   PostText out(file, millimetres);
   out.text("PARTNO " + commentText(header.title) + "\nUNITS/MM\nMULTAX/ON\n");
   const AptCutter& c = header.cutter;
-  writeWord(
-      out, "CUTTER",
-      {c.diameter, c.corner_radius, c.corner_distance, c.corner_height, c.tip_angle, c.flank_angle, c.height},
-      millimetres);
+  writeWord(out, "CUTTER", {c.diameter, c.corner_radius, c.corner_distance, c.corner_height, c.tip_angle, c.flank_angle, c.height},
+            millimetres);
   out.endLine();
   if (header.spindle_speed > 0.0) {
     writeWord(out, "SPINDL", {header.spindle_speed}, 1);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "post_text.h"
 
 #include <pcl_spiral/common/pass_begins.h>
@@ -17,9 +18,7 @@ using Path = pcl::PointCloud<ToolpathPoint>;
 Eigen::Vector3d
 travelAt(const Path& path, std::size_t i)
 {
-  const auto place = [&path](std::size_t k) -> Eigen::Vector3d {
-    return path[k].getVector3fMap().cast<double>();
-  };
+  const auto place = [&path](std::size_t k) -> Eigen::Vector3d { return path[k].getVector3fMap().cast<double>(); };
   for (std::size_t k = i + 1; k < path.size(); ++k)
     if (place(k) != place(i))
       return place(k) - place(i);
@@ -56,16 +55,16 @@ writeRobotFrames(const std::string& file, const Path& path)
   if (path.empty())
     throw FileError(file, "not written: the path has no points");
   if (const std::size_t lifts = passBegins(path).size(); lifts > 0)
-    throw FileError(file, "not written: the path has " + std::to_string(lifts + 1) + " passes, and robot frames no moves between them: make a "
+    throw FileError(file, "not written: the path has " + std::to_string(lifts + 1) +
+                              " passes, and robot frames no moves between them: make a "
                               "machine's program, or cut both ways (setOneWay)");
   constexpr int decimals = 9; // a nanometre
   PostText out(file, decimals);
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Eigen::Quaterniond q = frameAt(path, i);
     const Eigen::Vector3d metres = path[i].getVector3fMap().cast<double>() / 1000.0;
-    const std::pair<const char*, double> values[] = {
-        {"x: ", metres.x()}, {", y: ", metres.y()}, {", z: ", metres.z()}, {", qw: ", q.w()},
-        {", qx: ", q.x()},   {", qy: ", q.y()},     {", qz: ", q.z()}};
+    const std::pair<const char*, double> values[] = {{"x: ", metres.x()}, {", y: ", metres.y()}, {", z: ", metres.z()}, {", qw: ", q.w()},
+                                                     {", qx: ", q.x()},   {", qy: ", q.y()},     {", qz: ", q.z()}};
     out.text(i == 0 ? "- - - - {" : "      - {");
     for (const auto& [name, value] : values) {
       out.text(name);

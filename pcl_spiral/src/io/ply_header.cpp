@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ply_header.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -12,8 +13,7 @@ class PlyHeaderLines {
 public:
   PlyHeaderLines(const std::string& file, LineScanner& lines) : file_(file), lines_(lines) {}
 
-  PlyHeader
-  read()
+  PlyHeader read()
   {
     std::string_view line;
     std::vector<std::string_view> words;
@@ -38,28 +38,21 @@ public:
   }
 
 private:
-  [[noreturn]] void
-  failLine(const std::string& what) const
-  {
-    throw FileError(file_, atLine(lines_.number(), what));
-  }
+  [[noreturn]] void failLine(const std::string& what) const { throw FileError(file_, atLine(lines_.number(), what)); }
 
-  FieldType
-  typeOf(std::string_view word) const
+  FieldType typeOf(std::string_view word) const
   {
     static const std::map<std::string_view, FieldType> types{
-        {"char", {'I', 1}},  {"int8", {'I', 1}},    {"uchar", {'U', 1}},  {"uint8", {'U', 1}},
-        {"short", {'I', 2}}, {"int16", {'I', 2}},   {"ushort", {'U', 2}}, {"uint16", {'U', 2}},
-        {"int", {'I', 4}},   {"int32", {'I', 4}},   {"uint", {'U', 4}},   {"uint32", {'U', 4}},
-        {"float", {'F', 4}}, {"float32", {'F', 4}}, {"double", {'F', 8}}, {"float64", {'F', 8}}};
+        {"char", {'I', 1}},   {"int8", {'I', 1}},    {"uchar", {'U', 1}},  {"uint8", {'U', 1}},  {"short", {'I', 2}}, {"int16", {'I', 2}},
+        {"ushort", {'U', 2}}, {"uint16", {'U', 2}},  {"int", {'I', 4}},    {"int32", {'I', 4}},  {"uint", {'U', 4}},  {"uint32", {'U', 4}},
+        {"float", {'F', 4}},  {"float32", {'F', 4}}, {"double", {'F', 8}}, {"float64", {'F', 8}}};
     const auto found = types.find(word);
     if (found == types.end())
       failLine(quoted(word) + " is no type of a property");
     return found->second;
   }
 
-  void
-  takeFormat(std::string_view format)
+  void takeFormat(std::string_view format)
   {
     if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
       failLine("format " + quoted(format) + " is not known");
@@ -67,8 +60,7 @@ private:
     header_.swapped = format == "binary_big_endian";
   }
 
-  void
-  takeElement(const std::vector<std::string_view>& words)
+  void takeElement(const std::vector<std::string_view>& words)
   {
     const std::optional<std::size_t> count = toCount(words[2]);
     if (!count)
@@ -76,8 +68,7 @@ private:
     header_.elements.push_back({std::string(words[1]), *count, {}});
   }
 
-  void
-  takeProperty(const std::vector<std::string_view>& words)
+  void takeProperty(const std::vector<std::string_view>& words)
   {
     PlyProperty property;
     property.name = words.back();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Named columns of numbers out of point files.
  */
@@ -21,8 +22,7 @@ PointTable readPcdTable(const std::string& file, std::string_view bytes, const N
 PointTable readPlyTable(const std::string& file, std::string_view bytes, const Names& wanted);
 /** \p columns names the columns from the left; empty: by the file's header, else the first columns are the
  * wanted. */
-PointTable readTextTable(const std::string& file, std::string_view bytes, const Names& wanted,
-                         const Names& columns = {});
+PointTable readTextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns = {});
 /** Vertices x y z. */
 PointTable readObjTable(const std::string& file, std::string_view bytes);
 /** Corners x y z of the triangles, each point once. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Polygons cut into triangles.
  */
@@ -27,11 +28,7 @@ public:
    * round as the polygon does. Time grows with the square of the corners. */
   std::vector<CutTriangle> ears();
   /** Whether the ears may overlap or be flat: the polygon crosses itself, or has no area. */
-  bool
-  faulty() const
-  {
-    return faulty_;
-  }
+  bool faulty() const { return faulty_; }
 
 private:
   bool crossesItself() const;

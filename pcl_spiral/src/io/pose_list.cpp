@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "post_text.h"
 
-#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/pose_list.h>
 #include <pcl_spiral/machine/impl/kinematics.h>
@@ -47,8 +48,8 @@ wayBetween(const RotaryAngles& a, const RotaryAngles& b)
   return std::abs(a.first - b.first) + std::abs(a.second - b.second);
 }
 
-/** Angles of all poses, each by the one of both ways to reach its axis that is the nearer to the pose before: (A, C) or (-A, C + 180). So C makes
- *  no half turn where the axis passes the upright. */
+/** Angles of all poses, each by the one of both ways to reach its axis that is the nearer to the pose before: (A, C) or (-A, C + 180). So
+ *  C makes no half turn where the axis passes the upright. */
 std::vector<std::vector<RotaryAngles>>
 anglesOf(const std::string& file, const std::vector<ToolPoses>& passes)
 {
@@ -59,7 +60,8 @@ anglesOf(const std::string& file, const std::vector<ToolPoses>& passes)
   for (const ToolPoses& poses : passes) {
     rows.emplace_back();
     for (const ToolPose& pose : poses) {
-      const auto larger = kinematics.anglesOf(pose.axis.normalized(), Branch::Larger), smaller = kinematics.anglesOf(pose.axis.normalized(), Branch::Smaller);
+      const auto larger = kinematics.anglesOf(pose.axis.normalized(), Branch::Larger),
+                 smaller = kinematics.anglesOf(pose.axis.normalized(), Branch::Smaller);
       if (!larger || !smaller)
         throw FileError(file, textOf("not written: row ", rows.size(), ": no angles reach the axis at ", placeText(pose.tip)));
       const RotaryAngles a = turnedTo(before, *larger), b = turnedTo(before, *smaller);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "post_text.h"
 
 #include <algorithm>
@@ -38,10 +39,7 @@ writeStart(PostText& out, const MachineProgram& program, const ProgramHeader& he
   out.text("G0 ");
   writeAngles(out, program, program.blocks.front()); // before the tip is held in place
   out.endLine();
-  out.text((!program.machine.rtcp ? "G43 H"
-            : vectors             ? "G43.5 H"
-                                  : "G43.4 H") +
-           std::to_string(std::max(1, header.tool)) + " ");
+  out.text((!program.machine.rtcp ? "G43 H" : vectors ? "G43.5 H" : "G43.4 H") + std::to_string(std::max(1, header.tool)) + " ");
   writePlace(out, program, program.blocks.front(), vectors);
   out.endLine();
   out.text("G93\n");

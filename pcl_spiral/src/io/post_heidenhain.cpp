@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "post_text.h"
 
 #include <algorithm>
@@ -23,17 +24,12 @@ programName(const std::string& title)
 class NumberedLines {
 public:
   explicit NumberedLines(PostText& out) : out_(out) {}
-  PostText&
-  begin()
+  PostText& begin()
   {
     out_.text(std::to_string(next_++) + " ");
     return out_;
   }
-  void
-  line(const std::string& text)
-  {
-    begin().text(text + "\n");
-  }
+  void line(const std::string& text) { begin().text(text + "\n"); }
 
 private:
   PostText& out_;
@@ -72,8 +68,7 @@ writeHeidenhain(const std::string& file, const MachineProgram& program, const Pr
   lines.line("; " + commentText(header.title));
   lines.line("; " + machineText(program));
   if (header.tool > 0)
-    lines.line("TOOL CALL " + std::to_string(header.tool) + " Z S" +
-               std::to_string(std::lround(header.spindle_speed)));
+    lines.line("TOOL CALL " + std::to_string(header.tool) + " Z S" + std::to_string(std::lround(header.spindle_speed)));
   if (header.spindle_speed > 0.0)
     lines.line("M3");
   writeRetract(lines, program.machine);

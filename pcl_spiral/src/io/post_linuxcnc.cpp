@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "post_text.h"
 
 namespace pcl_spiral {

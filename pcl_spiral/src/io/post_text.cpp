@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "post_text.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -43,8 +44,7 @@ void
 PostText::number(double value, int decimals, bool signs)
 {
   char digits[400]; // the largest double has 309 before the point
-  const char* const end =
-      std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, decimals).ptr;
+  const char* const end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, decimals).ptr;
   std::string_view number(digits, static_cast<std::size_t>(end - digits));
   if (number[0] == '-' && number.find_first_not_of("-0.") == std::string_view::npos)
     number.remove_prefix(1); // no sign on zero
@@ -96,8 +96,7 @@ writeTool(PostText& out, const ProgramHeader& header, std::string_view after)
 }
 
 void
-writeVector(PostText& out, const std::array<std::string_view, 3>& letters, const Eigen::Vector3d& v,
-            bool signs)
+writeVector(PostText& out, const std::array<std::string_view, 3>& letters, const Eigen::Vector3d& v, bool signs)
 {
   for (int i = 0; i < 3; ++i)
     out.word(letters[i], v[i], 8, signs);
@@ -127,8 +126,7 @@ requireProgram(const std::string& file, const MachineProgram& program, const Pro
   if (program.blocks.empty())
     throw FileError(file, "not written: the program has no blocks");
   if (header.decimals < 3 || header.decimals > 6)
-    throw FileError(file,
-                    textOf("not written: ", header.decimals, " decimals were asked for; 3 to 6 can be"));
+    throw FileError(file, textOf("not written: ", header.decimals, " decimals were asked for; 3 to 6 can be"));
   for (const std::string& code : {header.pass_begin, header.pass_end})
     if (const std::string fault = code.empty() ? std::string() : faultOfCode(code); !fault.empty())
       throw FileError(file, "not written: the code '" + plainText(code, "") + "' of a pass " + fault);
@@ -138,8 +136,7 @@ void
 requireRTCP(const std::string& file, const MachineProgram& program, const std::string& language)
 {
   if (!program.machine.rtcp)
-    throw FileError(file, "not written: " + language +
-                              " takes tips and tool axes, and the machine file says rtcp: false; " +
+    throw FileError(file, "not written: " + language + " takes tips and tool axes, and the machine file says rtcp: false; " +
                               "use linuxcnc or fanuc, or rtcp: true");
 }
 
@@ -153,13 +150,10 @@ std::string
 machineText(const MachineProgram& program)
 {
   const Machine& machine = program.machine;
-  const auto mount = [](const RotaryAxis& axis) {
-    return axis.mount == RotaryMount::Table ? "table " : "head ";
-  };
+  const auto mount = [](const RotaryAxis& axis) { return axis.mount == RotaryMount::Table ? "table " : "head "; };
   const auto &first = machine.rotary[0], &second = machine.rotary[1];
-  return commentText(textOf(machine.name.empty() ? "machine" : machine.name, ", from work to tool ",
-                            mount(first), first.letter, " ", mount(second), second.letter,
-                            machine.rtcp ? ", X Y Z of the tool tip" : ", X Y Z of the machine"));
+  return commentText(textOf(machine.name.empty() ? "machine" : machine.name, ", from work to tool ", mount(first), first.letter, " ",
+                            mount(second), second.letter, machine.rtcp ? ", X Y Z of the tool tip" : ", X Y Z of the machine"));
 }
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What the writers of control programs share.
  */
@@ -27,15 +28,10 @@ public:
   /** A number alone, to \p decimals. */
   void number(double value, int decimals, bool signs = false);
   /** Text as it is. */
-  void
-  text(std::string_view text)
-  {
-    bytes_ += text;
-  }
+  void text(std::string_view text) { bytes_ += text; }
   void endLine(std::string_view end = "\n");
   /** A whole line as it is. */
-  void
-  line(std::string_view words)
+  void line(std::string_view words)
   {
     text(words);
     endLine();
@@ -64,8 +60,7 @@ void writeAngles(PostText& out, const MachineProgram& program, const ProgramBloc
 void writeTool(PostText& out, const ProgramHeader& header, std::string_view after = "");
 
 /** Three words of a vector, such as I J K, in 8 decimals. */
-void writeVector(PostText& out, const std::array<std::string_view, 3>& letters, const Eigen::Vector3d& v,
-                 bool signs = false);
+void writeVector(PostText& out, const std::array<std::string_view, 3>& letters, const Eigen::Vector3d& v, bool signs = false);
 
 /** \throw FileError for a program without blocks, a count of decimals out of range, or a code that is no line */
 void requireProgram(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
@@ -98,6 +93,5 @@ writeBlocks(Lines& lines, const MachineProgram& program, const ProgramHeader& he
   }
   turn(false);
 }
-
 
 } // namespace pcl_spiral

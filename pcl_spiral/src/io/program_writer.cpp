@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/io/program_writer.h>
 
 #include <algorithm>
@@ -7,7 +8,8 @@ namespace pcl_spiral {
 const DialectEntry&
 entryOf(Dialect dialect)
 {
-  return *std::find_if(dialect_entries.begin(), dialect_entries.end(), [dialect](const DialectEntry& entry) { return entry.dialect == dialect; });
+  return *std::find_if(dialect_entries.begin(), dialect_entries.end(),
+                       [dialect](const DialectEntry& entry) { return entry.dialect == dialect; });
 }
 
 void

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "face_list.h"
 #include "text_scan.h"
 

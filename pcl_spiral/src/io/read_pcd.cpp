@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "field_layout.h"
 #include "point_table.h"
 #include "text_scan.h"
@@ -33,19 +34,14 @@ struct PcdHeader {
   std::size_t lines = 0;
 
   /** Bytes of all points, unpacked; a double, because a header may promise anything. */
-  double
-  size() const
-  {
-    return static_cast<double>(points) * static_cast<double>(bytes_a_point);
-  }
+  double size() const { return static_cast<double>(points) * static_cast<double>(bytes_a_point); }
 };
 
 class PcdHeaderReader {
 public:
   PcdHeaderReader(const std::string& file, std::string_view bytes) : file_(file), lines_(bytes) {}
 
-  PcdHeader
-  read()
+  PcdHeader read()
   {
     std::string_view line;
     while (header_.data.empty()) {
@@ -61,14 +57,9 @@ public:
   }
 
 private:
-  [[noreturn]] void
-  fail(const std::string& what) const
-  {
-    throw FileError(file_, atLine(lines_.number(), what));
-  }
+  [[noreturn]] void fail(const std::string& what) const { throw FileError(file_, atLine(lines_.number(), what)); }
 
-  std::size_t
-  count(std::string_view word) const
+  std::size_t count(std::string_view word) const
   {
     const std::optional<std::size_t> value = toCount(word);
     if (!value)
@@ -76,8 +67,7 @@ private:
     return *value;
   }
 
-  void
-  takeLine(std::string_view line)
+  void takeLine(std::string_view line)
   {
     splitWords(line, ' ', words_);
     const std::string_view key = words_[0];
@@ -103,12 +93,11 @@ private:
       fail(quoted(key) + " is no line of a PCD header; is this a PCD file?");
   }
 
-  void
-  takeFields(std::string_view key)
+  void takeFields(std::string_view key)
   {
     if (words_.size() != header_.fields.size() + 1)
-      fail(std::string(key) + " has " + std::to_string(words_.size() - 1) + " entries for " +
-           std::to_string(header_.fields.size()) + " fields");
+      fail(std::string(key) + " has " + std::to_string(words_.size() - 1) + " entries for " + std::to_string(header_.fields.size()) +
+           " fields");
     for (std::size_t i = 0; i < header_.fields.size(); ++i) {
       const std::string_view word = words_[i + 1];
       if (key == "TYPE")
@@ -121,8 +110,7 @@ private:
   }
 
   /** In double precision, where counts below 1e15 do not overflow. */
-  void
-  checkPoints()
+  void checkPoints()
   {
     const std::size_t height = std::max<std::size_t>(height_, 1);
     const double product = static_cast<double>(width_) * static_cast<double>(height);
@@ -135,18 +123,15 @@ private:
       fail("the header says that there are no points");
   }
 
-  void
-  settle()
+  void settle()
   {
     checkPoints();
     for (PcdField& field : header_.fields) {
       const int size = field.type.size;
       const bool real = field.type.kind == 'F' && (size == 4 || size == 8);
-      const bool whole = (field.type.kind == 'I' || field.type.kind == 'U') &&
-                         (size == 1 || size == 2 || size == 4 || size == 8);
+      const bool whole = (field.type.kind == 'I' || field.type.kind == 'U') && (size == 1 || size == 2 || size == 4 || size == 8);
       if (!real && !whole)
-        fail("the header has a field of TYPE " + std::string(1, field.type.kind) + " SIZE " +
-             std::to_string(size));
+        fail("the header has a field of TYPE " + std::string(1, field.type.kind) + " SIZE " + std::to_string(size));
       if (field.count == 0 || field.count > most_values)
         fail("the header has a field of COUNT " + std::to_string(field.count));
       field.offset = header_.bytes_a_point;
@@ -167,14 +152,12 @@ private:
 [[noreturn]] void
 failCutOff(const std::string& file, std::size_t there, double needed)
 {
-  throw FileError(file, "is cut off: byte " + std::to_string(there) +
-                            " is its last, and the points of its header need " + wholeNumber(needed) +
-                            " bytes; copy or export it again");
+  throw FileError(file, "is cut off: byte " + std::to_string(there) + " is its last, and the points of its header need " +
+                            wholeNumber(needed) + " bytes; copy or export it again");
 }
 
 PointTable
-readAscii(const std::string& file, std::string_view bytes, const PcdHeader& header,
-          const std::vector<std::size_t>& wanted)
+readAscii(const std::string& file, std::string_view bytes, const PcdHeader& header, const std::vector<std::size_t>& wanted)
 {
   PointTable table(wanted.size());
   LineScanner lines(bytes.substr(std::min(header.begin, bytes.size())));
@@ -186,8 +169,8 @@ readAscii(const std::string& file, std::string_view bytes, const PcdHeader& head
     splitWords(line, ' ', words);
     const std::size_t number = header.lines + lines.number();
     if (words.size() != header.words_a_point)
-      throw FileError(file, atLine(number, std::to_string(words.size()) + " values, where the header names " +
-                                               std::to_string(header.words_a_point)));
+      throw FileError(
+          file, atLine(number, std::to_string(words.size()) + " values, where the header names " + std::to_string(header.words_a_point)));
     for (std::size_t c = 0; c < wanted.size(); ++c) {
       const std::string_view word = words[header.fields[wanted[c]].position];
       const std::optional<double> value = toNumber(word);
@@ -197,9 +180,8 @@ readAscii(const std::string& file, std::string_view bytes, const PcdHeader& head
     }
   }
   if (table[0].size() < header.points)
-    throw FileError(file, atLine(header.lines + lines.number(),
-                                 "the file ends after " + std::to_string(table[0].size()) + " of " +
-                                     std::to_string(header.points) + " points; copy or export it again"));
+    throw FileError(file, atLine(header.lines + lines.number(), "the file ends after " + std::to_string(table[0].size()) + " of " +
+                                                                    std::to_string(header.points) + " points; copy or export it again"));
   return table;
 }
 
@@ -215,31 +197,27 @@ decompressed(const std::string& file, std::string_view bytes, const PcdHeader& h
   if (there < 8 + packed)
     failCutOff(file, bytes.size(), static_cast<double>(header.begin + 8 + packed));
   if (static_cast<double>(unpacked) != header.size())
-    throw FileError(file, "byte " + std::to_string(header.begin) + ": the packed points come to " +
-                              std::to_string(unpacked) + " bytes, the header to " + wholeNumber(header.size()));
+    throw FileError(file, "byte " + std::to_string(header.begin) + ": the packed points come to " + std::to_string(unpacked) +
+                              " bytes, the header to " + wholeNumber(header.size()));
   if (static_cast<double>(unpacked) > most_packing * static_cast<double>(packed))
-    throw FileError(file, "byte " + std::to_string(header.begin) + ": " + std::to_string(packed) +
-                              " packed bytes cannot come to " + std::to_string(unpacked));
+    throw FileError(file, "byte " + std::to_string(header.begin) + ": " + std::to_string(packed) + " packed bytes cannot come to " +
+                              std::to_string(unpacked));
   std::string body(unpacked, '\0');
-  const unsigned int got =
-      pcl::lzfDecompress(bytes.data() + header.begin + 8, static_cast<unsigned int>(packed), body.data(),
-                         static_cast<unsigned int>(unpacked));
+  const unsigned int got = pcl::lzfDecompress(bytes.data() + header.begin + 8, static_cast<unsigned int>(packed), body.data(),
+                                              static_cast<unsigned int>(unpacked));
   if (got != unpacked)
-    throw FileError(file,
-                    "byte " + std::to_string(header.begin + 8) + ": the packed points cannot be unpacked");
+    throw FileError(file, "byte " + std::to_string(header.begin + 8) + ": the packed points cannot be unpacked");
   return body;
 }
 
 PointTable
-readBinary(std::string_view body, const PcdHeader& header, const std::vector<std::size_t>& wanted,
-           bool by_field)
+readBinary(std::string_view body, const PcdHeader& header, const std::vector<std::size_t>& wanted, bool by_field)
 {
   PointTable table(wanted.size());
   for (std::size_t c = 0; c < wanted.size(); ++c) {
     const PcdField& field = header.fields[wanted[c]];
     const std::size_t first = by_field ? field.offset * header.points : field.offset;
-    const std::size_t step =
-        by_field ? field.count * static_cast<std::size_t>(field.type.size) : header.bytes_a_point;
+    const std::size_t step = by_field ? field.count * static_cast<std::size_t>(field.type.size) : header.bytes_a_point;
     table[c].resize(header.points);
     for (std::size_t i = 0; i < header.points; ++i)
       table[c][i] = loadField(body.data() + first + i * step, field.type);
@@ -259,8 +237,7 @@ readPcdTable(const std::string& file, std::string_view bytes, const Names& wante
   if (header.data == "binary_compressed")
     return readBinary(decompressed(file, bytes, header), header, fields, true);
   if (header.data != "binary")
-    throw FileError(file, atLine(header.lines, "DATA " + quoted(header.data) +
-                                                   " is none of ascii, binary, binary_compressed"));
+    throw FileError(file, atLine(header.lines, "DATA " + quoted(header.data) + " is none of ascii, binary, binary_compressed"));
   if ((bytes.size() - std::min(header.begin, bytes.size())) / header.bytes_a_point < header.points)
     failCutOff(file, bytes.size(), static_cast<double>(header.begin) + header.size());
   return readBinary(bytes.substr(header.begin), header, fields, false);

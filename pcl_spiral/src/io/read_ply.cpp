@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "face_list.h"
 #include "ply_header.h"
 
@@ -20,13 +21,10 @@ class PlyTable {
 public:
   /** Faces are taken where a list for them is given, else passed over. */
   PlyTable(const std::string& file, std::string_view bytes, const Names& wanted, FaceList* faces)
-      : file_(file), bytes_(bytes), wanted_(wanted), lines_(bytes), header_(readPlyHeader(file, lines_)),
-        at_(lines_.position()), faces_(faces)
-  {
-  }
+  : file_(file), bytes_(bytes), wanted_(wanted), lines_(bytes), header_(readPlyHeader(file, lines_)), at_(lines_.position()), faces_(faces)
+  {}
 
-  PointTable
-  read()
+  PointTable read()
   {
     bool found = false;
     for (const PlyElement& element : header_.elements) {
@@ -49,22 +47,15 @@ public:
   }
 
 private:
-  [[noreturn]] void
-  failLine(const std::string& what) const
+  [[noreturn]] void failLine(const std::string& what) const { throw FileError(file_, atLine(lines_.number(), what)); }
+
+  [[noreturn]] void failEnd(const PlyElement& element, std::size_t i) const
   {
-    throw FileError(file_, atLine(lines_.number(), what));
+    throw FileError(file_, "is cut off at byte " + std::to_string(bytes_.size()) + ", in " + element.name + " " + std::to_string(i + 1) +
+                               " of " + std::to_string(element.count) + "; copy or export it again");
   }
 
-  [[noreturn]] void
-  failEnd(const PlyElement& element, std::size_t i) const
-  {
-    throw FileError(file_, "is cut off at byte " + std::to_string(bytes_.size()) + ", in " + element.name +
-                               " " + std::to_string(i + 1) + " of " + std::to_string(element.count) +
-                               "; copy or export it again");
-  }
-
-  void
-  settleColumns(const PlyElement& element)
+  void settleColumns(const PlyElement& element)
   {
     const std::vector<std::size_t> positions = columnsOf(file_, element.propertyNames(), wanted_);
     for (std::size_t c = 0; c < positions.size(); ++c) {
@@ -79,8 +70,7 @@ private:
   }
 
   /** Which property of the faces lists their corners. */
-  void
-  settleFaces(const PlyElement& element)
+  void settleFaces(const PlyElement& element)
   {
     if (element.name == "tristrips")
       throw FileError(file_, "holds triangle strips (element tristrips), which are not read; export it with faces");
@@ -97,8 +87,7 @@ private:
     faces_->place_word = header_.ascii ? "line" : "byte";
   }
 
-  void
-  readLine(const PlyElement& element, bool vertices, std::size_t i)
+  void readLine(const PlyElement& element, bool vertices, std::size_t i)
   {
     std::string_view line;
     do
@@ -109,8 +98,7 @@ private:
       return;
     splitWords(line, ' ', words_);
     if (words_.size() < element.properties.size())
-      failLine(std::to_string(words_.size()) + " values, where the header names " +
-               std::to_string(element.properties.size()));
+      failLine(std::to_string(words_.size()) + " values, where the header names " + std::to_string(element.properties.size()));
     std::size_t word = 0;
     for (std::size_t p = 0; p < element.properties.size(); ++p, ++word) {
       if (word >= words_.size())
@@ -125,8 +113,7 @@ private:
     }
   }
 
-  double
-  numberIn(std::size_t word) const
+  double numberIn(std::size_t word) const
   {
     const std::optional<double> value = toNumber(words_[word]);
     if (!value)
@@ -134,8 +121,7 @@ private:
     return *value;
   }
 
-  void
-  takeFaceWords(std::size_t first, std::size_t count)
+  void takeFaceWords(std::size_t first, std::size_t count)
   {
     if (count > words_.size() - first)
       failLine("a list of " + std::to_string(count) + " corners, of which " + std::to_string(words_.size() - first) +
@@ -145,8 +131,7 @@ private:
     faces_->close(lines_.number());
   }
 
-  void
-  readRecord(const PlyElement& element, std::size_t i)
+  void readRecord(const PlyElement& element, std::size_t i)
   {
     const std::size_t start = at_;
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
@@ -168,35 +153,31 @@ private:
     }
   }
 
-  void
-  takeCorner(double value, std::size_t place)
+  void takeCorner(double value, std::size_t place)
   {
     constexpr double most = 1e15;
     if (!(std::abs(value) < most) || value != std::floor(value))
-      throw FileError(file_, std::string(faces_->place_word) + " " + std::to_string(place) + ": " +
-                                 textOf(value) + " names no vertex; export it again");
+      throw FileError(file_, std::string(faces_->place_word) + " " + std::to_string(place) + ": " + textOf(value) +
+                                 " names no vertex; export it again");
     faces_->corners.push_back(static_cast<std::int64_t>(value));
   }
 
   /** What stands before a list, as a count; a file that ends before it is found to when it is skipped. */
-  std::size_t
-  listSize(double value) const
+  std::size_t listSize(double value) const
   {
     if (!(value >= 0.0))
       throw FileError(file_, "has a list of " + std::to_string(value) + " entries");
     return static_cast<std::size_t>(std::min(value, 1e15));
   }
 
-  double
-  take(const PlyElement& element, std::size_t i, FieldType type)
+  double take(const PlyElement& element, std::size_t i, FieldType type)
   {
     const std::size_t from = at_;
     skip(element, i, static_cast<std::size_t>(type.size));
     return loadField(bytes_.data() + from, type, header_.swapped);
   }
 
-  void
-  skip(const PlyElement& element, std::size_t i, std::size_t count)
+  void skip(const PlyElement& element, std::size_t i, std::size_t count)
   {
     if (count > bytes_.size() - std::min(at_, bytes_.size()))
       failEnd(element, i);
@@ -210,7 +191,7 @@ private:
   std::vector<std::string_view> words_;
   PlyHeader header_;
   std::vector<std::size_t> column_of_; ///< for each property of the element, the wanted column; their count for none
-  std::size_t list_of_faces_ = 0; ///< which property of the element lists corners; their count for none
+  std::size_t list_of_faces_ = 0;      ///< which property of the element lists corners; their count for none
   PointTable table_;
   std::size_t at_;
   FaceList* faces_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "face_list.h"
 #include "field_layout.h"
 #include "text_scan.h"
@@ -22,8 +23,7 @@ using Corner = std::array<float, 3>;
 
 /** By bits, so that a corner that is not a number equals itself. */
 struct CornerHash {
-  std::size_t
-  operator()(const Corner& corner) const
+  std::size_t operator()(const Corner& corner) const
   {
     std::size_t hash = 0;
     for (const float value : corner) {
@@ -37,19 +37,14 @@ struct CornerHash {
 };
 
 struct SameCorner {
-  bool
-  operator()(const Corner& a, const Corner& b) const
-  {
-    return std::memcmp(a.data(), b.data(), sizeof(a)) == 0;
-  }
+  bool operator()(const Corner& a, const Corner& b) const { return std::memcmp(a.data(), b.data(), sizeof(a)) == 0; }
 };
 
 /** Corners in the order of the file, each once. */
 class Corners {
 public:
   /** \return its number, from 0 */
-  std::size_t
-  add(Corner corner)
+  std::size_t add(Corner corner)
   {
     for (float& value : corner)
       value += 0.0f; // -0 becomes 0
@@ -59,11 +54,7 @@ public:
         table_[c].push_back(corner[c]);
     return place->second;
   }
-  PointTable
-  take()
-  {
-    return std::move(table_);
-  }
+  PointTable take() { return std::move(table_); }
 
 private:
   PointTable table_ = PointTable(3);
@@ -82,8 +73,7 @@ isText(std::string_view bytes)
 {
   if (!sameWord(trimmed(bytes.substr(0, 256)).substr(0, 5), "solid"))
     return false;
-  const bool binary_size =
-      bytes.size() > header_bytes && bytes.size() == header_bytes + triangleCount(bytes) * triangle_bytes;
+  const bool binary_size = bytes.size() > header_bytes && bytes.size() == header_bytes + triangleCount(bytes) * triangle_bytes;
   return !binary_size && bytes.substr(0, 1024).find('\0') == std::string_view::npos;
 }
 
@@ -91,16 +81,13 @@ PointTable
 readBinary(const std::string& file, std::string_view bytes, FaceList* faces)
 {
   if (bytes.size() < header_bytes)
-    throw FileError(file,
-                    "is neither an ascii nor a binary STL file (" + std::to_string(bytes.size()) + " bytes)");
+    throw FileError(file, "is neither an ascii nor a binary STL file (" + std::to_string(bytes.size()) + " bytes)");
   const std::size_t triangles = triangleCount(bytes);
   if (triangles == 0)
     throw FileError(file, "byte 80: the header says that there are no triangles");
   if (bytes.size() < header_bytes + triangles * triangle_bytes)
-    throw FileError(file, "is cut off at byte " + std::to_string(bytes.size()) + ": its " +
-                              std::to_string(triangles) + " triangles need " +
-                              std::to_string(header_bytes + triangles * triangle_bytes) +
-                              "; copy or export it again");
+    throw FileError(file, "is cut off at byte " + std::to_string(bytes.size()) + ": its " + std::to_string(triangles) + " triangles need " +
+                              std::to_string(header_bytes + triangles * triangle_bytes) + "; copy or export it again");
   Corners corners;
   for (std::size_t t = 0; t < triangles; ++t) {
     const std::size_t place = header_bytes + t * triangle_bytes;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "point_table.h"
 #include "text_scan.h"
 
@@ -13,8 +14,7 @@ std::string
 lower(std::string_view text)
 {
   std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return result;
 }
 
@@ -38,9 +38,7 @@ find(const Names& names, const std::string& name)
 char
 separatorOf(std::string_view line)
 {
-  return line.find(';') != std::string_view::npos   ? ';'
-         : line.find(',') != std::string_view::npos ? ','
-                                                    : ' ';
+  return line.find(';') != std::string_view::npos ? ';' : line.find(',') != std::string_view::npos ? ',' : ' ';
 }
 
 Names
@@ -67,12 +65,10 @@ isHeading(std::string_view word)
 class TextTable {
 public:
   TextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns)
-      : file_(file), bytes_(bytes), wanted_(wanted), names_(columns), named_by_user_(!columns.empty())
-  {
-  }
+  : file_(file), bytes_(bytes), wanted_(wanted), names_(columns), named_by_user_(!columns.empty())
+  {}
 
-  PointTable
-  read()
+  PointTable read()
   {
     checkText();
     LineScanner lines(bytes_);
@@ -92,8 +88,7 @@ public:
   }
 
 private:
-  void
-  checkText()
+  void checkText()
   {
     if (bytes_.substr(0, 3) == "\xEF\xBB\xBF")
       bytes_.remove_prefix(3);
@@ -103,8 +98,7 @@ private:
   }
 
   /** "# x y z" or "//X Y Z" above the points names the columns, as many programs write it. */
-  void
-  takeCommentedHeader(std::string_view line)
+  void takeCommentedHeader(std::string_view line)
   {
     if (started_ || !names_.empty())
       return;
@@ -115,8 +109,7 @@ private:
       names_ = names;
   }
 
-  void
-  takeLine(std::string_view line, std::size_t number)
+  void takeLine(std::string_view line, std::size_t number)
   {
     if (!started_) {
       separator_ = separatorOf(line);
@@ -131,35 +124,32 @@ private:
   }
 
   /** Settle which columns are wanted, from the first line that is no comment. */
-  void
-  start(bool header, std::size_t number)
+  void start(bool header, std::size_t number)
   {
     started_ = true;
     if (header && !named_by_user_)
       names_ = unquoted(words_);
     if (words_.size() < wanted_.size())
-      throw FileError(file_, atLine(number, std::to_string(words_.size()) + " column(s), where " +
-                                                joined(wanted_) + " are needed; see ReadOptions::columns"));
+      throw FileError(file_, atLine(number, std::to_string(words_.size()) + " column(s), where " + joined(wanted_) +
+                                                " are needed; see ReadOptions::columns"));
     if (names_.empty())
       names_ = wanted_;
     if (header && !named_by_user_ && find(names_, wanted_[0]) == names_.size())
-      throw FileError(file_, atLine(number, quoted(words_[0]) + " is neither a number nor a heading with " +
-                                                joined(wanted_) + "; name the columns (ReadOptions::columns)"));
+      throw FileError(file_, atLine(number, quoted(words_[0]) + " is neither a number nor a heading with " + joined(wanted_) +
+                                                "; name the columns (ReadOptions::columns)"));
     positions_ = columnsOf(file_, names_, wanted_);
     width_ = words_.size();
     const std::size_t last = *std::max_element(positions_.begin(), positions_.end());
     if (last >= width_)
-      throw FileError(file_, atLine(number, std::to_string(width_) + " columns, where column " +
-                                                std::to_string(last + 1) + " is asked for; see ReadOptions::columns"));
+      throw FileError(file_, atLine(number, std::to_string(width_) + " columns, where column " + std::to_string(last + 1) +
+                                                " is asked for; see ReadOptions::columns"));
     table_.resize(wanted_.size());
   }
 
-  void
-  takeNumbers(std::size_t number)
+  void takeNumbers(std::size_t number)
   {
     if (words_.size() != width_)
-      throw FileError(file_, atLine(number, std::to_string(words_.size()) +
-                                                " columns, where the lines before have " +
+      throw FileError(file_, atLine(number, std::to_string(words_.size()) + " columns, where the lines before have " +
                                                 std::to_string(width_) + "; is the file cut off?"));
     for (std::size_t c = 0; c < positions_.size(); ++c) {
       const std::string_view word = words_[positions_[c]];
@@ -167,8 +157,7 @@ private:
       if (!value) {
         const bool comma = word.find_first_of(", \t") != std::string_view::npos;
         throw FileError(file_,
-                        atLine(number, quoted(word) + " is not a number" +
-                                           (comma ? "; write decimals with a point, not a comma" : "")));
+                        atLine(number, quoted(word) + " is not a number" + (comma ? "; write decimals with a point, not a comma" : "")));
       }
       table_[c].push_back(*value);
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "field_layout.h"
 #include "point_table.h"
 #include "text_scan.h"
@@ -32,15 +33,10 @@ public:
       fail("holds no polyline");
   }
 
-  bool
-  has(const std::string& name) const
-  {
-    return arrays_.count(name) > 0;
-  }
+  bool has(const std::string& name) const { return arrays_.count(name) > 0; }
 
   /** One column for each component. */
-  void
-  append(PointTable& table, const std::string& name, std::size_t components) const
+  void append(PointTable& table, const std::string& name, std::size_t components) const
   {
     const auto found = arrays_.find(name);
     if (found == arrays_.end() || found->second.components != components)
@@ -58,8 +54,7 @@ public:
   }
 
   /** An array of whole numbers of the lines. */
-  std::vector<std::size_t>
-  lineNumbers(const std::string& name) const
+  std::vector<std::size_t> lineNumbers(const std::string& name) const
   {
     const auto found = arrays_.find("Lines " + name);
     if (found == arrays_.end())
@@ -76,22 +71,22 @@ public:
     return numbers;
   }
 
-  std::vector<std::size_t>
-  passes() const
+  std::vector<std::size_t> passes() const
   {
     const std::vector<std::size_t> points = lineNumbers("connectivity"), ends = lineNumbers("offsets");
     std::vector<std::size_t> begins;
     std::size_t next = 0, begin = 0; // the point and the entry that come next
     for (const std::size_t end : ends) {
       if (end <= begin || end > points.size())
-        fail("has polylines that end at entries " + std::to_string(begin) + " and " + std::to_string(end) + " of " + std::to_string(points.size()));
+        fail("has polylines that end at entries " + std::to_string(begin) + " and " + std::to_string(end) + " of " +
+             std::to_string(points.size()));
       if (next > 0)
         begins.push_back(next);
       const bool alone = end == begin + 2 && points[begin] == points[begin + 1]; // a pass of one point, twice
       for (std::size_t i = begin; i < end - (alone ? 1 : 0); ++i, ++next)
         if (points[i] != next)
-          fail("has polylines whose points do not follow one another: " + std::to_string(points[i]) + " stands where " + std::to_string(next) +
-               " does in the order of the points; give the path as .csv");
+          fail("has polylines whose points do not follow one another: " + std::to_string(points[i]) + " stands where " +
+               std::to_string(next) + " does in the order of the points; give the path as .csv");
       begin = end;
     }
     if (next != points_)
@@ -102,15 +97,10 @@ public:
 private:
   using Attributes = std::map<std::string_view, std::string_view>;
 
-  [[noreturn]] void
-  fail(const std::string& what) const
-  {
-    throw FileError(file_, what);
-  }
+  [[noreturn]] void fail(const std::string& what) const { throw FileError(file_, what); }
 
   /** Up to the tag of the appended data. */
-  void
-  readTags()
+  void readTags()
   {
     while (begin_ < bytes_.size()) {
       const std::size_t open = bytes_.find('<', begin_);
@@ -125,8 +115,7 @@ private:
   }
 
   /** Whether this is the tag that the data follow. */
-  bool
-  takeTag(std::string_view tag)
+  bool takeTag(std::string_view tag)
   {
     const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n/", 1));
     const Attributes attributes = attributesOf(tag.substr(name.size()));
@@ -147,8 +136,7 @@ private:
     return name == "AppendedData";
   }
 
-  static Attributes
-  attributesOf(std::string_view text)
+  static Attributes attributesOf(std::string_view text)
   {
     Attributes attributes;
     for (std::size_t equal = text.find('='); equal != std::string_view::npos; equal = text.find('=')) {
@@ -164,15 +152,13 @@ private:
     return attributes;
   }
 
-  static std::string_view
-  value(const Attributes& attributes, std::string_view name)
+  static std::string_view value(const Attributes& attributes, std::string_view name)
   {
     const auto found = attributes.find(name);
     return found == attributes.end() ? std::string_view() : found->second;
   }
 
-  std::size_t
-  countIn(const Attributes& attributes, std::string_view name) const
+  std::size_t countIn(const Attributes& attributes, std::string_view name) const
   {
     const std::optional<std::size_t> count = toCount(value(attributes, name));
     if (!count)
@@ -180,27 +166,24 @@ private:
     return *count;
   }
 
-  void
-  takeFormat(const Attributes& attributes)
+  void takeFormat(const Attributes& attributes)
   {
     if (value(attributes, "byte_order") == "BigEndian" || attributes.count("compressor") > 0)
       fail("holds compressed or big-endian data; save it as little-endian without compression, or give the path as .csv");
     wide_headers_ = value(attributes, "header_type") == "UInt64";
   }
 
-  void
-  takePiece(const Attributes& attributes)
+  void takePiece(const Attributes& attributes)
   {
     if (points_ > 0 || countIn(attributes, "NumberOfLines") == 0)
       fail("holds more than one piece or no polyline; a toolpath is one piece, with a polyline a pass");
     points_ = countIn(attributes, "NumberOfPoints");
   }
 
-  void
-  takeArray(const Attributes& attributes)
+  void takeArray(const Attributes& attributes)
   {
     static const std::map<std::string_view, FieldType> types{
-        {"Int8", {'I', 1}},  {"UInt8", {'U', 1}},  {"Int16", {'I', 2}},   {"UInt16", {'U', 2}},  {"Int32", {'I', 4}},
+        {"Int8", {'I', 1}},   {"UInt8", {'U', 1}}, {"Int16", {'I', 2}},  {"UInt16", {'U', 2}},  {"Int32", {'I', 4}},
         {"UInt32", {'U', 4}}, {"Int64", {'I', 8}}, {"UInt64", {'U', 8}}, {"Float32", {'F', 4}}, {"Float64", {'F', 8}}};
     const auto type = types.find(value(attributes, "type"));
     if (type == types.end() || value(attributes, "format") != "appended")
@@ -214,8 +197,7 @@ private:
   }
 
   template <typename T>
-  static std::size_t
-  load(std::string_view bytes)
+  static std::size_t load(std::string_view bytes)
   {
     T value;
     std::memcpy(&value, bytes.data(), sizeof(T));
@@ -223,14 +205,12 @@ private:
   }
 
   /** The bytes of an array, which stand behind their own number. */
-  std::string_view
-  block(const std::string& name, const VtpArray& array) const
+  std::string_view block(const std::string& name, const VtpArray& array) const
   {
     const std::size_t header = wide_headers_ ? 8 : 4;
     std::string_view rest = bytes_.substr(std::min(begin_ + array.offset, bytes_.size()));
     if (rest.size() >= header) {
-      const std::size_t size = wide_headers_ ? load<std::uint64_t>(rest)
-                                             : load<std::uint32_t>(rest);
+      const std::size_t size = wide_headers_ ? load<std::uint64_t>(rest) : load<std::uint32_t>(rest);
       rest.remove_prefix(header);
       if (size <= rest.size())
         return rest.substr(0, size);

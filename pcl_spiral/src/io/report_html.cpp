@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "verification_html.h"
 
+#include "mesh/mesh_findings.h"
 #include "report_writer.h"
 #include "setting_names.h"
-#include "mesh/mesh_findings.h"
 
 #include <algorithm>
 
@@ -38,7 +39,8 @@ scallopRows(const SpiralReport& r)
           {"Fingers", std::to_string(r.fingers)},
           {"Efficiency: least length / path length", words("%.3f", r.least_length / r.path_length)},
           {"Travelled against the sense asked for", words("%.0f %%", 100.0 * r.reversed_share)},
-          {"Passes", r.pass_begins.empty() ? std::string("1") : words("%zu, %.3f m of lifts between them", r.pass_begins.size() + 1, 0.001 * r.lift_length)},
+          {"Passes", r.pass_begins.empty() ? std::string("1")
+                                           : words("%zu, %.3f m of lifts between them", r.pass_begins.size() + 1, 0.001 * r.lift_length)},
           {"Radius of the sharpest turns", words("%.2f step-overs", r.turn_radius)}};
 }
 
@@ -46,14 +48,13 @@ void
 addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
 {
   page.addHeading("Toolpath");
-  HtmlRows rows{
-      {"Turns", std::to_string(r.turns)},
-      {"Points", std::to_string(r.path_points)},
-      {"Length", words("%.3f m", r.path_length / 1000.0)},
-      {"Machining time", duration(60.0 * r.path_length / s.feed) + words(" at %g mm/min", s.feed)},
-      {"Method", choiceName(r.method)},
-      {"Longest linear move", words("%.4g mm", r.largest_gap)},
-      {"Largest axis change per step", words("%.3g\u00b0", r.largest_axis_change)}};
+  HtmlRows rows{{"Turns", std::to_string(r.turns)},
+                {"Points", std::to_string(r.path_points)},
+                {"Length", words("%.3f m", r.path_length / 1000.0)},
+                {"Machining time", duration(60.0 * r.path_length / s.feed) + words(" at %g mm/min", s.feed)},
+                {"Method", choiceName(r.method)},
+                {"Longest linear move", words("%.4g mm", r.largest_gap)},
+                {"Largest axis change per step", words("%.3g\u00b0", r.largest_axis_change)}};
   if (r.method == SpiralMethod::ConstantScallop)
     for (const auto& row : scallopRows(r))
       rows.push_back(row);
@@ -61,8 +62,7 @@ addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
     rows.insert(rows.end(), {{"Step-over", words("%.4g to %.4g mm", r.smallest_step_over, r.largest_step_over)},
                              {"Radial lines", words("%zu, %s", r.radial_lines.size(), r.harmonic_lines ? "harmonic" : "geodesic")}});
   if (r.gap_points > 0)
-    rows.push_back({"Over gaps of the scan, bridged: a guess",
-                    words("%zu points, %.1f mm", r.gap_points, r.gap_length)});
+    rows.push_back({"Over gaps of the scan, bridged: a guess", words("%zu points, %.1f mm", r.gap_points, r.gap_length)});
   if (r.boundaries == 1 && r.method != SpiralMethod::ConstantScallop)
     rows.push_back({"Centre", place(r.centre)});
   if (r.deviating_points > 0)
@@ -99,12 +99,12 @@ addSurface(HtmlPage& page, const std::optional<RunMesh>& mesh, const SpiralRepor
   dropped(r.surplus_points, "surplus along scan lines or beside sparser parts");
   dropped(r.left_out_points, "in other parts");
   rows.push_back({"Point spacing, median", words("%.4g mm", r.spacing)});
-  rows.push_back({mesh ? "Samples off the local fits, standard deviation" : "Noise of a single point, standard deviation",
-                  words("%.2g mm", r.noise)});
+  rows.push_back(
+      {mesh ? "Samples off the local fits, standard deviation" : "Noise of a single point, standard deviation", words("%.2g mm", r.noise)});
   for (const BoundaryLoop& loop : r.loops) {
     const char* const name = loop.type == LoopType::Outer   ? "Outer rim"
                              : loop.type == LoopType::Inner ? "Inner loop"
-                             : mesh                          ? "Narrow hole, bridged"
+                             : mesh                         ? "Narrow hole, bridged"
                                                             : "Gap in the scan, bridged";
     rows.push_back({name, words("%.1f mm long, %zu corners", loop.length, loop.corners.size())});
   }
@@ -132,13 +132,11 @@ addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
        {"Longest linear move allowed", words("%g mm", s.max_step > 0.0 ? s.max_step : s.tool_radius)},
        {"Side tilt, lead of the axis", words("%g\u00b0, %g\u00b0", s.tilt_angle, s.lead_angle)},
        {"Largest turn of the axis", words("%g\u00b0 per mm", s.max_axis_rate)},
-       {"Axis smoothed over",
-        s.axis_smoothing > 0.0 ? words("%g mm, by up to %g\u00b0", s.axis_smoothing, s.axis_deviation) : "nothing"},
+       {"Axis smoothed over", s.axis_smoothing > 0.0 ? words("%g mm, by up to %g\u00b0", s.axis_smoothing, s.axis_deviation) : "nothing"},
        {"Feed at the contact", words("%g mm/min", s.feed)},
        {"Centre", place(s.centre, "found")},
        {"The path meets the rim near", place(s.start_point, "found")},
-       {"View point of the scanner",
-        place(s.view_point, "none: the cutter comes from +z, or the convex side")},
+       {"View point of the scanner", place(s.view_point, "none: the cutter comes from +z, or the convex side")},
        {"Cutter on the other side", s.flip_normals ? "yes" : "no"},
        {"Boundaries", choiceName(s.boundary_mode)},
        {"Direction, sense", choiceName(s.direction) + ", " + choiceName(s.sense) + (s.one_way ? ", one way" : "")},
@@ -154,9 +152,8 @@ addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
                                                      : words("%g mm inside the rim", -s.rim_overhang)},
        {"Gaps in the scan", choiceName(s.gaps)},
        {"Thinning", s.thinning > 0.0 ? words("%g mm", s.thinning) : "none"},
-       {"Outlier filter", s.outlier_neighbours > 0 ? words("%d neighbours, %g standard deviations",
-                                                           s.outlier_neighbours, s.outlier_deviations)
-                                                   : "none"}},
+       {"Outlier filter",
+        s.outlier_neighbours > 0 ? words("%d neighbours, %g standard deviations", s.outlier_neighbours, s.outlier_deviations) : "none"}},
       false);
 }
 
@@ -174,8 +171,7 @@ addTimes(HtmlPage& page, const SpiralReport& report, const Verification* verific
   HtmlRows rows{{"stage", "time", "memory at its end", "most until then"}};
   double total = verification ? verification->seconds : 0.0;
   for (const StageCost& stage : report.stages) {
-    rows.push_back({stage.name, words("%.2f s", stage.seconds), megabytes(stage.memory.resident),
-                    megabytes(stage.memory.peak)});
+    rows.push_back({stage.name, words("%.2f s", stage.seconds), megabytes(stage.memory.resident), megabytes(stage.memory.peak)});
     total += stage.seconds;
   }
   if (verification)
@@ -188,29 +184,24 @@ addTimes(HtmlPage& page, const SpiralReport& report, const Verification* verific
 } // namespace
 
 void
-writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files,
-                const SpiralSettings& settings, const SpiralReport& report,
-                const std::vector<ReportPicture>& pictures, const Verification* verification,
+writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files, const SpiralSettings& settings,
+                const SpiralReport& report, const std::vector<ReportPicture>& pictures, const Verification* verification,
                 const std::vector<ReportPicture>& judged)
 {
-  HtmlPage html(page.title,
-                words("Spiral toolpath over a scanned surface; ball cutter, radius %g mm, scallop %g mm",
-                      settings.tool_radius, settings.scallop_height));
+  HtmlPage html(page.title, words("Spiral toolpath over a scanned surface; ball cutter, radius %g mm, scallop %g mm", settings.tool_radius,
+                                  settings.scallop_height));
   std::vector<std::string> warnings = files.warnings;
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
   if (verification) {
     for (const std::string& warning : warningsOf(*verification))
       if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
         warnings.push_back(warning);
-    const VerificationRun run{
-        files.scan, files.unit, settings.tool_radius, settings.scallop_height, settings.chord_error, {}, {}};
+    const VerificationRun run{files.scan, files.unit, settings.tool_radius, settings.scallop_height, settings.chord_error, {}, {}};
     html.addPart("Verification");
     addVerification(html, run, *verification, judged);
   }
   else
-    html.addStatement(
-        Tone::Neutral, "Not judged",
-        {"pcl_spiral_verify measures deviation, scallop and gouge against the scan"});
+    html.addStatement(Tone::Neutral, "Not judged", {"pcl_spiral_verify measures deviation, scallop and gouge against the scan"});
   html.addPart("Path and surface");
   for (const ReportPicture& picture : pictures)
     html.addPicture(picture);

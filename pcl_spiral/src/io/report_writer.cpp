@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "byte_file.h"
 #include "mesh_json.h"
 #include "verification_json.h"
@@ -57,8 +58,7 @@ settingsJson(const SpiralSettings& s)
           {"largest", s.largest_part},
           {"gaps", choiceName(s.gaps)},
           {"thin", s.thinning},
-          {"outliers",
-           s.outlier_neighbours > 0 ? Json::array({s.outlier_neighbours, s.outlier_deviations}) : Json()},
+          {"outliers", s.outlier_neighbours > 0 ? Json::array({s.outlier_neighbours, s.outlier_deviations}) : Json()},
           {"threads", s.threads}};
 }
 
@@ -71,13 +71,9 @@ loopsJson(const SpiralReport& report)
     for (const std::size_t corner : loop.corners)
       if (corner < loop.curve.size())
         corners.push_back(toJson(loop.curve[corner]));
-    const char* const type = loop.type == LoopType::Outer   ? "outer"
-                             : loop.type == LoopType::Inner ? "inner"
-                                                            : "scan gap";
-    loops.push_back({{"type", type},
-                     {"length", loop.length},
-                     {"points", std::max(loop.points.size(), loop.indices.size())},
-                     {"corners", corners}});
+    const char* const type = loop.type == LoopType::Outer ? "outer" : loop.type == LoopType::Inner ? "inner" : "scan gap";
+    loops.push_back(
+        {{"type", type}, {"length", loop.length}, {"points", std::max(loop.points.size(), loop.indices.size())}, {"corners", corners}});
   }
   return loops;
 }
@@ -97,12 +93,8 @@ scallopJson(const SpiralReport& report)
 {
   if (report.method != SpiralMethod::ConstantScallop)
     return {};
-  return {{"loops", report.scallop_loops},
-          {"chain_loops", report.chain_loops},
-          {"bridges", report.bridges},
-          {"fingers", report.fingers},
-          {"reversed_share", report.reversed_share},
-          {"passes", report.pass_begins.size() + 1},
+  return {{"loops", report.scallop_loops},    {"chain_loops", report.chain_loops},       {"bridges", report.bridges},
+          {"fingers", report.fingers},        {"reversed_share", report.reversed_share}, {"passes", report.pass_begins.size() + 1},
           {"lift_length", report.lift_length}};
 }
 
@@ -111,8 +103,7 @@ foreseenJson(const SpiralReport& report)
 {
   if (report.foreseen_scallop == 0.0)
     return {};
-  return {{"radial", report.foreseen_radial > 0.0 ? Json(report.foreseen_radial) : Json()},
-          {"constant_scallop", report.foreseen_scallop}};
+  return {{"radial", report.foreseen_radial > 0.0 ? Json(report.foreseen_radial) : Json()}, {"constant_scallop", report.foreseen_scallop}};
 }
 
 Json
@@ -201,23 +192,22 @@ memoryJson(const std::vector<StageCost>& costs)
 } // namespace
 
 void
-writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings,
-                const SpiralReport& report, const Verification* verification)
+writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings, const SpiralReport& report,
+                const Verification* verification)
 {
   std::vector<std::string> warnings = files.warnings;
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
-  Json json = {
-      {"units", {{"length", "mm"}, {"angle", "degree"}, {"feed", "mm/min"}, {"time", "s"}, {"memory", "MB"}}},
-      {"input", {{"file", files.scan}, {"unit", choiceName(files.unit)}, {"origin", toJson(files.origin)}}},
-      {"outputs", files.outputs},
-      {"settings", settingsJson(settings)},
-      {"surface", surfaceJson(report)},
-      {"loops", loopsJson(report)},
-      {"holes", holesJson(report)},
-      {"path", pathJson(report, settings.feed)},
-      {"seconds", secondsJson(report.stages)},
-      {"memory", memoryJson(report.stages)},
-      {"warnings", warnings}};
+  Json json = {{"units", {{"length", "mm"}, {"angle", "degree"}, {"feed", "mm/min"}, {"time", "s"}, {"memory", "MB"}}},
+               {"input", {{"file", files.scan}, {"unit", choiceName(files.unit)}, {"origin", toJson(files.origin)}}},
+               {"outputs", files.outputs},
+               {"settings", settingsJson(settings)},
+               {"surface", surfaceJson(report)},
+               {"loops", loopsJson(report)},
+               {"holes", holesJson(report)},
+               {"path", pathJson(report, settings.feed)},
+               {"seconds", secondsJson(report.stages)},
+               {"memory", memoryJson(report.stages)},
+               {"warnings", warnings}};
   if (files.mesh)
     json["mesh"] = meshJson(*files.mesh);
   if (verification)

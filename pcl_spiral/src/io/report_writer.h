@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The report of a run, as JSON and as a page for people.
  */
 #pragma once
 
-#include <pcl_spiral/io/impl/length_unit.h>
 #include "verification_writer.h"
+#include <pcl_spiral/io/impl/length_unit.h>
 #include <pcl_spiral/mesh/impl/mesh_settings.h>
 #include <pcl_spiral/spiral/spiral_report.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
@@ -33,14 +34,13 @@ struct RunFiles {
 
 /** Input, settings, loops, counts, time and memory of each stage and warnings of a run, and the path's figures where it was
  * judged (null: not). Lengths mm, angles degrees, seconds, MB (10^6 bytes; see MemoryUse). \throw FileError */
-void writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings,
-                     const SpiralReport& report, const Verification* verification = nullptr);
+void writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings, const SpiralReport& report,
+                     const Verification* verification = nullptr);
 
 /** The same as one HTML file that needs no other, with \p pictures of the path and \p judged of how it was judged.
  *  \throw FileError */
-void writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files,
-                     const SpiralSettings& settings, const SpiralReport& report,
-                     const std::vector<ReportPicture>& pictures, const Verification* verification = nullptr,
+void writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files, const SpiralSettings& settings,
+                     const SpiralReport& report, const std::vector<ReportPicture>& pictures, const Verification* verification = nullptr,
                      const std::vector<ReportPicture>& judged = {});
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "scaled_points.h"
 
 #include <algorithm>
@@ -56,9 +57,8 @@ scaleWarnings(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& clo
   const auto rounded = static_cast<float>(largest);
   const double rounding = 0.5 * (std::nextafter(rounded, std::numeric_limits<float>::max()) - rounded);
   if (rounding > noticed_rounding)
-    warnings.push_back(file + ": coordinates reach " + inMillimetres(largest) +
-                       ", where single precision rounds them by up to " + inMillimetres(rounding) +
-                       "; subtract a point near the part (ReadOptions::origin)");
+    warnings.push_back(file + ": coordinates reach " + inMillimetres(largest) + ", where single precision rounds them by up to " +
+                       inMillimetres(rounding) + "; subtract a point near the part (ReadOptions::origin)");
   const double size = (high - low).norm();
   if (largest > 0.0 && size < smallest_likely_size)
     warnings.push_back(file + ": the part is " + inMillimetres(size) +

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Words for the choices in the settings, as options, job files and reports spell them.
  */
 #pragma once
 
+#include <pcl_spiral/drive/drive_settings.h>
 #include <pcl_spiral/io/impl/length_unit.h>
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/ridge/ridge_rows.h>
-#include <pcl_spiral/drive/drive_settings.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
 
 #include <array>
@@ -28,11 +29,10 @@ struct ChoiceNames<LengthUnit> {
 };
 template <>
 struct ChoiceNames<BoundaryMode> {
-  static constexpr std::array<std::pair<BoundaryMode, const char*>, 4> words{
-      {{BoundaryMode::Automatic, "auto"},
-       {BoundaryMode::OneBoundary, "one"},
-       {BoundaryMode::TwoBoundaries, "two"},
-       {BoundaryMode::AllBoundaries, "all"}}};
+  static constexpr std::array<std::pair<BoundaryMode, const char*>, 4> words{{{BoundaryMode::Automatic, "auto"},
+                                                                              {BoundaryMode::OneBoundary, "one"},
+                                                                              {BoundaryMode::TwoBoundaries, "two"},
+                                                                              {BoundaryMode::AllBoundaries, "all"}}};
 };
 template <>
 struct ChoiceNames<SpiralDirection> {
@@ -46,8 +46,7 @@ struct ChoiceNames<SpiralSense> {
 };
 template <>
 struct ChoiceNames<Pitch> {
-  static constexpr std::array<std::pair<Pitch, const char*>, 2> words{
-      {{Pitch::AcrossFeed, "across"}, {Pitch::AlongLine, "along"}}};
+  static constexpr std::array<std::pair<Pitch, const char*>, 2> words{{{Pitch::AcrossFeed, "across"}, {Pitch::AlongLine, "along"}}};
 };
 template <>
 struct ChoiceNames<GapHandling> {
@@ -62,17 +61,14 @@ struct ChoiceNames<HoleHandling> {
 template <>
 struct ChoiceNames<LineMethod> {
   static constexpr std::array<std::pair<LineMethod, const char*>, 3> words{
-      {{LineMethod::Automatic, "auto"},
-       {LineMethod::Geodesic, "geodesic"},
-       {LineMethod::Harmonic, "harmonic"}}};
+      {{LineMethod::Automatic, "auto"}, {LineMethod::Geodesic, "geodesic"}, {LineMethod::Harmonic, "harmonic"}}};
 };
 template <>
 struct ChoiceNames<SpiralMethod> {
-  static constexpr std::array<std::pair<SpiralMethod, const char*>, 4> words{
-      {{SpiralMethod::Shortest, "shortest"},
-       {SpiralMethod::Radial, "radial"},
-       {SpiralMethod::ConstantScallop, "constant-scallop"},
-       {SpiralMethod::Published, "published"}}};
+  static constexpr std::array<std::pair<SpiralMethod, const char*>, 4> words{{{SpiralMethod::Shortest, "shortest"},
+                                                                              {SpiralMethod::Radial, "radial"},
+                                                                              {SpiralMethod::ConstantScallop, "constant-scallop"},
+                                                                              {SpiralMethod::Published, "published"}}};
 };
 template <>
 struct ChoiceNames<Dialect> {
@@ -87,8 +83,7 @@ struct ChoiceNames<Dialect> {
 };
 template <>
 struct ChoiceNames<LeadKind> {
-  static constexpr std::array<std::pair<LeadKind, const char*>, 2> words{
-      {{LeadKind::Normal, "normal"}, {LeadKind::Arc, "arc"}}};
+  static constexpr std::array<std::pair<LeadKind, const char*>, 2> words{{{LeadKind::Normal, "normal"}, {LeadKind::Arc, "arc"}}};
 };
 template <>
 struct ChoiceNames<DriveKind> {
@@ -100,16 +95,14 @@ struct ChoiceNames<DriveKind> {
 };
 template <>
 struct ChoiceNames<DriveRows> {
-  static constexpr std::array<std::pair<DriveRows, const char*>, 2> words{
-      {{DriveRows::Even, "even"}, {DriveRows::Kept, "kept"}}};
+  static constexpr std::array<std::pair<DriveRows, const char*>, 2> words{{{DriveRows::Even, "even"}, {DriveRows::Kept, "kept"}}};
 };
 template <>
 struct ChoiceNames<DriveAxisMode> {
-  static constexpr std::array<std::pair<DriveAxisMode, const char*>, 4> words{
-      {{DriveAxisMode::Fixed, "fixed"},
-       {DriveAxisMode::Cylinder, "cylinder"},
-       {DriveAxisMode::LocalPlane, "plane"},
-       {DriveAxisMode::Surface, "surface"}}};
+  static constexpr std::array<std::pair<DriveAxisMode, const char*>, 4> words{{{DriveAxisMode::Fixed, "fixed"},
+                                                                               {DriveAxisMode::Cylinder, "cylinder"},
+                                                                               {DriveAxisMode::LocalPlane, "plane"},
+                                                                               {DriveAxisMode::Surface, "surface"}}};
 };
 
 template <>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "text_scan.h"
 
 #include <algorithm>
@@ -67,9 +68,8 @@ splitWords(std::string_view line, char separator, std::vector<std::string_view>&
 bool
 sameWord(std::string_view word, std::string_view lower)
 {
-  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(), [](unsigned char a, unsigned char b) {
-    return std::tolower(a) == b;
-  });
+  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
+                    [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
 }
 
 std::optional<double>

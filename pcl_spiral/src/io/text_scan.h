@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Lines, words and numbers of a text held in memory.
  */
@@ -19,17 +20,9 @@ public:
   /** The next line without its end and without blanks around it; false at the end of the text. */
   bool next(std::string_view& line);
   /** Number of the line that next gave last, from 1. */
-  std::size_t
-  number() const
-  {
-    return number_;
-  }
+  std::size_t number() const { return number_; }
   /** Byte at which the next line begins. */
-  std::size_t
-  position() const
-  {
-    return position_;
-  }
+  std::size_t position() const { return position_; }
 
 private:
   std::string_view text_;

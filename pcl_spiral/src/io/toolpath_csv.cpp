@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "byte_file.h"
 #include "fixed_point.h"
 
@@ -8,14 +9,13 @@
 
 namespace pcl_spiral {
 
-const char* const toolpath_csv_header =
-    "turn,arc_length,cc_x,cc_y,cc_z,normal_x,normal_y,normal_z,tip_x,tip_y,tip_z,"
-    "axis_x,axis_y,axis_z,feed";
+const char* const toolpath_csv_header = "turn,arc_length,cc_x,cc_y,cc_z,normal_x,normal_y,normal_z,tip_x,tip_y,tip_z,"
+                                        "axis_x,axis_y,axis_z,feed";
 
 namespace {
 
 constexpr std::size_t rows_a_block = 2048;
-constexpr std::size_t usual_row = 192; ///< bytes
+constexpr std::size_t usual_row = 192;     ///< bytes
 constexpr std::size_t blocks_a_round = 32; ///< bounds the memory to 12 MB; the same for any number of threads
 
 template <int Decimals>
@@ -58,8 +58,7 @@ writeRow(char* out, const ToolpathPoint& point, std::size_t i, const ToolpathMot
 } // namespace
 
 void
-writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
-                 const ToolpathMotion& motion)
+writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion)
 {
   ByteFile out(file);
   out.write(std::string(toolpath_csv_header) + "\n");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "byte_file.h"
 #include "toolpath_rows.h"
 

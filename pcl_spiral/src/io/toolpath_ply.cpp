@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "byte_file.h"
 #include "toolpath_rows.h"
 
@@ -9,10 +10,9 @@ void
 writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path)
 {
   ByteFile out(file);
-  std::string header =
-      "ply\nformat binary_little_endian 1.0\ncomment toolpath, mm: contact, normal, tool axis\n"
-      "element vertex " +
-      std::to_string(path.size()) + "\n";
+  std::string header = "ply\nformat binary_little_endian 1.0\ncomment toolpath, mm: contact, normal, tool axis\n"
+                       "element vertex " +
+                       std::to_string(path.size()) + "\n";
   for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "axis_x", "axis_y", "axis_z"})
     header += std::string("property float ") + name + "\n";
   out.write(header + "property double arc_length\nproperty float turn\nproperty uchar over_gap\nend_header\n");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "byte_file.h"
 #include "point_table.h"
 
@@ -59,12 +60,10 @@ readToolpath(const std::string& file)
     return first;
   };
   if (extension == ".csv")
-    return fromColumns(
-        readTextTable(file, readBytes(file),
-                      names({"cc_x", "cc_y", "cc_z", "normal_x", "normal_y", "normal_z"}, {"feed", "tip_x", "tip_y", "tip_z"})));
+    return fromColumns(readTextTable(
+        file, readBytes(file), names({"cc_x", "cc_y", "cc_z", "normal_x", "normal_y", "normal_z"}, {"feed", "tip_x", "tip_y", "tip_z"})));
   if (extension == ".pcd")
-    return fromColumns(
-        readPcdTable(file, readBytes(file), names({"x", "y", "z", "normal_x", "normal_y", "normal_z"})));
+    return fromColumns(readPcdTable(file, readBytes(file), names({"x", "y", "z", "normal_x", "normal_y", "normal_z"})));
   if (extension == ".ply")
     return fromColumns(readPlyTable(file, readBytes(file), names({"x", "y", "z", "nx", "ny", "nz"})));
   if (extension == ".vtp") {
@@ -73,8 +72,7 @@ readToolpath(const std::string& file)
     liftBetween(readVtpPasses(file, bytes), read.path);
     return read;
   }
-  throw FileError(file,
-                  "extension '" + extension + "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");
+  throw FileError(file, "extension '" + extension + "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");
 }
 
 } // namespace pcl_spiral

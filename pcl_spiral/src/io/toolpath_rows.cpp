@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "toolpath_rows.h"
 
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Toolpath points as packed binary records, the same in .pcd and .ply.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "byte_file.h"
 #include "quiet_vtk.h"
 
@@ -77,17 +78,14 @@ polyData(const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motio
   data->SetPoints(points);
   data->SetLines(lines);
   vtkPointData* const arrays = data->GetPointData();
-  arrays->SetNormals(
-      pointArray<vtkFloatArray>("Normals", 3, path, [](const P& p, int c) { return p.data_n[c]; }));
-  arrays->AddArray(
-      pointArray<vtkFloatArray>("ToolAxis", 3, path, [](const P& p, int c) { return p.data_axis[c]; }));
+  arrays->SetNormals(pointArray<vtkFloatArray>("Normals", 3, path, [](const P& p, int c) { return p.data_n[c]; }));
+  arrays->AddArray(pointArray<vtkFloatArray>("ToolAxis", 3, path, [](const P& p, int c) { return p.data_axis[c]; }));
   if (!values.feed.empty())
     addValues(arrays, "Feed", values.feed);
   else if (motion.feed > 0.0)
     addValues(arrays, "Feed", std::vector<double>(path.size(), motion.feed));
   arrays->AddArray(pointArray<vtkFloatArray>("Turn", 1, path, [](const P& p, int) { return p.turn; }));
-  arrays->AddArray(
-      pointArray<vtkDoubleArray>("ArcLength", 1, path, [](const P& p, int) { return p.arc_length; }));
+  arrays->AddArray(pointArray<vtkDoubleArray>("ArcLength", 1, path, [](const P& p, int) { return p.arc_length; }));
   const auto over_gap = [](const P& p) { return p.over_gap != 0; };
   if (std::any_of(path.begin(), path.end(), over_gap))
     arrays->AddArray(pointArray<vtkUnsignedCharArray>("OverGap", 1, path, [](const P& p, int) { return p.over_gap; }));
@@ -115,8 +113,8 @@ requireOneAPoint(std::size_t values, std::size_t points, const char* what)
 } // namespace
 
 void
-writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
-                 const ToolpathMotion& motion, const PathValues& values)
+writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion,
+                 const PathValues& values)
 {
   if (path.empty()) // VTK cannot hold a line without points
     throw FileError(file, "not written: the path has no points");
@@ -131,8 +129,7 @@ writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToNone();
   if (writer->Write() != 1 || writer->GetErrorCode() != vtkErrorCode::NoError)
-    throw FileError(file, std::string("cannot be written: ") +
-                              vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+    throw FileError(file, std::string("cannot be written: ") + vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
   ByteFile out(file); // VTK's own files miss what fails when they are closed
   out.write(writer->GetOutputString());
   out.close();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "byte_file.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -15,8 +16,7 @@ toolpathExtensions()
 }
 
 void
-writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
-              const ToolpathMotion& motion, const PathValues& values)
+writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion, const PathValues& values)
 {
   if (path.empty())
     throw FileError(file, "not written: the path has no points");
@@ -33,8 +33,7 @@ writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& pat
   else if (extension == ".vtp")
     writeToolpathVTP(file, path, motion, values);
   else
-    throw FileError(file, "extension '" + extension +
-                              "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");
+    throw FileError(file, "extension '" + extension + "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");
 }
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "verification_html.h"
 
 #include "setting_names.h"
@@ -19,22 +20,12 @@ placeOf(const PlacedValue& v)
 /** Rows of a table of figures: name, value, limit, place, path point. */
 class Figures {
 public:
-  void
-  add(const std::string& name, const std::string& value)
-  {
-    rows_.push_back({name, value, "", "", ""});
-  }
-  void
-  add(const std::string& name, const std::string& value, const PlacedValue& place,
-      const std::string& limit = "")
+  void add(const std::string& name, const std::string& value) { rows_.push_back({name, value, "", "", ""}); }
+  void add(const std::string& name, const std::string& value, const PlacedValue& place, const std::string& limit = "")
   {
     rows_.push_back({name, value, limit, placeOf(place), std::to_string(place.index)});
   }
-  const HtmlRows&
-  rows() const
-  {
-    return rows_;
-  }
+  const HtmlRows& rows() const { return rows_; }
 
 private:
   HtmlRows rows_{{"Figure", "Value", "Limit", "At x, y, z (mm)", "Path point"}};
@@ -49,8 +40,7 @@ limitText(const std::optional<double>& limit, double value, const char* unit)
 void
 addDeviation(Figures& figures, const DeviationFigures& d, const Limits& limits)
 {
-  figures.add("Deviation of contacts from the surface, largest (+ out of the material)",
-              words("%+.4f mm", d.max.value), d.max,
+  figures.add("Deviation of contacts from the surface, largest (+ out of the material)", words("%+.4f mm", d.max.value), d.max,
               limitText(limits.deviation, std::abs(d.max.value), "mm"));
   figures.add("Deviation, amount: 99 % below", words("%.4f mm", d.p99));
   figures.add("Deviation, rms", words("%.4f mm", d.rms));
@@ -60,8 +50,7 @@ addDeviation(Figures& figures, const DeviationFigures& d, const Limits& limits)
   }
   if (d.beyond_rim > 0)
     figures.add(words("Deviation beyond the outermost scan points, largest of %zu contacts", d.beyond_rim),
-                words("%+.4f mm", d.rim_max.value), d.rim_max,
-                limitText(limits.deviation, std::abs(d.rim_max.value), "mm"));
+                words("%+.4f mm", d.rim_max.value), d.rim_max, limitText(limits.deviation, std::abs(d.rim_max.value), "mm"));
   if (d.in_gaps > 0)
     figures.add(words("Distance of %zu contacts in gaps of the scan from the surface carried on, largest", d.in_gaps),
                 words("%+.4f mm", d.gap_max.value), d.gap_max);
@@ -70,16 +59,13 @@ addDeviation(Figures& figures, const DeviationFigures& d, const Limits& limits)
                       d.crease_band, d.in_crease_band),
                 words("%+.4f mm", d.crease_max.value), d.crease_max);
   if (d.unmeasured > 0)
-    figures.add("Contacts off the surface, not measured",
-                words("%zu of %zu", d.unmeasured, d.points));
+    figures.add("Contacts off the surface, not measured", words("%zu of %zu", d.unmeasured, d.points));
   figures.add("Normal error, largest", words("%.3g\u00b0", d.normal_error.value), d.normal_error);
   figures.add("Normal error, 99 % below", words("%.3g\u00b0", d.normal_p99));
   if (d.opposed > 0)
-    figures.add("Normals that point into the material, and the first", std::to_string(d.opposed),
-                d.first_opposed);
+    figures.add("Normals that point into the material, and the first", std::to_string(d.opposed), d.first_opposed);
   if (d.inward_axes > 0)
-    figures.add("Tool axes that point into the material, and the first", std::to_string(d.inward_axes),
-                d.first_inward);
+    figures.add("Tool axes that point into the material, and the first", std::to_string(d.inward_axes), d.first_inward);
 }
 
 void
@@ -89,12 +75,11 @@ addMaterial(Figures& figures, const RemovalFigures& r, const Limits& limits)
     figures.add("Scallop: ridge between passes, median", words("%.4f mm", r.scallop.p50));
     figures.add("Scallop, 99 % below", words("%.4f mm", r.scallop.p99));
     figures.add("Scallop, 99.9 % below", words("%.4f mm", r.scallop.p999));
-    figures.add(words("Ridges above 1.02 h + e = %.4g mm", r.limit),
-                words("%.3g %%", 100.0 * r.scallop.share_above));
+    figures.add(words("Ridges above 1.02 h + e = %.4g mm", r.limit), words("%.3g %%", 100.0 * r.scallop.share_above));
   }
   const PlacedValue& highest = highestScallop(r);
-  figures.add(r.scallop.samples > 0 ? "Scallop, highest" : "Stock left, highest (no ridge was measured)",
-              words("%.4f mm", highest.value), highest, limitText(limits.scallop, highest.value, "mm"));
+  figures.add(r.scallop.samples > 0 ? "Scallop, highest" : "Stock left, highest (no ridge was measured)", words("%.4f mm", highest.value),
+              highest, limitText(limits.scallop, highest.value, "mm"));
   if (r.rim.samples > 0)
     figures.add("Stock within one step-over of the rim, highest", words("%.4f mm", r.rim.max.value), r.rim.max,
                 limitText(limits.scallop, r.rim.max.value, "mm"));
@@ -104,10 +89,11 @@ addMaterial(Figures& figures, const RemovalFigures& r, const Limits& limits)
   else
     figures.add("Gouge", "none" + (gouge_limit.empty() ? "" : "; limit " + gouge_limit));
   if (r.rim_gouge.value > 0.0)
-    figures.add("Gouge beyond the outermost scan points, deepest", words("%.4f mm", r.rim_gouge.value),
-                r.rim_gouge, limitText(limits.gouge, r.rim_gouge.value, "mm"));
+    figures.add("Gouge beyond the outermost scan points, deepest", words("%.4f mm", r.rim_gouge.value), r.rim_gouge,
+                limitText(limits.gouge, r.rim_gouge.value, "mm"));
   if (r.crease.samples > 0) {
-    figures.add(words("Stock within %.3g mm of creases, highest; no verdict", r.crease_band), words("%.4f mm", r.crease.max.value), r.crease.max);
+    figures.add(words("Stock within %.3g mm of creases, highest; no verdict", r.crease_band), words("%.4f mm", r.crease.max.value),
+                r.crease.max);
     figures.add("Gouge there, deepest; no verdict", words("%.4f mm", r.crease_gouge.value), r.crease_gouge);
   }
   const double uncut = uncutPercent(r);
@@ -138,20 +124,21 @@ addStatement(HtmlPage& page, const VerificationRun& run, const Verification& v)
   const RemovalFigures& r = v.removal;
   Row grounds = v.broken;
   grounds.insert(grounds.end(), v.unproven.begin(), v.unproven.end());
-  grounds.push_back(
-      words("largest deviation %+.4f mm; scallop 99.9 %% below %.4f mm, highest %.4f mm; gouge %.4f mm; "
-            "uncut %.3g %%; efficiency %.3f",
-            v.deviation.max.value, r.scallop.p999, highestScallop(r).value, r.gouge.value, uncutPercent(r),
-            r.efficiency));
+  grounds.push_back(words("largest deviation %+.4f mm; scallop 99.9 %% below %.4f mm, highest %.4f mm; gouge %.4f mm; "
+                          "uncut %.3g %%; efficiency %.3f",
+                          v.deviation.max.value, r.scallop.p999, highestScallop(r).value, r.gouge.value, uncutPercent(r), r.efficiency));
   if (!v.broken.empty())
     page.addStatement(Tone::Bad, "Limits are broken", grounds);
   else if (!v.unproven.empty())
-    page.addStatement(Tone::Doubtful, run.mesh ? "No limit is seen broken, but these samples cannot show that all hold" : "No limit is seen broken, but this scan cannot show that all hold",
+    page.addStatement(Tone::Doubtful,
+                      run.mesh ? "No limit is seen broken, but these samples cannot show that all hold"
+                               : "No limit is seen broken, but this scan cannot show that all hold",
                       grounds);
   else if (limits.any())
     page.addStatement(Tone::Good, "All stated limits hold", grounds);
   else
-    page.addStatement(Tone::Neutral, run.mesh ? "Judged by the mesh; no limits were stated" : "Judged by the scan; no limits were stated", grounds);
+    page.addStatement(Tone::Neutral, run.mesh ? "Judged by the mesh; no limits were stated" : "Judged by the scan; no limits were stated",
+                      grounds);
 }
 
 /** Whether a value that was asked for can be told from the noise of the surface that it is measured against.
@@ -177,11 +164,9 @@ addNoise(HtmlPage& page, const VerificationRun& run, const DeviationFigures& d)
     rows.push_back({"Noise of a single point, standard deviation", words("%.2g mm", d.noise)});
   rows.push_back({d.by_mesh ? "Distance of the mesh from the surface fitted to them, rms" : "Noise of the surface fitted to the points",
                   words("%.2g mm", d.fit_noise)});
-  for (const Row& row : {shownRow("Scallop asked for, h", run.scallop_height, d),
-                         shownRow("Chord error asked for, e", run.chord_error, d),
+  for (const Row& row : {shownRow("Scallop asked for, h", run.scallop_height, d), shownRow("Chord error asked for, e", run.chord_error, d),
                          shownRow("Limit on the deviation", run.limits.deviation, d),
-                         shownRow("Limit on the scallop", run.limits.scallop, d),
-                         shownRow("Limit on the gouge", run.limits.gouge, d)})
+                         shownRow("Limit on the scallop", run.limits.scallop, d), shownRow("Limit on the gouge", run.limits.gouge, d)})
     if (!row.empty())
       rows.push_back(row);
   page.addTable(rows, false);
@@ -201,8 +186,7 @@ addMesh(HtmlRows& rows, const JudgedMesh& mesh)
 } // namespace
 
 void
-addVerification(HtmlPage& page, const VerificationRun& run, const Verification& verification,
-                const std::vector<ReportPicture>& pictures)
+addVerification(HtmlPage& page, const VerificationRun& run, const Verification& verification, const std::vector<ReportPicture>& pictures)
 {
   addStatement(page, run, verification);
   page.addHeading("Figures");
@@ -236,8 +220,7 @@ addWarnings(HtmlPage& page, const std::vector<std::string>& warnings)
 
 void
 writeVerificationHTML(const std::string& file, const ReportPage& page, const VerificationRun& run,
-                      const std::vector<Verification>& verifications,
-                      const std::vector<std::vector<ReportPicture>>& pictures)
+                      const std::vector<Verification>& verifications, const std::vector<std::vector<ReportPicture>>& pictures)
 {
   HtmlPage html(page.title, words("Toolpath judged by a %s; ball cutter, radius %g mm", run.mesh ? "mesh" : "scan", run.tool_radius));
   for (std::size_t i = 0; i < verifications.size(); ++i) {

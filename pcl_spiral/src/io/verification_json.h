@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A toolpath's figures as a JSON object, for the reports. Private to io.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "byte_file.h"
 #include "verification_json.h"
 
@@ -167,8 +168,7 @@ verificationJson(const Verification& v)
 }
 
 void
-writeVerificationJSON(const std::string& file, const VerificationRun& run,
-                      const std::vector<Verification>& verifications)
+writeVerificationJSON(const std::string& file, const VerificationRun& run, const std::vector<Verification>& verifications)
 {
   Json paths = Json::array();
   for (const Verification& verification : verifications) {
@@ -176,14 +176,12 @@ writeVerificationJSON(const std::string& file, const VerificationRun& run,
     path.update(verificationJson(verification));
     paths.push_back(path);
   }
-  const Json json = {
-      {"units", {{"length", "mm"}, {"angle", "degree"}, {"time", "s"}}},
-      {"input", {{"file", run.scan}, {"unit", choiceName(run.unit)}, {"mesh", meshJson(run.mesh)}}},
-      {"settings",
-       {{"tool_radius", run.tool_radius}, {"scallop", run.scallop_height}, {"chord_error", run.chord_error}}},
-      {"limits", limitsJson(run.limits)},
-      {"paths", paths},
-      {"warnings", run.warnings}};
+  const Json json = {{"units", {{"length", "mm"}, {"angle", "degree"}, {"time", "s"}}},
+                     {"input", {{"file", run.scan}, {"unit", choiceName(run.unit)}, {"mesh", meshJson(run.mesh)}}},
+                     {"settings", {{"tool_radius", run.tool_radius}, {"scallop", run.scallop_height}, {"chord_error", run.chord_error}}},
+                     {"limits", limitsJson(run.limits)},
+                     {"paths", paths},
+                     {"warnings", run.warnings}};
   ByteFile out(file);
   out.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   out.close();

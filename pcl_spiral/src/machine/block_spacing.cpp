@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "half_turn.h"
 
 #include <pcl_spiral/machine/impl/block_spacing.h>
@@ -24,11 +25,9 @@ isWithin(const ToolPose& a, const ToolPose& b, const BlockTolerance& tolerance)
 }
 
 bool
-staysNear(const Kinematics& kinematics, const MachineLocation& a, const MachineLocation& b,
-          const BlockTolerance& tolerance)
+staysNear(const Kinematics& kinematics, const MachineLocation& a, const MachineLocation& b, const BlockTolerance& tolerance)
 {
-  if (std::max(std::abs(b.angles.first - a.angles.first), std::abs(b.angles.second - a.angles.second)) >
-      largest_turn)
+  if (std::max(std::abs(b.angles.first - a.angles.first), std::abs(b.angles.second - a.angles.second)) > largest_turn)
     return false;
   for (double t : {0.5, 0.25, 0.75})
     if (!isWithin(interpolated(kinematics, a, b, t), between(a.pose, b.pose, t), tolerance))
@@ -39,8 +38,7 @@ staysNear(const Kinematics& kinematics, const MachineLocation& a, const MachineL
 MachineLocation
 middle(const Kinematics& kinematics, Branch branch, const MachineLocation& a, const MachineLocation& b)
 {
-  MachineLocation m{between(a.pose, b.pose, 0.5), linear(a.angles, b.angles, 0.5),
-                    0.5 * (a.arc_length + b.arc_length)};
+  MachineLocation m{between(a.pose, b.pose, 0.5), linear(a.angles, b.angles, 0.5), 0.5 * (a.arc_length + b.arc_length)};
   if (const std::optional<RotaryAngles> angles = kinematics.anglesOf(m.pose.axis, branch)) {
     if (!std::isnan(angles->first))
       m.angles.first = nearestTurn(angles->first, m.angles.first);
@@ -50,8 +48,8 @@ middle(const Kinematics& kinematics, Branch branch, const MachineLocation& a, co
 }
 
 void
-split(const Kinematics& kinematics, Branch branch, const MachineLocation& a, const MachineLocation& b,
-      const BlockTolerance& tolerance, int halvings, MachineLocations& out)
+split(const Kinematics& kinematics, Branch branch, const MachineLocation& a, const MachineLocation& b, const BlockTolerance& tolerance,
+      int halvings, MachineLocations& out)
 {
   if (halvings < most_halvings && !staysNear(kinematics, a, b, tolerance)) {
     const MachineLocation m = middle(kinematics, branch, a, b);
@@ -83,18 +81,15 @@ axisBound(const RotaryAngles& a, const RotaryAngles& b, double sine)
 
 /** Whether one block from \p i to \p j passes every location between within \p tolerance. */
 bool
-canSkip(const Kinematics& kinematics, const MachineLocations& path, const std::vector<double>& way,
-        std::size_t i, std::size_t j, const BlockTolerance& tolerance)
+canSkip(const Kinematics& kinematics, const MachineLocations& path, const std::vector<double>& way, std::size_t i, std::size_t j,
+        const BlockTolerance& tolerance)
 {
   const MachineLocation &a = path[i], &b = path[j];
-  if (std::max(std::abs(b.angles.first - a.angles.first), std::abs(b.angles.second - a.angles.second)) >
-      largest_turn)
+  if (std::max(std::abs(b.angles.first - a.angles.first), std::abs(b.angles.second - a.angles.second)) > largest_turn)
     return false;
-  double sine =
-      0.0; // the pole angle is largest at a location or changes by less than the second angle on the way
+  double sine = 0.0; // the pole angle is largest at a location or changes by less than the second angle on the way
   for (std::size_t k = i; k <= j; ++k)
-    sine = std::max(
-        sine, std::sin(std::min(largest_turn, kinematics.poleAngle(path[k].pose.axis) + tolerance.axis)));
+    sine = std::max(sine, std::sin(std::min(largest_turn, kinematics.poleAngle(path[k].pose.axis) + tolerance.axis)));
   for (std::size_t k = i + 1; k < j; ++k) {
     const double t = way[j] > way[i] ? (way[k] - way[i]) / (way[j] - way[i]) : 0.0;
     if ((interpolated(kinematics, a, b, t).tip - path[k].pose.tip).norm() > tolerance.tip ||
@@ -113,16 +108,14 @@ interpolated(const Kinematics& kinematics, const MachineLocation& a, const Machi
   ToolPose pose = between(a.pose, b.pose, t);
   pose.axis = kinematics.toolAxis(angles);
   if (!kinematics.machine().rtcp) {
-    const Eigen::Vector3d from = kinematics.programmed(a.pose.tip, a.angles),
-                          to = kinematics.programmed(b.pose.tip, b.angles);
+    const Eigen::Vector3d from = kinematics.programmed(a.pose.tip, a.angles), to = kinematics.programmed(b.pose.tip, b.angles);
     pose.tip = kinematics.tipOf(from + t * (to - from), angles);
   }
   return pose;
 }
 
 MachineLocations
-splitBlocks(const Kinematics& kinematics, Branch branch, const MachineLocations& path,
-            const BlockTolerance& tolerance)
+splitBlocks(const Kinematics& kinematics, Branch branch, const MachineLocations& path, const BlockTolerance& tolerance)
 {
   MachineLocations out;
   out.reserve(path.size());

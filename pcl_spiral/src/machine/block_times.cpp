@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "block_times.h"
 
 #include <algorithm>
@@ -10,9 +11,8 @@ namespace {
 double
 axisTime(const Machine& machine, const ProgramBlock& a, const ProgramBlock& b)
 {
-  double minutes =
-      std::max(std::abs(b.angles.first - a.angles.first) / machine.rotary[0].range.largest_rate,
-               std::abs(b.angles.second - a.angles.second) / machine.rotary[1].range.largest_rate);
+  double minutes = std::max(std::abs(b.angles.first - a.angles.first) / machine.rotary[0].range.largest_rate,
+                            std::abs(b.angles.second - a.angles.second) / machine.rotary[1].range.largest_rate);
   for (int i = 0; i < 3; ++i)
     minutes = std::max(minutes, std::abs(b.machine[i] - a.machine[i]) / machine.linear[i].largest_rate);
   return minutes;

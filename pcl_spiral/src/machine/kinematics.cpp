@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "half_turn.h"
 
 #include <pcl_spiral/machine/impl/kinematics.h>
@@ -60,8 +61,7 @@ Kinematics::anglesOf(const Eigen::Vector3d& axis, Branch branch) const
   if (std::abs(cosine) > 1.0 + rounding || !std::isfinite(cosine))
     return std::nullopt;
   const double half = std::acos(std::clamp(cosine, -1.0, 1.0));
-  const double one = nearestTurn(sign_[1] * (middle + half), 0.0),
-               other = nearestTurn(sign_[1] * (middle - half), 0.0);
+  const double one = nearestTurn(sign_[1] * (middle + half), 0.0), other = nearestTurn(sign_[1] * (middle - half), 0.0);
   RotaryAngles angles;
   angles.second = branch == Branch::Larger ? std::max(one, other) : std::min(one, other);
   if (poleAngle(axis) < pole) {

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limit_check.h"
 
-#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
 #include <array>
@@ -35,16 +36,15 @@ remedyOf(const RotaryAxis* rotary)
 }
 
 std::string
-textOfBreach(const std::vector<ProgramBlock>& blocks, const std::string& name, const Breach& breach,
-             const AxisRange& range, const RotaryAxis* rotary)
+textOfBreach(const std::vector<ProgramBlock>& blocks, const std::string& name, const Breach& breach, const AxisRange& range,
+             const RotaryAxis* rotary)
 {
   const double unit = rotary != nullptr ? in_degrees : 1.0;
   const char* const word = rotary != nullptr ? " degrees" : " mm";
   const double limit = (breach.below ? range.lower : range.upper) * unit;
   const ProgramBlock& block = blocks[breach.first];
-  std::string all = textOf("block ", breach.first + 1, " at ", block.arc_length, " mm of the path: ", name,
-                           " would stand at ", breach.first_value * unit, word, ", ",
-                           std::abs(breach.first_value * unit - limit), word,
+  std::string all = textOf("block ", breach.first + 1, " at ", block.arc_length, " mm of the path: ", name, " would stand at ",
+                           breach.first_value * unit, word, ", ", std::abs(breach.first_value * unit - limit), word,
                            breach.below ? " below its lower" : " above its upper", " limit of ", limit, word);
   if (breach.count > 1)
     all += textOf(" (", breach.count, " blocks, the worst at ", breach.worst * unit, word, ")");

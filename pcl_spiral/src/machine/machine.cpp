@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/machine/machine.h>
 
@@ -9,8 +10,7 @@ namespace {
 Status
 fault(const Machine& machine, const std::string& what)
 {
-  return {StatusCode::InvalidArgument,
-          (machine.name.empty() ? std::string("machine") : machine.name) + ": " + what};
+  return {StatusCode::InvalidArgument, (machine.name.empty() ? std::string("machine") : machine.name) + ": " + what};
 }
 
 std::string
@@ -29,8 +29,7 @@ rotaryFault(const RotaryAxis& axis)
   if (axis.letter != 'A' && axis.letter != 'B' && axis.letter != 'C')
     return textOf("a rotary axis is called ", axis.letter, "; A, B and C are known");
   if (!axis.direction.allFinite() || !(axis.direction.norm() > 1e-9))
-    return textOf("the direction of ", axis.letter, " is ", placeText(axis.direction),
-                  "; give one such as [1, 0, 0]");
+    return textOf("the direction of ", axis.letter, " is ", placeText(axis.direction), "; give one such as [1, 0, 0]");
   if (!axis.point.allFinite())
     return textOf("the point of ", axis.letter, " is not finite; give one such as [0, 0, 0]");
   if (!std::isfinite(axis.range.largest_rate))
@@ -71,20 +70,17 @@ checkMachine(const Machine& machine)
   if (first.letter == second.letter)
     return fault(machine, textOf("both rotary axes are called ", first.letter, "; give each its own letter"));
   if (first.mount == RotaryMount::Head && second.mount == RotaryMount::Table)
-    return fault(machine,
-                 textOf("the table ", second.letter, " stands behind the head ", first.letter,
-                        "; list rotary axes in the order from the workpiece to the tool, tables first"));
+    return fault(machine, textOf("the table ", second.letter, " stands behind the head ", first.letter,
+                                 "; list rotary axes in the order from the workpiece to the tool, tables first"));
   if (!(first.direction.normalized().cross(second.direction.normalized()).norm() > 1e-3))
     return fault(machine,
-                 textOf(first.letter, " and ", second.letter,
-                        " turn about the same direction; two that differ are needed to tilt a tool"));
+                 textOf(first.letter, " and ", second.letter, " turn about the same direction; two that differ are needed to tilt a tool"));
   if (!(second.direction.normalized().cross(Eigen::Vector3d::UnitZ()).norm() > 1e-3))
-    return fault(machine, textOf(second.letter,
-                                 ", the axis nearer to the tool, turns about the tool itself; list rotary "
-                                 "axes in the order from the workpiece to the tool"));
+    return fault(machine, textOf(second.letter, ", the axis nearer to the tool, turns about the tool itself; list rotary "
+                                                "axes in the order from the workpiece to the tool"));
   if (!machine.work_zero.allFinite() || !(machine.tool_length >= 0.0) || !std::isfinite(machine.tool_length))
-    return fault(machine, textOf("work_zero ", placeText(machine.work_zero), " and tool_length ",
-                                 machine.tool_length, " must be finite, the length not below 0"));
+    return fault(machine, textOf("work_zero ", placeText(machine.work_zero), " and tool_length ", machine.tool_length,
+                                 " must be finite, the length not below 0"));
   const AxisRange& z = machine.linear[2];
   if (machine.retract_z && !(*machine.retract_z >= z.lower && *machine.retract_z <= z.upper))
     return fault(machine, textOf("retract_z is ", *machine.retract_z, ", beyond the limits of Z, ", z.lower, " to ", z.upper,

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "block_times.h"
 #include "half_turn.h"
 #include "limit_check.h"
 #include "tool_leads.h"
 #include "turn_passes.h"
 
-#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/pass_begins.h>
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 
@@ -52,8 +53,8 @@ stands(const ProgramBlock& a, const ProgramBlock& b)
 }
 
 void
-addPass(const Kinematics& kinematics, const ToolLeads& leads, const MachineLocations& path,
-        const TurnPass& pass, std::vector<ProgramBlock>& blocks)
+addPass(const Kinematics& kinematics, const ToolLeads& leads, const MachineLocations& path, const TurnPass& pass,
+        std::vector<ProgramBlock>& blocks)
 {
   const auto located = [&](std::size_t i) {
     MachineLocation location = path[i];
@@ -77,12 +78,11 @@ addPass(const Kinematics& kinematics, const ToolLeads& leads, const MachineLocat
 
 /** Angles, blocks and runs of the pass that comes after \p before; its arc lengths and turns go on from there. */
 Status
-layPass(const Kinematics& kinematics, const ProgramSettings& settings, const ToolPoses& poses,
-        const std::vector<MachinePass>& before, MachinePass& pass, ProgramReport& report)
+layPass(const Kinematics& kinematics, const ProgramSettings& settings, const ToolPoses& poses, const std::vector<MachinePass>& before,
+        MachinePass& pass, ProgramReport& report)
 {
   RotaryPath rotary;
-  if (const Status status =
-          rotaryPath(kinematics, poses, {settings.feed, settings.ball_radius, settings.pole_cone * degree}, rotary);
+  if (const Status status = rotaryPath(kinematics, poses, {settings.feed, settings.ball_radius, settings.pole_cone * degree}, rotary);
       !status.ok())
     return status;
   if (!before.empty()) {
@@ -111,10 +111,9 @@ layPass(const Kinematics& kinematics, const ProgramSettings& settings, const Too
   if (pass.turns.empty())
     return {StatusCode::Failed,
             textOf("at ", pass.path[failed].arc_length, " mm of the path ", first.letter, " stands at ",
-                   pass.path[failed].angles.first / degree,
-                   " degrees or whole turns from it, and cannot go on within its limits of ",
-                   first.range.lower / degree, " to ", first.range.upper / degree,
-                   " degrees; turn the part, or use a machine whose ", first.letter, " turns further")};
+                   pass.path[failed].angles.first / degree, " degrees or whole turns from it, and cannot go on within its limits of ",
+                   first.range.lower / degree, " to ", first.range.upper / degree, " degrees; turn the part, or use a machine whose ",
+                   first.letter, " turns further")};
   return Status::success();
 }
 
@@ -128,8 +127,7 @@ reportAngles(MachineProgram& program)
     const RotaryAngles &to = block.angles, &from = program.blocks[i - 1].angles;
     if (block.section != BlockSection::Cut)
       continue;
-    report.largest_turn =
-        std::max({report.largest_turn, std::abs(to.first - from.first), std::abs(to.second - from.second)});
+    report.largest_turn = std::max({report.largest_turn, std::abs(to.first - from.first), std::abs(to.second - from.second)});
     ++report.cut_blocks;
     report.first_travel += std::abs(to.first - from.first);
     const auto widen = [begun](double& lowest, double& highest, double value) {
@@ -190,21 +188,15 @@ MachineProgramGenerator::check() const
   };
   for (const std::string& fault :
        {require(s.feed > 0.0 && std::isfinite(s.feed), "feed", s.feed, "it must be above 0 mm/min"),
-        require(s.ball_radius >= 0.0 && std::isfinite(s.ball_radius), "ball radius", s.ball_radius,
-                "it must not be below 0 mm"),
-        require(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole cone", s.pole_cone,
-                "it must lie between 0 and 90 degrees"),
+        require(s.ball_radius >= 0.0 && std::isfinite(s.ball_radius), "ball radius", s.ball_radius, "it must not be below 0 mm"),
+        require(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole cone", s.pole_cone, "it must lie between 0 and 90 degrees"),
         require(s.block.tip >= BlockTolerance::least_tip, "block tolerance", s.block.tip, "it must be 0.0001 mm or more"),
-        require(s.block.axis >= BlockTolerance::least_axis, "block tolerance", s.block.axis,
-                "it must be 1e-6 radians or more"),
-        require(s.thinning.tip >= 0.0 && s.thinning.axis >= 0.0, "thinning tolerance",
-                std::min(s.thinning.tip, s.thinning.axis), "it must not be below 0"),
-        require(s.lead_length > 0.0 && std::isfinite(s.lead_length), "lead length", s.lead_length,
-                "it must be above 0 mm"),
-        require(s.clearance > 0.0 && std::isfinite(s.clearance), "clearance", s.clearance,
-                "it must be above 0 mm"),
-        require(s.rapid_height > 0.0 && std::isfinite(s.rapid_height), "rapid height", s.rapid_height,
-                "it must be above 0 mm")})
+        require(s.block.axis >= BlockTolerance::least_axis, "block tolerance", s.block.axis, "it must be 1e-6 radians or more"),
+        require(s.thinning.tip >= 0.0 && s.thinning.axis >= 0.0, "thinning tolerance", std::min(s.thinning.tip, s.thinning.axis),
+                "it must not be below 0"),
+        require(s.lead_length > 0.0 && std::isfinite(s.lead_length), "lead length", s.lead_length, "it must be above 0 mm"),
+        require(s.clearance > 0.0 && std::isfinite(s.clearance), "clearance", s.clearance, "it must be above 0 mm"),
+        require(s.rapid_height > 0.0 && std::isfinite(s.rapid_height), "rapid height", s.rapid_height, "it must be above 0 mm")})
     if (!fault.empty())
       return {StatusCode::InvalidArgument, fault};
   return Status::success();
@@ -222,8 +214,7 @@ MachineProgramGenerator::computeProgram(MachineProgram& program) const
   for (const ToolPoses& poses : passes_) {
     MachinePass pass;
     if (const Status status = layPass(kinematics, settings_, poses, passes, pass, program.report); !status.ok())
-      return passes_.size() == 1 ? status
-                                 : Status(status.code(), textOf("pass ", passes.size() + 1, ": ", status.message()));
+      return passes_.size() == 1 ? status : Status(status.code(), textOf("pass ", passes.size() + 1, ": ", status.message()));
     passes.push_back(std::move(pass));
   }
   const Eigen::Vector3d up = upOf(kinematics.machine());
@@ -238,8 +229,7 @@ MachineProgramGenerator::computeProgram(MachineProgram& program) const
         program.report.unwound_at.push_back(pass.path[turn.first].arc_length);
       addPass(kinematics, leads, pass.path, turn, program.blocks);
     }
-  program.blocks.erase(std::unique(program.blocks.begin(), program.blocks.end(), stands),
-                       program.blocks.end());
+  program.blocks.erase(std::unique(program.blocks.begin(), program.blocks.end(), stands), program.blocks.end());
   setBlockTimes(kinematics, settings_.feed, program);
   reportAngles(program);
   return checkLimits(kinematics, program.blocks);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "half_turn.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -21,13 +22,10 @@ Status
 checkPoses(const ToolPoses& poses)
 {
   if (poses.size() < 2)
-    return {StatusCode::InvalidInput,
-            textOf("the path has ", poses.size(), " poses; a program needs at least 2")};
+    return {StatusCode::InvalidInput, textOf("the path has ", poses.size(), " poses; a program needs at least 2")};
   for (std::size_t i = 0; i < poses.size(); ++i)
-    if (!poses[i].tip.allFinite() || !poses[i].contact.allFinite() ||
-        !(std::abs(poses[i].axis.norm() - 1.0) < 1e-6))
-      return {StatusCode::InvalidInput,
-              textOf("pose ", i, " is not finite or its axis is no unit vector; leave it out")};
+    if (!poses[i].tip.allFinite() || !poses[i].contact.allFinite() || !(std::abs(poses[i].axis.norm() - 1.0) < 1e-6))
+      return {StatusCode::InvalidInput, textOf("pose ", i, " is not finite or its axis is no unit vector; leave it out")};
   return Status::success();
 }
 
@@ -50,8 +48,7 @@ branchPath(const Kinematics& kinematics, const ToolPoses& poses, Branch branch, 
     const std::optional<RotaryAngles> angles = kinematics.anglesOf(poses[i].axis, branch);
     if (!angles)
       return i;
-    const double second =
-        i == 0 ? withinLimits(angles->second, range) : nearestTurn(angles->second, path.angles.back().second);
+    const double second = i == 0 ? withinLimits(angles->second, range) : nearestTurn(angles->second, path.angles.back().second);
     path.beyond += second < range.lower - rounding || second > range.upper + rounding;
     path.angles.push_back({angles->first, second});
   }
@@ -72,8 +69,7 @@ unwind(std::vector<RotaryAngles>& angles, double home)
     const std::size_t begin = known == angles.size() ? 0 : known + 1;
     const double from = known == angles.size() ? last : angles[known].first;
     for (std::size_t j = begin; j < i; ++j)
-      angles[j].first =
-          from + (last - from) * static_cast<double>(j + 1 - begin) / static_cast<double>(i + 1 - begin);
+      angles[j].first = from + (last - from) * static_cast<double>(j + 1 - begin) / static_cast<double>(i + 1 - begin);
     known = i;
   }
   for (std::size_t j = known == angles.size() ? 0 : known + 1; j < angles.size(); ++j)
@@ -82,14 +78,11 @@ unwind(std::vector<RotaryAngles>& angles, double home)
 
 /** Whether the move to location \p i turns the first axis faster than it can, near the pole. */
 bool
-exceeds(const Kinematics& kinematics, const MachineLocations& path, std::size_t i,
-        const RotaryPathSettings& settings)
+exceeds(const Kinematics& kinematics, const MachineLocations& path, std::size_t i, const RotaryPathSettings& settings)
 {
   const double minutes = (path[i].arc_length - path[i - 1].arc_length) / settings.feed;
-  return std::abs(path[i].angles.first - path[i - 1].angles.first) >
-             kinematics.machine().rotary[0].range.largest_rate * minutes + 1e-9 &&
-         kinematics.poleAngle(path[i].pose.axis) < settings.pole_cone &&
-         kinematics.poleAngle(path[i - 1].pose.axis) < settings.pole_cone;
+  return std::abs(path[i].angles.first - path[i - 1].angles.first) > kinematics.machine().rotary[0].range.largest_rate * minutes + 1e-9 &&
+         kinematics.poleAngle(path[i].pose.axis) < settings.pole_cone && kinematics.poleAngle(path[i - 1].pose.axis) < settings.pole_cone;
 }
 
 void
@@ -111,8 +104,7 @@ blend(const Kinematics& kinematics, double pivot, MachineLocations& path, PoleZo
   const double from = at_begin ? leave : enter;
   const double to = at_begin ? leave : at_end ? enter : nearestTurn(leave, enter);
   for (std::size_t i = zone.first_pose; i <= zone.last_pose; ++i) {
-    const double share =
-        zone.end > zone.begin ? (path[i].arc_length - zone.begin) / (zone.end - zone.begin) : 1.0;
+    const double share = zone.end > zone.begin ? (path[i].arc_length - zone.begin) / (zone.end - zone.begin) : 1.0;
     setFirst(kinematics, from + share * (to - from), pivot, path[i], zone);
   }
   if (!at_begin)
@@ -142,8 +134,7 @@ blendPoles(const Kinematics& kinematics, const RotaryPathSettings& settings, Rot
 } // namespace
 
 Status
-rotaryPath(const Kinematics& kinematics, const ToolPoses& poses, const RotaryPathSettings& settings,
-           RotaryPath& path)
+rotaryPath(const Kinematics& kinematics, const ToolPoses& poses, const RotaryPathSettings& settings, RotaryPath& path)
 {
   path = RotaryPath();
   if (const Status status = checkPoses(poses); !status.ok())
@@ -152,9 +143,8 @@ rotaryPath(const Kinematics& kinematics, const ToolPoses& poses, const RotaryPat
   if (const std::optional<std::size_t> i = branchPath(kinematics, poses, Branch::Larger, larger)) {
     const auto& rotary = kinematics.machine().rotary;
     return {StatusCode::InvalidInput,
-            textOf("pose ", *i, " at ", placeText(poses[*i].tip), ": no angles of ", rotary[0].letter,
-                   " and ", rotary[1].letter, " reach the tool axis ", placeText(poses[*i].axis),
-                   "; turn the part, or tilt the tool less")};
+            textOf("pose ", *i, " at ", placeText(poses[*i].tip), ": no angles of ", rotary[0].letter, " and ", rotary[1].letter,
+                   " reach the tool axis ", placeText(poses[*i].axis), "; turn the part, or tilt the tool less")};
   }
   branchPath(kinematics, poses, Branch::Smaller, smaller);
   path.branch = smaller.beyond < larger.beyond ? Branch::Smaller : Branch::Larger;
@@ -166,8 +156,7 @@ rotaryPath(const Kinematics& kinematics, const ToolPoses& poses, const RotaryPat
     path.locations[i] = {poses[i], angles[i], i == 0 ? 0.0 : path.locations[i - 1].arc_length + step};
   }
   blendPoles(kinematics, settings, path);
-  const double begin = path.locations.front().angles.first,
-               shift = nearestTurn(begin, kinematics.machine().rotary[0].home) - begin;
+  const double begin = path.locations.front().angles.first, shift = nearestTurn(begin, kinematics.machine().rotary[0].home) - begin;
   for (MachineLocation& location : path.locations) // where the pole's zone came first, it took turns away
     location.angles.first += shift;
   return Status::success();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tool_leads.h"
 
 #include <Eigen/Geometry>
@@ -13,8 +14,7 @@ constexpr double quarter_turn = 1.57079632679489661923;
 } // namespace
 
 ProgramBlock
-blockTo(const Kinematics& kinematics, const Eigen::Vector3d& tip, const MachineLocation& at,
-        BlockSection section, bool rapid)
+blockTo(const Kinematics& kinematics, const Eigen::Vector3d& tip, const MachineLocation& at, BlockSection section, bool rapid)
 {
   ProgramBlock block;
   block.section = section;
@@ -44,8 +44,7 @@ ToolLeads::leadTips(const MachineLocation& at, const Eigen::Vector3d& inward) co
   std::vector<Eigen::Vector3d> tips;
   for (int i = 0; i <= std::min(steps, 1000); ++i) {
     const double angle = quarter_turn * (1.0 - static_cast<double>(i) / std::min(steps, 1000));
-    tips.push_back(at.pose.tip +
-                   radius * ((1.0 - std::cos(angle)) * normal - std::sin(angle) * along.normalized()));
+    tips.push_back(at.pose.tip + radius * ((1.0 - std::cos(angle)) * normal - std::sin(angle) * along.normalized()));
   }
   return tips;
 }
@@ -99,11 +98,9 @@ ToolLeads::unwinding(const ProgramBlock& at, double to) const
 {
   // Without RTCP the machine cuts the circle of the turning work short by distance (1 - cos(step / 2)).
   const RotaryAxis& table = kinematics_.machine().rotary[0];
-  const double distance =
-      (at.tip + kinematics_.machine().work_zero - table.point).cross(table.direction).norm();
+  const double distance = (at.tip + kinematics_.machine().work_zero - table.point).cross(table.direction).norm();
   const double share = std::min(1.0, 0.25 * settings_.rapid_height / std::max(distance, 1e-9));
-  const double step =
-      kinematics_.machine().rtcp ? quarter_turn : std::min(quarter_turn, 2.0 * std::acos(1.0 - share));
+  const double step = kinematics_.machine().rtcp ? quarter_turn : std::min(quarter_turn, 2.0 * std::acos(1.0 - share));
   const int steps = static_cast<int>(std::ceil(std::abs(to - at.angles.first) / step));
   MachineLocation turned;
   turned.pose.normal = at.normal;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  How the tool comes to a path and leaves it.
  */
@@ -11,11 +12,9 @@ namespace pcl_spiral {
 class ToolLeads {
 public:
   /** \p top: height over the workpiece's zero along \p up that is clear of everything. */
-  ToolLeads(const Kinematics& kinematics, const ProgramSettings& settings, const Eigen::Vector3d& up,
-            double top)
-      : kinematics_(kinematics), settings_(settings), up_(up), top_(top)
-  {
-  }
+  ToolLeads(const Kinematics& kinematics, const ProgramSettings& settings, const Eigen::Vector3d& up, double top)
+  : kinematics_(kinematics), settings_(settings), up_(up), top_(top)
+  {}
 
   /** From the top down to the path at \p at, which goes on along \p travel; the blocks end there. */
   std::vector<ProgramBlock> entry(const MachineLocation& at, const Eigen::Vector3d& travel) const;
@@ -35,7 +34,6 @@ private:
 };
 
 /** The block to \p tip with the angles of \p at. */
-ProgramBlock blockTo(const Kinematics& kinematics, const Eigen::Vector3d& tip, const MachineLocation& at,
-                     BlockSection section, bool rapid);
+ProgramBlock blockTo(const Kinematics& kinematics, const Eigen::Vector3d& tip, const MachineLocation& at, BlockSection section, bool rapid);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "turn_passes.h"
 
 #include <pcl_spiral/core/impl/angles.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A path in passes that a rotary axis of finite range can make.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bent_edges.h"
 
 #include <pcl_spiral/core/impl/angles.h>
@@ -65,7 +66,8 @@ standsOutAs(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& bent, doub
   if (bendsOnBeyond(mesh, narrow, wide))
     return true; // as along a chamfer
   const Triangulation& t = mesh.triangles();
-  const double edge = std::max({lengthOf(mesh, narrow), lengthOf(mesh, Triangulation::next(narrow)), lengthOf(mesh, Triangulation::previous(narrow))});
+  const double edge =
+      std::max({lengthOf(mesh, narrow), lengthOf(mesh, Triangulation::next(narrow)), lengthOf(mesh, Triangulation::previous(narrow))});
   const double sine = std::min(1.0, (mesh.faceNormal(narrow / 3) - mesh.faceNormal(wide / 3)).norm());
   const double height = 2.0 * mesh.faceArea(narrow / 3) / edge * sine;
   const double curvature = std::max(curvatureAbout(mesh, bent, t.origin(narrow)), curvatureAbout(mesh, bent, t.target(narrow)));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Edges of a mesh that bend sharply, and whether the part does there. Private to mesh.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "corner_sectors.h"
 
 #include <numeric>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The smooth fans of faces about a mesh's vertices. Private to mesh.
  */

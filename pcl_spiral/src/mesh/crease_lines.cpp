@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/mesh/impl/crease_lines.h>
 
 #include <pcl_spiral/mesh/impl/mesh_rims.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "dart_throwing.h"
 
 #include <algorithm>
@@ -38,8 +39,7 @@ public:
   }
 
   /** Take what can be in all cells, those of one colour, two apart, at the same time. */
-  void
-  fill()
+  void fill()
   {
     std::array<std::vector<std::uint32_t>, 8> colours;
     for (std::uint32_t c = 0; c < keys_.size(); ++c)
@@ -55,8 +55,7 @@ public:
     }
   }
 
-  std::vector<std::uint32_t>
-  taken() const
+  std::vector<std::uint32_t> taken() const
   {
     std::vector<std::uint32_t> result;
     for (std::size_t c = 0; c < keys_.size(); ++c)
@@ -66,15 +65,13 @@ public:
   }
 
 private:
-  std::uint64_t
-  keyOf(const Eigen::Vector3f& p) const
+  std::uint64_t keyOf(const Eigen::Vector3f& p) const
   {
     const auto cell = [&](int d) { return static_cast<std::uint64_t>((p[d] - low_[d]) / edge_) + 1; };
     return cell(0) << 2 * key_bits | cell(1) << key_bits | cell(2);
   }
 
-  bool
-  isBefore(const Placed& a, const Placed& b) const
+  bool isBefore(const Placed& a, const Placed& b) const
   {
     if (a.key != b.key || a.priority != b.priority)
       return std::tie(a.key, a.priority) < std::tie(b.key, b.priority);
@@ -83,8 +80,7 @@ private:
   }
 
   /** Put all darts in order: in parts, which are then merged by twos. */
-  void
-  sort()
+  void sort()
   {
     constexpr std::int64_t parts = 16;
     const auto n = static_cast<std::int64_t>(darts_.size());
@@ -105,13 +101,13 @@ private:
   }
 
   /** Places taken in the cells about cell \p c and in itself. */
-  void
-  lookAround(std::uint32_t c, std::vector<Eigen::Vector3f>& near) const
+  void lookAround(std::uint32_t c, std::vector<Eigen::Vector3f>& near) const
   {
     near.clear();
     for (int dx = -1; dx <= 1; ++dx)
       for (int dy = -1; dy <= 1; ++dy) { // cells along z follow one another
-        const std::uint64_t middle = keys_[c] + (static_cast<std::uint64_t>(dx) << 2 * key_bits) + (static_cast<std::uint64_t>(dy) << key_bits);
+        const std::uint64_t middle =
+            keys_[c] + (static_cast<std::uint64_t>(dx) << 2 * key_bits) + (static_cast<std::uint64_t>(dy) << key_bits);
         const auto first = std::lower_bound(keys_.begin(), keys_.end(), middle - 1) - keys_.begin();
         for (auto other = first; other < static_cast<std::ptrdiff_t>(keys_.size()) && keys_[other] <= middle + 1; ++other)
           for (std::uint32_t k = 0; k < taken_[other]; ++k)
@@ -120,8 +116,7 @@ private:
   }
 
   /** Take darts of cell \p c, and move them to its begin. */
-  void
-  fillCell(std::uint32_t c, std::vector<Eigen::Vector3f>& near)
+  void fillCell(std::uint32_t c, std::vector<Eigen::Vector3f>& near)
   {
     lookAround(c, near);
     const float squared = edge_ * edge_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Candidates thinned to points that keep a distance. Private to mesh.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "face_lattice.h"
 
 #include <Eigen/Geometry>

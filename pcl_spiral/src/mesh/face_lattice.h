@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Places spread over one face of a mesh. Private to mesh.
  */

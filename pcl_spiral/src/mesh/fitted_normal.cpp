@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fitted_normal.h"
 
 #include <pcl_spiral/core/impl/frame.h>
@@ -28,8 +29,7 @@ cubicTerms(double x, double y)
 
 NormalFit::NormalFit(const Triangulation& mesh, const std::vector<Vector3d>& positions, const CornerSectors& sectors)
 : mesh_(mesh), positions_(positions), sectors_(sectors), vertex_seen_(positions.size(), 0), sector_seen_(sectors.count(), 0)
-{
-}
+{}
 
 /** The corners of a fan's faces: vertices, and the fans about them. */
 void
@@ -112,7 +112,8 @@ NormalFit::fit(Vector3d& normal, double* scatter) const
   normal = found;
   if (scatter != nullptr) {
     const auto freedom = static_cast<double>(vertices_.size()) - terms;
-    *scatter = freedom > 0.0 ? reach * std::sqrt(((system * cubic - heights).array().square() / weights.array().square()).sum() / freedom) : 0.0;
+    *scatter =
+        freedom > 0.0 ? reach * std::sqrt(((system * cubic - heights).array().square() / weights.array().square()).sum() / freedom) : 0.0;
   }
   return true;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The normal of a surface fitted about a vertex. Private to mesh.
  */
@@ -29,8 +30,8 @@ private:
   const CornerSectors& sectors_;
   std::vector<std::uint32_t> vertex_seen_, sector_seen_; ///< the last round that took it
   std::uint32_t round_ = 0;
-  std::vector<std::uint32_t> vertices_; ///< the sector's own first
-  Eigen::Vector3d mean_normal_; ///< of the rings' faces, by areas
+  std::vector<std::uint32_t> vertices_;         ///< the sector's own first
+  Eigen::Vector3d mean_normal_;                 ///< of the rings' faces, by areas
   std::vector<std::uint32_t> fans_, next_fans_; ///< sectors about the vertices of the outermost ring
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_bends.h"
 
 #include <pcl_spiral/core/impl/frame.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Curvature of the surface that a mesh stands for. Private to mesh.
  */

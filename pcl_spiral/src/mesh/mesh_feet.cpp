@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_feet.h"
 
 #include <limits>
@@ -11,9 +12,11 @@ MeshFeet::of(const Eigen::Vector3d& place) const
   constexpr double on_side = 1e-9; // a share
   PatchPlace nearest;
   faces_.nearest(place, std::numeric_limits<double>::infinity(), sag, nearest);
-  MeshFoot foot{nearest.patch, nearest.weights, nearest.position, mesh_.patch(nearest.patch).normal(nearest.weights), nearest.distance, false};
+  MeshFoot foot{nearest.patch, nearest.weights, nearest.position, mesh_.patch(nearest.patch).normal(nearest.weights), nearest.distance,
+                false};
   for (int k = 0; k < 3; ++k)
-    if (foot.weights[(k + 2) % 3] < on_side && mesh_.triangles().opposite(3 * foot.face + static_cast<std::uint32_t>(k)) == Triangulation::none)
+    if (foot.weights[(k + 2) % 3] < on_side &&
+        mesh_.triangles().opposite(3 * foot.face + static_cast<std::uint32_t>(k)) == Triangulation::none)
       foot.beyond = true;
   return foot;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_findings.h"
 
 #include <pcl_spiral/common/impl/message.h>

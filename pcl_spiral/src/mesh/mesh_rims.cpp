@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/mesh/impl/mesh_rims.h>
 
 #include <algorithm>

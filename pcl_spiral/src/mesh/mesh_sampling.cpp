@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/mesh/mesh_sampling.h>
 
 #include "dart_throwing.h"
@@ -51,11 +52,9 @@ class Sampler {
 public:
   Sampler(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& chosen, double spacing)
   : mesh_(mesh), chosen_(chosen), spacing_(spacing)
-  {
-  }
+  {}
 
-  Status
-  run(pcl::PointCloud<pcl::PointNormal>& output, std::vector<std::uint32_t>& faces)
+  Status run(pcl::PointCloud<pcl::PointNormal>& output, std::vector<std::uint32_t>& faces)
   {
     if (const Status status = count(); !status.ok())
       return status;
@@ -79,8 +78,7 @@ public:
   }
 
 private:
-  static Vector3d
-  shares(const FacePlace& place)
+  static Vector3d shares(const FacePlace& place)
   {
     const double along = place.along, up = place.up;
     return {1.0 - along - up, along, up};
@@ -88,8 +86,7 @@ private:
 
   bool isChosen(std::size_t face) const { return chosen_.empty() || chosen_[face]; }
 
-  Status
-  tooMany(double candidates) const
+  Status tooMany(double candidates) const
   {
     const double bytes = bytes_a_candidate * candidates;
     const auto memory = availableMemory();
@@ -97,13 +94,12 @@ private:
       return Status::success();
     return {StatusCode::InvalidArgument,
             textOf("sampling the mesh's ", mesh_.area(), " mm2 every ", spacing_, " mm looks at ", std::ceil(1e-6 * candidates),
-                   " million places and takes ", std::ceil(1e-9 * bytes), " GB of memory, of which ",
-                   memory ? 1e-9 * *memory : 0.0, " GB are free: raise the spacing (setSpacing), or leave it to be chosen (0)")};
+                   " million places and takes ", std::ceil(1e-9 * bytes), " GB of memory, of which ", memory ? 1e-9 * *memory : 0.0,
+                   " GB are free: raise the spacing (setSpacing), or leave it to be chosen (0)")};
   }
 
   /** How many candidates each face has; refuses too many. */
-  Status
-  count()
+  Status count()
   {
     const double step = lattice_step * spacing_;
     double foreseen = 0.0;
@@ -129,8 +125,7 @@ private:
     return tooMany(static_cast<double>(first_.back()));
   }
 
-  void
-  addDarts()
+  void addDarts()
   {
     for (const RimSample& sample : rims_)
       darts_.push_back({sample.position, 0});
@@ -186,7 +181,8 @@ MeshSampling::run(pcl::PointCloud<pcl::PointNormal>& output)
   if (!input_ && !mesh_)
     return {StatusCode::InvalidInput, "there is no mesh: call setInputMesh"};
   if (!(spacing_ >= 0.0) || !std::isfinite(spacing_))
-    return {StatusCode::InvalidArgument, textOf("the spacing is ", spacing_, " mm; set it above 0, or to 0 to have it chosen (setSpacing)")};
+    return {StatusCode::InvalidArgument,
+            textOf("the spacing is ", spacing_, " mm; set it above 0, or to 0 to have it chosen (setSpacing)")};
   if (!(crease_band_ >= 0.0) || !std::isfinite(crease_band_))
     return {StatusCode::InvalidArgument, textOf("the crease band is ", crease_band_, " mm wide; set it to 0 or more (setCreaseBand)")};
   const ThreadLimit limit(thread_count_);

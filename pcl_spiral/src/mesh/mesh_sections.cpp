@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/mesh/mesh_sections.h>
 
 #include "section_passes.h"

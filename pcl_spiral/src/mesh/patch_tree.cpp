@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/mesh/impl/patch_tree.h>
 
 #include <Eigen/Geometry>
@@ -73,9 +74,7 @@ takeNearest(const PatchCell& cell, const Vector3d& p, double sag, std::uint32_t 
 PatchCell
 PatchCell::quarter(int k) const
 {
-  const auto middle = [&](int i) -> Vector3d {
-    return 0.5 * (corners.col(i) + corners.col((i + 1) % 3)) - 0.25 * bows.col(i);
-  };
+  const auto middle = [&](int i) -> Vector3d { return 0.5 * (corners.col(i) + corners.col((i + 1) % 3)) - 0.25 * bows.col(i); };
   const auto halfway = [&](int i) -> Vector3d { return 0.5 * (weights.col(i) + weights.col((i + 1) % 3)); };
   PatchCell part;
   part.bows = 0.25 * bows;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "rim_samples.h"
 
 #include "dart_throwing.h"
@@ -28,8 +29,7 @@ public:
   RimWalk(const SurfaceMesh& mesh, double step) : mesh_(mesh), step_(step) {}
 
   /** Its corners, and evenly between them. */
-  void
-  add(const MeshRim& rim)
+  void add(const MeshRim& rim)
   {
     const std::vector<std::size_t> corners = cornersOf(rim);
     for (std::size_t c = 0; c < corners.size(); ++c)
@@ -41,8 +41,7 @@ public:
 
 private:
   /** Edges at whose begin the rim turns; else the one that begins at the least coordinates, whatever the order of the faces. */
-  std::vector<std::size_t>
-  cornersOf(const MeshRim& rim) const
+  std::vector<std::size_t> cornersOf(const MeshRim& rim) const
   {
     const std::size_t n = rim.half_edges.size();
     const double least = std::cos(corner * pi / 180.0);
@@ -62,8 +61,7 @@ private:
   }
 
   /** From the begin of edge \p from to that of \p to, which goes to the next run. */
-  void
-  addRun(const MeshRim& rim, std::size_t from, std::size_t to)
+  void addRun(const MeshRim& rim, std::size_t from, std::size_t to)
   {
     const std::size_t n = rim.half_edges.size();
     std::vector<double> reached{0.0};
@@ -84,8 +82,7 @@ private:
     }
   }
 
-  void
-  addSample(std::uint32_t h, double u, bool is_corner)
+  void addSample(std::uint32_t h, double u, bool is_corner)
   {
     const Vector3d normal = (1.0 - u) * mesh_.normal(h) + u * mesh_.normal(Triangulation::next(h));
     samples_.push_back({edgePlace(mesh_, h, u).cast<float>(), normal.normalized().cast<float>(), h / 3});

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Rows joined on the surface, so that the tool is not lifted between them.
  */
 #pragma once
 
-#include <pcl_spiral/core/impl/polyline.h>
 #include <pcl_spiral/common/drive_pass.h>
+#include <pcl_spiral/core/impl/polyline.h>
 
 #include <cstddef>
 #include <functional>

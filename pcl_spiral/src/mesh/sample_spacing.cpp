@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/mesh/mesh_sampling.h>
 
 #include <algorithm>
@@ -11,8 +12,8 @@ double
 defaultSampleSpacing(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& chosen)
 {
   constexpr double usual_points = 1e5, most_points = 5e5, points_a_square = 1.6; // of one spacing
-  constexpr double sharpest_left_out = 1e-3;                                    // share of the area
-  std::vector<std::pair<double, double>> radii; // of curvature, and the area of the face
+  constexpr double sharpest_left_out = 1e-3;                                     // share of the area
+  std::vector<std::pair<double, double>> radii;                                  // of curvature, and the area of the face
   double area = 0.0;
   for (std::size_t t = 0; t < mesh.faceCount(); ++t) {
     if (!chosen.empty() && !chosen[t])
@@ -20,7 +21,8 @@ defaultSampleSpacing(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& c
     const MeshPatch patch = mesh.patch(t);
     double curvature = 0.0; // an edge of length d and bow b has the curvature 2 b / d^2
     for (int k = 0; k < 3; ++k)
-      curvature = std::max(curvature, 2.0 * patch.bows.col(k).norm() / (patch.corners.col((k + 1) % 3) - patch.corners.col(k)).squaredNorm());
+      curvature =
+          std::max(curvature, 2.0 * patch.bows.col(k).norm() / (patch.corners.col((k + 1) % 3) - patch.corners.col(k)).squaredNorm());
     area += mesh.faceArea(t);
     radii.emplace_back(curvature > 0.0 ? 1.0 / curvature : std::numeric_limits<double>::infinity(), mesh.faceArea(t));
   }

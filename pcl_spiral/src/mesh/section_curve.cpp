@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "section_curve.h"
 
 #include <Eigen/Geometry>
@@ -18,8 +19,7 @@ constexpr double same_place = 1e-6; // mm
 SectionCurve::SectionCurve(const SurfaceMesh& mesh, const SectionSettings& settings, const Vector3d& normal,
                            const std::vector<double>& distances)
 : mesh_(mesh), settings_(settings), normal_(normal), distances_(distances)
-{
-}
+{}
 
 /** Barycentric coordinates, in its face, of the place where the edge's parabola crosses the plane. */
 Vector3d

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Contacts along the section of a mesh's curved surface. Private to mesh.
  */
 #pragma once
 
-#include <pcl_spiral/mesh/impl/section_settings.h>
-#include <pcl_spiral/mesh/surface_mesh.h>
 #include "graph/level_lines.h"
 #include <pcl_spiral/common/drive_pass.h>
+#include <pcl_spiral/mesh/impl/section_settings.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
 
 namespace pcl_spiral {
 

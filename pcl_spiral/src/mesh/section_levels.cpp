@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "section_levels.h"
 
 #include "mesh_bends.h"
 
 #include "common/available_memory.h"
-#include <pcl_spiral/common/impl/message.h>
 #include "core/row_levels.h"
 #include <pcl_spiral/common/drive_pass.h>
+#include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,7 @@ checkRows(double rows, double extent, double step)
 Status
 checkSize(const SurfaceMesh& mesh, const SectionSettings& settings, double step)
 {
-  constexpr double crossings_an_edge = 2.5;  // edges crossed on the length of one
+  constexpr double crossings_an_edge = 2.5;                      // edges crossed on the length of one
   constexpr double most_contacts = 1e8, bytes_a_contact = 600.0; // of contact, location and pose
   const double edge = std::sqrt(mesh.area() / static_cast<double>(mesh.faceCount()));
   const double rate = std::max(crossings_an_edge / edge, settings.point_spacing > 0.0 ? 1.0 / settings.point_spacing : 0.0);
@@ -48,12 +49,11 @@ checkSize(const SurfaceMesh& mesh, const SectionSettings& settings, double step)
   const std::optional<double> memory = availableMemory();
   if (contacts <= most_contacts && (!memory || bytes <= *memory))
     return Status::success();
-  return {StatusCode::InvalidArgument,
-          textOf("the sections asked for are too large: about ", contacts, " contacts and ", bytes / 1e9, " GB of memory, where ",
-                 most_contacts, " contacts are the most") +
-              (memory ? textOf(" and ", *memory / 1e9, " GB are free") : std::string()) +
-              textOf(": is the mesh in another unit than mm? Otherwise put rows farther apart, now ", step,
-                     " mm (setStepOver, setScallop), or contacts (setPointSpacing)")};
+  return {StatusCode::InvalidArgument, textOf("the sections asked for are too large: about ", contacts, " contacts and ", bytes / 1e9,
+                                              " GB of memory, where ", most_contacts, " contacts are the most") +
+                                           (memory ? textOf(" and ", *memory / 1e9, " GB are free") : std::string()) +
+                                           textOf(": is the mesh in another unit than mm? Otherwise put rows farther apart, now ", step,
+                                                  " mm (setStepOver, setScallop), or contacts (setPointSpacing)")};
 }
 
 /** What each face allows of the rows across it: the least of its corners. */
@@ -70,8 +70,8 @@ facePatches(const SurfaceMesh& mesh, const SectionSettings& settings, const Vect
       const double at = extent.of[mesh.triangles().origin(h)];
       patch.low = std::min(patch.low, at);
       patch.high = std::max(patch.high, at);
-      patch.most = std::min(patch.most, rowDistance(bends[mesh.sector(h)], normal, settings.tool_radius, settings.scallop_height,
-                                                    RowsThrough::Contacts));
+      patch.most = std::min(
+          patch.most, rowDistance(bends[mesh.sector(h)], normal, settings.tool_radius, settings.scallop_height, RowsThrough::Contacts));
     }
   }
   return patches;
@@ -86,9 +86,11 @@ keptLevels(const SurfaceMesh& mesh, const SectionSettings& settings, const Vecto
   report.held_share = rows.held_share;
   if (rows.narrowest != RowLevels::none) {
     const MeshPatch patch = mesh.patch(rows.narrowest);
-    report.warnings.push_back(textOf("rows are held ", floor, " mm apart on ", 100.0 * rows.held_share, " % of the surface, where the "
-                                     "scallop height of ", settings.scallop_height, " mm asks for less, least at ",
-                                     placeText(patch.corners.rowwise().mean()), ": ridges there are higher; turn the planes across "
+    report.warnings.push_back(textOf("rows are held ", floor, " mm apart on ", 100.0 * rows.held_share,
+                                     " % of the surface, where the "
+                                     "scallop height of ",
+                                     settings.scallop_height, " mm asks for less, least at ", placeText(patch.corners.rowwise().mean()),
+                                     ": ridges there are higher; turn the planes across "
                                      "steep walls (setPlaneNormal), or, in a hollow hardly wider than the ball, take a smaller one"));
   }
   return std::move(rows.levels);
@@ -115,7 +117,8 @@ sectionLevels(const SurfaceMesh& mesh, const SectionSettings& settings, const Me
   const Vector3d normal = settings.plane_normal.normalized();
   const double width = extent.high - extent.low;
   if (!(width > 0.0))
-    return {StatusCode::InvalidInput, "the mesh has no extent along the planes' normal " + placeText(normal) + ": turn the planes (setPlaneNormal)"};
+    return {StatusCode::InvalidInput,
+            "the mesh has no extent along the planes' normal " + placeText(normal) + ": turn the planes (setPlaneNormal)"};
   if (!settings.levels.empty()) {
     levels = settings.levels;
     const double step = levels.size() > 1 ? (levels.back() - levels.front()) / static_cast<double>(levels.size() - 1) : width;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Where the planes of section passes lie. Private to mesh.
  */
@@ -18,7 +19,7 @@ MeshExtent extentAlong(const SurfaceMesh& mesh, const Eigen::Vector3d& normal);
 
 /** The planes of \p settings: given, even, or kept to the scallop. Refused where none crosses the mesh, where it has no extent, or
  *  where rows and contacts would be too many. */
-Status sectionLevels(const SurfaceMesh& mesh, const SectionSettings& settings, const MeshExtent& extent,
-                     std::vector<double>& levels, SectionReport& report);
+Status sectionLevels(const SurfaceMesh& mesh, const SectionSettings& settings, const MeshExtent& extent, std::vector<double>& levels,
+                     SectionReport& report);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "section_lines.h"
 
 #include <pcl_spiral/core/impl/frame.h>

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Lines of a mesh's faces with parallel planes. Private to mesh.
  */
 #pragma once
 
+#include "graph/level_lines.h"
 #include <pcl_spiral/mesh/impl/section_settings.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
-#include "graph/level_lines.h"
 
 namespace pcl_spiral {
 

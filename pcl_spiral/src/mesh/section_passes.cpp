@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "section_passes.h"
 
 #include "section_curve.h"
@@ -5,9 +6,9 @@
 #include "section_lines.h"
 #include "section_rows.h"
 
-#include <pcl_spiral/common/impl/message.h>
 #include "mesh_feet.h"
 #include "row_links.h"
+#include <pcl_spiral/common/impl/message.h>
 
 #include <Eigen/Geometry>
 
@@ -105,7 +106,8 @@ checkSettings(const SectionSettings& s)
 {
   constexpr double shortest = 1e-9;
   if (!s.plane_normal.allFinite() || !(s.plane_normal.norm() > shortest))
-    return bad("the planes' normal is " + placeText(s.plane_normal) + ", which has no direction: set it along the step from plane to "
+    return bad("the planes' normal is " + placeText(s.plane_normal) +
+               ", which has no direction: set it along the step from plane to "
                "plane (setPlaneNormal)");
   if (!s.axis.allFinite() || !(s.axis.norm() > shortest))
     return bad("the tool axis is " + placeText(s.axis) + ", which has no direction: set it from the tip to the shank (setAxis)");
@@ -160,12 +162,13 @@ sectionPasses(const SurfaceMesh& mesh, const SectionSettings& settings, const Pr
     }
   }
   if (passes.empty() && report.facing_away > 0)
-    return {StatusCode::InvalidInput, "the whole mesh faces away from the tool axis " + placeText(settings.axis) + ", set from the tip "
-                                      "to the shank: turn the axis (setAxis), or the mesh's faces over (setFlipNormals)"};
+    return {StatusCode::InvalidInput, "the whole mesh faces away from the tool axis " + placeText(settings.axis) +
+                                          ", set from the tip "
+                                          "to the shank: turn the axis (setAxis), or the mesh's faces over (setFlipNormals)"};
   if (passes.empty())
-    return {StatusCode::InvalidInput, textOf("no plane crosses the mesh: the planes lie at ", levels.front(), " to ", levels.back(),
-                                             " mm along their normal, the mesh from ", extent.low, " to ", extent.high,
-                                             " mm; set levels between these (setLevels)")};
+    return {StatusCode::InvalidInput,
+            textOf("no plane crosses the mesh: the planes lie at ", levels.front(), " to ", levels.back(),
+                   " mm along their normal, the mesh from ", extent.low, " to ", extent.high, " mm; set levels between these (setLevels)")};
   measureSteps(levels, extent.high - extent.low, report);
   if (settings.link_rows)
     link(mesh, settings, passes, report);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "section_rows.h"
 
 #include <algorithm>
@@ -77,7 +78,8 @@ facingParts(const DrivePasses& lines, const Vector3d& axis, std::size_t& left_ou
   const auto faces = [&](const DrivePoint& p) { return p.normal.dot(axis) >= away; };
   DrivePasses parts;
   for (const DrivePass& line : lines) {
-    const auto turned = static_cast<std::size_t>(std::count_if(line.points.begin(), line.points.end(), [&](const DrivePoint& p) { return !faces(p); }));
+    const auto turned =
+        static_cast<std::size_t>(std::count_if(line.points.begin(), line.points.end(), [&](const DrivePoint& p) { return !faces(p); }));
     left_out += turned;
     if (turned == 0) {
       parts.push_back(line);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 #include "bent_edges.h"
@@ -20,8 +21,8 @@ Status
 checkSettings(const MeshSettings& settings)
 {
   if (!(settings.crease_angle > 0.0) || !(settings.crease_angle <= 180.0))
-    return {StatusCode::InvalidArgument, textOf("the crease angle is ", settings.crease_angle,
-                                                " degrees; set it above 0, up to 180 (setCreaseAngle)")};
+    return {StatusCode::InvalidArgument,
+            textOf("the crease angle is ", settings.crease_angle, " degrees; set it above 0, up to 180 (setCreaseAngle)")};
   return Status::success();
 }
 

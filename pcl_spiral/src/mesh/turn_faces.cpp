@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "welded_faces.h"
 
 #include <Eigen/Geometry>
@@ -55,8 +56,7 @@ struct FaceNeighbours {
   std::vector<std::array<Neighbour, 3>> of;
   std::vector<std::uint8_t> count;
 
-  void
-  join(std::uint32_t a, std::uint32_t b, bool opposed)
+  void join(std::uint32_t a, std::uint32_t b, bool opposed)
   {
     of[a][count[a]++] = {b, opposed};
     of[b][count[b]++] = {a, opposed};
@@ -73,8 +73,8 @@ areaOf(const WeldedFaces& welded, std::uint32_t t)
 
 /** The faces of the part of \p first, each with whether it faces the other way than that one. */
 void
-followPart(const FaceNeighbours& neighbours, std::uint32_t first, std::vector<std::uint8_t>& seen,
-           std::vector<std::uint8_t>& turned, std::vector<std::uint32_t>& part)
+followPart(const FaceNeighbours& neighbours, std::uint32_t first, std::vector<std::uint8_t>& seen, std::vector<std::uint8_t>& turned,
+           std::vector<std::uint32_t>& part)
 {
   part.assign(1, first);
   seen[first] = 1;
@@ -97,9 +97,7 @@ turnFaces(WeldedFaces& welded, MeshCounts& counts)
   const std::size_t n = welded.faces.size();
   const std::vector<FaceSide> sides = sidesOf(welded.faces);
   FaceNeighbours neighbours{std::vector<std::array<FaceNeighbours::Neighbour, 3>>(n), std::vector<std::uint8_t>(n, 0)};
-  const auto middle = [&](const FaceSide& side) {
-    return Vector3d(0.5 * (welded.positions[side.low] + welded.positions[side.high]));
-  };
+  const auto middle = [&](const FaceSide& side) { return Vector3d(0.5 * (welded.positions[side.low] + welded.positions[side.high])); };
   forEdges(sides, [&](std::size_t begin, std::size_t end) {
     if (end - begin == 2)
       neighbours.join(sides[begin].face, sides[begin + 1].face, sides[begin].rising == sides[begin + 1].rising);

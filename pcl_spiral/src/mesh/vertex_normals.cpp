@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vertex_normals.h"
 
 #include "fitted_normal.h"

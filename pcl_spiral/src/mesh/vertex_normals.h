@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Normals of a mesh's vertices. Private to mesh.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "welded_faces.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -41,9 +42,8 @@ firstInPlace(const pcl::PointCloud<pcl::PointXYZ>& points)
 {
   std::vector<std::uint32_t> order(points.size()), first(points.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return isBefore(points[a], points[b]) || (!isBefore(points[b], points[a]) && a < b);
-  });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return isBefore(points[a], points[b]) || (!isBefore(points[b], points[a]) && a < b); });
   for (std::size_t k = 0; k < order.size(); ++k)
     first[order[k]] = k > 0 && !isBefore(points[order[k - 1]], points[order[k]]) ? first[order[k - 1]] : order[k];
   return first;
@@ -65,8 +65,8 @@ triangleList(const pcl::PolygonMesh& mesh, const pcl::PointCloud<pcl::PointXYZ>&
     if (corners.size() < 3)
       return {StatusCode::InvalidInput, textOf("face ", f, " has ", corners.size(), " corners, and it takes three: export the mesh again")};
     for (std::size_t k = 2; k < corners.size(); ++k)
-      faces.push_back({static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[k - 1]),
-                       static_cast<std::uint32_t>(corners[k])});
+      faces.push_back(
+          {static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[k - 1]), static_cast<std::uint32_t>(corners[k])});
   }
   return Status::success();
 }
@@ -90,9 +90,8 @@ dropRepeated(WeldedFaces& welded, MeshCounts& counts)
     std::sort(t.begin(), t.end());
   std::vector<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return sorted[a] < sorted[b] || (sorted[a] == sorted[b] && a < b);
-  });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return sorted[a] < sorted[b] || (sorted[a] == sorted[b] && a < b); });
   std::vector<std::uint8_t> repeats(n, 0);
   for (std::size_t k = 1; k < n; ++k)
     repeats[order[k]] = sorted[order[k]] == sorted[order[k - 1]];
@@ -145,8 +144,9 @@ weldFaces(const pcl::PolygonMesh& mesh, WeldedFaces& welded, MeshCounts& counts)
     welded.faces.push_back(t);
   }
   if (welded.faces.empty())
-    return {StatusCode::InvalidInput, textOf("none of the ", faces.size(), " faces has an area, the first is at ",
-                                             placeText(counts.without_area.place), ": is the mesh in another unit, or rounded too much? Export it again")};
+    return {StatusCode::InvalidInput,
+            textOf("none of the ", faces.size(), " faces has an area, the first is at ", placeText(counts.without_area.place),
+                   ": is the mesh in another unit, or rounded too much? Export it again")};
   dropRepeated(welded, counts);
   return Status::success();
 }

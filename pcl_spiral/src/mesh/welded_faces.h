@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Faces of a mesh as a file has them, made one oriented surface. Private to mesh.
  */
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/mesh/impl/mesh_settings.h>
 #include <pcl_spiral/graph/impl/triangulation.h>
+#include <pcl_spiral/mesh/impl/mesh_settings.h>
 
 #include <pcl/PolygonMesh.h>
 

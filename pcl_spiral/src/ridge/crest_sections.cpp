@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "crest_sections.h"
 
 #include "crest_line.h"
 #include "rough_line.h"
 
-#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** Straight fits to \p line within \p reach to either side, at each of its points: the crest of a noisy scan wanders from point to point. */
+/** Straight fits to \p line within \p reach to either side, at each of its points: the crest of a noisy scan wanders from point to point.
+ *  */
 Polyline
 evened(const Polyline& line, double reach, bool closed)
 {
@@ -24,7 +26,8 @@ evened(const Polyline& line, double reach, bool closed)
   const auto most = std::min(static_cast<std::ptrdiff_t>(reach * static_cast<double>(n) / length(line, closed)), (n - 1) / 2);
   Polyline result;
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const std::ptrdiff_t first = closed ? i - most : std::max<std::ptrdiff_t>(0, i - most), last = closed ? i + most : std::min(n - 1, i + most);
+    const std::ptrdiff_t first = closed ? i - most : std::max<std::ptrdiff_t>(0, i - most),
+                         last = closed ? i + most : std::min(n - 1, i + most);
     const double count = static_cast<double>(last - first + 1), middle = 0.5 * static_cast<double>(first + last);
     Vector3d mean = Vector3d::Zero(), rise = Vector3d::Zero();
     double squares = 0.0;
@@ -44,8 +47,8 @@ evened(const Polyline& line, double reach, bool closed)
 Status
 checkOnScan(const Surface& surface, const ScanRidgeSettings& settings)
 {
-  const ScanSections found = walkSections(surface, settings.rough_points,
-                                          Polyline(settings.rough_points.size(), Vector3d::UnitX()), surface.spacing(), 0);
+  const ScanSections found =
+      walkSections(surface, settings.rough_points, Polyline(settings.rough_points.size(), Vector3d::UnitX()), surface.spacing(), 0);
   for (std::size_t i = 0; i < settings.rough_points.size(); ++i)
     if (const double off = (found.foot(i, 0).position - settings.rough_points[i]).norm(); !(off <= settings.half_width))
       return {StatusCode::InvalidInput, textOf("rough point ", i, " at ", placeText(settings.rough_points[i]), " is ", off,
@@ -66,7 +69,8 @@ walkAbout(const Surface& surface, const ScanRidgeSettings& settings, const Polyl
   const Polyline& places = crest.places;
   const std::size_t n = places.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t before = settings.closed ? (i + n - 1) % n : (i > 0 ? i - 1 : 0), after = settings.closed ? (i + 1) % n : std::min(i + 1, n - 1);
+    const std::size_t before = settings.closed ? (i + n - 1) % n : (i > 0 ? i - 1 : 0),
+                      after = settings.closed ? (i + 1) % n : std::min(i + 1, n - 1);
     crest.tangents.push_back((places[after] - places[before]).normalized());
   }
   const double step = std::max(surface.spacing(), settings.half_width / steps_across);
@@ -82,19 +86,21 @@ checkSections(const ScanRidgeSettings& settings, const CrestSections& crest)
   std::size_t worst = 0;
   for (const int side : {-1, 1})
     if (const double reach = crest.sections.step * commonReach(crest.sections, side, worst); reach < least_share * settings.half_width)
-      return {StatusCode::InvalidInput, textOf("the band of the ridge runs off the scan at ", placeText(crest.places[worst]), ": on one side it ends ",
-                                               crest.sections.step * crest.sections.reach(worst, side), " mm from the crest, where ", least_share * settings.half_width,
-                                               " mm are the least for a half width of ", settings.half_width,
-                                               ": choose rough points farther from the rim, or a smaller half width (setHalfWidth)")};
+      return {StatusCode::InvalidInput,
+              textOf("the band of the ridge runs off the scan at ", placeText(crest.places[worst]), ": on one side it ends ",
+                     crest.sections.step * crest.sections.reach(worst, side), " mm from the crest, where ",
+                     least_share * settings.half_width, " mm are the least for a half width of ", settings.half_width,
+                     ": choose rough points farther from the rim, or a smaller half width (setHalfWidth)")};
   std::vector<std::pair<double, std::size_t>> bends;
   for (std::size_t i = 0; i < crest.sections.size(); ++i)
     bends.emplace_back(bendOf(crest.sections, i, crest.sections.most, crest.tangents[i]), i);
   std::sort(bends.begin(), bends.end());
   if (const auto& [bend, where] = bends[bends.size() / 3]; bend < least_bend)
-    return {StatusCode::InvalidInput, textOf("there is no crest between the rough points at ", placeText(crest.places[where]), ": across it the scan bends by ",
-                                             bend, " degrees within the half width, and a ridge bends by ", least_bend,
-                                             " or more: move the rough points to the ridge (setRoughPoints), take a larger half width "
-                                             "(setHalfWidth), or, where it is a hollow, the other side (setFlipNormals)")};
+    return {StatusCode::InvalidInput,
+            textOf("there is no crest between the rough points at ", placeText(crest.places[where]), ": across it the scan bends by ", bend,
+                   " degrees within the half width, and a ridge bends by ", least_bend,
+                   " or more: move the rough points to the ridge (setRoughPoints), take a larger half width "
+                   "(setHalfWidth), or, where it is a hollow, the other side (setFlipNormals)")};
   return Status::success();
 }
 
@@ -113,13 +119,14 @@ findCrest(const Surface& surface, const ScanRidgeSettings& settings, CrestSectio
     walkAbout(surface, settings, line, crest);
     line = crestOf(surface, crest.sections, settings.closed);
     if (2 * line.size() < crest.places.size())
-      return {StatusCode::InvalidInput, textOf("the scan ends within a fit of the rough points at ", placeText(crest.places[crest.places.size() / 2]),
-                                               ": no crest can be told; choose rough points where the ridge was scanned (setRoughPoints)")};
+      return {StatusCode::InvalidInput,
+              textOf("the scan ends within a fit of the rough points at ", placeText(crest.places[crest.places.size() / 2]),
+                     ": no crest can be told; choose rough points where the ridge was scanned (setRoughPoints)")};
     crest.line = fitLine({evened(line, even, settings.closed), settings.closed, 0.0}).line;
     line.clear();
     for (std::size_t i = 0; i < crest.places.size(); ++i)
       line.push_back(crest.line.position(crest.line.length() * static_cast<double>(i) /
-                                          static_cast<double>(settings.closed ? crest.places.size() : crest.places.size() - 1)));
+                                         static_cast<double>(settings.closed ? crest.places.size() : crest.places.size() - 1)));
   }
   walkAbout(surface, settings, line, crest);
   return checkSections(settings, crest);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The crest along rough points, and the sections of the scan across it.
  */

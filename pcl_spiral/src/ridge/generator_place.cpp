@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "generator_place.h"
 
-#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -15,9 +16,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double largest_corner = 30.0;              // degrees
+constexpr double largest_corner = 30.0;               // degrees
 constexpr double warned_tilt = 2.0, most_tilt = 15.0; // degrees
-constexpr double least_chord = 0.05;                 // of the generator's length
+constexpr double least_chord = 0.05;                  // of the generator's length
 
 /** Of a ring: twice the area it goes round, along its normal. */
 Vector3d
@@ -92,12 +93,13 @@ findMeeting(const SmoothLine& generator, const SmoothLine& rail, Vector3d& meeti
   place.distance = (meeting - foot).norm();
   const double beyond = std::abs((meeting - foot).dot(rail.tangent(place.meeting)));
   if (!rail.closed() && beyond > 0.5 * place.distance && beyond > least_chord * place.chord_length)
-    return {StatusCode::InvalidInput, textOf("the generator at ", placeText(meeting), " lies ", beyond, " mm beyond the end of the rail at ",
-                                             placeText(foot), ": measure it across the rail, or the rail further")};
+    return {StatusCode::InvalidInput,
+            textOf("the generator at ", placeText(meeting), " lies ", beyond, " mm beyond the end of the rail at ", placeText(foot),
+                   ": measure it across the rail, or the rail further")};
   if (place.distance > generator.length())
-    return {StatusCode::InvalidInput, textOf("the generator at ", placeText(meeting), " is ", place.distance, " mm from the rail, at ",
-                                             placeText(foot), ", more than its own length, ", generator.length(),
-                                             " mm: are both lines of one ridge, and in one unit?")};
+    return {StatusCode::InvalidInput,
+            textOf("the generator at ", placeText(meeting), " is ", place.distance, " mm from the rail, at ", placeText(foot),
+                   ", more than its own length, ", generator.length(), " mm: are both lines of one ridge, and in one unit?")};
   return Status::success();
 }
 
@@ -106,8 +108,8 @@ Status
 checkTilt(const Polyline& points, const Vector3d& tangent, const Vector3d& meeting, GeneratorPlace& place)
 {
   place.tilt = tiltOf(points, tangent);
-  const std::string tilted = textOf("the generator at ", placeText(meeting), " is tilted by ", place.tilt,
-                                    " degrees against the normal plane of the rail");
+  const std::string tilted =
+      textOf("the generator at ", placeText(meeting), " is tilted by ", place.tilt, " degrees against the normal plane of the rail");
   if (place.tilt > most_tilt)
     return {StatusCode::InvalidInput, tilted + textOf("; ", most_tilt, " go: measure it square to the rail")};
   if (place.tilt > warned_tilt)
@@ -161,13 +163,16 @@ placeGenerator(const MeasuredLine& measured, const SmoothLine& rail, const Ridge
   const std::optional<RidgeFrame> frame = ridgeFrame(tangent, place.chord);
   if (!frame)
     return {StatusCode::InvalidInput,
-            textOf("the chord of the generator at ", placeText(meeting), " stands upright, along the reference normal, so that it may fall to "
+            textOf("the chord of the generator at ", placeText(meeting),
+                   " stands upright, along the reference normal, so that it may fall to "
                    "either side of the rail: take another reference normal, across both lines (setReferenceNormal)")};
   constexpr double sure = 0.1; // of the chord's length, out of the upright plane through the rail
   if (std::abs(frame->up.dot(settings.reference)) < sure)
-    place.warnings.push_back(textOf("the generator at ", placeText(meeting), " stands nearly upright, so that errors of its points may choose the "
-                                    "side that is up: look at the normals, and flip them (setFlipNormals) or take a reference normal across "
-                                    "the generator (setReferenceNormal)"));
+    place.warnings.push_back(
+        textOf("the generator at ", placeText(meeting),
+               " stands nearly upright, so that errors of its points may choose the "
+               "side that is up: look at the normals, and flip them (setFlipNormals) or take a reference normal across "
+               "the generator (setReferenceNormal)"));
   place.local.spacing = measured.spacing;
   for (const Vector3d& p : measured.points)
     place.local.points.push_back(frame->localOf(p - foot));

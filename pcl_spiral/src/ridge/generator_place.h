@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Where a measured generator stands on its rail. Private to ridge.
  */
@@ -15,7 +16,7 @@ namespace pcl_spiral {
 
 /** A generator in the frame of the rail. Lengths in mm, the tilt in degrees. */
 struct GeneratorPlace {
-  bool turns_rail = false; ///< the rail is to run the other way; nothing else is known then
+  bool turns_rail = false;              ///< the rail is to run the other way; nothing else is known then
   double meeting = 0.0, distance = 0.0; ///< arc length of the rail, and of both lines there
   double chord_length = 0.0, tilt = 0.0;
   RidgeChord chord;

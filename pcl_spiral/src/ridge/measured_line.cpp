@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/ridge/impl/measured_line.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -12,9 +13,9 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double largest_gap = 5.0;    // spacings, and the longest side way
-constexpr double largest_join = 2.0;   // spacings between the ends of a closed line
-constexpr std::size_t least_ring = 12; // points
+constexpr double largest_gap = 5.0;        // spacings, and the longest side way
+constexpr double largest_join = 2.0;       // spacings between the ends of a closed line
+constexpr std::size_t least_ring = 12;     // points
 constexpr std::size_t most_points = 20000; // of one line: some seconds
 constexpr std::uint32_t none = 0xffffffffu;
 
@@ -52,15 +53,13 @@ public:
   const std::vector<double>& lengths() const { return lengths_; }
 
   /** The longest edge: its ends. */
-  std::pair<std::uint32_t, std::uint32_t>
-  longest() const
+  std::pair<std::uint32_t, std::uint32_t> longest() const
   {
     return edges_[static_cast<std::size_t>(std::max_element(lengths_.begin(), lengths_.end()) - lengths_.begin())];
   }
 
   /** The point farthest from \p start along the tree; of all, the way there in \p before, and how far it is. */
-  std::uint32_t
-  farthest(std::uint32_t start, std::vector<std::uint32_t>& before, std::vector<double>& ways) const
+  std::uint32_t farthest(std::uint32_t start, std::vector<std::uint32_t>& before, std::vector<double>& ways) const
   {
     before.assign(points_.size(), none);
     ways.assign(points_.size(), 0.0);
@@ -82,8 +81,7 @@ public:
   }
 
 private:
-  void
-  join(std::uint32_t a, std::uint32_t b)
+  void join(std::uint32_t a, std::uint32_t b)
   {
     neighbours_[a].push_back(b);
     neighbours_[b].push_back(a);
@@ -145,8 +143,9 @@ lineOf(const LeastTree& tree, const Polyline& points, const std::string& name, M
     while (!on_line[foot])
       foot = before[foot];
     if (ways[i] - ways[foot] > largest_gap * line.spacing)
-      return {StatusCode::InvalidInput, textOf(name, " has a branch at ", placeText(points[foot]), ", ", ways[i] - ways[foot],
-                                               " mm long or more: leave out what does not belong to the line, or thin points that lie closer than they err")};
+      return {StatusCode::InvalidInput,
+              textOf(name, " has a branch at ", placeText(points[foot]), ", ", ways[i] - ways[foot],
+                     " mm long or more: leave out what does not belong to the line, or thin points that lie closer than they err")};
     const Eigen::Vector3d& p = points[i];
     stations.emplace_back(ways[foot], ways[i] - ways[foot], p.x(), p.y(), p.z(), i);
   }
@@ -180,8 +179,8 @@ orderLine(const Polyline& given, const std::string& name, MeasuredLine& line)
   const double length = (points[gap.first] - points[gap.second]).norm();
   if (length > largest_gap * line.spacing)
     return {StatusCode::InvalidInput,
-            textOf(name, " has a gap of ", length, " mm at ", placeText(points[std::min(gap.first, gap.second)]), ", more than ", largest_gap,
-                   " times the ", line.spacing, " mm between its points: measure that piece, or leave out what stands alone")};
+            textOf(name, " has a gap of ", length, " mm at ", placeText(points[std::min(gap.first, gap.second)]), ", more than ",
+                   largest_gap, " times the ", line.spacing, " mm between its points: measure that piece, or leave out what stands alone")};
   if (const Status status = lineOf(tree, points, name, line); !status.ok())
     return status;
   line.closed = line.points.size() >= least_ring && (line.points.front() - line.points.back()).norm() <= largest_join * line.spacing;

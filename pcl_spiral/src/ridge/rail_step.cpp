@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "rail_step.h"
 
 #include <Eigen/SparseCholesky>
@@ -82,7 +83,8 @@ allShifts(const std::vector<SectionShift>& shifts, bool closed, std::vector<Sect
 }
 
 Polyline
-railSteps(const std::vector<SectionShift>& shifts, const std::vector<RidgeFrame>& frames, const Vector3d& reference, double length, bool closed)
+railSteps(const std::vector<SectionShift>& shifts, const std::vector<RidgeFrame>& frames, const Vector3d& reference, double length,
+          bool closed)
 {
   constexpr double stiffness = 1e-3; // keeps stations apart that the slopes do not tell apart
   const std::size_t n = shifts.size();

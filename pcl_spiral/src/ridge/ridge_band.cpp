@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ridge_band.h"
 
 #include <algorithm>

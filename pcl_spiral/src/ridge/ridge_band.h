@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The points of a scan beside a rail, in the coordinates of its frames.
  */
@@ -17,11 +18,11 @@ namespace pcl_spiral {
 /** A point of the band of a ridge. */
 struct BandPoint {
   Eigen::Vector3d place;
-  std::uint32_t station = 0;         ///< of the rail, near it
-  std::uint32_t profile_station = 0; ///< of the generator, near it
-  double u = 0.0;                    ///< of its foot on the rail
+  std::uint32_t station = 0;                       ///< of the rail, near it
+  std::uint32_t profile_station = 0;               ///< of the generator, near it
+  double u = 0.0;                                  ///< of its foot on the rail
   Eigen::Vector3d local = Eigen::Vector3d::Zero(); ///< along tangent, chord and up
-  bool inside = false;               ///< beside the rail, not beyond its ends
+  bool inside = false;                             ///< beside the rail, not beyond its ends
 };
 
 /** Rail, chord and points. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/ridge/ridge_lines.h>
 
 namespace pcl_spiral {

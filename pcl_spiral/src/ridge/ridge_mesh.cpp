@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/ridge/ridge_mesh.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -84,10 +85,10 @@ struct Cells {
 Cells
 cellsFor(const RidgeSurface& surface, const Bending& most, double chord_error)
 {
-  constexpr double longest = 4.0;              // times as long as wide
+  constexpr double longest = 4.0; // times as long as wide
   constexpr double least_across = 8.0, least_along = 8.0;
-  constexpr double share = 0.95;               // the curvature is looked at in stations
-  const double tiny = 1e-12; // 1/mm
+  constexpr double share = 0.95; // the curvature is looked at in stations
+  const double tiny = 1e-12;     // 1/mm
   const double ratio = std::clamp(std::sqrt((most.along + tiny) / (most.across + tiny)), 1.0 / longest, longest); // dv / du
   const double bending = most.along + 2.0 * most.mixed * ratio + most.across * ratio * ratio + tiny;
   double du = std::sqrt(8.0 * share * chord_error / bending);
@@ -150,12 +151,14 @@ ridgeMesh(const RidgeSurface& surface, double chord_error, RidgeMesh& mesh)
   const Bending bending = largestBending(surface);
   const Cells cells = cellsFor(surface, bending, chord_error), fewest = cellsFor(surface, bending, std::numeric_limits<double>::infinity());
   if (fewest.faces() > most_faces)
-    return {StatusCode::InvalidInput, textOf("a ridge ", surface.rail().length(), " mm long and ", surface.generator().length(),
-                                             " mm wide takes ", fewest.faces(), " faces, and ", most_faces, " are the most: make it in pieces")};
+    return {StatusCode::InvalidInput,
+            textOf("a ridge ", surface.rail().length(), " mm long and ", surface.generator().length(), " mm wide takes ", fewest.faces(),
+                   " faces, and ", most_faces, " are the most: make it in pieces")};
   if (cells.faces() > most_faces) { // they grow as the chord error falls
     constexpr double rounded_up = 1.1;
-    return {StatusCode::InvalidArgument, textOf("a chord error of ", chord_error, " mm takes ", cells.faces(), " faces, and ", most_faces,
-                                                " are the most: raise it to ", rounded_up * chord_error * cells.faces() / most_faces, " mm")};
+    return {StatusCode::InvalidArgument,
+            textOf("a chord error of ", chord_error, " mm takes ", cells.faces(), " faces, and ", most_faces, " are the most: raise it to ",
+                   rounded_up * chord_error * cells.faces() / most_faces, " mm")};
   }
   mesh.along = static_cast<std::size_t>(cells.along);
   mesh.across = static_cast<std::size_t>(cells.across);

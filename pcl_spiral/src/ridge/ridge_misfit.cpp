@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ridge_misfit.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -10,9 +11,9 @@ namespace pcl_spiral {
 void
 findMisfit(SectionRounds& rounds, double half_width, ScanRidgeReport& report)
 {
-  constexpr std::uint32_t fewest = 4;         // points in a cell whose median counts
-  constexpr double much = 1.5, far = 4.0;     // times the noise: of all points, of a cell
-  constexpr double smallest = 1e-3;           // of the half width; less is no misfit of a scan without noise
+  constexpr std::uint32_t fewest = 4;     // points in a cell whose median counts
+  constexpr double much = 1.5, far = 4.0; // times the noise: of all points, of a cell
+  constexpr double smallest = 1e-3;       // of the half width; less is no misfit of a scan without noise
   const std::vector<SectionShift> lying = rounds.lying();
   const Profile& profile = rounds.profile();
   double squares = 0.0;
@@ -33,9 +34,11 @@ findMisfit(SectionRounds& rounds, double half_width, ScanRidgeReport& report)
   const double u = rounds.stationOf(worst_section);
   if (const auto frame = ridgeFrame(rounds.rail().tangent(u), rounds.chord()))
     report.largest_place = rounds.rail().position(u) + frame->turned(profile.line.position(worst_cell));
-  if (report.misfit > std::max(much * report.noise, smallest * half_width) || report.largest_misfit > std::max(far * report.noise, smallest * half_width))
+  if (report.misfit > std::max(much * report.noise, smallest * half_width) ||
+      report.largest_misfit > std::max(far * report.noise, smallest * half_width))
     report.warnings.push_back(textOf("the part is off the surface that the generator sweeps by ", report.misfit, " mm rms, and by ",
-                                     report.largest_misfit, " mm at ", placeText(report.largest_place), ", where the scan scatters by ", report.noise,
+                                     report.largest_misfit, " mm at ", placeText(report.largest_place), ", where the scan scatters by ",
+                                     report.noise,
                                      " mm: its profile does not keep its shape along the ridge; take the ridge in parts, or a "
                                      "smaller half width (setHalfWidth)"));
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  How far a scan is from the surface that its rail and generator sweep.
  */

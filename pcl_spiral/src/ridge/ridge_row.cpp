@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ridge_row.h"
 
 #include "core/tool_axis.h"
@@ -20,21 +21,18 @@ class Row {
 public:
   Row(const RidgeSurface& surface, const RidgeRowSettings& settings, double place)
   : surface_(surface), settings_(settings), along_rail_(settings.direction == RidgeDirection::AlongRail), place_(place)
-  {
-  }
+  {}
 
   bool closed() const { return line().closed(); }
   Vector3d at(double t) const { return along_rail_ ? surface_.position(t, place_) : surface_.position(place_, t); }
 
-  Vector3d
-  normalAt(double t) const
+  Vector3d normalAt(double t) const
   {
     return along_rail_ ? surface_.normal(t, place_, settings_.normals) : surface_.normal(place_, t, settings_.normals);
   }
 
   /** Of the points, a closed row's last left out: as many as the spacing asks, and the chord error. */
-  std::vector<double>
-  parameters() const
+  std::vector<double> parameters() const
   {
     constexpr int most_rounds = 5;
     constexpr double more = 1.05, most = 1e6;
@@ -60,8 +58,7 @@ private:
 
   const SmoothLine& line() const { return along_rail_ ? surface_.rail() : surface_.generator(); }
 
-  Ways
-  measured() const
+  Ways measured() const
   {
     constexpr double parts = 8.0; // of a step: chords stand for the row
     Ways ways{{0.0}, {0.0}};
@@ -78,8 +75,7 @@ private:
   }
 
   /** Equal steps of the length. */
-  std::vector<double>
-  spread(const Ways& ways, int count) const
+  std::vector<double> spread(const Ways& ways, int count) const
   {
     std::vector<double> result;
     std::size_t piece = 1;
@@ -94,8 +90,7 @@ private:
   }
 
   /** Of straight moves of contact and tool from the places that they stand for, half way. */
-  double
-  largestError(const std::vector<double>& places) const
+  double largestError(const std::vector<double>& places) const
   {
     double largest = 0.0;
     const auto off = [](const Vector3d& a, const Vector3d& b, const Vector3d& p) { // p from the line through a and b

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  One row of a tool over a ridge. Private to ridge.
  */
@@ -11,7 +12,8 @@ namespace pcl_spiral {
 
 struct RidgeRow {
   DrivePass pass;
-  std::optional<Eigen::Vector3d> backwards; ///< a contact where the tool runs against the travel, its stand-off being beyond the hollow's radius
+  std::optional<Eigen::Vector3d>
+      backwards; ///< a contact where the tool runs against the travel, its stand-off being beyond the hollow's radius
 };
 
 /** The row at \p place of the generator, or of the rail for rows across it; \p turned: the other way. */

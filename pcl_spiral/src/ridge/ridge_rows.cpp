@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/ridge/ridge_rows.h>
 
 #include "ridge_row.h"
@@ -29,11 +30,13 @@ checkSettings(const RidgeRowSettings& s)
 {
   const int told = (s.step_over != 0.0) + (s.spot_size != 0.0) + (s.tool_radius != 0.0);
   if (told != 1)
-    return invalid(textOf(told == 0 ? "nothing tells" : "more than one setting tells",
-                          " how far rows are apart: set the step-over (setStepOver), or the spot (setSpot), or ball and scallop height (setScallop)"));
-  for (const auto& [name, length] : {std::pair("step-over", s.step_over), std::pair("spot", s.spot_size), std::pair("tool radius", s.tool_radius),
-                                     std::pair("spacing of points", s.point_spacing), std::pair("chord error", s.chord_error),
-                                     std::pair("run-in", s.run_in), std::pair("run-out", s.run_out)})
+    return invalid(
+        textOf(told == 0 ? "nothing tells" : "more than one setting tells",
+               " how far rows are apart: set the step-over (setStepOver), or the spot (setSpot), or ball and scallop height (setScallop)"));
+  for (const auto& [name, length] :
+       {std::pair("step-over", s.step_over), std::pair("spot", s.spot_size), std::pair("tool radius", s.tool_radius),
+        std::pair("spacing of points", s.point_spacing), std::pair("chord error", s.chord_error), std::pair("run-in", s.run_in),
+        std::pair("run-out", s.run_out)})
     if (!(length >= 0.0 && length <= longest))
       return invalid(textOf("the ", name, " is ", length, " mm: set it from 0 to ", longest, " mm"));
   if (!(s.overlap >= 0.0 && s.overlap < 1.0))
@@ -44,7 +47,8 @@ checkSettings(const RidgeRowSettings& s)
   if (!(s.point_spacing > 0.0))
     return invalid(textOf("the spacing of points is ", s.point_spacing, " mm: set it above 0 (setPointSpacing)"));
   if (!(s.stand_off >= 0.0 && s.stand_off <= longest))
-    return invalid(textOf("the stand-off is ", s.stand_off, " mm: set it from 0 to ", longest, " mm (setStandOff); for the other side of the ridge "
+    return invalid(textOf("the stand-off is ", s.stand_off, " mm: set it from 0 to ", longest,
+                          " mm (setStandOff); for the other side of the ridge "
                           "flip the normals (setFlipNormals)"));
   if (!(std::abs(s.lead) < 90.0) || !(std::abs(s.tilt) < 90.0))
     return invalid(textOf("lead and tilt are ", s.lead, " and ", s.tilt, " degrees: set them below 90 (setLead, setTilt)"));
@@ -61,7 +65,8 @@ largestDistance(const RidgeSurface& surface, bool along_rail, const std::vector<
   for (std::size_t k = across.closed() && places.size() > 1 ? 0 : 1; k < places.size(); ++k)
     for (int i = 0; i <= stations; ++i) {
       const double t = row.length() * i / stations, a = places[k > 0 ? k - 1 : places.size() - 1], b = places[k];
-      const Vector3d p = along_rail ? surface.position(t, a) : surface.position(a, t), q = along_rail ? surface.position(t, b) : surface.position(b, t);
+      const Vector3d p = along_rail ? surface.position(t, a) : surface.position(a, t),
+                     q = along_rail ? surface.position(t, b) : surface.position(b, t);
       largest = std::max(largest, (p - q).norm());
     }
   return largest;
@@ -84,7 +89,8 @@ planRidgeRows(const RidgeSurface& surface, const RidgeRowSettings& settings, Dri
   constexpr double most_points = 2e7;
   const double row = (along_rail ? surface.rail() : surface.generator()).length() + settings.run_in + settings.run_out;
   if (static_cast<double>(places.size()) * row / settings.point_spacing > most_points)
-    return invalid(textOf("the rows would have more than ", most_points, " points: raise the spacing of points (setPointSpacing) or the step-over"));
+    return invalid(
+        textOf("the rows would have more than ", most_points, " points: raise the spacing of points (setPointSpacing) or the step-over"));
   std::vector<RidgeRow> rows(places.size());
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::int64_t k = 0; k < static_cast<std::int64_t>(places.size()); ++k)
@@ -92,8 +98,9 @@ planRidgeRows(const RidgeSurface& surface, const RidgeRowSettings& settings, Dri
   for (RidgeRow& made : rows) {
     passes.push_back(std::move(made.pass));
     if (made.backwards && report.warnings.empty())
-      report.warnings.push_back(textOf("at ", placeText(*made.backwards), " the ridge is hollow with a smaller radius than the stand-off of ",
-                                       settings.stand_off, " mm: the tool runs backwards there, and comes near the other side; take a smaller "
+      report.warnings.push_back(textOf("at ", placeText(*made.backwards),
+                                       " the ridge is hollow with a smaller radius than the stand-off of ", settings.stand_off,
+                                       " mm: the tool runs backwards there, and comes near the other side; take a smaller "
                                        "stand-off (setStandOff)"));
   }
   report.rows = passes.size();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/ridge/ridge_surface.h>
 
@@ -97,12 +98,13 @@ RidgeSurface::checkRail()
     const std::optional<RidgeFrame> at = ridgeFrame(tangent, chord_);
     if (!at)
       return {StatusCode::InvalidInput,
-              textOf("the rail has a slope of ", slope / degree, " degrees at ", placeText(rail_.position(u)), "; a generator whose chord keeps ",
-                     std::abs(report_.chord_angle), " degrees goes up to ", limit / degree,
+              textOf("the rail has a slope of ", slope / degree, " degrees at ", placeText(rail_.position(u)),
+                     "; a generator whose chord keeps ", std::abs(report_.chord_angle), " degrees goes up to ", limit / degree,
                      ": take a reference normal across the rail (setReferenceNormal), or make the ridge in pieces")};
     if (slope / degree > upright || (before && std::acos(std::clamp(before->chord.dot(at->chord), -1.0, 1.0)) / degree > most_turn))
       return {StatusCode::InvalidInput,
-              textOf("the rail stands upright, along the reference normal, at ", placeText(rail_.position(u)), ": the generator would turn over to "
+              textOf("the rail stands upright, along the reference normal, at ", placeText(rail_.position(u)),
+                     ": the generator would turn over to "
                      "the other side there; take a reference normal across the rail (setReferenceNormal), or make the ridge in pieces")};
     before = at;
     if (slope / degree > report_.largest_slope) {
@@ -123,13 +125,15 @@ RidgeSurface::warnOfSlope(const Vector3d& sensitive)
 {
   constexpr double much = 5.0; // times, and tan(slope) likewise: how far an error across the slope turns the chord
   if (report_.slope_factor > much)
-    report_.warnings.push_back(textOf("at ", placeText(sensitive), " an error of the rail's slope turns the generator ", report_.slope_factor,
+    report_.warnings.push_back(textOf("at ", placeText(sensitive), " an error of the rail's slope turns the generator ",
+                                      report_.slope_factor,
                                       " times as far: measure the rail closely there, or take a reference normal across the rail "
                                       "(setReferenceNormal)"));
   else if (std::tan(report_.largest_slope * degree) > much)
     report_.warnings.push_back(textOf("the rail stands nearly upright at ", placeText(report_.steepest_place), ", with a slope of ",
                                       report_.largest_slope, " degrees: an error of its direction turns the generator ",
-                                      std::tan(report_.largest_slope * degree), " times as far; take a reference normal across the rail "
+                                      std::tan(report_.largest_slope * degree),
+                                      " times as far; take a reference normal across the rail "
                                       "(setReferenceNormal)"));
 }
 
@@ -155,9 +159,9 @@ RidgeSurface::checkFolds()
   if (report_.least_stretch > 0.0)
     return Status::success();
   const double offset = generator_.position(worst_v).tail<2>().norm();
-  return {StatusCode::InvalidInput,
-          textOf("the ridge folds at ", placeText(position(worst_u, worst_v)), ": the generator reaches ", offset, " mm from the rail, and ",
-                 offset / (1.0 - report_.least_stretch), " mm is the most there, where the rail bends: measure a shorter generator")};
+  return {StatusCode::InvalidInput, textOf("the ridge folds at ", placeText(position(worst_u, worst_v)), ": the generator reaches ", offset,
+                                           " mm from the rail, and ", offset / (1.0 - report_.least_stretch),
+                                           " mm is the most there, where the rail bends: measure a shorter generator")};
 }
 
 Status
@@ -195,11 +199,12 @@ RidgeSurface::warnOfMeeting(const MeasuredLine& rail, const MeasuredLine& genera
   const double sure = errors * (report_.rail_error + report_.generator_error) + rail.spacing + generator.spacing;
   if (report_.meeting_distance > sure)
     report_.warnings.push_back(textOf("rail and generator are ", report_.meeting_distance, " mm apart where they come nearest, at ",
-                                      placeText(report_.meeting_place), ": the ridge runs through the generator there; if one of them was measured "
+                                      placeText(report_.meeting_place),
+                                      ": the ridge runs through the generator there; if one of them was measured "
                                       "in another place, measure it again"));
   if (const double open = (rail.points.front() - rail.points.back()).norm(); !rail.closed && open < spacings * rail.spacing)
-    report_.warnings.push_back(textOf("the ends of the rail at ", placeText(rail.points.front()), " are only ", open, " mm apart, ", open / rail.spacing,
-                                      " spacings: if it is a ring, measure the rest of it; it is taken as open"));
+    report_.warnings.push_back(textOf("the ends of the rail at ", placeText(rail.points.front()), " are only ", open, " mm apart, ",
+                                      open / rail.spacing, " spacings: if it is a ring, measure the rest of it; it is taken as open"));
 }
 
 void
@@ -251,8 +256,8 @@ RidgeSurface::make(const Polyline& rail, const Polyline& generator, const RidgeS
   if (!settings.reference.allFinite() || !(settings.reference.norm() > 0.0))
     return {StatusCode::InvalidArgument, "the reference normal has no direction: set a vector such as (0, 0, 1) (setReferenceNormal)"};
   if (!(settings.measuring_error >= 0.0) || !std::isfinite(settings.measuring_error))
-    return {StatusCode::InvalidArgument, textOf("the measuring error is ", settings.measuring_error,
-                                                " mm: set it above 0, or 0 to have it found (setMeasuringError)")};
+    return {StatusCode::InvalidArgument,
+            textOf("the measuring error is ", settings.measuring_error, " mm: set it above 0, or 0 to have it found (setMeasuringError)")};
   const auto made = std::make_shared<RidgeSurface>();
   made->settings_ = settings;
   made->settings_.reference.normalize();

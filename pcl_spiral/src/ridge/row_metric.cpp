@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "row_metric.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -47,13 +48,11 @@ class Density {
 public:
   Density(const RidgeSurface& surface, const RidgeRowSettings& settings)
   : surface_(surface), settings_(settings), along_rail_(settings.direction == RidgeDirection::AlongRail)
-  {
-  }
+  {}
 
   const SmoothLine& across() const { return along_rail_ ? surface_.generator() : surface_.rail(); }
 
-  Status
-  at(double place, double& rows) const
+  Status at(double place, double& rows) const
   {
     const SmoothLine& row = along_rail_ ? surface_.rail() : surface_.generator();
     const int stations = std::min(stationsOf(row), 400);
@@ -67,9 +66,9 @@ public:
       if (settings_.tool_radius > 0.0) {
         const auto found = stepOver(settings_.tool_radius, here.curvature, settings_.scallop_height);
         if (!found)
-          return {StatusCode::InvalidInput, textOf("the ridge is hollow with radius ", -1.0 / here.curvature, " mm at ",
-                                                   placeText(surface_.position(u, v)), ", tighter than the tool radius ",
-                                                   settings_.tool_radius, " mm: use a smaller tool")};
+          return {StatusCode::InvalidInput,
+                  textOf("the ridge is hollow with radius ", -1.0 / here.curvature, " mm at ", placeText(surface_.position(u, v)),
+                         ", tighter than the tool radius ", settings_.tool_radius, " mm: use a smaller tool")};
         step = *found;
       }
       rows = std::max(rows, here.widening / step);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  How close rows over a ridge have to lie. Private to ridge.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/ridge/impl/scan_ridge.h>
 
 #include "crest_sections.h"
@@ -22,11 +23,9 @@ class ScanSearch {
 public:
   ScanSearch(const Surface& surface, const ScanRidgeSettings& settings, ScanRidge& result)
   : surface_(surface), settings_(settings), result_(result), report_(result.report)
-  {
-  }
+  {}
 
-  Status
-  run(const ProgressCallback& progress)
+  Status run(const ProgressCallback& progress)
   {
     report_.noise = surface_.noise();
     if (progress && !progress(0.0, "crest"))
@@ -67,13 +66,15 @@ ScanSearch::firstLines(RidgeBand& band, SmoothLine& generator)
   const std::size_t n = crest_.sections.size();
   const auto section = std::min(n - 1, static_cast<std::size_t>(meeting_share * static_cast<double>(settings_.closed ? n : n - 1) + 0.5));
   std::size_t worst = 0;
-  const int right = std::min(commonReach(crest_.sections, -1, worst), crest_.sections.reach(section, -1)), left = std::min(commonReach(crest_.sections, 1, worst), crest_.sections.reach(section, 1));
+  const int right = std::min(commonReach(crest_.sections, -1, worst), crest_.sections.reach(section, -1)),
+            left = std::min(commonReach(crest_.sections, 1, worst), crest_.sections.reach(section, 1));
   Vector3d chord = crest_.sections.foot(section, left).position - crest_.sections.foot(section, -right).position;
   chord = (chord - chord.dot(tangent) * tangent).normalized();
   band.chord = ridgeChord(tangent, chord, settings_.reference.normalized());
   const std::optional<RidgeFrame> frame = ridgeFrame(tangent, band.chord);
   if (!frame)
-    return {StatusCode::InvalidInput, textOf("the ridge at ", placeText(origin), " stands as steeply to the reference plane as its section there: "
+    return {StatusCode::InvalidInput, textOf("the ridge at ", placeText(origin),
+                                             " stands as steeply to the reference plane as its section there: "
                                              "take a reference normal across the ridge (setReferenceNormal)")};
   Polyline points;
   for (int k = -right; k <= left; ++k)
@@ -90,8 +91,9 @@ ScanSearch::warnOfReach()
   constexpr double short_share = 0.1, spacings = 3.0; // of the half width, of the scan
   const double least = std::min(report_.reach_left, report_.reach_right);
   if (least < settings_.half_width - std::max(short_share * settings_.half_width, spacings * surface_.spacing()))
-    report_.warnings.push_back(textOf("the generator goes ", report_.reach_left, " and ", report_.reach_right, " mm to both sides, for the scan ends there; ",
-                                      settings_.half_width, " mm were asked for (setHalfWidth)"));
+    report_.warnings.push_back(textOf("the generator goes ", report_.reach_left, " and ", report_.reach_right,
+                                      " mm to both sides, for the scan ends there; ", settings_.half_width,
+                                      " mm were asked for (setHalfWidth)"));
 }
 
 /** Both lines by points; the side that is up is the scan's. */
@@ -155,7 +157,8 @@ checkScanRidgeSettings(const ScanRidgeSettings& settings)
 {
   const std::size_t least = settings.closed ? 3 : 2;
   if (settings.rough_points.size() < least)
-    return {StatusCode::InvalidInput, textOf("there are ", settings.rough_points.size(), " rough points; ", settings.closed ? "a closed ridge takes three" : "a ridge takes two",
+    return {StatusCode::InvalidInput, textOf("there are ", settings.rough_points.size(), " rough points; ",
+                                             settings.closed ? "a closed ridge takes three" : "a ridge takes two",
                                              " or more: give places on it in their order along it (setRoughPoints)")};
   for (std::size_t i = 0; i < settings.rough_points.size(); ++i) {
     if (!settings.rough_points[i].allFinite())

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Sections of a surface by planes, walked foot by foot.
  */
@@ -14,13 +15,16 @@ namespace pcl_spiral {
 /** The sections by planes across a line, as feet of the fitted surface at steps along it: foot 0 where the walk begins, to the left of
  *  the line's direction as seen from outside positive, to the right negative. */
 struct ScanSections {
-  int most = 0;      ///< steps to either side
-  double step = 0.0; ///< mm
+  int most = 0;                  ///< steps to either side
+  double step = 0.0;             ///< mm
   std::vector<SurfaceFoot> feet; ///< of each section those from -most to most; not valid where the scan had ended
 
   std::size_t size() const { return feet.size() / static_cast<std::size_t>(2 * most + 1); }
   const SurfaceFoot& foot(std::size_t section, int k) const { return feet[slot(section, k)]; }
-  std::size_t slot(std::size_t section, int k) const { return section * static_cast<std::size_t>(2 * most + 1) + static_cast<std::size_t>(k + most); }
+  std::size_t slot(std::size_t section, int k) const
+  {
+    return section * static_cast<std::size_t>(2 * most + 1) + static_cast<std::size_t>(k + most);
+  }
   /** Steps to where the scan ends; \p side -1 or 1. */
   int reach(std::size_t section, int side) const;
 };

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "section_rounds.h"
 
 #include "rail_step.h"
 
-#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 
 #include <Eigen/Geometry>
 
@@ -17,13 +18,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t extra_cells = 2;  // by which the generator may grow in a round, at each end
+constexpr std::size_t extra_cells = 2;   // by which the generator may grow in a round, at each end
 constexpr double section_spacings = 5.0; // of the scan's points in a section's length
 constexpr double section_share = 0.3;    // of the half width, at least: a rail that bends in less would fold the band
 constexpr double section_points = 30.0;  // of the scan to either side, at least
 constexpr double cell_spacings = 1.5;
 constexpr std::size_t fewest_sections = 8, most_sections = 4000;
-constexpr int rounds_of_ends = 5; // after which the generator's ends stand, and the rail is fitted as closely as in the round before
+constexpr int rounds_of_ends = 5;   // after which the generator's ends stand, and the rail is fitted as closely as in the round before
 constexpr double held_share = 1.02; // of the error of that fit, so that no other number of spans is taken for a hair's breadth
 
 Vector3d
@@ -73,10 +74,11 @@ SectionRounds::place()
   rail_stations_ = StationLine(band_.rail, std::min(length_, std::max(settings_.spacing, 0.2 * length_)));
   for (std::size_t i = 0; i < rail_stations_.size(); ++i)
     if (!ridgeFrame(rail_stations_.tangent(i), band_.chord))
-      return {StatusCode::InvalidInput,
-              textOf("the ridge is too steep at ", placeText(rail_stations_.position(i)), " for a chord that keeps ",
-                     std::asin(std::clamp(band_.chord.sin_angle, -1.0, 1.0)) * 180.0 / pi,
-                     " degrees with the reference plane: take a reference normal across the ridge (setReferenceNormal), or make it in pieces")};
+      return {
+          StatusCode::InvalidInput,
+          textOf("the ridge is too steep at ", placeText(rail_stations_.position(i)), " for a chord that keeps ",
+                 std::asin(std::clamp(band_.chord.sin_angle, -1.0, 1.0)) * 180.0 / pi,
+                 " degrees with the reference plane: take a reference normal across the ridge (setReferenceNormal), or make it in pieces")};
   placePoints(rail_stations_, band_);
   section_points_ = pointsBySection(band_, count_, length_);
   return Status::success();
@@ -88,7 +90,8 @@ SectionRounds::shifts(int most_steps)
   std::vector<SectionShift> result(count_);
 #pragma omp parallel for schedule(dynamic, 8)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(count_); ++i)
-    result[i] = shiftOnto(band_, section_points_, static_cast<std::size_t>(i), profile_, settings_.noise, 0.5 * settings_.half_width, most_steps);
+    result[i] =
+        shiftOnto(band_, section_points_, static_cast<std::size_t>(i), profile_, settings_.noise, 0.5 * settings_.half_width, most_steps);
   return result;
 }
 
@@ -173,7 +176,8 @@ SectionRounds::meanSection(const std::vector<SectionShift>& shifts, Polyline& po
   return true;
 }
 
-/** Rms move of the rail's stations since \p before, in its frames; what all move by together goes into the generator, and is none of the ridge. */
+/** Rms move of the rail's stations since \p before, in its frames; what all move by together goes into the generator, and is none of the
+ *  ridge. */
 double
 SectionRounds::moveSince(const SmoothLine& before) const
 {
@@ -213,9 +217,9 @@ SectionRounds::moveRail(const std::vector<SectionShift>& shifts, const Vector3d&
   const bool closed = band_.rail.closed();
   std::vector<SectionShift> all;
   if (const std::optional<std::size_t> missing = allShifts(shifts, closed, all))
-    return {StatusCode::InvalidInput,
-            textOf("the band of the ridge has too few points of the scan, or no bend, at ", placeText(band_.rail.position(stationOf(*missing))),
-                   ": choose rough points where the ridge was scanned, or a larger half width (setHalfWidth)")};
+    return {StatusCode::InvalidInput, textOf("the band of the ridge has too few points of the scan, or no bend, at ",
+                                             placeText(band_.rail.position(stationOf(*missing))),
+                                             ": choose rough points where the ridge was scanned, or a larger half width (setHalfWidth)")};
   std::vector<RidgeFrame> frames;
   for (std::size_t i = 0; i < count_; ++i)
     frames.push_back(ridgeFrame(band_.rail.tangent(stationOf(i)), band_.chord).value_or(RidgeFrame()));
@@ -281,8 +285,9 @@ SectionRounds::run(const ProgressCallback& progress)
       return place();
   }
   return {StatusCode::InvalidInput,
-          textOf("after ", settings_.most_rounds, " rounds the rail at ", placeText(band_.rail.position(0.5 * band_.rail.length())), " still moves by ", last_move_,
-                 " mm a round, and ", still_, " mm is still: the sections have no common shape; "
+          textOf("after ", settings_.most_rounds, " rounds the rail at ", placeText(band_.rail.position(0.5 * band_.rail.length())),
+                 " still moves by ", last_move_, " mm a round, and ", still_,
+                 " mm is still: the sections have no common shape; "
                  "take a smaller half width (setHalfWidth), a part of the ridge, or more rounds (setMaximumIterations)")};
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Rail and generator aligned to the sections of a scan, until they stand still.
  */
@@ -14,8 +15,8 @@ namespace pcl_spiral {
 
 /** What rounds go by. Lengths in mm. */
 struct RoundSettings {
-  double noise = 0.0;          ///< of the scan
-  double spacing = 0.0;        ///< of the scan
+  double noise = 0.0;   ///< of the scan
+  double spacing = 0.0; ///< of the scan
   double half_width = 0.0;
   int most_rounds = 30;
 };
@@ -63,8 +64,8 @@ private:
   SectionPoints section_points_;
   SmoothLine generator_;
   Profile profile_;
-  std::size_t count_ = 0;   ///< of sections
-  double length_ = 0.0;     ///< of a section
+  std::size_t count_ = 0; ///< of sections
+  double length_ = 0.0;   ///< of a section
   double last_move_ = 0.0, still_ = 0.0;
   double held_error_ = 0.0; ///< to which the rail is fitted; 0: found anew
   int rounds_ = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "section_shift.h"
 
 #include <Eigen/Eigenvalues>
@@ -13,8 +14,8 @@ using Eigen::Vector3d;
 
 /** A point off the shifted generator. */
 struct Residual {
-  double off = 0.0;  ///< to the outer side
-  Vector2d normal;   ///< of the generator, along chord and up
+  double off = 0.0;    ///< to the outer side
+  Vector2d normal;     ///< of the generator, along chord and up
   double turned = 0.0; ///< what it moves along the normal by where the section turns by one radian
   std::size_t cell = 0;
   bool within = false; ///< of the generator's own length
@@ -122,7 +123,8 @@ sumCells(const std::vector<Residual>& residuals, double cut, std::size_t cells, 
 } // namespace
 
 SectionShift
-shiftOnto(RidgeBand& band, const SectionPoints& sections, std::size_t section, const Profile& profile, double noise, double gate, int most_steps)
+shiftOnto(RidgeBand& band, const SectionPoints& sections, std::size_t section, const Profile& profile, double noise, double gate,
+          int most_steps)
 {
   constexpr double still = 1e-3; // of the noise
   SectionShift result;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/ridge/impl/smooth_line.h>
 
@@ -15,8 +16,7 @@ namespace pcl_spiral {
 
 SmoothLine::SmoothLine(BSplineCurve curve, double begin, double end, bool closed)
 : curve_(std::move(curve)), begin_(begin), end_(end), closed_(closed)
-{
-}
+{}
 
 double
 SmoothLine::parameterAt(double s) const
@@ -139,12 +139,13 @@ std::optional<Trial>
 chooseFit(const Polyline& points, std::size_t repeated, double error)
 {
   constexpr double growth = 1.3, most = 0.6; // spans a point
-  constexpr double fast = 0.5; // of the score before: without noise it falls with the eighth power of the spans' length
+  constexpr double fast = 0.5;               // of the score before: without noise it falls with the eighth power of the spans' length
   const std::size_t last = static_cast<std::size_t>(most * static_cast<double>(points.size()));
   std::optional<Trial> best, enough;
   double least = std::numeric_limits<double>::infinity(), before = least;
   bool falls = true;
-  for (std::size_t spans = 1; repeated * spans <= last; spans = std::max(spans + 1, static_cast<std::size_t>(growth * static_cast<double>(spans)))) {
+  for (std::size_t spans = 1; repeated * spans <= last;
+       spans = std::max(spans + 1, static_cast<std::size_t>(growth * static_cast<double>(spans)))) {
     std::optional<Trial> trial = tryFit(points, repeated * spans);
     if (!trial || !(trial->free > 0.0))
       break;
@@ -236,13 +237,13 @@ fitPoints(const MeasuredLine& measured, double error)
 
 } // namespace
 
-/** Where points lie close, errors along the line make the chord length, the parameter, wander, which looks like a bend of the line. Means of
- *  some points each lie farther apart and err less. */
+/** Where points lie close, errors along the line make the chord length, the parameter, wander, which looks like a bend of the line. Means
+ *  of some points each lie farther apart and err less. */
 LineFit
 fitLine(const MeasuredLine& measured, double error)
 {
-  constexpr double apart = 30.0;        // times the error of a coordinate
-  constexpr std::size_t least = 40;     // points that are left
+  constexpr double apart = 30.0;    // times the error of a coordinate
+  constexpr std::size_t least = 40; // points that are left
   const LineFit first = fitPoints(measured, error);
   if (!(measured.spacing > 0.0) || !(first.error < measured.spacing * static_cast<double>(measured.points.size())))
     return first;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The neighbourhoods of all points of a cloud, in parallel. Private.
  */

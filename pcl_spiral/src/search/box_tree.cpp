@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/search/impl/box_tree.h>
 
 #include <algorithm>
@@ -5,7 +6,8 @@
 
 namespace pcl_spiral {
 
-BoxTree::BoxTree(const std::vector<Box>& boxes) : order_(boxes.size()), boxes_(boxes.empty() ? 0 : 2 * boxes.size() - 1), lowest_(boxes_.size())
+BoxTree::BoxTree(const std::vector<Box>& boxes)
+: order_(boxes.size()), boxes_(boxes.empty() ? 0 : 2 * boxes.size() - 1), lowest_(boxes_.size())
 {
   std::iota(order_.begin(), order_.end(), 0u);
   if (!boxes.empty())

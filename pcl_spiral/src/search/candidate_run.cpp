@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "candidate_run.h"
 
 #include "core/lanes.h"
@@ -42,8 +43,7 @@ pickFour(const float* values, float limit, std::uint32_t first, std::uint32_t* p
 /** Squared distances of the points from \p q, and which are at most \p limit; returns how many. \p size is a multiple
  *  of eight. */
 PCL_SPIRAL_SIMD_CLONES int
-pickWithin(const float* x, const float* y, const float* z, int size, const float* q, float limit, float* distance,
-           std::uint32_t* picked)
+pickWithin(const float* x, const float* y, const float* z, int size, const float* q, float limit, float* distance, std::uint32_t* picked)
 {
   int count = 0;
   for (int i = 0; i < size; i += lane_count) {
@@ -86,16 +86,14 @@ compare(const float* coordinate, int count, const BoxPattern& pattern, float* of
 
 CandidateRun::CandidateRun(const PointBlocks& blocks, int k, float max_radius)
 : blocks_(blocks), k_(std::min<int>(k, static_cast<int>(blocks.size()))), max_radius_(max_radius)
-{
-}
+{}
 
 float
 CandidateRun::firstRadius(const Box& box) const
 {
   // Without experience: a block holds 32 points on a patch about as wide as its diagonal.
-  const float guess = usual_radius_ > 0.0f
-                          ? 1.1f * usual_radius_
-                          : 0.12f * std::sqrt(static_cast<float>(k_)) * std::max(box.diagonal(), 1e-12f);
+  const float guess =
+      usual_radius_ > 0.0f ? 1.1f * usual_radius_ : 0.12f * std::sqrt(static_cast<float>(k_)) * std::max(box.diagonal(), 1e-12f);
   return std::min(guess, max_radius_);
 }
 
@@ -172,8 +170,8 @@ CandidateRun::pick(const Candidates& from)
   const float all = from.radius * from.radius;
   float limit = threshold_ > 0.0f ? std::min(threshold_, all) : all;
   for (;; limit = std::min(all, 1.6f * limit)) {
-    const int count = pickWithin(from.x.data(), from.y.data(), from.z.data(), padded(static_cast<int>(from.count)),
-                                 query_.data(), limit, distance_.data(), picked_.data());
+    const int count = pickWithin(from.x.data(), from.y.data(), from.z.data(), padded(static_cast<int>(from.count)), query_.data(), limit,
+                                 distance_.data(), picked_.data());
     if (count >= k_ || limit >= all)
       return count;
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
 
 namespace pcl_spiral {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/search/impl/gabriel_edges.h>
 
 #include "all_neighbourhoods.h"
@@ -23,16 +24,13 @@ blocks(double a, double b, double l, double alpha2)
 /** Finds the edges that start in the points of one block after the other; one a thread. */
 class EdgeFinder {
 public:
-  EdgeFinder(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& normals,
-             const std::vector<float>& spacing, const GabrielOptions& options)
-      : blocks_(blocks), normals_(normals), spacing_(spacing), options_(options),
-        search_(blocks, options.candidates + 1), gate_(options.max_normal_angle > 0.0),
-        least_cosine_(std::cos(options.max_normal_angle))
-  {
-  }
+  EdgeFinder(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& normals, const std::vector<float>& spacing,
+             const GabrielOptions& options)
+  : blocks_(blocks), normals_(normals), spacing_(spacing), options_(options), search_(blocks, options.candidates + 1),
+    gate_(options.max_normal_angle > 0.0), least_cosine_(std::cos(options.max_normal_angle))
+  {}
 
-  void
-  find(std::size_t block, std::vector<Edge>& edges)
+  void find(std::size_t block, std::vector<Edge>& edges)
   {
     search_.setRun(blocks_.blockBox(block));
     for (std::size_t i = blocks_.blockBegin(block); i < blocks_.blockEnd(block); ++i)
@@ -40,15 +38,13 @@ public:
   }
 
 private:
-  bool
-  meet(std::uint32_t i, std::uint32_t j) const
+  bool meet(std::uint32_t i, std::uint32_t j) const
   {
-    return !gate_ || normals_[blocks_.originalIndex(i)].cast<double>().dot(
-                         normals_[blocks_.originalIndex(j)].cast<double>()) >= least_cosine_;
+    return !gate_ ||
+           normals_[blocks_.originalIndex(i)].cast<double>().dot(normals_[blocks_.originalIndex(j)].cast<double>()) >= least_cosine_;
   }
 
-  void
-  findFrom(std::uint32_t i, std::vector<Edge>& edges)
+  void findFrom(std::uint32_t i, std::vector<Edge>& edges)
   {
     const Neighbourhood& near = search_.find(blocks_.position(i));
     const Eigen::Vector3d p = blocks_.position(i);
@@ -66,12 +62,10 @@ private:
     }
   }
 
-  bool
-  isFree(std::uint32_t j, const Eigen::Vector3d& q, double l) const
+  bool isFree(std::uint32_t j, const Eigen::Vector3d& q, double l) const
   {
     for (const Nearer& x : nearer_)
-      if (blocks(x.squared_distance, (x.position - q).squaredNorm(), l, options_.alpha * options_.alpha) &&
-          meet(x.index, j))
+      if (blocks(x.squared_distance, (x.position - q).squaredNorm(), l, options_.alpha * options_.alpha) && meet(x.index, j))
         return false;
     return true;
   }
@@ -112,16 +106,14 @@ blocksEdge(const Eigen::Vector3d& x, const Eigen::Vector3d& p, const Eigen::Vect
 }
 
 NeighbourLists
-ellipticGabrielEdges(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& normals,
-                     const GabrielOptions& options)
+ellipticGabrielEdges(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& normals, const GabrielOptions& options)
 {
   if (points.empty())
     return {};
   const PointBlocks blocks(points);
   const int threads = options.threads > 0 ? static_cast<int>(options.threads) : omp_get_max_threads();
-  const std::vector<float> spacing = options.max_edge > 0.0
-                                         ? localSpacings(blocks, options.candidates, threads)
-                                         : std::vector<float>(points.size());
+  const std::vector<float> spacing =
+      options.max_edge > 0.0 ? localSpacings(blocks, options.candidates, threads) : std::vector<float>(points.size());
   const auto count = static_cast<std::int64_t>(blocks.blockCount());
   std::vector<std::vector<Edge>> found(blocks.blockCount());
 #pragma omp parallel num_threads(threads)

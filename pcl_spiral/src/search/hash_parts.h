@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Points grouped by a hash, so that what is equal can be sought in small parts, in parallel. Private.
  */
@@ -55,9 +56,18 @@ public:
         points_[place[c * parts + partOf(i)]++] = {points[i].x(), points[i].y(), points[i].z(), static_cast<std::uint32_t>(i)};
   }
 
-  std::size_t count() const { return begin_.size() - 1; }
-  const IndexedPosition* begin(std::size_t part) const { return points_.data() + begin_[part]; }
-  const IndexedPosition* end(std::size_t part) const { return points_.data() + begin_[part + 1]; }
+  std::size_t count() const
+  {
+    return begin_.size() - 1;
+  }
+  const IndexedPosition* begin(std::size_t part) const
+  {
+    return points_.data() + begin_[part];
+  }
+  const IndexedPosition* end(std::size_t part) const
+  {
+    return points_.data() + begin_[part + 1];
+  }
 
 private:
   std::vector<IndexedPosition> points_;
@@ -69,8 +79,7 @@ class KeyTable {
 public:
   static constexpr std::uint32_t none = 0xffffffffu;
 
-  void
-  reset(std::size_t most_keys)
+  void reset(std::size_t most_keys)
   {
     std::size_t size = 16;
     while (size < 2 * most_keys)
@@ -80,8 +89,7 @@ public:
   }
   /** The number of the key with \p hash for which isSame(number) holds; a new one, the count so far, if there is none. */
   template <typename IsSame>
-  std::uint32_t
-  number(std::uint64_t hash, IsSame isSame)
+  std::uint32_t number(std::uint64_t hash, IsSame isSame)
   {
     const std::size_t mask = slots_.size() - 1;
     std::size_t slot = hash & mask;
@@ -93,8 +101,7 @@ public:
   }
   /** The same, or none. */
   template <typename IsSame>
-  std::uint32_t
-  find(std::uint64_t hash, IsSame isSame) const
+  std::uint32_t find(std::uint64_t hash, IsSame isSame) const
   {
     const std::size_t mask = slots_.size() - 1;
     for (std::size_t slot = hash & mask; slots_[slot] != 0; slot = (slot + 1) & mask)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mean_distances.h"
 
 #include "all_neighbourhoods.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/search/impl/move_index.h>
 
 #include <Eigen/Geometry>
@@ -78,10 +79,9 @@ MoveIndex::build(std::vector<Piece>& pieces, std::size_t first, std::size_t last
       axis = d;
   const std::size_t half = first + (last - first) / 2;
   const auto begin = pieces.begin();
-  std::nth_element(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(half),
-                   begin + static_cast<std::ptrdiff_t>(last), [axis](const Piece& a, const Piece& b) {
-                     return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis];
-                   });
+  std::nth_element(
+      begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(half), begin + static_cast<std::ptrdiff_t>(last),
+      [axis](const Piece& a, const Piece& b) { return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis]; });
   const std::size_t child = boxes_.size();
   next_[node] = static_cast<std::uint32_t>(child);
   boxes_.resize(child + 2);

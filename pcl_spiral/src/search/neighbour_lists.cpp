@@ -1,11 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/search/impl/neighbour_lists.h>
 
 #include <algorithm>
 
 namespace pcl_spiral {
 
-NeighbourLists::NeighbourLists(std::size_t point_count,
-                               const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges)
+NeighbourLists::NeighbourLists(std::size_t point_count, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges)
 {
   std::vector<std::size_t> start(point_count + 1, 0);
   for (const auto& [a, b] : edges) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "neighbour_search.h"
 
 #include "core/lanes.h"

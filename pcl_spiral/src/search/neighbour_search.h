@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The k nearest neighbours of whole blocks of points at a time.
  */

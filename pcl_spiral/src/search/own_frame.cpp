@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "own_frame.h"
 
 #include "pieces.h"
@@ -11,8 +12,8 @@ inOwnFrame(const std::vector<Eigen::Vector3f>& points)
 {
   using Eigen::Array3d, Eigen::Matrix3d, Eigen::Vector3d;
   const std::size_t n = points.size();
-  const Vector3d sum = sumOverPoints(n, Vector3d(Vector3d::Zero()),
-                                     [&](std::uint32_t i, Vector3d& part) { part += points[i].cast<double>(); });
+  const Vector3d sum =
+      sumOverPoints(n, Vector3d(Vector3d::Zero()), [&](std::uint32_t i, Vector3d& part) { part += points[i].cast<double>(); });
   const Vector3d mean = sum / static_cast<double>(n);
   const Matrix3d second = sumOverPoints(n, Matrix3d(Matrix3d::Zero()), [&](std::uint32_t i, Matrix3d& part) {
     const Vector3d d = points[i].cast<double>() - mean;

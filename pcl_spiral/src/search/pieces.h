@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Loops over all points in pieces of fixed size: what they find depends on no thread. Private.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <algorithm>
@@ -10,8 +11,7 @@ namespace {
 /** A total order on positions by one axis after the other, so that equal coordinates never leave it to chance. */
 struct AxisOrder {
   std::array<int, 3> axes;
-  bool
-  operator()(const IndexedPosition& a, const IndexedPosition& b) const
+  bool operator()(const IndexedPosition& a, const IndexedPosition& b) const
   {
     const float* p = &a.x;
     const float* q = &b.x;
@@ -28,8 +28,7 @@ std::array<int, 3>
 axesBySide(const Box& box)
 {
   std::array<int, 3> axes{0, 1, 2};
-  std::stable_sort(axes.begin(), axes.end(),
-                   [&](int a, int b) { return box.high[a] - box.low[a] > box.high[b] - box.low[b]; });
+  std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return box.high[a] - box.low[a] > box.high[b] - box.low[b]; });
   return axes;
 }
 
@@ -45,8 +44,7 @@ public:
     scale_ = width > 0.0f ? (static_cast<float>(slices_) - 0.5f) / width : 0.0f;
   }
 
-  void
-  apply(IndexedPosition* begin, std::size_t count, std::size_t smaller)
+  void apply(IndexedPosition* begin, std::size_t count, std::size_t smaller)
   {
     std::array<std::uint32_t, most_slices> in_slice{};
     for (std::size_t i = 0; i < count; ++i)
@@ -63,8 +61,7 @@ public:
 private:
   static constexpr int most_slices = 1024;
 
-  int
-  sliceOf(const IndexedPosition& p) const
+  int sliceOf(const IndexedPosition& p) const
   {
     return static_cast<int>(std::min(static_cast<float>(slices_ - 1), ((&p.x)[axis_] - low_) * scale_));
   }
@@ -72,8 +69,7 @@ private:
   /** Positions whose slices \p belong come first; returns where the others begin. Every step does the same, so that there
    *  is no branch to be guessed wrongly. */
   template <typename Belongs>
-  IndexedPosition*
-  split(IndexedPosition* begin, IndexedPosition* end, Belongs belong) const
+  IndexedPosition* split(IndexedPosition* begin, IndexedPosition* end, Belongs belong) const
   {
     IndexedPosition* others = begin;
     for (IndexedPosition* p = begin; p != end; ++p) {
@@ -171,8 +167,7 @@ PointBlocks::nearest(const Eigen::Vector3d& query) const
     if (boxes_[node].squaredDistance(q.data()) >= best_distance)
       continue;
     if (node < leaves) {
-      const bool right_first =
-          boxes_[2 * node + 1].squaredDistance(q.data()) < boxes_[2 * node].squaredDistance(q.data());
+      const bool right_first = boxes_[2 * node + 1].squaredDistance(q.data()) < boxes_[2 * node].squaredDistance(q.data());
       stack[top++] = 2 * node + (right_first ? 0 : 1);
       stack[top++] = 2 * node + (right_first ? 1 : 0);
       continue;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/search/impl/point_selection.h>
 
 #include "hash_parts.h"
@@ -54,8 +55,7 @@ public:
   explicit VoxelGrid(double edge) : edge_(edge) {}
 
   /** Whether every point has a voxel: no more than 2^20 from the origin. */
-  bool
-  holds(const std::vector<Eigen::Vector3f>& points) const
+  bool holds(const std::vector<Eigen::Vector3f>& points) const
   {
     Box box;
     for (const Eigen::Vector3f& p : points)
@@ -65,8 +65,7 @@ public:
         return false;
     return true;
   }
-  std::uint64_t
-  key(const Eigen::Vector3f& p) const
+  std::uint64_t key(const Eigen::Vector3f& p) const
   {
     std::uint64_t key = 0;
     for (int d = 0; d < 3; ++d)
@@ -85,8 +84,7 @@ private:
 class PartVoxels {
 public:
   /** Mark in \p kept the point nearest to the centroid of each voxel; of equally near ones the first. */
-  void
-  mark(const VoxelGrid& grid, const IndexedPosition* begin, const IndexedPosition* end, std::vector<std::uint8_t>& kept)
+  void mark(const VoxelGrid& grid, const IndexedPosition* begin, const IndexedPosition* end, std::vector<std::uint8_t>& kept)
   {
     table_.reset(static_cast<std::size_t>(end - begin));
     voxels_.clear();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/boundary_choice.h>
 
 #include <pcl_spiral/common/impl/message.h>

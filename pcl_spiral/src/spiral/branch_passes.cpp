@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "branch_passes.h"
 
 #include "dot_fingers.h"
@@ -8,10 +9,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double whole_strip = 0.92; // of a strip with a loop beside it: travelled so far, it leaves no ridge
+constexpr double whole_strip = 0.92;  // of a strip with a loop beside it: travelled so far, it leaves no ridge
 constexpr double closed_strip = 0.98; // of a loop that is a pass by itself
-constexpr double neighbour = 1.35;   // step-overs
-constexpr int probes = 4;            // along a strip
+constexpr double neighbour = 1.35;    // step-overs
+constexpr int probes = 4;             // along a strip
 
 /** Whether a loop of the next level inside runs beside the strip. */
 bool

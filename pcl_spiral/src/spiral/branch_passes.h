@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Loops beside a spiral's chain, travelled as spirals of their own.
  */
@@ -12,8 +13,8 @@ namespace pcl_spiral {
 
 /** A spiral along one chain of loops, and how much of the strips at its ends it travels. */
 struct SpiralPass {
-  std::vector<RampStrip> chain;   ///< the outermost loop first
-  std::vector<std::size_t> cuts;  ///< of the strips
+  std::vector<RampStrip> chain;         ///< the outermost loop first
+  std::vector<std::size_t> cuts;        ///< of the strips
   double lead_in = 0.0, lead_out = 0.0; ///< shares of the first strip before the path enters the loop, and of the last one
 
   const RampStrip& first() const { return chain.front(); }
@@ -25,7 +26,7 @@ struct SpiralPass {
 /** Chains over all loops whose entry in \p joined is 0, with their ramps in \p loops: each from the deepest loop left outwards until a
  *  rim or a loop that is travelled already. Dots become fingers of their neighbours, or chains where none is near. The order is that in
  *  which the tool goes from \p end, where the path ends so far, to the nearest pass left. */
-std::vector<SpiralPass>
-findBranches(const LoopFinder& finder, const Eigen::Vector3d& end, std::vector<std::uint8_t>& joined, CutLoops& loops, LinkedPath& path);
+std::vector<SpiralPass> findBranches(const LoopFinder& finder, const Eigen::Vector3d& end, std::vector<std::uint8_t>& joined,
+                                     CutLoops& loops, LinkedPath& path);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bridges.h"
 
 #include "dot_fingers.h"
@@ -14,15 +15,15 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double turn_radius = 0.25;   // of a bridge's corners, step-overs
-constexpr double half_gap = 0.04;      // between its two lines
-constexpr double beside_reach = 0.6;   // two loops run side by side so far to either side
+constexpr double turn_radius = 0.25;                            // of a bridge's corners, step-overs
+constexpr double half_gap = 0.04;                               // between its two lines
+constexpr double beside_reach = 0.6;                            // two loops run side by side so far to either side
 constexpr double least_distance = 0.12, largest_distance = 1.5; // of two loops; those of a narrow core lie close to its rim
-constexpr double between_share = 0.45; // of their distance: another loop as near to the middle lies between
-constexpr double least_chord = 0.93;   // of their length within that reach
-constexpr double sample_step = 0.4, finer_step = 0.05; // where no place was found
-constexpr std::size_t most_samples = 400; // a loop
-constexpr double crossing_reach = 3.0, crossing_grain = 0.1; // of lines that a bridge might cross
+constexpr double between_share = 0.45;                          // of their distance: another loop as near to the middle lies between
+constexpr double least_chord = 0.93;                            // of their length within that reach
+constexpr double sample_step = 0.4, finer_step = 0.05;          // where no place was found
+constexpr std::size_t most_samples = 400;                       // a loop
+constexpr double crossing_reach = 3.0, crossing_grain = 0.1;    // of lines that a bridge might cross
 
 /** Two loops side by side at a place. */
 struct Beside {
@@ -36,12 +37,10 @@ struct Beside {
 class Joiner {
 public:
   Joiner(const LoopFinder& finder, std::vector<std::uint8_t>& joined, CutLoops& loops, LinkedPath& path)
-      : finder_(finder), joined_(joined), loops_(loops), path_(path)
-  {
-  }
+  : finder_(finder), joined_(joined), loops_(loops), path_(path)
+  {}
 
-  std::size_t
-  run()
+  std::size_t run()
   {
     reachDots(finder_, joined_, loops_, path_);
     for (const bool strict : {true, false}) {
@@ -55,11 +54,11 @@ public:
   }
 
 private:
-  void
-  findPlaces(std::size_t i, bool strict, std::vector<Beside>& places) const
+  void findPlaces(std::size_t i, bool strict, std::vector<Beside>& places) const
   {
     const ScallopLoop& loop = loops_.loop(i);
-    const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(loop.length() / (strict ? sample_step : finer_step)), 8, most_samples);
+    const auto count =
+        std::clamp<std::size_t>(static_cast<std::size_t>(loop.length() / (strict ? sample_step : finer_step)), 8, most_samples);
     std::vector<Beside> found(3 * count);
 #pragma omp parallel for schedule(dynamic, 8) if (count > 64)
     for (std::size_t k = 0; k < count; ++k) {
@@ -78,8 +77,7 @@ private:
   }
 
   /** How well two loops run side by side about a place; a score below 0 where they do not. */
-  Beside
-  compare(std::size_t a, double ua, const LoopPlace& other, bool strict) const
+  Beside compare(std::size_t a, double ua, const LoopPlace& other, bool strict) const
   {
     const ScallopLoop &la = loops_.loop(a), &lb = loops_.loop(other.loop);
     Beside place{a, other.loop, ua, other.u, other.distance, 1.0, std::abs(other.distance - 1.0)};
@@ -103,8 +101,7 @@ private:
     return place;
   }
   /** Whether no other loop lies between the two. */
-  bool
-  isClear(const Beside& place) const
+  bool isClear(const Beside& place) const
   {
     const ScallopLoop& a = loops_.loop(place.a);
     const Eigen::Vector3d middle = 0.5 * (a.at(place.ua) + loops_.loop(place.b).at(place.ub));
@@ -115,8 +112,7 @@ private:
   }
 
   /** Prim's tree: always the best place between a loop that is joined and one that is not. */
-  void
-  join(const std::vector<Beside>& places)
+  void join(const std::vector<Beside>& places)
   {
     std::vector<std::vector<std::size_t>> of(loops_.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -135,7 +131,8 @@ private:
     while (!front.empty()) {
       const Beside& place = places[front.top().second];
       front.pop();
-      if ((joined_[place.a] != 0) == (joined_[place.b] != 0) || joined_[place.a] == travelled_as_dot || joined_[place.b] == travelled_as_dot)
+      if ((joined_[place.a] != 0) == (joined_[place.b] != 0) || joined_[place.a] == travelled_as_dot ||
+          joined_[place.b] == travelled_as_dot)
         continue;
       if (!loops_.isFree(place.a, place.ua, beside_reach) || !loops_.isFree(place.b, place.ub, beside_reach))
         continue;
@@ -150,8 +147,7 @@ private:
   }
 
   /** The two turns of a bridge, back to back: on the side where the arc lengths of a fall, and where they rise. */
-  std::array<PathPiece, 2>
-  turnsOf(const Beside& place) const
+  std::array<PathPiece, 2> turnsOf(const Beside& place) const
   {
     const ScallopLoop &a = loops_.loop(place.a), &b = loops_.loop(place.b);
     const double radius = radiusOf(place);
@@ -175,12 +171,17 @@ private:
     }
     return turns;
   }
-  static double radiusOf(const Beside& place) { return std::min(turn_radius, 0.49 * place.distance); }
-  static double halfCut(const Beside& place) { return half_gap + radiusOf(place) + 0.1; }
+  static double radiusOf(const Beside& place)
+  {
+    return std::min(turn_radius, 0.49 * place.distance);
+  }
+  static double halfCut(const Beside& place)
+  {
+    return half_gap + radiusOf(place) + 0.1;
+  }
 
   /** Whether some of \p piece lies where a bridge might cross it. */
-  static bool
-  isNear(const PathPiece& piece, const Eigen::Vector3d& place, const StepOverMetric& metric)
+  static bool isNear(const PathPiece& piece, const Eigen::Vector3d& place, const StepOverMetric& metric)
   {
     constexpr std::size_t every = 8; // points, of some 0.1 step-overs each
     for (std::size_t k = 0; k < piece.points.size(); k += every)
@@ -190,8 +191,7 @@ private:
   }
 
   /** Whether the bridge crosses a loop about it, an earlier bridge, or itself. */
-  bool
-  crosses(const Beside& place, const std::array<PathPiece, 2>& turns) const
+  bool crosses(const Beside& place, const std::array<PathPiece, 2>& turns) const
   {
     const ScallopLoop &a = loops_.loop(place.a), &b = loops_.loop(place.b);
     const Eigen::Vector3d middle = 0.5 * (a.at(place.ua) + b.at(place.ub));
@@ -220,8 +220,7 @@ private:
     return lines.crossedBy(whole[1]);
   }
   /** Add what lies near of a loop, but for a cut of twice \p half about \p u. */
-  void
-  addLoop(std::size_t i, double u, double half, PlaneLines& lines) const
+  void addLoop(std::size_t i, double u, double half, PlaneLines& lines) const
   {
     const ScallopLoop& loop = loops_.loop(i);
     const bool whole = loop.length() <= 2.0 * crossing_reach;
@@ -241,8 +240,7 @@ private:
   }
 
   /** Both loops are cut, and their ends joined by two turns. */
-  void
-  bridge(const Beside& place, std::array<PathPiece, 2> turns)
+  void bridge(const Beside& place, std::array<PathPiece, 2> turns)
   {
     const ScallopLoop &a = loops_.loop(place.a), &b = loops_.loop(place.b);
     const double half = halfCut(place);
@@ -258,8 +256,7 @@ private:
                             outward ? b.at(place.ub) : a.at(place.ua), outward ? a.at(place.ua) : b.at(place.ub)});
     ++path_.bridges;
   }
-  void
-  addTests(const Beside& place)
+  void addTests(const Beside& place)
   {
     const ScallopLoop &a = loops_.loop(place.a), &b = loops_.loop(place.b);
     const double low = a.level == 0 ? 0.0 : -0.6, high = place.distance + (b.level == 0 ? 0.0 : 0.6); // nothing beyond a rim

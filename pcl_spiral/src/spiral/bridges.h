@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Loops beside a spiral's chain, joined to their neighbours.
  */
@@ -12,7 +13,6 @@ namespace pcl_spiral {
 
 /** Join every loop whose entry in \p joined is 0 to the others by a bridge or, where it is a dot, as a finger of a neighbour.
  *  \return the first loop that no neighbour runs beside, or loops.size(). */
-std::size_t
-joinLoops(const LoopFinder& finder, std::vector<std::uint8_t>& joined, CutLoops& loops, LinkedPath& path);
+std::size_t joinLoops(const LoopFinder& finder, std::vector<std::uint8_t>& joined, CutLoops& loops, LinkedPath& path);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Whether the ramps of a chain keep clear of each other and of its loops.
  */
@@ -9,7 +10,6 @@ namespace pcl_spiral {
 
 /** How often ramps of \p chain, from the rim inward, cross the next ramp, or what is left of the two loops they join beside the
  *  strips. */
-std::size_t
-chainCrossings(const CutLoops& loops, const std::vector<RampStrip>& chain);
+std::size_t chainCrossings(const CutLoops& loops, const std::vector<RampStrip>& chain);
 
 } // namespace pcl_spiral

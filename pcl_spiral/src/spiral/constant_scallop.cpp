@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/constant_scallop.h>
 
 #include "path_cover.h"
@@ -176,8 +177,7 @@ planConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loo
   StepOverDistance field;
   if (const Status status = makeStepOverField(surface, loops, settings, partOf(progress, 0.0, 0.3), field); !status.ok())
     return status;
-  if (const Status status = checkPathSize(scallopPathSize(field, surface, settings), surfaceArea(surface.graph()), settings);
-      !status.ok())
+  if (const Status status = checkPathSize(scallopPathSize(field, surface, settings), surfaceArea(surface.graph()), settings); !status.ok())
     return status;
   clock.end("step-over field");
   ScallopLoopSet set;
@@ -188,8 +188,7 @@ planConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loo
   figures.axes = set.axes;
   clock.end("scallop loops");
   LinkedPath path;
-  if (const Status status =
-          makeScallopPath(std::move(set.loops), &field, settings, partOf(progress, 0.6, 1.0), clock, path, figures);
+  if (const Status status = makeScallopPath(std::move(set.loops), &field, settings, partOf(progress, 0.6, 1.0), clock, path, figures);
       !status.ok())
     return status;
   return samplePath(path, surface, settings, turns.curve, turns.largest_allowed_step);

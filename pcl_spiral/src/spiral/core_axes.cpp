@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "axis_line.h"
 #include "finger_axes.h"
 
@@ -19,7 +20,7 @@ class CoreTree {
 public:
   CoreTree(const StepOverDistance& field, const std::vector<std::uint32_t>& nodes, const std::vector<double>& distances,
            std::vector<std::uint32_t>& index)
-      : field_(field), nodes_(nodes), distances_(distances), index_(index), open_(nodes.size(), 0)
+  : field_(field), nodes_(nodes), distances_(distances), index_(index), open_(nodes.size(), 0)
   {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       index_[nodes[i]] = static_cast<std::uint32_t>(i) + 1;
@@ -34,8 +35,7 @@ public:
   CoreTree(const CoreTree&) = delete;
   CoreTree& operator=(const CoreTree&) = delete;
 
-  void
-  run(std::vector<FingerAxis>& axes)
+  void run(std::vector<FingerAxis>& axes)
   {
     const auto first = std::find(open_.begin(), open_.end(), 1);
     if (first == open_.end())
@@ -53,8 +53,7 @@ public:
   }
 
 private:
-  bool
-  addBranch(std::vector<FingerAxis>& axes)
+  bool addBranch(std::vector<FingerAxis>& axes)
   {
     if (std::find(open_.begin(), open_.end(), 1) == open_.end())
       return false;
@@ -69,8 +68,7 @@ private:
       add(partOf(branch, 0.0, length - trim), axes);
     return true;
   }
-  void
-  add(const FingerAxis& axis, std::vector<FingerAxis>& axes)
+  void add(const FingerAxis& axis, std::vector<FingerAxis>& axes)
   {
     axes.push_back(axis);
     lines_.push_back(axis);
@@ -78,12 +76,12 @@ private:
     line.add(axis.points, false);
     line.build();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (open_[i] && line.nearest(field_.mesh.positions[nodes_[i]], field_.mesh.metric[nodes_[i]], trim + 0.02).segment != NearestSegment::none)
+      if (open_[i] &&
+          line.nearest(field_.mesh.positions[nodes_[i]], field_.mesh.metric[nodes_[i]], trim + 0.02).segment != NearestSegment::none)
         open_[i] = 0;
   }
   /** The node nearest to each point of the axes there are. */
-  std::vector<std::size_t>
-  nodesAtAxes() const
+  std::vector<std::size_t> nodesAtAxes() const
   {
     std::vector<std::size_t> found;
     for (const FingerAxis& line : lines_)
@@ -97,8 +95,7 @@ private:
     return found;
   }
   /** Shortest ways from \p sources; an edge costs length (0.6 / E)^4, so that they keep far from the loops. */
-  void
-  walk(const std::vector<std::size_t>& sources)
+  void walk(const std::vector<std::size_t>& sources)
   {
     using Entry = std::pair<double, std::size_t>;
     cost_.assign(nodes_.size(), infinite);
@@ -127,8 +124,7 @@ private:
       });
     }
   }
-  std::size_t
-  farthestOpen() const
+  std::size_t farthestOpen() const
   {
     std::size_t best = nodes_.size();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
@@ -136,8 +132,7 @@ private:
         best = i;
     return best;
   }
-  std::vector<std::uint32_t>
-  wayTo(std::size_t b) const
+  std::vector<std::uint32_t> wayTo(std::size_t b) const
   {
     std::vector<std::uint32_t> way;
     for (; b < nodes_.size(); b = from_[b])

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/spiral/impl/turn_function.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cover_tests.h"
 
 #include <pcl_spiral/core/impl/pass_ranges.h>
@@ -8,11 +9,11 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double suspect = 0.42;      // a node's distance above which the triangles about it are looked at
+constexpr double suspect = 0.42;       // a node's distance above which the triangles about it are looked at
 constexpr double least_watched = 0.36; // test points nearer than this to the path stay covered
-constexpr double deep_place = 0.55;   // but about a place so far off, which moves the path by more
-constexpr double watch_reach = 1.6;   // of a place that is not covered: test points within it are watched
-constexpr double search_within = 1.5; // step-overs
+constexpr double deep_place = 0.55;    // but about a place so far off, which moves the path by more
+constexpr double watch_reach = 1.6;    // of a place that is not covered: test points within it are watched
+constexpr double search_within = 1.5;  // step-overs
 constexpr std::uint32_t none = 0xffffffffu;
 
 /** Add the middles of the \p parts * \p parts triangles that a triangle is cut into. */
@@ -62,7 +63,8 @@ passLines(const LinkedPath& path)
 {
   SegmentSet line;
   for (const PassRange& pass : passRanges(path.passes, path.points.size()))
-    line.add(Polyline(path.points.begin() + static_cast<std::ptrdiff_t>(pass.begin), path.points.begin() + static_cast<std::ptrdiff_t>(pass.end)),
+    line.add(Polyline(path.points.begin() + static_cast<std::ptrdiff_t>(pass.begin),
+                      path.points.begin() + static_cast<std::ptrdiff_t>(pass.end)),
              false, pass.begin);
   line.build();
   return line;

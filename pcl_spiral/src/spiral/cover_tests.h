@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Places of a surface at which a path's coverage is looked at.
  */
@@ -29,16 +30,13 @@ struct CoverTests {
 };
 
 /** The passes of a path; a run's label is its first point. */
-SegmentSet
-passLines(const LinkedPath& path);
+SegmentSet passLines(const LinkedPath& path);
 
 /** On and beside the ridges of \p field, where it is no distance, and between the turns of ramps and about bridges: the links of
  *  \p path, whose points \p line holds. */
-CoverTests
-coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentSet& line);
+CoverTests coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentSet& line);
 
 /** Those of \p tests that a path moved towards \p places, which are not covered, may uncover, and the places themselves. */
-std::vector<std::size_t>
-testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places);
+std::vector<std::size_t> testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "dot_fingers.h"
 
 #include "moves_cross.h"
@@ -14,7 +15,7 @@ constexpr double farthest_dot = 1.7; // of its middle from the loop that reaches
 constexpr double finger_gap = 0.56;  // cut out of that loop
 constexpr double finger_cap = 0.25;
 constexpr double crossing_reach = 3.0, crossing_grain = 0.1; // of the loop to either side, that a finger must not cross
-constexpr double along_reach = 1.0;  // to either side of the nearest place a better one is looked for
+constexpr double along_reach = 1.0;                          // to either side of the nearest place a better one is looked for
 
 /** Mean of the places along \p loop. */
 Eigen::Vector3d
@@ -29,12 +30,10 @@ middleOf(const ScallopLoop& loop)
 class DotReacher {
 public:
   DotReacher(const LoopFinder& finder, std::vector<std::uint8_t>& joined, CutLoops& loops, LinkedPath& path)
-      : finder_(finder), joined_(joined), loops_(loops), path_(path)
-  {
-  }
+  : finder_(finder), joined_(joined), loops_(loops), path_(path)
+  {}
 
-  void
-  run()
+  void run()
   {
     for (std::size_t i = 0; i < loops_.size(); ++i)
       if (!joined_[i] && loops_.loop(i).length() <= longest_dot)
@@ -43,8 +42,7 @@ public:
 
 private:
   /** A loop near the dot reaches out to its middle and back. */
-  void
-  reachDot(std::size_t dot)
+  void reachDot(std::size_t dot)
   {
     const ScallopLoop& small = loops_.loop(dot);
     const Eigen::Vector3d centre = middleOf(small);
@@ -71,8 +69,7 @@ private:
       finger(dot, best, centre);
   }
   /** Whether a finger from \p u to \p centre crosses its loop, as about a sharp bend. */
-  static bool
-  crosses(const ScallopLoop& loop, double u, const Eigen::Vector3d& centre)
+  static bool crosses(const ScallopLoop& loop, double u, const Eigen::Vector3d& centre)
   {
     const double reach = std::min(crossing_reach, 0.5 * loop.length());
     const Eigen::Vector3d from = loop.at(u - 0.5 * finger_gap), to = loop.at(u + 0.5 * finger_gap), way = centre - loop.at(u);
@@ -84,8 +81,7 @@ private:
       }
     return false;
   }
-  void
-  finger(std::size_t dot, const LoopPlace& place, const Eigen::Vector3d& centre)
+  void finger(std::size_t dot, const LoopPlace& place, const Eigen::Vector3d& centre)
   {
     const ScallopLoop& loop = loops_.loop(place.loop);
     const Eigen::Vector3d from = loop.at(place.u - 0.5 * finger_gap), middle = loop.at(place.u), to = loop.at(place.u + 0.5 * finger_gap);

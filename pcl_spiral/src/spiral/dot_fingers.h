@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Loops too small for bridges, reached by a finger of a neighbour.
  */
@@ -18,7 +19,6 @@ constexpr std::uint8_t travelled_as_dot = 2;
 
 /** A neighbour of every loop of at most 3.4 step-overs whose entry in \p joined is 0 reaches out to its middle and back, where one
  *  is near enough and free. */
-void
-reachDots(const LoopFinder& finder, std::vector<std::uint8_t>& joined, CutLoops& loops, LinkedPath& path);
+void reachDots(const LoopFinder& finder, std::vector<std::uint8_t>& joined, CutLoops& loops, LinkedPath& path);
 
 } // namespace pcl_spiral

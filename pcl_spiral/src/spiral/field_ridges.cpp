@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A field from elsewhere, and where its ridges run.
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/step_over_field.h>
@@ -19,9 +20,8 @@ checkField(const StepOverDistance& field)
                                       "(setInputField)"};
   if (field.mesh.rims.empty() || field.mesh.metric.size() != nodes || field.mesh.normals.size() != nodes ||
       field.distance.size() != nodes || field.is_fine.size() != nodes || field.is_weak.size() != triangles)
-    return {StatusCode::InvalidInput, textOf("the field has ", nodes, " nodes and ", triangles, " triangles, but ",
-                                             field.distance.size(), " distances, ", field.is_weak.size(),
-                                             " marks of triangles and ", field.mesh.rims.size(),
+    return {StatusCode::InvalidInput, textOf("the field has ", nodes, " nodes and ", triangles, " triangles, but ", field.distance.size(),
+                                             " distances, ", field.is_weak.size(), " marks of triangles and ", field.mesh.rims.size(),
                                              " rims: give one that StepOverField has made (setInputField)")};
   return Status::success();
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "finger_axes.h"
 
 #include "axis_line.h"
@@ -8,13 +9,13 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double tip_gap = 0.42;                    // a finger ends this far before what it must reach
-constexpr double trim = finger_radius + tip_gap;    // of an axis at its lower end
+constexpr double tip_gap = 0.42;                 // a finger ends this far before what it must reach
+constexpr double trim = finger_radius + tip_gap; // of an axis at its lower end
 constexpr double covered_by_axis = trim + 0.02;
-constexpr double neck_step = 0.2;                   // axes in necks begin so far apart
-constexpr double worth_an_axis = 0.525;             // what lies nearer is reached by moving the path (coverPath)
-constexpr double same_ridge = 1.6;                  // two axes that start as near as this may be one over a saddle
-constexpr std::size_t most_axes = 40;               // in one uncovered part
+constexpr double neck_step = 0.2;       // axes in necks begin so far apart
+constexpr double worth_an_axis = 0.525; // what lies nearer is reached by moving the path (coverPath)
+constexpr double same_ridge = 1.6;      // two axes that start as near as this may be one over a saddle
+constexpr std::size_t most_axes = 40;   // in one uncovered part
 
 void
 strikeOut(const StepOverMesh& mesh, const std::vector<std::uint32_t>& nodes, const FingerAxis& axis, double within,
@@ -32,14 +33,12 @@ strikeOut(const StepOverMesh& mesh, const std::vector<std::uint32_t>& nodes, con
 class FingerMaker {
 public:
   FingerMaker(const StepOverDistance& field, const RidgeClimb& climb, const LevelGap& gap, std::vector<FingerAxis>& axes)
-      : field_(field), climb_(climb), gap_(gap), axes_(axes)
-  {
-  }
+  : field_(field), climb_(climb), gap_(gap), axes_(axes)
+  {}
 
   /** Axes so long that all of \p nodes are within \p covered of one; \p is_neck: they lie within the next loop, so that none is
    *  trimmed. */
-  void
-  run(const std::vector<std::uint32_t>& nodes, double covered, bool is_neck)
+  void run(const std::vector<std::uint32_t>& nodes, double covered, bool is_neck)
   {
     std::vector<std::uint8_t> open(nodes.size(), 1);
     for (std::size_t round = 0; round < most_axes; ++round) {
@@ -62,14 +61,9 @@ private:
     std::size_t axis; ///< in axes_
   };
 
-  bool
-  isWide(std::uint32_t v) const
-  {
-    return field_.distance[v] >= gap_.level + 1.0 + finger_radius;
-  }
+  bool isWide(std::uint32_t v) const { return field_.distance[v] >= gap_.level + 1.0 + finger_radius; }
   /** From \p start, within the next loop, up the ridge until that is as wide as a finger. */
-  FingerAxis
-  addNeck(std::uint32_t start)
+  FingerAxis addNeck(std::uint32_t start)
   {
     std::vector<std::uint32_t> way{start};
     while (!isWide(way.back()) && climb_.up(way.back()) != RidgeClimb::none)
@@ -78,8 +72,7 @@ private:
     return axes_.back();
   }
   /** From \p start up the ridge until it is inside the next loop, where that is as wide as a finger. */
-  FingerAxis
-  addFinger(std::uint32_t start)
+  FingerAxis addFinger(std::uint32_t start)
   {
     std::vector<std::uint32_t> way{start};
     std::size_t loop = NearestSegment::none;

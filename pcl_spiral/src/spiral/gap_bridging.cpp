@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/gap_bridging.h>
 
-#include <pcl_spiral/common/impl/message.h>
 #include "surface/gap_filling.h"
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/spiral/impl/boundary_choice.h>
 #include <pcl_spiral/spiral/impl/loop_check.h>
 
@@ -63,13 +64,11 @@ nameLoops(const Polyline& kept, std::vector<BoundaryLoop>& loops)
 class Bridging {
 public:
   Bridging(const std::vector<BoundaryLoop>& loops, const HoleOptions& options, BridgedSurface& bridged)
-      : loops_(loops), options_(options), own_(loops.size(), 0), bridged_(bridged)
-  {
-  }
+  : loops_(loops), options_(options), own_(loops.size(), 0), bridged_(bridged)
+  {}
 
   /** Loops that are not found on \p surface are the user's own. */
-  Status
-  findOwn(const Surface& surface, const std::function<bool(double)>& progress)
+  Status findOwn(const Surface& surface, const std::function<bool(double)>& progress)
   {
     own_.assign(loops_.size(), 1);
     for (std::size_t i = 0; i < loops_.size(); ++i)
@@ -84,15 +83,13 @@ public:
     if (const Status status = findBoundaryLoops(surface, options, found); status.code() == StatusCode::Cancelled)
       return status;
     for (std::size_t i = 0; i < loops_.size(); ++i)
-      own_[i] = std::none_of(found.begin(), found.end(), [&](const BoundaryLoop& loop) {
-        return loop.curve == loops_[i].curve && loop.points == loops_[i].points;
-      });
+      own_[i] = std::none_of(found.begin(), found.end(),
+                             [&](const BoundaryLoop& loop) { return loop.curve == loops_[i].curve && loop.points == loops_[i].points; });
     return Status::success();
   }
 
   /** Points for each loop that bounds a gap. */
-  Status
-  fill(const Surface& surface, std::vector<Eigen::Vector3f>& bridges)
+  Status fill(const Surface& surface, std::vector<Eigen::Vector3f>& bridges)
   {
     if (const Status status = choose(); !status.ok())
       return status;
@@ -115,16 +112,14 @@ public:
   }
 
   /** Nothing was put into the surface. */
-  void
-  keepAll()
+  void keepAll()
   {
     bridged_.loops = loops_;
     nameLoops(keptMiddles(), bridged_.loops);
   }
 
   /** Loops of the surface with what was put into it: the user's own as they are, others found again. */
-  Status
-  findAgain(const std::function<bool(double)>& progress)
+  Status findAgain(const std::function<bool(double)>& progress)
   {
     const bool own_rim = isOwn(choice_.rim);
     const bool find_holes = std::any_of(choice_.kept.begin(), choice_.kept.end(), [this](const auto* hole) { return !isOwn(hole); });
@@ -155,8 +150,7 @@ public:
   }
 
   /** The boundaries that are the user's own, on the surface as it is bridged: they may lead over a gap. */
-  Status
-  checkBoundaries() const
+  Status checkBoundaries() const
   {
     std::vector<const BoundaryLoop*> boundaries = choice_.kept;
     boundaries.insert(boundaries.begin(), choice_.rim);
@@ -169,8 +163,7 @@ public:
 
 private:
   /** Which holes stay. */
-  Status
-  choose()
+  Status choose()
   {
     const bool over = options_.holes == HoleHandling::Over && options_.mode == BoundaryMode::Automatic;
     if (const Status status = chooseBoundaries(loops_, over ? BoundaryMode::OneBoundary : options_.mode, choice_); !status.ok())
@@ -185,8 +178,7 @@ private:
 
   std::size_t indexOf(const BoundaryLoop* loop) const { return static_cast<std::size_t>(loop - loops_.data()); }
   bool isOwn(const BoundaryLoop* loop) const { return loop && own_[indexOf(loop)] != 0; }
-  Polyline
-  keptMiddles() const
+  Polyline keptMiddles() const
   {
     Polyline middles;
     for (const BoundaryLoop* hole : choice_.kept)
@@ -194,8 +186,7 @@ private:
     return middles;
   }
   /** Names of the loops found again; those of the user's own holes are left out, for these take their place. */
-  Status
-  nameFound()
+  Status nameFound()
   {
     std::vector<BoundaryLoop>& loops = bridged_.loops;
     nameLoops(keptMiddles(), loops);
@@ -207,7 +198,8 @@ private:
             (nearest == loops.end() || (middleOf(*loop) - middle).norm() < (middleOf(*nearest) - middle).norm()))
           nearest = loop;
       if (nearest == loops.end() && !isOwn(hole))
-        return {StatusCode::Failed, textOf("the hole about ", placeText(middle), ", a boundary of the part, was lost when gaps "
+        return {StatusCode::Failed, textOf("the hole about ", placeText(middle),
+                                           ", a boundary of the part, was lost when gaps "
                                            "were bridged: refuse gaps to see them (setGapHandling)")};
       if (nearest != loops.end() && isOwn(hole))
         loops.erase(nearest);
@@ -216,8 +208,7 @@ private:
   }
 
   /** Ok, or loop \p i is the user's own and no gap of this surface. */
-  Status
-  checkGap(const SurfaceGraph& graph, std::size_t i) const
+  Status checkGap(const SurfaceGraph& graph, std::size_t i) const
   {
     if (!own_[i])
       return Status::success();
@@ -238,8 +229,8 @@ private:
 };
 
 Status
-bridge(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const HoleOptions& options,
-       const ProgressCallback& progress, LoopOrigin origin, BridgedSurface& bridged)
+bridge(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const HoleOptions& options, const ProgressCallback& progress,
+       LoopOrigin origin, BridgedSurface& bridged)
 {
   Bridging bridging(loops, options, bridged);
   const double begin = origin == LoopOrigin::Given ? 0.5 : 0.0; // of finding loops again
@@ -264,8 +255,8 @@ bridge(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const 
 } // namespace
 
 Status
-bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const HoleOptions& options,
-           const ProgressCallback& progress, BridgedSurface& bridged, LoopOrigin origin)
+bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const HoleOptions& options, const ProgressCallback& progress,
+           BridgedSurface& bridged, LoopOrigin origin)
 {
   bridged = BridgedSurface();
   const Status status = bridge(std::move(surface), loops, options, progress, origin, bridged);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "handle_loop.h"
 
 #include <algorithm>
@@ -18,8 +19,7 @@ public:
   explicit FaceSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
 
   /** Join the sets of two faces; false where they were one. */
-  bool
-  join(std::size_t a, std::size_t b)
+  bool join(std::size_t a, std::size_t b)
   {
     a = root(a);
     b = root(b);
@@ -28,8 +28,7 @@ public:
   }
 
 private:
-  std::size_t
-  root(std::size_t f)
+  std::size_t root(std::size_t f)
   {
     while (parent_[f] != f)
       f = parent_[f] = parent_[parent_[f]];
@@ -43,7 +42,7 @@ private:
 class HandleSearch {
 public:
   HandleSearch(const Polyline& positions, const Triangulation& triangles)
-      : positions_(positions), triangles_(triangles), face_(triangles.halfEdgeCount()), is_rim_(positions.size(), 0)
+  : positions_(positions), triangles_(triangles), face_(triangles.halfEdgeCount()), is_rim_(positions.size(), 0)
   {
     for (std::uint32_t h = 0; h < triangles.halfEdgeCount(); ++h)
       face_[h] = h / 3;
@@ -58,8 +57,7 @@ public:
     std::sort(rim_face_.begin(), rim_face_.end());
   }
 
-  std::vector<std::uint32_t>
-  loop()
+  std::vector<std::uint32_t> loop()
   {
     std::vector<std::uint32_t> best;
     std::uint32_t root = triangles_.origin(0);
@@ -76,20 +74,18 @@ public:
 
 private:
   bool isEdge(std::uint32_t h) const { return triangles_.opposite(h) == Triangulation::none || h < triangles_.opposite(h); }
-  std::size_t
-  faceAcross(std::uint32_t h) const
+  std::size_t faceAcross(std::uint32_t h) const
   {
     const std::uint32_t other = triangles_.opposite(h);
-    return other != Triangulation::none ? face_[other] : std::lower_bound(rim_face_.begin(), rim_face_.end(), std::make_pair(h, std::size_t{0}))->second;
+    return other != Triangulation::none ? face_[other]
+                                        : std::lower_bound(rim_face_.begin(), rim_face_.end(), std::make_pair(h, std::size_t{0}))->second;
   }
-  double
-  cost(std::uint32_t a, std::uint32_t b) const
+  double cost(std::uint32_t a, std::uint32_t b) const
   {
     return (positions_[a] - positions_[b]).norm() * (is_rim_[a] || is_rim_[b] ? rim_cost : 1.0);
   }
   /** Shortest ways over half-edges from \p root. */
-  void
-  walk(std::uint32_t root)
+  void walk(std::uint32_t root)
   {
     using Entry = std::pair<double, std::uint32_t>;
     from_.assign(positions_.size(), Triangulation::none);
@@ -117,21 +113,20 @@ private:
       }
     }
   }
-  bool
-  isOnWay(std::uint32_t h) const
+  bool isOnWay(std::uint32_t h) const
   {
     const std::uint32_t other = triangles_.opposite(h), a = triangles_.origin(h), b = triangles_.target(h);
     const auto is = [&](std::uint32_t v) { return from_[v] == h || (other != Triangulation::none && from_[v] == other); };
     return is(a) || is(b);
   }
   /** The edge of the shortest way back that neither tree holds; none where there is no handle. */
-  std::uint32_t
-  closingEdge() const
+  std::uint32_t closingEdge() const
   {
     std::vector<std::pair<double, std::uint32_t>> edges;
     for (std::uint32_t h = 0; h < triangles_.halfEdgeCount(); ++h)
       if (isEdge(h) && !isOnWay(h))
-        edges.push_back({-(cost_[triangles_.origin(h)] + cost_[triangles_.target(h)] + cost(triangles_.origin(h), triangles_.target(h))), h});
+        edges.push_back(
+            {-(cost_[triangles_.origin(h)] + cost_[triangles_.target(h)] + cost(triangles_.origin(h), triangles_.target(h))), h});
     std::sort(edges.begin(), edges.end());
     FaceSets faces(faces_);
     std::uint32_t shortest = Triangulation::none;
@@ -140,8 +135,7 @@ private:
         shortest = h;
     return shortest;
   }
-  std::vector<std::uint32_t>
-  wayTo(std::uint32_t v) const
+  std::vector<std::uint32_t> wayTo(std::uint32_t v) const
   {
     std::vector<std::uint32_t> way{v};
     while (from_[way.back()] != Triangulation::none) {
@@ -152,8 +146,7 @@ private:
     return way;
   }
   /** From where the ways to both ends of \p edge part, out and back. */
-  std::vector<std::uint32_t>
-  wayOver(std::uint32_t edge) const
+  std::vector<std::uint32_t> wayOver(std::uint32_t edge) const
   {
     const std::vector<std::uint32_t> out = wayTo(triangles_.origin(edge)), back = wayTo(triangles_.target(edge));
     std::size_t common = 0;
@@ -166,7 +159,7 @@ private:
 
   const Polyline& positions_;
   const Triangulation& triangles_;
-  std::vector<std::size_t> face_; ///< of each half-edge
+  std::vector<std::size_t> face_;                               ///< of each half-edge
   std::vector<std::pair<std::uint32_t, std::size_t>> rim_face_; ///< of each free half-edge: the face its loop is closed by
   std::vector<std::uint8_t> is_rim_;
   std::size_t faces_ = 0;

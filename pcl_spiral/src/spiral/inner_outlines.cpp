@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "inner_outlines.h"
 
 #include "step_over_march.h"
 
-#include <pcl_spiral/core/impl/angles.h>
-#include <pcl_spiral/common/impl/message.h>
 #include "graph/level_lines.h"
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,8 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double corner_turn = 40.0 * pi / 180.0;
-constexpr double curve_step = 0.5; // spacings between points of a curve
-constexpr int corner_reach = 3;    // points of a curve on either side, over which it turns
+constexpr double curve_step = 0.5;   // spacings between points of a curve
+constexpr int corner_reach = 3;      // points of a curve on either side, over which it turns
 constexpr double piece_share = 0.01; // of the nodes inside: a smaller piece is a splinter of the triangles
 
 /** Points at which a closed curve turns most sharply over a few of its points. */
@@ -84,9 +85,10 @@ checkWhole(const StepOverMesh& mesh, const std::vector<double>& height)
   for (std::uint32_t p = 0; p < sizes.size(); ++p)
     if (p != largest && static_cast<double>(sizes[p]) > piece_share * static_cast<double>(all)) {
       const std::size_t v = static_cast<std::size_t>(std::find(part.begin(), part.end(), p) - part.begin());
-      return {StatusCode::InvalidInput, textOf("so far inside its rims the surface falls into pieces, one of them about ",
-                                               placeText(mesh.positions[v]), ": it is narrower there than twice the distance; make "
-                                               "it smaller (setRimOverhang, setHoleMargin)")};
+      return {StatusCode::InvalidInput,
+              textOf("so far inside its rims the surface falls into pieces, one of them about ", placeText(mesh.positions[v]),
+                     ": it is narrower there than twice the distance; make "
+                     "it smaller (setRimOverhang, setHoleMargin)")};
     }
   return Status::success();
 }

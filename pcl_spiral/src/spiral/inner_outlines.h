@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Outlines inside the rims of a surface. Private to spiral.
  */
@@ -12,11 +13,9 @@
 namespace pcl_spiral {
 
 /** In place of each of \p loops of type Outer or Inner the line \p margins[i] mm inside it along \p surface; 0: the loop as it is. */
-Status
-moveInside(const Surface& surface, const std::vector<double>& margins, std::vector<BoundaryLoop>& loops);
+Status moveInside(const Surface& surface, const std::vector<double>& margins, std::vector<BoundaryLoop>& loops);
 
 /** A loop along \p curve, which lies on \p surface: its points are the nearest of the scan. Corners are where it turns sharply. */
-BoundaryLoop
-loopAlong(const Surface& surface, Polyline curve, LoopType type);
+BoundaryLoop loopAlong(const Surface& surface, Polyline curve, LoopType type);
 
 } // namespace pcl_spiral

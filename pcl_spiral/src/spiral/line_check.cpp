@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/spiral_turns.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -12,7 +13,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t fewest_lines = 3;
-constexpr int highest_level = 30;   // each may hold twice the lines of the one before
+constexpr int highest_level = 30;    // each may hold twice the lines of the one before
 constexpr double farthest_end = 3.0; // spacings between a line's end and the rim
 
 template <typename... Parts>
@@ -31,16 +32,16 @@ checkLine(const RadialLineSet& set, std::size_t i)
                    ": give all lines as many, three at least, at equal arc length");
   for (std::size_t k = 0; k < line.feet.size(); ++k) {
     const SurfaceFoot& foot = line.feet[k];
-    if (!foot.position.allFinite() || !foot.normal.allFinite() || !foot.direction1.allFinite() ||
-        !std::isfinite(foot.curvature1) || !std::isfinite(foot.curvature2))
+    if (!foot.position.allFinite() || !foot.normal.allFinite() || !foot.direction1.allFinite() || !std::isfinite(foot.curvature1) ||
+        !std::isfinite(foot.curvature2))
       return refused(i, ": foot ", k, " is not finite: place, normal and curvatures have to be");
     if (!foot.valid && k > 0 && k + 1 < line.feet.size())
-      return refused(i, " leaves the scanned surface at ", placeText(foot.position), ": put its points on the surface "
+      return refused(i, " leaves the scanned surface at ", placeText(foot.position),
+                     ": put its points on the surface "
                      "(MLSProjector), or end it there");
   }
   if (line.level < 0 || line.level > highest_level)
-    return refused(i, " has the level ", line.level, ": give 0, or for lines to be left out near the centre 1 to ",
-                   highest_level);
+    return refused(i, " has the level ", line.level, ": give 0, or for lines to be left out near the centre 1 to ", highest_level);
   if (!(line.length() > 0.0))
     return refused(i, " has no curve: fit one through its feet (fitBSpline)");
   const double before = i > 0 ? set.lines[i - 1].rim_share : -1.0, turned = i > 0 ? set.lines[i - 1].turn_share : -1.0;
@@ -59,15 +60,14 @@ checkOutlines(const RadialLineSet& set)
   if (!set.inner.empty() && set.inner.size() < 3)
     return {StatusCode::InvalidInput, textOf("the inner boundary of the radial lines has ", set.inner.size(),
                                              " points: give three at least, or none where they start at a centre")};
-  for (const auto& [name, loop, corners] : {std::tuple("rim", &set.rim, &set.rim_corners),
-                                            std::tuple("inner boundary", &set.inner, &set.inner_corners)}) {
+  for (const auto& [name, loop, corners] :
+       {std::tuple("rim", &set.rim, &set.rim_corners), std::tuple("inner boundary", &set.inner, &set.inner_corners)}) {
     for (std::size_t k = 0; k < loop->size(); ++k)
       if (!(*loop)[k].allFinite())
         return {StatusCode::InvalidInput, textOf("point ", k, " of the ", name, " of the radial lines is not finite")};
     for (const std::size_t corner : *corners)
       if (corner >= loop->size())
-        return {StatusCode::InvalidInput, textOf("the radial lines name corner ", corner, " of a boundary of ", loop->size(),
-                                                 " points")};
+        return {StatusCode::InvalidInput, textOf("the radial lines name corner ", corner, " of a boundary of ", loop->size(), " points")};
   }
   return Status::success();
 }
@@ -95,8 +95,8 @@ Status
 checkLines(const RadialLineSet& set, double spacing)
 {
   if (set.lines.size() < fewest_lines)
-    return {StatusCode::InvalidInput, textOf("there are ", set.lines.size(), " radial lines: a spiral needs three at least, ",
-                                             "better a hundred")};
+    return {StatusCode::InvalidInput,
+            textOf("there are ", set.lines.size(), " radial lines: a spiral needs three at least, ", "better a hundred")};
   if (const Status status = checkOutlines(set); !status.ok())
     return status;
   for (std::size_t i = 0; i < set.lines.size(); ++i)
@@ -109,9 +109,8 @@ checkLines(const RadialLineSet& set, double spacing)
     return status;
   const double off = (set.lines[0].feet.back().position - set.rim.front()).norm();
   if (!(off <= farthest_end * spacing))
-    return {StatusCode::InvalidInput,
-            textOf("the first radial line ends ", off, " mm from where the rim begins, ", placeText(set.rim.front()),
-                   ": turn the rim's points so that it begins there")};
+    return {StatusCode::InvalidInput, textOf("the first radial line ends ", off, " mm from where the rim begins, ",
+                                             placeText(set.rim.front()), ": turn the rim's points so that it begins there")};
   return Status::success();
 }
 

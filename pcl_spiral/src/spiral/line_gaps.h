@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Places of radial lines on the rim, and what lines foretell in the gaps between them. Private.
  */
@@ -22,8 +23,7 @@ struct Place {
 };
 
 /** Corners, and between them places at equal distances, about 32 in all. */
-std::vector<Place>
-coarsePlaces(const RimCurve& rim);
+std::vector<Place> coarsePlaces(const RimCurve& rim);
 
 /** The gap after a line: where it is halved, and what the lines about it foretell there by Lagrange's cubic, or a lower
  *  polynomial beside corners. */
@@ -44,8 +44,7 @@ public:
 
 private:
   std::vector<double> weights(double s) const;
-  Eigen::Vector3d foretoldAt(const std::vector<RadialLine>& lines, const std::vector<double>& weights,
-                             std::size_t station) const;
+  Eigen::Vector3d foretoldAt(const std::vector<RadialLine>& lines, const std::vector<double>& weights, std::size_t station) const;
 
   std::vector<std::size_t> lines_;
   std::vector<double> s_; ///< of these lines on the rim, ascending

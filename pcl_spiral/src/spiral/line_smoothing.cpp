@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "line_smoothing.h"
 
 #include "segment_set.h"
@@ -12,7 +13,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::ptrdiff_t fewest_beside = 2; // points of a fit on either side of the segment it is for
-constexpr double largest_variance = 4.0; // of a fitted point, over that of a mean
+constexpr double largest_variance = 4.0;    // of a fitted point, over that of a mean
 constexpr std::size_t fewest_points = 12;
 constexpr std::size_t most_between = 16; // points that one line may pass
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Lines without the jaggedness of the mesh they were drawn on.
  */
@@ -18,12 +19,10 @@ struct LineGrain {
 /** \p loop drawn anew: each new point is the middle of a parabola in arc length fitted to the old ones about it, by least
  *  squares with weights (1 - |t|^3)^3. Circles keep their radius to the fourth order of width / radius. \p from: the
  *  old point before each new one. */
-ScallopLoop
-smoothed(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size_t>& from);
+ScallopLoop smoothed(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size_t>& from);
 
 /** Points of \p loop to keep, ascending, the first among them: straight lines between them pass the others within \p tolerance and
  *  are no longer than \p longest, both in step-overs. */
-std::vector<std::size_t>
-pointsKept(const ScallopLoop& loop, double tolerance, double longest);
+std::vector<std::size_t> pointsKept(const ScallopLoop& loop, double tolerance, double longest);
 
 } // namespace pcl_spiral

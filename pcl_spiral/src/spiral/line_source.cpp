@@ -1,9 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "line_source.h"
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/bspline_fit.h>
 #include <pcl_spiral/geodesic/impl/geodesic_refinement.h>
-
 
 namespace pcl_spiral {
 namespace {
@@ -30,16 +30,14 @@ graphPoints(const SurfaceGraph& graph, const BoundaryLoop& loop)
 
 LineSource::LineSource(const RadialLineRequest& request, const SurfaceCentre& centre, bool harmonic)
 : request_(request), centre_(centre), harmonic_(harmonic)
-{
-}
+{}
 
 Status
 LineSource::prepare()
 {
   const SurfaceGraph& graph = request_.surface.graph();
   if (request_.inner)
-    return potential_.compute(graph, graphPoints(graph, *request_.inner), request_.inner->curve,
-                              graphPoints(graph, request_.rim));
+    return potential_.compute(graph, graphPoints(graph, *request_.inner), request_.inner->curve, graphPoints(graph, request_.rim));
   if (harmonic_)
     return potential_.compute(graph, centre_.position, graphPoints(graph, request_.rim));
   return Status::success();
@@ -95,8 +93,7 @@ LineSource::refine(const Polyline& rim_places, std::vector<Polyline>& starts, co
       if (lines[i].feet.empty() && (guessed[i] != 0 || !from_guess)) {
         which.push_back(i);
         geodesics.emplace_back();
-        geodesics.back().points =
-            from_guess || !guessed[i] ? std::move(starts[i]) : traced(rim_places[i]);
+        geodesics.back().points = from_guess || !guessed[i] ? std::move(starts[i]) : traced(rim_places[i]);
         if (geodesics.back().points.size() < 2)
           return failedAt(rim_places[i], "no line leads from the centre to the rim");
       }

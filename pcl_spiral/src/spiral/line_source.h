@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Lines from the centre or inner loop to given places on the rim. Private.
  */
 #pragma once
 
 #include "geodesic/harmonic_field.h"
-#include <pcl_spiral/spiral/impl/radial_line_builder.h>
 #include "surface_centre.h"
+#include <pcl_spiral/spiral/impl/radial_line_builder.h>
 
 #include <cstdint>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/loop_check.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -51,7 +52,7 @@ firstAway(const SurfaceGraph& graph, const Polyline& line)
 
 /** What lies beside a loop. */
 struct Sides {
-  double left_length = 0.0, right_length = 0.0; ///< of segments that have more of the cloud on that side, mm
+  double left_length = 0.0, right_length = 0.0;     ///< of segments that have more of the cloud on that side, mm
   double left_distance = 0.0, right_distance = 0.0; ///< to the cloud, mean, in spacings
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< mean
 };
@@ -134,9 +135,10 @@ checkLoop(const SurfaceGraph& graph, const BoundaryLoop& loop, std::size_t index
                      " mm from the cloud: give loops of this very cloud, or none to have them found");
     }
   if (!surfaceOnLeft(graph, loop))
-    return refused(index, " at ", placeText(loop.curve.front()),
-                   " has the surface on its right. Where it was found, the scan scatters in depth: clean it, or thin it (setThinning). A loop "
-                   "of your own: turn it round, or find it with the same normals");
+    return refused(
+        index, " at ", placeText(loop.curve.front()),
+        " has the surface on its right. Where it was found, the scan scatters in depth: clean it, or thin it (setThinning). A loop "
+        "of your own: turn it round, or find it with the same normals");
   return Status::success();
 }
 

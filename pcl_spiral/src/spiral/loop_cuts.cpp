@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "loop_cuts.h"
 
 #include <algorithm>
@@ -88,7 +89,8 @@ CutLoops::addArc(std::size_t loop, double from, double length, bool backward, Li
   path.reversed.resize(path.points.size(), backward);
   const double before = path.turns.empty() ? 0.0 : path.turns.back();
   for (std::size_t k = 0; k < piece.points.size(); ++k)
-    path.turns.push_back(static_cast<float>(before + length / line.length() * static_cast<double>(k) / static_cast<double>(piece.points.size() - 1)));
+    path.turns.push_back(
+        static_cast<float>(before + length / line.length() * static_cast<double>(k) / static_cast<double>(piece.points.size() - 1)));
 }
 
 std::size_t

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/loop_linking.h>
 
 #include "branch_passes.h"
@@ -16,7 +17,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double grain = 0.1;        // step-overs
+constexpr double grain = 0.1; // step-overs
 
 /** Part of a loop from \p from over \p length, appended to \p path. */
 void
@@ -27,7 +28,8 @@ addPart(const ScallopLoop& loop, double from, double length, LinkedPath& path)
     path.points.push_back(loop.at(from + length * k / steps));
     path.metric.push_back(loop.metricAt(from + length * k / steps));
     path.reversed.push_back(0);
-    path.turns.push_back((path.turns.empty() ? 0.0f : path.turns.back()) + static_cast<float>(k > 0 ? length / loop.length() / steps : 0.0));
+    path.turns.push_back((path.turns.empty() ? 0.0f : path.turns.back()) +
+                         static_cast<float>(k > 0 ? length / loop.length() / steps : 0.0));
   }
 }
 
@@ -169,9 +171,10 @@ linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::op
   if (one_way)
     addBranches(finder, joined, cuts, path, passes);
   else if (const std::size_t left = joinLoops(finder, joined, cuts, path); left < loops.size())
-    return {StatusCode::Failed, textOf("no loop runs beside the one at ", placeText(loops[left].points.front()), " of ",
-                                       loops[left].length(), " step-overs: the path cannot be made in one piece there; choose "
-                                       "the radial method (setMethod), or cut the part in pieces")};
+    return {StatusCode::Failed,
+            textOf("no loop runs beside the one at ", placeText(loops[left].points.front()), " of ", loops[left].length(),
+                   " step-overs: the path cannot be made in one piece there; choose "
+                   "the radial method (setMethod), or cut the part in pieces")};
   std::size_t arcs = 0;
   for (const SpiralPass& pass : passes)
     arcs += addPass(pass, cuts, path);

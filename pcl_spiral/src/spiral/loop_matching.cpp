@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "loop_matching.h"
 
 #include <algorithm>
@@ -15,8 +16,8 @@ constexpr double widest_way = 4.0; // to the next partner, in even ones
 class Matching {
 public:
   Matching(const Polyline& seeds, const Polyline& candidates)
-      : n_(seeds.size()), m_(candidates.size()), even_(static_cast<double>(m_) / static_cast<double>(n_)),
-        widest_(std::min(m_, static_cast<std::size_t>(std::ceil(widest_way * even_)))), lengths_(n_ * m_)
+  : n_(seeds.size()), m_(candidates.size()), even_(static_cast<double>(m_) / static_cast<double>(n_)),
+    widest_(std::min(m_, static_cast<std::size_t>(std::ceil(widest_way * even_)))), lengths_(n_ * m_)
   {
     double whole = 0.0;
     for (std::size_t i = 0; i < n_; ++i)
@@ -26,13 +27,8 @@ public:
       length *= whole > 0.0 ? static_cast<double>(lengths_.size()) / whole : 0.0;
   }
 
-  double
-  length(std::size_t i, std::size_t partner) const
-  {
-    return lengths_[i * m_ + partner % m_];
-  }
-  double
-  spacing(std::size_t way) const
+  double length(std::size_t i, std::size_t partner) const { return lengths_[i * m_ + partner % m_]; }
+  double spacing(std::size_t way) const
   {
     const double off = static_cast<double>(way) / even_ - 1.0;
     return off * off;
@@ -40,8 +36,7 @@ public:
 
   /** Least cost with seed 0 at candidate \p first; the ways from one partner to the next into \p ways, unless
    * null. */
-  double
-  best(std::size_t first, std::vector<std::size_t>* ways) const
+  double best(std::size_t first, std::vector<std::size_t>* ways) const
   {
     std::vector<double> cost(m_ + 1, infinite), next;
     std::vector<std::size_t> came((ways ? n_ : 0) * (m_ + 1)); // the way that led to each seed and advance

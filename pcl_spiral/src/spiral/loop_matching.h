@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Pairs of points on two closed loops. Private to spiral.
  */
@@ -23,7 +24,6 @@ namespace pcl_spiral {
 std::vector<std::size_t> matchLoops(const Polyline& seeds, const Polyline& candidates);
 
 /** What matchLoops makes least. */
-double matchingCost(const Polyline& seeds, const Polyline& candidates,
-                    const std::vector<std::size_t>& partners);
+double matchingCost(const Polyline& seeds, const Polyline& candidates, const std::vector<std::size_t>& partners);
 
 } // namespace pcl_spiral

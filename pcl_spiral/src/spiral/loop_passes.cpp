@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Closed loops as they are: what may be wrong with them, and as a toolpath.
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
 
-#include <pcl_spiral/common/impl/message.h>
 #include "core/tool_axis.h"
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/spiral/path_sampling.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 
@@ -48,8 +49,7 @@ passOf(SpiralPath path, const SpiralSettings& settings)
   normals.insert(normals.end(), path.normals.begin(), path.normals.end());
   round.push_back(path.contacts.front());
   normals.push_back(path.normals.front());
-  const std::vector<Eigen::Vector3d> axes =
-      tiltedAxes(round, normals, settings.tilt_angle * pi / 180.0, settings.lead_angle * pi / 180.0);
+  const std::vector<Eigen::Vector3d> axes = tiltedAxes(round, normals, settings.tilt_angle * pi / 180.0, settings.lead_angle * pi / 180.0);
   for (std::size_t i = 0; i < n; ++i)
     pass.points.push_back({path.contacts[i], axes[i + 1], path.normals[i]});
   return pass;
@@ -74,8 +74,8 @@ checkScallopLoops(const std::vector<ScallopLoop>& loops)
                              " arc lengths: give a metric a point, and call measure"));
     for (std::size_t k = 0; k < loop.points.size(); ++k)
       if (!loop.points[k].allFinite() || !loop.metric[k].matrix().allFinite() || !(loop.metric[k].matrix().trace() > 0.0))
-        return wrong(i, textOf("has a place or metric that cannot be at point ", k, ", ", placeText(loop.points[k]),
-                               ": leave the point out"));
+        return wrong(i,
+                     textOf("has a place or metric that cannot be at point ", k, ", ", placeText(loop.points[k]), ": leave the point out"));
     if (!(loop.length() > 0.0) || !std::isfinite(loop.length()))
       return wrong(i, textOf("at ", placeText(loop.points.front()), " has the length ", loop.length(),
                              " step-overs: leave it out, or call measure"));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "main_chain.h"
 
 #include "chain_crossings.h"
@@ -13,17 +14,17 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double longest_ramp = 8.0;    // step-overs
-constexpr double largest_share = 0.3;   // of a loop
-constexpr double largest_turn = 32.0;   // degrees a strip may turn within 0.8 step-overs
+constexpr double longest_ramp = 8.0;  // step-overs
+constexpr double largest_share = 0.3; // of a loop
+constexpr double largest_turn = 32.0; // degrees a strip may turn within 0.8 step-overs
 constexpr double turn_reach = 0.4;
-constexpr double farthest_step = 1.35;  // to the next loop
+constexpr double farthest_step = 1.35; // to the next loop
 constexpr std::size_t most_candidates = 90;
 constexpr std::size_t ramp_points = 60;
 constexpr int ramp_probes = 24;
-constexpr double ramp_clearance = 0.2;   // of a ramp from loops it does not lead to
+constexpr double ramp_clearance = 0.2; // of a ramp from loops it does not lead to
 constexpr double cost_of_crossing = 50.0;
-constexpr double cost_of_loop = 30.0;    // that a branch leaves to another pass
+constexpr double cost_of_loop = 30.0; // that a branch leaves to another pass
 
 /** How far a ramp has come from one loop to the next at the share \p t of its strip. */
 double
@@ -56,12 +57,10 @@ public:
   /** \p joined: null, or loops that chains end before. */
   ChainFinder(const CutLoops& loops, const LoopFinder& finder, const std::optional<Eigen::Vector3d>& start,
               const std::vector<std::uint8_t>* joined = nullptr)
-      : loops_(loops), finder_(finder), start_(start), joined_(joined), bends_(loops.size())
-  {
-  }
+  : loops_(loops), finder_(finder), start_(start), joined_(joined), bends_(loops.size())
+  {}
 
-  std::vector<RampStrip>
-  best(std::size_t innermost, std::size_t outer_rim)
+  std::vector<RampStrip> best(std::size_t innermost, std::size_t outer_rim)
   {
     loops_at_.assign(finder_.levels(), 0);
     for (std::size_t i = 0; i < loops_.size(); ++i) {
@@ -89,10 +88,12 @@ public:
   }
 
 private:
-  bool isJoined(std::size_t i) const { return joined_ && (*joined_)[i] != 0; }
+  bool isJoined(std::size_t i) const
+  {
+    return joined_ && (*joined_)[i] != 0;
+  }
   /** Chains over fewer loops leave more to other passes. */
-  static void
-  preferLong(const std::vector<std::vector<RampStrip>>& chains, std::vector<double>& scores)
+  static void preferLong(const std::vector<std::vector<RampStrip>>& chains, std::vector<double>& scores)
   {
     std::size_t most = 0;
     for (const std::vector<RampStrip>& chain : chains)
@@ -101,8 +102,7 @@ private:
       scores[c] += cost_of_loop * static_cast<double>(most - chains[c].size());
   }
   /** Of \p chains the one of the least score whose ramps cross nothing; the one that crosses least where all do. */
-  std::size_t
-  clearest(const std::vector<std::vector<RampStrip>>& chains, const std::vector<double>& scores) const
+  std::size_t clearest(const std::vector<std::vector<RampStrip>>& chains, const std::vector<double>& scores) const
   {
     std::vector<std::size_t> order(chains.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -122,22 +122,21 @@ private:
     return best;
   }
   /** Places where a loop turns too sharply for a strip, ascending. */
-  void
-  findBends(std::size_t i)
+  void findBends(std::size_t i)
   {
     const ScallopLoop& loop = loops_.loop(i);
     if (loop.length() <= 7.0)
       return;
     for (std::size_t k = 0; k < loop.points.size(); ++k) {
       const Eigen::Vector3d before = loop.at(loop.arcs[k] - turn_reach), after = loop.at(loop.arcs[k] + turn_reach);
-      const double turn = std::acos(std::clamp((loop.points[k] - before).normalized().dot((after - loop.points[k]).normalized()), -1.0, 1.0));
+      const double turn =
+          std::acos(std::clamp((loop.points[k] - before).normalized().dot((after - loop.points[k]).normalized()), -1.0, 1.0));
       if (turn > largest_turn * pi / 180.0)
         bends_[i].push_back(loop.arcs[k]);
     }
   }
   /** From \p u to the next bend behind it, or before it with \p ahead. */
-  double
-  clearance(std::size_t i, double u, bool ahead) const
+  double clearance(std::size_t i, double u, bool ahead) const
   {
     const ScallopLoop& loop = loops_.loop(i);
     const std::vector<double>& bends = bends_[i];
@@ -149,14 +148,12 @@ private:
       return after == bends.end() ? bends.front() + loop.length() - w : *after - w;
     return after == bends.begin() ? w + loop.length() - bends.back() : w - *(after - 1);
   }
-  double
-  longest(std::size_t i, double u) const
+  double longest(std::size_t i, double u) const
   {
     return std::max(0.15, std::min({longest_ramp, largest_share * loops_.loop(i).length(), 0.85 * clearance(i, u, false)}));
   }
 
-  std::vector<RampStrip>
-  walk(LoopPlace start, double drift) const
+  std::vector<RampStrip> walk(LoopPlace start, double drift) const
   {
     std::vector<RampStrip> chain{{start.loop, start.u, longest(start.loop, start.u), 0.0}};
     for (int level = loops_.loop(start.loop).level - 1; level >= 0; --level) {
@@ -184,8 +181,7 @@ private:
   }
 
   /** How far from the place asked for a chain meets the rim: it weighs more than how even the chain is. */
-  double
-  farness(const std::vector<RampStrip>& chain) const
+  double farness(const std::vector<RampStrip>& chain) const
   {
     if (!start_)
       return 0.0;
@@ -194,8 +190,7 @@ private:
     return 800.0 * std::min(1.0, off / loops_.loop(rim.loop).length());
   }
 
-  double
-  score(const std::vector<RampStrip>& chain) const
+  double score(const std::vector<RampStrip>& chain) const
   {
     double sum = 0.0;
     for (const RampStrip& s : chain) {
@@ -213,8 +208,7 @@ private:
     return sum;
   }
   /** Whether the ramp from \p a in to \p b keeps off the other loops of their levels. */
-  bool
-  isClear(const RampStrip& a, const RampStrip& b) const
+  bool isClear(const RampStrip& a, const RampStrip& b) const
   {
     for (const std::size_t own : {a.loop, b.loop}) {
       const int level = loops_.loop(own).level;
@@ -222,15 +216,15 @@ private:
         continue;
       for (int k = 0; k <= ramp_probes; ++k) {
         const double t = static_cast<double>(k) / ramp_probes;
-        if (finder_.nearest(level, onRamp(loops_, a, b, t), loops_.loop(own).metricAt(own == a.loop ? a.u : b.u), ramp_clearance, own).loop != LoopPlace::none)
+        if (finder_.nearest(level, onRamp(loops_, a, b, t), loops_.loop(own).metricAt(own == a.loop ? a.u : b.u), ramp_clearance, own)
+                .loop != LoopPlace::none)
           return false;
       }
     }
     return true;
   }
   /** Strips of neighbouring loops run side by side, about a step-over apart. */
-  double
-  unevenness(const RampStrip& a, const RampStrip& b) const
+  double unevenness(const RampStrip& a, const RampStrip& b) const
   {
     double least = 1e30, most = 0.0;
     for (int i = 0; i <= 6; ++i) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_refinement.h"
 
 #include <algorithm>
@@ -12,16 +13,15 @@ using Triangle = Triangulation::Triangle;
 class Refiner {
 public:
   Refiner(StepOverMesh coarse, const std::vector<std::uint8_t>& chosen, int parts)
-      : triangulation_(std::move(coarse.triangles)), rims_(std::move(coarse.rims)), nodes_(coarse.size()), chosen_(chosen),
-        parts_(parts), on_edge_(triangulation_.halfEdgeCount(), Triangulation::none)
+  : triangulation_(std::move(coarse.triangles)), rims_(std::move(coarse.rims)), nodes_(coarse.size()), chosen_(chosen), parts_(parts),
+    on_edge_(triangulation_.halfEdgeCount(), Triangulation::none)
   {
     fine_.positions = std::move(coarse.positions);
     fine_.normals = std::move(coarse.normals);
     fine_.metric = std::move(coarse.metric);
   }
 
-  StepOverMesh
-  run(std::vector<std::uint8_t>& is_fine)
+  StepOverMesh run(std::vector<std::uint8_t>& is_fine)
   {
     const Triangulation& t = triangulation_;
     for (std::uint32_t h = 0; h < t.halfEdgeCount(); ++h)
@@ -47,14 +47,12 @@ public:
   }
 
 private:
-  std::uint32_t
-  canonical(std::uint32_t h) const
+  std::uint32_t canonical(std::uint32_t h) const
   {
     const std::uint32_t other = triangulation_.opposite(h);
     return other == Triangulation::none ? h : std::min(h, other);
   }
-  std::uint32_t
-  add(const Triangle& corners, double a, double b, double c)
+  std::uint32_t add(const Triangle& corners, double a, double b, double c)
   {
     const Eigen::Vector3d position = a * fine_.positions[corners[0]] + b * fine_.positions[corners[1]] + c * fine_.positions[corners[2]];
     fine_.positions.push_back(position);
@@ -67,8 +65,7 @@ private:
     fine_.metric.push_back(metric);
     return static_cast<std::uint32_t>(fine_.positions.size() - 1);
   }
-  void
-  cutEdge(std::uint32_t h)
+  void cutEdge(std::uint32_t h)
   {
     const std::uint32_t edge = canonical(h);
     if (on_edge_[edge] != Triangulation::none)
@@ -79,16 +76,14 @@ private:
       add({ends[0], ends[1], ends[1]}, 1.0 - static_cast<double>(i) / parts_, static_cast<double>(i) / parts_, 0.0);
   }
   /** Node \p step of half-edge \p h, from 0 at its origin to parts at its target. */
-  std::uint32_t
-  edgeNode(std::uint32_t h, int step) const
+  std::uint32_t edgeNode(std::uint32_t h, int step) const
   {
     if (step == 0 || step == parts_)
       return step == 0 ? triangulation_.origin(h) : triangulation_.target(h);
     const std::uint32_t edge = canonical(h);
     return on_edge_[edge] + static_cast<std::uint32_t>(edge == h ? step - 1 : parts_ - 1 - step);
   }
-  void
-  cutTriangle(std::size_t t)
+  void cutTriangle(std::size_t t)
   {
     const Triangle corners = triangulation_.triangle(t);
     const auto h = static_cast<std::uint32_t>(3 * t);
@@ -103,7 +98,8 @@ private:
         else if (j == i)
           rows[i].push_back(edgeNode(h + 2, parts_ - i));
         else
-          rows[i].push_back(add(corners, 1.0 - static_cast<double>(i) / parts_, static_cast<double>(i - j) / parts_, static_cast<double>(j) / parts_));
+          rows[i].push_back(
+              add(corners, 1.0 - static_cast<double>(i) / parts_, static_cast<double>(i - j) / parts_, static_cast<double>(j) / parts_));
       }
     for (int i = 0; i < parts_; ++i)
       for (int j = 0; j <= i; ++j) {
@@ -112,8 +108,7 @@ private:
           triangles_.push_back({rows[i][j], rows[i + 1][j + 1], rows[i][j + 1]});
       }
   }
-  void
-  keepTriangle(std::size_t t)
+  void keepTriangle(std::size_t t)
   {
     std::vector<std::uint32_t> ring;
     for (std::uint32_t h = static_cast<std::uint32_t>(3 * t); h < 3 * t + 3; ++h) {
@@ -129,8 +124,7 @@ private:
     for (std::size_t i = 0; i < ring.size(); ++i)
       triangles_.push_back({ring[i], ring[(i + 1) % ring.size()], middle});
   }
-  void
-  cutRims()
+  void cutRims()
   {
     const Triangulation& t = triangulation_;
     for (const std::vector<std::uint32_t>& rim : rims_) {
@@ -151,7 +145,7 @@ private:
 
   Triangulation triangulation_; ///< of the coarse mesh
   std::vector<std::vector<std::uint32_t>> rims_;
-  std::size_t nodes_;           ///< of the coarse mesh, which come first in the fine one
+  std::size_t nodes_; ///< of the coarse mesh, which come first in the fine one
   const std::vector<std::uint8_t>& chosen_;
   int parts_;
   std::vector<std::uint32_t> on_edge_; ///< first node inside each half-edge that stands for its edge

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A finer mesh where it is asked for.
  */
@@ -12,7 +13,6 @@ namespace pcl_spiral {
 
 /** Cut each triangle of \p mesh with \p chosen not 0 into \p parts * \p parts; their neighbours become fans, so that the mesh
  *  stays whole. New nodes lie on the old triangles. \p is_fine: one a node, 1 for those of cut triangles. */
-StepOverMesh
-refined(StepOverMesh mesh, const std::vector<std::uint8_t>& chosen, int parts, std::vector<std::uint8_t>& is_fine);
+StepOverMesh refined(StepOverMesh mesh, const std::vector<std::uint8_t>& chosen, int parts, std::vector<std::uint8_t>& is_fine);
 
 } // namespace pcl_spiral

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/method_choice.h>
 
+#include "geodesic/distance_field.h"
+#include "surface_centre.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/step_over.h>
-#include "geodesic/distance_field.h"
 #include <pcl_spiral/search/impl/point_selection.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
-#include "surface_centre.h"
 
 #include <Eigen/Geometry>
 
@@ -19,13 +20,13 @@ namespace {
 constexpr std::size_t most_points = 20000; // looked at
 constexpr std::size_t curvature_samples = 1000;
 constexpr std::size_t rim_samples = 256;
-constexpr double scallop_rims = 0.6; // of the rims' length, beside the turns: half of it is least, a little begins and ends the path
-constexpr double radial_rims = 1.1;  // the last turn runs on the rim, where half of it would be least, and the first about the centre
+constexpr double scallop_rims = 0.6;   // of the rims' length, beside the turns: half of it is least, a little begins and ends the path
+constexpr double radial_rims = 1.1;    // the last turn runs on the rim, where half of it would be least, and the first about the centre
 constexpr double beside_points = 0.33; // spacings from the outermost points to the outline
-constexpr double turn_radius = 0.25; // step-overs: of ConstantScallop's sharp turns
-constexpr double tie = 1.02;         // foreseen no better than this; then Radial is taken, which has no sharp turns at all
-constexpr double fine_turns = 0.25;  // spacings: where turns lie closer, loops follow the mesh's triangles, and Radial is taken
-constexpr double fine_tie = 1.1;     // up to this
+constexpr double turn_radius = 0.25;   // step-overs: of ConstantScallop's sharp turns
+constexpr double tie = 1.02;           // foreseen no better than this; then Radial is taken, which has no sharp turns at all
+constexpr double fine_turns = 0.25;    // spacings: where turns lie closer, loops follow the mesh's triangles, and Radial is taken
+constexpr double fine_tie = 1.1;       // up to this
 
 /** \p surface with a part of its points, to be looked at as a whole. */
 SurfaceGraph
@@ -186,8 +187,7 @@ foreseeMethods(const Surface& surface, const std::vector<BoundaryLoop>& loops, c
   if (!uneven && foresight.why_not_radial.empty())
     foresight.why_not_radial = "no lines lead from a centre to the rim";
   const double ridge_turns = uneven.value_or(2.0) > 1.02 ? 2.0 * turns : 0.0;
-  foresight.scallop_time =
-      machineTime(foresight.scallop_length, ridge_turns, turn_radius * step_over, feed, settings.acceleration);
+  foresight.scallop_time = machineTime(foresight.scallop_length, ridge_turns, turn_radius * step_over, feed, settings.acceleration);
   if (uneven)
     foresight.radial_length = across * *uneven + radial_rims * rims;
   foresight.radial_time = foresight.radial_length / feed;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Whether two moves cross.
  */
@@ -17,7 +18,9 @@ movesCross(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vect
   const double size = n.norm();
   if (size <= 1e-12 || std::abs((c - a).dot(n)) > 0.1 * size * ((b - a).norm() + (d - c).norm()))
     return false;
-  const auto side = [&n](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& x) { return (q - p).cross(x - p).dot(n); };
+  const auto side = [&n](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& x) {
+    return (q - p).cross(x - p).dot(n);
+  };
   return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "outline_cut.h"
 
 #include "handle_loop.h"
@@ -12,16 +13,22 @@ namespace {
 
 using Triangle = Triangulation::Triangle;
 
-constexpr double clear_of_rim = 0.45; // spacings; nearer points give way to the outline
-constexpr double beside_rim = 3.0;    // spacings within which points are looked at
-constexpr double across_reach = 6.0;  // the same for triangles
+constexpr double clear_of_rim = 0.45;         // spacings; nearer points give way to the outline
+constexpr double beside_rim = 3.0;            // spacings within which points are looked at
+constexpr double across_reach = 6.0;          // the same for triangles
 constexpr double longest_noise_handle = 12.0; // spacings round; longer ones are the part's
-constexpr double across_depth = 0.15; // spacings a triangle may reach beyond an outline
+constexpr double across_depth = 0.15;         // spacings a triangle may reach beyond an outline
 
 /** Places on the sides of a triangle, by the weights of its corners. */
-constexpr std::array<std::array<double, 3>, 9> side_places{{{0.5, 0.5, 0.0}, {0.0, 0.5, 0.5}, {0.5, 0.0, 0.5},
-                                                           {0.25, 0.75, 0.0}, {0.75, 0.25, 0.0}, {0.0, 0.25, 0.75},
-                                                           {0.0, 0.75, 0.25}, {0.25, 0.0, 0.75}, {0.75, 0.0, 0.25}}};
+constexpr std::array<std::array<double, 3>, 9> side_places{{{0.5, 0.5, 0.0},
+                                                            {0.0, 0.5, 0.5},
+                                                            {0.5, 0.0, 0.5},
+                                                            {0.25, 0.75, 0.0},
+                                                            {0.75, 0.25, 0.0},
+                                                            {0.0, 0.25, 0.75},
+                                                            {0.0, 0.75, 0.25},
+                                                            {0.25, 0.0, 0.75},
+                                                            {0.75, 0.0, 0.25}}};
 
 bool
 reachesAcross(const StepOverMesh& mesh, const Triangle& t, const OutlineSide& side, double spacing)
@@ -44,8 +51,7 @@ struct Cut {
   std::vector<std::uint8_t> dead;   ///< one a node
   std::vector<std::uint8_t> across; ///< one a triangle
 
-  bool
-  keeps(const Triangulation& triangles, std::size_t i) const
+  bool keeps(const Triangulation& triangles, std::size_t i) const
   {
     const Triangle& t = triangles.triangle(i);
     return !across[i] && !dead[t[0]] && !dead[t[1]] && !dead[t[2]];
@@ -139,8 +145,8 @@ dropHandle(const StepOverMesh& mesh, const Triangulation& rest, double spacing, 
   for (const std::uint32_t v : way)
     points.push_back(mesh.positions[v]);
   if (way.empty() || length(points, true) > longest_noise_handle * spacing)
-    return {StatusCode::Failed, textOf("the surface has a handle at ", placeText(points.empty() ? mesh.positions.front() : points.front()), ", ",
-                                       points.empty() ? 0.0 : length(points, true),
+    return {StatusCode::Failed, textOf("the surface has a handle at ", placeText(points.empty() ? mesh.positions.front() : points.front()),
+                                       ", ", points.empty() ? 0.0 : length(points, true),
                                        " mm round: a path at constant scallop needs a sheet with rim and holes alone; cut the part "
                                        "in pieces")};
   for (const std::uint32_t v : way)
@@ -152,8 +158,7 @@ dropHandle(const StepOverMesh& mesh, const Triangulation& rest, double spacing, 
 } // namespace
 
 Status
-trianglesWithin(const StepOverMesh& mesh, const Triangulation& triangles, const OutlineSide& side, double spacing,
-                Triangulation& kept)
+trianglesWithin(const StepOverMesh& mesh, const Triangulation& triangles, const OutlineSide& side, double spacing, Triangulation& kept)
 {
   Cut cut = cutAt(mesh, triangles, side, spacing);
   bool dropped = true;

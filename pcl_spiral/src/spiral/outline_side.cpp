@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "outline_side.h"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Which side of a surface's outlines a point lies on.
  */
@@ -16,7 +17,7 @@ struct OutlinePlace {
   double distance = 0.0; ///< mm
   bool inside = true;    ///< on the side of the surface
   std::size_t outline = 0;
-  double arc = 0.0;      ///< along that outline, mm
+  double arc = 0.0; ///< along that outline, mm
 };
 
 /** The fitted outlines of a surface, for searching. */
@@ -33,9 +34,9 @@ private:
   Eigen::Vector3d tangentAfter(std::size_t vertex) const;
 
   Polyline line_;
-  std::vector<double> arcs_;               ///< of each vertex of line_ along its outline
-  std::vector<std::uint32_t> outline_of_;  ///< of each vertex
-  std::vector<std::size_t> begin_;         ///< first vertex of each outline, and the end
+  std::vector<double> arcs_;              ///< of each vertex of line_ along its outline
+  std::vector<std::uint32_t> outline_of_; ///< of each vertex
+  std::vector<std::size_t> begin_;        ///< first vertex of each outline, and the end
   std::unique_ptr<MoveIndex> index_;
 };
 

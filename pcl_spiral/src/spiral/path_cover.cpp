@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "path_cover.h"
 
 #include "cover_tests.h"
@@ -14,11 +15,11 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double aim = 0.49;          // to which it is brought
-constexpr double moved_reach = 2.2;   // and the path within this may move
-constexpr double looked_at = 1.0;     // of a test point: its nearest segment is one of those within
-constexpr double bell = 0.8;          // half the length of path that one place moves
-constexpr double grain = 0.05;        // of the path where it moves
+constexpr double aim = 0.49;        // to which it is brought
+constexpr double moved_reach = 2.2; // and the path within this may move
+constexpr double looked_at = 1.0;   // of a test point: its nearest segment is one of those within
+constexpr double bell = 0.8;        // half the length of path that one place moves
+constexpr double grain = 0.05;      // of the path where it moves
 constexpr auto bell_points = static_cast<std::size_t>(bell / grain);
 constexpr double damping = 0.7;
 constexpr int most_rounds = 24;
@@ -42,8 +43,7 @@ class Mover {
 public:
   Mover(const StepOverDistance& field, LinkedPath& path) : field_(field), path_(path) {}
 
-  bool
-  run(double held, const ProgressCallback& progress, CoverFigures& figures)
+  bool run(double held, const ProgressCallback& progress, CoverFigures& figures)
   {
     watch(held, figures);
     for (; !watched_.empty() && figures.rounds < most_rounds; ++figures.rounds) {
@@ -64,7 +64,8 @@ public:
 
 private:
   void watch(double held, CoverFigures& figures);
-  void findNear(const SegmentSet& line, const std::vector<std::size_t>& places, const CoverTests& tests, std::vector<std::uint8_t>& near) const;
+  void findNear(const SegmentSet& line, const std::vector<std::size_t>& places, const CoverTests& tests,
+                std::vector<std::uint8_t>& near) const;
   void findRuns();
   SegmentSet movingLines() const;
   void measure(Watched& at) const;
@@ -76,8 +77,8 @@ private:
   const StepOverDistance& field_;
   LinkedPath& path_;
   std::vector<Watched> watched_;
-  std::vector<std::uint8_t> near_;  ///< one a point of the path: 1 within reach of a place that was not covered
-  std::vector<std::uint8_t> moves_; ///< the same, but for those held
+  std::vector<std::uint8_t> near_;     ///< one a point of the path: 1 within reach of a place that was not covered
+  std::vector<std::uint8_t> moves_;    ///< the same, but for those held
   std::vector<Eigen::Vector3d> shift_; ///< one a point of the path, zero between rounds
   std::vector<std::uint8_t> taken_;    ///< the same: middles of this round's bells
   std::vector<std::size_t> pulled_;    ///< points with a shift, some twice
@@ -166,7 +167,8 @@ Mover::movingLines() const
     while (end < n && counts(end) && (end == i || !beginsPass(path_.passes, end)))
       ++end;
     if (end > i)
-      lines.add(Polyline(path_.points.begin() + static_cast<std::ptrdiff_t>(i), path_.points.begin() + static_cast<std::ptrdiff_t>(end)), false, i);
+      lines.add(Polyline(path_.points.begin() + static_cast<std::ptrdiff_t>(i), path_.points.begin() + static_cast<std::ptrdiff_t>(end)),
+                false, i);
     i = std::max(end, i + 1);
   }
   lines.build();
@@ -232,7 +234,8 @@ Mover::pull(const std::vector<std::size_t>& open)
     const Eigen::Vector3d foot = (1.0 - at.share) * path_.points[at.segment] + at.share * path_.points[at.segment + 1];
     const Eigen::Vector3d way = (at.point - foot) * ((at.distance - aim) / at.distance);
     const PassRange pass = passRanges(path_.passes, path_.points.size())[passOf(path_.passes, centre)];
-    const std::size_t low = std::max(pass.begin, centre - std::min(centre, bell_points)), high = std::min(pass.end - 1, centre + bell_points);
+    const std::size_t low = std::max(pass.begin, centre - std::min(centre, bell_points)),
+                      high = std::min(pass.end - 1, centre + bell_points);
     for (std::size_t k = low; k <= high; ++k)
       if (moves_[k]) {
         const double off = static_cast<double>(k > centre ? k - centre : centre - k) / (static_cast<double>(bell_points) + 1.0);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A path moved to where it would leave more than asked for.
  */
@@ -12,8 +13,8 @@ namespace pcl_spiral {
 
 /** What coverPath found and left. */
 struct CoverFigures {
-  std::size_t places = 0; ///< test points farther than half a step-over from the path before it was moved
-  std::size_t left = 0;   ///< and afterwards
+  std::size_t places = 0;                       ///< test points farther than half a step-over from the path before it was moved
+  std::size_t left = 0;                         ///< and afterwards
   double farthest_before = 0.0, farthest = 0.0; ///< distance from the path, step-overs; half a step-over leaves the height asked for
   Eigen::Vector3d farthest_place = Eigen::Vector3d::Zero();
   int rounds = 0;
@@ -23,7 +24,6 @@ struct CoverFigures {
  *  between ramps and bridges, and where the field is no distance. A place farther off than that moves the path nearest to it
  *  by what is too much, fading out over 0.8 step-overs to either side; at most 24 times. The first \p held step-overs of the
  *  path, the rim, stay. \return false when cancelled. */
-bool
-coverPath(const StepOverDistance& field, double held, const ProgressCallback& progress, LinkedPath& path, CoverFigures& figures);
+bool coverPath(const StepOverDistance& field, double held, const ProgressCallback& progress, LinkedPath& path, CoverFigures& figures);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  More points on parts of a path.
  */
@@ -12,8 +13,7 @@ namespace pcl_spiral {
 
 /** Points at most \p grain step-overs apart beside the points of \p path marked in \p near. \p dense_near: the marks of the new
  *  points; \p moves: the same without the first \p held step-overs. */
-void
-densify(const std::vector<std::uint8_t>& near, double held, double grain, LinkedPath& path, std::vector<std::uint8_t>& dense_near,
-        std::vector<std::uint8_t>& moves);
+void densify(const std::vector<std::uint8_t>& near, double held, double grain, LinkedPath& path, std::vector<std::uint8_t>& dense_near,
+             std::vector<std::uint8_t>& moves);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "path_end.h"
 
 #include "moves_cross.h"
@@ -10,8 +11,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double tail = 5.0;      // step-overs
-constexpr double searched = 60.0; // of the path before
+constexpr double tail = 5.0;           // step-overs
+constexpr double searched = 60.0;      // of the path before
 constexpr double searched_turns = 1.5; // at least
 constexpr double clear = 0.12;
 constexpr std::size_t fewest = 3; // points left

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/path_sampling.h>
 
 #include "path_feet.h"
@@ -31,7 +32,8 @@ allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSetting
   std::vector<SurfaceFoot> feet;
   for (std::size_t begin = 0; begin < n; begin += chunk) {
     const std::size_t end = std::min(n, begin + chunk);
-    const Polyline queries(path.points.begin() + static_cast<std::ptrdiff_t>(begin), path.points.begin() + static_cast<std::ptrdiff_t>(end));
+    const Polyline queries(path.points.begin() + static_cast<std::ptrdiff_t>(begin),
+                           path.points.begin() + static_cast<std::ptrdiff_t>(end));
     pathFeet(surface, queries, feet);
     const auto off = std::find_if(feet.begin(), feet.end(), [](const SurfaceFoot& f) { return !f.valid; });
     if (off != feet.end())
@@ -42,13 +44,13 @@ allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSetting
 #pragma omp parallel for schedule(static, 1024)
     for (std::int64_t k = 0; k < count; ++k) {
       const std::size_t i = begin + static_cast<std::size_t>(k);
-      const std::size_t before = i > 0 && !beginsPass(path.passes, i) ? i - 1 : i, after = i + 1 < n && !beginsPass(path.passes, i + 1) ? i + 1 : i;
+      const std::size_t before = i > 0 && !beginsPass(path.passes, i) ? i - 1 : i,
+                        after = i + 1 < n && !beginsPass(path.passes, i + 1) ? i + 1 : i;
       const Eigen::Vector3d along = path.points[after] - path.points[before];
       const Eigen::Vector3d tangent = (along - feet[k].normal * feet[k].normal.dot(along)).normalized();
       const double curvature = feet[k].normalCurvature(tangent);
       const bool fits = cutterFits(settings.tool_radius, curvature); // where not, the path is refused on the surface
-      const double step =
-          fits ? stepFromChordErrorAtCentre(settings.tool_radius, curvature, settings.chord_error, longest) : longest;
+      const double step = fits ? stepFromChordErrorAtCentre(settings.tool_radius, curvature, settings.chord_error, longest) : longest;
       steps[i] = step_reserve * std::max(step, least_step * longest);
     }
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
 
@@ -68,16 +69,16 @@ checkPathSize(const PathSize& size, double area, const SpiralSettings& settings,
   if (!too_many && !(memory && size.bytes() > *memory))
     return Status::success();
   const std::string asked =
-      textOf("the path asked for is too large: about ", size.points, " points (", area, " mm2, ", size.turns, " turns ",
-           size.step_over, " mm apart, moves of ", size.step, " mm) and ", size.bytes() / 1e9, " GB of memory");
-  const std::string limit = too_many ? textOf(", where ", most_path_points, " points are the most")
-                                     : textOf(", of which ", *memory / 1e9, " GB are free");
+      textOf("the path asked for is too large: about ", size.points, " points (", area, " mm2, ", size.turns, " turns ", size.step_over,
+             " mm apart, moves of ", size.step, " mm) and ", size.bytes() / 1e9, " GB of memory");
+  const std::string limit =
+      too_many ? textOf(", where ", most_path_points, " points are the most") : textOf(", of which ", *memory / 1e9, " GB are free");
   return {StatusCode::InvalidArgument,
           asked + limit +
-              textOf("; is the scan in another unit than mm? Otherwise raise the scallop height (",
-                   settings.scallop_height, " mm), the chord error (", settings.chord_error, " mm) or the longest move (",
-                   settings.max_step > 0.0 ? settings.max_step : settings.tool_radius, " mm), or take a larger tool (radius ",
-                   settings.tool_radius, " mm)")};
+              textOf("; is the scan in another unit than mm? Otherwise raise the scallop height (", settings.scallop_height,
+                     " mm), the chord error (", settings.chord_error, " mm) or the longest move (",
+                     settings.max_step > 0.0 ? settings.max_step : settings.tool_radius, " mm), or take a larger tool (radius ",
+                     settings.tool_radius, " mm)")};
 }
 
 } // namespace pcl_spiral

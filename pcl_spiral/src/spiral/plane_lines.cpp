@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "plane_lines.h"
 
 #include <algorithm>
@@ -20,9 +21,8 @@ cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d&
 } // namespace
 
 PlaneLines::PlaneLines(const Eigen::Vector3d& origin, const Eigen::Vector3d& along, const Eigen::Vector3d& across)
-    : origin_(origin), e1_(along.normalized()), e2_((across - across.dot(e1_) * e1_).normalized())
-{
-}
+: origin_(origin), e1_(along.normalized()), e2_((across - across.dot(e1_) * e1_).normalized())
+{}
 
 Eigen::Vector2d
 PlaneLines::inPlane(const Eigen::Vector3d& p) const

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Whether short lines on a surface cross, seen in a plane.
  */

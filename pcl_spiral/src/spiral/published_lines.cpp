@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "published_lines.h"
 
-#include "rim_curve.h"
 #include "loop_matching.h"
+#include "rim_curve.h"
 #include "taubin_curvature.h"
 
-#include <pcl_spiral/core/impl/angles.h>
+#include "geodesic/dijkstra_tree.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/bspline_fit.h>
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/core/taubin.h>
-#include "geodesic/dijkstra_tree.h"
 #include <pcl_spiral/geodesic/impl/geodesic_refinement.h>
 #include <pcl_spiral/search/impl/gabriel_edges.h>
 
@@ -60,16 +61,14 @@ partnersOn(const BoundaryLoop& inner, const RimCurve& rim, std::size_t count)
     const double at = static_cast<double>(i * matched_seeds) / static_cast<double>(count);
     const auto k = static_cast<std::size_t>(at);
     const double f = at - static_cast<double>(k);
-    const double place =
-        (1.0 - f) * static_cast<double>(partner[k]) + f * static_cast<double>(partner[k + 1]);
+    const double place = (1.0 - f) * static_cast<double>(partner[k]) + f * static_cast<double>(partner[k + 1]);
     partners.push_back(loop.at(loop.length() * std::fmod(place / matched_candidates, 1.0)));
   }
   return partners;
 }
 
 Status
-shortestWays(const PublishedLineRequest& request, const NeighbourLists& edges, const Ends& ends,
-             std::vector<GeodesicLine>& lines)
+shortestWays(const PublishedLineRequest& request, const NeighbourLists& edges, const Ends& ends, std::vector<GeodesicLine>& lines)
 {
   const SurfaceGraph& graph = request.surface.graph();
   const auto count = static_cast<std::int64_t>(ends.ends.size());
@@ -93,9 +92,8 @@ shortestWays(const PublishedLineRequest& request, const NeighbourLists& edges, c
   }
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (lines[i].points.size() < 2)
-      return {StatusCode::Failed, textOf("no way over the edges of the elliptic Gabriel graph leads from ",
-                                         placeText(ends.starts[i]), " to the rim at ",
-                                         placeText(ends.ends[i]), ": the scan falls apart between them")};
+      return {StatusCode::Failed, textOf("no way over the edges of the elliptic Gabriel graph leads from ", placeText(ends.starts[i]),
+                                         " to the rim at ", placeText(ends.ends[i]), ": the scan falls apart between them")};
   return Status::success();
 }
 
@@ -111,9 +109,8 @@ refine(const PublishedLineRequest& request, std::vector<GeodesicLine>& lines, Pu
   for (const GeodesicLine& line : lines) {
     if (line.left_surface)
       return {StatusCode::Failed,
-              textOf("the shortest line from ", placeText(line.points.front()), " to the rim at ",
-                     placeText(line.points.back()), " leaves the surface at ", placeText(line.left_at),
-                     ": a re-entrant outline or a gap in the scan")};
+              textOf("the shortest line from ", placeText(line.points.front()), " to the rim at ", placeText(line.points.back()),
+                     " leaves the surface at ", placeText(line.left_at), ": a re-entrant outline or a gap in the scan")};
     figures.unsettled += !line.converged;
     figures.largest_move = std::max(figures.largest_move, line.largest_move);
   }
@@ -178,8 +175,7 @@ levelOf(std::size_t line, std::size_t count)
 }
 
 Status
-fit(const PublishedLineRequest& request, const NeighbourLists& edges, std::vector<GeodesicLine>& geodesics,
-    std::vector<RadialLine>& lines)
+fit(const PublishedLineRequest& request, const NeighbourLists& edges, std::vector<GeodesicLine>& geodesics, std::vector<RadialLine>& lines)
 {
   BSplineFitOptions options;
   options.tolerance = fit_share * request.chord_error;
@@ -204,8 +200,7 @@ fit(const PublishedLineRequest& request, const NeighbourLists& edges, std::vecto
   }
   for (const RadialLine& line : lines)
     if (!(line.length() > 0.0))
-      return {StatusCode::Failed, textOf("no B-spline goes through the radial line that ends at ",
-                                         placeText(line.feet.back().position))};
+      return {StatusCode::Failed, textOf("no B-spline goes through the radial line that ends at ", placeText(line.feet.back().position))};
   return Status::success();
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Radial lines as published. Private to spiral.
  */
@@ -19,10 +20,9 @@ struct PublishedLineRequest {
   const BoundaryLoop& rim;
   const BoundaryLoop* inner = nullptr;              ///< second boundary, if any
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< on the surface; one boundary only
-  std::optional<Eigen::Vector3d>
-      start_point;                      ///< line 0 ends nearest to it; absent: where the rim's points begin
-  double chord_error = 0.005;           ///< mm
-  std::function<bool(double)> progress; ///< share done; false cancels
+  std::optional<Eigen::Vector3d> start_point;       ///< line 0 ends nearest to it; absent: where the rim's points begin
+  double chord_error = 0.005;                       ///< mm
+  std::function<bool(double)> progress;             ///< share done; false cancels
 };
 
 /** What came of the lines besides themselves. */

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "published_loops.h"
 
+#include "search/neighbour_search.h"
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/frame.h>
 #include <pcl_spiral/features/impl/boundary_evidence.h>
 #include <pcl_spiral/features/impl/surface_boundary.h>
-#include "search/neighbour_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,7 @@ class CentroidTest {
 public:
   explicit CentroidTest(const SurfaceGraph& graph) : graph_(graph) {}
 
-  bool
-  isOnBoundary(std::size_t i, const Neighbourhood& near, double offset_threshold)
+  bool isOnBoundary(std::size_t i, const Neighbourhood& near, double offset_threshold)
   {
     Eigen::Vector3d e1, e2;
     tangentFrame(graph_.normal(i), e1, e2);
@@ -55,16 +55,14 @@ centroidFlags(const SurfaceGraph& graph, int neighbours, double offset_threshold
     for (std::int64_t b = 0; b < count; ++b) {
       search.setRun(blocks.blockBox(b));
       for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); ++i)
-        flags[blocks.originalIndex(i)] =
-            test.isOnBoundary(i, search.find(blocks.position(i)), offset_threshold);
+        flags[blocks.originalIndex(i)] = test.isOnBoundary(i, search.find(blocks.position(i)), offset_threshold);
     }
   }
   return flags;
 }
 
 Status
-publishedLoops(const SurfaceGraph& graph, const PublishedLoopOptions& options,
-               std::vector<BoundaryLoop>& loops)
+publishedLoops(const SurfaceGraph& graph, const PublishedLoopOptions& options, std::vector<BoundaryLoop>& loops)
 {
   BoundaryOptions boundary;
   boundary.method = LoopMethod::Walk;

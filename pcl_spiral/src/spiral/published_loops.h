@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Boundaries as published: flags by the centroid of the neighbours, walked over. Private to spiral.
  */
@@ -29,7 +30,6 @@ std::vector<std::uint8_t> centroidFlags(const SurfaceGraph& graph, int neighbour
 /** Walk over the flagged points to closed loops (Wu et al. 2025, section 1). Fails, and names the place,
  * where the walk ends before it comes back: at corners sharper than the largest turn, at gaps, in bands of
  * several rows, and at false flags inside that lie close together. Nothing is mended. */
-Status publishedLoops(const SurfaceGraph& graph, const PublishedLoopOptions& options,
-                      std::vector<BoundaryLoop>& loops);
+Status publishedLoops(const SurfaceGraph& graph, const PublishedLoopOptions& options, std::vector<BoundaryLoop>& loops);
 
 } // namespace pcl_spiral

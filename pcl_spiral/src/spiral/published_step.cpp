@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "published_step.h"
 
 #include <pcl_spiral/core/step_over.h>

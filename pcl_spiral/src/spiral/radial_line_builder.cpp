@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/radial_line_builder.h>
 
-#include <pcl_spiral/common/impl/message.h>
 #include "surface_centre.h"
+#include <pcl_spiral/common/impl/message.h>
 
 #include "line_gaps.h"
 #include "line_source.h"
@@ -13,12 +14,12 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int most_rounds = 7;            // of halving the gaps between lines
+constexpr int most_rounds = 7;               // of halving the gaps between lines
 constexpr double closest_in_spacings = 0.75; // lines at the rim
-constexpr double largest_jump = 1.0;      // spacings between a line and what its neighbours foretell
-constexpr double clear_of_rim = 3.0;      // spacings: a centre closer to it is to blame where no lines are found
-constexpr double narrowest = 1.5;         // spacings from the middle of a surface to its rim: three points across or fewer
-constexpr double foreseeable = 0.5;       // spacings it may have been off in a gap twice as wide to start from that
+constexpr double largest_jump = 1.0;         // spacings between a line and what its neighbours foretell
+constexpr double clear_of_rim = 3.0;         // spacings: a centre closer to it is to blame where no lines are found
+constexpr double narrowest = 1.5;            // spacings from the middle of a surface to its rim: three points across or fewer
+constexpr double foreseeable = 0.5;          // spacings it may have been off in a gap twice as wide to start from that
 
 /** Where line 0 ends: nearest to the user's point; else the corner, else the rim point, farthest from \p centre. */
 Eigen::Vector3d
@@ -32,9 +33,8 @@ startOnRim(const RadialLineRequest& request, const Eigen::Vector3d& centre)
     choices.push_back(rim.curve[k]);
   if (choices.empty())
     choices = rim.curve;
-  return *std::max_element(choices.begin(), choices.end(), [&](const auto& a, const auto& b) {
-    return (a - centre).squaredNorm() < (b - centre).squaredNorm();
-  });
+  return *std::max_element(choices.begin(), choices.end(),
+                           [&](const auto& a, const auto& b) { return (a - centre).squaredNorm() < (b - centre).squaredNorm(); });
 }
 
 /** Where neighbouring lines change sides, if anywhere. */
@@ -153,8 +153,7 @@ linesByMethod(const RadialLineRequest& request, const SurfaceCentre& found, bool
     lines.swap(all_lines);
   }
   if (!harmonic && jump > largest_jump * spacing) // behind a hill the shortest way jumps from one side to the other
-    return {StatusCode::Failed,
-            textOf("neighbouring radial lines jump by ", jump, " mm about ", placeText(jump_place))};
+    return {StatusCode::Failed, textOf("neighbouring radial lines jump by ", jump, " mm about ", placeText(jump_place))};
   // Harmonic lines converge into narrow tips, closer than they are known; turns there leave most of them out.
   if (const auto place = crossing(lines, (harmonic ? 0.5 : 0.05) * spacing))
     return {StatusCode::Failed, textOf("radial lines cross at ", placeText(*place))};
@@ -223,9 +222,8 @@ offSurface(const RadialLineRequest& request)
   const SurfaceGraph& graph = request.surface.graph();
   const Eigen::Vector3d nearest = graph.position(graph.blocks().nearest(*request.centre));
   return {StatusCode::InvalidArgument,
-          textOf("the centre ", placeText(*request.centre), " does not lie on the surface, whose nearest point is ",
-                 placeText(nearest), ", ", (nearest - *request.centre).norm(),
-                 " mm off: give a point within three spacings (", 3.0 * graph.spacing(),
+          textOf("the centre ", placeText(*request.centre), " does not lie on the surface, whose nearest point is ", placeText(nearest),
+                 ", ", (nearest - *request.centre).norm(), " mm off: give a point within three spacings (", 3.0 * graph.spacing(),
                  " mm) of the cloud, inside its rim and out of its holes, or none")};
 }
 
@@ -285,9 +283,9 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
       return clearance;
   if (status.ok() || set.why_harmonic.empty() || status.code() == StatusCode::Cancelled)
     return {blame(request, status.code()), status.message()};
-  return {blame(request, status.code()),
-          "no radial lines were found: as geodesics, " + set.why_harmonic + "; as harmonic lines, " + status.message() +
-              "; give a centre from which the rim is easier to reach, or machine the part in pieces"};
+  return {blame(request, status.code()), "no radial lines were found: as geodesics, " + set.why_harmonic + "; as harmonic lines, " +
+                                             status.message() +
+                                             "; give a centre from which the rim is easier to reach, or machine the part in pieces"};
 }
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "raw_loops.h"
 
 #include "finger_axes.h"
@@ -12,9 +13,9 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double fine_step = 0.08;    // of a loop's points in the band, step-overs
-constexpr double fine_width = 0.3;    // half the length its jaggedness is smoothed over there
-constexpr double coarse_step = 0.4;   // the same elsewhere, in edges of the mesh
+constexpr double fine_step = 0.08;  // of a loop's points in the band, step-overs
+constexpr double fine_width = 0.3;  // half the length its jaggedness is smoothed over there
+constexpr double coarse_step = 0.4; // the same elsewhere, in edges of the mesh
 constexpr double coarse_width = 1.2;
 constexpr double straight_within = 0.002; // points that a straight line passes so near are left out, step-overs
 constexpr double longest_straight = 4.0;
@@ -66,8 +67,8 @@ rawLoop(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& 
 } // namespace
 
 std::vector<RawLoop>
-traceLoops(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& climb, const std::vector<double>& values,
-           int level, const std::vector<std::uint32_t>& triangles)
+traceLoops(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& climb, const std::vector<double>& values, int level,
+           const std::vector<std::uint32_t>& triangles)
 {
   std::vector<RawLoop> loops;
   for (const LevelLine& line : levelLines(field.mesh.triangles, values, level, triangles)) {

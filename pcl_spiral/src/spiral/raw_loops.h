@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Loops as they are drawn on a mesh.
  */
@@ -26,13 +27,11 @@ struct RawLoop {
 };
 
 /** The closed lines of \p values at \p level through \p triangles, ascending; those shorter than half a step-over are left out. */
-std::vector<RawLoop>
-traceLoops(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& climb, const std::vector<double>& values,
-           int level, const std::vector<std::uint32_t>& triangles);
+std::vector<RawLoop> traceLoops(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& climb,
+                                const std::vector<double>& values, int level, const std::vector<std::uint32_t>& triangles);
 
 /** Summits that no loop of the next level goes round alone: those of \p loops that are thin, and of no other. */
-std::unordered_set<std::uint32_t>
-thinSummits(const std::vector<RawLoop>& loops);
+std::unordered_set<std::uint32_t> thinSummits(const std::vector<RawLoop>& loops);
 
 /** A loop without the jaggedness of the mesh. */
 struct FinishedLoop {
@@ -40,11 +39,9 @@ struct FinishedLoop {
   std::vector<std::uint8_t> is_near; ///< one a point: as of the loop it was made of
 };
 
-FinishedLoop
-finishedLoop(const StepOverDistance& field, const RawLoop& loop);
+FinishedLoop finishedLoop(const StepOverDistance& field, const RawLoop& loop);
 
 /** Add the parts of \p loop that are near the band to \p set. */
-void
-addNearRuns(const ScallopLoop& loop, const std::vector<std::uint8_t>& is_near, std::size_t label, SegmentSet& set);
+void addNearRuns(const ScallopLoop& loop, const std::vector<std::uint8_t>& is_near, std::size_t label, SegmentSet& set);
 
 } // namespace pcl_spiral

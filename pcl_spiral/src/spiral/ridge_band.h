@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The refined nodes of a field, by distance and by place.
  */
@@ -23,8 +24,7 @@ public:
 
   /** Call \p visit(node) for the nodes of the band, and those about it, within \p reach mm of \p p. */
   template <typename Visit>
-  void
-  forNodesNear(const Eigen::Vector3d& p, double reach, Visit visit) const
+  void forNodesNear(const Eigen::Vector3d& p, double reach, Visit visit) const
   {
     const Eigen::Vector3f place = p.cast<float>();
     const auto radius = static_cast<float>(reach);

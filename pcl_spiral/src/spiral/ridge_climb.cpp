@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ridge_climb.h"
 
 #include <algorithm>
@@ -12,8 +13,7 @@ constexpr double noise_reach = 0.8; // step-overs over which a summit may be one
 
 } // namespace
 
-RidgeClimb::RidgeClimb(const StepOverDistance& field)
-    : up_(field.mesh.size(), none), summit_(field.mesh.size(), none)
+RidgeClimb::RidgeClimb(const StepOverDistance& field) : up_(field.mesh.size(), none), summit_(field.mesh.size(), none)
 {
   const auto count = static_cast<std::int64_t>(field.mesh.size());
 #pragma omp parallel for schedule(static, 4096)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A surface continued straight beyond its rim. Private to spiral.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/rim_offset.h>
 
 #include "inner_outlines.h"
@@ -23,7 +24,8 @@ moveBeyond(Surface::ConstPtr& surface, double overhang, std::vector<BoundaryLoop
   const RimBand band(*surface, rim->curve);
   Polyline curve = band.line(overhang, 0.5 * surface->spacing());
   if (curve.size() < 8)
-    return {StatusCode::InvalidInput, textOf("no outline is left ", overhang, " mm beyond the rim: make the distance smaller "
+    return {StatusCode::InvalidInput, textOf("no outline is left ", overhang,
+                                             " mm beyond the rim: make the distance smaller "
                                              "(setRimOverhang)")};
   Surface::ConstPtr longer;
   if (const Status status = addPoints(surface, band.points(overhang + beyond_outline * surface->spacing()), longer); !status.ok())
@@ -40,9 +42,7 @@ offsetOutlines(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops, dou
 {
   std::vector<double> margins;
   for (const BoundaryLoop& loop : loops)
-    margins.push_back(loop.type == LoopType::Outer   ? std::max(0.0, -overhang)
-                      : loop.type == LoopType::Inner ? hole_margin
-                                                     : 0.0);
+    margins.push_back(loop.type == LoopType::Outer ? std::max(0.0, -overhang) : loop.type == LoopType::Inner ? hole_margin : 0.0);
   if (std::any_of(margins.begin(), margins.end(), [](double margin) { return margin > 0.0; }))
     if (const Status status = moveInside(*surface, margins, loops); !status.ok())
       return status;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "rim_zipper.h"
 
 #include <Eigen/Geometry>
@@ -16,15 +17,14 @@ constexpr double largest_lag = 12.0; // spacings of arc length
 class Zipper {
 public:
   Zipper(const ZipperSide& edge, const ZipperSide& outline, double length, double spacing)
-      : edge_(edge), outline_(outline), length_(length), spacing_(spacing)
+  : edge_(edge), outline_(outline), length_(length), spacing_(spacing)
   {
     findBegin();
     unwrapArcs();
     findWindows();
   }
 
-  std::vector<Triangulation::Triangle>
-  solve()
+  std::vector<Triangulation::Triangle> solve()
   {
     if (!run())
       return {};
@@ -52,8 +52,7 @@ private:
   /** Signed difference of arc lengths once round, at most half the length. */
   double wrapped(double d) const { return d - length_ * std::round(d / length_); }
 
-  void
-  findBegin()
+  void findBegin()
   {
     double best = std::numeric_limits<double>::max();
     for (std::size_t a = 0; a < edge_.ids.size(); ++a) {
@@ -69,8 +68,7 @@ private:
       }
     }
   }
-  void
-  unwrapArcs()
+  void unwrapArcs()
   {
     const double zero = outline_.arcs[first_outline_];
     for (std::size_t c = 0; c <= outline_.ids.size(); ++c)
@@ -82,8 +80,7 @@ private:
       edge_arcs_.push_back(arc);
     }
   }
-  void
-  findWindows()
+  void findWindows()
   {
     const std::size_t rows = edge_arcs_.size(), last = outline_arcs_.size() - 1;
     const double reach = largest_lag * spacing_;
@@ -105,27 +102,23 @@ private:
       high_[a] = std::max(high_[a], low_[a]);
   }
 
-  double
-  flipCost(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& normal) const
+  double flipCost(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& normal) const
   {
     return (b - a).cross(c - a).dot(normal) <= 0.0 ? flip_cost * spacing_ : 0.0;
   }
   /** Cost of the triangle over the edge's step from a to a + 1. */
-  double
-  edgeStep(std::size_t a, std::size_t c) const
+  double edgeStep(std::size_t a, std::size_t c) const
   {
     const Eigen::Vector3d &p = edge_.points[edgeAt(a)], &q = edge_.points[edgeAt(a + 1)], &o = outline_.points[outlineAt(c)];
     return (q - o).norm() + flipCost(q, p, o, edge_.normals[edgeAt(a)]);
   }
-  double
-  outlineStep(std::size_t a, std::size_t c) const
+  double outlineStep(std::size_t a, std::size_t c) const
   {
     const Eigen::Vector3d &o = outline_.points[outlineAt(c)], &n = outline_.points[outlineAt(c + 1)], &p = edge_.points[edgeAt(a)];
     return (p - n).norm() + flipCost(o, n, p, edge_.normals[edgeAt(a)]);
   }
 
-  bool
-  run()
+  bool run()
   {
     const double infinite = std::numeric_limits<double>::infinity();
     const std::size_t rows = edge_arcs_.size();

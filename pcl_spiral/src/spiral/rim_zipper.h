@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Triangles between the ragged edge of a triangulation and the outline fitted to it.
  */
@@ -22,7 +23,6 @@ struct ZipperSide {
  *  \p length: least sum of new edges' lengths, ten spacings more for each triangle that faces down; arc lengths of the two ends
  *  of an edge differ by at most twelve spacings. By dynamic programming within that band: near-linear. Empty where there is
  *  none. */
-std::vector<Triangulation::Triangle>
-zipped(const ZipperSide& edge, const ZipperSide& outline, double length, double spacing);
+std::vector<Triangulation::Triangle> zipped(const ZipperSide& edge, const ZipperSide& outline, double length, double spacing);
 
 } // namespace pcl_spiral

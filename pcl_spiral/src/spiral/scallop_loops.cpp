@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/scallop_loops.h>
 
 #include "finger_axes.h"
@@ -16,15 +17,15 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double blend = 0.25;         // of smax
-constexpr double neck_depth = 0.25;    // how far D rises above a loop's level in a neck that is widened
-constexpr double neck_agreement = 0.5; // gradients on its ridge agree no more than this
-constexpr double ridge_agreement = 0.97; // of gradients about a node of any ridge: cos 14 degrees
-constexpr double tight_neck = 0.25;    // width of necks between nodes of the mesh that are widened
-constexpr int most_redrawings = 3;     // of one level: widened necks may meet others
-constexpr double axis_reach = 1.2;     // a finger changes the field so far from its axis
-constexpr double search_within = 1.2;  // distances are not told beyond
-constexpr int levels_together = 64;    // drawn side by side
+constexpr double blend = 0.25;                         // of smax
+constexpr double neck_depth = 0.25;                    // how far D rises above a loop's level in a neck that is widened
+constexpr double neck_agreement = 0.5;                 // gradients on its ridge agree no more than this
+constexpr double ridge_agreement = 0.97;               // of gradients about a node of any ridge: cos 14 degrees
+constexpr double tight_neck = 0.25;                    // width of necks between nodes of the mesh that are widened
+constexpr int most_redrawings = 3;                     // of one level: widened necks may meet others
+constexpr double axis_reach = 1.2;                     // a finger changes the field so far from its axis
+constexpr double search_within = 1.2;                  // distances are not told beyond
+constexpr int levels_together = 64;                    // drawn side by side
 constexpr double core_below = 0.38, core_above = 1.31; // levels between which a core is looked at
 
 /** max(a, b) with a rounded corner. */
@@ -45,13 +46,11 @@ struct DrawnLevel {
 class LoopMaker {
 public:
   LoopMaker(const StepOverDistance& field, const ProgressCallback& progress, ScallopLoopSet& set)
-      : field_(field), progress_(progress), set_(set), band_(field), climb_(field), values_(field.distance),
-        scratch_(field.mesh.size(), 0), agreement_(gradientAgreement(field.mesh, field.distance))
-  {
-  }
+  : field_(field), progress_(progress), set_(set), band_(field), climb_(field), values_(field.distance), scratch_(field.mesh.size(), 0),
+    agreement_(gradientAgreement(field.mesh, field.distance))
+  {}
 
-  bool
-  run()
+  bool run()
   {
     const int levels = static_cast<int>(std::floor(field_.largest));
     sortTriangles(levels + 1);
@@ -70,7 +69,7 @@ public:
 private:
   /** What is known while the loops between one level and the next are looked at. */
   struct Between {
-    int level = 0;          ///< of the lower loops
+    int level = 0;           ///< of the lower loops
     SegmentSet lines, upper; ///< loops of both levels; of the upper one alone
     std::unordered_set<std::uint32_t> thin_summits;
     std::vector<std::uint32_t> thin, done; ///< nodes that a finger reaches; nodes of cores, ascending
@@ -93,11 +92,11 @@ private:
   ScallopLoopSet& set_;
   RidgeBand band_;
   RidgeClimb climb_;
-  std::vector<double> values_;           ///< D, changed about fingers while their level is drawn
+  std::vector<double> values_;                        ///< D, changed about fingers while their level is drawn
   std::vector<std::vector<std::uint32_t>> triangles_; ///< crossed by each level
-  std::vector<std::uint32_t> scratch_;   ///< one a node, 0 between uses
-  std::vector<float> agreement_;         ///< of the gradients about each node: small on ridges between sides that face
-  std::vector<FinishedLoop> below_;      ///< loops of the level before
+  std::vector<std::uint32_t> scratch_;                ///< one a node, 0 between uses
+  std::vector<float> agreement_;                      ///< of the gradients about each node: small on ridges between sides that face
+  std::vector<FinishedLoop> below_;                   ///< loops of the level before
 };
 
 void

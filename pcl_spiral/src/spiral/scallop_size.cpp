@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "scallop_size.h"
 
 #include "common/available_memory.h"
@@ -45,10 +46,10 @@ checkMeshSize(const StepOverMesh& mesh, const std::vector<std::uint8_t>& chosen,
   const auto memory = availableMemory();
   if (nodes <= most_nodes && !(memory && bytes_a_node * nodes > *memory))
     return Status::success();
-  return {StatusCode::Failed,
-          textOf("turns of a scallop height of ", options.scallop_height, " mm lie far closer than the points of the scan: ",
-                 std::ceil(1e-6 * nodes), " million places would be needed between these, and ", std::ceil(1e-9 * bytes_a_node * nodes),
-                 " GB of memory; raise the scallop height, or scan more densely")};
+  return {StatusCode::Failed, textOf("turns of a scallop height of ", options.scallop_height,
+                                     " mm lie far closer than the points of the scan: ", std::ceil(1e-6 * nodes),
+                                     " million places would be needed between these, and ", std::ceil(1e-9 * bytes_a_node * nodes),
+                                     " GB of memory; raise the scallop height, or scan more densely")};
 }
 
 PathSize

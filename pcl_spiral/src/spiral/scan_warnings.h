@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What looks wrong about a scan and may yet be meant.
  */
@@ -13,7 +14,6 @@ namespace pcl_spiral {
 
 /** Warnings, with values and remedies: a size that no part has (under 1 mm or over 100 m across), turns farther apart than
  *  half the part, points farther apart than the cutter is wide, a scallop below the scan's noise. */
-std::vector<std::string>
-scanWarnings(const SurfaceGraph& graph, const SpiralSettings& settings);
+std::vector<std::string> scanWarnings(const SurfaceGraph& graph, const SpiralSettings& settings);
 
 } // namespace pcl_spiral

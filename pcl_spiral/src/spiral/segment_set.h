@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  How far points are from a set of lines, in step-overs.
  */
@@ -53,8 +54,7 @@ public:
                          std::size_t but = NearestSegment::none) const;
   /** Call \p visit(segment) for all segments within \p within step-overs of \p p, and some beyond; a segment may come twice. */
   template <typename Visit>
-  void
-  forSegmentsNear(const Eigen::Vector3d& p, const StepOverMetric& metric, double within, Visit visit) const
+  void forSegmentsNear(const Eigen::Vector3d& p, const StepOverMetric& metric, double within, Visit visit) const
   {
     const double reach = within * longestStepOver(metric);
     index_->search(

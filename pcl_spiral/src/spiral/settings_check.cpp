@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/settings_check.h>
 
+#include "scan_warnings.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
-#include "scan_warnings.h"
 
 #include <cmath>
 
@@ -21,20 +22,19 @@ refused(const char* name, Value value, const char* remedy)
 Status
 checkMethod(const SpiralSettings& s)
 {
-  if (s.holes == HoleHandling::Over &&
-      (s.boundary_mode == BoundaryMode::TwoBoundaries || s.boundary_mode == BoundaryMode::AllBoundaries))
+  if (s.holes == HoleHandling::Over && (s.boundary_mode == BoundaryMode::TwoBoundaries || s.boundary_mode == BoundaryMode::AllBoundaries))
     return {StatusCode::InvalidArgument, "the path is to run over holes (setHoleHandling), but holes are to be boundaries "
                                          "(setBoundaryMode): leave one of the two out"};
   if (s.method != SpiralMethod::ConstantScallop)
     return Status::success();
-  const char* setting = s.centre                              ? "a centre was given (setCenter)"
-                        : s.lines != LineMethod::Automatic    ? "a way to find radial lines was chosen (setLineMethod)"
-                        : s.pitch == Pitch::AlongLine         ? "the pitch along radial lines was chosen (setPitch)"
-                                                              : nullptr;
+  const char* setting = s.centre                           ? "a centre was given (setCenter)"
+                        : s.lines != LineMethod::Automatic ? "a way to find radial lines was chosen (setLineMethod)"
+                        : s.pitch == Pitch::AlongLine      ? "the pitch along radial lines was chosen (setPitch)"
+                                                           : nullptr;
   if (!setting)
     return Status::success();
   return {StatusCode::InvalidArgument, textOf(setting, ", but a path at constant scallop height has no centre and no radial "
-                                              "lines: leave it out, or choose the radial method (setMethod)")};
+                                                       "lines: leave it out, or choose the radial method (setMethod)")};
 }
 
 } // namespace
@@ -47,8 +47,7 @@ checkSettings(const SpiralSettings& s)
   if (!(s.scallop_height > 0.0) || !std::isfinite(s.scallop_height))
     return refused("the scallop height", s.scallop_height, "set the ridge allowed between turns, above 0 mm");
   if (s.scallop_height >= s.tool_radius)
-    return refused("the scallop height", s.scallop_height,
-                   "it must be smaller than the tool radius; usual is a hundredth of it or less");
+    return refused("the scallop height", s.scallop_height, "it must be smaller than the tool radius; usual is a hundredth of it or less");
   if (!(s.chord_error > 0.0) || s.chord_error >= s.tool_radius)
     return refused("the chord error", s.chord_error, "it must be above 0 mm and below the tool radius");
   if (!(s.max_step >= 0.0) || !std::isfinite(s.max_step))
@@ -97,9 +96,8 @@ checkScale(const Surface& surface, const SpiralSettings& settings, std::vector<s
   const SurfaceGraph& graph = surface.graph();
   const double across = graph.blocks().box().diagonal();
   if (across < settings.tool_radius)
-    return {StatusCode::InvalidInput,
-            textOf("the whole scan is ", across, " mm across, less than the tool radius ", settings.tool_radius,
-                   " mm: is the scan in metres or inches? Scale it to mm")};
+    return {StatusCode::InvalidInput, textOf("the whole scan is ", across, " mm across, less than the tool radius ", settings.tool_radius,
+                                             " mm: is the scan in metres or inches? Scale it to mm")};
   const double area = surfaceArea(graph);
   for (const std::string& warning : scanWarnings(graph, settings))
     warnings.push_back(warning);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/spiral_curve.h>
 
 #include <algorithm>
@@ -21,8 +22,7 @@ drawnClockwise(const SpiralSettings& settings)
 
 } // namespace
 
-SpiralCurve::SpiralCurve(const std::vector<RadialLine>& lines, const TurnFunction& turns,
-                         const SpiralSettings& settings, double spacing)
+SpiralCurve::SpiralCurve(const std::vector<RadialLine>& lines, const TurnFunction& turns, const SpiralSettings& settings, double spacing)
 : lines_(lines), turns_(turns), settings_(settings), spacing_(spacing),
   max_step_(settings.max_step > 0.0 ? settings.max_step : settings.tool_radius)
 {
@@ -99,9 +99,7 @@ SpiralCurve::findActiveShares()
       const std::size_t last = lines_[i].feet.size() - 1;
       std::size_t k = 1;
       for (; k < last; ++k) { // the first station, from the centre, at which it is needed
-        const auto at = [&](std::size_t line) {
-          return lines_[line].feet[k * (lines_[line].feet.size() - 1) / last].position;
-        };
+        const auto at = [&](std::size_t line) { return lines_[line].feet[k * (lines_[line].feet.size() - 1) / last].position; };
         const double apart = (at(left) - at(i)).norm() + (at(right) - at(i)).norm();
         const double s = lines_[i].length() * static_cast<double>(k) / static_cast<double>(last);
         if (apart >= 2.0 * closest || apart >= widest_angle * s)
@@ -139,9 +137,7 @@ SpiralCurve::loopKnots(const ClosedLoop& loop, double turn) const
   for (const std::size_t c : loop.corners)
     corner[c] = 1;
   const bool clockwise = drawnClockwise(settings_);
-  const auto feedStep = [&](std::size_t line) {
-    return turns_.feedStepAt(line % n, loop.at_rim ? lines_[line % n].length() : 0.0);
-  };
+  const auto feedStep = [&](std::size_t line) { return turns_.feedStepAt(line % n, loop.at_rim ? lines_[line % n].length() : 0.0); };
   std::vector<Knot> knots;
   for (std::size_t step = 0; step <= m; ++step) {
     const std::size_t k = clockwise ? m - step : step; // m is the first point again, a whole lap on
@@ -153,8 +149,7 @@ SpiralCurve::loopKnots(const ClosedLoop& loop, double turn) const
     const double width = loop.line_shares[line + 1] - loop.line_shares[line];
     const double f = width > 0.0 ? (share - loop.line_shares[line]) / width : 0.0;
     const double delta = lines_[line].turn_share + f * (next - lines_[line].turn_share);
-    knots.push_back({loop.points[k % m], turn + (clockwise ? 1.0 - delta : delta),
-                     (1.0 - f) * feedStep(line) + f * feedStep(line + 1),
+    knots.push_back({loop.points[k % m], turn + (clockwise ? 1.0 - delta : delta), (1.0 - f) * feedStep(line) + f * feedStep(line + 1),
                      corner[k % m] != 0 || step == 0 || step == m, false});
   }
   return knots;
@@ -176,8 +171,7 @@ SpiralCurve::turnBesideLoop(const ClosedLoop& loop, std::size_t turn) const
     const double share = lines_[i].turn_share;
     const double gone = step == 0 ? 0.0 : step == n ? 1.0 : clockwise ? 1.0 - share : share;
     const double along = turns_.arcLengthAt(i, static_cast<double>(turn) + gone);
-    offsets.push_back({gone, lines_[i].curve.positionAt(along) -
-                                 lines_[i].curve.positionAt(loop.at_rim ? lines_[i].length() : 0.0)});
+    offsets.push_back({gone, lines_[i].curve.positionAt(along) - lines_[i].curve.positionAt(loop.at_rim ? lines_[i].length() : 0.0)});
   }
   std::vector<Knot> knots = loopKnots(loop, static_cast<double>(turn));
   std::size_t j = 0;

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 
 #include "path_feet.h"
 
-#include <pcl_spiral/common/impl/message.h>
 #include "core/axis_field.h"
-#include <pcl_spiral/core/impl/pass_ranges.h>
 #include "core/self_crossing.h"
 #include "core/tool_axis.h"
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,8 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double gap_in_spacings = 2.7; // on random points one in 10^9 lies so far from the next
-constexpr double slack = 1.05;         // steps stretch a little when put on the surface
-constexpr double stretched = 2.0;      // on rough ones more, and are halved again and again
+constexpr double slack = 1.05;          // steps stretch a little when put on the surface
+constexpr double stretched = 2.0;       // on rough ones more, and are halved again and again
 constexpr int most_halvings = 3;
 constexpr std::size_t chunk = 1u << 16; // path points between progress reports
 
@@ -162,8 +163,8 @@ measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& 
 }
 
 Status
-putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings,
-             double longest_step, const ProgressCallback& progress, SpiralPath& path, GapFigures& figures)
+putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings, double longest_step,
+             const ProgressCallback& progress, SpiralPath& path, GapFigures& figures)
 {
   const double hollowest = -1.0 / settings.tool_radius;
   path.contacts.resize(curve.size());
@@ -202,8 +203,7 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
                        ": the scan has a gap or a ragged rim there; scan it again, more densely, or cut the ragged part away")};
       return {StatusCode::Failed,
               textOf("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ", placeText(foot.position),
-                   ", tighter than the tool radius ", settings.tool_radius,
-                   " mm: the cutter would gouge; use a smaller tool")};
+                     ", tighter than the tool radius ", settings.tool_radius, " mm: the cutter would gouge; use a smaller tool")};
     }
     if (progress && !progress(static_cast<double>(end) / static_cast<double>(curve.size()), "projection"))
       return {StatusCode::Cancelled, "cancelled"};
@@ -222,9 +222,8 @@ setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figur
   const AxisLean lean = largestLean(path.normals, field.axes);
   if (liesInSurface(lean, path.normals, wanted))
     return {StatusCode::Failed,
-            textOf("the tool axis would lean ", degrees(lean.angle), " degrees off the surface at ",
-                   placeText(path.contacts[lean.point]), " so as to turn no faster than the largest axis rate of ",
-                   settings.max_axis_rate, " degrees per mm: raise the rate")};
+            textOf("the tool axis would lean ", degrees(lean.angle), " degrees off the surface at ", placeText(path.contacts[lean.point]),
+                   " so as to turn no faster than the largest axis rate of ", settings.max_axis_rate, " degrees per mm: raise the rate")};
   const auto count = static_cast<std::int64_t>(field.axes.size());
   path.axes.resize(field.axes.size());
 #pragma omp parallel for schedule(static)
@@ -236,12 +235,11 @@ setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figur
   figures.largest_lean = degrees(lean.angle);
   figures.deviating_points = field.deviating_points;
   if (const std::size_t moves = fastMoves(path, radians(settings.max_axis_rate)); moves > 0)
-    warnings.push_back(textOf("on ", moves, " of ", count - 1,
-                                      " moves the surface alone turns faster than the largest axis rate of ",
-                                      settings.max_axis_rate,
-                                      " degrees per mm: the tool axis cannot follow it there and leaves the tilt "
-                                      "asked for by up to ",
-                                      figures.largest_deviation, " degrees; allow a higher rate, or smooth the scan"));
+    warnings.push_back(textOf("on ", moves, " of ", count - 1, " moves the surface alone turns faster than the largest axis rate of ",
+                              settings.max_axis_rate,
+                              " degrees per mm: the tool axis cannot follow it there and leaves the tilt "
+                              "asked for by up to ",
+                              figures.largest_deviation, " degrees; allow a higher rate, or smooth the scan"));
   return Status::success();
 }
 
@@ -256,10 +254,9 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
     const double gap = (path.contacts[i] - path.contacts[i - 1]).norm();
     figures.largest_gap = std::max(figures.largest_gap, gap);
     if (!(gap <= slack * longest_step))
-      return {StatusCode::Failed,
-              textOf("the path jumps by ", gap, " mm at ", placeText(path.contacts[i]), " in turn ", path.turns[i],
-                   ", above the longest step ", longest_step,
-                   " mm: the surface is too rough or too sparse there; scan more densely or raise the longest step")};
+      return {StatusCode::Failed, textOf("the path jumps by ", gap, " mm at ", placeText(path.contacts[i]), " in turn ", path.turns[i],
+                                         ", above the longest step ", longest_step,
+                                         " mm: the surface is too rough or too sparse there; scan more densely or raise the longest step")};
   }
   figures.turns = static_cast<std::size_t>(std::lround(std::abs(path.turns.back() - path.turns.front())));
   figures.points = path.contacts.size();
@@ -274,12 +271,13 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
   if (cancelled)
     return {StatusCode::Cancelled, "cancelled"};
   if (crossing)
-    return {StatusCode::Failed,
-            textOf("the path crosses itself at ", placeText(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
-                   settings.method == SpiralMethod::ConstantScallop
-                       ? ": ask for the other sense (setSense), for passes with lifts between (setOneWay) or for another scallop height, or "
-                         "choose the radial method (setMethod)"
-                       : ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
+    return {
+        StatusCode::Failed,
+        textOf("the path crosses itself at ", placeText(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
+               settings.method == SpiralMethod::ConstantScallop
+                   ? ": ask for the other sense (setSense), for passes with lifts between (setOneWay) or for another scallop height, or "
+                     "choose the radial method (setMethod)"
+                   : ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
   return Status::success();
 }
 

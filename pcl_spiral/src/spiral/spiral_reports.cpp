@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/spiral_reports.h>
 
-#include <pcl_spiral/common/impl/message.h>
 #include "surface/noise_warning.h"
+#include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,8 +44,8 @@ reportHoles(const BridgedSurface& bridged, SpiralReport& report)
     if (loop.type == LoopType::Inner)
       report.holes.push_back(holeOf(loop));
   for (const BridgedGap& gap : bridged.gaps)
-    report.holes.push_back({gap.points > 0 ? gap.centre : holeOf(gap.loop).place,
-                            gap.points > 0 ? gap.width : holeOf(gap.loop).width, HoleHandling::Over});
+    report.holes.push_back(
+        {gap.points > 0 ? gap.centre : holeOf(gap.loop).place, gap.points > 0 ? gap.width : holeOf(gap.loop).width, HoleHandling::Over});
   const std::size_t before = report.holes.size();
   const HoleReport* widest = nullptr;
   for (const ScanVoid& found : bridged.surface->voids().voids()) {
@@ -142,18 +143,18 @@ reportLines(const RadialLineSet& lines, const SpiralSettings& settings, SpiralRe
   if (lines.harmonic && settings.lines == LineMethod::Automatic && !lines.why_harmonic.empty())
     report.warnings.push_back("harmonic radial lines were used: " + lines.why_harmonic);
   if (!lines.centre_settled)
-    report.warnings.push_back(textOf("the search for the centre did not come to rest; it is taken at ",
-                                     placeText(lines.centre), ": look whether turns close round it well, or give a centre "
+    report.warnings.push_back(textOf("the search for the centre did not come to rest; it is taken at ", placeText(lines.centre),
+                                     ": look whether turns close round it well, or give a centre "
                                      "(setCenter)"));
   // A line that is a little off still lies on the surface and in order: turns are as far apart there as elsewhere.
   if (report.largest_unsettled > report.line_tolerance)
     report.warnings.push_back(textOf(report.unsettled_lines, " of ", lines.lines.size(),
-                                     " radial lines did not settle: the last step still moved one by ",
-                                     report.largest_unsettled, " mm sideways, where ", report.line_tolerance,
+                                     " radial lines did not settle: the last step still moved one by ", report.largest_unsettled,
+                                     " mm sideways, where ", report.line_tolerance,
                                      " mm are allowed; harmonic lines need no settling (setLineMethod)"));
   if (report.line_error > report.line_tolerance)
-    report.warnings.push_back(textOf("turns between radial lines are known to ", report.line_error, " mm, where ",
-                                     report.line_tolerance, " mm are allowed: lines cannot stand closer than the points of "
+    report.warnings.push_back(textOf("turns between radial lines are known to ", report.line_error, " mm, where ", report.line_tolerance,
+                                     " mm are allowed: lines cannot stand closer than the points of "
                                      "the scan let them; scan more densely, or check the scallops (MaterialRemoval)"));
 }
 
@@ -174,12 +175,13 @@ reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, Spi
   report.turn_radius = figures.turn_radius;
   report.sharpest_place = figures.sharpest_place;
   if (figures.start_off > far_start * figures.rim_length)
-    report.warnings.push_back(textOf("the path meets the rim ", figures.start_off, " mm from the start point asked for: the loops "
+    report.warnings.push_back(textOf("the path meets the rim ", figures.start_off,
+                                     " mm from the start point asked for: the loops "
                                      "inside lead to no nearer place; leave the start point out, or give one there (setStartPoint)"));
   if (figures.turn_radius < settings.least_turn_radius)
     report.warnings.push_back(textOf("the path turns more sharply than the radius of ", settings.least_turn_radius,
-                                     " step-overs asked for: a thousandth of it with less than ", figures.turn_radius,
-                                     ", at most with ", figures.least_radius, " at ", placeText(figures.sharpest_place),
+                                     " step-overs asked for: a thousandth of it with less than ", figures.turn_radius, ", at most with ",
+                                     figures.least_radius, " at ", placeText(figures.sharpest_place),
                                      ": slow down there; a smaller radius (setLeastTurnRadius) leaves the warning out"));
   const double ridge = 4.0 * figures.farthest * figures.farthest * settings.scallop_height;
   if (figures.farthest > 0.52)
@@ -225,8 +227,7 @@ reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& p
 }
 
 void
-reportPublished(const Surface& surface, const SpiralSettings& settings, PublishedResult& published, SpiralReport& report,
-                SpiralPath& path)
+reportPublished(const Surface& surface, const SpiralSettings& settings, PublishedResult& published, SpiralReport& report, SpiralPath& path)
 {
   const PublishedFigures& figures = published.figures;
   if (!published.lines.lines.empty())

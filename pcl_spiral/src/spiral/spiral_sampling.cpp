@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/spiral_curve.h>
 
 #include <algorithm>
@@ -16,8 +17,7 @@ struct HermiteSegment {
   Eigen::Vector3d a, b, ta, tb; ///< ends, and derivatives over chord length
   double chord;
 
-  Eigen::Vector3d
-  at(double t) const
+  Eigen::Vector3d at(double t) const
   {
     const double t2 = t * t, t3 = t2 * t;
     return (2 * t3 - 3 * t2 + 1) * a + (3 * t2 - 2 * t3) * b + chord * ((t3 - 2 * t2 + t) * ta + (t3 - t2) * tb);

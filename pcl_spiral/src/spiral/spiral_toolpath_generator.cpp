@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 namespace pcl_spiral {

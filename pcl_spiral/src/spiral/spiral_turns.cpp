@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/spiral_turns.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -17,9 +18,8 @@ cornerWarning(const CornerRidge& ridge, const SpiralSettings& settings)
   const std::string left = ridge.height < settings.tool_radius
                                ? textOf("ridges rise to ", ridge.height, " mm, above the scallop height of ", height, " mm")
                                : "material is left uncut";
-  return textOf("towards the corner of the outline at ", placeText(ridge.corner),
-                " turns lie farther apart than along its sides: ", left, "; a path for a scallop height of ", ridge.remedy,
-                " mm, longer, leaves about ", height, " mm there");
+  return textOf("towards the corner of the outline at ", placeText(ridge.corner), " turns lie farther apart than along its sides: ", left,
+                "; a path for a scallop height of ", ridge.remedy, " mm, longer, leaves about ", height, " mm there");
 }
 
 } // namespace

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Rough shortest lines from a centre: where geodesics are refined from.
  */
 #pragma once
 
-#include <pcl_spiral/core/impl/polyline.h>
 #include "geodesic/distance_field.h"
+#include <pcl_spiral/core/impl/polyline.h>
 
 #include <memory>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
@@ -17,12 +18,12 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double parts_a_step = 8.0;    // edges of the refined band
-constexpr double ridge_turn = 14.0;     // degrees
-constexpr double band_width = 1.4;      // step-overs on either side of a ridge
-constexpr double band_gradient = 0.94;  // |grad D| below which triangles join the band
+constexpr double parts_a_step = 8.0;   // edges of the refined band
+constexpr double ridge_turn = 14.0;    // degrees
+constexpr double band_width = 1.4;     // step-overs on either side of a ridge
+constexpr double band_gradient = 0.94; // |grad D| below which triangles join the band
 constexpr double weak_gradient = 0.97;
-constexpr double least_clear = 2.5;     // spacings
+constexpr double least_clear = 2.5; // spacings
 
 double
 medianEdge(const StepOverMesh& mesh)
@@ -90,9 +91,9 @@ checkWidth(const StepOverMesh& mesh, const std::vector<double>& distance, double
       clear = std::min(clear, (mesh.positions[v] - mesh.positions[middle]).norm());
   if (clear >= least_clear * spacing)
     return Status::success();
-  return {StatusCode::Failed,
-          textOf("the surface is too narrow for its points: its middle ", placeText(mesh.positions[middle]), " lies only ", clear,
-                 " mm from the rim, and points lie ", spacing, " mm apart: scan more densely, for at least seven points across, or machine the part by other means")};
+  return {StatusCode::Failed, textOf("the surface is too narrow for its points: its middle ", placeText(mesh.positions[middle]),
+                                     " lies only ", clear, " mm from the rim, and points lie ", spacing,
+                                     " mm apart: scan more densely, for at least seven points across, or machine the part by other means")};
 }
 
 /** Integral of dA over the largest step-over, and half the rims, which are travelled on their edge. The reserve is no part of it. */
@@ -114,8 +115,7 @@ leastLength(const StepOverMesh& mesh, double reserve)
 } // namespace
 
 Status
-measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options,
-                 StepOverDistance& field)
+measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options, StepOverDistance& field)
 {
   field = StepOverDistance();
   StepOverMesh coarse;

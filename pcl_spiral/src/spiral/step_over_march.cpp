@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "step_over_march.h"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/step_over_mesh.h>
 
 #include "outline_cut.h"
@@ -17,21 +18,19 @@ namespace {
 using Triangle = Triangulation::Triangle;
 
 constexpr std::size_t chunk = 1u << 16; // points whose feet are looked at together
-constexpr double outline_step = 0.8;  // spacings between nodes on an outline
-constexpr double matched_reach = 12.0; // spacings within which an edge's points are looked for
-constexpr double matched_edge = 2.5;  // spacings: median distance of an edge from its outline
-constexpr double least_zipped = 0.7;  // share of an outline its edge must run along
+constexpr double outline_step = 0.8;    // spacings between nodes on an outline
+constexpr double matched_reach = 12.0;  // spacings within which an edge's points are looked for
+constexpr double matched_edge = 2.5;    // spacings: median distance of an edge from its outline
+constexpr double least_zipped = 0.7;    // share of an outline its edge must run along
 
 /** The mesh while it is made. */
 class MeshMaker {
 public:
   MeshMaker(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options, StepOverMesh& mesh)
-      : surface_(surface), outlines_(outlines), options_(options), mesh_(mesh), side_(outlines), spacing_(surface.spacing())
-  {
-  }
+  : surface_(surface), outlines_(outlines), options_(options), mesh_(mesh), side_(outlines), spacing_(surface.spacing())
+  {}
 
-  Status
-  run()
+  Status run()
   {
     placeNodes();
     if (const Status status = keepWithin(); !status.ok())
@@ -106,8 +105,8 @@ MeshMaker::placeNodes()
       mesh_.positions[begin + k] = foot.valid ? foot.position : points[k];
       mesh_.normals[begin + k] = normal.cast<float>();
       const Eigen::Vector3d direction = foot.valid ? foot.direction1 : normal.unitOrthogonal();
-      mesh_.metric[begin + k] = stepOverMetric(normal, direction, foot.valid ? foot.curvature1 : 0.0,
-                                               foot.valid ? foot.curvature2 : 0.0, options_.tool_radius, options_.scallop_height)
+      mesh_.metric[begin + k] = stepOverMetric(normal, direction, foot.valid ? foot.curvature1 : 0.0, foot.valid ? foot.curvature2 : 0.0,
+                                               options_.tool_radius, options_.scallop_height)
                                     .times(1.0 / kept);
     }
   }
@@ -154,7 +153,8 @@ MeshMaker::addOutline(std::size_t outline, ZipperSide& side)
   }
   std::sort(side.arcs.begin(), side.arcs.end());
   for (const double arc : side.arcs) {
-    const auto at = std::min<std::size_t>(loop.curve.size() - 1, static_cast<std::size_t>(std::upper_bound(arcs.begin(), arcs.end(), arc) - arcs.begin()) - 1);
+    const auto at = std::min<std::size_t>(loop.curve.size() - 1,
+                                          static_cast<std::size_t>(std::upper_bound(arcs.begin(), arcs.end(), arc) - arcs.begin()) - 1);
     const double share = (arc - arcs[at]) / std::max(arcs[at + 1] - arcs[at], 1e-300);
     const Eigen::Vector3d p = loop.curve[at] + share * (loop.curve[(at + 1) % loop.curve.size()] - loop.curve[at]);
     const std::uint32_t nearest = surface_.graph().blocks().nearest(p);
@@ -215,16 +215,17 @@ MeshMaker::zip(std::size_t outline)
   const std::string remedy = "; the scan is too thin or ragged there for a path at constant scallop: scan it again, more "
                              "densely, or choose the radial method (setMethod)";
   if (best == edges_.size())
-    return {StatusCode::Failed, textOf("no edge of the surface runs along the outline through ",
-                                       placeText(outlines_[outline].curve.front()), remedy)};
+    return {StatusCode::Failed,
+            textOf("no edge of the surface runs along the outline through ", placeText(outlines_[outline].curve.front()), remedy)};
   edge_used_[best] = 1;
   ZipperSide rim;
   addOutline(outline, rim);
   const double whole = length(outlines_[outline].curve, true);
   const std::vector<Triangle> strip = zipped(edge, rim, whole, spacing_);
   if (strip.empty())
-    return {StatusCode::Failed, textOf("the edge of the surface does not follow the outline through ",
-                                       placeText(outlines_[outline].curve.front()), " over ", 100.0 * least_zipped, " % of its length", remedy)};
+    return {StatusCode::Failed,
+            textOf("the edge of the surface does not follow the outline through ", placeText(outlines_[outline].curve.front()), " over ",
+                   100.0 * least_zipped, " % of its length", remedy)};
   triangles_.insert(triangles_.end(), strip.begin(), strip.end());
   return Status::success();
 }
@@ -301,8 +302,7 @@ MeshMaker::checkGenus() const
 } // namespace
 
 Status
-makeStepOverMesh(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options,
-                 StepOverMesh& mesh)
+makeStepOverMesh(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options, StepOverMesh& mesh)
 {
   mesh = StepOverMesh();
   return MeshMaker(surface, outlines, options, mesh).run();

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "surface_centre.h"
 
-#include <pcl_spiral/core/impl/frame.h>
 #include "geodesic/distance_field.h"
+#include <pcl_spiral/core/impl/frame.h>
 #include <pcl_spiral/geodesic/impl/geodesic_refinement.h>
 
 #include <Eigen/Eigenvalues>
@@ -89,8 +90,7 @@ logMap(const Fan& fan, const SurfaceFoot& foot, double spacing)
 /** log ((sum d^p)^(1/p) (sum d^-p)^(b/p)) of the distances d from \p x to the points: smooth stand-ins for the largest
  *  distance, times the smallest to the power -b. With its gradient and second derivatives. */
 double
-unevenness(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& x, Eigen::Vector2d& gradient,
-           Eigen::Matrix2d& hessian)
+unevenness(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& x, Eigen::Vector2d& gradient, Eigen::Matrix2d& hessian)
 {
   constexpr double p = 16.0, b = 0.5;
   const Eigen::Matrix2d unit = Eigen::Matrix2d::Identity();
@@ -113,8 +113,7 @@ unevenness(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& x,
   far_slope /= far;
   near_slope /= near;
   gradient = (far_slope + b * near_slope) / scale;
-  hessian = (far_bend / far - p * far_slope * far_slope.transpose() +
-             b * (near_bend / near - p * near_slope * near_slope.transpose())) /
+  hessian = (far_bend / far - p * far_slope * far_slope.transpose() + b * (near_bend / near - p * near_slope * near_slope.transpose())) /
             (scale * scale);
   return std::log(scale) * (1.0 - b) + (std::log(far) + b * std::log(near)) / p;
 }
@@ -227,8 +226,7 @@ walked(const MlsSurface& surface, const SurfaceFoot& foot, const Eigen::Vector3d
 /** Lines for the next round of a centre that has come \p drift from where \p start has its field. Where no geodesic leads to
  *  part of the rim the field itself counts: then every point carries it, and it stays close by. */
 bool
-followCentre(const MlsSurface& surface, const Eigen::Vector3d& centre, const Polyline& rim, StartLines& start, Fan& fan,
-             double& drift)
+followCentre(const MlsSurface& surface, const Eigen::Vector3d& centre, const Polyline& rim, StartLines& start, Fan& fan, double& drift)
 {
   const auto follow = [&](double farthest) {
     if (drift > farthest * start.spacing()) {
@@ -268,7 +266,7 @@ balancedCentre(const MlsSurface& surface, const Polyline& rim)
   StartLines start(surface.graph());
   Fan fan;
   double share = 1.0, last_step = std::numeric_limits<double>::max(); // of the way, less where rounds go to and fro
-  double drift = std::numeric_limits<double>::max();                 // of the centre since the field was computed
+  double drift = std::numeric_limits<double>::max();                  // of the centre since the field was computed
   bool at_rest = false;
   for (int round = 0; round < most_rounds; ++round) {
     if (!followCentre(surface, foot.position, sample, start, fan, drift))

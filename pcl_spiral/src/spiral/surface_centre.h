@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The centre of a surface with one boundary.
  */
 #pragma once
 
+#include "start_lines.h"
 #include <pcl_spiral/core/impl/polyline.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
-#include "start_lines.h"
 
 #include <optional>
 
@@ -27,11 +28,9 @@ struct SurfaceCentre {
  *  Newton's method and moves to it; distances are those of exact geodesics, so that the centre
  *  moves with the part.
  *  \p rim is closed. Empty when no point of the surface is reached. */
-std::optional<SurfaceCentre>
-balancedCentre(const MlsSurface& surface, const Polyline& rim);
+std::optional<SurfaceCentre> balancedCentre(const MlsSurface& surface, const Polyline& rim);
 
 /** The point farthest from every boundary: always well inside, also on outlines like an L. */
-std::optional<Eigen::Vector3d>
-deepestPoint(const MlsSurface& surface, const Polyline& rim);
+std::optional<Eigen::Vector3d> deepestPoint(const MlsSurface& surface, const Polyline& rim);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "taubin_curvature.h"
 
 #include <pcl_spiral/core/impl/frame.h>
@@ -23,8 +24,7 @@ weigh(std::vector<Section>& sections)
   double whole = 0.0;
   for (std::size_t j = 0; j < sections.size(); ++j) {
     Section &a = sections[j], &b = sections[(j + 1) % sections.size()];
-    const double twice =
-        a.along.x() * b.along.y() - a.along.y() * b.along.x(); // not positive across half a turn
+    const double twice = a.along.x() * b.along.y() - a.along.y() * b.along.x(); // not positive across half a turn
     if (twice <= 0.0)
       continue;
     a.weight += twice;
@@ -48,8 +48,7 @@ taubinCurvatures(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, co
     if (!along.isZero(0.0))
       sections.push_back({along, std::atan2(along.y(), along.x()), -2.0 * normal.dot(d) / d.squaredNorm()});
   }
-  std::sort(sections.begin(), sections.end(),
-            [](const Section& a, const Section& b) { return a.angle < b.angle; });
+  std::sort(sections.begin(), sections.end(), [](const Section& a, const Section& b) { return a.angle < b.angle; });
   const double whole = weigh(sections);
   if (sections.size() < 3 || !(whole > 0.0))
     return std::nullopt;
@@ -62,10 +61,8 @@ taubinCurvatures(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, co
     m22 += weighted * s * s;
   }
   const double middle = 0.5 * (m11 + m22), half = 0.5 * (m11 - m22), spread = std::hypot(half, m12);
-  const double m1 = middle + spread, m2 = middle - spread,
-               angle = spread > 0.0 ? 0.5 * std::atan2(m12, half) : 0.0;
-  return PrincipalCurvatures{3.0 * m1 - m2, 3.0 * m2 - m1,
-                             std::cos(angle) * e1 + std::sin(angle) * e2}; // (12)
+  const double m1 = middle + spread, m2 = middle - spread, angle = spread > 0.0 ? 0.5 * std::atan2(m12, half) : 0.0;
+  return PrincipalCurvatures{3.0 * m1 - m2, 3.0 * m2 - m1, std::cos(angle) * e1 + std::sin(angle) * e2}; // (12)
 }
 
 std::optional<PrincipalCurvatures>

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Curvature at a point of a surface from its neighbours and its normal. Private to spiral.
  */
 #pragma once
 
 #include <pcl_spiral/core/impl/polyline.h>
-#include <pcl_spiral/search/impl/neighbour_lists.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
+#include <pcl_spiral/search/impl/neighbour_lists.h>
 
 #include <optional>
 
@@ -26,11 +27,10 @@ struct PrincipalCurvatures {
  * is positive where the surface bends towards N. His w_j is the area of the triangles at the edge to p_j,
  *  over all; here those are the triangles between p and two neighbours next to each other about N, none
  * across half a turn or more. Nothing with fewer than three neighbours, or without area. */
-std::optional<PrincipalCurvatures>
-taubinCurvatures(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, const Polyline& neighbours);
+std::optional<PrincipalCurvatures> taubinCurvatures(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+                                                    const Polyline& neighbours);
 
 /** The same at point \p i of a graph, with its PCA normal, from what \p edges join it to. */
-std::optional<PrincipalCurvatures> taubinCurvatures(const SurfaceGraph& graph, const NeighbourLists& edges,
-                                                    std::uint32_t i);
+std::optional<PrincipalCurvatures> taubinCurvatures(const SurfaceGraph& graph, const NeighbourLists& edges, std::uint32_t i);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tight_necks.h"
 
 #include <algorithm>
@@ -19,11 +20,7 @@ struct LoopPoint {
 using Cell = std::array<std::int64_t, 3>;
 
 struct CellHash {
-  std::size_t
-  operator()(const Cell& c) const
-  {
-    return static_cast<std::size_t>(c[0] * 73856093 ^ c[1] * 19349663 ^ c[2] * 83492791);
-  }
+  std::size_t operator()(const Cell& c) const { return static_cast<std::size_t>(c[0] * 73856093 ^ c[1] * 19349663 ^ c[2] * 83492791); }
 };
 
 /** Points of loops in cells. */
@@ -38,8 +35,7 @@ public:
   }
 
   template <typename Visit>
-  void
-  forNear(const Eigen::Vector3d& p, const Visit& visit) const
+  void forNear(const Eigen::Vector3d& p, const Visit& visit) const
   {
     const Cell c = cellOf(p);
     for (std::int64_t x = -1; x <= 1; ++x)
@@ -51,8 +47,7 @@ public:
   }
 
 private:
-  Cell
-  cellOf(const Eigen::Vector3d& p) const
+  Cell cellOf(const Eigen::Vector3d& p) const
   {
     return {static_cast<std::int64_t>(std::floor(p.x() / edge_)), static_cast<std::int64_t>(std::floor(p.y() / edge_)),
             static_cast<std::int64_t>(std::floor(p.z() / edge_))};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Places where loops of one level nearly touch. Private to spiral.
  */
@@ -12,7 +13,6 @@ namespace pcl_spiral {
 
 /** Short axes in the necks of \p loops, and between loops that nearly meet: narrower there than \p width step-overs, from inside to
  *  inside. Smoothing would make such lines cross. */
-std::vector<FingerAxis>
-tightNecks(const std::vector<RawLoop>& loops, double width);
+std::vector<FingerAxis> tightNecks(const std::vector<RawLoop>& loops, double width);
 
 } // namespace pcl_spiral

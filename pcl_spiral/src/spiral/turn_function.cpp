@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/turn_function.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -11,9 +12,9 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double smoothing_share = 1.0 / 64.0; // of the rim: standard deviation of what smooths rates across lines
-constexpr double steepest_cosine = 0.05; // of psi: a line nearly along its contour tells nothing
-constexpr double most_turns = 1e15;      // that are counted: no path has as many
-constexpr double reserve = 0.997; // of the step-over, for what interpolation between lines adds
+constexpr double steepest_cosine = 0.05;       // of psi: a line nearly along its contour tells nothing
+constexpr double most_turns = 1e15;            // that are counted: no path has as many
+constexpr double reserve = 0.997;              // of the step-over, for what interpolation between lines adds
 
 /** Derivative at u[at] of Lagrange's polynomial through points p at u. */
 Eigen::Vector3d
@@ -35,8 +36,7 @@ lagrangeSlope(const std::vector<double>& u, const Polyline& p, std::size_t at)
 } // namespace
 
 TurnFunction::TurnFunction(const std::vector<RadialLine>& lines, const SpiralSettings& settings, double spacing)
-: lines_(lines), settings_(settings), spacing_(spacing),
-  max_step_(settings.max_step > 0.0 ? settings.max_step : settings.tool_radius)
+: lines_(lines), settings_(settings), spacing_(spacing), max_step_(settings.max_step > 0.0 ? settings.max_step : settings.tool_radius)
 {
   for (const RadialLine& line : lines)
     stations_.emplace_back(line.feet.size());
@@ -155,8 +155,7 @@ TurnFunction::stationAt(std::size_t line, std::size_t station, bool with_contour
 {
   const auto& feet = lines_[line].feet;
   const SurfaceFoot& foot = footAt(line, station);
-  const Eigen::Vector3d chord =
-      feet[std::min(station + 1, feet.size() - 1)].position - feet[station > 0 ? station - 1 : 0].position;
+  const Eigen::Vector3d chord = feet[std::min(station + 1, feet.size() - 1)].position - feet[station > 0 ? station - 1 : 0].position;
   const Eigen::Vector3d tangent = (chord - chord.dot(foot.normal) * foot.normal).normalized();
   std::vector<Eigen::Vector3d> across;
   if (with_contours)
@@ -180,8 +179,7 @@ TurnFunction::stationAt(std::size_t line, std::size_t station, bool with_contour
       return std::nullopt;
     result.rate = std::max(result.rate, cos_psi / (reserve * *step));
     const double along_feed = foot.normalCurvature(direction.cross(foot.normal));
-    result.feed_step = std::min(
-        result.feed_step, stepFromChordErrorAtCentre(radius, along_feed, settings_.chord_error, max_step_));
+    result.feed_step = std::min(result.feed_step, stepFromChordErrorAtCentre(radius, along_feed, settings_.chord_error, max_step_));
   }
   return result;
 }
@@ -270,9 +268,9 @@ TurnFunction::checkFeet() const
         return {StatusCode::Failed, textOf("radial line ", i, " leaves the scanned surface at ", placeText(foot.position),
                                            ": scan the surface there, or leave the line out")};
       if (!(even_step_over_ > 0.0) && foot.curvature2 <= steepest)
-        return {StatusCode::Failed, textOf("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ",
-                                           placeText(foot.position), ", tighter than the tool radius ",
-                                           settings_.tool_radius, " mm: the cutter would gouge; use a smaller tool")};
+        return {StatusCode::Failed,
+                textOf("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ", placeText(foot.position),
+                       ", tighter than the tool radius ", settings_.tool_radius, " mm: the cutter would gouge; use a smaller tool")};
     }
   return Status::success();
 }

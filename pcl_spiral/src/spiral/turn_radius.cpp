@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "turn_radius.h"
 
 #include <pcl_spiral/core/impl/pass_ranges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  How sharply a path turns. Private to spiral.
  */
@@ -18,7 +19,6 @@ struct SharpTurns {
 
 /** Radius of the circle through a place of \p path and those 0.12 step-overs before and behind it, in the metric there. The first
  *  \p rim step-overs of the path do not count: corners of the rim are the part's. */
-SharpTurns
-sharpTurns(const LinkedPath& path, double rim);
+SharpTurns sharpTurns(const LinkedPath& path, double rim);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "local_fit.h"
 
 #include <pcl_spiral/core/impl/frame.h>
@@ -9,8 +10,7 @@
 namespace pcl_spiral {
 
 SurfaceFoot
-directionalCentroidFoot(const Eigen::Vector3d& query, const Neighbourhood& near,
-                        const std::vector<Eigen::Vector3f>& normals)
+directionalCentroidFoot(const Eigen::Vector3d& query, const Neighbourhood& near, const std::vector<Eigen::Vector3f>& normals)
 {
   SurfaceFoot foot;
   foot.position = query;
@@ -21,8 +21,8 @@ directionalCentroidFoot(const Eigen::Vector3d& query, const Neighbourhood& near,
     const Eigen::Vector3d d(near.x[j], near.y[j], near.z[j]);
     const double weight = std::exp(-d.squaredNorm() / (h * h)); // (9)
     whole += weight;
-    centroid += weight * d;                                     // (10)
-    normal += weight * normals[near.index[j]].cast<double>();   // (8)
+    centroid += weight * d;                                   // (10)
+    normal += weight * normals[near.index[j]].cast<double>(); // (8)
     mean += d / near.size;
   }
   if (!(whole > 0.0) || !(normal.norm() > 0.0))

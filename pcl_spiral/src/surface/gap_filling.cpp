@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "gap_filling.h"
 
 #include <pcl_spiral/core/impl/frame.h>
@@ -27,8 +28,7 @@ struct GapFrame {
   Eigen::Vector3d origin, e1, e2, up;
   double radius;
 
-  Eigen::Vector3d
-  local(const Eigen::Vector3d& p) const
+  Eigen::Vector3d local(const Eigen::Vector3d& p) const
   {
     const Eigen::Vector3d d = p - origin;
     return {d.dot(e1), d.dot(e2), d.dot(up)};
@@ -149,9 +149,8 @@ fillGap(const SurfaceGraph& graph, const Polyline& loop)
       const double u = (i + 0.5 * (j & 1)) * pitch, v = j * row;
       if (!insidePolygon(polygon, u, v))
         continue;
-      const bool clear = std::all_of(polygon.begin(), polygon.end(), [&](const Eigen::Vector3d& p) {
-        return std::hypot(p.x() - u, p.y() - v) > 0.5 * pitch;
-      });
+      const bool clear = std::all_of(polygon.begin(), polygon.end(),
+                                     [&](const Eigen::Vector3d& p) { return std::hypot(p.x() - u, p.y() - v) > 0.5 * pitch; });
       if (!clear)
         continue;
       const double w = (cubicTerms(u / frame.radius, v / frame.radius) * coefficients)(0);

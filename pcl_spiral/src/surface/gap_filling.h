@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Points for a hole in the data, from a smooth patch fitted about it.
  */
@@ -21,11 +22,9 @@ struct GapFill {
 
 /** Fill the gap inside a closed \p loop of boundary points with points of a bicubic patch, fitted by least squares
  *  to the cloud within one gap's width of it. For gaps no wider than the surface is smooth. */
-GapFill
-fillGap(const SurfaceGraph& graph, const Polyline& loop);
+GapFill fillGap(const SurfaceGraph& graph, const Polyline& loop);
 
 /** How many points of the cloud lie inside \p loop, and more than 1.5 spacings from it: none where there is a gap. */
-std::size_t
-pointsInside(const SurfaceGraph& graph, const Polyline& loop);
+std::size_t pointsInside(const SurfaceGraph& graph, const Polyline& loop);
 
 } // namespace pcl_spiral

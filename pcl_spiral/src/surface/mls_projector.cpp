@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/surface/mls_projector.h>
 
 namespace pcl_spiral {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
 
@@ -134,13 +135,15 @@ MlsSurface::projectOnce(const std::vector<std::uint32_t>& which, std::vector<Sur
   const auto quartic = [&](const Eigen::Vector3d& q, const Neighbourhood& near) {
     return robustQuarticFoot(q, near, meanNormal(near.index, std::min(near.size, 12), normals));
   };
-  const auto centroid = [&](const Eigen::Vector3d& q, const Neighbourhood& near) {
-    return directionalCentroidFoot(q, near, normals);
-  };
+  const auto centroid = [&](const Eigen::Vector3d& q, const Neighbourhood& near) { return directionalCentroidFoot(q, near, normals); };
 #pragma omp parallel
   switch (method_) {
-  case ProjectionMethod::Quadratic: fitAll(PatchSearch(graph_.blocks(), neighbours, reach), quadratic); break;
-  case ProjectionMethod::RobustQuartic: fitAll(NeighbourSearch(graph_.blocks(), neighbours, reach), quartic); break;
+  case ProjectionMethod::Quadratic:
+    fitAll(PatchSearch(graph_.blocks(), neighbours, reach), quadratic);
+    break;
+  case ProjectionMethod::RobustQuartic:
+    fitAll(NeighbourSearch(graph_.blocks(), neighbours, reach), quartic);
+    break;
   case ProjectionMethod::DirectionalCentroid:
     fitAll(NeighbourSearch(graph_.blocks(), neighbours, reach), centroid);
     break;
@@ -151,9 +154,7 @@ MlsSurface::projectOnce(const std::vector<std::uint32_t>& which, std::vector<Sur
 double
 MlsSurface::fitNoise() const
 {
-  const double factor = method_ == ProjectionMethod::Quadratic       ? 50.0 / 7.0
-                        : method_ == ProjectionMethod::RobustQuartic ? 9.46
-                                                                     : 2.08;
+  const double factor = method_ == ProjectionMethod::Quadratic ? 50.0 / 7.0 : method_ == ProjectionMethod::RobustQuartic ? 9.46 : 2.08;
   return noise_ * std::sqrt(factor / neighbours_);
 }
 

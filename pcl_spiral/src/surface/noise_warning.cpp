@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "noise_warning.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -11,10 +12,9 @@ noiseWarning(const MlsSurface& surface, const char* what, double asked)
     return std::nullopt;
   const bool hidden = asked < 3.0 * surface.fitNoise();
   return textOf("the ", what, " asked for, ", asked, " mm, lies below the scan's own noise of ", surface.noise(),
-                " mm (standard deviation of a point); the surface fitted to ", surface.neighbours(),
-                " points at a time is known to ", surface.fitNoise(),
-                hidden ? " mm, and what is below three times that it cannot tell: this scan cannot show whether it was kept"
-                       : " mm");
+                " mm (standard deviation of a point); the surface fitted to ", surface.neighbours(), " points at a time is known to ",
+                surface.fitNoise(),
+                hidden ? " mm, and what is below three times that it cannot tell: this scan cannot show whether it was kept" : " mm");
 }
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Small symmetric systems. Private.
  */
@@ -57,8 +58,7 @@ public:
 
   /** Solution of the leading \p Rows equations. */
   template <int Rows>
-  Eigen::Matrix<double, Rows, 1>
-  solve(Eigen::Matrix<double, Rows, 1> b) const
+  Eigen::Matrix<double, Rows, 1> solve(Eigen::Matrix<double, Rows, 1> b) const
   {
     unrolled<Rows>([&](auto i) { unrolled<i>([&](auto k) { b[i] -= l_[i][k] * b[k]; }); });
     unrolled<Rows>([&](auto i) { b[i] *= inverse_[i]; });

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "patch_moments.h"
 
 #include "core/lanes.h"
@@ -35,9 +36,8 @@ sumMoments(const float* x, const float* y, const float* z, int size, const float
     f += wh, fu += wa * h, fv += wb * h, fuu += waa * h, fuv += wab * h, fvv += wbb * h;
     ff += wh * h;
   }
-  m = {sum(w),    sum(su),   sum(sv),   sum(uu),   sum(uv),   sum(vv),  sum(uuu), sum(uuv),
-       sum(uvv),  sum(vvv),  sum(uuuu), sum(uuuv), sum(uuvv), sum(uvvv), sum(vvvv), sum(f),
-       sum(fu),   sum(fv),   sum(fuu),  sum(fuv),  sum(fvv),  sum(ff),  sum(mean_u), sum(mean_v)};
+  m = {sum(w),    sum(su),   sum(sv),   sum(uu), sum(uv), sum(vv), sum(uuu), sum(uuv), sum(uvv), sum(vvv), sum(uuuu),   sum(uuuv),
+       sum(uuvv), sum(uvvv), sum(vvvv), sum(f),  sum(fu), sum(fv), sum(fuu), sum(fuv), sum(fvv), sum(ff),  sum(mean_u), sum(mean_v)};
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Weighted moments of the points of a patch. Private.
  */
@@ -16,7 +17,6 @@ struct Moments {
 };
 
 /** \p frame: nine floats, the axes of a, b and h over the radius. */
-void
-momentsOf(const Patch& patch, const float* frame, Moments& moments);
+void momentsOf(const Patch& patch, const float* frame, Moments& moments);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "patch_search.h"
 
 #include "core/lanes.h"
@@ -58,9 +59,7 @@ kthSmallest(const float* values, int size, int k, float most)
 
 } // namespace
 
-PatchSearch::PatchSearch(const PointBlocks& blocks, int k, float max_radius) : run_(blocks, k, max_radius)
-{
-}
+PatchSearch::PatchSearch(const PointBlocks& blocks, int k, float max_radius) : run_(blocks, k, max_radius) {}
 
 const Patch&
 PatchSearch::find(const Eigen::Vector3d& query)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "local_fit.h"
 #include "normal_equations.h"
 #include "patch_moments.h"
@@ -25,9 +26,9 @@ quadraticFoot(const Eigen::Vector3d& query, const Patch& patch, const Eigen::Vec
   momentsOf(patch, frame.data(), s);
   foot.overhang = overhang(patch, s.mean_u * e1 + s.mean_v * e2);
   Eigen::Matrix<double, 6, 6> a;
-  a << s.w, s.u, s.v, s.uu, s.uv, s.vv,      //
-      s.u, s.uu, s.uv, s.uuu, s.uuv, s.uvv,  //
-      s.v, s.uv, s.vv, s.uuv, s.uvv, s.vvv,  //
+  a << s.w, s.u, s.v, s.uu, s.uv, s.vv,           //
+      s.u, s.uu, s.uv, s.uuu, s.uuv, s.uvv,       //
+      s.v, s.uv, s.vv, s.uuv, s.uvv, s.vvv,       //
       s.uu, s.uuu, s.uuv, s.uuuu, s.uuuv, s.uuvv, //
       s.uv, s.uuv, s.uvv, s.uuuv, s.uuvv, s.uvvv, //
       s.vv, s.uvv, s.vvv, s.uuvv, s.uvvv, s.vvvv;

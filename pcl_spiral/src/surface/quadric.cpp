@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "quadric.h"
 
 #include <cmath>
@@ -30,8 +31,8 @@ nearestOnQuadric(const Vector6d& b, double& u, double& v)
 
 /** Normal, principal curvatures and direction of the quadric at (u, v); lengths over \p radius. */
 void
-shapeOfQuadric(const Vector6d& b, double u, double v, double radius, const Eigen::Vector3d& e1,
-               const Eigen::Vector3d& e2, const Eigen::Vector3d& up, SurfaceFoot& foot)
+shapeOfQuadric(const Vector6d& b, double u, double v, double radius, const Eigen::Vector3d& e1, const Eigen::Vector3d& e2,
+               const Eigen::Vector3d& up, SurfaceFoot& foot)
 {
   const double fuu = 2.0 * b[3], fuv = b[4], fvv = 2.0 * b[5];
   const double fu = b[1] + fuu * u + fuv * v, fv = b[2] + fuv * u + fvv * v;
@@ -55,8 +56,8 @@ shapeOfQuadric(const Vector6d& b, double u, double v, double radius, const Eigen
 } // namespace
 
 bool
-standOnQuadric(const Vector6d& b, double radius, const Eigen::Vector3d& e1, const Eigen::Vector3d& e2,
-               const Eigen::Vector3d& up, SurfaceFoot& foot)
+standOnQuadric(const Vector6d& b, double radius, const Eigen::Vector3d& e1, const Eigen::Vector3d& e2, const Eigen::Vector3d& up,
+               SurfaceFoot& foot)
 {
   double u = 0.0, v = 0.0;
   if (!nearestOnQuadric(b, u, v))

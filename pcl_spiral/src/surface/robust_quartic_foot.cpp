@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "local_fit.h"
 #include "normal_equations.h"
 #include "quadric.h"
@@ -13,13 +14,13 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int degree = 4, quadratic_terms = 6, quartic_terms = 15;
-constexpr double farthest = 4.0; // in standard deviations: a point farther off is no part of the surface
-constexpr double mad_of_normal = 1.4826; // standard deviation over the median deviation, normal distribution
-constexpr double most_noise = 1.0; // of the quartic's height, in that of a point: beside a rim the quadric is surer
+constexpr double farthest = 4.0;                 // in standard deviations: a point farther off is no part of the surface
+constexpr double mad_of_normal = 1.4826;         // standard deviation over the median deviation, normal distribution
+constexpr double most_noise = 1.0;               // of the quartic's height, in that of a point: beside a rim the quadric is surer
 constexpr double most_derivative_noise = 1000.0; // of the quartic's derivatives, in the quadric's: on few scan lines
 
 using Terms = Eigen::Matrix<double, quartic_terms, 1>; // of 1, u, v, u^2, u v, v^2, ..., v^4
-using Values = Eigen::ArrayXd; // one a neighbour
+using Values = Eigen::ArrayXd;                         // one a neighbour
 
 /** How far the origin lies outside the nearer half of its neighbours, seen along the widest free angle between them: 0
  *  where no angle of more than 180 degrees is free. Sharper than overhang() on a ragged rim. */
@@ -59,8 +60,7 @@ outsideNearest(const Neighbourhood& near, const Eigen::Vector3d& e1, const Eigen
 /** Polynomials of the second and the fourth degree through weighted neighbours, coordinates over their radius. */
 class LocalFit {
 public:
-  LocalFit(const Neighbourhood& near, double radius, const Eigen::Vector3d& e1, const Eigen::Vector3d& e2,
-           const Eigen::Vector3d& up)
+  LocalFit(const Neighbourhood& near, double radius, const Eigen::Vector3d& e1, const Eigen::Vector3d& e2, const Eigen::Vector3d& up)
   : powers_(near.size, 2 * degree + 1)
   {
     const auto along = [&](const Eigen::Vector3d& axis) {
@@ -79,8 +79,7 @@ public:
   }
 
   /** Fit both; false where not even the quadric is determined. */
-  bool
-  solve()
+  bool solve()
   {
     Eigen::Matrix<double, 2 * degree + 1, 2 * degree + 1> moment; // of u^p v^q
     Terms right;
@@ -120,8 +119,7 @@ public:
   }
 
   /** Drop the neighbours that lie too far off the fit; true where there are any. */
-  bool
-  dropOutliers(double rounding)
+  bool dropOutliers(double rounding)
   {
     const Values amount = (weight_ > 0.0).select(off_.abs(), 0.0);
     const double largest = amount.maxCoeff();
@@ -144,8 +142,7 @@ public:
 
   /** Standard deviation of the neighbours about the quartic: the weighted sum of squares over its expectation for unit
    *  noise, as in quadraticFoot; the trace is 30/7 for the fourth degree and 15/7 for the second. */
-  double
-  scatter() const
+  double scatter() const
   {
     const double freedom = weight_.sum() - (has_quartic_ ? 30.0 : 15.0) / 7.0;
     return freedom > 0.0 ? std::sqrt((weight_ * off_.square()).sum() / freedom) : 0.0;
@@ -153,8 +150,7 @@ public:
 
   /** The quadric, corrected towards the quartic by as much as the correction's square stands out of its variance: all
    *  the way on a scan without noise, hardly where noise hides the difference. */
-  Vector6d
-  shape() const
+  Vector6d shape() const
   {
     const double correction = quartic_[0] - quadratic_[0], noise = scatter();
     const double variance = gain_ * noise * noise;
@@ -168,8 +164,7 @@ public:
 private:
   /** Whether the quartic tells the first and second derivatives not much worse than the quadric. The variance of a term for unit
    *  noise is no more than its place on the diagonal of the inverse, the weights being below 1. */
-  static bool
-  derivativesAreTold(const NormalEquations<quartic_terms>& equations)
+  static bool derivativesAreTold(const NormalEquations<quartic_terms>& equations)
   {
     for (int k = 1; k < quadratic_terms; ++k)
       if (!(equations.solve<quartic_terms>(Terms::Unit(k))[k] <
@@ -179,14 +174,9 @@ private:
   }
 
   /** Where u^p v^q stands among the terms. */
-  static constexpr int
-  term(int p, int q)
-  {
-    return (p + q) * (p + q + 1) / 2 + q;
-  }
+  static constexpr int term(int p, int q) { return (p + q) * (p + q + 1) / 2 + q; }
 
-  static Terms
-  padded(const Vector6d& low)
+  static Terms padded(const Vector6d& low)
   {
     Terms terms = Terms::Zero();
     terms.head<quadratic_terms>() = low;
@@ -194,8 +184,7 @@ private:
   }
 
   /** The polynomial at every neighbour. */
-  Values
-  at(const Terms& c) const
+  Values at(const Terms& c) const
   {
     Values sum = Values::Zero(u_.size());
     for (int p = degree; p >= 0; --p) { // Horner's rule in u
@@ -211,7 +200,7 @@ private:
   Terms quadratic_, quartic_;
   bool has_quartic_ = false;
   bool derivatives_told_ = false; ///< by the quartic
-  double gain_ = 0.0; ///< variance of the correction for unit noise
+  double gain_ = 0.0;             ///< variance of the correction for unit noise
 };
 
 } // namespace

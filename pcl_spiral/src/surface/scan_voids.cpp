@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/surface/impl/scan_voids.h>
 
@@ -11,10 +12,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double widest_chance = 1.6; // spacings: radius of an empty circle from which on triangles are looked at
-constexpr double rarity = 9.0;        // beside ln n
+constexpr double widest_chance = 1.6;        // spacings: radius of an empty circle from which on triangles are looked at
+constexpr double rarity = 9.0;               // beside ln n
 const double hexagon = std::sqrt(3.0) / 2.0; // a point's share over the square of the spacing as if spread evenly
-constexpr double inner_share = 0.95;  // of a disc's radius: closer to its edge a place is beside points of the scan
+constexpr double inner_share = 0.95;         // of a disc's radius: closer to its edge a place is beside points of the scan
 
 Eigen::Vector3d
 circumcentre(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
@@ -169,8 +170,7 @@ ScanVoids::ScanVoids(const SurfaceGraph& graph)
         voids_.push_back(measured(graph, std::move(found)));
         addDiscs(graph, voids_.back());
       }
-  std::sort(near_.begin(), near_.end(),
-            [](const Near& a, const Near& b) { return std::tie(a.point, a.disc) < std::tie(b.point, b.disc); });
+  std::sort(near_.begin(), near_.end(), [](const Near& a, const Near& b) { return std::tie(a.point, a.disc) < std::tie(b.point, b.disc); });
 }
 
 void
@@ -194,8 +194,8 @@ ScanVoids::addDiscs(const SurfaceGraph& graph, const ScanVoid& found)
 bool
 ScanVoids::contains(const Eigen::Vector3d& place, std::uint32_t nearest) const
 {
-  const auto first = std::lower_bound(near_.begin(), near_.end(), nearest,
-                                      [](const Near& near, std::uint32_t point) { return near.point < point; });
+  const auto first =
+      std::lower_bound(near_.begin(), near_.end(), nearest, [](const Near& near, std::uint32_t point) { return near.point < point; });
   for (auto near = first; near != near_.end() && near->point == nearest; ++near)
     if ((place - discs_[near->disc].centre).norm() < inner_share * discs_[near->disc].radius)
       return true;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/surface/scanned_surface.h>
 
 namespace pcl_spiral {

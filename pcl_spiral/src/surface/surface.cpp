@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/surface/surface.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -38,8 +39,8 @@ checkSingleSheet(const Surface& surface)
     return Status::success();
   const auto [place, off] = farthestOff(surface);
   return {StatusCode::InvalidInput,
-          textOf("the points scatter by ", surface.noise(), " mm about a local surface, by ", off, " mm at ",
-                 placeText(place), ", against a spacing of ", surface.spacing(),
+          textOf("the points scatter by ", surface.noise(), " mm about a local surface, by ", off, " mm at ", placeText(place),
+                 ", against a spacing of ", surface.spacing(),
                  " mm: this is no single sheet (a thin double wall, or noise above the point spacing); of a wall leave one "
                  "side in the cloud, with mere noise thin it to a spacing well above (setThinning ",
                  4.0 * surface.noise(), ")")};
@@ -64,8 +65,8 @@ disagreement(const SurfaceSettings& asked, const SurfaceSettings& made)
     return "setLargestPart";
   if (asked.thinning != unset.thinning && asked.thinning != made.thinning)
     return "setThinning";
-  if (asked.outlier_neighbours != unset.outlier_neighbours && (asked.outlier_neighbours != made.outlier_neighbours ||
-                                                              asked.outlier_deviations != made.outlier_deviations))
+  if (asked.outlier_neighbours != unset.outlier_neighbours &&
+      (asked.outlier_neighbours != made.outlier_neighbours || asked.outlier_deviations != made.outlier_deviations))
     return "setOutlierRemoval";
   if (asked.neighbours != unset.neighbours && asked.neighbours != made.neighbours)
     return "setKSearch";

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From clean points to a Surface.
 #include <pcl_spiral/surface/surface.h>
 
+#include <pcl_spiral/cleaning/impl/clean_graph.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/features/impl/surface_parts.h>
-#include <pcl_spiral/cleaning/impl/clean_graph.h>
 
 #include <algorithm>
 #include <type_traits>
@@ -43,11 +44,9 @@ class SurfaceMaker {
 public:
   SurfaceMaker(const SurfaceSettings& settings, Surface::Parts& parts, std::vector<std::int8_t>& why)
   : settings_(settings), parts_(parts), why_(why)
-  {
-  }
+  {}
 
-  Status
-  make(SurfacePoints points)
+  Status make(SurfacePoints points)
   {
     given_ = points.positions.size();
     parts_.source = std::move(points.source);
@@ -65,8 +64,7 @@ public:
 
 private:
   /** Build the graph of points whose place among those given is place_. */
-  Status
-  build(std::vector<Eigen::Vector3f> points)
+  Status build(std::vector<Eigen::Vector3f> points)
   {
     SurfaceGraphOptions options = graphOptions(settings_);
     options.given_normals = normals_;
@@ -94,16 +92,14 @@ private:
   /** Where point \p i of those in use stands among those given. */
   std::uint32_t placeOf(std::uint32_t i) const { return place_.empty() ? i : place_[i]; }
 
-  void
-  mark(std::uint32_t i, LeftOut reason)
+  void mark(std::uint32_t i, LeftOut reason)
   {
     why_.resize(given_, -1);
     why_[placeOf(i)] = static_cast<std::int8_t>(reason);
   }
 
   /** Of the points in use those of \p kept alone, in that order. */
-  void
-  keepOf(const std::vector<std::uint32_t>& kept)
+  void keepOf(const std::vector<std::uint32_t>& kept)
   {
     const auto select = [&](auto& values) {
       std::remove_reference_t<decltype(values)> some(kept.size());
@@ -119,19 +115,17 @@ private:
       select(normals_);
   }
 
-  Status
-  doesNotHangTogether(std::size_t alone, std::size_t given) const
+  Status doesNotHangTogether(std::size_t alone, std::size_t given) const
   {
     const Box box = parts_.graph.blocks().box();
     return {StatusCode::InvalidInput,
             textOf(alone, " of ", given, " points stand alone, far off the densest part of the cloud, which lies about ",
-                   placeText(middleOf(box)), ", is ", box.diagonal(), " mm across and has a point every ",
-                   parts_.graph.spacing(), " mm: the scan does not hang together; leave that part out, or thin the cloud to "
+                   placeText(middleOf(box)), ", is ", box.diagonal(), " mm across and has a point every ", parts_.graph.spacing(),
+                   " mm: the scan does not hang together; leave that part out, or thin the cloud to "
                    "an even spacing (setThinning)")};
   }
 
-  Status
-  keepLargestPart()
+  Status keepLargestPart()
   {
     SurfaceParts found = surfaceParts(parts_.graph);
     if (found.parts.size() < 2)
@@ -144,14 +138,12 @@ private:
     found.parts.erase(largest);
     parts_.counts.separate_parts = found.parts.size();
     parts_.counts.other_part = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
-    parts_.warnings.push_back(textOf("of ", found.parts.size() + 1, " separate parts the largest was kept, ",
-                                     partsText({part}), "; left out with ", parts_.counts.other_part,
-                                     " points: ", partsText(found.parts)));
+    parts_.warnings.push_back(textOf("of ", found.parts.size() + 1, " separate parts the largest was kept, ", partsText({part}),
+                                     "; left out with ", parts_.counts.other_part, " points: ", partsText(found.parts)));
     return keepPart(apart, LeftOut::OtherPart);
   }
 
-  Status
-  leaveSpecksOut()
+  Status leaveSpecksOut()
   {
     std::vector<std::size_t> sizes;
     parts_.graph.triangulation().parts(sizes);
@@ -166,8 +158,7 @@ private:
   }
 
   /** Build again of the points that are not \p apart, one of the graph each. */
-  Status
-  keepPart(const std::vector<std::uint8_t>& apart, LeftOut reason)
+  Status keepPart(const std::vector<std::uint8_t>& apart, LeftOut reason)
   {
     const SurfaceGraph& graph = parts_.graph;
     std::vector<Eigen::Vector3f> points;
@@ -185,20 +176,19 @@ private:
     return build(std::move(points));
   }
 
-  void
-  finish()
+  void finish()
   {
     SurfaceCounts& counts = parts_.counts;
     counts.used = parts_.graph.size();
     parts_.settings = settings_;
     parts_.side_is_clear = parts_.graph.orientationIsClear();
     if (counts.surplus > 0)
-      parts_.warnings.push_back(textOf(counts.surplus, " points were left out where they lie much closer together than to "
+      parts_.warnings.push_back(textOf(counts.surplus,
+                                       " points were left out where they lie much closer together than to "
                                        "the next scan line or the sparser part beside them: the path follows the others, ",
                                        parts_.graph.spacing(), " mm apart"));
     if (const std::size_t off = counts.isolated + counts.speck; off > 0) {
-      std::string message = textOf(off, plural(off, " point", " points"), " off the surface ", plural(off, "was", "were"),
-                                   " left out: ");
+      std::string message = textOf(off, plural(off, " point", " points"), " off the surface ", plural(off, "was", "were"), " left out: ");
       if (counts.isolated > 0)
         message += textOf(counts.isolated, plural(counts.isolated, " that stands alone", " that stand alone"));
       if (counts.speck > 0)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/surface/surface_preparation.h>
 
 namespace pcl_spiral {

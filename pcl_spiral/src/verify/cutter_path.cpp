@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/verify/impl/cutter_path.h>
 
@@ -56,8 +57,8 @@ readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterP
   if (!toolpath)
     return {StatusCode::InvalidInput, "no toolpath: call setInputToolpath"};
   if (toolpath->size() < 2)
-    return {StatusCode::InvalidInput, "the toolpath has " + std::to_string(toolpath->size()) +
-                                          " points; it takes two to make a move: check the file"};
+    return {StatusCode::InvalidInput,
+            "the toolpath has " + std::to_string(toolpath->size()) + " points; it takes two to make a move: check the file"};
   bool with_axes = true;
   for (std::size_t i = 0; i < toolpath->size(); ++i) {
     const ToolpathPoint& p = (*toolpath)[i];
@@ -67,8 +68,8 @@ readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterP
     if (!contact.allFinite())
       return {StatusCode::InvalidInput, "toolpath point " + std::to_string(i) + " is not finite: check the file"};
     if (!(normal.norm() > 1e-6) || !normal.allFinite())
-      return {StatusCode::InvalidInput, "toolpath point " + std::to_string(i) +
-                                            " has no normal: without it nobody knows where the cutter stands"};
+      return {StatusCode::InvalidInput,
+              "toolpath point " + std::to_string(i) + " has no normal: without it nobody knows where the cutter stands"};
     path.contacts.push_back(contact);
     path.normals.push_back(normal.normalized());
     path.turns.push_back(p.turn);

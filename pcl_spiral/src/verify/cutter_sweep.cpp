@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/verify/impl/cutter_sweep.h>
 
 #include <Eigen/Geometry>
@@ -90,15 +91,15 @@ heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p, double reach)
   const Eigen::Vector3d place = u * foot.direction1 + v * e2 - 0.5 * (k1 * u * u + k2 * v * v) * foot.normal;
   // Farther off than the reach, the side is told by the tangent plane at the place.
   const Eigen::Vector3d across = k1 * u * foot.direction1 + k2 * v * e2 + foot.normal;
-  const double distance = inside < 1.0 ? std::copysign((d - place).norm(), (d - place).dot(across)) : l * std::sqrt(1.0 + k1 * k1 * u * u + k2 * k2 * v * v);
+  const double distance =
+      inside < 1.0 ? std::copysign((d - place).norm(), (d - place).dot(across)) : l * std::sqrt(1.0 + k1 * k1 * u * u + k2 * k2 * v * v);
   return {distance, foot.position + place};
 }
 
 BallSweep::BallSweep(const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals, double radius,
                      const std::vector<std::size_t>& passes)
 : CutterSweep(offset(contacts, normals, radius), radius, passes)
-{
-}
+{}
 
 bool
 BallSweep::enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double& t) const

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/verify/lead_check.h>
 
 namespace pcl_spiral {

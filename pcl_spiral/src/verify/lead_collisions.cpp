@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/verify/impl/lead_collisions.h>
 
 #include <pcl_spiral/core/impl/swept_error.h>
-#include <pcl_spiral/machine/impl/block_spacing.h>
 #include <pcl_spiral/cutter/impl/holder_collision.h>
+#include <pcl_spiral/machine/impl/block_spacing.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ namespace {
 constexpr int most_halvings = 16;
 constexpr double most_turn = 0.5;         // radians of a rotary axis, which may come back to where it was
 constexpr double least_holder_step = 0.1; // mm between two looks at a holder
-constexpr std::size_t chunk = 256; // moves between two reports of progress
+constexpr std::size_t chunk = 256;        // moves between two reports of progress
 
 /** The machine where a block ends. */
 MachineLocation
@@ -39,17 +40,15 @@ stepForWedge(double radius, double depth)
 
 class LeadSearch {
 public:
-  LeadSearch(const PointBlocks& points, const CutterProfile& cutter, const HolderProfile& holder,
-             const MachineProgram& program, double tolerance)
-  : kinematics_(program.machine), points_(points), cutter_(cutter), inset_(insetCutter(cutter, tolerance)),
-    holder_(holder), program_(program), drop_(points, inset_), tolerance_(tolerance),
-    shank_step_(stepForWedge(cutter.radius(), 0.5 * tolerance)), holder_step_(std::max(tolerance, least_holder_step))
-  {
-  }
+  LeadSearch(const PointBlocks& points, const CutterProfile& cutter, const HolderProfile& holder, const MachineProgram& program,
+             double tolerance)
+  : kinematics_(program.machine), points_(points), cutter_(cutter), inset_(insetCutter(cutter, tolerance)), holder_(holder),
+    program_(program), drop_(points, inset_), tolerance_(tolerance), shank_step_(stepForWedge(cutter.radius(), 0.5 * tolerance)),
+    holder_step_(std::max(tolerance, least_holder_step))
+  {}
 
   /** The deepest place on the move to \p block; depth 0 where it is free. */
-  LeadCollision
-  deepestOn(std::size_t block) const
+  LeadCollision deepestOn(std::size_t block) const
   {
     const MachineLocation from = endOf(program_.blocks[block - 1]), to = endOf(program_.blocks[block]);
     LeadCollision deepest;
@@ -63,12 +62,10 @@ public:
 
 private:
   /** The way from share \p a to share \p b of a move, its end with it. */
-  void
-  lookBetween(const MachineLocation& from, const MachineLocation& to, double a, const ToolPose& at_a, double b,
-              const ToolPose& at_b, int halvings, LeadCollision& deepest) const
+  void lookBetween(const MachineLocation& from, const MachineLocation& to, double a, const ToolPose& at_a, double b, const ToolPose& at_b,
+                   int halvings, LeadCollision& deepest) const
   {
-    const double turn = std::max(std::abs(to.angles.first - from.angles.first),
-                                 std::abs(to.angles.second - from.angles.second));
+    const double turn = std::max(std::abs(to.angles.first - from.angles.first), std::abs(to.angles.second - from.angles.second));
     if (halvings < most_halvings && ((b - a) * turn > most_turn || !isNear(at_a, at_b))) {
       const double middle = 0.5 * (a + b);
       const ToolPose at_middle = interpolated(kinematics_, from, to, middle);
@@ -81,20 +78,17 @@ private:
 
   /** Whether nothing that is too deep between two places is free at both. Along the axis the cutter and its shank cover
    *  all between them; a place of the holder must be near one where it was looked at. */
-  bool
-  isNear(const ToolPose& a, const ToolPose& b) const
+  bool isNear(const ToolPose& a, const ToolPose& b) const
   {
     const Eigen::Vector3d way = b.tip - a.tip;
     const double turn = angleBetween(a.axis, b.axis), aside = (way - way.dot(a.axis) * a.axis).norm();
-    if (sweptError(cutter_, {a.tip, a.axis}, {b.tip, b.axis}) > 0.5 * tolerance_ ||
-        aside + turn * farthestFrom(a.tip) > shank_step_)
+    if (sweptError(cutter_, {a.tip, a.axis}, {b.tip, b.axis}) > 0.5 * tolerance_ || aside + turn * farthestFrom(a.tip) > shank_step_)
       return false;
     return holder_.empty() || way.norm() + turn * holder_.top() <= holder_step_;
   }
 
   /** Distance of the scan's farthest corner, up to where the shank matters. */
-  double
-  farthestFrom(const Eigen::Vector3d& place) const
+  double farthestFrom(const Eigen::Vector3d& place) const
   {
     const Box& box = points_.box();
     Eigen::Vector3d way;
@@ -103,8 +97,7 @@ private:
     return way.norm();
   }
 
-  void
-  lookAt(const ToolPose& pose, LeadCollision& deepest) const
+  void lookAt(const ToolPose& pose, LeadCollision& deepest) const
   {
     const AxisFrame frame(pose.tip, pose.axis);
     drop_.visitAbove(frame, tolerance_, [&](std::uint32_t i, double tip) {
@@ -127,8 +120,7 @@ private:
     }
   }
 
-  static void
-  set(double depth, const Eigen::Vector3d& place, const ToolPose& pose, LeadCollision& deepest)
+  static void set(double depth, const Eigen::Vector3d& place, const ToolPose& pose, LeadCollision& deepest)
   {
     deepest.depth = depth;
     deepest.place = place;
@@ -148,9 +140,8 @@ private:
 } // namespace
 
 Status
-findLeadCollisions(const PointBlocks& points, const CutterProfile& cutter, const HolderProfile& holder,
-                   const MachineProgram& program, double tolerance, const ProgressCallback& progress,
-                   LeadFigures& figures)
+findLeadCollisions(const PointBlocks& points, const CutterProfile& cutter, const HolderProfile& holder, const MachineProgram& program,
+                   double tolerance, const ProgressCallback& progress, LeadFigures& figures)
 {
   figures = LeadFigures();
   if (const Status status = checkMachine(program.machine); !status.ok())

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/verify/impl/removed_material.h>
 
 #include <Eigen/Geometry>
@@ -7,8 +8,7 @@
 namespace pcl_spiral {
 
 double
-leastLength(const ReferenceSurface& reference, const std::vector<float>& steps,
-            const std::vector<Eigen::Vector3f>& feet, double& area)
+leastLength(const ReferenceSurface& reference, const std::vector<float>& steps, const std::vector<Eigen::Vector3f>& feet, double& area)
 {
   const Triangulation& mesh = reference.graph().triangulation();
   std::vector<std::size_t> sizes;

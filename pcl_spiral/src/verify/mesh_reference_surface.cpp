@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // ReferenceSurface of a mesh.
 #include <pcl_spiral/verify/impl/reference_surface.h>
 

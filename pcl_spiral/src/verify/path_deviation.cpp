@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/verify/impl/path_deviation.h>
 
@@ -20,11 +21,9 @@ class Tally {
 public:
   Tally(const ReferenceSurface& reference, const CutterPath& path, DeviationFigures& figures)
   : reference_(reference), path_(path), figures_(figures)
-  {
-  }
+  {}
 
-  float
-  take(std::size_t i, const SurfaceFoot& foot)
+  float take(std::size_t i, const SurfaceFoot& foot)
   {
     if (reference_.inCreaseBand(path_.contacts[i]))
       return takeCrease(i, foot);
@@ -54,8 +53,7 @@ public:
     return static_cast<float>(deviation);
   }
 
-  void
-  finish()
+  void finish()
   {
     figures_.rms = amounts_.empty() ? 0.0 : std::sqrt(squares_ / static_cast<double>(amounts_.size()));
     figures_.p99 = quantile(amounts_, 0.99);
@@ -64,8 +62,7 @@ public:
 
 private:
   /** Of a contact in the band about a crease: apart, for the fit rounds it. */
-  float
-  takeCrease(std::size_t i, const SurfaceFoot& foot)
+  float takeCrease(std::size_t i, const SurfaceFoot& foot)
   {
     ++figures_.in_crease_band;
     if (!foot.valid)
@@ -76,8 +73,7 @@ private:
     return std::numeric_limits<float>::quiet_NaN();
   }
 
-  void
-  takeNormal(std::size_t i, const SurfaceFoot& foot)
+  void takeNormal(std::size_t i, const SurfaceFoot& foot)
   {
     const Eigen::Vector3d& n = path_.normals[i];
     const double cosine = n.dot(foot.normal);
@@ -90,8 +86,7 @@ private:
     if (cosine < 0.0 && figures_.opposed++ == 0)
       figures_.first_opposed = {angle, path_.contacts[i], i};
     if (!path_.axes.empty() && path_.axes[i].dot(foot.normal) < 0.0 && figures_.inward_axes++ == 0)
-      figures_.first_inward = {std::acos(std::max(-1.0, path_.axes[i].dot(foot.normal))) * 180.0 / pi,
-                               path_.contacts[i], i};
+      figures_.first_inward = {std::acos(std::max(-1.0, path_.axes[i].dot(foot.normal))) * 180.0 / pi, path_.contacts[i], i};
   }
 
   const ReferenceSurface& reference_;
@@ -104,13 +99,9 @@ private:
 void
 warn(const ReferenceSurface& reference, DeviationFigures& figures)
 {
-  const auto of = [&](std::size_t count) {
-    return std::to_string(count) + " of " + std::to_string(figures.points) + " path points";
-  };
+  const auto of = [&](std::size_t count) { return std::to_string(count) + " of " + std::to_string(figures.points) + " path points"; };
   if (figures.unmeasured > 0)
-    figures.warnings.push_back(of(figures.unmeasured) +
-                               " have no " +
-                               (reference.mesh() ? "surface of the mesh" : "scanned surface") +
+    figures.warnings.push_back(of(figures.unmeasured) + " have no " + (reference.mesh() ? "surface of the mesh" : "scanned surface") +
                                " near them: is it another part, or another unit?");
   const bool reversed = 2 * figures.opposed > figures.measured + figures.beyond_rim;
   if (reversed)
@@ -121,8 +112,7 @@ warn(const ReferenceSurface& reference, DeviationFigures& figures)
     figures.warnings.push_back("the normals of " + of(figures.opposed) + " point into the material, the first at " +
                                std::to_string(figures.first_opposed.index));
   if (figures.inward_axes > 0 && !reversed)
-    figures.warnings.push_back("the tool axes of " + of(figures.inward_axes) +
-                               " point into the material, the first at " +
+    figures.warnings.push_back("the tool axes of " + of(figures.inward_axes) + " point into the material, the first at " +
                                std::to_string(figures.first_inward.index) + ": the shank would stand in the part");
   if (figures.in_gaps > 0)
     figures.warnings.push_back(of(figures.in_gaps) + " lie in gaps of the scan: nothing there to judge them by");
@@ -131,8 +121,8 @@ warn(const ReferenceSurface& reference, DeviationFigures& figures)
 } // namespace
 
 Status
-measureDeviation(const ReferenceSurface& reference, const CutterPath& path, double chord_error,
-                 const ProgressCallback& progress, std::vector<float>& deviation, DeviationFigures& figures)
+measureDeviation(const ReferenceSurface& reference, const CutterPath& path, double chord_error, const ProgressCallback& progress,
+                 std::vector<float>& deviation, DeviationFigures& figures)
 {
   const auto start = std::chrono::steady_clock::now();
   deviation.clear();
@@ -152,9 +142,8 @@ measureDeviation(const ReferenceSurface& reference, const CutterPath& path, doub
   std::vector<SurfaceFoot> feet;
   for (std::size_t begin = 0; begin < path.size(); begin += chunk) {
     const std::size_t end = std::min(path.size(), begin + chunk);
-    reference.surface().project({path.contacts.begin() + static_cast<std::ptrdiff_t>(begin),
-                                 path.contacts.begin() + static_cast<std::ptrdiff_t>(end)},
-                                feet);
+    reference.surface().project(
+        {path.contacts.begin() + static_cast<std::ptrdiff_t>(begin), path.contacts.begin() + static_cast<std::ptrdiff_t>(end)}, feet);
     for (std::size_t i = begin; i < end; ++i)
       deviation.push_back(tally.take(i, feet[i - begin]));
     if (progress && !progress(static_cast<double>(end) / static_cast<double>(path.size()), "deviation"))
@@ -165,8 +154,8 @@ measureDeviation(const ReferenceSurface& reference, const CutterPath& path, doub
   warn(reference, figures);
   figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (figures.unmeasured == path.size())
-    return {StatusCode::InvalidInput, "none of the " + std::to_string(path.size()) +
-                                          " path points lies on the reference: is it another part, or another unit?"};
+    return {StatusCode::InvalidInput,
+            "none of the " + std::to_string(path.size()) + " path points lies on the reference: is it another part, or another unit?"};
   return Status::success();
 }
 

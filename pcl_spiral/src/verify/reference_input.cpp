@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/verify/impl/reference_input.h>
 
 namespace pcl_spiral {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/verify/impl/reference_mesh.h>
 
 #include <pcl_spiral/common/impl/message.h>

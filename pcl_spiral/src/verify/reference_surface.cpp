@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/verify/impl/reference_surface.h>
 
+#include "surface/noise_warning.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/frame.h>
 #include <pcl_spiral/features/impl/surface_boundary.h>
-#include "surface/noise_warning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -134,9 +135,10 @@ noiseWarnings(const ReferenceSurface& reference, double scallop_height, double c
     const double least = 3.0 * reference.fitNoise();
     for (const auto& [what, asked] : {std::pair{"scallop height", scallop_height}, std::pair{"chord error", chord_error}})
       if (asked > 0.0 && asked < least)
-        warnings.push_back(textOf("the ", what, " asked for, ", asked, " mm, lies below ", least, " mm, three times the distance of the "
-                                  "mesh from the surface fitted to its samples every ", mesh->spacing(),
-                                  " mm: sample more closely (setSampleSpacing ", 0.5 * mesh->spacing(), ")"));
+        warnings.push_back(textOf("the ", what, " asked for, ", asked, " mm, lies below ", least,
+                                  " mm, three times the distance of the "
+                                  "mesh from the surface fitted to its samples every ",
+                                  mesh->spacing(), " mm: sample more closely (setSampleSpacing ", 0.5 * mesh->spacing(), ")"));
     return warnings;
   }
   for (const auto& [what, asked] : {std::pair{"scallop height", scallop_height}, std::pair{"chord error", chord_error}})

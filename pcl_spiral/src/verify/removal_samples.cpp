@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "removal_samples.h"
 
 #include <pcl_spiral/core/step_over.h>
@@ -10,7 +11,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
-constexpr double hollowest = -0.9; // of 1/R: beyond, the ball hardly fits and step-overs mean nothing
+constexpr double hollowest = -0.9;     // of 1/R: beyond, the ball hardly fits and step-overs mean nothing
 constexpr double farthest_ridge = 2.0; // in step-overs: a turn left out is one away
 constexpr double walk = 0.7;           // in step-overs: past the ridge of a pass at its place
 constexpr double shallow_start = 0.2;  // in scallop heights, at least: where a short ray starts below the surface
@@ -29,13 +30,11 @@ RemovalExtremes::merge(const RemovalExtremes& later)
   raise(rim_gouge, later.rim_gouge.value, later.rim_gouge.position, later.rim_gouge.index);
 }
 
-RemovalSampler::RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep,
-                               const MoveIndex& index, const RemovalSettings& settings, double reach)
-    : reference_(reference), sweep_(sweep), settings_(settings),
-      field_(sweep, index, std::max(shallow_start * settings.scallop_height, settings.chord_error), reach),
-      fit_radius_(reference.fitRadius())
-{
-}
+RemovalSampler::RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index,
+                               const RemovalSettings& settings, double reach)
+: reference_(reference), sweep_(sweep), settings_(settings),
+  field_(sweep, index, std::max(shallow_start * settings.scallop_height, settings.chord_error), reach), fit_radius_(reference.fitRadius())
+{}
 
 double
 RemovalSampler::largestStep(const SurfaceFoot& foot) const
@@ -49,8 +48,7 @@ double
 RemovalSampler::stepAcross(const SurfaceFoot& foot, const Eigen::Vector3d& w) const
 {
   const double radius = settings_.tool_radius;
-  const double curvature =
-      std::clamp(foot.normalCurvature(w), hollowest / radius, 1.0 / settings_.scallop_height);
+  const double curvature = std::clamp(foot.normalCurvature(w), hollowest / radius, 1.0 / settings_.scallop_height);
   return stepOver(radius, curvature, settings_.scallop_height).value_or(0.0);
 }
 
@@ -63,8 +61,7 @@ RemovalSampler::zoneOf(const SurfaceFoot& foot, const Eigen::Vector3d& position,
 }
 
 void
-RemovalSampler::takeRidge(const SurfaceFoot& foot, const Ridge& ridge, double step, RemovalExtremes& extremes,
-                          float* height) const
+RemovalSampler::takeRidge(const SurfaceFoot& foot, const Ridge& ridge, double step, RemovalExtremes& extremes, float* height) const
 {
   if (!ridge.found || zoneOf(foot, ridge.position, step) != Zone::Main || reference_.inGap(ridge.position))
     return;
@@ -150,7 +147,9 @@ RemovalSampler::takeGouge(std::size_t move, double f, const SurfaceFoot& nearest
   const SurfaceHeight lowest = sweep_.lowest(move, f, foot, 0.0);
   if (lowest.height < -sweep_.boundingRadius() || reference_.inGap(foot.position))
     return; // its middle behind the foot: another side of the part, or so deep that the reference points tell it
-  PlacedValue& gouge = reference_.inCreaseBand(foot.position) ? extremes.crease_gouge : foot.overhang > 0.0 ? extremes.rim_gouge : extremes.gouge;
+  PlacedValue& gouge = reference_.inCreaseBand(foot.position) ? extremes.crease_gouge
+                       : foot.overhang > 0.0                  ? extremes.rim_gouge
+                                                              : extremes.gouge;
   raise(gouge, -lowest.height, foot.position, f < 0.5 ? move : move + 1);
 }
 

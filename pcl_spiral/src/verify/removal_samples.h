@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Stock, ridges and gouges over the places of one chunk. Private to verify.
  */
@@ -35,16 +36,16 @@ struct SampleResult {
 /** Measures places, each by itself. */
 class RemovalSampler {
 public:
-  RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index,
-                 const RemovalSettings& settings, double reach);
+  RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index, const RemovalSettings& settings,
+                 double reach);
 
-  /** Over the foot of a reference point; of one in the crease band over its place in the mesh. \p guess is a move tried first, and becomes the one met. */
+  /** Over the foot of a reference point; of one in the crease band over its place in the mesh. \p guess is a move tried first, and becomes
+   *  the one met. */
   SampleResult at(const SurfaceFoot& foot, std::size_t& guess, RemovalExtremes& extremes) const;
   /** The ridge on one side, 1 or -1, of a place on the path. */
   void beside(const SurfaceFoot& foot, std::size_t move, double side, RemovalExtremes& extremes) const;
   /** The deepest gouge on a move between the shares \p f0 and \p f1, sought by the fits at both ends. */
-  void along(std::size_t move, double f0, double f1, const SurfaceFoot& foot0, const SurfaceFoot& foot1,
-             RemovalExtremes& extremes) const;
+  void along(std::size_t move, double f0, double f1, const SurfaceFoot& foot0, const SurfaceFoot& foot1, RemovalExtremes& extremes) const;
 
 private:
   double largestStep(const SurfaceFoot& foot) const;
@@ -52,8 +53,7 @@ private:
   /** What the cutter cuts off the surface next to \p place; of \p nearest where there is none. */
   void takeGouge(std::size_t move, double f, const SurfaceFoot& nearest, const Eigen::Vector3d& place, RemovalExtremes& extremes) const;
   Zone zoneOf(const SurfaceFoot& foot, const Eigen::Vector3d& position, double step) const;
-  void takeRidge(const SurfaceFoot& foot, const Ridge& ridge, double step, RemovalExtremes& extremes,
-                 float* height) const;
+  void takeRidge(const SurfaceFoot& foot, const Ridge& ridge, double step, RemovalExtremes& extremes, float* height) const;
 
   const ReferenceSurface& reference_;
   const CutterSweep& sweep_;

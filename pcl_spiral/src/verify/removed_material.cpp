@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/verify/impl/removed_material.h>
 
 #include "quantile.h"
@@ -17,13 +18,11 @@ constexpr std::size_t block = 32;       // places that follow one another: one's
 /** One measurement, step by step. */
 class Measurement {
 public:
-  Measurement(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep,
-              const RemovalSettings& settings, const ProgressCallback& progress, RemovalHeights& heights,
-              RemovalFigures& figures)
-  : reference_(reference), path_(path), sweep_(sweep), settings_(settings), progress_(progress), heights_(heights),
-    figures_(figures), index_(sweep.centres()), sampler_(reference, sweep, index_, settings, figures.reach)
-  {
-  }
+  Measurement(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& settings,
+              const ProgressCallback& progress, RemovalHeights& heights, RemovalFigures& figures)
+  : reference_(reference), path_(path), sweep_(sweep), settings_(settings), progress_(progress), heights_(heights), figures_(figures),
+    index_(sweep.centres()), sampler_(reference, sweep, index_, settings, figures.reach)
+  {}
 
   bool overReference();
   bool alongPath();
@@ -195,10 +194,9 @@ Measurement::finish()
   if (figures_.path_length > 0.0)
     figures_.efficiency = figures_.least_length / figures_.path_length;
   if (figures_.gouge.value > settings_.tool_radius)
-    figures_.warnings.push_back(
-        "the middle of the cutter stands inside the material at path point " +
-        std::to_string(figures_.gouge.index) +
-        ": the path's normals are reversed there, or the reference is seen from its other side");
+    figures_.warnings.push_back("the middle of the cutter stands inside the material at path point " +
+                                std::to_string(figures_.gouge.index) +
+                                ": the path's normals are reversed there, or the reference is seen from its other side");
 }
 
 Status
@@ -217,17 +215,15 @@ check(const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& s
     return bad("the reach", settings.reach, "set it above the scallop height, or to 0 to have it chosen");
   if (path.size() < 2 || sweep.centres().size() != path.size())
     return {StatusCode::InvalidArgument, "the path has " + std::to_string(path.size()) + " points and the cutter " +
-                                             std::to_string(sweep.centres().size()) +
-                                             " places: give two points or more, one place each"};
+                                             std::to_string(sweep.centres().size()) + " places: give two points or more, one place each"};
   return Status::success();
 }
 
 } // namespace
 
 Status
-measureRemovedMaterial(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep,
-                       const RemovalSettings& settings, const ProgressCallback& progress, RemovalHeights& heights,
-                       RemovalFigures& figures)
+measureRemovedMaterial(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& settings,
+                       const ProgressCallback& progress, RemovalHeights& heights, RemovalFigures& figures)
 {
   const auto start = std::chrono::steady_clock::now();
   heights = RemovalHeights();
@@ -242,8 +238,7 @@ measureRemovedMaterial(const ReferenceSurface& reference, const CutterPath& path
     figures.warnings.push_back(std::move(warning));
   figures.crease_band = reference.creaseBand();
   figures.limit = 1.02 * settings.scallop_height + settings.chord_error;
-  figures.reach =
-      settings.reach > 0.0 ? settings.reach : std::max(20.0 * settings.scallop_height, 10.0 * figures.noise);
+  figures.reach = settings.reach > 0.0 ? settings.reach : std::max(20.0 * settings.scallop_height, 10.0 * figures.noise);
   Measurement measurement(reference, path, sweep, settings, progress, heights, figures);
   if (!measurement.overReference() || !measurement.alongPath())
     return {StatusCode::Cancelled, "cancelled"};

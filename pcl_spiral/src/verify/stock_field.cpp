@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "stock_field.h"
 
 #include <Eigen/Geometry>
@@ -84,8 +85,7 @@ StockField::under(std::size_t move, const SurfacePlace& place) const
 }
 
 double
-StockField::meeting(const SurfaceFoot& foot, const Eigen::Vector3d& w, std::size_t first, std::size_t second,
-                    double low, double high) const
+StockField::meeting(const SurfaceFoot& foot, const Eigen::Vector3d& w, std::size_t first, std::size_t second, double low, double high) const
 {
   constexpr int rounds = 40;
   const auto excess = [&](double d) {
@@ -113,8 +113,7 @@ StockField::meeting(const SurfaceFoot& foot, const Eigen::Vector3d& w, std::size
 }
 
 Ridge
-StockField::climbed(const SurfaceFoot& foot, const Stock& from, const Eigen::Vector3d& w, double step,
-                    double limit) const
+StockField::climbed(const SurfaceFoot& foot, const Stock& from, const Eigen::Vector3d& w, double step, double limit) const
 {
   constexpr int most_cells = 64;
   Ridge ridge;

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Stock over places of a surface under a swept cutter, and the tops of its ridges. Private to verify.
  */
 #pragma once
 
-#include <pcl_spiral/verify/impl/cutter_sweep.h>
 #include <pcl_spiral/search/impl/move_index.h>
+#include <pcl_spiral/verify/impl/cutter_sweep.h>
 
 #include <cstddef>
 
@@ -31,12 +32,10 @@ struct SurfacePlace {
 };
 
 /** The quadric about \p foot, at \p d in its tangent plane. */
-SurfacePlace
-placeAt(const SurfaceFoot& foot, const Eigen::Vector3d& d);
+SurfacePlace placeAt(const SurfaceFoot& foot, const Eigen::Vector3d& d);
 
 /** A foot there, with the same curvatures. */
-SurfaceFoot
-shifted(const SurfaceFoot& foot, const Eigen::Vector3d& d);
+SurfaceFoot shifted(const SurfaceFoot& foot, const Eigen::Vector3d& d);
 
 class StockField {
 public:
@@ -44,8 +43,7 @@ public:
    * that is not deep enough. */
   StockField(const CutterSweep& sweep, const MoveIndex& index, double shallow, double reach)
   : sweep_(sweep), index_(index), shallow_(shallow), reach_(reach)
-  {
-  }
+  {}
 
   /** Stock over a place: the smallest t at which x + t n lies in the swept solid. \p guess is a move tried first. */
   Stock at(const Eigen::Vector3d& x, const Eigen::Vector3d& n, std::size_t guess) const;
@@ -56,8 +54,7 @@ public:
   /** The top of the ridge met first from \p foot in the direction \p w, across the feed, within \p limit, in
    *  strides of \p step. The stock is the least over the moves, each of which leaves a hollow: the ridge is where
    *  two of them meet, found on the moves themselves and confirmed against all. */
-  Ridge climbed(const SurfaceFoot& foot, const Stock& from, const Eigen::Vector3d& w, double step,
-                double limit) const;
+  Ridge climbed(const SurfaceFoot& foot, const Stock& from, const Eigen::Vector3d& w, double step, double limit) const;
   /** The same, on the side that rises. */
   Ridge climbed(const SurfaceFoot& foot, const Stock& from, double step, double limit) const;
 
@@ -66,8 +63,7 @@ private:
   /** Height of what \p move alone leaves. */
   double under(std::size_t move, const SurfacePlace& place) const;
   /** Where in [low, high] what two moves leave is of equal height. */
-  double meeting(const SurfaceFoot& foot, const Eigen::Vector3d& w, std::size_t first, std::size_t second, double low,
-                 double high) const;
+  double meeting(const SurfaceFoot& foot, const Eigen::Vector3d& w, std::size_t first, std::size_t second, double low, double high) const;
 
   const CutterSweep& sweep_;
   const MoveIndex& index_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "actors.h"
 
 #include <vtkCellArray.h>
@@ -14,8 +15,7 @@ scaleOf(const std::array<Color, 5>& steps, double low, double high)
 {
   auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
   for (std::size_t i = 0; i < steps.size(); ++i)
-    colors->AddRGBPoint(low + (high - low) * static_cast<double>(i) / 4.0, steps[i][0], steps[i][1],
-                        steps[i][2]);
+    colors->AddRGBPoint(low + (high - low) * static_cast<double>(i) / 4.0, steps[i][0], steps[i][1], steps[i][2]);
   return colors;
 }
 
@@ -80,20 +80,13 @@ colorScale(double low, double high)
 {
   // steps of viridis (van der Walt and Smith 2015) without its bright end, which a light surface would
   // swallow
-  return scaleOf({{{0.267, 0.005, 0.329},
-                   {0.230, 0.322, 0.546},
-                   middle_color,
-                   {0.369, 0.789, 0.383},
-                   {0.640, 0.790, 0.100}}},
-                 low, high);
+  return scaleOf({{{0.267, 0.005, 0.329}, {0.230, 0.322, 0.546}, middle_color, {0.369, 0.789, 0.383}, {0.640, 0.790, 0.100}}}, low, high);
 }
 
 vtkSmartPointer<vtkScalarsToColors>
 divergingScale(double reach)
 {
-  return scaleOf(
-      {{{0.10, 0.22, 0.66}, {0.36, 0.66, 0.90}, {0.98, 0.96, 0.76}, {0.97, 0.62, 0.26}, {0.72, 0.05, 0.08}}},
-      -reach, reach);
+  return scaleOf({{{0.10, 0.22, 0.66}, {0.36, 0.66, 0.90}, {0.98, 0.96, 0.76}, {0.97, 0.62, 0.26}, {0.72, 0.05, 0.08}}}, -reach, reach);
 }
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Surfaces, lines and colour scales as they are drawn.
  */
@@ -21,8 +22,7 @@ vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface, const Color& color)
 vtkSmartPointer<vtkActor> coloredSurface(vtkPolyData* surface, vtkScalarsToColors* colors);
 
 /** Lines in one colour, drawn over the surface they lie on. */
-vtkSmartPointer<vtkActor> lineActor(const std::vector<Polyline>& lines, bool closed, const Color& color,
-                                    float width);
+vtkSmartPointer<vtkActor> lineActor(const std::vector<Polyline>& lines, bool closed, const Color& color, float width);
 
 /** In the middle of colorScale. */
 constexpr Color middle_color{0.128, 0.567, 0.551};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "boundary_layer.h"
 
 #include "actors.h"
@@ -26,8 +27,7 @@ pointActor(const DisplaySurface& surface, vtkScalarsToColors* colors, double mm_
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetRepresentationToPoints();
-  actor->GetProperty()->SetPointSize(
-      static_cast<float>(std::clamp(0.6 * surface.spacing / mm_per_pixel, 1.0, 6.0)));
+  actor->GetProperty()->SetPointSize(static_cast<float>(std::clamp(0.6 * surface.spacing / mm_per_pixel, 1.0, 6.0)));
   return actor;
 }
 
@@ -55,8 +55,7 @@ addLoops(PartView& view, const SpiralReport& report, std::vector<LegendEntry>& l
     for (const Polyline& loop : loops)
       longest = std::max(longest, length(loop, true));
     legend.push_back({loops.size() == 1 ? name + text(", %.0f mm long", longest)
-                                        : std::to_string(loops.size()) + " " + name + "s" +
-                                              text(", the longest %.0f mm", longest),
+                                        : std::to_string(loops.size()) + " " + name + "s" + text(", the longest %.0f mm", longest),
                       color});
   };
   add(LoopType::Outer, "outer rim");
@@ -74,9 +73,9 @@ addLines(PartView& view, const SpiralReport& report, std::vector<LegendEntry>& l
   for (std::size_t i = 0; i < report.radial_lines.size(); i += every)
     shown.push_back(report.radial_lines[i]);
   view.addOver(lineActor(shown, false, line_color, 1.3f));
-  legend.push_back({std::to_string(report.radial_lines.size()) + " radial lines" +
-                        (every > 1 ? ", one in " + std::to_string(every) + " drawn" : ""),
-                    line_color});
+  legend.push_back(
+      {std::to_string(report.radial_lines.size()) + " radial lines" + (every > 1 ? ", one in " + std::to_string(every) + " drawn" : ""),
+       line_color});
 }
 
 /** Loops at constant scallop height, and the middles of their fingers. */
@@ -90,9 +89,9 @@ addScallopLines(PartView& view, const SpiralReport& report, std::vector<LegendEn
   for (std::size_t i = 0; i < report.scallop_lines.size(); i += every)
     shown.push_back(report.scallop_lines[i]);
   view.addOver(lineActor(shown, true, line_color, 1.3f));
-  legend.push_back({std::to_string(report.scallop_lines.size()) + " loops" +
-                        (every > 1 ? ", one in " + std::to_string(every) + " drawn" : ""),
-                    line_color});
+  legend.push_back(
+      {std::to_string(report.scallop_lines.size()) + " loops" + (every > 1 ? ", one in " + std::to_string(every) + " drawn" : ""),
+       line_color});
   if (report.finger_axes.empty())
     return;
   view.addOver(lineActor(report.finger_axes, false, finger_color, 2.0f));
@@ -134,9 +133,9 @@ boundariesTitle(const PictureScene& scene)
 {
   const SpiralReport& report = scene.report;
   return scene.title + (!report.radial_lines.empty()    ? ": boundaries and radial lines"
-                  : !report.scallop_lines.empty() ? ": boundaries, loops and fingers"
-                  : scene.mesh                    ? ": the mesh and its boundaries"
-                                                  : ": the scan and its boundaries");
+                        : !report.scallop_lines.empty() ? ": boundaries, loops and fingers"
+                        : scene.mesh                    ? ": the mesh and its boundaries"
+                                                        : ": the scan and its boundaries");
 }
 
 std::string
@@ -145,8 +144,7 @@ partInWords(const PictureScene& scene)
   if (scene.mesh)
     return std::to_string(scene.mesh->faceCount()) + " faces, " + std::to_string(scene.mesh->vertexCount()) + " vertices";
   const SpiralReport& report = scene.report;
-  return std::to_string(report.used_points) + " points, spacing " + text("%.3g mm", report.spacing) +
-         text(", noise %.2g mm", report.noise);
+  return std::to_string(report.used_points) + " points, spacing " + text("%.3g mm", report.spacing) + text(", noise %.2g mm", report.noise);
 }
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The cloud with its boundaries and radial lines, on a picture or in the viewer.
  */
@@ -14,8 +15,7 @@ vtkSmartPointer<vtkScalarsToColors> heightColors(const DisplaySurface& surface);
 
 /** The surface coloured by height, at its points or all over, the loops, the radial lines and the centre of \p report as far
  * as it has them. Returns the legend. */
-std::vector<LegendEntry> addBoundaries(PartView& view, const SpiralReport& report,
-                                       vtkScalarsToColors* height_colors);
+std::vector<LegendEntry> addBoundaries(PartView& view, const SpiralReport& report, vtkScalarsToColors* height_colors);
 
 /** "scan.pcd: boundaries and radial lines", as far as there are any. */
 std::string boundariesTitle(const PictureScene& scene);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "box_axes.h"
 
 #include <algorithm>
@@ -25,8 +26,7 @@ struct Candidate {
 
 /** Words whose nearest corner stands \p distance off the axis. */
 AxisText
-text(const std::string& words, int size, const Eigen::Vector2d& at, const Eigen::Vector2d& outward,
-     double distance)
+text(const std::string& words, int size, const Eigen::Vector2d& at, const Eigen::Vector2d& outward, double distance)
 {
   const Eigen::Vector2d half(0.285 * size * static_cast<double>(words.size()), 0.62 * size);
   return {words, size, at + (distance + outward.cwiseAbs().dot(half)) * outward, half};
@@ -43,9 +43,7 @@ bool
 overlap(const BoxAxis& a, const BoxAxis& b)
 {
   const Eigen::Vector2d along = (a.to - a.from).normalized();
-  const auto off = [&](const Eigen::Vector2d& p) {
-    return std::abs(along.x() * (p.y() - a.from.y()) - along.y() * (p.x() - a.from.x()));
-  };
+  const auto off = [&](const Eigen::Vector2d& p) { return std::abs(along.x() * (p.y() - a.from.y()) - along.y() * (p.x() - a.from.x())); };
   const double length = (a.to - a.from).norm();
   const double s = along.dot(b.from - a.from), t = along.dot(b.to - a.from);
   const double shared = std::min(length, std::max(s, t)) - std::max(0.0, std::min(s, t));
@@ -67,8 +65,8 @@ addTicks(BoxAxis& axis, bool steep, double low, double high)
     numbers.push_back(text(number, number_size, at, axis.outward, axis_tick_length + text_gap));
     depth = std::max(depth, 2.0 * axis.outward.cwiseAbs().dot(numbers.back().half_size));
   }
-  axis.texts.push_back(text(std::string(1, "xyz"[axis.axis]) + ", mm", name_size, axis.from + 0.5 * run,
-                            axis.outward, axis_tick_length + text_gap + depth + name_gap));
+  axis.texts.push_back(text(std::string(1, "xyz"[axis.axis]) + ", mm", name_size, axis.from + 0.5 * run, axis.outward,
+                            axis_tick_length + text_gap + depth + name_gap));
   axis.texts.insert(axis.texts.end(), numbers.begin(), numbers.end());
 }
 
@@ -78,8 +76,7 @@ outlineEdges(int axis, const Eigen::Vector3d& low, const Eigen::Vector3d& high, 
 {
   std::array<Eigen::Vector2d, 8> corners;
   for (int c = 0; c < 8; ++c)
-    corners[c] = view.project(
-        Eigen::Vector3d((c & 1 ? high : low).x(), (c & 2 ? high : low).y(), (c & 4 ? high : low).z()));
+    corners[c] = view.project(Eigen::Vector3d((c & 1 ? high : low).x(), (c & 2 ? high : low).y(), (c & 4 ? high : low).z()));
   std::vector<Candidate> edges;
   for (int c = 0; c < 8; ++c) {
     if (c & (1 << axis))
@@ -90,9 +87,8 @@ outlineEdges(int axis, const Eigen::Vector3d& low, const Eigen::Vector3d& high, 
       continue;
     for (const double side : {1.0, -1.0}) {
       const Eigen::Vector2d outward = side * Eigen::Vector2d(-run.y(), run.x()).normalized();
-      const bool outermost = std::all_of(corners.begin(), corners.end(), [&](const Eigen::Vector2d& p) {
-        return outward.dot(p - corners[c]) <= outline_tolerance;
-      });
+      const bool outermost = std::all_of(corners.begin(), corners.end(),
+                                         [&](const Eigen::Vector2d& p) { return outward.dot(p - corners[c]) <= outline_tolerance; });
       if (!outermost)
         continue;
       const bool steep = std::abs(run.y()) > std::abs(run.x());
@@ -121,8 +117,7 @@ cost(const Candidate& a, const Candidate& b)
       sum += overlap(s, t) ? 10.0 : 0.0;
   if (a.axis.outward.dot(b.axis.outward) > 0.9)
     sum += 2.0; // one axis would read as the other's continuation
-  const bool meet =
-      a.ends[0] == b.ends[0] || a.ends[0] == b.ends[1] || a.ends[1] == b.ends[0] || a.ends[1] == b.ends[1];
+  const bool meet = a.ends[0] == b.ends[0] || a.ends[0] == b.ends[1] || a.ends[1] == b.ends[0] || a.ends[1] == b.ends[1];
   return sum + (meet ? 0.0 : 0.5);
 }
 
@@ -136,8 +131,7 @@ dropOverlaps(std::vector<BoxAxis>& axes)
   for (BoxAxis& axis : axes) {
     std::vector<AxisText> texts{axis.texts.front()};
     for (std::size_t i = 1; i < axis.texts.size(); ++i)
-      if (std::none_of(kept.begin(), kept.end(),
-                       [&](const AxisText& t) { return overlap(t, axis.texts[i]); })) {
+      if (std::none_of(kept.begin(), kept.end(), [&](const AxisText& t) { return overlap(t, axis.texts[i]); })) {
         kept.push_back(axis.texts[i]);
         texts.push_back(axis.texts[i]);
       }

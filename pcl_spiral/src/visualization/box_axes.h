@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Where the axes of a picture go.
  */
@@ -16,17 +17,9 @@ struct ParallelView {
   double mm_per_pixel = 1.0;
 
   /** Where a place appears, pixels right of and above where the origin does. */
-  Eigen::Vector2d
-  project(const Eigen::Vector3d& place) const
-  {
-    return Eigen::Vector2d(right.dot(place), top.dot(place)) / mm_per_pixel;
-  }
+  Eigen::Vector2d project(const Eigen::Vector3d& place) const { return Eigen::Vector2d(right.dot(place), top.dot(place)) / mm_per_pixel; }
   /** From the scene to the viewer, unit. */
-  Eigen::Vector3d
-  towards() const
-  {
-    return right.cross(top);
-  }
+  Eigen::Vector3d towards() const { return right.cross(top); }
 };
 
 /** Words in a picture; pixels. */
@@ -58,7 +51,6 @@ constexpr double axis_tick_length = 9.0;
  *  ways to choose such edges, one without overlaps, the flat axes below, steep ones on different sides, and
  *  axes that meet in a corner, as far as the view allows. Numbers that would still overlap are left out. An
  *  edge seen nearly end on (less than 40 pixels) gets no axis. */
-std::vector<BoxAxis> layOutAxes(const Eigen::Vector3d& low, const Eigen::Vector3d& high,
-                                const ParallelView& view);
+std::vector<BoxAxis> layOutAxes(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const ParallelView& view);
 
 } // namespace pcl_spiral

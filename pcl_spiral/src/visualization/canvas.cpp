@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "canvas.h"
 
 #include <vtkCamera.h>
@@ -71,8 +72,7 @@ Canvas::addAxes()
 Inset
 Canvas::addInset(int slot, const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double across)
 {
-  const Eigen::Vector3d up =
-      std::abs(normal.dot(projection_.top)) < 0.9 ? projection_.top : projection_.towards();
+  const Eigen::Vector3d up = std::abs(normal.dot(projection_.top)) < 0.9 ? projection_.top : projection_.towards();
   return addInset(slot, centre, normal, across, up);
 }
 
@@ -81,8 +81,7 @@ Canvas::addInset(int slot, const Eigen::Vector3d& centre, const Eigen::Vector3d&
 {
   auto view = vtkSmartPointer<vtkRenderer>::New();
   const double bottom = inset_bottom + (1 - slot) * (inset_size + inset_apart);
-  view->SetViewport(words_left / double(width), bottom / height, (words_left + inset_size) / double(width),
-                    (bottom + inset_size) / height);
+  view->SetViewport(words_left / double(width), bottom / height, (words_left + inset_size) / double(width), (bottom + inset_size) / height);
   view->SetBackground(0.97, 0.97, 0.97);
   window_->AddRenderer(view);
   addLight(view);

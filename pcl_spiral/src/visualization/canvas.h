@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A picture in the making: camera, axes, words, and the PNG at the end.
  */
@@ -14,11 +15,7 @@ struct Inset {
   ParallelView projection;
   Eigen::Vector2d origin; ///< where the scene's origin appears, pixels from the view's lower left corner
 
-  Eigen::Vector2d
-  onScreen(const Eigen::Vector3d& place) const
-  {
-    return origin + projection.project(place);
-  }
+  Eigen::Vector2d onScreen(const Eigen::Vector3d& place) const { return origin + projection.project(place); }
 };
 
 /** A sheet whose main view is of the part. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cutter_actor.h"
 
 #include "actors.h"
@@ -24,8 +25,7 @@ constexpr Color cutter_color{0.95, 0.70, 0.25};
 
 /** A half profile turned about the axis \p up through \p centre; its points are radius and height. */
 vtkSmartPointer<vtkPolyData>
-revolved(const std::vector<Eigen::Vector2d>& profile, const Eigen::Vector3d& centre,
-         const Eigen::Vector3d& up)
+revolved(const std::vector<Eigen::Vector2d>& profile, const Eigen::Vector3d& centre, const Eigen::Vector3d& up)
 {
   const Eigen::Vector3d across = up.unitOrthogonal(), side = up.cross(across);
   vtkNew<vtkPoints> points;
@@ -33,8 +33,7 @@ revolved(const std::vector<Eigen::Vector2d>& profile, const Eigen::Vector3d& cen
   for (const Eigen::Vector2d& p : profile)
     for (int k = 0; k < sectors; ++k) {
       const double angle = 2.0 * pi * k / sectors;
-      const Eigen::Vector3d place =
-          centre + p.x() * (std::cos(angle) * across + std::sin(angle) * side) + p.y() * up;
+      const Eigen::Vector3d place = centre + p.x() * (std::cos(angle) * across + std::sin(angle) * side) + p.y() * up;
       points->InsertNextPoint(place.data());
     }
   for (vtkIdType ring = 0; ring + 1 < static_cast<vtkIdType>(profile.size()); ++ring)
@@ -62,9 +61,8 @@ cutterActor(const ToolpathPoint& point, double radius)
   profile.emplace_back(radius, shank_length * radius);
   profile.emplace_back(0.0, shank_length * radius);
   const Eigen::Vector3d axis = point.getAxisVector3fMap().cast<double>(), normal = normalOf(point);
-  const auto actor = surfaceActor(
-      revolved(profile, placeOf(point) + radius * normal, axis.norm() > 0.5 ? axis.normalized() : normal),
-      cutter_color);
+  const auto actor =
+      surfaceActor(revolved(profile, placeOf(point) + radius * normal, axis.norm() > 0.5 ? axis.normalized() : normal), cutter_color);
   actor->GetProperty()->SetOpacity(opacity);
   return actor;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "depth_map.h"
 
 #include <vtkCellArray.h>
@@ -23,8 +24,7 @@ twiceArea(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vecto
 } // namespace
 
 DepthMap::DepthMap(const DisplaySurface& surface, const Canvas& canvas)
-    : canvas_(canvas), clearance_(clearance(surface)),
-      depth_(static_cast<std::size_t>(columns) * rows, std::numeric_limits<float>::lowest())
+: canvas_(canvas), clearance_(clearance(surface)), depth_(static_cast<std::size_t>(columns) * rows, std::numeric_limits<float>::lowest())
 {
   const Eigen::Vector3d towards = canvas.projection().towards();
   std::vector<Eigen::Vector3d> places; // cells right and up, mm towards the viewer
@@ -54,8 +54,7 @@ DepthMap::addTriangle(const std::array<Eigen::Vector3d, 3>& p)
   for (int y = first_y; y <= last_y; ++y)
     for (int x = first_x; x <= last_x; ++x) {
       const Eigen::Vector2d middle(x + 0.5, y + 0.5);
-      const double a = twiceArea(p[1], p[2], middle) / area, b = twiceArea(p[2], p[0], middle) / area,
-                   c = 1.0 - a - b;
+      const double a = twiceArea(p[1], p[2], middle) / area, b = twiceArea(p[2], p[0], middle) / area, c = 1.0 - a - b;
       if (a < 0.0 || b < 0.0 || c < 0.0)
         continue;
       float& depth = depth_[static_cast<std::size_t>(y) * columns + x];

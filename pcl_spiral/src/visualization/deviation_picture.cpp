@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "canvas.h"
 #include "verification_map.h"
 
@@ -22,10 +23,8 @@ VerificationPictures::writeDeviation(const std::string& file) const
   const bool hidden = canvas.addCircle(place);
   canvas.addColorBar("deviation of the path, mm", scale.colors());
   canvas.addLegend(scale.legend(scene_, hidden));
-  addPathInset(
-      canvas, 1, *surface_,
-      {place, worst.getNormalVector3fMap().cast<double>(), insetWidth(*surface_, path), "the largest"}, path,
-      scene_.deviation, style);
+  addPathInset(canvas, 1, *surface_, {place, worst.getNormalVector3fMap().cast<double>(), insetWidth(*surface_, path), "the largest"}, path,
+               scene_.deviation, style);
   const Title title = deviationTitle(scene_);
   canvas.addTitle(title.first, title.second);
   canvas.save(file);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "actors.h"
 #include "value_style.h"
 
@@ -9,8 +10,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr Color above_color{0.85, 0.00, 0.75}, below_color{0.00, 0.40, 0.20},
-    unmeasured_color{0.15, 0.15, 0.15};
+constexpr Color above_color{0.85, 0.00, 0.75}, below_color{0.00, 0.40, 0.20}, unmeasured_color{0.15, 0.15, 0.15};
 
 constexpr double least_reach = 0.0002; ///< mm: below, colours would tell of nothing a scan or a machine knows
 
@@ -25,10 +25,7 @@ colorReach(const DeviationFigures& figures)
 
 } // namespace
 
-DeviationScale::DeviationScale(const DeviationFigures& figures)
-    : reach_(colorReach(figures)), colors_(divergingScale(reach_))
-{
-}
+DeviationScale::DeviationScale(const DeviationFigures& figures) : reach_(colorReach(figures)), colors_(divergingScale(reach_)) {}
 
 ValueStyle
 DeviationScale::style() const
@@ -51,8 +48,7 @@ DeviationScale::legend(const VerificationScene& scene, bool hidden) const
 {
   const DeviationFigures& figures = scene.deviation_figures;
   std::vector<LegendEntry> legend{
-      {text("largest, %+.5f mm", figures.max.value) + (hidden ? ", hidden by the part" : ""), ink,
-       Marker::Circle}};
+      {text("largest, %+.5f mm", figures.max.value) + (hidden ? ", hidden by the part" : ""), ink, Marker::Circle}};
   std::size_t above = 0, below = 0, unmeasured = 0;
   for (const float v : scene.deviation) {
     above += v > reach_;

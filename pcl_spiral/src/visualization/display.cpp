@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/visualization/pictures.h>
 
 #include <X11/Xlib.h>
@@ -30,10 +31,9 @@ std::string
 displayProblem()
 {
   const std::string fault = displayFault();
-  return fault.empty()
-             ? fault
-             : "a picture needs a display and " + fault +
-                   "; run the same command under 'xvfb-run -a' (package xvfb), or leave the picture out";
+  return fault.empty() ? fault
+                       : "a picture needs a display and " + fault +
+                             "; run the same command under 'xvfb-run -a' (package xvfb), or leave the picture out";
 }
 
 } // namespace pcl_spiral

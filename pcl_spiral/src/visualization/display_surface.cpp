@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "display_surface.h"
 
-#include <pcl_spiral/search/impl/point_selection.h>
 #include <pcl_spiral/cleaning/impl/clean_graph.h>
+#include <pcl_spiral/search/impl/point_selection.h>
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -19,9 +20,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t most_points =
-    60000;                      ///< the part fills a million pixels at most: 4 pixels between points
-constexpr double margin = 0.03; ///< of the part's size, about the box
+constexpr std::size_t most_points = 60000; ///< the part fills a million pixels at most: 4 pixels between points
+constexpr double margin = 0.03;            ///< of the part's size, about the box
 constexpr double hiding_clearance = 0.01;  ///< of the part's size
 constexpr double least_mean_normal = 0.25; ///< a shorter mean of unit normals tells no side
 
@@ -68,8 +68,7 @@ measurePart(const PictureScene& scene, double beyond, DisplaySurface& surface)
   if (!(beyond > 0.0))
     return;
   for (const pcl::PointXYZ& point : *scene.cloud)
-    if (const Eigen::Vector3d p = point.getVector3fMap().cast<double>();
-        (p.array() >= low).all() && (p.array() <= high).all())
+    if (const Eigen::Vector3d p = point.getVector3fMap().cast<double>(); (p.array() >= low).all() && (p.array() <= high).all())
       extend(surface, p);
 }
 
@@ -79,22 +78,19 @@ std::vector<Eigen::Vector3f>
 shownPoints(const PictureScene& scene, const DisplaySurface& surface)
 {
   const Eigen::Vector3d extra = Eigen::Vector3d::Constant(margin * (surface.high - surface.low).norm());
-  const Eigen::Vector3f low = (surface.low - extra).cast<float>(),
-                        high = (surface.high + extra).cast<float>();
+  const Eigen::Vector3f low = (surface.low - extra).cast<float>(), high = (surface.high + extra).cast<float>();
   std::vector<bool> on_loop(scene.cloud->size(), false);
   for (const BoundaryLoop& loop : scene.report.loops)
     for (const std::uint32_t i : loop.indices)
       if (i < on_loop.size())
         on_loop[i] = true;
   std::vector<Eigen::Vector3f> points;
-  const double share =
-      std::min(1.0, static_cast<double>(most_points) / static_cast<double>(scene.cloud->size()));
+  const double share = std::min(1.0, static_cast<double>(most_points) / static_cast<double>(scene.cloud->size()));
   for (std::size_t i = 0; i < scene.cloud->size(); ++i) {
     // a low-discrepancy sequence: every stretch of the file keeps the same share of its points
     const double fraction = std::fmod(0.6180339887498949 * static_cast<double>(i), 1.0);
     const Eigen::Vector3f p = (*scene.cloud)[i].getVector3fMap();
-    if ((fraction < share || on_loop[i]) && p.allFinite() && (p.array() >= low.array()).all() &&
-        (p.array() <= high.array()).all())
+    if ((fraction < share || on_loop[i]) && p.allFinite() && (p.array() >= low.array()).all() && (p.array() <= high.array()).all())
       points.push_back(p);
   }
   return points;
@@ -106,8 +102,7 @@ graphOf(std::vector<Eigen::Vector3f> points, const SpiralSettings& settings)
 {
   if (settings.outlier_neighbours > 0) {
     std::vector<Eigen::Vector3f> kept;
-    for (const std::uint32_t i :
-         statisticalInliers(points, settings.outlier_neighbours, settings.outlier_deviations))
+    for (const std::uint32_t i : statisticalInliers(points, settings.outlier_neighbours, settings.outlier_deviations))
       kept.push_back(points[i]);
     points = std::move(kept);
   }
@@ -217,9 +212,8 @@ hides(const DisplaySurface& surface, const Eigen::Vector3d& place, const Eigen::
 }
 
 SpiralPictures::SpiralPictures(PictureScene scene)
-    : scene_(std::move(scene)), surface_(std::make_unique<DisplaySurface>(displaySurface(scene_)))
-{
-}
+: scene_(std::move(scene)), surface_(std::make_unique<DisplaySurface>(displaySurface(scene_)))
+{}
 
 SpiralPictures::~SpiralPictures() = default;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The scanned surface as it is drawn.
  */
@@ -14,9 +15,9 @@ namespace pcl_spiral {
 struct DisplaySurface {
   vtkSmartPointer<vtkPolyData> mesh; ///< point data: normals, and Height along the outer direction, mm
   Eigen::Vector3d low, high;         ///< bounding box of the path, the loops and the mesh
-  Eigen::Vector3d outward; ///< mean normal of the path, unit; zero where it cancels out (a ring wall)
-  bool of_mesh = false;    ///< the triangles are the part's own
-  double spacing = 0.0;    ///< of the scan's drawn points, or of the samples of a mesh, mm; 0: there are none
+  Eigen::Vector3d outward;           ///< mean normal of the path, unit; zero where it cancels out (a ring wall)
+  bool of_mesh = false;              ///< the triangles are the part's own
+  double spacing = 0.0;              ///< of the scan's drawn points, or of the samples of a mesh, mm; 0: there are none
 };
 
 /** Triangulate what is shown of the scan: up to \p beyond of the size of path and loops around them. A mesh is shown whole. */
@@ -29,8 +30,7 @@ vtkSmartPointer<vtkPolyData> meshTriangles(const SurfaceMesh& mesh, double size,
 double clearance(const DisplaySurface& surface);
 
 /** The triangles that reach into the cube of half edge \p reach about \p centre. */
-vtkSmartPointer<vtkPolyData> surfaceNear(const DisplaySurface& surface, const Eigen::Vector3d& centre,
-                                         double reach);
+vtkSmartPointer<vtkPolyData> surfaceNear(const DisplaySurface& surface, const Eigen::Vector3d& centre, double reach);
 
 /** Whether the surface lies between \p place, a point on it, and a viewer far away in direction \p towards.
  */

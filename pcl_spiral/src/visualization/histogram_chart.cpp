@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "histogram_chart.h"
 
 #include "box_axes.h"
@@ -18,8 +19,8 @@ constexpr int number_size = 18, name_size = 20, bins_to_limit = 40;
 constexpr int words_below = 230; ///< the column's top, pixels
 constexpr double least_decades = 1.0,
                  below_one = 0.3; ///< of the logarithmic scale: a single ridge has a height, too
-constexpr Color within_color{0.128, 0.567, 0.551}, above_color{1.00, 0.55, 0.00},
-    asked_color{0.10, 0.22, 0.66}, limit_color{0.84, 0.04, 0.07};
+constexpr Color within_color{0.128, 0.567, 0.551}, above_color{1.00, 0.55, 0.00}, asked_color{0.10, 0.22, 0.66},
+    limit_color{0.84, 0.04, 0.07};
 
 /** How many values fall on each bin; those outside count in the first and the last. */
 struct Bins {
@@ -44,8 +45,7 @@ struct Bins {
         add(v / width);
     most = std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
   }
-  void
-  add(double at)
+  void add(double at)
   {
     ++all;
     beyond += at >= last + 1;
@@ -60,21 +60,11 @@ struct Scale {
   double low, high, decades;
 
   Scale(const PageSize& page, const Bins& bins)
-      : right(page.wordsLeft() - right_margin), top(page.height - top_margin), low(bins.first * bins.width),
-        high((bins.last + 1) * bins.width),
-        decades(std::max(least_decades, std::log10(static_cast<double>(bins.most)) + 0.1))
-  {
-  }
-  double
-  x(double height) const
-  {
-    return left + (right - left) * (height - low) / (high - low);
-  }
-  double
-  y(double count) const
-  {
-    return bottom + (top - bottom) * (std::log10(count) + below_one) / (decades + below_one);
-  }
+  : right(page.wordsLeft() - right_margin), top(page.height - top_margin), low(bins.first * bins.width), high((bins.last + 1) * bins.width),
+    decades(std::max(least_decades, std::log10(static_cast<double>(bins.most)) + 0.1))
+  {}
+  double x(double height) const { return left + (right - left) * (height - low) / (high - low); }
+  double y(double count) const { return bottom + (top - bottom) * (std::log10(count) + below_one) / (decades + below_one); }
 };
 
 void
@@ -86,8 +76,7 @@ addBars(vtkRenderer* view, const Bins& bins, const Scale& scale)
     if (bins.counts[i] > 0)
       (k < bins_to_limit ? within : above)
           .push_back({Eigen::Vector2d(scale.x(k * bins.width) + 1.0, bottom),
-                      Eigen::Vector2d(scale.x((k + 1) * bins.width) - 1.0,
-                                      scale.y(static_cast<double>(bins.counts[i])))});
+                      Eigen::Vector2d(scale.x((k + 1) * bins.width) - 1.0, scale.y(static_cast<double>(bins.counts[i])))});
   }
   addBoxes(view, within, within_color);
   addBoxes(view, above, above_color);
@@ -109,21 +98,18 @@ addAxes(vtkRenderer* view, const Scale& scale)
       const double count = digit * std::pow(10.0, decade), y = scale.y(count);
       if (y > scale.top)
         break;
-      strokes.push_back(
-          {Eigen::Vector2d(left, y), Eigen::Vector2d(left - (digit == 1 ? tick : 0.5 * tick), y)});
+      strokes.push_back({Eigen::Vector2d(left, y), Eigen::Vector2d(left - (digit == 1 ? tick : 0.5 * tick), y)});
       if (digit == 1)
         addCentredText(view, text("%.0f", count), {left - 50.0, y}, number_size);
     }
   addStrokes(view, strokes, ink, 1.5f);
-  addCentredText(view, "height of the ridge between turns, mm", {0.5 * (left + scale.right), 45.0},
-                 name_size);
+  addCentredText(view, "height of the ridge between turns, mm", {0.5 * (left + scale.right), 45.0}, name_size);
   addText(view, "ridges, logarithmic scale", 30, static_cast<int>(scale.top) + 42, name_size);
 }
 
 /** An upright line at \p height with words beside its top, on the left or right of it. */
 void
-addLine(vtkRenderer* view, const Scale& scale, double height, const std::string& words, const Color& color,
-        bool on_left)
+addLine(vtkRenderer* view, const Scale& scale, double height, const std::string& words, const Color& color, bool on_left)
 {
   const double x = scale.x(height), room = 0.285 * name_size * static_cast<double>(words.size()) + 10.0;
   addStrokes(view, {{Eigen::Vector2d(x, bottom), Eigen::Vector2d(x, scale.top + 25.0)}}, color, 2.5f);
@@ -134,9 +120,9 @@ addLine(vtkRenderer* view, const Scale& scale, double height, const std::string&
 int
 addWords(vtkRenderer* view, const PageSize& page, const Bins& bins, const StockFigures& figures, double limit)
 {
-  addLegend(view, page,
-            {{text("up to the limit, %.3g mm", limit), within_color},
-             {text("above it: %.2g %%", 100.0 * figures.share_above), above_color}});
+  addLegend(
+      view, page,
+      {{text("up to the limit, %.3g mm", limit), within_color}, {text("above it: %.2g %%", 100.0 * figures.share_above), above_color}});
   int y = page.column_top - words_below;
   const auto add = [&](const std::string& words) {
     addText(view, words, page.wordsLeft(), y, name_size);
@@ -160,8 +146,7 @@ addWords(vtkRenderer* view, const PageSize& page, const Bins& bins, const StockF
 bool
 hasHistogram(const VerificationScene& scene)
 {
-  return scene.removal_figures.limit > 0.0 &&
-         std::any_of(scene.ridges.begin(), scene.ridges.end(), [](float v) { return !std::isnan(v); });
+  return scene.removal_figures.limit > 0.0 && std::any_of(scene.ridges.begin(), scene.ridges.end(), [](float v) { return !std::isnan(v); });
 }
 
 int
@@ -173,8 +158,7 @@ addHistogram(vtkRenderer* view, const PageSize& page, const VerificationScene& s
   const Scale scale(page, bins);
   addBars(view, bins, scale);
   addAxes(view, scale);
-  addLine(view, scale, asked.scallop_height, text("asked for, h: %.3g", asked.scallop_height), asked_color,
-          true);
+  addLine(view, scale, asked.scallop_height, text("asked for, h: %.3g", asked.scallop_height), asked_color, true);
   addLine(view, scale, figures.limit, text("limit, 1.02 h + e: %.3g", figures.limit), limit_color, false);
   return addWords(view, page, bins, figures.scallop, figures.limit);
 }
@@ -184,8 +168,7 @@ histogramTitle(const VerificationScene& scene)
 {
   const SpiralSettings& asked = scene.part.settings;
   return {scene.part.title + ": heights of the ridges between turns",
-          text("ball radius %g mm, scallop %g mm, chord error %g mm", asked.tool_radius, asked.scallop_height,
-               asked.chord_error)};
+          text("ball radius %g mm, scallop %g mm, chord error %g mm", asked.tool_radius, asked.scallop_height, asked.chord_error)};
 }
 
 } // namespace pcl_spiral

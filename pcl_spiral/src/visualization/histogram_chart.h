@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  How many ridges have which height, on a picture or in the viewer.
  */

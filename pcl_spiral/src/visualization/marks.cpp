@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sheet.h"
 
 #include <pcl_spiral/core/impl/angles.h>
@@ -61,8 +62,7 @@ addMark(vtkRenderer* view, Marker marker, const Eigen::Vector2d& place, const Co
   if (marker == Marker::Square)
     return addBoxes(view, {{place - half, place + half}}, color);
   if (marker == Marker::Circle) {
-    addStrip(view, place, circle_radius - 0.5 * white_edge, circle_radius + circle_line + 0.5 * white_edge,
-             {1.0, 1.0, 1.0});
+    addStrip(view, place, circle_radius - 0.5 * white_edge, circle_radius + circle_line + 0.5 * white_edge, {1.0, 1.0, 1.0});
     return addStrip(view, place, circle_radius, circle_radius + circle_line, color);
   }
   const double hole = marker == Marker::Ring ? ring_hole : 0.0;
@@ -76,9 +76,8 @@ addBoxes(vtkRenderer* view, const std::vector<std::array<Eigen::Vector2d, 2>>& b
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> polygons;
   for (const auto& [low, high] : boxes) {
-    const vtkIdType corners[4] = {
-        points->InsertNextPoint(low.x(), low.y(), 0.0), points->InsertNextPoint(high.x(), low.y(), 0.0),
-        points->InsertNextPoint(high.x(), high.y(), 0.0), points->InsertNextPoint(low.x(), high.y(), 0.0)};
+    const vtkIdType corners[4] = {points->InsertNextPoint(low.x(), low.y(), 0.0), points->InsertNextPoint(high.x(), low.y(), 0.0),
+                                  points->InsertNextPoint(high.x(), high.y(), 0.0), points->InsertNextPoint(low.x(), high.y(), 0.0)};
     polygons->InsertNextCell(4, corners);
   }
   vtkNew<vtkPolyData> shape;
@@ -88,8 +87,7 @@ addBoxes(vtkRenderer* view, const std::vector<std::array<Eigen::Vector2d, 2>>& b
 }
 
 void
-addStrokes(vtkRenderer* view, const std::vector<std::array<Eigen::Vector2d, 2>>& strokes, const Color& color,
-           float width)
+addStrokes(vtkRenderer* view, const std::vector<std::array<Eigen::Vector2d, 2>>& strokes, const Color& color, float width)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;

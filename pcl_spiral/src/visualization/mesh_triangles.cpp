@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "display_surface.h"
 
 #include <vtkCellArray.h>
@@ -37,8 +38,7 @@ public:
     heights_->SetName("Height");
   }
 
-  void
-  add(const MeshPatch& patch, int pieces)
+  void add(const MeshPatch& patch, int pieces)
   {
     std::vector<vtkIdType> below, row; // points along lines parallel to the edge across from corner 2
     for (int k = pieces; k >= 0; --k) {
@@ -54,8 +54,7 @@ public:
     }
   }
 
-  vtkSmartPointer<vtkPolyData>
-  data() const
+  vtkSmartPointer<vtkPolyData> data() const
   {
     auto result = vtkSmartPointer<vtkPolyData>::New();
     result->SetPoints(points_);
@@ -66,16 +65,14 @@ public:
   }
 
 private:
-  vtkIdType
-  addPoint(const MeshPatch& patch, const Eigen::Vector3d& b)
+  vtkIdType addPoint(const MeshPatch& patch, const Eigen::Vector3d& b)
   {
     const Eigen::Vector3d p = patch.position(b), n = patch.normal(b);
     normals_->InsertNextTuple(n.data());
     heights_->InsertNextValue(static_cast<float>(p.dot(up_)));
     return points_->InsertNextPoint(p.data());
   }
-  void
-  addTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
+  void addTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
   {
     const vtkIdType ids[3] = {a, b, c};
     triangles_->InsertNextCell(3, ids);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  How far the published normal of a ridge is off. Private to visualization.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "part_view.h"
 
 #include <pcl_spiral/core/impl/angles.h>
@@ -28,8 +29,7 @@ addLight(vtkRenderer* view)
 void
 PartView::aim(const Eigen::Vector2d& room, const Eigen::Vector2d& middle)
 {
-  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
-                        z = Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
   const Eigen::Vector3d outward = surface_.outward.isZero() ? z : surface_.outward;
   const bool lying = std::abs(outward.z()) > 0.5; // seen from the front, else from above
   Eigen::Vector3d side = lying ? Eigen::Vector3d(-y) : z;

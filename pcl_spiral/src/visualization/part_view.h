@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Where a part is drawn: in a picture or in the viewer.
  */
@@ -21,25 +22,13 @@ public:
   PartView(const PartView&) = delete;
   PartView& operator=(const PartView&) = delete;
 
-  const DisplaySurface&
-  surface() const
-  {
-    return surface_;
-  }
-  const ParallelView&
-  projection() const
-  {
-    return projection_;
-  }
+  const DisplaySurface& surface() const { return surface_; }
+  const ParallelView& projection() const { return projection_; }
 
   /** Where a place appears: pixels from the view's lower left corner. */
   Eigen::Vector2d onScreen(const Eigen::Vector3d& place) const;
   /** Whether a place is in the view or near it: what is not need not be drawn. */
-  virtual bool
-  isNear(const Eigen::Vector3d&) const
-  {
-    return true;
-  }
+  virtual bool isNear(const Eigen::Vector3d&) const { return true; }
   /** Draw as it stands. */
   virtual void add(vtkActor* actor) = 0;
   /** Draw what lies on the surface: nearer to the viewer by what the drawn surface may stand out. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/visualization/pass_picture.h>
 
 #include "end_views.h"
@@ -58,7 +59,8 @@ writePasses(const std::string& file, const PassScene& scene)
   const bool turns = count > 1 && passBegins(path).empty(); // one pass goes round and round
   const std::string turn = turns ? "turn" : "pass";
   const auto colors = colorScale(0.0, static_cast<double>(turns ? count : std::max<std::size_t>(count, 2) - 1));
-  addPath(canvas, path, [&shown](double at) { return shown.shows(at); }, colors);
+  addPath(
+      canvas, path, [&shown](double at) { return shown.shows(at); }, colors);
   canvas.addAxes();
   if (count > 1)
     canvas.addColorBar(turn, colors);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "path_layer.h"
 
 #include "actors.h"
@@ -39,8 +40,7 @@ longestMove(const pcl::PointCloud<ToolpathPoint>& path)
 }
 
 PathLines
-pathLines(const pcl::PointCloud<ToolpathPoint>& path, double least,
-          const std::function<bool(const ToolpathPoint&)>& shown)
+pathLines(const pcl::PointCloud<ToolpathPoint>& path, double least, const std::function<bool(const ToolpathPoint&)>& shown)
 {
   PathLines result{vtkSmartPointer<vtkPolyData>::New(), {}};
   vtkNew<vtkPoints> points;
@@ -87,31 +87,27 @@ turnActor(const pcl::PointCloud<ToolpathPoint>& path, const PathLines& lines, vt
 }
 
 void
-addPath(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const std::function<bool(double)>& shows,
-        vtkScalarsToColors* colors)
+addPath(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const std::function<bool(double)>& shows, vtkScalarsToColors* colors)
 {
   view.add(surfaceActor(view.surface().mesh, surface_color));
   const auto lines = turnActor(path,
                                pathLines(path, least_path_move * view.projection().mm_per_pixel,
-                                         [&](const ToolpathPoint& point) {
-                                           return shows(point.turn) && view.isNear(placeOf(point));
-                                         }),
+                                         [&](const ToolpathPoint& point) { return shows(point.turn) && view.isNear(placeOf(point)); }),
                                colors);
   lines->GetProperty()->SetLineWidth(1.6f);
   view.addOver(lines);
 }
 
 LegendEntry
-addSpiral(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns,
-          vtkScalarsToColors* colors)
+addSpiral(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns, vtkScalarsToColors* colors)
 {
-  addPath(view, path, [&turns](double turn) { return turns.shows(turn); }, colors);
+  addPath(
+      view, path, [&turns](double turn) { return turns.shows(turn); }, colors);
   return {"spiral, " + turns.caption(), middle_color};
 }
 
 void
-addOverGaps(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns,
-            std::vector<LegendEntry>& legend)
+addOverGaps(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns, std::vector<LegendEntry>& legend)
 {
   const PathLines lines = pathLines(path, least_path_move * view.projection().mm_per_pixel, [&](const ToolpathPoint& point) {
     return point.over_gap != 0 && turns.shows(point.turn) && view.isNear(placeOf(point));
@@ -132,8 +128,7 @@ addOverGaps(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const Sh
 std::vector<LegendEntry>
 markEnds(PartView& view, const pcl::PointCloud<ToolpathPoint>& path)
 {
-  return {markEnd(view, path.front(), "start", path_start_color),
-          markEnd(view, path.back(), "end", path_end_color)};
+  return {markEnd(view, path.front(), "start", path_start_color), markEnd(view, path.back(), "end", path_end_color)};
 }
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The path as lines over the part, on a picture or in the viewer.
  */
@@ -40,25 +41,21 @@ double longestMove(const pcl::PointCloud<ToolpathPoint>& path);
 
 /** The stretches of the path's passes for which \p shown is true, without the points nearer than \p least to the last
  * one. */
-PathLines pathLines(const pcl::PointCloud<ToolpathPoint>& path, double least,
-                    const std::function<bool(const ToolpathPoint&)>& shown);
+PathLines pathLines(const pcl::PointCloud<ToolpathPoint>& path, double least, const std::function<bool(const ToolpathPoint&)>& shown);
 
 /** The lines coloured by turn. */
-vtkSmartPointer<vtkActor> turnActor(const pcl::PointCloud<ToolpathPoint>& path, const PathLines& lines,
-                                    vtkScalarsToColors* colors);
+vtkSmartPointer<vtkActor> turnActor(const pcl::PointCloud<ToolpathPoint>& path, const PathLines& lines, vtkScalarsToColors* colors);
 
 /** The surface, and of the path coloured by turn the points whose turn \p shows. */
 void addPath(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const std::function<bool(double)>& shows,
              vtkScalarsToColors* colors);
 
 /** The surface and the shown turns. Returns the entry of the legend. */
-LegendEntry addSpiral(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns,
-                      vtkScalarsToColors* colors);
+LegendEntry addSpiral(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns, vtkScalarsToColors* colors);
 
 /** The shown turns again where they run over gaps of the scan that were bridged; nothing without any. Adds an entry to the
  *  legend. */
-void addOverGaps(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns,
-                 std::vector<LegendEntry>& legend);
+void addOverGaps(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const ShownTurns& turns, std::vector<LegendEntry>& legend);
 
 /** Marks at the path's start and end. Returns their entries of the legend. */
 std::vector<LegendEntry> markEnds(PartView& view, const pcl::PointCloud<ToolpathPoint>& path);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "path_pick.h"
 
 #include "path_layer.h"
@@ -15,8 +16,8 @@ constexpr int most_tries = 20; ///< of each side: points behind the part lie amo
 } // namespace
 
 std::optional<std::size_t>
-pickPoint(const PartView& view, const pcl::PointCloud<ToolpathPoint>& path,
-          const std::function<bool(const ToolpathPoint&)>& shown, const Eigen::Vector2d& pixel)
+pickPoint(const PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const std::function<bool(const ToolpathPoint&)>& shown,
+          const Eigen::Vector2d& pixel)
 {
   const Eigen::Vector3d towards = view.projection().towards();
   std::array<std::vector<std::pair<double, std::size_t>>, 2> found; // that face the viewer, and the others

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ridge_display.h"
 
 #include <pcl_spiral/ridge/ridge_mesh.h>

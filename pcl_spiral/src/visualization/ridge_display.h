@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A ridge as it is drawn, and arrows on it. Private to visualization.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "depth_map.h"
 #include "ridge_display.h"
 #include "value_actors.h"
@@ -20,7 +21,7 @@ using Eigen::Vector3d;
 
 constexpr int frames = 25, curve_steps = 600;
 constexpr std::array<double, 3> arrow_shares{0.45, 0.8, 0.8}; ///< of the distance of neighbouring frames; the rail is seen between
-constexpr float thin = 1.0f, thick = 2.5f; ///< pixels
+constexpr float thin = 1.0f, thick = 2.5f;                    ///< pixels
 constexpr double most_scan_points = 15000.0;
 constexpr Color curve_color{0.05, 0.05, 0.08}, carried_color{0.45, 0.48, 0.53}, scan_color{0.62, 0.75, 0.86}, level_color{0.45, 0.47, 0.50},
     rail_color{0.95, 0.45, 0.00}, generator_color{0.75, 0.10, 0.70}, meeting_color{0.10, 0.10, 0.10};
@@ -89,7 +90,8 @@ addScan(Canvas& canvas, const RidgeScene& scene, std::vector<LegendEntry>& legen
   const DisplaySurface& surface = canvas.surface();
   pcl::PointCloud<pcl::PointXYZ> inside, shown;
   for (const pcl::PointXYZ& point : *scene.scan)
-    if (const Eigen::Array3d p = point.getArray3fMap().cast<double>(); (p >= surface.low.array()).all() && (p <= surface.high.array()).all())
+    if (const Eigen::Array3d p = point.getArray3fMap().cast<double>();
+        (p >= surface.low.array()).all() && (p <= surface.high.array()).all())
       inside.push_back(point);
   const auto every = static_cast<std::size_t>(std::ceil(std::max(1.0, static_cast<double>(inside.size()) / most_scan_points)));
   for (std::size_t i = 0; i < inside.size(); i += every)
@@ -187,15 +189,14 @@ addGenerator(Canvas& canvas, const RidgeScene& scene)
 void
 addFigures(Canvas& canvas, const RidgeReport& report, int y)
 {
-  const std::vector<std::string> lines{
-      text("chord %.4g mm, theta %.3f degrees", report.chord, report.chord_angle),
-      text("rail %.5g mm, points off by %.4f mm rms", report.rail_length, report.rail_error),
-      text("generator %.4g mm, off by %.4f mm rms", report.generator_length, report.generator_error),
-      text("where they meet: %.4f mm apart", report.meeting_distance),
-      text("generator tilted by %.3f degrees there", report.tilt),
-      text("rail's slope: up to %.2f degrees", report.largest_slope),
-      text("its errors turn the chord %.2f times as far", report.slope_factor),
-      text("stretch along the rail: from %.3f (0: it folds)", report.least_stretch)};
+  const std::vector<std::string> lines{text("chord %.4g mm, theta %.3f degrees", report.chord, report.chord_angle),
+                                       text("rail %.5g mm, points off by %.4f mm rms", report.rail_length, report.rail_error),
+                                       text("generator %.4g mm, off by %.4f mm rms", report.generator_length, report.generator_error),
+                                       text("where they meet: %.4f mm apart", report.meeting_distance),
+                                       text("generator tilted by %.3f degrees there", report.tilt),
+                                       text("rail's slope: up to %.2f degrees", report.largest_slope),
+                                       text("its errors turn the chord %.2f times as far", report.slope_factor),
+                                       text("stretch along the rail: from %.3f (0: it folds)", report.least_stretch)};
   for (const std::string& line : lines) {
     addText(canvas.view(), line, Canvas::words_left, y, 18);
     y -= 26;

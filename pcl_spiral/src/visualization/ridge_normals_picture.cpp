@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "canvas.h"
 #include "normal_error.h"
 #include "ridge_display.h"
 
-#include <pcl_spiral/common/impl/message.h>
 #include "box_axes.h"
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/visualization/ridge_picture.h>
 
 #include <vtkProperty.h>
@@ -66,8 +67,7 @@ class Chart {
 public:
   Chart(vtkRenderer* view, const NormalErrors& errors) : view_(view), errors_(errors), reach_(reachOf(errors.largest)) {}
 
-  void
-  draw() const
+  void draw() const
   {
     Boxes band, most;
     for (double x = left; x < right; x += 1.0) {
@@ -84,8 +84,7 @@ public:
 private:
   static constexpr double left = Sheet::words_left + 70.0, right = Sheet::width - 40.0, bottom = 490.0, top = 770.0; ///< pixels
 
-  static double
-  between(const std::vector<double>& values, double at)
+  static double between(const std::vector<double>& values, double at)
   {
     const std::size_t k = std::min(static_cast<std::size_t>(at), values.size() - 2);
     const double share = at - static_cast<double>(k);
@@ -93,8 +92,7 @@ private:
   }
   double y(double degrees) const { return bottom + (top - bottom) * degrees / reach_; }
 
-  void
-  addScales() const
+  void addScales() const
   {
     Boxes strokes{{Vector2d(left, bottom), Vector2d(right, bottom)}, {Vector2d(left, bottom), Vector2d(left, top)}};
     const double step = niceStep(reach_ / 6.0), length = errors_.places.back(), along = niceStep(length / 6.0);
@@ -141,7 +139,8 @@ writeRidgeNormals(const std::string& file, const RidgeScene& scene)
   Chart(canvas.view(), errors).draw();
   addNormals(canvas, *scene.ridge, errors);
   canvas.addTitle(scene.title + ": the published normal against the true one",
-                  text("off by up to %.3g degrees", errors.largest) + ": it stays in the rail's normal plane; where the frame twists the true one leans out of it");
+                  text("off by up to %.3g degrees", errors.largest) +
+                      ": it stays in the rail's normal plane; where the frame twists the true one leans out of it");
   canvas.save(file);
 }
 

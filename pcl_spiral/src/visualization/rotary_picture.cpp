@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sheet.h"
 
 #include "box_axes.h"
@@ -26,8 +27,7 @@ struct Curve {
   std::vector<double> at, values;
   std::vector<bool> joined; ///< to the value before
 
-  void
-  add(double s, double value, bool join)
+  void add(double s, double value, bool join)
   {
     at.push_back(s);
     values.push_back(value);
@@ -51,8 +51,7 @@ curvesOf(const MachineProgram& program)
     const bool join = before.section == BlockSection::Cut;
     if (!join)
       for (int k : {0, 1})
-        curves[k].add(before.arc_length,
-                      k == 0 ? before.angles.first * in_degrees / 360.0 : before.angles.second * in_degrees, false);
+        curves[k].add(before.arc_length, k == 0 ? before.angles.first * in_degrees / 360.0 : before.angles.second * in_degrees, false);
     curves[0].add(block.arc_length, block.angles.first * in_degrees / 360.0, true);
     curves[1].add(block.arc_length, block.angles.second * in_degrees, true);
     curves[2].add(block.arc_length, (block.arc_length - before.arc_length) / block.minutes, join);
@@ -71,16 +70,8 @@ struct Scale {
     low = *least - margin;
     high = *most + margin;
   }
-  double
-  x(double s) const
-  {
-    return left + (right - left) * s / length;
-  }
-  double
-  y(double value) const
-  {
-    return bottom + chart_height * (value - low) / (high - low);
-  }
+  double x(double s) const { return left + (right - left) * s / length; }
+  double y(double value) const { return bottom + chart_height * (value - low) / (high - low); }
 };
 
 /** For every column of pixels the span of the curve within it. */
@@ -106,8 +97,7 @@ drawn(const Curve& curve, const Scale& scale)
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (columns[c].first <= columns[c].second) {
       const double x = left + static_cast<double>(c);
-      boxes.push_back({Eigen::Vector2d(x, columns[c].first - 0.5 * line),
-                       Eigen::Vector2d(x + 1.0, columns[c].second + 0.5 * line)});
+      boxes.push_back({Eigen::Vector2d(x, columns[c].first - 0.5 * line), Eigen::Vector2d(x + 1.0, columns[c].second + 0.5 * line)});
     }
   return boxes;
 }
@@ -140,11 +130,9 @@ addPlaces(vtkRenderer* view, const MachineProgram& program, const Scale& scale)
   Boxes poles, unwinds;
   for (const PoleZone& zone : program.report.poles)
     poles.push_back({Eigen::Vector2d(scale.x(zone.begin), scale.bottom),
-                     Eigen::Vector2d(std::max(scale.x(zone.end), scale.x(zone.begin) + 3.0),
-                                     scale.bottom + chart_height)});
+                     Eigen::Vector2d(std::max(scale.x(zone.end), scale.x(zone.begin) + 3.0), scale.bottom + chart_height)});
   for (const double s : program.report.unwound_at)
-    unwinds.push_back({Eigen::Vector2d(scale.x(s), scale.bottom),
-                       Eigen::Vector2d(scale.x(s), scale.bottom + chart_height)});
+    unwinds.push_back({Eigen::Vector2d(scale.x(s), scale.bottom), Eigen::Vector2d(scale.x(s), scale.bottom + chart_height)});
   if (!poles.empty())
     addBoxes(view, poles, pole_color);
   if (!unwinds.empty())
@@ -171,16 +159,14 @@ writeRotaryAngles(const std::string& file, const std::string& title, const Machi
   std::string places;
   if (!report.poles.empty())
     places += text("; yellow: axis blended at the pole, by up to %.3g degrees",
-                   in_degrees * std::max_element(report.poles.begin(), report.poles.end(),
-                                              [](const PoleZone& a, const PoleZone& b) {
-                                                return a.largest_change < b.largest_change;
-                                              })
-                                 ->largest_change);
+                   in_degrees * std::max_element(report.poles.begin(), report.poles.end(), [](const PoleZone& a, const PoleZone& b) {
+                                  return a.largest_change < b.largest_change;
+                                })->largest_change);
   if (!report.unwound_at.empty())
     places += text("; red: unwinds, %.0f times", static_cast<double>(report.unwound_at.size()));
   sheet.addTitle(title + ": rotary axes of " + program.machine.name,
-                 text("%.1f turns in all, %.3g degrees in one block at the most",
-                      report.first_travel * in_degrees / 360.0, report.largest_turn * in_degrees) +
+                 text("%.1f turns in all, %.3g degrees in one block at the most", report.first_travel * in_degrees / 360.0,
+                      report.largest_turn * in_degrees) +
                      places);
   sheet.save(file);
 }

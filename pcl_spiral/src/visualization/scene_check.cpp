@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "scene_check.h"
 
 #include <stdexcept>
@@ -9,8 +10,8 @@ void
 check(const std::vector<float>& values, std::size_t points, const char* what)
 {
   if (!values.empty() && values.size() != points)
-    throw std::invalid_argument(std::to_string(values.size()) + " " + what + " for " +
-                                std::to_string(points) + " points; one a point is needed");
+    throw std::invalid_argument(std::to_string(values.size()) + " " + what + " for " + std::to_string(points) +
+                                " points; one a point is needed");
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sheet.h"
 
 #include "common/readable_text.h"
@@ -113,8 +114,7 @@ addLegend(vtkRenderer* view, const PageSize& page, const std::vector<LegendEntry
 }
 
 void
-addColorBar(vtkRenderer* view, const PageSize& page, const std::string& title,
-            vtkScalarsToColors* colors)
+addColorBar(vtkRenderer* view, const PageSize& page, const std::string& title, vtkScalarsToColors* colors)
 {
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(colors);
@@ -126,8 +126,7 @@ addColorBar(vtkRenderer* view, const PageSize& page, const std::string& title,
   style(bar->GetLabelTextProperty(), 18);
   bar->SetOrientationToHorizontal();
   bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  bar->SetPosition((page.wordsLeft() + bar_margin) / double(page.width),
-                   (page.column_top - bar_height) / double(page.height));
+  bar->SetPosition((page.wordsLeft() + bar_margin) / double(page.width), (page.column_top - bar_height) / double(page.height));
   bar->SetWidth((PageSize::column_width - 2.0 * bar_margin) / double(page.width));
   bar->SetHeight(bar_height / double(page.height));
   view->AddActor(bar);

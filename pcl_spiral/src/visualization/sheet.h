@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A page of a picture: its window, its words, and the PNG at the end.
  */
@@ -38,11 +39,7 @@ struct PageSize {
 
   static constexpr int column_width = 386;
   static constexpr int column_room = 410; ///< from the column's left edge to the page's right one
-  int
-  wordsLeft() const
-  {
-    return width - column_room;
-  }
+  int wordsLeft() const { return width - column_room; }
 };
 
 /** An offscreen window of 1600 x 1200 with one main view; title above, words in a column at the right. */
@@ -51,11 +48,7 @@ public:
   /** \throw std::runtime_error without a display */
   Sheet();
 
-  vtkRenderer*
-  view()
-  {
-    return view_;
-  }
+  vtkRenderer* view() { return view_; }
   void addTitle(const std::string& first, const std::string& second);
   void addLegend(const std::vector<LegendEntry>& entries);
   void addColorBar(const std::string& title, vtkScalarsToColors* colors);
@@ -74,8 +67,7 @@ protected:
  * where the next would. */
 void addTitle(vtkRenderer* view, const PageSize& page, const std::string& first, const std::string& second);
 int addLegend(vtkRenderer* view, const PageSize& page, const std::vector<LegendEntry>& entries);
-void addColorBar(vtkRenderer* view, const PageSize& page, const std::string& title,
-                 vtkScalarsToColors* colors);
+void addColorBar(vtkRenderer* view, const PageSize& page, const std::string& title, vtkScalarsToColors* colors);
 
 /** What \p window shows, as a PNG. \throw FileError */
 void writePNG(vtkRenderWindow* window, const std::string& file);
@@ -90,13 +82,11 @@ void addText(vtkRenderer* view, const std::string& text, int x, int y, int size,
 void addCentredText(vtkRenderer* view, const std::string& text, const Eigen::Vector2d& middle, int size);
 
 /** Straight strokes in a view, drawn over everything else; pixels. */
-void addStrokes(vtkRenderer* view, const std::vector<std::array<Eigen::Vector2d, 2>>& strokes,
-                const Color& color, float width);
+void addStrokes(vtkRenderer* view, const std::vector<std::array<Eigen::Vector2d, 2>>& strokes, const Color& color, float width);
 
 /** Upright rectangles, each from its lower left to its upper right corner, drawn over everything else;
  * pixels. */
-void addBoxes(vtkRenderer* view, const std::vector<std::array<Eigen::Vector2d, 2>>& boxes,
-              const Color& color);
+void addBoxes(vtkRenderer* view, const std::vector<std::array<Eigen::Vector2d, 2>>& boxes, const Color& color);
 
 /** A mark in a view, drawn over everything else; pixels from the view's lower left corner. */
 void addMark(vtkRenderer* view, Marker marker, const Eigen::Vector2d& place, const Color& color);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "shown_passes.h"
 
 #include "path_layer.h"
@@ -25,14 +26,12 @@ class Taken {
 public:
   explicit Taken(double reach) : reach_(reach), taken_(static_cast<std::size_t>(Canvas::width) * Canvas::height, false) {}
 
-  bool
-  has(const Eigen::Vector2d& at) const
+  bool has(const Eigen::Vector2d& at) const
   {
     const int x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
     return isOn(x, y) && taken_[index(x, y)];
   }
-  void
-  add(const Eigen::Vector2d& at)
+  void add(const Eigen::Vector2d& at)
   {
     const int reach = static_cast<int>(std::ceil(reach_)), x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
     for (int v = -reach; v <= reach; ++v)
@@ -42,16 +41,8 @@ public:
   }
 
 private:
-  static bool
-  isOn(int x, int y)
-  {
-    return x >= 0 && x < Canvas::width && y >= 0 && y < Canvas::height;
-  }
-  static std::size_t
-  index(int x, int y)
-  {
-    return static_cast<std::size_t>(y) * Canvas::width + static_cast<std::size_t>(x);
-  }
+  static bool isOn(int x, int y) { return x >= 0 && x < Canvas::width && y >= 0 && y < Canvas::height; }
+  static std::size_t index(int x, int y) { return static_cast<std::size_t>(y) * Canvas::width + static_cast<std::size_t>(x); }
 
   double reach_;
   std::vector<bool> taken_;
@@ -104,8 +95,8 @@ ShownPasses::caption(const std::string& turn) const
   const std::size_t count = static_cast<std::size_t>(std::count(shown.begin(), shown.end(), true));
   if (count == shown.size())
     return "every " + turn + " shown";
-  return std::to_string(count) + " of " + std::to_string(shown.size()) + (turn == "pass" ? " passes" : " " + turn + "s") +
-         " shown" + (count == seen ? ", the rest hidden" : "");
+  return std::to_string(count) + " of " + std::to_string(shown.size()) + (turn == "pass" ? " passes" : " " + turn + "s") + " shown" +
+         (count == seen ? ", the rest hidden" : "");
 }
 
 ShownPasses

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "shown_turns.h"
 
 #include <algorithm>
@@ -28,9 +29,7 @@ crowdedPitch(const pcl::PointCloud<ToolpathPoint>& path, const ParallelView& vie
 {
   const Eigen::Vector3d towards = view.towards();
   const auto place = [&](std::size_t i) { return view.project(path[i].getVector3fMap().cast<double>()); };
-  const auto faces = [&](std::size_t i) {
-    return path[i].getNormalVector3fMap().cast<double>().dot(towards) > least_facing;
-  };
+  const auto faces = [&](std::size_t i) { return path[i].getNormalVector3fMap().cast<double>().dot(towards) > least_facing; };
   std::vector<std::pair<double, double>> pitches; // distance to the next turn, length it stands for; pixels
   const std::size_t stride = path.size() / most_samples + 1;
   std::size_t next = 1;
@@ -76,8 +75,7 @@ chooseTurns(const pcl::PointCloud<ToolpathPoint>& path, const ParallelView& view
   result.turns = std::max(1, static_cast<int>(std::lround(path.back().turn)));
   const int most = std::max(1, result.turns / fewest_shown);
   const double pitch = crowdedPitch(path, view);
-  result.every =
-      pitch * most > least_pixels ? std::max(1, static_cast<int>(std::ceil(least_pixels / pitch))) : most;
+  result.every = pitch * most > least_pixels ? std::max(1, static_cast<int>(std::ceil(least_pixels / pitch))) : most;
   return result;
 }
 

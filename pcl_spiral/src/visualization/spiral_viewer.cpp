@@ -1,13 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/visualization/spiral_viewer.h>
 
 #include "viewer_session.h"
 
 namespace pcl_spiral {
 
-SpiralViewer::SpiralViewer(VerificationScene scene)
-    : session_(std::make_unique<ViewerSession>(std::move(scene)))
-{
-}
+SpiralViewer::SpiralViewer(VerificationScene scene) : session_(std::make_unique<ViewerSession>(std::move(scene))) {}
 
 SpiralViewer::~SpiralViewer() = default;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "canvas.h"
 #include "verification_map.h"
 
@@ -28,10 +29,9 @@ VerificationPictures::writeStock(const std::string& file) const
   for (const WorstStock& worst : worstStock(scene.removal_figures)) {
     const Eigen::Vector3d& place = worst.value.position;
     legend.push_back(worst.legend(canvas.addCircle(place)));
-    addPointInset(
-        canvas, worst.slot, *surface_,
-        {place, pathPoint(path, worst.value.index).getNormalVector3fMap().cast<double>(), across, worst.name},
-        *scene.part.cloud, heights, radius, style, path);
+    addPointInset(canvas, worst.slot, *surface_,
+                  {place, pathPoint(path, worst.value.index).getNormalVector3fMap().cast<double>(), across, worst.name}, *scene.part.cloud,
+                  heights, radius, style, path);
   }
   canvas.addLegend(legend);
   const Title title = stockTitle(scene);

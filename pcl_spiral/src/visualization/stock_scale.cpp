@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "actors.h"
 #include "value_style.h"
 
@@ -12,11 +13,9 @@ constexpr Color gouge_color{0.84, 0.04, 0.07}, uncut_color{0.93, 0.16, 0.88}, ab
 } // namespace
 
 StockScale::StockScale(const VerificationScene& scene)
-    : gouge_(std::max(scene.part.settings.chord_error, 3.0 * scene.removal_figures.fit_noise)),
-      limit_(scene.removal_figures.limit), reach_(scene.removal_figures.reach * (1.0 - 1e-5)),
-      colors_(colorScale(-gouge_, limit_))
-{
-}
+: gouge_(std::max(scene.part.settings.chord_error, 3.0 * scene.removal_figures.fit_noise)), limit_(scene.removal_figures.limit),
+  reach_(scene.removal_figures.reach * (1.0 - 1e-5)), colors_(colorScale(-gouge_, limit_))
+{}
 
 bool
 StockScale::isGouge(float v) const
@@ -80,8 +79,7 @@ StockScale::legend(const std::vector<float>& heights) const
   }
   const auto share = [all](std::size_t count) {
     return count == 0 ? std::string("none")
-                      : text("%.2g %%", 100.0 * static_cast<double>(count) /
-                                            static_cast<double>(std::max<std::size_t>(all, 1)));
+                      : text("%.2g %%", 100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(all, 1)));
   };
   return {{text("points gouged over %.3g mm: ", gouge_) + share(gouges), gouge_color},
           {text("points uncut, over %.3g mm: ", reach_) + share(uncut), uncut_color},
@@ -112,9 +110,9 @@ stockTitle(const VerificationScene& scene)
 {
   const SpiralSettings& asked = scene.part.settings;
   return {scene.part.title + ": stock left on the " + std::string(scene.deviation_figures.by_mesh ? "mesh" : "scan"),
-          text("ball radius %g mm, scallop %g mm, chord error %g mm; ", asked.tool_radius,
-               asked.scallop_height, asked.chord_error) +
-              text(scene.deviation_figures.by_mesh ? "the surface of the mesh is known to %.2g mm" : "the surface of the scan is known to %.2g mm",
+          text("ball radius %g mm, scallop %g mm, chord error %g mm; ", asked.tool_radius, asked.scallop_height, asked.chord_error) +
+              text(scene.deviation_figures.by_mesh ? "the surface of the mesh is known to %.2g mm"
+                                                   : "the surface of the scan is known to %.2g mm",
                    scene.removal_figures.fit_noise)};
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "value_actors.h"
 
 #include <vtkCellArray.h>
@@ -69,8 +70,8 @@ valueLines(const PathLines& lines, const std::vector<float>& values, const Value
 }
 
 vtkSmartPointer<vtkActor>
-valuePoints(const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<std::uint32_t>& indices,
-            const std::vector<float>& values, const ValueStyle& style)
+valuePoints(const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<std::uint32_t>& indices, const std::vector<float>& values,
+            const ValueStyle& style)
 {
   vtkNew<vtkPoints> places;
   const auto colors = noColors();
@@ -85,8 +86,7 @@ valuePoints(const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<std:
 
 template <typename PointT>
 std::vector<vtkSmartPointer<vtkActor>>
-outstandingPoints(const pcl::PointCloud<PointT>& points, const std::vector<float>& values,
-                  const ValueStyle& style)
+outstandingPoints(const pcl::PointCloud<PointT>& points, const std::vector<float>& values, const ValueStyle& style)
 {
   struct Group {
     float rank = 0.0f;
@@ -106,17 +106,16 @@ outstandingPoints(const pcl::PointCloud<PointT>& points, const std::vector<float
     actor->GetProperty()->SetPointSize(outstanding_size);
     ranked.emplace_back(group.rank, actor);
   }
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<vtkSmartPointer<vtkActor>> actors;
   for (const auto& [rank, actor] : ranked)
     actors.push_back(actor);
   return actors;
 }
 
-template std::vector<vtkSmartPointer<vtkActor>>
-outstandingPoints(const pcl::PointCloud<pcl::PointXYZ>&, const std::vector<float>&, const ValueStyle&);
-template std::vector<vtkSmartPointer<vtkActor>>
-outstandingPoints(const pcl::PointCloud<ToolpathPoint>&, const std::vector<float>&, const ValueStyle&);
+template std::vector<vtkSmartPointer<vtkActor>> outstandingPoints(const pcl::PointCloud<pcl::PointXYZ>&, const std::vector<float>&,
+                                                                  const ValueStyle&);
+template std::vector<vtkSmartPointer<vtkActor>> outstandingPoints(const pcl::PointCloud<ToolpathPoint>&, const std::vector<float>&,
+                                                                  const ValueStyle&);
 
 } // namespace pcl_spiral

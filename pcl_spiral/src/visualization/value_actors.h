@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Values in their colours, on lines and points that can be turned.
  */
@@ -11,18 +12,15 @@
 namespace pcl_spiral {
 
 /** Lines of a path coloured by the values of its points. */
-vtkSmartPointer<vtkActor> valueLines(const PathLines& lines, const std::vector<float>& values,
-                                     const ValueStyle& style);
+vtkSmartPointer<vtkActor> valueLines(const PathLines& lines, const std::vector<float>& values, const ValueStyle& style);
 
 /** These of the points, coloured by their values. */
-vtkSmartPointer<vtkActor> valuePoints(const pcl::PointCloud<pcl::PointXYZ>& points,
-                                      const std::vector<std::uint32_t>& indices,
+vtkSmartPointer<vtkActor> valuePoints(const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<std::uint32_t>& indices,
                                       const std::vector<float>& values, const ValueStyle& style);
 
 /** The outstanding values, larger: an actor a colour, from the lowest rank up. */
 template <typename PointT>
-std::vector<vtkSmartPointer<vtkActor>> outstandingPoints(const pcl::PointCloud<PointT>& points,
-                                                         const std::vector<float>& values,
+std::vector<vtkSmartPointer<vtkActor>> outstandingPoints(const pcl::PointCloud<PointT>& points, const std::vector<float>& values,
                                                          const ValueStyle& style);
 
 } // namespace pcl_spiral

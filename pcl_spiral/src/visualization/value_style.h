@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  How deviations and heights of stock are drawn, on a picture or in the viewer.
  */
@@ -28,11 +29,7 @@ class DeviationScale {
 public:
   explicit DeviationScale(const DeviationFigures& figures);
 
-  vtkScalarsToColors*
-  colors() const
-  {
-    return colors_;
-  }
+  vtkScalarsToColors* colors() const { return colors_; }
   ValueStyle style() const;
   /** \p hidden: whether the part hides the largest one. */
   std::vector<LegendEntry> legend(const VerificationScene& scene, bool hidden) const;
@@ -49,11 +46,7 @@ class StockScale {
 public:
   explicit StockScale(const VerificationScene& scene);
 
-  vtkScalarsToColors*
-  colors() const
-  {
-    return colors_;
-  }
+  vtkScalarsToColors* colors() const { return colors_; }
   ValueStyle style() const;
   /** Per point the ridge next to it, the stock itself where there is none, or a gouge. */
   std::vector<float> heights(const VerificationScene& scene) const;

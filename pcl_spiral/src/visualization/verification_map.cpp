@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "verification_map.h"
 
 #include "path_layer.h"
@@ -15,21 +16,20 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double line_radius = 1.0,
-                 least_pitch = 8.0; ///< pixels; turns nearer to one another fill the surface
-constexpr double pitch_share = 0.6; ///< of the pitch, for a disc that reaches the next turn's
+                 least_pitch = 8.0;                                 ///< pixels; turns nearer to one another fill the surface
+constexpr double pitch_share = 0.6;                                 ///< of the pitch, for a disc that reaches the next turn's
 constexpr double inset_line_radius = 2.0, outstanding_radius = 3.0; ///< pixels
 constexpr double least_inset_disc = 2.0, most_inset_disc = 9.0;     ///< pixels
-constexpr double disc_of_spacing = 0.9; ///< discs of this radius leave no gaps between neighbours
-constexpr double least_inset = 0.001, most_inset = 0.3; ///< of the part's size
-constexpr double inset_depth =
-    0.3; ///< of its width: what lies farther from its plane is another side of the part
+constexpr double disc_of_spacing = 0.9;                             ///< discs of this radius leave no gaps between neighbours
+constexpr double least_inset = 0.001, most_inset = 0.3;             ///< of the part's size
+constexpr double inset_depth = 0.3; ///< of its width: what lies farther from its plane is another side of the part
 constexpr Color path_color{0.05, 0.05, 0.08};
 
 /** Put moves on cells; \p at gives a point's place in the view, \p shown whether it is to be seen. */
 template <typename At, typename Shown>
 void
-putPath(WorstCells& cells, const pcl::PointCloud<ToolpathPoint>& path, const std::vector<float>& values,
-        const ValueStyle& style, double radius, const At& at, const Shown& shown)
+putPath(WorstCells& cells, const pcl::PointCloud<ToolpathPoint>& path, const std::vector<float>& values, const ValueStyle& style,
+        double radius, const At& at, const Shown& shown)
 {
   bool before = false;
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
@@ -52,14 +52,13 @@ putPath(WorstCells& cells, const pcl::PointCloud<ToolpathPoint>& path, const std
 
 template <typename At, typename Shown>
 void
-putPoints(WorstCells& cells, const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<float>& values,
-          const ValueStyle& style, double radius, const At& at, const Shown& shown)
+putPoints(WorstCells& cells, const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<float>& values, const ValueStyle& style,
+          double radius, const At& at, const Shown& shown)
 {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d place = points[i].getVector3fMap().cast<double>();
     if (!std::isnan(values[i]) && place.allFinite() && shown(place))
-      cells.put(at(place), style.outstanding(values[i]) ? std::max(radius, outstanding_radius) : radius,
-                values[i], style.rank(values[i]));
+      cells.put(at(place), style.outstanding(values[i]) ? std::max(radius, outstanding_radius) : radius, values[i], style.rank(values[i]));
   }
 }
 
@@ -102,37 +101,33 @@ areaOf(const DisplaySurface& surface)
 } // namespace
 
 void
-addPathMap(Canvas& canvas, const DepthMap& depth, const DisplaySurface& surface,
-           const pcl::PointCloud<ToolpathPoint>& path, const std::vector<float>& values,
-           const ValueStyle& style)
+addPathMap(Canvas& canvas, const DepthMap& depth, const DisplaySurface& surface, const pcl::PointCloud<ToolpathPoint>& path,
+           const std::vector<float>& values, const ValueStyle& style)
 {
   const double pitch = insetWidth(surface, path) / inset_pitches / canvas.projection().mm_per_pixel;
   WorstCells cells(Canvas::width, Canvas::height);
   putPath(
-      cells, path, values, style,
-      pitch < least_pitch ? std::max(line_radius, pitch_share * pitch) : line_radius,
-      [&](const Eigen::Vector3d& p) { return canvas.onScreen(p); },
-      [&](const Eigen::Vector3d& p) { return !depth.hides(p); });
+      cells, path, values, style, pitch < least_pitch ? std::max(line_radius, pitch_share * pitch) : line_radius,
+      [&](const Eigen::Vector3d& p) { return canvas.onScreen(p); }, [&](const Eigen::Vector3d& p) { return !depth.hides(p); });
   cells.addTo(canvas.view(), style.color);
 }
 
 void
-addPathInset(Canvas& canvas, int slot, const DisplaySurface& surface, const WorstPlace& worst,
-             const pcl::PointCloud<ToolpathPoint>& path, const std::vector<float>& values,
-             const ValueStyle& style)
+addPathInset(Canvas& canvas, int slot, const DisplaySurface& surface, const WorstPlace& worst, const pcl::PointCloud<ToolpathPoint>& path,
+             const std::vector<float>& values, const ValueStyle& style)
 {
   addInset(canvas, slot, surface, worst, [&](const Inset& inset) {
     WorstCells cells(Canvas::inset_size, Canvas::inset_size);
     putPath(
-        cells, path, values, style, inset_line_radius,
-        [&](const Eigen::Vector3d& p) { return inset.onScreen(p); }, near(worst, longestMove(path)));
+        cells, path, values, style, inset_line_radius, [&](const Eigen::Vector3d& p) { return inset.onScreen(p); },
+        near(worst, longestMove(path)));
     cells.addTo(inset.view, style.color);
   });
 }
 
 void
-addPointMap(Canvas& canvas, const DepthMap& depth, const pcl::PointCloud<pcl::PointXYZ>& points,
-            const std::vector<float>& values, double radius, const ValueStyle& style)
+addPointMap(Canvas& canvas, const DepthMap& depth, const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<float>& values,
+            double radius, const ValueStyle& style)
 {
   WorstCells cells(Canvas::width, Canvas::height);
   putPoints(
@@ -143,20 +138,17 @@ addPointMap(Canvas& canvas, const DepthMap& depth, const pcl::PointCloud<pcl::Po
 
 void
 addPointInset(Canvas& canvas, int slot, const DisplaySurface& surface, const WorstPlace& worst,
-              const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<float>& values, double radius,
-              const ValueStyle& style, const pcl::PointCloud<ToolpathPoint>& path)
+              const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<float>& values, double radius, const ValueStyle& style,
+              const pcl::PointCloud<ToolpathPoint>& path)
 {
   addInset(canvas, slot, surface, worst, [&](const Inset& inset) {
     const auto at = [&](const Eigen::Vector3d& p) { return inset.onScreen(p); };
     WorstCells cells(Canvas::inset_size, Canvas::inset_size), lines = cells;
-    putPoints(cells, points, values, style,
-              std::clamp(radius / inset.projection.mm_per_pixel, least_inset_disc, most_inset_disc), at,
+    putPoints(cells, points, values, style, std::clamp(radius / inset.projection.mm_per_pixel, least_inset_disc, most_inset_disc), at,
               near(worst));
     cells.addTo(inset.view, style.color);
-    const ValueStyle plain{[](float) { return 0.0f; }, [](float) { return path_color; },
-                           [](float) { return false; }};
-    putPath(lines, path, std::vector<float>(path.size(), 0.0f), plain, 0.0, at,
-            near(worst, longestMove(path)));
+    const ValueStyle plain{[](float) { return 0.0f; }, [](float) { return path_color; }, [](float) { return false; }};
+    putPath(lines, path, std::vector<float>(path.size(), 0.0f), plain, 0.0, at, near(worst, longestMove(path)));
     lines.addTo(inset.view, plain.color);
   });
 }
@@ -177,8 +169,7 @@ insetWidth(const DisplaySurface& surface, const pcl::PointCloud<ToolpathPoint>& 
   for (std::size_t i = 1; i < path.size(); ++i)
     length += (path[i].getVector3fMap() - path[i - 1].getVector3fMap()).norm();
   const double size = (surface.high - surface.low).norm();
-  return std::clamp(inset_pitches * areaOf(surface) / std::max(length, 1e-9), least_inset * size,
-                    most_inset * size);
+  return std::clamp(inset_pitches * areaOf(surface) / std::max(length, 1e-9), least_inset * size, most_inset * size);
 }
 
 const ToolpathPoint&

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What the maps of a verification share. Private to visualization.
  */
@@ -20,23 +21,21 @@ struct WorstPlace {
 
 /** The moves of the path, each half coloured by the value of its end, on \p canvas where nothing hides them.
  */
-void addPathMap(Canvas& canvas, const DepthMap& depth, const DisplaySurface& surface,
-                const pcl::PointCloud<ToolpathPoint>& path, const std::vector<float>& values,
-                const ValueStyle& style);
+void addPathMap(Canvas& canvas, const DepthMap& depth, const DisplaySurface& surface, const pcl::PointCloud<ToolpathPoint>& path,
+                const std::vector<float>& values, const ValueStyle& style);
 
 /** The same enlarged. */
 void addPathInset(Canvas& canvas, int slot, const DisplaySurface& surface, const WorstPlace& worst,
-                  const pcl::PointCloud<ToolpathPoint>& path, const std::vector<float>& values,
-                  const ValueStyle& style);
+                  const pcl::PointCloud<ToolpathPoint>& path, const std::vector<float>& values, const ValueStyle& style);
 
 /** Points, each in a disc of \p radius pixels, on \p canvas where nothing hides them; none for NaN. */
-void addPointMap(Canvas& canvas, const DepthMap& depth, const pcl::PointCloud<pcl::PointXYZ>& points,
-                 const std::vector<float>& values, double radius, const ValueStyle& style);
+void addPointMap(Canvas& canvas, const DepthMap& depth, const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<float>& values,
+                 double radius, const ValueStyle& style);
 
 /** The same enlarged, discs of \p radius mm, with the path as thin lines. */
 void addPointInset(Canvas& canvas, int slot, const DisplaySurface& surface, const WorstPlace& worst,
-                   const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<float>& values,
-                   double radius, const ValueStyle& style, const pcl::PointCloud<ToolpathPoint>& path);
+                   const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<float>& values, double radius, const ValueStyle& style,
+                   const pcl::PointCloud<ToolpathPoint>& path);
 
 /** Radius of a disc a point, mm, of \p points spread like those of the drawn surface, that leaves no gaps. */
 double discRadius(const DisplaySurface& surface, std::size_t points);

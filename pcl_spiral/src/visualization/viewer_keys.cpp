@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "viewer_keys.h"
 
 #include <algorithm>
@@ -40,18 +41,12 @@ std::optional<ViewerCommand>
 commandOf(const std::string& key)
 {
   static const std::map<std::string, Command> commands{
-      {"1", Command::ShowBoundaries}, {"2", Command::ShowPath},
-      {"3", Command::ShowDeviation},  {"4", Command::ShowStock},
-      {"5", Command::ShowHistogram},  {"KP_1", Command::ShowBoundaries},
-      {"KP_2", Command::ShowPath},    {"KP_3", Command::ShowDeviation},
-      {"KP_4", Command::ShowStock},   {"KP_5", Command::ShowHistogram},
-      {"t", Command::ToggleTurns},    {"d", Command::GoToDeviation},
-      {"s", Command::GoToScallop},    {"g", Command::GoToGouge},
-      {"c", Command::ToggleCutter},   {"Right", Command::NextPoint},
-      {"Left", Command::LastPoint},   {"Up", Command::NextTurn},
-      {"Down", Command::LastTurn},    {"r", Command::ShowWhole},
-      {"p", Command::SavePicture},    {"h", Command::ToggleKeys},
-      {"q", Command::Close},          {"Escape", Command::Close}};
+      {"1", Command::ShowBoundaries}, {"2", Command::ShowPath},          {"3", Command::ShowDeviation}, {"4", Command::ShowStock},
+      {"5", Command::ShowHistogram},  {"KP_1", Command::ShowBoundaries}, {"KP_2", Command::ShowPath},   {"KP_3", Command::ShowDeviation},
+      {"KP_4", Command::ShowStock},   {"KP_5", Command::ShowHistogram},  {"t", Command::ToggleTurns},   {"d", Command::GoToDeviation},
+      {"s", Command::GoToScallop},    {"g", Command::GoToGouge},         {"c", Command::ToggleCutter},  {"Right", Command::NextPoint},
+      {"Left", Command::LastPoint},   {"Up", Command::NextTurn},         {"Down", Command::LastTurn},   {"r", Command::ShowWhole},
+      {"p", Command::SavePicture},    {"h", Command::ToggleKeys},        {"q", Command::Close},         {"Escape", Command::Close}};
   const auto found = commands.find(key);
   return found == commands.end() ? std::nullopt : std::optional(found->second);
 }

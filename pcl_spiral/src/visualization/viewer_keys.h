@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The keys of the viewer, and the list of them on the screen.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "viewer_pages.h"
 
 #include "boundary_layer.h"
@@ -24,12 +25,11 @@ constexpr Color chosen_color{0.10, 0.30, 0.90}, thin_color{0.05, 0.05, 0.08};
 } // namespace
 
 ViewerPages::ViewerPages(const VerificationScene& scene, ViewerWindow& window)
-    : scene_(scene), window_(window), near_width_(insetWidth(window.surface(), *scene.part.path)),
-      disc_radius_(discRadius(window.surface(), scene.stock.size()))
+: scene_(scene), window_(window), near_width_(insetWidth(window.surface(), *scene.part.path)),
+  disc_radius_(discRadius(window.surface(), scene.stock.size()))
 {
   if (!scene.deviation.empty())
-    deviation_outstanding_ =
-        outstandingPoints(*scene.part.path, scene.deviation, DeviationScale(scene.deviation_figures).style());
+    deviation_outstanding_ = outstandingPoints(*scene.part.path, scene.deviation, DeviationScale(scene.deviation_figures).style());
   if (scene.stock.empty())
     return;
   const StockScale scale(scene);
@@ -41,8 +41,7 @@ ShownTurns
 ViewerPages::turns(const ViewerChoice& choice) const
 {
   const bool map = choice.page == ViewerPage::Deviation;
-  ShownTurns turns =
-      chooseTurns(*scene_.part.path, window_.projection(), map ? least_map_pitch : least_turn_pitch);
+  ShownTurns turns = chooseTurns(*scene_.part.path, window_.projection(), map ? least_map_pitch : least_turn_pitch);
   if (choice.every_turn)
     turns.every = 1;
   return turns;
@@ -94,13 +93,11 @@ ViewerPages::path(const ViewerChoice& choice)
     legend.push_back(end);
   window_.addMeasures();
   addChosen(choice);
-  return addWords({scene_.part.title + ": " + std::to_string(shown.turns) + " turns, " +
-                       text("%.2f m", path.back().arc_length / 1000.0),
-                   std::to_string(path.size()) + " points" +
-                       (asked.tool_radius > 0.0 ? text(", ball radius %g mm, scallop %g mm",
-                                                       asked.tool_radius, asked.scallop_height)
-                                                : "")},
-                  "turn", colors, legend);
+  return addWords(
+      {scene_.part.title + ": " + std::to_string(shown.turns) + " turns, " + text("%.2f m", path.back().arc_length / 1000.0),
+       std::to_string(path.size()) + " points" +
+           (asked.tool_radius > 0.0 ? text(", ball radius %g mm, scallop %g mm", asked.tool_radius, asked.scallop_height) : "")},
+      "turn", colors, legend);
 }
 
 int
@@ -111,11 +108,10 @@ ViewerPages::deviation(const ViewerChoice& choice)
   const ShownTurns shown = turns(choice);
   const double pixel = window_.projection().mm_per_pixel;
   window_.add(surfaceActor(window_.surface().mesh, surface_color));
-  const auto lines = valueLines(pathLines(path, least_path_move * pixel,
-                                          [&](const ToolpathPoint& point) {
-                                            return shown.shows(point.turn) && window_.isNear(placeOf(point));
-                                          }),
-                                scene_.deviation, scale.style());
+  const auto lines =
+      valueLines(pathLines(path, least_path_move * pixel,
+                           [&](const ToolpathPoint& point) { return shown.shows(point.turn) && window_.isNear(placeOf(point)); }),
+                 scene_.deviation, scale.style());
   const double pitch = shown.every * near_width_ / inset_pitches / pixel;
   lines->GetProperty()->SetLineWidth(std::clamp(static_cast<float>(pitch), thinnest_line, thickest_line));
   window_.addOver(lines);
@@ -142,13 +138,12 @@ ViewerPages::addStockPoints(const ValueStyle& style)
   const double share = std::min(1.0, static_cast<double>(most_points) / static_cast<double>(near.size() + 1));
   double at = 0.0; // a low-discrepancy sequence: every stretch of the file keeps the same share of its points
   near.erase(
-      std::remove_if(near.begin(), near.end(),
-                     [&](std::uint32_t) { return (at = std::fmod(at + 0.6180339887498949, 1.0)) > share; }),
+      std::remove_if(near.begin(), near.end(), [&](std::uint32_t) { return (at = std::fmod(at + 0.6180339887498949, 1.0)) > share; }),
       near.end());
   const auto points = valuePoints(cloud, near, heights_, style);
   const double size = 2.0 * disc_radius_ / std::sqrt(share);
-  points->GetProperty()->SetPointSize(std::clamp(static_cast<float>(size / window_.projection().mm_per_pixel),
-                                                 smallest_point, largest_point));
+  points->GetProperty()->SetPointSize(
+      std::clamp(static_cast<float>(size / window_.projection().mm_per_pixel), smallest_point, largest_point));
   window_.addOver(points);
 }
 
@@ -163,8 +158,7 @@ ViewerPages::stock()
   int layers = 1;
   if (const ShownTurns shown = turns(ViewerChoice()); shown.every == 1) {
     const auto lines =
-        valueLines(pathLines(path, least_path_move * pixel,
-                             [&](const ToolpathPoint& point) { return window_.isNear(placeOf(point)); }),
+        valueLines(pathLines(path, least_path_move * pixel, [&](const ToolpathPoint& point) { return window_.isNear(placeOf(point)); }),
                    std::vector<float>(path.size(), 0.0f), {{}, [](float) { return thin_color; }, {}});
     lines->GetProperty()->SetLineWidth(thin_line);
     window_.addOver(lines, ++layers);
@@ -209,8 +203,7 @@ ViewerPages::addChosen(const ViewerChoice& choice)
 }
 
 int
-ViewerPages::addWords(const Title& title, const std::string& bar,
-                      vtkScalarsToColors* colors, const std::vector<LegendEntry>& legend)
+ViewerPages::addWords(const Title& title, const std::string& bar, vtkScalarsToColors* colors, const std::vector<LegendEntry>& legend)
 {
   vtkRenderer* const words = window_.words();
   addTitle(words, window_.page(), title.first, title.second);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What each view of the viewer shows.
  */
@@ -26,21 +27,13 @@ class ViewerPages {
 public:
   ViewerPages(const VerificationScene& scene, ViewerWindow& window);
 
-  void
-  setRemedy(const std::string& remedy)
-  {
-    remedy_ = remedy;
-  }
+  void setRemedy(const std::string& remedy) { remedy_ = remedy; }
   /** Replace what the window shows. Returns how far down the column at the right is filled, pixels. */
   int fill(const ViewerChoice& choice);
   /** The turns that a page shows from where the camera stands. */
   ShownTurns turns(const ViewerChoice& choice) const;
   /** Width of a view of one place, mm. */
-  double
-  nearWidth() const
-  {
-    return near_width_;
-  }
+  double nearWidth() const { return near_width_; }
 
 private:
   int boundaries();
@@ -52,8 +45,7 @@ private:
   int absent(const std::string& what);
   void addChosen(const ViewerChoice& choice);
   /** Title, colour bar and legend. */
-  int addWords(const Title& title, const std::string& bar, vtkScalarsToColors* colors,
-               const std::vector<LegendEntry>& legend);
+  int addWords(const Title& title, const std::string& bar, vtkScalarsToColors* colors, const std::vector<LegendEntry>& legend);
 
   const VerificationScene& scene_;
   ViewerWindow& window_;

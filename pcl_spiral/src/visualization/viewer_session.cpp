@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "viewer_session.h"
 
 #include "path_layer.h"
@@ -23,9 +24,8 @@ constexpr int message_bottom = 14, message_apart = 26, message_size = 18;
 } // namespace
 
 ViewerSession::ViewerSession(VerificationScene given)
-    : scene(checkedScene(std::move(given))), surface(displaySurface(scene.part)),
-      window(surface, "pcl_spiral: " + scene.part.title), pages(scene, window),
-      interactor(vtkSmartPointer<vtkRenderWindowInteractor>::New())
+: scene(checkedScene(std::move(given))), surface(displaySurface(scene.part)), window(surface, "pcl_spiral: " + scene.part.title),
+  pages(scene, window), interactor(vtkSmartPointer<vtkRenderWindowInteractor>::New())
 {
   interactor->SetRenderWindow(window.window());
   interactor->SetInteractorStyle(style);
@@ -36,9 +36,7 @@ ViewerSession::ViewerSession(VerificationScene given)
   window.setResized([this] { fill(); });
   vtkNew<vtkCallbackCommand> close; // the window manager's button
   close->SetClientData(this);
-  close->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
-    static_cast<ViewerSession*>(self)->closed = true;
-  });
+  close->SetCallback([](vtkObject*, unsigned long, void* self, void*) { static_cast<ViewerSession*>(self)->closed = true; });
   interactor->AddObserver(vtkCommand::ExitEvent, close);
   interactor->Initialize();
   show();
@@ -155,8 +153,7 @@ ViewerSession::goTo(const PlacedValue& worst, const std::string& what)
   choice.point = std::min(worst.index, scene.part.path->size() - 1);
   window.lookAt(worst.position, normalOf((*scene.part.path)[*choice.point]), pages.nearWidth());
   message = what + text(": %.4f mm at (%.3f, ", worst.value, worst.position.x()) +
-            text("%.3f, %.3f)", worst.position.y(), worst.position.z()) + ", by path point " +
-            std::to_string(worst.index);
+            text("%.3f, %.3f)", worst.position.y(), worst.position.z()) + ", by path point " + std::to_string(worst.index);
 }
 
 void
@@ -200,8 +197,7 @@ ViewerSession::step(int points)
   const auto last = static_cast<std::ptrdiff_t>(scene.part.path->size()) - 1;
   if (!choice.point)
     return choose(0);
-  choose(static_cast<std::size_t>(
-      std::clamp(static_cast<std::ptrdiff_t>(*choice.point) + points, std::ptrdiff_t{0}, last)));
+  choose(static_cast<std::size_t>(std::clamp(static_cast<std::ptrdiff_t>(*choice.point) + points, std::ptrdiff_t{0}, last)));
 }
 
 void
@@ -234,8 +230,7 @@ ViewerSession::click(int x, int y)
   const ShownTurns shown = pages.turns(choice);
   const bool all = choice.page == ViewerPage::Stock || choice.page == ViewerPage::Boundaries;
   const auto found = pickPoint(
-      window, *scene.part.path, [&](const ToolpathPoint& point) { return all || shown.shows(point.turn); },
-      Eigen::Vector2d(x, y));
+      window, *scene.part.path, [&](const ToolpathPoint& point) { return all || shown.shows(point.turn); }, Eigen::Vector2d(x, y));
   if (found)
     choose(*found);
   else
@@ -247,9 +242,8 @@ std::string
 ViewerSession::pointInWords() const
 {
   const ToolpathPoint& point = (*scene.part.path)[*choice.point];
-  std::string words =
-      "path point " + std::to_string(*choice.point) + " of " + std::to_string(scene.part.path->size()) +
-      text(" at (%.3f, %.3f, %.3f)", point.x, point.y, point.z) + text(" mm, turn %.2f", point.turn);
+  std::string words = "path point " + std::to_string(*choice.point) + " of " + std::to_string(scene.part.path->size()) +
+                      text(" at (%.3f, %.3f, %.3f)", point.x, point.y, point.z) + text(" mm, turn %.2f", point.turn);
   if (!scene.deviation.empty()) {
     const float deviation = scene.deviation[*choice.point];
     words += std::isnan(deviation) ? ", no surface there" : text(", deviation %+.4f mm", deviation);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A viewer's window with what it shows, and what its keys and clicks do. Private to visualization.
  */

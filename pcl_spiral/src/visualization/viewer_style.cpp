@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "viewer_style.h"
 
 #include <vtkObjectFactory.h>

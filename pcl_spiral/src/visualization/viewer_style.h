@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What keys and mouse do in the viewer.
  */
@@ -21,10 +22,7 @@ public:
   std::function<void()> moved;                         ///< the camera has come to rest
   std::function<void()> zoomed;                        ///< by the wheel; more may follow at once
 
-  void
-  OnChar() override
-  {
-  }
+  void OnChar() override {}
   void OnKeyPress() override;
   void OnLeftButtonDown() override;
   void OnLeftButtonUp() override;

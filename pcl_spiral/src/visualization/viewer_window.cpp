@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "viewer_window.h"
 
 #include "common/readable_text.h"
@@ -44,8 +45,7 @@ ViewerWindow::ViewerWindow(const DisplaySurface& surface, const std::string& nam
   reset();
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(this);
-  command->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void*) { static_cast<ViewerWindow*>(self)->beforeFrame(); });
+  command->SetCallback([](vtkObject*, unsigned long, void* self, void*) { static_cast<ViewerWindow*>(self)->beforeFrame(); });
   observer_ = window_->AddObserver(vtkCommand::StartEvent, command);
 }
 
@@ -134,12 +134,10 @@ ViewerWindow::reset()
 {
   fitToWindow();
   const Eigen::Vector2d window(viewWidth(), page_.height);
-  const Eigen::Vector2d room(std::max(50.0, window.x() - 2.0 * side_margin),
-                             std::max(50.0, window.y() - top_margin - bottom_margin));
+  const Eigen::Vector2d room(std::max(50.0, window.x() - 2.0 * side_margin), std::max(50.0, window.y() - top_margin - bottom_margin));
   aim(room, 0.5 * window);
   whole_scale_ = projection_.mm_per_pixel;
-  const double up =
-      0.5 * (top_margin - bottom_margin) * whole_scale_; // the middle of the room is not the window's
+  const double up = 0.5 * (top_margin - bottom_margin) * whole_scale_; // the middle of the room is not the window's
   const Eigen::Vector3d middle = 0.5 * (surface_.low + surface_.high) + up * projection_.top;
   const Eigen::Vector3d eye = middle + 3.0 * size() * projection_.towards();
   vtkCamera* const camera = view_->GetActiveCamera();
@@ -154,8 +152,7 @@ void
 ViewerWindow::lookAt(const Eigen::Vector3d& place, const Eigen::Vector3d& normal, double across)
 {
   readCamera();
-  const Eigen::Vector3d up =
-      std::abs(normal.dot(projection_.top)) < 0.9 ? projection_.top : projection_.towards();
+  const Eigen::Vector3d up = std::abs(normal.dot(projection_.top)) < 0.9 ? projection_.top : projection_.towards();
   const Eigen::Vector3d eye = place + 3.0 * size() * normal;
   vtkCamera* const camera = view_->GetActiveCamera();
   camera->SetFocalPoint(place.data());
@@ -174,8 +171,8 @@ ViewerWindow::readCamera()
   Eigen::Vector3d top = Eigen::Map<const Eigen::Vector3d>(camera->GetViewUp());
   top = (top - top.dot(towards) * towards).normalized();
   projection_ = {top.cross(towards), top, 2.0 * camera->GetParallelScale() / page_.height};
-  origin_ = 0.5 * Eigen::Vector2d(viewWidth(), page_.height) -
-            projection_.project(Eigen::Map<const Eigen::Vector3d>(camera->GetFocalPoint()));
+  origin_ =
+      0.5 * Eigen::Vector2d(viewWidth(), page_.height) - projection_.project(Eigen::Map<const Eigen::Vector3d>(camera->GetFocalPoint()));
 }
 
 bool

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The viewer's window: the part, words at its right, axes and marks that follow it.
  */
@@ -18,28 +19,12 @@ public:
   ViewerWindow(const DisplaySurface& surface, const std::string& name);
   ~ViewerWindow() override;
 
-  vtkRenderWindow*
-  window() const
-  {
-    return window_;
-  }
-  const PageSize&
-  page() const
-  {
-    return page_;
-  }
+  vtkRenderWindow* window() const { return window_; }
+  const PageSize& page() const { return page_; }
   /** For words; it fills the window. */
-  vtkRenderer*
-  words() const
-  {
-    return words_;
-  }
+  vtkRenderer* words() const { return words_; }
   /** Called before a frame of another size than the last. */
-  void
-  setResized(std::function<void()> resized)
-  {
-    resized_ = std::move(resized);
-  }
+  void setResized(std::function<void()> resized) { resized_ = std::move(resized); }
 
   /** Take off everything. What is added again before the next frame stays in the graphics memory. */
   void clear();

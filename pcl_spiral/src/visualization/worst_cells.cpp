@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "worst_cells.h"
 
 #include <vtkActor2D.h>
@@ -20,10 +21,9 @@ constexpr int cell = 2; ///< pixels
 } // namespace
 
 WorstCells::WorstCells(int width, int height)
-    : columns_((width + cell - 1) / cell), rows_((height + cell - 1) / cell),
-      values_(static_cast<std::size_t>(columns_) * rows_), ranks_(values_.size(), -1.0f)
-{
-}
+: columns_((width + cell - 1) / cell), rows_((height + cell - 1) / cell), values_(static_cast<std::size_t>(columns_) * rows_),
+  ranks_(values_.size(), -1.0f)
+{}
 
 void
 WorstCells::put(const Eigen::Vector2d& place, double radius, float value, float rank)
@@ -31,8 +31,7 @@ WorstCells::put(const Eigen::Vector2d& place, double radius, float value, float 
   const Eigen::Vector2d at = place / cell;
   const double r = radius / cell;
   const auto limits = [r](double middle, int count) {
-    return std::pair(std::max(0, static_cast<int>(std::floor(middle - r))),
-                     std::min(count - 1, static_cast<int>(std::floor(middle + r))));
+    return std::pair(std::max(0, static_cast<int>(std::floor(middle - r))), std::min(count - 1, static_cast<int>(std::floor(middle + r))));
   };
   const auto [first_x, last_x] = limits(at.x(), columns_);
   const auto [first_y, last_y] = limits(at.y(), rows_);

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "column_ends.h"
 
-#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +17,8 @@ constexpr int sectors = 72;
 } // namespace
 
 ColumnEnds::ColumnEnds(const DriveCylinder& cylinder)
-: cylinder_(cylinder), e1_(pcl_spiral::referenceAcross(cylinder.direction)), e2_(cylinder.direction.cross(e1_)),
-  along_(sectors)
-{
-}
+: cylinder_(cylinder), e1_(pcl_spiral::referenceAcross(cylinder.direction)), e2_(cylinder.direction.cross(e1_)), along_(sectors)
+{}
 
 void
 ColumnEnds::add(const Eigen::Vector3d& place)
@@ -64,6 +63,7 @@ warnOfEnds(const Job& job, const std::vector<ToolLocations>& located, Result& re
   const bool helps = job.drive.axisMode() == DriveAxisMode::Cylinder && job.drive.overrun < most;
   result.warnings.push_back(textOf("up to ", missed, " mm at an end of the column are not cut",
                                    helps ? textOf("; where it leans the cutter touches it beside its axis: let the path go "
-                                                  "on beyond the ends, such as --overrun ", std::ceil(10.0 * overrun) / 10.0)
+                                                  "on beyond the ends, such as --overrun ",
+                                                  std::ceil(10.0 * overrun) / 10.0)
                                          : std::string(": check the path there")));
 }

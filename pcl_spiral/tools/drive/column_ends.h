@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Ends of a column, round about.
  */
@@ -5,8 +6,8 @@
 
 #include "planning.h"
 
-#include <pcl_spiral/drive/impl/drive_cylinder.h>
 #include <pcl_spiral/cutter/tool_location.h>
+#include <pcl_spiral/drive/impl/drive_cylinder.h>
 
 #include <vector>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drive_report.h"
 #include "passes/pass_report.h"
 
@@ -62,10 +63,7 @@ meshOf(const SurfaceMesh& mesh)
 void
 writeDriveReport(const std::string& file, const Job& job, const Result& result)
 {
-  Json report = {{"program", "pcl_spiral_drive"},
-                 {"scan", job.scan},
-                 {"settings", settingsOf(job)},
-                 {"step_over", result.drive.step_over}};
+  Json report = {{"program", "pcl_spiral_drive"}, {"scan", job.scan}, {"settings", settingsOf(job)}, {"step_over", result.drive.step_over}};
   if (result.mesh)
     report["mesh"] = meshOf(*result.mesh);
   else

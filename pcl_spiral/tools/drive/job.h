@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What one run of pcl_spiral_drive is asked to do.
  */
@@ -5,8 +6,8 @@
 
 #include "passes/pass_job.h"
 
-#include <pcl_spiral/mesh/impl/mesh_settings.h>
 #include <pcl_spiral/drive/drive_settings.h>
+#include <pcl_spiral/mesh/impl/mesh_settings.h>
 
 #include <optional>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "job_check.h"
 #include "passes/pass_check.h"
 #include "program/program_check.h"
@@ -5,10 +6,10 @@
 #include "terminal/option_values.h"
 #include "terminal/setter_names.h"
 
+#include "io/setting_names.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/core/profile_step.h>
-#include "io/setting_names.h"
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
@@ -90,11 +91,13 @@ requireMeshMeant(const Job& job)
                 job.mesh_settings.crease_angle, "must lie above 0 degrees, up to 180, such as 30");
   const DriveKind kind = job.drive.kind;
   if (job.mesh && kind == DriveKind::BoundaryOffset)
-    throw UsageError("--drive " + choiceName(kind) + ": offsets run over a scan's points, not over a mesh; take --drive planes, or leave "
-                                                     "--mesh out: then the vertices are a scan");
+    throw UsageError("--drive " + choiceName(kind) +
+                     ": offsets run over a scan's points, not over a mesh; take --drive planes, or leave "
+                     "--mesh out: then the vertices are a scan");
   if (job.no_gouge_check && kind != DriveKind::Planes)
-    throw UsageError("--no-gouge-check: --drive is " + choiceName(kind) + ", whose places are not on the mesh before the cutter comes "
-                                                                          "down to it; leave it out");
+    throw UsageError("--no-gouge-check: --drive is " + choiceName(kind) +
+                     ", whose places are not on the mesh before the cutter comes "
+                     "down to it; leave it out");
   if (job.no_gouge_check && !job.holder.empty())
     throw UsageError("--no-gouge-check: a --holder is given, which is looked at by that check; leave one of them out");
 }

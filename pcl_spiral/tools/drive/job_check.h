@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Jobs of pcl_spiral_drive that cannot be meant.
  */

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_part.h"
 
 #include "passes/scan_surface.h"
 #include "terminal/setter_names.h"
 
+#include "mesh/mesh_findings.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
-#include "mesh/mesh_findings.h"
 
 #include <Eigen/Geometry>
 
@@ -24,8 +25,11 @@ requireLargerThanCutter(const Job& job, const SurfaceMesh& mesh)
   for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
     box.extend(mesh.position(v));
   if (box.diagonal().norm() < job.cutter.radius)
-    throw FileError(job.scan, textOf("the mesh, from ", placeText(box.min()), " to ", placeText(box.max()), ", is smaller than the "
-                                     "cutter's radius of ", job.cutter.radius, " mm: is it in another unit? Say so, such as --units m, "
+    throw FileError(job.scan, textOf("the mesh, from ", placeText(box.min()), " to ", placeText(box.max()),
+                                     ", is smaller than the "
+                                     "cutter's radius of ",
+                                     job.cutter.radius,
+                                     " mm: is it in another unit? Say so, such as --units m, "
                                      "or give a smaller --tool-radius"));
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "outputs.h"
 #include "drive_report.h"
 #include "job_check.h"
@@ -64,12 +65,11 @@ printSummary(const Job& job, const Result& result, double seconds)
   if (result.drive.column)
     std::printf("column          radius %.4g to %.4g mm, covered over %.0f degrees\n", result.drive.column->least_radius,
                 result.drive.column->largest_radius, result.drive.column->covered_angle);
-  std::printf("drive path      %s: %zu pass%s, %zu drive points, step-over %.4g mm\n",
-              choiceName(job.drive.kind).c_str(), result.passes.size(), result.passes.size() == 1 ? "" : "es",
-              result.drive.points, result.drive.step_over);
+  std::printf("drive path      %s: %zu pass%s, %zu drive points, step-over %.4g mm\n", choiceName(job.drive.kind).c_str(),
+              result.passes.size(), result.passes.size() == 1 ? "" : "es", result.drive.points, result.drive.step_over);
   if (job.drive.rows == DriveRows::Kept)
-    std::printf("rows            %zu kept to the scallop, %.4g to %.4g mm apart\n", result.drive.rows,
-                result.drive.smallest_step, result.drive.step_over);
+    std::printf("rows            %zu kept to the scallop, %.4g to %.4g mm apart\n", result.drive.rows, result.drive.smallest_step,
+                result.drive.step_over);
   if (job.drive.link_rows)
     std::printf("links           %zu rows joined on the surface, %zu not\n", result.drive.links, result.drive.rows_apart);
   printPasses(job, result, filesOf(job), seconds);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
 #include "column_ends.h"
 #include "mesh_part.h"
@@ -10,8 +11,8 @@
 #include "terminal/terminal.h"
 
 #include <pcl_spiral/common/impl/message.h>
-#include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/drive/drive_path.h>
+#include <pcl_spiral/io/file_error.h>
 
 using namespace pcl_spiral;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "figures_table.h"
 
 #include <algorithm>
@@ -16,8 +17,8 @@ std::string
 at(const PlacedValue& value)
 {
   char text[120];
-  std::snprintf(text, sizeof(text), "at (%.3f, %.3f, %.3f), path point %zu", value.position.x(), value.position.y(),
-                value.position.z(), value.index);
+  std::snprintf(text, sizeof(text), "at (%.3f, %.3f, %.3f), path point %zu", value.position.x(), value.position.y(), value.position.z(),
+                value.index);
   return text;
 }
 
@@ -27,8 +28,8 @@ printStock(const char* name, const StockFigures& stock)
   if (stock.samples == 0)
     std::printf("%-16sno reference point lies there\n", name);
   else
-    std::printf("%-16sp50 %.4f, p99 %.4f, p99.9 %.4f, max %.4f mm %s\n", name, stock.p50, stock.p99, stock.p999,
-                stock.max.value, at(stock.max).c_str());
+    std::printf("%-16sp50 %.4f, p99 %.4f, p99.9 %.4f, max %.4f mm %s\n", name, stock.p50, stock.p99, stock.p999, stock.max.value,
+                at(stock.max).c_str());
 }
 
 } // namespace
@@ -39,8 +40,7 @@ brokenLimits(const Limits& limits, const pcl_spiral::Verification& verification)
   const pcl_spiral::DeviationFigures& deviation = verification.deviation;
   const pcl_spiral::RemovalFigures& removal = verification.removal;
   std::vector<std::string> broken;
-  const auto check = [&](const char* option, const std::optional<double>& limit, double value,
-                         const std::string& place) {
+  const auto check = [&](const char* option, const std::optional<double>& limit, double value, const std::string& place) {
     if (!limit || value <= *limit)
       return;
     std::ostringstream text;
@@ -49,8 +49,7 @@ brokenLimits(const Limits& limits, const pcl_spiral::Verification& verification)
   };
   const PlacedValue& scallop = highestScallop(removal);
   check("--max-deviation", limits.deviation, std::abs(deviation.max.value), "mm " + at(deviation.max));
-  check("--max-deviation", limits.deviation, std::abs(deviation.rim_max.value),
-        "mm beyond the rim " + at(deviation.rim_max));
+  check("--max-deviation", limits.deviation, std::abs(deviation.rim_max.value), "mm beyond the rim " + at(deviation.rim_max));
   check("--max-scallop", limits.scallop, scallop.value, "mm " + at(scallop));
   check("--max-scallop", limits.scallop, removal.rim.max.value, "mm left at the rim " + at(removal.rim.max));
   check("--max-gouge", limits.gouge, removal.gouge.value, "mm " + at(removal.gouge));
@@ -58,8 +57,7 @@ brokenLimits(const Limits& limits, const pcl_spiral::Verification& verification)
   check("--max-uncut", limits.uncut, uncutPercent(removal), "percent, first " + at(firstUncut(removal)));
   const auto fault = [&](std::size_t count, const std::string& what) {
     if (count > 0 && limits.any())
-      broken.push_back("no limit can hold: " + std::to_string(count) + " of " + std::to_string(deviation.points) +
-                       " path points " + what);
+      broken.push_back("no limit can hold: " + std::to_string(count) + " of " + std::to_string(deviation.points) + " path points " + what);
   };
   fault(deviation.unmeasured, "lie off the surface and were not judged");
   fault(deviation.opposed, "have a normal that points into the material, first " + at(deviation.first_opposed));
@@ -103,17 +101,14 @@ printFigures(const pcl_spiral::Verification& verification)
   if (d.by_mesh)
     std::printf("reference       %zu samples of the mesh; their surface is known to %.2g mm\n", d.reference_points, d.fit_noise);
   else
-    std::printf("reference       %zu points, noise %.2g mm; its surface is known to %.2g mm\n", d.reference_points, d.noise,
-                d.fit_noise);
+    std::printf("reference       %zu points, noise %.2g mm; its surface is known to %.2g mm\n", d.reference_points, d.noise, d.fit_noise);
   std::printf("deviation       rms %.4f, p99 %.4f, max %.4f mm %s\n", d.rms, d.p99, d.max.value, at(d.max).c_str());
   if (d.wobble.measured > 0)
-    std::printf("turn to turn    wobble rms %.4f, max %.4f mm %s\n", d.wobble.rms, d.wobble.max.value,
-                at(d.wobble.max).c_str());
+    std::printf("turn to turn    wobble rms %.4f, max %.4f mm %s\n", d.wobble.rms, d.wobble.max.value, at(d.wobble.max).c_str());
   if (d.beyond_rim > 0)
     std::printf("beyond the rim  %zu points, max %.4f mm %s\n", d.beyond_rim, d.rim_max.value, at(d.rim_max).c_str());
   if (d.in_gaps > 0)
-    std::printf("in scan gaps    %zu points, %.4f mm off the surface carried on %s\n", d.in_gaps, d.gap_max.value,
-                at(d.gap_max).c_str());
+    std::printf("in scan gaps    %zu points, %.4f mm off the surface carried on %s\n", d.in_gaps, d.gap_max.value, at(d.gap_max).c_str());
   if (d.in_crease_band > 0)
     std::printf("at creases      %zu points within %.3g mm, up to %.4f mm off the rounded fit %s\n", d.in_crease_band, d.crease_band,
                 d.crease_max.value, at(d.crease_max).c_str());
@@ -122,8 +117,7 @@ printFigures(const pcl_spiral::Verification& verification)
                 r.crease_gouge.value);
   if (d.unmeasured > 0)
     std::printf("off the surface %zu points\n", d.unmeasured);
-  std::printf("normals         p99 %.3g, max %.3g degrees %s\n", d.normal_p99, d.normal_error.value,
-              at(d.normal_error).c_str());
+  std::printf("normals         p99 %.3g, max %.3g degrees %s\n", d.normal_p99, d.normal_error.value, at(d.normal_error).c_str());
   if (d.opposed > 0)
     std::printf("turned normals  %zu, first %s\n", d.opposed, at(d.first_opposed).c_str());
   if (d.inward_axes > 0)
@@ -143,8 +137,7 @@ printFigures(const pcl_spiral::Verification& verification)
   const double uncut = uncutPercent(r);
   std::printf("uncut           %.3g %% of the points%s%s\n", uncut, uncut > 0.0 ? ", first " : "",
               uncut > 0.0 ? at(firstUncut(r)).c_str() : "");
-  std::printf("efficiency      %.3f: least length %.3f m of %.3f m\n", r.efficiency, r.least_length / 1000.0,
-              r.path_length / 1000.0);
+  std::printf("efficiency      %.3f: least length %.3f m of %.3f m\n", r.efficiency, r.least_length / 1000.0, r.path_length / 1000.0);
   if (d.motion.lifts > 0)
     std::printf("lifts           %zu between passes, %.3f m, no cuts\n", d.motion.lifts, d.motion.lift_length / 1000.0);
   std::printf("largest step    %.4g mm %s\n", d.motion.gap.value, at(d.motion.gap).c_str());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The figures of a path for people, and the limits that it must keep.
  */
@@ -12,7 +13,6 @@
 std::vector<std::string> brokenLimits(const pcl_spiral::Limits& limits, const pcl_spiral::Verification& verification);
 
 /** The limits that are kept but lie below three times the noise of the scan's surface, where that tells nothing. */
-std::vector<std::string> unprovenLimits(const pcl_spiral::Limits& limits,
-                                        const pcl_spiral::Verification& verification);
+std::vector<std::string> unprovenLimits(const pcl_spiral::Limits& limits, const pcl_spiral::Verification& verification);
 
 void printFigures(const pcl_spiral::Verification& verification);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "judge.h"
 
 #include "terminal/setter_names.h"
@@ -16,8 +17,8 @@ namespace {
 
 template <typename Judge>
 void
-prepare(Judge& judge, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
-        const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings)
+prepare(Judge& judge, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path,
+        const JudgeSettings& settings)
 {
   if (settings.mesh) {
     judge.setInputMesh(settings.mesh);
@@ -60,8 +61,7 @@ judgedPoints(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const Referen
 
 /** For every path point the ridge next to the nearest point of the surface. */
 std::vector<float>
-ridgesAlong(const pcl::PointCloud<ToolpathPoint>& path, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
-            const Heights& heights)
+ridgesAlong(const pcl::PointCloud<ToolpathPoint>& path, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const Heights& heights)
 {
   const auto on_surface = pcl::make_shared<pcl::Indices>();
   for (std::size_t i = 0; i < heights.stock.size(); ++i)
@@ -83,17 +83,15 @@ ridgesAlong(const pcl::PointCloud<ToolpathPoint>& path, const pcl::PointCloud<pc
 } // namespace
 
 Status
-judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
-               const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
-               const ProgressCallback& progress, std::shared_ptr<const ReferenceSurface>& reference,
+judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path,
+               const JudgeSettings& settings, const ProgressCallback& progress, std::shared_ptr<const ReferenceSurface>& reference,
                Verification& verification, Heights& heights)
 {
   pcl::PointCloud<pcl::PointXYZI> values;
   DeviationEstimation<pcl::PointXYZ> deviation;
   prepare(deviation, scan, path, settings);
   deviation.setReferenceSurface(reference);
-  deviation.setProgressCallback(
-      [&](double share, const std::string&) { return progress(share, "deviation"); });
+  deviation.setProgressCallback([&](double share, const std::string&) { return progress(share, "deviation"); });
   deviation.compute(values);
   if (deviation.getStatus().ok()) {
     reference = deviation.getReferenceSurface();
@@ -106,16 +104,14 @@ judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
 }
 
 Status
-judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
-          const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
-          const ProgressCallback& progress, std::shared_ptr<const ReferenceSurface>& reference,
+judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path,
+          const JudgeSettings& settings, const ProgressCallback& progress, std::shared_ptr<const ReferenceSurface>& reference,
           Verification& verification, Heights& heights)
 {
   const auto start = std::chrono::steady_clock::now();
   const Status status = judgeDeviation(
-      scan, path, settings,
-      [&](double share, const std::string& stage) { return progress(0.3 * share, stage); }, reference,
-      verification, heights);
+      scan, path, settings, [&](double share, const std::string& stage) { return progress(0.3 * share, stage); }, reference, verification,
+      heights);
   if (!status.ok())
     return status;
   pcl::PointCloud<pcl::PointXYZI> values;
@@ -124,8 +120,7 @@ judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
   removal.setReferenceSurface(reference);
   removal.setToolRadius(settings.tool_radius);
   removal.setScallopHeight(settings.scallop_height);
-  removal.setProgressCallback(
-      [&](double share, const std::string&) { return progress(0.3 + 0.7 * share, "removed material"); });
+  removal.setProgressCallback([&](double share, const std::string&) { return progress(0.3 + 0.7 * share, "removed material"); });
   removal.compute(values);
   heights.stock = intensities(values);
   heights.ridges = removal.getRidgeHeights();

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A toolpath judged by a scan.
  */
 #pragma once
 
-#include <pcl_spiral/common/impl/progress.h>
 #include "io/verification_writer.h"
+#include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/verify/deviation_estimation.h>
 
 /** How a path is judged. */
@@ -13,31 +14,30 @@ struct JudgeSettings {
   std::optional<Eigen::Vector3d> view_point;
   bool flip_normals = false;
   unsigned int threads = 0;
-  pcl_spiral::Surface::ConstPtr surface; ///< of the scan, where one was made already; null: it is made
+  pcl_spiral::Surface::ConstPtr surface;            ///< of the scan, where one was made already; null: it is made
   pcl_spiral::SurfaceMesh::ConstPtr mesh = nullptr; ///< to judge by in place of a scan; null: there is none
-  double sample_spacing = 0.0;            ///< of its samples, mm; 0: as they are chosen
+  double sample_spacing = 0.0;                      ///< of its samples, mm; 0: as they are chosen
 };
 
 /** Values behind the figures, mm; see DeviationEstimation and MaterialRemoval. */
 struct Heights {
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr points; ///< of the scan, or the samples of the mesh
-  std::vector<float> deviation;     ///< one a path point
-  std::vector<float> scallop; ///< one a path point: the ridge next to the nearest point of the scan; NaN: it has none
-  std::vector<float> stock, ridges; ///< one a point of the scan, or a sample of the mesh
+  std::vector<float> deviation;                    ///< one a path point
+  std::vector<float> scallop;                      ///< one a path point: the ridge next to the nearest point of the scan; NaN: it has none
+  std::vector<float> stock, ridges;                ///< one a point of the scan, or a sample of the mesh
 };
 
 /** How far \p path stands off \p scan, without a cutter: the figures of deviation alone. \p reference is
  * the fit to the scan, made where it is null. Fails as DeviationEstimation does. */
 pcl_spiral::Status judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
-                                  const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path,
-                                  const JudgeSettings& settings, const pcl_spiral::ProgressCallback& progress,
-                                  std::shared_ptr<const pcl_spiral::ReferenceSurface>& reference,
-                                  pcl_spiral::Verification& verification, Heights& heights);
+                                  const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
+                                  const pcl_spiral::ProgressCallback& progress,
+                                  std::shared_ptr<const pcl_spiral::ReferenceSurface>& reference, pcl_spiral::Verification& verification,
+                                  Heights& heights);
 
 /** The figures of \p path against \p scan. \p reference is the fit to the scan, made where it is null and
  * kept for the next path. Fails as DeviationEstimation and MaterialRemoval do. */
 pcl_spiral::Status judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
-                             const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path,
-                             const JudgeSettings& settings, const pcl_spiral::ProgressCallback& progress,
-                             std::shared_ptr<const pcl_spiral::ReferenceSurface>& reference,
+                             const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
+                             const pcl_spiral::ProgressCallback& progress, std::shared_ptr<const pcl_spiral::ReferenceSurface>& reference,
                              pcl_spiral::Verification& verification, Heights& heights);

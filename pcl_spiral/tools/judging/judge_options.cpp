@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "judge_options.h"
 
 #include "terminal/option_table.h"
@@ -39,21 +40,19 @@ readArguments(int argc, const char* const* argv, const po::options_description& 
 void
 addScanOptions(po::options_description& options)
 {
-  options.add_options()("units", value("mm|m|inch"),
-                        "unit of the numbers in the scan; mm by default: --units m")(
-      "origin", value("X,Y,Z"),
-      "subtracted from the scan, in its own unit, as for the path: --origin 393775,3689071,0")(
+  options.add_options()("units", value("mm|m|inch"), "unit of the numbers in the scan; mm by default: --units m")(
+      "origin", value("X,Y,Z"), "subtracted from the scan, in its own unit, as for the path: --origin 393775,3689071,0")(
       "columns", value("NAMES"), "columns of a text scan from the left: --columns id,x,y,z");
 }
 
 void
 addCutterOptions(po::options_description& options, const char* radius_meaning)
 {
-  options.add_options()("tool-radius", value("R"), radius_meaning)(
-      "scallop", value("H"), "scallop height asked of the path; 0.05: --scallop 0.02")(
+  options.add_options()("tool-radius", value("R"), radius_meaning)("scallop", value("H"),
+                                                                   "scallop height asked of the path; 0.05: --scallop 0.02")(
       "chord-error", value("E"), "chord error asked of the path; 0.005: --chord-error 0.002")(
-      "view-point", value("X,Y,Z"), "where the scanner stood, mm; normals face it: --view-point 0,0,3000")(
-      "flip-normals", "the cutter is on the other side");
+      "view-point", value("X,Y,Z"),
+      "where the scanner stood, mm; normals face it: --view-point 0,0,3000")("flip-normals", "the cutter is on the other side");
 }
 
 pcl_spiral::ReadOptions
@@ -113,8 +112,9 @@ meshOptions(const po::variables_map& given)
   for (const char* name : {"crease-angle", "sample-spacing"})
     require(mesh || given.count(name) == 0, "--" + std::string(name) + " belongs to meshes; add --mesh, or leave it out");
   for (const char* name : {"columns", "view-point"})
-    require(!mesh || given.count(name) == 0, "--" + std::string(name) + " belongs to scans, and the side of a mesh is that of its "
-                                             "faces; leave it out, or turn the mesh over (--flip-normals)");
+    require(!mesh || given.count(name) == 0, "--" + std::string(name) +
+                                                 " belongs to scans, and the side of a mesh is that of its "
+                                                 "faces; leave it out, or turn the mesh over (--flip-normals)");
   if (!mesh)
     return std::nullopt;
   MeshChoice choice;
@@ -123,7 +123,8 @@ meshOptions(const po::variables_map& given)
     choice.settings.crease_angle = numberValue("crease-angle", given["crease-angle"].as<std::string>());
   if (given.count("sample-spacing") > 0)
     choice.sample_spacing = numberValue("sample-spacing", given["sample-spacing"].as<std::string>());
-  require(choice.settings.crease_angle > 0.0 && choice.settings.crease_angle <= 180.0, "--crease-angle must be above 0, up to 180 degrees, such as 30");
+  require(choice.settings.crease_angle > 0.0 && choice.settings.crease_angle <= 180.0,
+          "--crease-angle must be above 0, up to 180 degrees, such as 30");
   require(choice.sample_spacing >= 0.0, "--sample-spacing must be above 0 mm, or 0 to have it chosen");
   return choice;
 }

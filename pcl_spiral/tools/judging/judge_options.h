@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The options of scan and cutter, for every program that judges paths.
  */
@@ -12,8 +13,8 @@
 #include <optional>
 
 /** The arguments by \p options, names written in full; those without a name are "file". \throw UsageError */
-boost::program_options::variables_map
-readArguments(int argc, const char* const* argv, const boost::program_options::options_description& options);
+boost::program_options::variables_map readArguments(int argc, const char* const* argv,
+                                                    const boost::program_options::options_description& options);
 
 /** How a part given as a mesh is taken. */
 struct MeshChoice {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "judged_part.h"
 
 #include "terminal/setter_names.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "judged_scene.h"
 
 #include <algorithm>
@@ -10,8 +11,8 @@ namespace {
 
 /** Of the planner's report what the pictures need, from the path and the scan's surface. */
 SpiralReport
-reportOf(const pcl::PointCloud<ToolpathPoint>& path, const JudgeSettings& settings,
-         const ReferenceSurface& surface, const RemovalFigures& removal)
+reportOf(const pcl::PointCloud<ToolpathPoint>& path, const JudgeSettings& settings, const ReferenceSurface& surface,
+         const RemovalFigures& removal)
 {
   SpiralReport report;
   report.used_points = surface.graph().size();
@@ -31,9 +32,8 @@ reportOf(const pcl::PointCloud<ToolpathPoint>& path, const JudgeSettings& settin
 } // namespace
 
 VerificationScene
-judgedScene(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
-            const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
-            const ReferenceSurface& surface, const Verification& verification, const Heights& heights)
+judgedScene(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path,
+            const JudgeSettings& settings, const ReferenceSurface& surface, const Verification& verification, const Heights& heights)
 {
   VerificationScene scene;
   scene.part.title = std::filesystem::path(verification.path).filename().string();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A judged path as pictures and the viewer show it.
  */
@@ -9,8 +10,6 @@
 
 /** \p surface is that of the scan. The title is the path's file name. */
 pcl_spiral::VerificationScene judgedScene(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
-                                          const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path,
-                                          const JudgeSettings& settings,
-                                          const pcl_spiral::ReferenceSurface& surface,
-                                          const pcl_spiral::Verification& verification,
+                                          const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
+                                          const pcl_spiral::ReferenceSurface& surface, const pcl_spiral::Verification& verification,
                                           const Heights& heights);

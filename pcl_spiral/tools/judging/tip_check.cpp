@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tip_check.h"
 
 #include <pcl_spiral/io/toolpath_writer.h>
@@ -27,9 +28,8 @@ checkTips(const ToolpathFile& file, double tool_radius, Verification& verificati
   if (verification.tips_off == 0)
     return "";
   std::ostringstream text;
-  text << verification.tips_off << " of " << file.tips.size() << " tool tips are not where a ball of radius "
-       << tool_radius << " mm has them, by up to " << verification.tip_error.value << " mm at path point "
-       << verification.tip_error.index;
+  text << verification.tips_off << " of " << file.tips.size() << " tool tips are not where a ball of radius " << tool_radius
+       << " mm has them, by up to " << verification.tip_error.value << " mm at path point " << verification.tip_error.index;
   const double radius = squared > 0.0 ? along / squared : 0.0;
   if (2 * verification.tips_off > file.tips.size() && radius > 0.01 * tool_radius)
     text << ": the path seems made for a radius of " << radius << " mm";

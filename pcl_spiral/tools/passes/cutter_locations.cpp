@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cutter_locations.h"
 #include "scan_surface.h"
 
 #include <pcl_spiral/common/impl/message.h>
-#include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/cutter/cutter_location.h>
+#include <pcl_spiral/io/file_error.h>
 
 #include <algorithm>
 
@@ -38,8 +39,7 @@ locateCutter(const PassJob& job, const Surface::ConstPtr& surface, const DrivePa
   location.setContactTolerance(std::min(location.getContactTolerance(), job.tolerance));
   location.setPathTolerance(job.tolerance);
   location.setDrivePasses(passes);
-  location.setProgressCallback(
-      [&bar](double share, const std::string& stage) { return bar.update(0.5 + 0.5 * share, stage); });
+  location.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.5 + 0.5 * share, stage); });
   std::vector<ToolLocations> located;
   location.compute(located);
   require(job.part, location.getStatus());
@@ -56,13 +56,11 @@ requireNoCollision(const PassJob& job, const std::vector<ToolLocations>& located
   for (const ToolLocations& pass : located)
     for (const ToolLocation& location : pass)
       if (location.collision.found() && location.collision.depth >= figures.deepest_collision)
-        throw FileError(job.part,
-                        textOf(job.holder[static_cast<std::size_t>(location.collision.segment)].name,
-                               " would be ", location.collision.depth, " mm deep in the part at ",
-                               placeText(location.collision.place), ", the tip at ", placeText(location.tip), "; at ",
-                               figures.collisions,
-                               " locations in all: use a longer or slimmer tool, another axis, or "
-                               "--accept-collisions to see the path all the same"));
+        throw FileError(job.part, textOf(job.holder[static_cast<std::size_t>(location.collision.segment)].name, " would be ",
+                                         location.collision.depth, " mm deep in the part at ", placeText(location.collision.place),
+                                         ", the tip at ", placeText(location.tip), "; at ", figures.collisions,
+                                         " locations in all: use a longer or slimmer tool, another axis, or "
+                                         "--accept-collisions to see the path all the same"));
 }
 
 void
@@ -96,8 +94,8 @@ warnOfLocations(const PassJob& job, PassResult& result)
   std::vector<std::string>& warnings = result.warnings;
   warnings.insert(warnings.end(), result.locations.warnings.begin(), result.locations.warnings.end());
   if (result.off_scan > 0)
-    warnings.push_back(textOf(result.off_scan,
-                              " locations have nothing of the part below the cutter and were left out; passes were cut there"));
+    warnings.push_back(
+        textOf(result.off_scan, " locations have nothing of the part below the cutter and were left out; passes were cut there"));
   if (result.bisection.unresolved > 0)
     warnings.push_back(textOf(result.bisection.unresolved, " moves are beyond the tolerance of ", job.tolerance,
                               " mm, the worst by an error of ", result.bisection.largest_error, " mm at ",

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A cutter along drive passes: where it stands without a gouge.
  */
@@ -7,9 +8,9 @@
 #include "pass_result.h"
 #include "terminal/terminal.h"
 
-#include <pcl_spiral/surface/surface.h>
 #include <pcl_spiral/common/drive_pass.h>
 #include <pcl_spiral/cutter/tool_location.h>
+#include <pcl_spiral/surface/surface.h>
 
 #include <vector>
 

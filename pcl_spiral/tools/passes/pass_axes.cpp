@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "pass_axes.h"
 #include "terminal/terminal.h"
 
-#include <pcl_spiral/core/impl/angles.h>
-#include <pcl_spiral/common/impl/message.h>
 #include "core/axis_field.h"
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
 
@@ -46,8 +47,8 @@ smoothPasses(const PassJob& job, DrivePasses& passes, std::vector<std::string>& 
     largest = std::max(largest, smoothed.largest_deviation / degree);
   }
   if (largest > farthest)
-    throw UsageError(textOf("--max-axis-rate ", job.max_axis_rate, ", --axis-smoothing ", job.axis_smoothing,
-                            ": axes would lean ", largest, " degrees off those asked for, and not cover the surface; raise "
+    throw UsageError(textOf("--max-axis-rate ", job.max_axis_rate, ", --axis-smoothing ", job.axis_smoothing, ": axes would lean ", largest,
+                            " degrees off those asked for, and not cover the surface; raise "
                             "the rate, or smooth over less"));
   if (largest > 1.0)
     warnings.push_back(textOf("smoothing and rate lead axes up to ", largest, " degrees off those asked for"));

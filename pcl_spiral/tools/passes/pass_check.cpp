@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "pass_check.h"
 
 #include "pass_files.h"
@@ -5,8 +6,8 @@
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
 
-#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +82,8 @@ checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vec
       throw UsageError("-o " + file + ": extension '" + extension +
                        "' is not known; use .csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .6d .5d .json or .png");
     if (!isBall(job) && (extension == ".pcd" || extension == ".ply" || extension == ".yaml"))
-      throw UsageError("-o " + file + ": holds contacts, from which tips follow for a ball alone; write this tool's "
+      throw UsageError("-o " + file +
+                       ": holds contacts, from which tips follow for a ball alone; write this tool's "
                        "path as .csv, .vtp, .6d or a program");
   }
   inputs.push_back({"the machine's file", job.program.machine_file});
@@ -89,7 +91,8 @@ checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vec
   for (auto file = files.begin(); file != files.end(); ++file) {
     requireNoInput(*file, inputs);
     if (std::find(files.begin(), file, *file) != file)
-      throw UsageError("-o " + *file + ": is given twice" +
-                       (std::count(job.outputs.begin(), job.outputs.end(), *file) < 2 ? ", for it is written beside another picture; rename one" : ""));
+      throw UsageError(
+          "-o " + *file + ": is given twice" +
+          (std::count(job.outputs.begin(), job.outputs.end(), *file) < 2 ? ", for it is written beside another picture; rename one" : ""));
   }
 }

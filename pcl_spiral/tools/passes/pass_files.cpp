@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "pass_files.h"
 
 #include "program/program_check.h"
@@ -50,8 +51,7 @@ joinedPasses(const PassJob& job, const PassResult& result, ToolpathMotion& motio
 }
 
 void
-writePassFile(const PassJob& job, const PassResult& result, const std::string& title, const std::string& output,
-              const std::string& file)
+writePassFile(const PassJob& job, const PassResult& result, const std::string& title, const std::string& output, const std::string& file)
 {
   const std::string extension = extensionOf(output);
   ProgramHeader header = job.program.header;

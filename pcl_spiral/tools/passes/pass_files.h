@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Files of passes: paths, programs, lists of poses.
  */
@@ -6,8 +7,8 @@
 #include "pass_job.h"
 #include "pass_result.h"
 
-#include <pcl_spiral/common/point_types.h>
 #include "io/output_files.h"
+#include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <cstddef>
@@ -18,15 +19,14 @@
 bool isPassFile(const std::string& output);
 
 /** All passes one after the other, the turn counting them; \p motion holds the tips of a tool of any shape. */
-pcl::PointCloud<pcl_spiral::ToolpathPoint> joinedPasses(const PassJob& job, const PassResult& result,
-                                                        pcl_spiral::ToolpathMotion& motion);
+pcl::PointCloud<pcl_spiral::ToolpathPoint> joinedPasses(const PassJob& job, const PassResult& result, pcl_spiral::ToolpathMotion& motion);
 
 /** All but pictures and reports: \p file in the format of \p output. \throw pcl_spiral::FileError */
 void writePassFile(const PassJob& job, const PassResult& result, const std::string& title, const std::string& output,
                    const std::string& file);
 
 /** Writes every output by \p write, which is given its name and the number of its first file in \p files, and counts that on; then gives
- *  all of them their names. \p one_pass: the remedy where a format holds a single pass. \throw std::runtime_error, Cancelled: then no output
- *  has changed */
+ *  all of them their names. \p one_pass: the remedy where a format holds a single pass. \throw std::runtime_error, Cancelled: then no
+ *  output has changed */
 void writeAll(const PassJob& job, const PassResult& result, const std::string& one_pass, pcl_spiral::OutputFiles& files,
               const std::function<void(const std::string& output, std::size_t& next)>& write);

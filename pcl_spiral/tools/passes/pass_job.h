@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What a run of a program is asked to do that makes passes of a tool.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "pass_program.h"
 
 #include "pass_check.h"
@@ -27,7 +28,8 @@ requireSteadyBeam(const PassJob& job, const MachineProgram& program)
     return std::abs(a.arc_length - report.least_feed_at) < std::abs(b.arc_length - report.least_feed_at);
   });
   throw FileError(job.part, textOf("at ", placeText(slowest->tip), " the rotary axes turn so far that the beam would move at ",
-                                   100.0 * report.least_feed_share, " % of the feed while it is on, and burn the part: lean the beam "
+                                   100.0 * report.least_feed_share,
+                                   " % of the feed while it is on, and burn the part: lean the beam "
                                    "(--tilt 20), or turn the part on the machine, so that the tool axis keeps off the direction of ",
                                    std::string(1, program.machine.rotary[0].letter)));
 }

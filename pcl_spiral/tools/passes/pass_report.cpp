@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "pass_report.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -43,10 +44,7 @@ Json
 cutterOf(const PassJob& job)
 {
   const CutterShape& c = job.cutter;
-  return {{"radius", c.radius},
-          {"corner_radius", c.corner_radius},
-          {"flank_length", c.flank_length},
-          {"flank_angle", c.flank_angle}};
+  return {{"radius", c.radius}, {"corner_radius", c.corner_radius}, {"flank_length", c.flank_length}, {"flank_angle", c.flank_angle}};
 }
 
 void
@@ -61,9 +59,8 @@ addPasses(const PassResult& result, Json& report)
   report["stages"] = stages;
   report["warnings"] = result.warnings;
   if (result.program)
-    report["machine"] = {{"name", result.program->machine.name},
-                         {"blocks", result.program->blocks.size()},
-                         {"minutes", result.program->report.minutes}};
+    report["machine"] = {
+        {"name", result.program->machine.name}, {"blocks", result.program->blocks.size()}, {"minutes", result.program->report.minutes}};
 }
 
 void

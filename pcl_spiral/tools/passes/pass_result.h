@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What a run of a program came to that makes passes of a tool.
  */
 #pragma once
 
 #include <pcl_spiral/common/impl/stage_clock.h>
+#include <pcl_spiral/cutter/impl/location_bisection.h>
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/machine/machine_program.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
-#include <pcl_spiral/cutter/impl/location_bisection.h>
 
 #include <optional>
 #include <string>
@@ -15,8 +16,8 @@
 
 /** Passes and what is known of them. */
 struct PassResult {
-  pcl_spiral::Scan scan; ///< of a mesh the points it was sampled at, where they were needed
-  pcl_spiral::SurfaceMesh::ConstPtr mesh; ///< the part where it is a mesh; null for a scan
+  pcl_spiral::Scan scan;                               ///< of a mesh the points it was sampled at, where they were needed
+  pcl_spiral::SurfaceMesh::ConstPtr mesh;              ///< the part where it is a mesh; null for a scan
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole_scan; ///< with the strays that were left out
   pcl_spiral::LocationFigures locations;
   pcl_spiral::BisectionFigures bisection;
@@ -27,8 +28,7 @@ struct PassResult {
   std::vector<std::string> warnings;
   std::optional<pcl_spiral::MachineProgram> program; ///< where a machine is given
 
-  std::size_t
-  poseCount() const
+  std::size_t poseCount() const
   {
     std::size_t count = 0;
     for (const pcl_spiral::ToolPoses& pass : passes)

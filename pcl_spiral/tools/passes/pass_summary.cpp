@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "pass_summary.h"
 
 #include "program/machine_moves.h"
@@ -17,8 +18,7 @@ printPasses(const PassJob& job, const PassResult& result, const std::vector<std:
   if (f.retilted > 0)
     std::printf("axis            turned at %zu locations, by up to %.3g degrees\n", f.retilted, f.largest_retilt);
   if (f.collisions > 0)
-    std::printf("collisions      shank or holder at %zu locations, up to %.4g mm deep\n", f.collisions,
-                f.deepest_collision);
+    std::printf("collisions      shank or holder at %zu locations, up to %.4g mm deep\n", f.collisions, f.deepest_collision);
   std::printf("path length     %.3f m of the tip\n", result.length / 1000.0);
   if (result.program)
     printProgram(*result.program);

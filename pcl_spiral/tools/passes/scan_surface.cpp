@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "scan_surface.h"
 #include "terminal/setter_names.h"
 
+#include <pcl_spiral/cleaning/stray_removal.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/surface/scanned_surface.h>
-#include <pcl_spiral/cleaning/stray_removal.h>
 
 using namespace pcl_spiral;
 
@@ -24,9 +25,9 @@ leaveOutStrays(const PassJob& job, PassResult& result)
   if (f.strays > 0)
     result.warnings.push_back(textOf(f.strays, " of ", result.scan.cloud->size(),
                                      " points, off the scanned surface, were left out (--leave-out-strays), the largest "
-                                     "group of them ", f.largest_group, " at ", placeText(f.largest_group_place),
-                                     f.largest_group > 3 ? ": so many together are no false echo; see what stands there"
-                                                         : ""));
+                                     "group of them ",
+                                     f.largest_group, " at ", placeText(f.largest_group_place),
+                                     f.largest_group > 3 ? ": so many together are no false echo; see what stands there" : ""));
   result.scan.cloud = kept;
 }
 

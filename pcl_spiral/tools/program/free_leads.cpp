@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "free_leads.h"
 #include "terminal/terminal.h"
 
+#include <pcl_spiral/cleaning/stray_removal.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
-#include <pcl_spiral/cleaning/stray_removal.h>
 #include <pcl_spiral/verify/lead_check.h>
 
 using namespace pcl_spiral;
@@ -36,14 +37,13 @@ textOfCollision(const LedTool& tool, const LeadFigures& figures)
   const std::string what = deepest.part == ToolPart::Cutter  ? "the cutter"
                            : deepest.part == ToolPart::Shank ? "a shank as wide as the cutter"
                                                              : tool.holder[static_cast<std::size_t>(deepest.segment)].name;
-  return textOf(what, " would be ", deepest.depth, " mm deep in the part ", wayOf(deepest.section), ", at ",
-                placeText(deepest.place), ", the tip at ", placeText(deepest.tip), "; ", figures.collided, " of ",
-                figures.moves, " moves off the path do so");
+  return textOf(what, " would be ", deepest.depth, " mm deep in the part ", wayOf(deepest.section), ", at ", placeText(deepest.place),
+                ", the tip at ", placeText(deepest.tip), "; ", figures.collided, " of ", figures.moves, " moves off the path do so");
 }
 
 LeadFigures
-figuresOf(const std::string& scan_name, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
-          const pcl::IndicesConstPtr& indices, const LedTool& tool, const MachineProgram& program, ProgressBar& bar)
+figuresOf(const std::string& scan_name, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::IndicesConstPtr& indices,
+          const LedTool& tool, const MachineProgram& program, ProgressBar& bar)
 {
   LeadCheck<pcl::PointXYZ> check;
   check.setInputCloud(scan);

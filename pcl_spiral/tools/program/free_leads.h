@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Programs whose tool comes to the path and leaves it clear of the scan.
  */
@@ -25,6 +26,5 @@ struct LedTool {
 
 /** Looks at the moves of \p program that do not cut. Where only single points off the scan's surface are in their way, or
  *  collisions are accepted, that goes to \p warnings. \p scan_name is for messages. \throw pcl_spiral::FileError, Cancelled */
-void requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
-                      const LedTool& tool, const pcl_spiral::MachineProgram& program, bool accepted, bool quiet,
-                      std::vector<std::string>& warnings);
+void requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const LedTool& tool,
+                      const pcl_spiral::MachineProgram& program, bool accepted, bool quiet, std::vector<std::string>& warnings);

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "program_check.h"
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
 
-#include <pcl_spiral/core/impl/angles.h>
-#include <pcl_spiral/common/impl/message.h>
 #include "common/readable_text.h"
-#include <pcl_spiral/io/file_error.h>
 #include "io/setting_names.h"
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/io/file_error.h>
 
 #include <algorithm>
 #include <utility>
@@ -75,25 +76,23 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
                        ": no --machine is given; name the machine's file, such as --machine xyzac.yaml "
                        "(some are in examples/machines, installed in share/pcl_spiral)");
     if (extensionOf(output) == ".nc" && given.count("dialect") == 0)
-      throw UsageError("-o " + output + ": no --dialect is given; it must be one of " +
-                       choiceList<Dialect>());
+      throw UsageError("-o " + output + ": no --dialect is given; it must be one of " + choiceList<Dialect>());
     if (extensionOf(output) == ".nc" && program.header.tool == 0)
-      throw UsageError("-o " + output + ": no --tool is given; the control takes the tool's length by its number: "
-                                        "--tool 3");
+      throw UsageError("-o " + output +
+                       ": no --tool is given; the control takes the tool's length by its number: "
+                       "--tool 3");
   }
   const bool other_language = given.count("dialect") > 0 && program.dialect != Dialect::LinuxCNC;
-  if (other_language && std::none_of(outputs.begin(), outputs.end(),
-                                     [](const std::string& output) { return extensionOf(output) == ".nc"; }))
-    throw UsageError("--dialect " + choiceName(program.dialect) +
-                     ": no output is in that language; write a .nc (a .ngc is LinuxCNC's)");
+  if (other_language &&
+      std::none_of(outputs.begin(), outputs.end(), [](const std::string& output) { return extensionOf(output) == ".nc"; }))
+    throw UsageError("--dialect " + choiceName(program.dialect) + ": no output is in that language; write a .nc (a .ngc is LinuxCNC's)");
   requireOption(s.lead_length > 0.0, "lead-length", s.lead_length, "must be above 0 mm");
   requireOption(s.clearance > 0.0, "clearance", s.clearance, "must be above 0 mm");
   requireOption(s.rapid_height > 0.0, "rapid-height", s.rapid_height, "must be above 0 mm");
-  requireOption(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole-cone", s.pole_cone,
-          "must lie between 0 and 90 degrees");
+  requireOption(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole-cone", s.pole_cone, "must lie between 0 and 90 degrees");
   requireOption(s.block.tip >= BlockTolerance::least_tip, "block-tolerance", s.block.tip, "must be 0.0001 mm or more");
   requireOption(s.block.axis >= BlockTolerance::least_axis, "block-tolerance", s.block.axis * in_degrees,
-          "must be 0.00006 degrees or more");
+                "must be 0.00006 degrees or more");
   requireOption(s.thinning.tip >= 0.0, "thin-blocks", s.thinning.tip, "must not be below 0 mm");
   requireOption(s.thinning.axis >= 0.0, "thin-blocks", s.thinning.axis * in_degrees, "must not be below 0 degrees");
   const ProgramHeader& header = program.header;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Whether a program of a machine can be written as it was asked for.
  */
@@ -21,5 +22,4 @@ bool hasProgram(const ProgramJob& program, const std::vector<std::string>& outpu
 
 /** \p given: the options that were set. \throw UsageError for a setting that is missing, out of range or contradicts
  *  another */
-void checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
-                  const std::set<std::string>& given);
+void checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs, const std::set<std::string>& given);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "picture_files.h"
 
 #include "terminal/file_names.h"
@@ -46,8 +47,7 @@ makeFolder()
   std::error_code error;
   std::string name = (fs::temp_directory_path(error) / "pcl_spiral-XXXXXX").string();
   if (error || !::mkdtemp(name.data()))
-    throw FileError(name, std::string("no folder for pictures can be made there: ") +
-                              (error ? error.message() : std::strerror(errno)) +
+    throw FileError(name, std::string("no folder for pictures can be made there: ") + (error ? error.message() : std::strerror(errno)) +
                               "; name a folder you may write to in TMPDIR");
   return name;
 }
@@ -99,8 +99,7 @@ PictureFiles::drawJudging(const VerificationScene& scene)
 const PictureFile*
 PictureFiles::find(PictureKind kind) const
 {
-  const auto last =
-      std::find_if(files_.rbegin(), files_.rend(), [kind](const auto& f) { return f.kind == kind; });
+  const auto last = std::find_if(files_.rbegin(), files_.rend(), [kind](const auto& f) { return f.kind == kind; });
   return last == files_.rend() ? nullptr : &*last;
 }
 
@@ -135,7 +134,5 @@ requireDisplay(const std::string& output)
   const std::string problem = displayProblem();
   if (problem.empty())
     return;
-  throw FileError(output, extension == ".png"
-                              ? problem
-                              : "a report holds pictures: " + problem + "; .json has the same figures");
+  throw FileError(output, extension == ".png" ? problem : "a report holds pictures: " + problem + "; .json has the same figures");
 }

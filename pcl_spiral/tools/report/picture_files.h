@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The pictures of a run as files for a while: drawn once, then copied to outputs and put into reports.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
 
 #include "job_check.h"
@@ -54,20 +55,21 @@ placesOf(const std::string& option, const std::string& value)
 OptionGroup
 ridge(Job& job)
 {
-  return {"Ridge (mm, degrees)",
-          {placeOption("reference",
-                       "normal of the plane with which the generator's chord keeps its angle, and the side that is up; for a rail that stands "
-                       "upright take a direction across it; 0,0,1: --reference 1,0,0",
-                       job.ridge.reference),
-           numberOption("measuring-error", "S",
-                        "standard deviation of a coordinate of the measured points; 0, found from them: --measuring-error 0.02",
-                        job.ridge.measuring_error),
-           switchOption("flip-normals", "the tool is on the other side", job.ridge.flip),
-           {"through", "X,Y,Z/...",
-            "rough points of the ridge in --scan, at its ends and, where it bends, between: --through 0,0,0/300,50,20/600,0,0",
-            [&job](const std::string& value) { job.through = placesOf("through", value); }},
-           numberOption("half-width", "L", "of the ridge in --scan, from its crest to either side: --half-width 12", job.half_width),
-           switchOption("ring", "the ridge in --scan is closed", job.ring)}};
+  return {
+      "Ridge (mm, degrees)",
+      {placeOption("reference",
+                   "normal of the plane with which the generator's chord keeps its angle, and the side that is up; for a rail that stands "
+                   "upright take a direction across it; 0,0,1: --reference 1,0,0",
+                   job.ridge.reference),
+       numberOption("measuring-error", "S",
+                    "standard deviation of a coordinate of the measured points; 0, found from them: --measuring-error 0.02",
+                    job.ridge.measuring_error),
+       switchOption("flip-normals", "the tool is on the other side", job.ridge.flip),
+       {"through", "X,Y,Z/...",
+        "rough points of the ridge in --scan, at its ends and, where it bends, between: --through 0,0,0/300,50,20/600,0,0",
+        [&job](const std::string& value) { job.through = placesOf("through", value); }},
+       numberOption("half-width", "L", "of the ridge in --scan, from its crest to either side: --half-width 12", job.half_width),
+       switchOption("ring", "the ridge in --scan is closed", job.ring)}};
 }
 
 OptionGroup
@@ -85,14 +87,17 @@ rows(Job& job)
        numberOption("point-spacing", "D", "largest distance of consecutive points; 1: --point-spacing 0.5", s.point_spacing),
        choiceOption("steps", "points equally far apart on each row, or as published at equal stations of the rail; equal: --steps stations",
                     s.steps),
-       choiceOption("normals", "true ones; as published, in the rail's normal plane, off where the ridge twists; or out of an arc through start, "
-                               "middle and end of the generator; true: --normals in-plane",
+       choiceOption("normals",
+                    "true ones; as published, in the rail's normal plane, off where the ridge twists; or out of an arc through start, "
+                    "middle and end of the generator; true: --normals in-plane",
                     s.normals),
        numberOption("stand-off", "L", "of a beam's tip from the surface, along the normal; 0: --stand-off 10", s.stand_off),
        numberOption("lead", "A", "of the tool axis, forward along the row; 0: --lead 5", s.lead),
        numberOption("tilt", "A", "of the tool axis, to the right of travel; 0: --tilt 5", s.tilt),
-       numberOption("run-in", "L", "each row begins so far before the ridge, straight on, with --pass-begin said before it; 0: --run-in 3", s.run_in),
-       numberOption("run-out", "L", "each row goes on so far behind the ridge, with --pass-end said behind it; 0: --run-out 3", s.run_out), toleranceOption(job)}};
+       numberOption("run-in", "L", "each row begins so far before the ridge, straight on, with --pass-begin said before it; 0: --run-in 3",
+                    s.run_in),
+       numberOption("run-out", "L", "each row goes on so far behind the ridge, with --pass-end said behind it; 0: --run-out 3", s.run_out),
+       toleranceOption(job)}};
   addOptions(group, axisOptions(job));
   return group;
 }
@@ -100,7 +105,8 @@ rows(Job& job)
 OptionTable
 optionTable(Job& job)
 {
-  return {files(job), ridge(job), rows(job), cutterOptions(job, "without it the tool is a beam"), programOptions(job.program), runOptions(job)};
+  return {files(job),     ridge(job), rows(job), cutterOptions(job, "without it the tool is a beam"), programOptions(job.program),
+          runOptions(job)};
 }
 
 } // namespace

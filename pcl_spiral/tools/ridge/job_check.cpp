@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "job_check.h"
 
 #include "passes/pass_check.h"
@@ -34,20 +35,23 @@ checkLines(const Job& job)
     if (!job.rail.empty() || !job.generator.empty())
       throw UsageError("--through: rail and generator are given as files, too (" + (job.rail.empty() ? job.generator : job.rail) +
                        "); leave the one or the other out");
-    requireOption(job.half_width > 0.0, "half-width", job.half_width, "must be above 0 mm: how far the ridge goes from its crest to either side");
+    requireOption(job.half_width > 0.0, "half-width", job.half_width,
+                  "must be above 0 mm: how far the ridge goes from its crest to either side");
     refuse(job, {"measuring-error"}, "lines are found in the scan; its noise is found, too; leave it out");
     return;
   }
   refuse(job, {"half-width", "ring"}, "belongs to --through, the points of a ridge in a scan; leave it out");
   if (job.rail.empty() || job.generator.empty())
-    throw UsageError(job.rail.empty() ? "no rail is named; give two files, points along the ridge and points across it: rail.pcd generator.pcd (or "
-                                        "--scan with --through)"
-                                      : "no generator is named; give a second file, points measured once across the ridge: " + job.rail +
-                                            " generator.pcd");
+    throw UsageError(job.rail.empty()
+                         ? "no rail is named; give two files, points along the ridge and points across it: rail.pcd generator.pcd (or "
+                           "--scan with --through)"
+                         : "no generator is named; give a second file, points measured once across the ridge: " + job.rail +
+                               " generator.pcd");
   std::error_code error;
   if (std::filesystem::equivalent(job.rail, job.generator, error))
-    throw UsageError(job.generator + ": rail and generator are the same file; give the points measured along the ridge first, and those measured "
-                                     "across it second");
+    throw UsageError(job.generator +
+                     ": rail and generator are the same file; give the points measured along the ridge first, and those measured "
+                     "across it second");
 }
 
 /** One tells how far rows are apart. */
@@ -66,7 +70,8 @@ checkRows(Job& job)
   requireOption(s.overlap >= 0.0 && s.overlap < 1.0, "overlap", s.overlap, "must be 0 or more and below 1, such as 0.25");
   if (!isGiven(job, "spot"))
     refuse(job, {"overlap"}, "belongs to --spot; leave it out");
-  requireOption(s.stand_off >= 0.0, "stand-off", s.stand_off, "must not be below 0 mm; for the other side of the ridge give --flip-normals");
+  requireOption(s.stand_off >= 0.0, "stand-off", s.stand_off,
+                "must not be below 0 mm; for the other side of the ridge give --flip-normals");
   requireOption(s.point_spacing > 0.0, "point-spacing", s.point_spacing, "must be above 0 mm");
   requireOption(s.run_in >= 0.0, "run-in", s.run_in, "must not be below 0 mm");
   requireOption(s.run_out >= 0.0, "run-out", s.run_out, "must not be below 0 mm");
@@ -83,8 +88,9 @@ checkBeam(Job& job)
   if (isGiven(job, "tool-radius"))
     requireOption(job.cutter.radius > 0.0, "tool-radius", job.cutter.radius, "must be above 0 mm; for a beam leave it out");
   if (!job.scan.empty() && job.through.empty())
-    throw UsageError("--scan " + job.scan + ": a beam is led by rail and generator alone; give a cutter (--tool-radius), or in place of both "
-                                            "files --through");
+    throw UsageError("--scan " + job.scan +
+                     ": a beam is led by rail and generator alone; give a cutter (--tool-radius), or in place of both "
+                     "files --through");
   for (const std::string& output : job.outputs)
     if (isExchange(output))
       throw UsageError("-o " + output + ": this format describes a cutter, and a beam has none; use .6d, .5d, .csv or a program");

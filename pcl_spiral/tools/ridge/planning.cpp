@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
 
 #include "passes/cutter_locations.h"
@@ -8,9 +9,9 @@
 #include "terminal/file_names.h"
 #include "terminal/setter_names.h"
 
-#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/ridge/ridge_lines.h>
 #include <pcl_spiral/ridge/ridge_mesh.h>
@@ -128,10 +129,11 @@ takeBeam(const Job& job, const DrivePasses& rows, Result& result)
   }
   const double lean = std::hypot(job.rows.lead, job.rows.tilt);
   if (lean > 0.0 && job.rows.stand_off != 0.0)
-    result.warnings.push_back(textOf("the beam leans by about ", lean, " degrees at a stand-off of ", job.rows.stand_off,
-                                     " mm: it meets the surface some ", std::abs(job.rows.stand_off) * std::tan(lean * pi / 180.0),
-                                     " mm beside the row, and files say where; leave --stand-off out, and set the tool's length longer by it: then the tip of the "
-                                     "files is the spot"));
+    result.warnings.push_back(textOf(
+        "the beam leans by about ", lean, " degrees at a stand-off of ", job.rows.stand_off, " mm: it meets the surface some ",
+        std::abs(job.rows.stand_off) * std::tan(lean * pi / 180.0),
+        " mm beside the row, and files say where; leave --stand-off out, and set the tool's length longer by it: then the tip of the "
+        "files is the spot"));
   if (hasProgram(job.program, job.outputs))
     result.warnings.push_back("the way of the beam's head is not checked: nothing is known of its shape; see that it is free");
 }
@@ -146,7 +148,7 @@ makeMesh(const Job& job, Result& result)
   const double chord_error = job.hasCutter() ? std::max(share_of_tolerance * job.tolerance, finest * width) : for_pictures * width;
   if (const Status status = ridgeMesh(*result.ridge, chord_error, result.mesh); !status.ok())
     throw FileError(job.part, textOf("a ridge ", result.ridge->rail().length(), " mm long and ", width,
-                                         " mm wide takes too many triangles, more than a million: make it in pieces"));
+                                     " mm wide takes too many triangles, more than a million: make it in pieces"));
 }
 
 void

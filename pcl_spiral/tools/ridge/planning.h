@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  From two measured lines, or a scan, to rows of a tool.
  */
@@ -6,9 +7,9 @@
 #include "job.h"
 #include "passes/pass_result.h"
 
+#include <pcl_spiral/ridge/impl/scan_ridge.h>
 #include <pcl_spiral/ridge/ridge_rows.h>
 #include <pcl_spiral/ridge/ridge_surface.h>
-#include <pcl_spiral/ridge/impl/scan_ridge.h>
 
 #include <optional>
 

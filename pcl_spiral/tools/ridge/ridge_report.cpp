@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ridge_report.h"
 
 #include "passes/pass_report.h"

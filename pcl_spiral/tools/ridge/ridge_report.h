@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A run of pcl_spiral_ridge for programs to read.
  */

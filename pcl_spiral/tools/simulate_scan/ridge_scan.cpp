@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ridge_scan.h"
 
 #include <pcl_spiral/core/impl/angles.h>
@@ -48,8 +49,7 @@ public:
 
   double share() { return uniform_(random_); }
 
-  pcl::PointXYZ
-  seen(const Vector3d& place)
+  pcl::PointXYZ seen(const Vector3d& place)
   {
     const double x = normal_(random_), y = normal_(random_), z = normal_(random_);
     const Eigen::Vector3f p = (place + settings_.noise * Vector3d(x, y, z)).cast<float>();
@@ -57,8 +57,7 @@ public:
   }
 
   /** Of the full scan: a share of the points is false, off along \p normal. */
-  pcl::PointXYZ
-  scanned(const Vector3d& place, const Vector3d& normal)
+  pcl::PointXYZ scanned(const Vector3d& place, const Vector3d& normal)
   {
     const bool stray = share() < settings_.outliers;
     const double off = strayDistance(share());

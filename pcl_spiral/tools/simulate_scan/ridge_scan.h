@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A simulated scan of the ridge of a press die, and the two lines that are measured of it.
  */
@@ -20,8 +21,8 @@ struct RidgeScan {
   pcl::PointCloud<pcl::PointXYZ> scan, rail, generator;
 };
 
-/** The rail (600 t, 60 sin 1.6 pi t, 40 sin pi t) carries the generator b = 24 w, c = 20 w (1 - w) (1 + (1 - 2 w) / 2), whose chord keeps -15 degrees
- *  with the horizontal plane; the generator is measured at t = 0.37. */
+/** The rail (600 t, 60 sin 1.6 pi t, 40 sin pi t) carries the generator b = 24 w, c = 20 w (1 - w) (1 + (1 - 2 w) / 2), whose chord keeps
+ *  -15 degrees with the horizontal plane; the generator is measured at t = 0.37. */
 RidgeScan simulateRidge(const RidgeScanSettings& settings);
 
 /** A false echo lies 5 to 20 mm before or behind the surface; \p share is uniform in 0 to 1. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
 #include "job_file.h"
 
@@ -22,8 +23,7 @@ description(const OptionGroup& group)
     if (option.argument.empty())
       result.add_options()(names.c_str(), option.help.c_str());
     else
-      result.add_options()(names.c_str(), po::value<std::string>()->value_name(option.argument),
-                           option.help.c_str());
+      result.add_options()(names.c_str(), po::value<std::string>()->value_name(option.argument), option.help.c_str());
   }
   return result;
 }
@@ -47,12 +47,11 @@ splitArguments(const OptionTable& table, const std::vector<std::string>& files, 
   for (const std::string& name : files)
     positional.add(name.c_str(), name == files.back() ? -1 : 1);
   try {
-    const po::parsed_options parsed =
-        po::command_line_parser(argc, argv)
-            .options(options)
-            .positional(positional)
-            .style(style::unix_style & ~style::allow_guessing & ~style::allow_sticky)
-            .run();
+    const po::parsed_options parsed = po::command_line_parser(argc, argv)
+                                          .options(options)
+                                          .positional(positional)
+                                          .style(style::unix_style & ~style::allow_guessing & ~style::allow_sticky)
+                                          .run();
     NamedValues values;
     for (const auto& option : parsed.options)
       values.emplace_back(option.string_key, option.value.empty() ? "true" : option.value[0]);
@@ -60,8 +59,7 @@ splitArguments(const OptionTable& table, const std::vector<std::string>& files, 
   }
   catch (const po::unknown_option& error) {
     const std::string name = error.get_option_name();
-    throw UsageError(name + " is no option" +
-                     suggestion(table, name.substr(std::min(name.find_first_not_of('-'), name.size()))));
+    throw UsageError(name + " is no option" + suggestion(table, name.substr(std::min(name.find_first_not_of('-'), name.size()))));
   }
   catch (const po::error& error) {
     throw UsageError(error.what());
@@ -85,8 +83,7 @@ setValues(const OptionTable& table, const std::vector<std::string>& files, const
 bool
 holds(const NamedValues& values, const std::string& name)
 {
-  return std::any_of(values.begin(), values.end(),
-                     [&name](const auto& value) { return value.first == name; });
+  return std::any_of(values.begin(), values.end(), [&name](const auto& value) { return value.first == name; });
 }
 
 } // namespace
@@ -96,13 +93,10 @@ setOptions(const OptionTable& table, int argc, const char* const* argv, const st
 {
   const NamedValues given = splitArguments(table, files, argc, argv);
   NamedValues filed;
-  const auto config =
-      std::find_if(given.begin(), given.end(), [](const auto& v) { return v.first == "config"; });
+  const auto config = std::find_if(given.begin(), given.end(), [](const auto& v) { return v.first == "config"; });
   if (config != given.end()) {
     filed = readJobFile(config->second, table);
-    filed.erase(
-        std::remove_if(filed.begin(), filed.end(), [&given](const auto& v) { return holds(given, v.first); }),
-        filed.end());
+    filed.erase(std::remove_if(filed.begin(), filed.end(), [&given](const auto& v) { return holds(given, v.first); }), filed.end());
   }
   std::set<std::string> names;
   for (const NamedValues* values : {static_cast<const NamedValues*>(&filed), &given}) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "job_file.h"
 
 #include <pcl_spiral/io/file_error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "option_table.h"
 
 #include <pcl_spiral/common/impl/thread_limit.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "option_values.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -62,7 +63,6 @@ placeValue(const std::string& name, const std::string& value)
 {
   const std::vector<std::string> words = listValue(value);
   if (words.size() != 3)
-    throw UsageError("--" + name + " " + value +
-                     ": three numbers parted by commas are needed, such as 10,-5,120");
+    throw UsageError("--" + name + " " + value + ": three numbers parted by commas are needed, such as 10,-5,120");
   return {numberValue(name, words[0]), numberValue(name, words[1]), numberValue(name, words[2])};
 }

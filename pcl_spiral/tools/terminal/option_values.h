@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What the words behind an option mean. A value that means nothing is a UsageError naming option, value and
  * remedy.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "terminal.h"
 
 #include <unistd.h>
@@ -54,8 +55,7 @@ ProgressBar::update(double share, const std::string& stage)
   if (shown_ && (percent != last_percent_ || stage != last_stage_)) {
     constexpr int width = 30;
     const int filled = percent * width / 100;
-    std::fprintf(stderr, "\r\033[K[%s%s] %3d %%  %s",
-                 std::string(static_cast<std::size_t>(filled), '#').c_str(),
+    std::fprintf(stderr, "\r\033[K[%s%s] %3d %%  %s", std::string(static_cast<std::size_t>(filled), '#').c_str(),
                  std::string(static_cast<std::size_t>(width - filled), '.').c_str(), percent, stage.c_str());
     std::fflush(stderr);
     last_percent_ = percent;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Wrong calls, progress, cancelling and times on a terminal.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console.h"
 #include "job_check.h"
 #include "program/machine_moves.h"
@@ -35,9 +36,8 @@ void
 printMethod(const pcl_spiral::SpiralReport& report)
 {
   if (report.method == pcl_spiral::SpiralMethod::ConstantScallop) {
-    std::printf("method          constant scallop: %zu loop%s, %zu in the spiral, %zu by bridges; %zu finger%s\n",
-                report.scallop_loops, plural(report.scallop_loops), report.chain_loops, report.bridges, report.fingers,
-                plural(report.fingers));
+    std::printf("method          constant scallop: %zu loop%s, %zu in the spiral, %zu by bridges; %zu finger%s\n", report.scallop_loops,
+                plural(report.scallop_loops), report.chain_loops, report.bridges, report.fingers, plural(report.fingers));
     std::printf("spiral          %zu turn%s, %zu points; %.0f %% against the sense asked for; sharpest turns %.2f step-overs\n",
                 report.turns, plural(report.turns), report.path_points, 100.0 * report.reversed_share, report.turn_radius);
     if (!report.pass_begins.empty())
@@ -45,8 +45,8 @@ printMethod(const pcl_spiral::SpiralReport& report)
     return;
   }
   std::printf("radial lines    %zu, %s\n", report.radial_lines.size(), report.harmonic_lines ? "harmonic" : "geodesic");
-  std::printf("spiral          %zu turn%s, %zu points, step-over %.4g to %.4g mm\n", report.turns, plural(report.turns),
-              report.path_points, report.smallest_step_over, report.largest_step_over);
+  std::printf("spiral          %zu turn%s, %zu points, step-over %.4g to %.4g mm\n", report.turns, plural(report.turns), report.path_points,
+              report.smallest_step_over, report.largest_step_over);
 }
 
 /** What was found in the mesh, and how it was sampled; leaves the line of the samples open. */
@@ -77,21 +77,20 @@ printSurface(const Job& job, const Result& result)
   dropped(report.surplus_points, "surplus along scan lines or beside sparser parts");
   dropped(report.left_out_points, "in other parts");
   std::printf(", %zu used\n", report.used_points);
-  std::printf("surface         spacing %.4g mm, %s %.2g mm\n", report.spacing, result.mesh ? "samples off the fits" : "noise", report.noise);
+  std::printf("surface         spacing %.4g mm, %s %.2g mm\n", report.spacing, result.mesh ? "samples off the fits" : "noise",
+              report.noise);
   std::size_t gaps = 0;
   for (const pcl_spiral::BoundaryLoop& loop : report.loops) {
     gaps += loop.type == pcl_spiral::LoopType::ScanGap;
     if (loop.type != pcl_spiral::LoopType::ScanGap)
-      std::printf("%s      %.1f mm long, %zu corner%s\n",
-                  loop.type == pcl_spiral::LoopType::Outer ? "outer rim " : "inner loop", loop.length,
-                  loop.corners.size(), plural(loop.corners.size()));
+      std::printf("%s      %.1f mm long, %zu corner%s\n", loop.type == pcl_spiral::LoopType::Outer ? "outer rim " : "inner loop",
+                  loop.length, loop.corners.size(), plural(loop.corners.size()));
   }
   if (gaps > 0)
     std::printf("%s %zu, bridged\n", result.mesh ? "narrow holes   " : "scan gaps      ", gaps);
   printHoles(report);
   if (report.boundaries == 1 && report.method != pcl_spiral::SpiralMethod::ConstantScallop)
-    std::printf("centre          %.3f, %.3f, %.3f\n", report.centre.x(), report.centre.y(),
-                report.centre.z());
+    std::printf("centre          %.3f, %.3f, %.3f\n", report.centre.x(), report.centre.y(), report.centre.z());
 }
 
 void
@@ -101,8 +100,7 @@ printPath(const Job& job, const pcl_spiral::SpiralReport& report)
   if (report.deviating_points > 0)
     std::printf("tool axis       over %g degrees off the tilt asked for at %zu point%s, to turn smoothly; "
                 "at most %.3g degrees\n",
-                job.settings.axis_deviation, report.deviating_points, plural(report.deviating_points),
-                report.largest_axis_deviation);
+                job.settings.axis_deviation, report.deviating_points, plural(report.deviating_points), report.largest_axis_deviation);
   std::printf("path length     %.3f m", report.path_length / 1000.0);
   if (report.least_length > 0.0)
     std::printf(", %.3f of the least", report.path_length / report.least_length);
@@ -110,8 +108,7 @@ printPath(const Job& job, const pcl_spiral::SpiralReport& report)
   if (report.gap_points > 0)
     std::printf("over gaps       %.1f mm at %zu point%s: bridged, a guess from what lies round them\n", report.gap_length,
                 report.gap_points, plural(report.gap_points));
-  std::printf("machining time  %s at %g mm/min\n",
-              duration(60.0 * report.path_length / job.settings.feed).c_str(), job.settings.feed);
+  std::printf("machining time  %s at %g mm/min\n", duration(60.0 * report.path_length / job.settings.feed).c_str(), job.settings.feed);
 }
 
 void
@@ -130,8 +127,8 @@ printStages(const Result& result, double seconds)
 {
   std::printf("neighbourhoods  %d pass%s over all of them%s\n", result.report.passes, result.report.passes == 1 ? "" : "es",
               result.surface && !result.mesh ? "; planner and judge share the surface"
-              : result.verification ? ", of planner and judge"
-                                    : "");
+              : result.verification          ? ", of planner and judge"
+                                             : "");
   std::printf("  %-16s %9s %7s %9s %9s\n", "stage", "s", "%", "MB", "peak MB");
   double rest = seconds;
   for (const pcl_spiral::StageCost& stage : result.report.stages) {
@@ -159,8 +156,8 @@ printSummary(const Job& job, const Result& result, double seconds)
   if (job.verbose)
     printStages(result, seconds);
   if (job.read.origin != Eigen::Vector3d::Zero())
-    std::printf("origin          the path is relative to %.10g, %.10g, %.10g in the scan's unit\n",
-                job.read.origin.x(), job.read.origin.y(), job.read.origin.z());
+    std::printf("origin          the path is relative to %.10g, %.10g, %.10g in the scan's unit\n", job.read.origin.x(),
+                job.read.origin.y(), job.read.origin.z());
   std::printf("written        ");
   for (const std::string& file : filesOf(job))
     std::printf(" %s", file.c_str());

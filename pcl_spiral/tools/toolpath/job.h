@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What one run of pcl_spiral_toolpath is asked to do.
  */
@@ -15,7 +16,7 @@
 /** A run as the user described it. */
 struct Job {
   std::set<std::string> given; ///< names of the options that were set, here or in a job file
-  std::string command; ///< the call as typed
+  std::string command;         ///< the call as typed
   std::string scan;
   std::string config_file;
   std::vector<std::string> outputs;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "job_check.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
@@ -39,18 +40,16 @@ checkCutter(const Job& job)
   requireOption(s.tool_radius > 0.0, "tool-radius", s.tool_radius, "must be above 0 mm, such as 10");
   requireOption(s.scallop_height > 0.0, "scallop", s.scallop_height, "must be above 0 mm, such as 0.05");
   requireOption(s.scallop_height < s.tool_radius, "scallop", s.scallop_height,
-          "must be below the tool radius, which is " + text(s.tool_radius) +
-              " mm; usual is a hundredth of it");
+                "must be below the tool radius, which is " + text(s.tool_radius) + " mm; usual is a hundredth of it");
   requireOption(s.chord_error > 0.0, "chord-error", s.chord_error, "must be above 0 mm, such as 0.005");
   requireOption(s.chord_error < s.tool_radius, "chord-error", s.chord_error,
-          "must be below the tool radius, which is " + text(s.tool_radius) + " mm");
+                "must be below the tool radius, which is " + text(s.tool_radius) + " mm");
   requireOption(s.max_step >= 0.0, "max-step", s.max_step, "must be above 0 mm, or 0 for the tool radius");
   requireOption(std::abs(s.tilt_angle) < 90.0, "tilt", s.tilt_angle, "must lie between -90 and 90 degrees");
   requireOption(std::abs(s.lead_angle) < 90.0, "lead", s.lead_angle, "must lie between -90 and 90 degrees");
   requireOption(s.max_axis_rate > 0.0, "max-axis-rate", s.max_axis_rate, "must be above 0 degrees a mm");
   requireOption(s.axis_smoothing >= 0.0, "axis-smoothing", s.axis_smoothing, "must be above 0 mm, or 0 for none");
-  requireOption(s.axis_deviation > 0.0 && s.axis_deviation < 90.0, "axis-deviation", s.axis_deviation,
-          "must lie between 0 and 90 degrees");
+  requireOption(s.axis_deviation > 0.0 && s.axis_deviation < 90.0, "axis-deviation", s.axis_deviation, "must lie between 0 and 90 degrees");
   requireOption(s.feed > 0.0, "feed", s.feed, "must be above 0 mm/min");
   requireOption(s.thinning >= 0.0, "thin", s.thinning, "must be above 0 mm, or 0 for none");
 }
@@ -95,9 +94,7 @@ checkOutputs(const Job& job)
                        "' is not known; use .csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .json .html or .png");
   const std::vector<std::string> files = filesOf(job);
   for (std::size_t i = 0; i < files.size(); ++i) {
-    requireNoInput(files[i], {{"the scan", job.scan},
-                              {"the machine's file", job.program.machine_file},
-                              {"the job file", job.config_file}});
+    requireNoInput(files[i], {{"the scan", job.scan}, {"the machine's file", job.program.machine_file}, {"the job file", job.config_file}});
     if (std::find(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(i), files[i]) !=
         files.begin() + static_cast<std::ptrdiff_t>(i))
       throw UsageError("-o " + files[i] + ": is given twice");
@@ -113,9 +110,8 @@ picturesOf(const Job& job)
   if (hasProgram(job.program, job.outputs))
     pictures.push_back({PictureKind::Rotary, "_rotary"});
   if (job.verify)
-    pictures.insert(pictures.end(), {{PictureKind::Deviation, "_deviation"},
-                                     {PictureKind::Stock, "_stock"},
-                                     {PictureKind::Histogram, "_histogram"}});
+    pictures.insert(pictures.end(),
+                    {{PictureKind::Deviation, "_deviation"}, {PictureKind::Stock, "_stock"}, {PictureKind::Histogram, "_histogram"}});
   return pictures;
 }
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_input.h"
 #include "planning.h"
 #include "terminal/setter_names.h"
 
-#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
@@ -20,8 +21,8 @@ using namespace pcl_spiral;
 
 namespace {
 
-constexpr double spacings_a_hole = 6.0;       // triangles over samples close circles of three spacings and less
-constexpr double spacings_a_radius = 6.0;     // beside an edge fits go hollow, by a radius of 15 spacings where it is bent by 62 degrees
+constexpr double spacings_a_hole = 6.0;   // triangles over samples close circles of three spacings and less
+constexpr double spacings_a_radius = 6.0; // beside an edge fits go hollow, by a radius of 15 spacings where it is bent by 62 degrees
 constexpr double most_samples = 5e5, samples_a_square = 1.6; // the latter: of one spacing
 
 void

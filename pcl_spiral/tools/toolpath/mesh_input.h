@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A mesh as the spiral takes it: samples of its curved surface.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "outputs.h"
 
 #include "job_check.h"
@@ -5,9 +6,9 @@
 #include "terminal/file_names.h"
 #include "terminal/terminal.h"
 
+#include "io/report_writer.h"
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
-#include "io/report_writer.h"
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
@@ -28,8 +29,12 @@ void
 draw(const Result& result, const std::string& title, PictureFiles& pictures)
 {
   VerificationScene scene;
-  scene.part = {title, result.heights.points ? result.heights.points : result.scan.cloud, result.mesh ? result.mesh->mesh : nullptr, result.path,
-                result.settings, result.report};
+  scene.part = {title,
+                result.heights.points ? result.heights.points : result.scan.cloud,
+                result.mesh ? result.mesh->mesh : nullptr,
+                result.path,
+                result.settings,
+                result.report};
   pictures.drawPath(scene.part, true);
   if (result.program)
     pictures.drawProgram(title, *result.program);
@@ -50,8 +55,7 @@ isReport(const std::string& output)
 }
 
 void
-writeReport(const Job& job, const Result& result, const std::string& title, PictureFiles& pictures,
-            const std::string& file)
+writeReport(const Job& job, const Result& result, const std::string& title, PictureFiles& pictures, const std::string& file)
 {
   RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings, {}};
   if (result.mesh)
@@ -67,8 +71,7 @@ writeReport(const Job& job, const Result& result, const std::string& title, Pict
 
 /** A program, CLDATA or robot frames. */
 void
-writeMoves(const Job& job, const Result& result, const std::string& title, const std::string& output,
-           const std::string& file)
+writeMoves(const Job& job, const Result& result, const std::string& title, const std::string& output, const std::string& file)
 {
   const std::string extension = extensionOf(output);
   ProgramHeader header = job.program.header;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
 #include "mesh_input.h"
 #include "terminal/setter_names.h"
@@ -105,8 +106,7 @@ computePath(const Job& job)
   result.settings = settingsFor(job, result);
   generator.setSettings(result.settings);
   result.settings.flip_normals = job.settings.flip_normals;
-  generator.setProgressCallback(
-      [&bar](double share, const std::string& stage) { return bar.update(share, stage); });
+  generator.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
   generator.compute(*result.path);
   bar.clear();
   requireOk(job, result.mesh ? withSpacings(generator.getStatus(), *result.mesh) : generator.getStatus());

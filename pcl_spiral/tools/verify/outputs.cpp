@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "outputs.h"
 
 #include "judging/judged_scene.h"
@@ -18,8 +19,7 @@ namespace {
 bool
 writes(const VerifyJob& job, const std::string& extension)
 {
-  return std::any_of(job.outputs.begin(), job.outputs.end(),
-                     [&](const std::string& output) { return extensionOf(output) == extension; });
+  return std::any_of(job.outputs.begin(), job.outputs.end(), [&](const std::string& output) { return extensionOf(output) == extension; });
 }
 
 } // namespace
@@ -37,13 +37,12 @@ VerifyOutputs::take(const JudgedPart& part, const ReferenceSurface& surface, con
     mesh_ = JudgedMesh{part.mesh->counts(), part.mesh->settings(), mesh->faceCount(), mesh->spacing()};
   const bool report = writes(job_, ".html");
   if (report || writes(job_, ".png")) {
-    const VerificationScene scene =
-        judgedScene(part.cloud, judged.path, job_.settings, surface, judged.verification, judged.heights);
+    const VerificationScene scene = judgedScene(part.cloud, judged.path, job_.settings, surface, judged.verification, judged.heights);
     if (report)
       pictures_.drawPath(scene.part, false);
     pictures_.drawJudging(scene);
-    report_pictures_.push_back(pictures_.forReport(
-        {PictureKind::Spiral, PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram}));
+    report_pictures_.push_back(
+        pictures_.forReport({PictureKind::Spiral, PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram}));
   }
   for (std::size_t i = 0; i < files_.size(); ++i)
     if (extensionOf(files_.path(i)) == ".vtp")
@@ -55,16 +54,10 @@ VerifyOutputs::take(const JudgedPart& part, const ReferenceSurface& surface, con
 void
 VerifyOutputs::finish(const JudgedPart& part)
 try {
-  const VerificationRun run{job_.scan,
-                            job_.read.unit,
-                            job_.settings.tool_radius,
-                            job_.settings.scallop_height,
-                            job_.settings.chord_error,
-                            part.warnings,
-                            job_.limits,
-                            mesh_};
-  const std::string title = std::filesystem::path(job_.paths.front()).filename().string() +
-                            (job_.paths.size() > 1 ? " and others" : "");
+  const VerificationRun run{
+      job_.scan,   job_.read.unit, job_.settings.tool_radius, job_.settings.scallop_height, job_.settings.chord_error, part.warnings,
+      job_.limits, mesh_};
+  const std::string title = std::filesystem::path(job_.paths.front()).filename().string() + (job_.paths.size() > 1 ? " and others" : "");
   std::size_t i = 0;
   for (const std::string& output : job_.outputs) {
     const std::string extension = extensionOf(output);
@@ -76,8 +69,8 @@ try {
     else if (extension == ".json")
       writeVerificationJSON(files_.temporary(i++), run, verifications_);
     else if (extension == ".html")
-      writeVerificationHTML(files_.temporary(i++), {title, madeBy("pcl_spiral_verify"), job_.command}, run,
-                            verifications_, report_pictures_);
+      writeVerificationHTML(files_.temporary(i++), {title, madeBy("pcl_spiral_verify"), job_.command}, run, verifications_,
+                            report_pictures_);
     else
       ++i; // written when the path was taken
   }

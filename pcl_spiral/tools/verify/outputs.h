@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What a run of pcl_spiral_verify came to, and its files.
  */
@@ -11,8 +12,7 @@
 
 /** A path and how it was judged. */
 struct JudgedPath {
-  pcl::PointCloud<pcl_spiral::ToolpathPoint>::Ptr path =
-      pcl::make_shared<pcl::PointCloud<pcl_spiral::ToolpathPoint>>();
+  pcl::PointCloud<pcl_spiral::ToolpathPoint>::Ptr path = pcl::make_shared<pcl::PointCloud<pcl_spiral::ToolpathPoint>>();
   std::vector<double> feed; ///< mm/min; empty where its file has none
   pcl_spiral::Verification verification;
   Heights heights;

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "verify_job.h"
 
 #include "judging/judge_options.h"
 #include "terminal/file_names.h"
-#include "terminal/setter_names.h"
 #include "terminal/option_values.h"
+#include "terminal/setter_names.h"
 
 #include <boost/program_options.hpp>
 
@@ -19,13 +20,9 @@ allOptions()
 {
   constexpr unsigned int width = 110;
   const auto value = [](const char* name) { return po::value<std::string>()->value_name(name); };
-  const auto values = [](const char* name) {
-    return po::value<std::vector<std::string>>()->value_name(name);
-  };
-  po::options_description files("Files", width, width / 2),
-      cutter("Cutter and finish (mm)", width, width / 2),
-      limits("Limits: one that is broken ends the program with 1", width, width / 2),
-      run("Run", width, width / 2);
+  const auto values = [](const char* name) { return po::value<std::vector<std::string>>()->value_name(name); };
+  po::options_description files("Files", width, width / 2), cutter("Cutter and finish (mm)", width, width / 2),
+      limits("Limits: one that is broken ends the program with 1", width, width / 2), run("Run", width, width / 2);
   files.add_options()("file", values("FILE"),
                       "the scan, or with --mesh the mesh, then the paths: .csv .pcd .ply .vtp; the names alone are enough")(
       "output,o", values("FILE"),
@@ -39,12 +36,11 @@ allOptions()
   addScanOptions(files);
   addMeshOptions(files);
   addCutterOptions(cutter, "radius of the ball cutter; needed: --tool-radius 10");
-  limits.add_options()("max-gouge", value("G"), "mm: --max-gouge 0.01")("max-scallop", value("S"),
-                                                                        "mm: --max-scallop 0.06")(
+  limits.add_options()("max-gouge", value("G"), "mm: --max-gouge 0.01")("max-scallop", value("S"), "mm: --max-scallop 0.06")(
       "max-deviation", value("D"), "of the contacts from the scanned surface, mm: --max-deviation 0.02")(
       "max-uncut", value("P"), "percent of the scan's points: --max-uncut 0");
-  run.add_options()("threads", value("N"), "0, the default, means all: --threads 4")(
-      "quiet", "say nothing but errors")("help,h", "this text")("version", "print the version");
+  run.add_options()("threads", value("N"), "0, the default, means all: --threads 4")("quiet", "say nothing but errors")(
+      "help,h", "this text")("version", "print the version");
   po::options_description all;
   all.add(files).add(cutter).add(limits).add(run);
   return all;
@@ -68,8 +64,7 @@ check(const VerifyJob& job, bool radius_given)
 {
   require(!job.scan.empty(), "no scan is named; give the scan and then the paths, such as part.pcd part.csv");
   require(!job.paths.empty(), "no path is named after the scan; give at least one, such as part.csv");
-  require(radius_given,
-          "no --tool-radius is given; give the radius of the ball cutter in mm, such as --tool-radius 10");
+  require(radius_given, "no --tool-radius is given; give the radius of the ball cutter in mm, such as --tool-radius 10");
   for (const std::string& output : job.outputs) {
     const std::string extension = extensionOf(output);
     const std::vector<std::string> known{".json", ".html", ".png", ".vtp"};

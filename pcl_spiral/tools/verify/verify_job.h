@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What one run of pcl_spiral_verify is asked to do.
  */

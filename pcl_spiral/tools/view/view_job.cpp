@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "view_job.h"
 
 #include "terminal/setter_names.h"
@@ -17,18 +18,16 @@ po::options_description
 allOptions()
 {
   constexpr unsigned int width = 110;
-  po::options_description files("Files", width, width / 2),
-      cutter("Cutter and finish (mm)", width, width / 2), run("Run", width, width / 2);
+  po::options_description files("Files", width, width / 2), cutter("Cutter and finish (mm)", width, width / 2),
+      run("Run", width, width / 2);
   files.add_options()("file", po::value<Files>()->value_name("FILE"),
                       "the scan, or with --mesh the mesh, then the path: .csv .pcd .ply .vtp; the names alone are enough");
   addScanOptions(files);
   addMeshOptions(files);
-  addCutterOptions(cutter,
-                   "radius of the ball cutter; without it the stock map and the histogram stay empty: "
-                   "--tool-radius 10");
-  run.add_options()("threads", po::value<std::string>()->value_name("N"),
-                    "0, the default, means all: --threads 4")("quiet", "say nothing but errors")(
-      "help,h", "this text")("version", "print the version");
+  addCutterOptions(cutter, "radius of the ball cutter; without it the stock map and the histogram stay empty: "
+                           "--tool-radius 10");
+  run.add_options()("threads", po::value<std::string>()->value_name("N"), "0, the default, means all: --threads 4")(
+      "quiet", "say nothing but errors")("help,h", "this text")("version", "print the version");
   po::options_description all;
   all.add(files).add(cutter).add(run);
   return all;
@@ -47,9 +46,8 @@ parseViewCommandLine(int argc, const char* const* argv)
   if (job.help || job.version)
     return job;
   const Files named = given.count("file") > 0 ? given["file"].as<Files>() : Files();
-  require(named.size() == 2,
-          std::to_string(named.size()) +
-              " files are named; give the scan, or with --mesh the mesh, and then one path, such as part.pcd part.csv");
+  require(named.size() == 2, std::to_string(named.size()) +
+                                 " files are named; give the scan, or with --mesh the mesh, and then one path, such as part.pcd part.csv");
   job.scan = named[0];
   job.path = named[1];
   job.read = scanOptions(given);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What one run of pcl_spiral_view is asked to do.
  */
@@ -16,7 +17,7 @@ struct ViewJob {
   std::string scan, path;
   pcl_spiral::ReadOptions read;
   std::optional<MeshChoice> mesh; ///< absent: the first file is a scan
-  JudgeSettings settings; ///< tool radius 0: none is given
+  JudgeSettings settings;         ///< tool radius 0: none is given
   bool quiet = false;
   bool help = false;
   bool version = false;

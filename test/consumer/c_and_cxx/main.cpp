@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Uses the classes with a point type of its own, from a project with C in it.
 #include "scanner_point.h"
 
@@ -17,9 +18,7 @@ scanOfDome(int count, double radius, double rim)
   for (int i = 0; i < count; ++i) {
     const double r = rim * std::sqrt((i + 0.5) / count), angle = 2.399963229728653 * i;
     ScannerPoint point;
-    point.getVector3fMap() =
-        Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), std::sqrt(radius * radius - r * r))
-            .cast<float>();
+    point.getVector3fMap() = Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), std::sqrt(radius * radius - r * r)).cast<float>();
     point.confidence = 1.0f;
     cloud->push_back(point);
   }

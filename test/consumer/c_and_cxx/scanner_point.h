@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A point as some scanner gives it: unknown to PCL and to pcl_spiral.
  */
@@ -12,11 +13,9 @@ struct EIGEN_ALIGN16 ScannerPoint {
   float confidence;
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
-POINT_CLOUD_REGISTER_POINT_STRUCT(ScannerPoint,
-                                  (float, x, x)(float, y, y)(float, z, z)(float, confidence, confidence))
+POINT_CLOUD_REGISTER_POINT_STRUCT(ScannerPoint, (float, x, x)(float, y, y)(float, z, z)(float, confidence, confidence))
 
 using ScannerCloud = pcl::PointCloud<ScannerPoint>;
 
 /** Whether the stages from the cloud to the tool axes are right on a dome of \p radius about the origin, \p rim wide. */
-bool
-stagesAreRight(const ScannerCloud::Ptr& dome, double radius, double rim);
+bool stagesAreRight(const ScannerCloud::Ptr& dome, double radius, double rim);

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every stage from a cloud of points of our own to tool axes, against what is known of a dome.
 #include "scanner_point.h"
 
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/geodesic/geodesic_path.h>
-#include <pcl_spiral/surface/mls_projector.h>
-#include <pcl_spiral/surface/surface_preparation.h>
 #include <pcl_spiral/spiral/radial_lines.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/spiral/tool_axis.h>
+#include <pcl_spiral/surface/mls_projector.h>
+#include <pcl_spiral/surface/surface_preparation.h>
 
 #include <cmath>
 #include <iostream>
@@ -126,6 +127,6 @@ spiralIsRight(const ScannerCloud::Ptr& dome, double radius)
 bool
 stagesAreRight(const ScannerCloud::Ptr& dome, double radius, double rim)
 {
-  return preparationIsRight(dome) && loopsAreRight(dome, rim) && geodesicIsRight(dome, radius) &&
-         projectorIsRight(dome, radius) && linesAreRight(dome, radius, rim) && spiralIsRight(dome, radius);
+  return preparationIsRight(dome) && loopsAreRight(dome, rim) && geodesicIsRight(dome, radius) && projectorIsRight(dome, radius) &&
+         linesAreRight(dome, radius, rim) && spiralIsRight(dome, radius);
 }

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Removes the points of a scan that lie off its surface.
  */
 #pragma once
 
-#include <pcl_spiral/common/status.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/common/status.h>
 
 #include <pcl/filters/filter_indices.h>
 #include <pcl/point_types.h>
@@ -19,10 +20,10 @@ namespace pcl_spiral {
 
 /** Results of a removal: points, lengths in mm. */
 struct StrayFigures {
-  std::size_t strays = 0;        ///< outliers left out; finite ones
-  std::size_t nonfinite = 0;     ///< left out as well
-  std::size_t kept_strays = 0;   ///< outliers kept: off the surface, but in a group larger than the limit
-  std::size_t largest_group = 0; ///< of outliers, including those kept, linked by steps of three spacings
+  std::size_t strays = 0;                                        ///< outliers left out; finite ones
+  std::size_t nonfinite = 0;                                     ///< left out as well
+  std::size_t kept_strays = 0;                                   ///< outliers kept: off the surface, but in a group larger than the limit
+  std::size_t largest_group = 0;                                 ///< of outliers, including those kept, linked by steps of three spacings
   Eigen::Vector3d largest_group_place = Eigen::Vector3d::Zero(); ///< its middle
 };
 
@@ -53,20 +54,11 @@ public:
 
   /** Connected outliers in groups of more points than this stay: a false echo is a single point, a screw or a clamp is not.
    *  0, the default: all are left out. */
-  void
-  setLargestGroup(std::size_t points)
-  {
-    largest_group_ = points;
-  }
-  std::size_t
-  getLargestGroup() const
-  {
-    return largest_group_;
-  }
+  void setLargestGroup(std::size_t points) { largest_group_ = points; }
+  std::size_t getLargestGroup() const { return largest_group_; }
 
   /** Clears the last result. A null pointer is an error at once. */
-  void
-  setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
+  void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
   {
     status_ = cloud ? Status() : missingCloud();
     figures_ = StrayFigures();
@@ -76,8 +68,7 @@ public:
 
   /** As in pcl::Filter, but the output is also empty if there is no cloud. Through a pointer to pcl::Filter, pcl::Filter::filter
    *  leaves the output unchanged in that case and does not call this filter. */
-  void
-  filter(pcl::PointCloud<PointT>& output)
+  void filter(pcl::PointCloud<PointT>& output)
   {
     if (hasCloud())
       pcl::FilterIndices<PointT>::filter(output);
@@ -85,8 +76,7 @@ public:
       output.clear();
   }
   /** \copydoc filter */
-  void
-  filter(pcl::Indices& indices)
+  void filter(pcl::Indices& indices)
   {
     if (hasCloud())
       pcl::FilterIndices<PointT>::filter(indices);
@@ -95,26 +85,14 @@ public:
   }
 
   /** Status of the last call of filter: the fault of the points if they form no surface. */
-  const Status&
-  getStatus() const
-  {
-    return status_;
-  }
-  const StrayFigures&
-  getFigures() const
-  {
-    return figures_;
-  }
+  const Status& getStatus() const { return status_; }
+  const StrayFigures& getFigures() const { return figures_; }
 
 protected:
   void applyFilter(pcl::Indices& indices) override;
 
 private:
-  static Status
-  missingCloud()
-  {
-    return {StatusCode::InvalidInput, "the input cloud is missing: call setInputCloud with points"};
-  }
+  static Status missingCloud() { return {StatusCode::InvalidInput, "the input cloud is missing: call setInputCloud with points"}; }
   bool hasCloud();
   Status choose(pcl::Indices& kept, pcl::Indices& removed);
   std::vector<std::array<float, 3>> placesToLeaveOut(const std::vector<Eigen::Vector3f>& strays, double reach);

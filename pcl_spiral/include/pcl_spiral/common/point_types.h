@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Point types of pcl_spiral.
  */
 #pragma once
 
+#include <pcl/impl/point_types.hpp>
 #include <pcl/memory.h>
 #include <pcl/pcl_macros.h>
 #include <pcl/register_point_struct.h>
-#include <pcl/impl/point_types.hpp>
 
 #include <cstdint>
 
@@ -51,7 +52,6 @@ struct EIGEN_ALIGN16 ToolpathPoint {
 } // namespace pcl_spiral
 
 POINT_CLOUD_REGISTER_POINT_STRUCT(pcl_spiral::ToolpathPoint,
-                                  (float, x, x)(float, y, y)(float, z, z)
-                                  (float, normal_x, normal_x)(float, normal_y, normal_y)(float, normal_z, normal_z)
-                                  (float, axis_x, axis_x)(float, axis_y, axis_y)(float, axis_z, axis_z)
-                                  (double, arc_length, arc_length)(float, turn, turn)(std::uint8_t, over_gap, over_gap))
+                                  (float, x, x)(float, y, y)(float, z, z)(float, normal_x, normal_x)(float, normal_y, normal_y)(
+                                      float, normal_z, normal_z)(float, axis_x, axis_x)(float, axis_y, axis_y)(float, axis_z, axis_z)(
+                                      double, arc_length, arc_length)(float, turn, turn)(std::uint8_t, over_gap, over_gap))

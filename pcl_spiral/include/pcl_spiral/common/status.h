@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The result of a computation, which every class of pcl_spiral keeps.
  */
@@ -24,28 +25,12 @@ public:
   Status() = default;
   Status(StatusCode code, std::string message) : code_(code), message_(std::move(message)) {}
 
-  static Status
-  success()
-  {
-    return Status(StatusCode::Ok, "done");
-  }
+  static Status success() { return Status(StatusCode::Ok, "done"); }
 
-  bool
-  ok() const
-  {
-    return code_ == StatusCode::Ok;
-  }
-  StatusCode
-  code() const
-  {
-    return code_;
-  }
+  bool ok() const { return code_ == StatusCode::Ok; }
+  StatusCode code() const { return code_; }
   /** The fault, the place and value, and the remedy; one or more sentences. */
-  const std::string&
-  message() const
-  {
-    return message_;
-  }
+  const std::string& message() const { return message_; }
 
 private:
   StatusCode code_ = StatusCode::NotComputed;

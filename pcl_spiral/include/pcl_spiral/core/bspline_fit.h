@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Cubic B-spline fitted to a sequence of points by least squares.
  */
@@ -11,8 +12,7 @@ namespace pcl_spiral {
 
 /** Options of a B-spline fit. Lengths in the unit of the points. */
 struct BSplineFitOptions {
-  double tolerance =
-      1e-3; ///< spans are doubled, up to one for two points, until no point is farther away than this
+  double tolerance = 1e-3;   ///< spans are doubled, up to one for two points, until no point is farther away than this
   std::size_t min_spans = 4; ///< spans to start with
   std::size_t max_spans = 0; ///< 0: points - 3, which interpolates and is tried last
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Cutters of revolution: tapered bull-nose and its special cases. Lengths in mm.
  */
@@ -28,14 +29,13 @@ struct CutterShape {
 };
 
 /** The fault of a shape, with the value and the remedy; empty if the shape is a valid cutter. */
-std::string
-faultOf(const CutterShape& shape);
+std::string faultOf(const CutterShape& shape);
 
 /** Part of a cutter's profile. */
 enum class CutterPart {
-  Flat,  ///< the disc at the tip
+  Flat,   ///< the disc at the tip
   Corner, ///< the fillet, or the sharp edge where its radius is 0
-  Flank  ///< cone or cylinder above the corner
+  Flank   ///< cone or cylinder above the corner
 };
 
 /** The place of a cutter that touches a plane at a point. */
@@ -45,10 +45,10 @@ struct CutterContact {
   bool touches = false;
   CutterPart part = CutterPart::Corner;
   Eigen::Vector3d tip = Eigen::Vector3d::Zero(); ///< the location
-  double distance = 0.0; ///< of the contact from the axis
-  double height = 0.0;   ///< of the contact above the tip, along the axis
-  bool unique = true;    ///< false on the flat and on the flank, which touch along a line or area: the middle of the tip, or the
-                         ///< lower end of the flank, was put on the contact
+  double distance = 0.0;                         ///< of the contact from the axis
+  double height = 0.0;                           ///< of the contact above the tip, along the axis
+  bool unique = true;        ///< false on the flat and on the flank, which touch along a line or area: the middle of the tip, or the
+                             ///< lower end of the flank, was put on the contact
   double excess_angle = 0.0; ///< degrees by which the axis must lean towards the normal before the flank can touch
 };
 
@@ -65,13 +65,13 @@ public:
   explicit CutterProfile(const CutterShape& shape);
 
   const CutterShape& shape() const { return shape_; }
-  double radius() const { return shape_.radius; }             ///< R
+  double radius() const { return shape_.radius; }              ///< R
   double cornerRadius() const { return shape_.corner_radius; } ///< r
-  double flankRadius() const { return flank_radius_; }        ///< R1, where the flank begins
-  double flatRadius() const { return flat_radius_; }          ///< R2, where the corner begins
-  double cornerHeight() const { return corner_height_; }      ///< H, where the flank begins
-  double topHeight() const { return top_height_; }            ///< where the flank ends
-  double flankAngle() const { return flank_angle_; }          ///< alpha, radians
+  double flankRadius() const { return flank_radius_; }         ///< R1, where the flank begins
+  double flatRadius() const { return flat_radius_; }           ///< R2, where the corner begins
+  double cornerHeight() const { return corner_height_; }       ///< H, where the flank begins
+  double topHeight() const { return top_height_; }             ///< where the flank ends
+  double flankAngle() const { return flank_angle_; }           ///< alpha, radians
 
   /** Lowest height of the profile at the distance \p l >= 0 from the axis; infinite beyond R, where there is no profile. */
   double height(double l) const;
@@ -82,11 +82,7 @@ public:
   Eigen::Vector2d normal(double l) const;
   /** True if a point at \p l from the axis and \p height above the tip lies inside the cutter by more than \p margin,
    *  measured up the axis. The top is open: the shank continues. */
-  bool
-  contains(double l, double height, double margin = 0.0) const
-  {
-    return height - margin > this->height(l);
-  }
+  bool contains(double l, double height, double margin = 0.0) const { return height - margin > this->height(l); }
 
   /** Location of the tip for a contact at \p point of a surface with \p normal (unit, out of the material), with the tool along
    *  \p axis (unit, tip to shank): tip = point + l u - z axis, where u is the direction of the normal across the axis. */
@@ -100,7 +96,6 @@ private:
 
 /** The cutter reduced by \p depth along its normals: a point inside it is deeper than \p depth inside the whole one. Its tip is
  *  \p depth above the tip of the whole one. Returns the cutter itself if nothing would be left. */
-CutterProfile
-insetCutter(const CutterProfile& profile, double depth);
+CutterProfile insetCutter(const CutterProfile& profile, double depth);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Step-over on a plane from the true profile of a cutter.
  */

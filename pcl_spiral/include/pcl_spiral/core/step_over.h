@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Step-over from scallop height, scallop height from step-over, step from chord error.
  *

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The holder of a cutter: shank, extensions, chuck, as cones and cylinders on top of each other. Lengths in mm.
  */
@@ -15,11 +16,7 @@ struct ToolSegment {
   double length = 0.0;
   std::string name; ///< for messages: "shank"
 
-  static ToolSegment
-  cylinder(double radius, double length, const std::string& name)
-  {
-    return {radius, radius, length, name};
-  }
+  static ToolSegment cylinder(double radius, double length, const std::string& name) { return {radius, radius, length, name}; }
 };
 
 /** The fault of the segments, which are listed from the cutter upwards: which one, the value and the remedy; empty if
@@ -33,29 +30,12 @@ public:
   HolderProfile() = default;
   /** \p base: height above the tip of the lower end of the lowest segment: the top of the flank. \p cutter_radius:
    * radius below it. \throws std::invalid_argument on invalid segments or an invalid clearance. */
-  HolderProfile(const std::vector<ToolSegment>& segments, double base, double cutter_radius,
-                double clearance);
+  HolderProfile(const std::vector<ToolSegment>& segments, double base, double cutter_radius, double clearance);
 
-  bool
-  empty() const
-  {
-    return parts_.empty();
-  }
-  double
-  radius() const
-  {
-    return radius_;
-  } ///< the largest radius
-  double
-  bottom() const
-  {
-    return bottom_;
-  } ///< height above the tip
-  double
-  top() const
-  {
-    return top_;
-  }
+  bool empty() const { return parts_.empty(); }
+  double radius() const { return radius_; } ///< the largest radius
+  double bottom() const { return bottom_; } ///< height above the tip
+  double top() const { return top_; }
 
   /** The segment that contains a place \p l from the axis and \p height above the tip, or -1, and the depth there:
    * the shortest way out, through the flank or through a lower face that is wider than what is below it. */

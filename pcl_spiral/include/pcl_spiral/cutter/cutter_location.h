@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Five-axis cutter locations without gouge, from a cloud or a mesh.
  */
 #pragma once
 
-#include <pcl_spiral/common/point_types.h>
-#include <pcl_spiral/common/impl/progress.h>
-#include <pcl_spiral/common/status.h>
-#include <pcl_spiral/surface/surface_input.h>
-#include <pcl_spiral/cutter/impl/cutter_locator.h>
 #include <pcl_spiral/common/drive_pass.h>
+#include <pcl_spiral/common/impl/progress.h>
+#include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/cutter/impl/cutter_locator.h>
 #include <pcl_spiral/cutter/impl/location_bisection.h>
 #include <pcl_spiral/cutter/impl/location_mesh.h>
+#include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/PolygonMesh.h>
 #include <pcl/pcl_base.h>
@@ -43,140 +44,65 @@ public:
   using Evaluation = LocationEvaluation;
 
   /** Places, axes and, where a contact is asked for, normals. */
-  void
-  setDrivePoints(DrivePoints points)
+  void setDrivePoints(DrivePoints points)
   {
     drive_points_ = std::move(points);
     pass_sizes_ = {drive_points_.size()};
   }
   /** The same with several passes, such as those of DrivePath; the first point of a ring is repeated at its end. */
   void setDrivePasses(const DrivePasses& passes);
-  const DrivePoints&
-  getDrivePoints() const
-  {
-    return drive_points_;
-  }
+  const DrivePoints& getDrivePoints() const { return drive_points_; }
   /** The same from a toolpath: its contacts, axes and normals (zero: none). */
   void setDrivePath(const Path& path);
 
   /** Shape of the cutter. Must be set. */
-  void
-  setCutter(const CutterShape& cutter)
-  {
-    cutter_ = cutter;
-  }
-  const CutterShape&
-  getCutter() const
-  {
-    return cutter_;
-  }
+  void setCutter(const CutterShape& cutter) { cutter_ = cutter; }
+  const CutterShape& getCutter() const { return cutter_; }
 
   /** How the height of a location is found; Evaluation::FittedSurface by default. */
-  void
-  setEvaluation(Evaluation evaluation)
-  {
-    options_.evaluation = evaluation;
-  }
-  Evaluation
-  getEvaluation() const
-  {
-    return options_.evaluation;
-  }
+  void setEvaluation(Evaluation evaluation) { options_.evaluation = evaluation; }
+  Evaluation getEvaluation() const { return options_.evaluation; }
 
   /** A contact counts as reached if the cutter touches within this distance along the axis, mm; 0.01 by default. */
-  void
-  setContactTolerance(double tolerance)
-  {
-    options_.tolerance = tolerance;
-  }
-  double
-  getContactTolerance() const
-  {
-    return options_.tolerance;
-  }
+  void setContactTolerance(double tolerance) { options_.tolerance = tolerance; }
+  double getContactTolerance() const { return options_.tolerance; }
 
   /** The parts above the cutter, from the top of its flank upwards: shank, extensions,
    *  chuck. None by default: no collision check. Set the cutter's flank length too. */
-  void
-  setHolder(std::vector<ToolSegment> segments)
-  {
-    options_.holder = std::move(segments);
-  }
-  const std::vector<ToolSegment>&
-  getHolder() const
-  {
-    return options_.holder;
-  }
+  void setHolder(std::vector<ToolSegment> segments) { options_.holder = std::move(segments); }
+  const std::vector<ToolSegment>& getHolder() const { return options_.holder; }
 
   /** Distance to keep between holder and scan, mm; 0 by default. Less counts as a collision. */
-  void
-  setHolderClearance(double clearance)
-  {
-    options_.holder_clearance = clearance;
-  }
-  double
-  getHolderClearance() const
-  {
-    return options_.holder_clearance;
-  }
+  void setHolderClearance(double clearance) { options_.holder_clearance = clearance; }
+  double getHolderClearance() const { return options_.holder_clearance; }
 
   /** Largest angle by which the axis may turn where the contact asked for is not reached or the holder
    *  collides, degrees, up to 90. 0, the default: the cutter is lifted instead. The smallest of six
    *  angles that helps is taken. Each point is treated separately: neighbouring axes may differ by as
    *  much as this angle. Drive points must ask for contacts: refused if none of them has a normal. */
-  void
-  setMaxRetilt(double degrees)
-  {
-    options_.max_retilt = degrees;
-  }
-  double
-  getMaxRetilt() const
-  {
-    return options_.max_retilt;
-  }
+  void setMaxRetilt(double degrees) { options_.max_retilt = degrees; }
+  double getMaxRetilt() const { return options_.max_retilt; }
 
   /** Adds locations between the drive points until no straight move of the cutter cuts deeper into the
    *  surface than this, mm, or leaves more than this. 0, the default: none. \see bisectLocations */
-  void
-  setPathTolerance(double tolerance)
-  {
-    path_tolerance_ = tolerance;
-  }
-  double
-  getPathTolerance() const
-  {
-    return path_tolerance_;
-  }
+  void setPathTolerance(double tolerance) { path_tolerance_ = tolerance; }
+  double getPathTolerance() const { return path_tolerance_; }
 
   /** Called with the completed share; return false to cancel. */
-  void
-  setProgressCallback(ProgressCallback callback)
-  {
-    progress_ = std::move(callback);
-  }
+  void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
   /** Reuses what the last compute of an object made of the same cloud or surface: obstacles, fit and rim are not made
    *  again. Null, the default: made at every compute. setInputCloud, setInputSurface and setInputMesh clear it. */
-  void
-  setLocationSurface(const std::shared_ptr<const LocationSurface>& surface)
-  {
-    given_location_ = surface;
-  }
+  void setLocationSurface(const std::shared_ptr<const LocationSurface>& surface) { given_location_ = surface; }
   /** The surface used by the last compute; null before, and on a mesh. */
-  std::shared_ptr<const LocationSurface>
-  getLocationSurface() const
-  {
-    return location_surface_;
-  }
-  void
-  setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
+  std::shared_ptr<const LocationSurface> getLocationSurface() const { return location_surface_; }
+  void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
   {
     SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputCloud(cloud);
     forgetInputs();
   }
   /** \see SurfaceInput::setInputSurface */
-  void
-  setInputSurface(const Surface::ConstPtr& surface)
+  void setInputSurface(const Surface::ConstPtr& surface)
   {
     SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputSurface(surface);
     forgetInputs();
@@ -186,25 +112,19 @@ public:
    *  defaults. Evaluation::FittedSurface uses the curved surface behind the faces: lower than the faces in
    *  hollows and higher on ridges, by the sag of the facets. Evaluation::Points uses the faces as they are.
    *  Cutters stay off both sides of a face. The first compute prepares the mesh and keeps it for further ones. */
-  void
-  setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
+  void setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
   {
     useMesh();
     polygons_ = mesh;
   }
   /** The same with a mesh made with your own settings. */
-  void
-  setInputMesh(const SurfaceMesh::ConstPtr& mesh)
+  void setInputMesh(const SurfaceMesh::ConstPtr& mesh)
   {
     useMesh();
     mesh_ = mesh;
   }
   /** The mesh given, or made by the last compute from the polygons given; null before, and for clouds. */
-  SurfaceMesh::ConstPtr
-  getInputMesh() const
-  {
-    return mesh_;
-  }
+  SurfaceMesh::ConstPtr getInputMesh() const { return mesh_; }
   /** Computes the locations. \p locations has one per drive point, in their order; a path tolerance adds more between
    *  them. cloud_index is the index in the input cloud, or of the face of getInputMesh. Empty on failure: no cloud, no
    *  finite point, no drive point, a drive point that is not finite or has no axis, a setting out of range, no surface
@@ -214,17 +134,9 @@ public:
   void compute(std::vector<ToolLocations>& passes);
 
   /** Counts, largest values and warnings of the last compute. */
-  const LocationFigures&
-  getFigures() const
-  {
-    return figures_;
-  }
+  const LocationFigures& getFigures() const { return figures_; }
   /** Figures of the path tolerance: locations added, largest error. */
-  const BisectionFigures&
-  getBisectionFigures() const
-  {
-    return bisection_figures_;
-  }
+  const BisectionFigures& getBisectionFigures() const { return bisection_figures_; }
 
 private:
   Status check() const;
@@ -234,8 +146,7 @@ private:
   Status run(std::vector<ToolLocations>& passes);
   Status locate(const CutterLocator& locator, std::vector<ToolLocations>& passes);
   std::vector<ToolLocations> inPasses(const ToolLocations& locations) const;
-  void
-  forgetInputs()
+  void forgetInputs()
   {
     given_location_.reset();
     on_mesh_ = false;
@@ -243,8 +154,7 @@ private:
     mesh_.reset();
     location_mesh_.reset();
   }
-  void
-  useMesh()
+  void useMesh()
   {
     this->given_surface_.reset();
     forgetInputs();

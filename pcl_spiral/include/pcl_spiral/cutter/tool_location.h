@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Where a cutter stands, and how that place was found.
  */
@@ -18,11 +19,11 @@ namespace pcl_spiral {
 
 /** The result of a location. */
 enum class LocationState {
-  Touching, ///< no contact was asked for: the cutter came down along the axis until it touched
-  Reached,  ///< it touches at the contact asked for, within the tolerance
-  Lifted,   ///< at the contact asked for, the cutter would cut into
-            ///< another place: it stands higher, along the axis, by lift
-  Clear, ///< the contact asked for is above the scan by more than the tolerance; the cutter stays at that contact
+  Touching,    ///< no contact was asked for: the cutter came down along the axis until it touched
+  Reached,     ///< it touches at the contact asked for, within the tolerance
+  Lifted,      ///< at the contact asked for, the cutter would cut into
+               ///< another place: it stands higher, along the axis, by lift
+  Clear,       ///< the contact asked for is above the scan by more than the tolerance; the cutter stays at that contact
   Unreachable, ///< the surface overhangs the flank at the contact; the
                ///< cutter stands next to the contact, without gouge
   NoCloud      ///< no point, or part of a mesh, lies within the cutter's radius of the axis, and no
@@ -44,22 +45,19 @@ constexpr std::size_t location_bases = 4;
 /** A place of the cutter without gouge. Lengths in mm, along the tool axis unless stated otherwise. */
 struct ToolLocation {
   Eigen::Vector3d tip = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()); ///< of the cutter; not a number with NoCloud
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); ///< unit, from the tip to the shank
-  Eigen::Vector3d contact =
-      Eigen::Vector3d::Zero(); ///< the first place the cutter touches: on the surface, or a point of the scan
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< of the fitted surface or the mesh at the contact; zero if there is none
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();                                           ///< unit, from the tip to the shank
+  Eigen::Vector3d contact = Eigen::Vector3d::Zero(); ///< the first place the cutter touches: on the surface, or a point of the scan
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the fitted surface or the mesh at the contact; zero if there is none
   LocationState state = LocationState::NoCloud;
   LocationBasis basis = LocationBasis::Points;
-  double lift = 0.0; ///< height above the place where the cutter touches at the contact asked for. Negative if
-                     ///< it would have to go down to touch the scan (Clear). 0 if no contact was asked for
-  double gap = 0.0;  ///< how much higher than on the points only; slightly negative
-                     ///< where noise puts a point above the fitted surface
-  double gap_bound =
-      0.0; ///< bound of how far the cutter sinks between the points here, see samplingGap; may be infinite
-  bool over_rim = false; ///< part of the cutter is beyond the rim of the scan, or
-                         ///< over a gap in it: something higher may be there
-  double rim_clearance =
-      0.0; ///< smallest clearance of the cutter above the rim there; 0 where it is not over the rim
+  double lift = 0.0;             ///< height above the place where the cutter touches at the contact asked for. Negative if
+                                 ///< it would have to go down to touch the scan (Clear). 0 if no contact was asked for
+  double gap = 0.0;              ///< how much higher than on the points only; slightly negative
+                                 ///< where noise puts a point above the fitted surface
+  double gap_bound = 0.0;        ///< bound of how far the cutter sinks between the points here, see samplingGap; may be infinite
+  bool over_rim = false;         ///< part of the cutter is beyond the rim of the scan, or
+                                 ///< over a gap in it: something higher may be there
+  double rim_clearance = 0.0;    ///< smallest clearance of the cutter above the rim there; 0 where it is not over the rim
   std::uint32_t cloud_index = 0; ///< of the point that a cutter on the points only touches first; on a
                                  ///< mesh, of the touched face, among the faces of its SurfaceMesh
   double retilt = 0.0;           ///< degrees between the axis asked for and axis
@@ -82,21 +80,12 @@ struct LocationFigures {
   double largest_gap = 0.0;       ///< corrected: how far the cutter would have sunk between points
   double largest_gap_bound = 0.0; ///< of the finite bounds, at locations on the points
   std::size_t unbounded = 0;      ///< locations on the points only, without a bound
-  double noise_allowance =
-      0.0; ///< a point of the scan is no deeper than this, along the surface's normal, in the cutter
-  std::size_t stray_points = 0; ///< outliers of the scan, off its surface: the cutter stays off them too
+  double noise_allowance = 0.0;   ///< a point of the scan is no deeper than this, along the surface's normal, in the cutter
+  std::size_t stray_points = 0;   ///< outliers of the scan, off its surface: the cutter stays off them too
   std::vector<std::string> warnings;
 
-  std::size_t
-  count(LocationState state) const
-  {
-    return states[static_cast<std::size_t>(state)];
-  }
-  std::size_t
-  count(LocationBasis basis) const
-  {
-    return bases[static_cast<std::size_t>(basis)];
-  }
+  std::size_t count(LocationState state) const { return states[static_cast<std::size_t>(state)]; }
+  std::size_t count(LocationBasis basis) const { return bases[static_cast<std::size_t>(basis)]; }
 };
 
 /** The name in words: "reached", "lifted". */

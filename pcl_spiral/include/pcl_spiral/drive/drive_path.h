@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Places and axes along which a cutter is driven over a scan or a mesh.
  */
 #pragma once
 
+#include <pcl_spiral/common/drive_pass.h>
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/drive/drive_settings.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 #include <pcl_spiral/surface/surface_input.h>
-#include <pcl_spiral/common/drive_pass.h>
-#include <pcl_spiral/drive/drive_settings.h>
 
 #include <pcl/PolygonMesh.h>
 #include <pcl/pcl_base.h>
@@ -52,34 +53,26 @@ public:
    *  the curved surface behind the faces; AxisMode::Fixed leaves out what faces away from the axis. Helix,
    *  rings and curves are as on a cloud, made of points of the mesh (MeshSampling). Kind::BoundaryOffset is
    *  refused. Settings for clouds (normals, view point, thinning and so on) must be at their defaults. */
-  void
-  setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
+  void setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
   {
     useMesh();
     polygons_ = mesh;
   }
   /** The same with a mesh made with your own settings. */
-  void
-  setInputMesh(const SurfaceMesh::ConstPtr& mesh)
+  void setInputMesh(const SurfaceMesh::ConstPtr& mesh)
   {
     useMesh();
     mesh_ = mesh;
   }
   /** The mesh given, or made by the last compute from the polygons given; null before, and for clouds. */
-  SurfaceMesh::ConstPtr
-  getInputMesh() const
-  {
-    return mesh_;
-  }
-  void
-  setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
+  SurfaceMesh::ConstPtr getInputMesh() const { return mesh_; }
+  void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
   {
     SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputCloud(cloud);
     forgetMesh();
   }
   /** \see SurfaceInput::setInputSurface */
-  void
-  setInputSurface(const Surface::ConstPtr& surface)
+  void setInputSurface(const Surface::ConstPtr& surface)
   {
     SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputSurface(surface);
     forgetMesh();
@@ -92,233 +85,108 @@ public:
   using Rows = DriveRows;
 
   /** Where the path runs; Kind::Planes by default. */
-  void
-  setKind(DriveKind kind)
-  {
-    settings_.kind = kind;
-  }
-  DriveKind
-  getKind() const
-  {
-    return settings_.kind;
-  }
+  void setKind(DriveKind kind) { settings_.kind = kind; }
+  DriveKind getKind() const { return settings_.kind; }
 
   /** Largest distance between neighbouring planes, rings, turns or offsets, mm. Must be set, except for a curve
    *  and for DriveRows::Kept, where it has no effect. To get it from the cutter's profile: stepForScallop. */
-  void
-  setStepOver(double step)
-  {
-    settings_.step_over = step;
-  }
-  double
-  getStepOver() const
-  {
-    return settings_.step_over;
-  }
+  void setStepOver(double step) { settings_.step_over = step; }
+  double getStepOver() const { return settings_.step_over; }
 
   /** Largest distance between consecutive drive points along their pass, mm; 1 by default. */
-  void
-  setPointSpacing(double spacing)
-  {
-    settings_.point_spacing = spacing;
-  }
-  double
-  getPointSpacing() const
-  {
-    return settings_.point_spacing;
-  }
+  void setPointSpacing(double spacing) { settings_.point_spacing = spacing; }
+  double getPointSpacing() const { return settings_.point_spacing; }
 
   /** For sections of a mesh: straight moves stay this near the curved surface, mm; 0.005 by default. */
-  void
-  setChordError(double error)
-  {
-    settings_.chord_error = error;
-  }
-  double
-  getChordError() const
-  {
-    return settings_.chord_error;
-  }
+  void setChordError(double error) { settings_.chord_error = error; }
+  double getChordError() const { return settings_.chord_error; }
 
   /** Direction of the passes of planes: degrees about the tool axis, right-handed,
    *  from X, or from Y if the axis is within 26 degrees of X. 0 by default. */
-  void
-  setPlaneDirection(double degrees)
+  void setPlaneDirection(double degrees)
   {
     settings_.plane_angle = degrees;
     settings_.plane_direction.setZero();
   }
-  double
-  getPlaneAngle() const
-  {
-    return settings_.plane_angle;
-  }
+  double getPlaneAngle() const { return settings_.plane_angle; }
   /** The same as a vector; its part along the tool axis has no effect. */
-  void
-  setPlaneDirection(const Eigen::Vector3d& along)
-  {
-    settings_.plane_direction = along;
-  }
+  void setPlaneDirection(const Eigen::Vector3d& along) { settings_.plane_direction = along; }
   /** Zero if the angle is used instead. */
-  const Eigen::Vector3d&
-  getPlaneDirection() const
-  {
-    return settings_.plane_direction;
-  }
+  const Eigen::Vector3d& getPlaneDirection() const { return settings_.plane_direction; }
 
   /** How planes are spaced; DriveRows::Even by default. DriveRows::Kept, for Kind::Planes: as few planes as possible, so
    *  that the ball of setScallop leaves no ridge above the scallop height between two planes, from slope and curvature
    *  of the fitted surface. Steps never go below a quarter of the step on a plane, 2 sqrt((2 r - h) h); a warning reports
    *  where less would be needed, as on walls along the planes. Where a rim overhangs across the rows, a ball that comes
    *  down along a fixed axis reaches it only from beyond, and there is no plane there. \see rowDistance, rowLevels */
-  void
-  setRows(DriveRows rows)
-  {
-    settings_.rows = rows;
-  }
-  DriveRows
-  getRows() const
-  {
-    return settings_.rows;
-  }
+  void setRows(DriveRows rows) { settings_.rows = rows; }
+  DriveRows getRows() const { return settings_.rows; }
   /** Ball radius and scallop \p height for DriveRows::Kept, mm. Must be set for it. */
-  void
-  setScallop(double radius, double height)
+  void setScallop(double radius, double height)
   {
     settings_.tool_radius = radius;
     settings_.scallop_height = height;
   }
-  double
-  getToolRadius() const
-  {
-    return settings_.tool_radius;
-  }
-  double
-  getScallopHeight() const
-  {
-    return settings_.scallop_height;
-  }
+  double getToolRadius() const { return settings_.tool_radius; }
+  double getScallopHeight() const { return settings_.scallop_height; }
 
   /** Whether rows of planes in zigzag are joined on the surface to one pass. This is done if the next row begins within two
    *  step-overs of the end of this row, and the straight way between is over the scan and crosses no gap. False by default. */
-  void
-  setLinkRows(bool link)
-  {
-    settings_.link_rows = link;
-  }
-  bool
-  getLinkRows() const
-  {
-    return settings_.link_rows;
-  }
+  void setLinkRows(bool link) { settings_.link_rows = link; }
+  bool getLinkRows() const { return settings_.link_rows; }
 
   /** Whether every second plane, or arc of a sector, runs backwards; true by default. */
-  void
-  setZigzag(bool zigzag)
-  {
-    settings_.zigzag = zigzag;
-  }
-  bool
-  getZigzag() const
-  {
-    return settings_.zigzag;
-  }
+  void setZigzag(bool zigzag) { settings_.zigzag = zigzag; }
+  bool getZigzag() const { return settings_.zigzag; }
 
   /** Tool axis, from the tip to the shank: for AxisMode::Fixed, and for section planes. +Z by default. */
-  void
-  setAxis(const Eigen::Vector3d& axis)
-  {
-    settings_.axis = axis;
-  }
-  const Eigen::Vector3d&
-  getAxis() const
-  {
-    return settings_.axis;
-  }
+  void setAxis(const Eigen::Vector3d& axis) { settings_.axis = axis; }
+  const Eigen::Vector3d& getAxis() const { return settings_.axis; }
 
   /** Axis and extent for helix, rings and AxisMode::Cylinder. If not set, it is fitted
    *  to the scan, which must be a column scanned from outside. \see findColumn */
-  void
-  setCylinder(const DriveCylinder& cylinder)
-  {
-    settings_.cylinder = cylinder;
-  }
-  const std::optional<DriveCylinder>&
-  getCylinder() const
-  {
-    return settings_.cylinder;
-  }
+  void setCylinder(const DriveCylinder& cylinder) { settings_.cylinder = cylinder; }
+  const std::optional<DriveCylinder>& getCylinder() const { return settings_.cylinder; }
 
   /** How far helix and rings continue beyond both ends of the column, mm; 0 by default. Where
    *  the surface leans along the column, a cutter of radius R touches it up to R sin(lean)
    *  away from its own axis. Without overrun, that much of an end is not reached. */
-  void
-  setOverrun(double overrun)
-  {
-    settings_.overrun = overrun;
-  }
-  double
-  getOverrun() const
-  {
-    return settings_.overrun;
-  }
+  void setOverrun(double overrun) { settings_.overrun = overrun; }
+  double getOverrun() const { return settings_.overrun; }
 
   /** AxisMode::Cylinder by default for helix and rings, AxisMode::Fixed for the others. */
-  void
-  setAxisMode(DriveAxisMode mode)
-  {
-    settings_.axis_mode = mode;
-  }
-  DriveAxisMode
-  getAxisMode() const
-  {
-    return settings_.axisMode();
-  }
+  void setAxisMode(DriveAxisMode mode) { settings_.axis_mode = mode; }
+  DriveAxisMode getAxisMode() const { return settings_.axisMode(); }
 
   /** The curve of Kind::Curve; a closed one does not repeat its first point.
    *  Points are put along it at equal steps of arc length, and cut its corners. */
-  void
-  setCurve(const Polyline& curve, bool closed = false)
+  void setCurve(const Polyline& curve, bool closed = false)
   {
     settings_.curve = curve;
     settings_.curve_closed = closed;
   }
-  const Polyline&
-  getCurve() const
-  {
-    return settings_.curve;
-  }
+  const Polyline& getCurve() const { return settings_.curve; }
 
   /** Called with the completed share; return false to cancel. */
-  void
-  setProgressCallback(ProgressCallback callback)
-  {
-    progress_ = std::move(callback);
-  }
+  void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
   /** Computes the passes. \p passes is empty on failure: no cloud or fewer than
    *  50 points, a setting out of range, a scan of the wrong shape, a path of
    *  more than 1e8 points or larger than the free memory, or cancelled. */
   void compute(DrivePasses& passes);
 
-  const DriveReport&
-  getReport() const
-  {
-    return report_;
-  }
+  const DriveReport& getReport() const { return report_; }
 
 private:
   Status run(DrivePasses& passes);
   Status runOnMesh(DrivePasses& passes);
-  void
-  forgetMesh()
+  void forgetMesh()
   {
     on_mesh_ = false;
     polygons_.reset();
     mesh_.reset();
   }
-  void
-  useMesh()
+  void useMesh()
   {
     this->given_surface_.reset();
     forgetMesh();

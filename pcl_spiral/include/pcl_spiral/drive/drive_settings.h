@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Settings of a drive path, and its report.
  */
@@ -36,7 +37,7 @@ struct DriveSettings {
   DriveKind kind = DriveKind::Planes;
   double step_over = 0.0;
   double point_spacing = 1.0;
-  double chord_error = 0.005; ///< for sections of a mesh: straight moves stay this near the curved surface
+  double chord_error = 0.005;                                ///< for sections of a mesh: straight moves stay this near the curved surface
   double plane_angle = 0.0;                                  ///< degrees about the axis
   Eigen::Vector3d plane_direction = Eigen::Vector3d::Zero(); ///< along the passes; zero: plane_angle is used
   DriveRows rows = DriveRows::Even;
@@ -45,27 +46,15 @@ struct DriveSettings {
   bool link_rows = false;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   std::optional<DriveCylinder> cylinder;
-  double overrun = 0.0; ///< of helix and rings, beyond both ends of the column
+  double overrun = 0.0;                   ///< of helix and rings, beyond both ends of the column
   std::optional<DriveAxisMode> axis_mode; ///< none: Cylinder for helix and rings, Fixed for the others
   Polyline curve;
   bool curve_closed = false;
 
-  bool
-  goesRound() const
-  {
-    return kind == DriveKind::Helix || kind == DriveKind::Rings;
-  }
-  DriveAxisMode
-  axisMode() const
-  {
-    return axis_mode.value_or(goesRound() ? DriveAxisMode::Cylinder : DriveAxisMode::Fixed);
-  }
+  bool goesRound() const { return kind == DriveKind::Helix || kind == DriveKind::Rings; }
+  DriveAxisMode axisMode() const { return axis_mode.value_or(goesRound() ? DriveAxisMode::Cylinder : DriveAxisMode::Fixed); }
   /** A curve with a fixed axis is used as it is. */
-  bool
-  needsSurface() const
-  {
-    return kind != DriveKind::Curve || axisMode() != DriveAxisMode::Fixed;
-  }
+  bool needsSurface() const { return kind != DriveKind::Curve || axisMode() != DriveAxisMode::Fixed; }
 };
 
 /** Checks the settings; ok if nothing is wrong. */
@@ -74,23 +63,20 @@ Status checkSettings(const DriveSettings& settings);
 /** Report of a drive path. */
 struct DriveReport {
   std::size_t points = 0;
-  double length = 0.0; ///< of all passes, straight from point to point, mm
-  double step_over =
-      0.0; ///< used: the one asked for, reduced so that the surface divides
-           ///< into equal steps, mm; with DriveRows::Kept the largest
-  std::size_t rows = 0;       ///< section planes
-  double smallest_step = 0.0; ///< between neighbouring planes, mm
-  double held_share = 0.0;    ///< share of the surface that would need rows closer than DriveRows::Kept puts them, see DrivePath::setRows
+  double length = 0.0;         ///< of all passes, straight from point to point, mm
+  double step_over = 0.0;      ///< used: the one asked for, reduced so that the surface divides
+                               ///< into equal steps, mm; with DriveRows::Kept the largest
+  std::size_t rows = 0;        ///< section planes
+  double smallest_step = 0.0;  ///< between neighbouring planes, mm
+  double held_share = 0.0;     ///< share of the surface that would need rows closer than DriveRows::Kept puts them, see DrivePath::setRows
   std::size_t facing_away = 0; ///< contacts on a mesh left out: they face away from a fixed tool axis
-  std::size_t links = 0;      ///< rows joined on the surface
-  std::size_t rows_apart = 0; ///< passes of rows that could not be joined to the row before
-  std::optional<DriveColumn> column; ///< if a cylinder gave the path or the axes
-  double largest_axis_step = 0.0;    ///< between consecutive points of a pass, degrees
-  std::size_t axes_from_neighbours =
-      0; ///< points without a normal of their own: interpolated between those before and after
-  std::size_t short_pieces =
-      0; ///< left out: sections or lines shorter than the spacing of the scan, at its rim
-  std::size_t stray_points = 0; ///< outliers of the scan, left out: off the surface
+  std::size_t links = 0;       ///< rows joined on the surface
+  std::size_t rows_apart = 0;  ///< passes of rows that could not be joined to the row before
+  std::optional<DriveColumn> column;    ///< if a cylinder gave the path or the axes
+  double largest_axis_step = 0.0;       ///< between consecutive points of a pass, degrees
+  std::size_t axes_from_neighbours = 0; ///< points without a normal of their own: interpolated between those before and after
+  std::size_t short_pieces = 0;         ///< left out: sections or lines shorter than the spacing of the scan, at its rim
+  std::size_t stray_points = 0;         ///< outliers of the scan, left out: off the surface
   std::vector<std::string> warnings;
 };
 

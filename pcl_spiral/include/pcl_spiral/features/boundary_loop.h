@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  One closed boundary loop of a scanned surface.
  */
@@ -24,7 +25,7 @@ struct BoundaryLoop {
   Polyline curve;                     ///< the outline: a smooth curve fitted to the points, corners kept; closed
   std::vector<std::size_t> corners;   ///< entries of curve where the outline turns sharply
   LoopType type = LoopType::Outer;
-  double length = 0.0;                ///< of curve
+  double length = 0.0; ///< of curve
 };
 
 } // namespace pcl_spiral

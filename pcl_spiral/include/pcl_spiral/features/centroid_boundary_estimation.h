@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Boundary points of a cloud.
  */
 #pragma once
 
-#include <pcl_spiral/common/status.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/impl/boundary_evidence.h>
 
 #include <pcl/features/boundary.h>
@@ -25,8 +26,7 @@ setThreadsOfBase(BaseT& base, unsigned int threads, int) -> decltype(base.BaseT:
 template <typename BaseT>
 void
 setThreadsOfBase(BaseT&, unsigned int, long)
-{
-}
+{}
 
 } // namespace detail
 
@@ -62,55 +62,29 @@ public:
   CentroidBoundaryEstimation();
 
   /** Which measure decides; Combined by default. */
-  void
-  setCriterion(BoundaryCriterion criterion)
-  {
-    criterion_ = criterion;
-  }
-  BoundaryCriterion
-  getCriterion() const
-  {
-    return criterion_;
-  }
+  void setCriterion(BoundaryCriterion criterion) { criterion_ = criterion; }
+  BoundaryCriterion getCriterion() const { return criterion_; }
 
   /** Offset above which a point is a boundary point, 0 to 1; 0.31 by default: with 32 neighbours, 99.9 % of the
    * points inside are below it and 99 % of those on the boundary are above it. */
-  void
-  setOffsetThreshold(double threshold)
-  {
-    offset_threshold_ = threshold;
-  }
-  double
-  getOffsetThreshold() const
-  {
-    return offset_threshold_;
-  }
+  void setOffsetThreshold(double threshold) { offset_threshold_ = threshold; }
+  double getOffsetThreshold() const { return offset_threshold_; }
 
   /** The mu of the score exp(mu offset); 1 by default. It changes the score, but not the decision. */
-  void
-  setMu(double mu)
-  {
-    mu_ = mu;
-  }
-  double
-  getMu() const
-  {
-    return mu_;
-  }
+  void setMu(double mu) { mu_ = mu; }
+  double getMu() const { return mu_; }
 
   /** Threads to use; 0, the default, means all. The output does not depend on it. The search method must
    * allow simultaneous queries, as those of PCL do. Newer PCL (2026) has this method in the base class, where it is not
    * virtual. The base gets the same number, and a number set later through the base counts too. */
-  void
-  setNumberOfThreads(unsigned int threads = 0)
+  void setNumberOfThreads(unsigned int threads = 0)
   {
     thread_count_ = threads;
     if (checkThreads(threads).ok())
       detail::setThreadsOfBase(static_cast<Base&>(*this), threads, 0);
     told_base_ = threadsOfBase(*this, 0);
   }
-  unsigned int
-  getNumberOfThreads() const
+  unsigned int getNumberOfThreads() const
   {
     const unsigned int of_base = threadsOfBase(*this, 0);
     return of_base != told_base_ ? of_base : thread_count_;
@@ -118,36 +92,16 @@ public:
 
   /** Build the search structure again at the next compute. Needed if points of the input cloud were changed
    * in place: PCL rebuilds it only if the cloud pointer changes. */
-  void
-  resetSearch()
-  {
-    rebuild_search_ = true;
-  }
+  void resetSearch() { rebuild_search_ = true; }
 
   /** Score kappa = exp(mu offset) of each output point of the last compute. */
-  const std::vector<float>&
-  getScores() const
-  {
-    return scores_;
-  }
+  const std::vector<float>& getScores() const { return scores_; }
   /** Offset of each output point, 0 to 1. */
-  const std::vector<float>&
-  getOffsets() const
-  {
-    return offsets_;
-  }
+  const std::vector<float>& getOffsets() const { return offsets_; }
   /** Largest angular gap about each output point, radians. */
-  const std::vector<float>&
-  getGaps() const
-  {
-    return gaps_;
-  }
+  const std::vector<float>& getGaps() const { return gaps_; }
 
-  const Status&
-  getStatus() const
-  {
-    return status_;
-  }
+  const Status& getStatus() const { return status_; }
 
 protected:
   bool initCompute() override;
@@ -171,14 +125,12 @@ private:
 
   /** The number that the base class keeps; 0 if it keeps none, as in PCL before 2026. */
   template <typename SelfT>
-  static auto
-  threadsOfBase(const SelfT& self, int) -> decltype(static_cast<unsigned int>(self.threads_))
+  static auto threadsOfBase(const SelfT& self, int) -> decltype(static_cast<unsigned int>(self.threads_))
   {
     return static_cast<unsigned int>(self.threads_);
   }
   template <typename SelfT>
-  static unsigned int
-  threadsOfBase(const SelfT&, long)
+  static unsigned int threadsOfBase(const SelfT&, long)
   {
     return 0;
   }

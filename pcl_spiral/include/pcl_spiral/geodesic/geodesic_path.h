@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Shortest paths on a scanned surface, from a cloud.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Reader of scans.
  */
@@ -18,8 +19,7 @@ namespace pcl_spiral {
 /** How to read the numbers in a scan. */
 struct ReadOptions {
   LengthUnit unit = LengthUnit::Millimetre;
-  Eigen::Vector3d origin =
-      Eigen::Vector3d::Zero(); ///< subtracted in double precision, in the unit of the file
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< subtracted in double precision, in the unit of the file
   /** Text files only: a name for each column, from the left; the columns named x, y and z are
    *  used. Empty: taken from the header of the file, otherwise the first three columns. */
   std::vector<std::string> columns;

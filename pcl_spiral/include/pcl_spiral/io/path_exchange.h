@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Paths for other programs, independent of any machine: APT and robot frames.
  */

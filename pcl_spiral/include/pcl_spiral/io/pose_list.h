@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Writers of plain lists of tool poses: one line per pose, a blank line between rows.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Writers of programs for machine controls.
  */
@@ -21,10 +22,10 @@ enum class Dialect {
 
 /** Contents of a program apart from its moves. */
 struct ProgramHeader {
-  std::string title;          ///< a comment
-  double spindle_speed = 0.0; ///< rev/min; 0: the program does not set the spindle
-  int tool = 0;               ///< called at the start; 0: the program calls no tool
-  int decimals = 4;           ///< for mm and degrees, 3 to 6
+  std::string title;           ///< a comment
+  double spindle_speed = 0.0;  ///< rev/min; 0: the program does not set the spindle
+  int tool = 0;                ///< called at the start; 0: the program calls no tool
+  int decimals = 4;            ///< for mm and degrees, 3 to 6
   std::string pass_begin = {}; ///< a line before each run of cutting blocks, such as M62 P0 for a beam; empty: none
   std::string pass_end = {};   ///< a line after each of these runs, such as M63 P0; empty: none
 };
@@ -38,8 +39,7 @@ std::string faultOfCode(const std::string& code);
  *  first point of a row, after its lead, and at the last point. So a beam is off on leads, between rows, and
  *  while an axis unwinds in a row. \throw FileError the file cannot be written, the program has no blocks, a
  *  code is not a valid line, or the language takes only tips and tool axes and the machine has no RTCP */
-void writeProgram(const std::string& file, const MachineProgram& program, Dialect dialect,
-                  const ProgramHeader& header);
+void writeProgram(const std::string& file, const MachineProgram& program, Dialect dialect, const ProgramHeader& header);
 
 /** Writes LinuxCNC: G21 G90 G64 P, G93 with an F on every G1, G94, M2. With RTCP, X Y Z are those of the tip,
  *  as xyzac-trt-kins and xyzbc-trt-kins take them; without RTCP, those of the machine. \throw FileError */

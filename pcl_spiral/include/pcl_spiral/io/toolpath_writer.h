@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Writers of toolpath files.
  */
@@ -16,8 +17,8 @@ namespace pcl_spiral {
 
 /** Contents of a toolpath file apart from the path. */
 struct ToolpathMotion {
-  double tool_radius = 0.0; ///< ball radius, mm; needed for the tip
-  double feed = 0.0;        ///< at the contact, mm/min
+  double tool_radius = 0.0;               ///< ball radius, mm; needed for the tip
+  double feed = 0.0;                      ///< at the contact, mm/min
   std::vector<Eigen::Vector3d> tips = {}; ///< one per point, of a cutter that is not a ball; empty: those of the ball
   std::vector<std::size_t> passes = {};   ///< where the second pass and each further one begin; empty: as passBegins finds them
 };
@@ -44,8 +45,7 @@ extern const char* const toolpath_csv_header;
 /** Writes comma separated values under toolpath_csv_header: mm, mm/min, unit
  *  vectors; positions, lengths and turns with 6 decimals, vectors with 9, the
  *  feed with 3. The same bytes for any number of threads. \throw FileError */
-void writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
-                      const ToolpathMotion& motion);
+void writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion);
 
 /** Writes a binary PCD of ToolpathPoint. \throw FileError */
 void writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
@@ -56,15 +56,15 @@ void writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoi
 
 /** Writes one polyline per pass, with point data Normals, ToolAxis, Feed (if known), Turn, ArcLength, Tip (if tips are given), and
  *  Deviation and Scallop from \p values, if given. \throw FileError, std::invalid_argument for values that are not one per point */
-void writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
-                      const ToolpathMotion& motion, const PathValues& values = {});
+void writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion,
+                      const PathValues& values = {});
 
 /** Extensions that writeToolpath accepts, with the dot. */
 const std::vector<std::string>& toolpathExtensions();
 
 /** Writes by the extension of \p file. \p values are written where the format has room
  *  for them, in .vtp. \throw FileError unknown extension, or the file cannot be written */
-void writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
-                   const ToolpathMotion& motion, const PathValues& values = {});
+void writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion,
+                   const PathValues& values = {});
 
 } // namespace pcl_spiral

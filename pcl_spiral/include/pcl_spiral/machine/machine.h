@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The parts of a five-axis machine.
  */
@@ -26,12 +27,7 @@ struct AxisRange {
   double upper = std::numeric_limits<double>::infinity();
   double largest_rate = std::numeric_limits<double>::infinity();
 
-  bool
-  finite() const
-  {
-    return lower > -std::numeric_limits<double>::infinity() ||
-           upper < std::numeric_limits<double>::infinity();
-  }
+  bool finite() const { return lower > -std::numeric_limits<double>::infinity() || upper < std::numeric_limits<double>::infinity(); }
 };
 
 /** One rotary axis, as it is when both are at zero. A positive angle turns the table
@@ -51,13 +47,11 @@ struct RotaryAxis {
  *  the tool points along +Z from its tip to the spindle. */
 struct Machine {
   std::string name;
-  std::array<AxisRange, 3> linear; ///< of the gauge point, in machine coordinates
-  std::array<RotaryAxis, 2>
-      rotary; ///< in order from the workpiece to the tool; tables come before heads
-  Eigen::Vector3d work_zero =
-      Eigen::Vector3d::Zero(); ///< zero of the program in machine coordinates, with the rotary axes at zero
-  double tool_length = 0.0;    ///< from the gauge point to the tip, mm
-  bool rtcp = true; ///< the control keeps the tip in place while the rotary axes turn: programs contain tips
+  std::array<AxisRange, 3> linear;                     ///< of the gauge point, in machine coordinates
+  std::array<RotaryAxis, 2> rotary;                    ///< in order from the workpiece to the tool; tables come before heads
+  Eigen::Vector3d work_zero = Eigen::Vector3d::Zero(); ///< zero of the program in machine coordinates, with the rotary axes at zero
+  double tool_length = 0.0;                            ///< from the gauge point to the tip, mm
+  bool rtcp = true;                ///< the control keeps the tip in place while the rotary axes turn: programs contain tips
   std::optional<double> retract_z; ///< machine coordinate of Z that is clear of everything;
                                    ///< used before the first and after the last move
   double path_tolerance = 0.01;    ///< the control may round corners by this (G64 P), mm

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Makes the moves of a machine from tool poses.
  */
@@ -19,11 +20,10 @@ enum class LeadKind {
 
 /** Settings of a program. */
 struct ProgramSettings {
-  double feed = 1000.0; ///< at the contact, mm/min
-  double ball_radius =
-      0.0;                ///< of a ball cutter, mm: its centre stays while an axis is blended; 0: the tip stays
-  double pole_cone = 5.0; ///< axes are blended only within this angle of the pole, degrees
-  BlockTolerance block;   ///< kept by the machine between poses
+  double feed = 1000.0;              ///< at the contact, mm/min
+  double ball_radius = 0.0;          ///< of a ball cutter, mm: its centre stays while an axis is blended; 0: the tip stays
+  double pole_cone = 5.0;            ///< axes are blended only within this angle of the pole, degrees
+  BlockTolerance block;              ///< kept by the machine between poses
   BlockTolerance thinning{0.0, 0.0}; ///< poses are left out within this tolerance; 0: none
   LeadKind lead = LeadKind::Normal;
   double lead_length = 2.0;   ///< mm; for an arc its radius
@@ -51,57 +51,25 @@ std::vector<ToolPoses> ballPasses(const pcl::PointCloud<ToolpathPoint>& path, do
  *  \endcode */
 class MachineProgramGenerator {
 public:
-  void
-  setMachine(const Machine& machine)
-  {
-    machine_ = machine;
-  } ///< The machine of the program.
-  const Machine&
-  getMachine() const
-  {
-    return machine_;
-  }
+  void setMachine(const Machine& machine) { machine_ = machine; } ///< The machine of the program.
+  const Machine& getMachine() const { return machine_; }
 
   /** Poses of any cutter, in travel order. */
-  void
-  setInputPoses(const ToolPoses& poses)
-  {
-    passes_ = {poses};
-  }
+  void setInputPoses(const ToolPoses& poses) { passes_ = {poses}; }
   /** The same for several passes: the tool leaves the surface after each pass and comes down to the next. */
-  void
-  setInputPasses(const std::vector<ToolPoses>& passes)
-  {
-    passes_ = passes;
-  }
+  void setInputPasses(const std::vector<ToolPoses>& passes) { passes_ = passes; }
   /** Poses of a ball cutter of \p ball_radius mm along the passes of \p path (ballPasses); also sets the ball radius. */
   void setInputPath(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);
-  const std::vector<ToolPoses>&
-  getInputPasses() const
-  {
-    return passes_;
-  }
+  const std::vector<ToolPoses>& getInputPasses() const { return passes_; }
 
-  void
-  setSettings(const ProgramSettings& settings)
-  {
-    settings_ = settings;
-  } ///< Feed, leads, tolerances; see ProgramSettings.
-  const ProgramSettings&
-  getSettings() const
-  {
-    return settings_;
-  }
+  void setSettings(const ProgramSettings& settings) { settings_ = settings; } ///< Feed, leads, tolerances; see ProgramSettings.
+  const ProgramSettings& getSettings() const { return settings_; }
 
   /** Computes the program. \p program is empty on failure: an invalid machine, a
    *  setting out of range, a tool axis out of reach, an axis beyond its limits. */
   void compute(MachineProgram& program);
 
-  const Status&
-  getStatus() const
-  {
-    return status_;
-  }
+  const Status& getStatus() const { return status_; }
 
 private:
   Status check() const;

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Points spread evenly over the curved surface of a mesh.
  */
 #pragma once
 
-#include <pcl_spiral/common/status.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/common/status.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 #include <pcl/PolygonMesh.h>
@@ -89,7 +90,6 @@ private:
 /** A spacing, mm, at which local fits reproduce the curved surface of the chosen faces. It is 0.1 r^(3/4), where r is the radius
  *  of curvature that all but a thousandth of the area exceeds, from the bows of the edges. A quadric fitted over about four such
  *  spacings is off by about 1e-4 mm on a sphere. The spacing is limited to give at least 100,000 and at most 500,000 points. */
-double
-defaultSampleSpacing(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& chosen = {});
+double defaultSampleSpacing(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& chosen = {});
 
 } // namespace pcl_spiral

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Section toolpaths on a triangle mesh.
  */
 #pragma once
 
+#include <pcl_spiral/common/drive_pass.h>
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/mesh/impl/section_settings.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
-#include <pcl_spiral/common/drive_pass.h>
 
 namespace pcl_spiral {
 
@@ -60,8 +61,7 @@ public:
   void setRows(DriveRows rows) { settings_.rows = rows; }
   DriveRows getRows() const { return settings_.rows; }
   /** Ball radius and scallop \p height for DriveRows::Kept, mm. Must be set for it. */
-  void
-  setScallop(double radius, double height)
+  void setScallop(double radius, double height)
   {
     settings_.tool_radius = radius;
     settings_.scallop_height = height;

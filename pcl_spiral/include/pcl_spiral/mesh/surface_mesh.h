@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A triangle mesh and the curved surface behind it.
  */
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/mesh/impl/mesh_settings.h>
 #include <pcl_spiral/graph/impl/triangulation.h>
+#include <pcl_spiral/mesh/impl/mesh_settings.h>
 
 #include <pcl/PolygonMesh.h>
 
@@ -21,17 +22,12 @@ struct MeshPatch {
   Eigen::Matrix3d bows;    ///< one per column: of the edges from corner 0 to 1, 1 to 2, 2 to 0
   Eigen::Matrix3d normals; ///< one per column: unit, at the corners, out of the material
 
-  Eigen::Vector3d
-  position(const Eigen::Vector3d& b) const
+  Eigen::Vector3d position(const Eigen::Vector3d& b) const
   {
     return corners * b - bows * Eigen::Vector3d(b[0] * b[1], b[1] * b[2], b[2] * b[0]);
   }
   /** Interpolated between the normals of the corners, unit. */
-  Eigen::Vector3d
-  normal(const Eigen::Vector3d& b) const
-  {
-    return (normals * b).normalized();
-  }
+  Eigen::Vector3d normal(const Eigen::Vector3d& b) const { return (normals * b).normalized(); }
 };
 
 /** A prepared triangle mesh. Vertices are welded; faces without area and repeated

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Triangles over a ridge.
  */
@@ -18,9 +19,9 @@ namespace pcl_spiral {
 
 /** A ridge as triangles between equal stations of its rail and of its generator. Lengths in mm. */
 struct RidgeMesh {
-  Polyline vertices; ///< on the ridge: station by station along the rail; at each station along the generator
+  Polyline vertices;                               ///< on the ridge: station by station along the rail; at each station along the generator
   std::vector<std::array<std::uint32_t, 3>> faces; ///< counter-clockwise seen from above
-  std::size_t along = 0, across = 0; ///< cells along the rail and along the generator; each cell is two faces
+  std::size_t along = 0, across = 0;               ///< cells along the rail and along the generator; each cell is two faces
 
   /** The same in single precision, as a mesh of PCL. */
   pcl::PolygonMesh polygons() const;

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Rows of a tool over a ridge.
  */
 #pragma once
 
+#include <pcl_spiral/common/drive_pass.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/ridge/ridge_surface.h>
-#include <pcl_spiral/common/drive_pass.h>
 
 #include <cstddef>
 #include <string>
@@ -29,25 +30,25 @@ enum class RidgeSteps {
  *  the distance between rows: step-over; spot size; tool radius with scallop height. */
 struct RidgeRowSettings {
   RidgeDirection direction = RidgeDirection::AlongRail;
-  bool zigzag = true;           ///< in zigzag; false: all in one direction
-  double step_over = 0.0;       ///< largest distance between neighbouring rows
-  double spot_size = 0.0;       ///< diameter of the spot of a beam
-  double overlap = 0.0;         ///< share of the spot that the next row covers again, from 0 to below 1
+  bool zigzag = true;                             ///< in zigzag; false: all in one direction
+  double step_over = 0.0;                         ///< largest distance between neighbouring rows
+  double spot_size = 0.0;                         ///< diameter of the spot of a beam
+  double overlap = 0.0;                           ///< share of the spot that the next row covers again, from 0 to below 1
   double tool_radius = 0.0, scallop_height = 0.0; ///< of a ball cutter
-  double point_spacing = 1.0;   ///< largest distance between consecutive points on the surface
-  double chord_error = 0.01;    ///< of straight moves, for contact and tool; equal steps are made shorter until it holds; 0: no limit
+  double point_spacing = 1.0;                     ///< largest distance between consecutive points on the surface
+  double chord_error = 0.01; ///< of straight moves, for contact and tool; equal steps are made shorter until it holds; 0: no limit
   RidgeSteps steps = RidgeSteps::EqualOnRow;
   RidgeNormals normals = RidgeNormals::True;
-  double stand_off = 0.0;       ///< distance of the tool from the contact, along the normal
-  double lead = 0.0, tilt = 0.0; ///< of the axis: forward, and to the right of travel, at the contact; the tool stays on the normal
+  double stand_off = 0.0;             ///< distance of the tool from the contact, along the normal
+  double lead = 0.0, tilt = 0.0;      ///< of the axis: forward, and to the right of travel, at the contact; the tool stays on the normal
   double run_in = 0.0, run_out = 0.0; ///< straight extension before and after each row that is not closed
 };
 
 /** Report of rows. Lengths in mm. */
 struct RidgeRowReport {
   std::size_t rows = 0, points = 0;
-  double length = 0.0;        ///< of all rows
-  double largest_step = 0.0;  ///< between neighbouring rows
+  double length = 0.0;       ///< of all rows
+  double largest_step = 0.0; ///< between neighbouring rows
   std::vector<std::string> warnings;
 };
 

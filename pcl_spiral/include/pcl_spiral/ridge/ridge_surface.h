@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A ridge: the surface that a generator sweeps along a rail.
  */

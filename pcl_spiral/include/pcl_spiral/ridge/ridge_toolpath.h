@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A toolpath over a ridge from two measured lines.
  */
 #pragma once
 
-#include <pcl_spiral/common/status.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/common/status.h>
 #include <pcl_spiral/ridge/ridge_rows.h>
 
 #include <pcl/pcl_base.h>
@@ -59,8 +60,7 @@ public:
   void setStepOver(double step) { rows_.step_over = step; }
   double getStepOver() const { return rows_.step_over; }
   /** Diameter of the spot of a beam, mm, and the share of it that the next row covers again. */
-  void
-  setSpot(double size, double overlap)
+  void setSpot(double size, double overlap)
   {
     rows_.spot_size = size;
     rows_.overlap = overlap;
@@ -68,8 +68,7 @@ public:
   double getSpotSize() const { return rows_.spot_size; }
   double getOverlap() const { return rows_.overlap; }
   /** Radius of a ball cutter, mm, and its scallop height: the largest height of the ridges it may leave, mm. */
-  void
-  setScallop(double tool_radius, double height)
+  void setScallop(double tool_radius, double height)
   {
     rows_.tool_radius = tool_radius;
     rows_.scallop_height = height;

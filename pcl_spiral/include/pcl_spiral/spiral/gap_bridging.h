@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Bridges the gaps of a scan with smooth patches.
  */
 #pragma once
 
 #include <pcl_spiral/features/boundary_loop.h>
-#include <pcl_spiral/surface/surface_input.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
+#include <pcl_spiral/surface/surface_input.h>
 
 #include <string>
 #include <vector>
@@ -14,11 +15,11 @@ namespace pcl_spiral {
 
 /** A gap, and the patch put into it. */
 struct BridgedGap {
-  BoundaryLoop loop;       ///< the boundary of the gap, of type ScanGap
-  std::size_t points = 0;  ///< put into it; 0 if it is too narrow to be filled, and paths run over it as it is
+  BoundaryLoop loop;      ///< the boundary of the gap, of type ScanGap
+  std::size_t points = 0; ///< put into it; 0 if it is too narrow to be filled, and paths run over it as it is
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double width = 0.0;      ///< its largest extent, mm
-  double residual = 0.0;   ///< rms distance of the points around it from the patch, mm
+  double width = 0.0;    ///< its largest extent, mm
+  double residual = 0.0; ///< rms distance of the points around it from the patch, mm
 };
 
 /** A surface with its gaps bridged, and what was guessed for that. */
@@ -47,9 +48,8 @@ struct HoleOptions {
  *  a new one is made. Fails where chooseBoundaries fails, on a gap with GapHandling::Refuse and on a hole with HoleHandling::Refuse.
  *  Fails also on given loops that do not belong to the surface (checkLoop) or mark a gap where the surface has points. On failure
  *  \p bridged is empty. */
-Status
-bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const HoleOptions& options,
-           const ProgressCallback& progress, BridgedSurface& bridged, LoopOrigin origin = LoopOrigin::Given);
+Status bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const HoleOptions& options,
+                  const ProgressCallback& progress, BridgedSurface& bridged, LoopOrigin origin = LoopOrigin::Given);
 
 /** Bridges gaps in the data. Every hole that is not a boundary of the part is filled with points of a bicubic patch, fitted to the
  *  surface around it. Then the boundaries are found again; the user's own outline is kept. The filled points are guessed:

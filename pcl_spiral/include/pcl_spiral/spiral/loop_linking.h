@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Links closed loops to one continuous path.
  */
@@ -36,9 +37,9 @@ struct LoopJoint {
 struct LinkedPath {
   Polyline points;
   std::vector<StepOverMetric> metric;
-  std::vector<float> turns;        ///< number of loops travelled so far
+  std::vector<float> turns;           ///< number of loops travelled so far
   std::vector<std::uint8_t> reversed; ///< 1 where it travels against the sense of the rim's loop
-  Polyline links;                  ///< places between the turns of ramps and near bridges, where coverage must be checked
+  Polyline links;                     ///< places between the turns of ramps and near bridges, where coverage must be checked
   std::vector<StepOverMetric> link_metric;
   std::vector<std::size_t> passes; ///< where the second and each later pass begins, with the tool lifted before; empty: one pass
   std::vector<LoopJoint> joints;   ///< one for each loop except the rim's; parents before the loops joined to them, except fingers
@@ -54,9 +55,8 @@ struct LinkedPath {
  *  With \p start the path begins at the rim near that point. Fails if a loop has no neighbour that runs beside it.
  *  With \p one_way there are no bridges, and no part runs against the sense of the rim's loop. Further passes cut what is left beside
  *  the chain. Each is a spiral from the outermost loop left, or a hole, to the innermost one; the nearest pass is next. */
-Status
-linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::optional<Eigen::Vector3d>& start = std::nullopt,
-          bool one_way = false);
+Status linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::optional<Eigen::Vector3d>& start = std::nullopt,
+                 bool one_way = false);
 
 /** One continuous path over closed loops: linkLoops, then moves the path where it would leave more than the loops, in the given
  *  direction. samplePath gives its points for linear moves. putOnSurface and setToolAxes make it a toolpath.
@@ -76,15 +76,13 @@ public:
   void setInputLoops(const std::vector<ScallopLoop>& loops) { given_scallop_loops_ = loops; }
   const std::vector<ScallopLoop>& getInputLoops() const { return given_scallop_loops_; }
 
-  void
-  setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
+  void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
   {
     FieldInput<PointT, PointNT>::setInputCloud(cloud);
     given_scallop_loops_.clear();
   }
   /** \see FieldInput::setInputSurface */
-  void
-  setInputSurface(const Surface::ConstPtr& surface)
+  void setInputSurface(const Surface::ConstPtr& surface)
   {
     FieldInput<PointT, PointNT>::setInputSurface(surface);
     given_scallop_loops_.clear();

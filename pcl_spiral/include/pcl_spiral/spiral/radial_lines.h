@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Radial lines of a scanned surface, from a cloud.
  */
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/surface/surface_input.h>
 #include <pcl_spiral/spiral/impl/radial_line_builder.h>
+#include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
@@ -73,8 +74,7 @@ public:
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
   /** The former form: with the share only. */
   template <typename ShareAlone, typename = std::enable_if_t<is_share_callback<ShareAlone>>>
-  [[deprecated("a callback of the share and the stage's name")]] void
-  setProgressCallback(ShareAlone callback)
+  [[deprecated("a callback of the share and the stage's name")]] void setProgressCallback(ShareAlone callback)
   {
     setProgressCallback(withStage(std::move(callback)));
   }

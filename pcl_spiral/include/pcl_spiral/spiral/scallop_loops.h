@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Closed loops one step-over apart that cover a surface.
  */
 #pragma once
 
+#include <pcl_spiral/common/drive_pass.h>
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/spiral/impl/scallop_loop.h>
 #include <pcl_spiral/spiral/step_over_field.h>
-#include <pcl_spiral/common/drive_pass.h>
 
 #include <vector>
 
@@ -22,20 +23,17 @@ struct ScallopLoopSet {
 /** Loops D = 0, 1, 2 ... of \p field. These can leave a ridge higher than the scallop height: at corners, over saddles, in cores
  *  where no further loop fits. There the upper loop reaches out with a finger, two of whose sides lie 0.6 step-overs apart,
  *  or a loop is added. False if cancelled. */
-bool
-makeScallopLoops(const StepOverDistance& field, const ProgressCallback& progress, ScallopLoopSet& set);
+bool makeScallopLoops(const StepOverDistance& field, const ProgressCallback& progress, ScallopLoopSet& set);
 
 /** Ok, or an error in the user's own \p loops: none, arrays of different sizes, fewer than three points, places that are not finite,
  *  lengths that are not above 0, no boundary at the front. The message reports which loop. */
-Status
-checkScallopLoops(const std::vector<ScallopLoop>& loops);
+Status checkScallopLoops(const std::vector<ScallopLoop>& loops);
 
 /** \p loops as closed passes on \p surface: contacts so close that straight moves keep the chord error, with normals and tilted
  *  axes. Fails where the cutter does not fit or a loop leaves the surface. Settings used: tool radius, chord error, longest step,
  *  tilt, lead, sense (counter-clockwise: larger distances from the boundaries on the left). */
-Status
-putLoopsOnSurface(const std::vector<ScallopLoop>& loops, const Surface& surface, const SpiralSettings& settings,
-                  const ProgressCallback& progress, DrivePasses& passes);
+Status putLoopsOnSurface(const std::vector<ScallopLoop>& loops, const Surface& surface, const SpiralSettings& settings,
+                         const ProgressCallback& progress, DrivePasses& passes);
 
 /** Closed loops one step-over apart, from the rim inward and round every hole. With their fingers they leave no ridge above the
  *  scallop height. Use them one by one, or link them to one path with LoopLinking.

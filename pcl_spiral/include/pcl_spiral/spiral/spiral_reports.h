@@ -1,59 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What each stage adds to the report of a spiral.
  */
 #pragma once
 
-#include <pcl_spiral/spiral/impl/constant_scallop.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
+#include <pcl_spiral/spiral/impl/constant_scallop.h>
 #include <pcl_spiral/spiral/impl/published_spiral.h>
 #include <pcl_spiral/spiral/spiral_path.h>
-#include <pcl_spiral/spiral/spiral_turns.h>
 #include <pcl_spiral/spiral/spiral_report.h>
+#include <pcl_spiral/spiral/spiral_turns.h>
 
 namespace pcl_spiral {
 
 /** Allowed error of a turn between radial lines, mm: a fiftieth of the step-over on a plane. */
-double
-lineTolerance(const SpiralSettings& settings);
+double lineTolerance(const SpiralSettings& settings);
 
 /** Allowed distance of a radial line's B-spline from its points, mm. */
-double
-lineFitTolerance(const SpiralSettings& settings);
+double lineFitTolerance(const SpiralSettings& settings);
 
 /** Points, spacing, noise and warnings of the surface. \p made: true if it was made for this path, false if it was given. */
-void
-reportSurface(const Surface& surface, bool made, SpiralReport& report);
+void reportSurface(const Surface& surface, bool made, SpiralReport& report);
 
 /** Effect of the noise of the scan on the scallop height. */
-void
-reportNoise(const Surface& surface, const SpiralSettings& settings, SpiralReport& report);
+void reportNoise(const Surface& surface, const SpiralSettings& settings, SpiralReport& report);
 
 /** Loops and bridged gaps, and noise. */
-void
-reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, SpiralReport& report);
+void reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, SpiralReport& report);
 
 /** Lines, with warnings for those that did not converge. */
-void
-reportLines(const RadialLineSet& lines, const SpiralSettings& settings, SpiralReport& report);
+void reportLines(const RadialLineSet& lines, const SpiralSettings& settings, SpiralReport& report);
 
 /** Figures of a path at constant scallop height, with a warning if it leaves more than requested. */
-void
-reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, SpiralReport& report);
+void reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, SpiralReport& report);
 
-void
-reportTurns(const SpiralTurns& turns, SpiralReport& report);
+void reportTurns(const SpiralTurns& turns, SpiralReport& report);
 
 /** Path points over gaps, with a warning if there are any. */
-void
-reportGaps(const GapFigures& gaps, SpiralReport& report);
+void reportGaps(const GapFigures& gaps, SpiralReport& report);
 
-void
-reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& path, SpiralReport& report);
+void reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& path, SpiralReport& report);
 
 /** Figures of the published method on \p surface, as far as it got. If the path is complete, its arrays move to \p path, with
  *  marks of gaps. */
-void
-reportPublished(const Surface& surface, const SpiralSettings& settings, PublishedResult& published, SpiralReport& report,
-                SpiralPath& path);
+void reportPublished(const Surface& surface, const SpiralSettings& settings, PublishedResult& published, SpiralReport& report,
+                     SpiralPath& path);
 
 } // namespace pcl_spiral

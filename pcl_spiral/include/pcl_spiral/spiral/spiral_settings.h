@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Settings of a spiral toolpath.
  */
@@ -46,27 +47,27 @@ enum class LineMethod {
 
 /** How the whole path is made. */
 enum class SpiralMethod {
-  Shortest, ///< Radial or ConstantScallop: the one with the shorter predicted machine time
-  Radial,   ///< turns between radial lines; every step of the published method is corrected or replaced
+  Shortest,        ///< Radial or ConstantScallop: the one with the shorter predicted machine time
+  Radial,          ///< turns between radial lines; every step of the published method is corrected or replaced
   ConstantScallop, ///< loops one step-over apart that follow rim and holes, linked to one path: short on any outline
-  Published ///< the published method (Wu et al. 2025), for comparison: slower, coarser, only for simple outlines
+  Published        ///< the published method (Wu et al. 2025), for comparison: slower, coarser, only for simple outlines
 };
 
 /** Settings of a spiral toolpath. Lengths in mm, angles in degrees. */
 struct SpiralSettings {
-  double tool_radius = 0.0;    ///< ball radius; must be set
-  double scallop_height = 0.0; ///< allowed height of the ridge between turns; must be set
-  double chord_error = 0.005;  ///< allowed distance between a linear move and the surface curve
-  double max_step = 0.0;       ///< longest linear move; 0: the tool radius
-  double tilt_angle = 15.0;    ///< side tilt of the axis about the feed direction
-  double lead_angle = 0.0;     ///< lead of the axis in the feed direction
-  double max_axis_rate = 10.0; ///< largest turn of the axis per mm of path
-  double axis_smoothing = 50.0; ///< shorter changes along the path are smoothed out of the axis; 0: no smoothing
-  double axis_deviation = 2.0; ///< of the smoothed axis from the requested tilt, in the mean over its length
-  double feed = 1000.0;        ///< mm/min at the contact
-  double acceleration = 2000.0; ///< of the machine along the path, mm/s2: a sharp turn costs time
-  double least_turn_radius = 0.2; ///< of turns, in step-overs: the report of ConstantScallop warns of sharper ones
-  double rim_overhang = 0.0;   ///< of the pass along the rim: above 0 this far beyond the rim, below 0 inside it
+  double tool_radius = 0.0;                   ///< ball radius; must be set
+  double scallop_height = 0.0;                ///< allowed height of the ridge between turns; must be set
+  double chord_error = 0.005;                 ///< allowed distance between a linear move and the surface curve
+  double max_step = 0.0;                      ///< longest linear move; 0: the tool radius
+  double tilt_angle = 15.0;                   ///< side tilt of the axis about the feed direction
+  double lead_angle = 0.0;                    ///< lead of the axis in the feed direction
+  double max_axis_rate = 10.0;                ///< largest turn of the axis per mm of path
+  double axis_smoothing = 50.0;               ///< shorter changes along the path are smoothed out of the axis; 0: no smoothing
+  double axis_deviation = 2.0;                ///< of the smoothed axis from the requested tilt, in the mean over its length
+  double feed = 1000.0;                       ///< mm/min at the contact
+  double acceleration = 2000.0;               ///< of the machine along the path, mm/s2: a sharp turn costs time
+  double least_turn_radius = 0.2;             ///< of turns, in step-overs: the report of ConstantScallop warns of sharper ones
+  double rim_overhang = 0.0;                  ///< of the pass along the rim: above 0 this far beyond the rim, below 0 inside it
   std::optional<Eigen::Vector3d> centre;      ///< of a surface with one boundary; absent: found
   std::optional<Eigen::Vector3d> start_point; ///< the path meets the rim nearest here; absent: found
   std::optional<Eigen::Vector3d> view_point;  ///< normals face it; absent: towards +z as a whole
@@ -82,11 +83,11 @@ struct SpiralSettings {
   double hole_margin = 0.0; ///< the path stays this far from holes
   GapHandling gaps = GapHandling::Bridge;
   LineMethod lines = LineMethod::Automatic;
-  bool largest_part = false;        ///< keep only the part with the largest area if there are several
-  double thinning = 0.0;            ///< voxel edge of the thinning filter; 0: no thinning
-  int outlier_neighbours = 0;       ///< neighbours of the statistical outlier filter; 0: no filter
-  double outlier_deviations = 3.0;  ///< its threshold in standard deviations
-  unsigned int threads = 0;         ///< 0: all
+  bool largest_part = false;       ///< keep only the part with the largest area if there are several
+  double thinning = 0.0;           ///< voxel edge of the thinning filter; 0: no thinning
+  int outlier_neighbours = 0;      ///< neighbours of the statistical outlier filter; 0: no filter
+  double outlier_deviations = 3.0; ///< its threshold in standard deviations
+  unsigned int threads = 0;        ///< 0: all
 };
 
 } // namespace pcl_spiral

@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  From a cloud to one continuous spiral toolpath.
  */
 #pragma once
 
-#include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/common/impl/stage_clock.h>
+#include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/spiral/spiral_path.h>
-#include <pcl_spiral/spiral/spiral_turns.h>
-#include <pcl_spiral/surface/surface_input.h>
 #include <pcl_spiral/spiral/spiral_report.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
+#include <pcl_spiral/spiral/spiral_turns.h>
+#include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
@@ -99,8 +100,7 @@ public:
   double getThinning() const { return settings_.thinning; }
 
   /** Drop statistical outliers; 0 neighbours, the default: no filter. \see ScannedSurface::setOutlierRemoval */
-  void
-  setOutlierRemoval(int neighbours, double deviations = 3.0)
+  void setOutlierRemoval(int neighbours, double deviations = 3.0)
   {
     settings_.outlier_neighbours = neighbours;
     settings_.outlier_deviations = deviations;
@@ -200,8 +200,7 @@ private:
   Status makeShortest(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
   Status makeRadial(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
   Status makeOnLines(Surface::ConstPtr& surface, const RadialLineSet& lines, StageClock& clock, SpiralTurns& turns);
-  Status makeConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock,
-                             SpiralTurns& turns);
+  Status makeConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
   Status makePublished(const Surface& surface, StageClock& clock, SpiralPath& path);
   Status run(StageClock& clock, SpiralPath& path);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Distance from the boundaries of a surface, counted in step-overs.
  */
@@ -26,18 +27,15 @@ struct StepOverDistance {
 };
 
 /** D on \p surface between \p outlines, those of its rim and holes. */
-Status
-measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options,
-                 StepOverDistance& field);
+Status measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options,
+                        StepOverDistance& field);
 
 /** Ok, or an error if \p field is empty or its arrays do not fit together: for the user's own fields. */
-Status
-checkField(const StepOverDistance& field);
+Status checkField(const StepOverDistance& field);
 
 /** Nodes of \p field on its ridges, where fronts from different sides meet at more than 14 degrees. In the order of
  *  the mesh. */
-std::vector<std::uint32_t>
-ridgeNodes(const StepOverDistance& field);
+std::vector<std::uint32_t> ridgeNodes(const StepOverDistance& field);
 
 /** The distance of every place of a surface from its nearest rim or hole, counted in step-overs that leave the scallop height,
  *  with its ridges. ScallopLoops draws loops on it.

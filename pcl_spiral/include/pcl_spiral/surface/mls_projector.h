@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Projects points onto the surface of a cloud.
  */
@@ -78,8 +79,7 @@ public:
    *  the rim of the cloud. */
   const std::vector<std::uint8_t>& getValid() const { return valid_; }
   /** Curvatures of each query, 1/mm, the larger in \p k1; NaN without a foot. */
-  void
-  getPrincipalCurvatures(std::vector<double>& k1, std::vector<double>& k2) const
+  void getPrincipalCurvatures(std::vector<double>& k1, std::vector<double>& k2) const
   {
     k1 = larger_curvature_;
     k2 = smaller_curvature_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  From a scan to the surface that every stage uses.
  */
@@ -63,8 +64,7 @@ public:
 
   /** Drop points whose mean distance to their \p neighbours nearest points is more than \p deviations standard deviations above
    *  the mean, as in pcl::StatisticalOutlierRemoval. 0 neighbours, the default: no filter. */
-  void
-  setOutlierRemoval(int neighbours, double deviations = 3.0)
+  void setOutlierRemoval(int neighbours, double deviations = 3.0)
   {
     settings_.outlier_neighbours = neighbours;
     settings_.outlier_deviations = deviations;
@@ -108,8 +108,7 @@ public:
 
 private:
   Status check() const;
-  Status filter(UsablePoints& usable, SurfaceCounts& counts, std::vector<std::uint32_t>& dropped,
-                std::vector<LeftOut>& why) const;
+  Status filter(UsablePoints& usable, SurfaceCounts& counts, std::vector<std::uint32_t>& dropped, std::vector<LeftOut>& why) const;
   Status run(Surface::ConstPtr& surface);
   Status checkSide(const Surface& surface) const;
   void addLeftOut(const std::vector<std::uint32_t>& indices, const std::vector<LeftOut>& why, LeftOutPoints& points) const;

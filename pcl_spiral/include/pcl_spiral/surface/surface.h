@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The prepared surface that all stages share.
  */
@@ -32,8 +33,8 @@ struct SurfaceCounts {
   std::size_t other_part = 0; ///< in separate parts other than the largest, left out on request
   std::size_t used = 0;
   std::size_t separate_parts = 0; ///< left out on request
-  std::size_t guessed = 0;    ///< points put into gaps, in addition to those used
-  int passes = 0;             ///< over all neighbourhoods, to make the surface
+  std::size_t guessed = 0;        ///< points put into gaps, in addition to those used
+  int passes = 0;                 ///< over all neighbourhoods, to make the surface
 };
 
 /** Why a point is not part of the surface. */
@@ -96,11 +97,7 @@ public:
   bool isGuessed(std::size_t i) const { return sourceIndex(i) == no_source; }
   /** Cloud index of point \p i, counted in the order of the points that the graph was built from (BoundaryLoop::indices of
    *  findBoundaryLoops). */
-  std::uint32_t
-  sourceOfOriginal(std::size_t i) const
-  {
-    return parts_.source.empty() ? static_cast<std::uint32_t>(i) : parts_.source[i];
-  }
+  std::uint32_t sourceOfOriginal(std::size_t i) const { return parts_.source.empty() ? static_cast<std::uint32_t>(i) : parts_.source[i]; }
   /** Number of points in the cloud, used or not. */
   std::size_t inputSize() const { return parts_.input_size; }
 
@@ -132,22 +129,18 @@ struct SurfacePoints {
  *  left out, or -1 if it was kept; empty if none was left out. \p counts holds what was dropped before. Fails on fewer than 50
  *  points, if the points form no surface, and when strict, if more than a tenth of them are isolated. The noise is not checked
  *  here; checkSingleSheet checks it for ScannedSurface. */
-Status
-makeSurface(SurfacePoints points, const SurfaceSettings& settings, const SurfaceCounts& counts, Surface::Parts& parts,
-            std::vector<std::int8_t>& why);
+Status makeSurface(SurfacePoints points, const SurfaceSettings& settings, const SurfaceCounts& counts, Surface::Parts& parts,
+                   std::vector<std::int8_t>& why);
 
 /** Make a surface from \p surface and further points, such as \p bridges over a gap. \p surface is released before the new
  *  one is made: if the caller moved the only reference, memory holds only one. \p result is null on failure. */
-Status
-addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges, Surface::ConstPtr& result);
+Status addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges, Surface::ConstPtr& result);
 
 /** Ok, or an error with the place if the noise is above 0.35 spacings: the surface is then no single sheet. */
-Status
-checkSingleSheet(const Surface& surface);
+Status checkSingleSheet(const Surface& surface);
 
 /** Free the triangulation, the larger half of the memory of a surface, if \p surface is the only reference to it. Use this
  *  if you need only neighbourhoods from now on. It does nothing to a shared surface. */
-void
-dropTriangulation(const Surface::ConstPtr& surface);
+void dropTriangulation(const Surface::ConstPtr& surface);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Input shared by all stages that work on a surface.
  */
@@ -27,8 +28,7 @@ public:
   using CloudConstPtr = typename pcl::PointCloud<PointT>::ConstPtr;
   using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
 
-  void
-  setInputCloud(const CloudConstPtr& cloud) override
+  void setInputCloud(const CloudConstPtr& cloud) override
   {
     BaseT::setInputCloud(cloud);
     given_surface_.reset();
@@ -80,8 +80,7 @@ public:
 protected:
   /** Ok, or an error: neither surface nor cloud, a wrong number of normals, or what checkShared refuses. For stages that check
    *  their own settings before the surface is made. */
-  Status
-  checkInput() const
+  Status checkInput() const
   {
     if (!given_surface_ && (!this->input_ || this->input_->empty()))
       return {StatusCode::InvalidInput, "the input cloud is missing or empty: call setInputCloud with points, or setInputSurface"};
@@ -92,8 +91,7 @@ protected:
   }
 
   /** Ok, or an error: an index outside the cloud, or a number of threads that nobody means. For any source of the surface. */
-  Status
-  checkShared() const
+  Status checkShared() const
   {
     if (this->input_)
       if (const Status status = checkIndices(givenIndices().get(), this->input_->size()); !status.ok())
@@ -102,8 +100,7 @@ protected:
   }
 
   /** The given surface, or one made from the cloud. \p progress reports only the second case. */
-  Status
-  prepareSurface(Surface::ConstPtr& surface, const ProgressCallback& progress = {})
+  Status prepareSurface(Surface::ConstPtr& surface, const ProgressCallback& progress = {})
   {
     if (const Status status = checkInput(); !status.ok())
       return status;
@@ -127,8 +124,7 @@ protected:
   }
 
   /** Print the error of the last compute of \p name to the console. Prints nothing if it was cancelled. */
-  void
-  tellFailure(const char* name) const
+  void tellFailure(const char* name) const
   {
     if (!quiet_ && !status_.ok() && status_.code() != StatusCode::Cancelled)
       PCL_ERROR("[pcl_spiral::%s::compute] %s\n", name, status_.message().c_str());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  From a raw scan to the points and normals of its surface, as a filter.
  */
@@ -40,8 +41,7 @@ public:
   }
 
   /** Clears the last result. A null pointer is an error at once. */
-  void
-  setInputCloud(const typename PointCloud::ConstPtr& cloud) override
+  void setInputCloud(const typename PointCloud::ConstPtr& cloud) override
   {
     pcl::Filter<PointT>::setInputCloud(cloud);
     forget();
@@ -54,11 +54,7 @@ public:
   void filter(PointCloud& output);
 
   /** \see ScannedSurface::setOutlierRemoval */
-  void
-  setOutlierRemoval(int neighbours, double deviations = 3.0)
-  {
-    scanned_.setOutlierRemoval(neighbours, deviations);
-  }
+  void setOutlierRemoval(int neighbours, double deviations = 3.0) { scanned_.setOutlierRemoval(neighbours, deviations); }
   int getOutlierNeighbours() const { return scanned_.getOutlierNeighbours(); }
   double getOutlierDeviations() const { return scanned_.getOutlierDeviations(); }
 
@@ -105,8 +101,7 @@ public:
   /** The surface of the last run, for the stages that follow (setInputSurface); null before a run and on failure. */
   Surface::ConstPtr getSurface() const { return surface_; }
   /** The former name of getSurface()->graph(); empty before the first run and on failure. */
-  [[deprecated("getSurface()->graph()")]] const SurfaceGraph&
-  getSurfaceGraph() const
+  [[deprecated("getSurface()->graph()")]] const SurfaceGraph& getSurfaceGraph() const
   {
     static const SurfaceGraph none;
     return surface_ ? surface_->graph() : none;
@@ -116,11 +111,7 @@ protected:
   void applyFilter(PointCloud& output) override;
 
 private:
-  static Status
-  missingCloud()
-  {
-    return {StatusCode::InvalidInput, "the input cloud is missing: call setInputCloud with points"};
-  }
+  static Status missingCloud() { return {StatusCode::InvalidInput, "the input cloud is missing: call setInputCloud with points"}; }
   void forget();
 
   ScannedSurface<PointT> scanned_;

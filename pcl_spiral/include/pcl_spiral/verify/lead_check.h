@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Checks whether a tool comes to its path and leaves it without cutting into the scan.
  */
@@ -36,74 +37,30 @@ public:
   using ConstPtr = pcl::shared_ptr<const LeadCheck>;
 
   /** Shape of the cutter. Must be set. Above it, a shank as wide as the cutter is assumed. */
-  void
-  setCutter(const CutterShape& cutter)
-  {
-    cutter_ = cutter;
-  }
-  const CutterShape&
-  getCutter() const
-  {
-    return cutter_;
-  }
+  void setCutter(const CutterShape& cutter) { cutter_ = cutter; }
+  const CutterShape& getCutter() const { return cutter_; }
 
   /** The parts above the cutter, from the top of its flank upwards. None by default. */
-  void
-  setHolder(std::vector<ToolSegment> segments)
-  {
-    holder_ = std::move(segments);
-  }
-  const std::vector<ToolSegment>&
-  getHolder() const
-  {
-    return holder_;
-  }
+  void setHolder(std::vector<ToolSegment> segments) { holder_ = std::move(segments); }
+  const std::vector<ToolSegment>& getHolder() const { return holder_; }
 
   /** Distance to keep between holder and scan; 0 by default. */
-  void
-  setHolderClearance(double clearance)
-  {
-    holder_clearance_ = clearance;
-  }
-  double
-  getHolderClearance() const
-  {
-    return holder_clearance_;
-  }
+  void setHolderClearance(double clearance) { holder_clearance_ = clearance; }
+  double getHolderClearance() const { return holder_clearance_; }
 
   /** How deep a point may be in the tool; 0.05 by default. Set what the path itself may have: its chord
    *  error plus five standard deviations of the noise of the scan, because leads end on the path. */
-  void
-  setTolerance(double tolerance)
-  {
-    tolerance_ = tolerance;
-  }
-  double
-  getTolerance() const
-  {
-    return tolerance_;
-  }
+  void setTolerance(double tolerance) { tolerance_ = tolerance; }
+  double getTolerance() const { return tolerance_; }
 
   /** Called with the completed share; return false to cancel. */
-  void
-  setProgressCallback(ProgressCallback callback)
-  {
-    progress_ = std::move(callback);
-  }
+  void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
   /** Checks \p program. Fails without a cloud or a cutter, on invalid settings, or when cancelled. */
   void compute(const MachineProgram& program);
 
-  const Status&
-  getStatus() const
-  {
-    return status_;
-  }
-  const LeadFigures&
-  getFigures() const
-  {
-    return figures_;
-  }
+  const Status& getStatus() const { return status_; }
+  const LeadFigures& getFigures() const { return figures_; }
 
 private:
   Status check() const;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What the cutter of a toolpath leaves on a scanned surface, and where it gouges.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The parts of a path of constant scallop height, in your own
  *  pcl::visualization::PCLVisualizer: the field, the loops, the tree that links them.
@@ -131,8 +132,7 @@ addStepOverField(pcl::visualization::PCLVisualizer& viewer, const StepOverDistan
 /** Shows \p set: its loops from blue at the rims to yellow in the middle as shape ID_loops, the
  *  centre lines of their fingers in red as ID_axes. What was shown under the id before is replaced. */
 inline void
-addScallopLoops(pcl::visualization::PCLVisualizer& viewer, const ScallopLoopSet& set, const std::string& id = "scallop",
-                int viewport = 0)
+addScallopLoops(pcl::visualization::PCLVisualizer& viewer, const ScallopLoopSet& set, const std::string& id = "scallop", int viewport = 0)
 {
   ColoredLines loops, axes;
   const int deepest = set.loops.empty() ? 0 : set.loops.back().level;
@@ -203,7 +203,8 @@ addLinkedPath(pcl::visualization::PCLVisualizer& viewer, const LinkedPath& path,
     const Eigen::Vector3d& p = path.points[i];
     if (beginsPass(path.passes, i))
       line.end(false);
-    tree.nearestKSearch(pcl::PointXYZ(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())), 1, nearest, squared);
+    tree.nearestKSearch(pcl::PointXYZ(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())), 1, nearest,
+                        squared);
     line.add(p, branchColor(branch[owner[nearest[0]]]));
   }
   line.end(false);

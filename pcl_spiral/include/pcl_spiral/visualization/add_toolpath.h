@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A toolpath, its loops and its radial lines in your own pcl::visualization::PCLVisualizer.
  *
@@ -114,8 +115,7 @@ addLine(ColoredLines& lines, const RadialLine& line)
 
 /** Adds the lines as one shape, bright in every view. No shape if there are no lines. */
 inline bool
-showLines(pcl::visualization::PCLVisualizer& viewer, const ColoredLines& lines, double width,
-          const std::string& shape, int viewport)
+showLines(pcl::visualization::PCLVisualizer& viewer, const ColoredLines& lines, double width, const std::string& shape, int viewport)
 {
   if (lines.empty() || !viewer.addModelFromPolyData(lines.data(), shape, viewport))
     return false;
@@ -162,9 +162,8 @@ removeToolpath(pcl::visualization::PCLVisualizer& viewer, const std::string& id 
  *  \return whether there was anything to show */
 template <typename PathPointT, typename LineT = RadialLine>
 bool
-addToolpath(pcl::visualization::PCLVisualizer& viewer, const pcl::PointCloud<PathPointT>& path,
-            const std::vector<BoundaryLoop>& loops = {}, const std::vector<LineT>& lines = {},
-            const std::string& id = "toolpath", int viewport = 0)
+addToolpath(pcl::visualization::PCLVisualizer& viewer, const pcl::PointCloud<PathPointT>& path, const std::vector<BoundaryLoop>& loops = {},
+            const std::vector<LineT>& lines = {}, const std::string& id = "toolpath", int viewport = 0)
 {
   removeToolpath(viewer, id);
   ColoredLines radial;

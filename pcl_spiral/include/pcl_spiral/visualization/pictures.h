@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Pictures of a spiral toolpath, made without a window.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Pictures of a ridge from two measured lines, made without a window.
  */
@@ -16,7 +17,7 @@ namespace pcl_spiral {
 struct RidgeScene {
   std::string title; ///< such as the name of the part
   RidgeSurface::ConstPtr ridge;
-  Polyline rail, generator; ///< the measured points
+  Polyline rail, generator;                      ///< the measured points
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr scan; ///< of the part, drawn behind the lines; null: none
 };
 

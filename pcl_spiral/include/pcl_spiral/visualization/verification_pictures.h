@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Pictures of how well a toolpath fits its part, made without a window.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Makes the graph of the surface of a raw scan: evenly spread, without outliers.
  */
@@ -25,8 +26,6 @@ struct GraphSource {
  *  because they had others left out in their favour.
  *  Fails where SurfaceGraph::build fails.
  *  \sa evenSpread, SurfaceGraph::strayPoints, sparseSpecks, falsePoints, lonePoints */
-Status
-buildCleanGraph(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options, SurfaceGraph& graph,
-                GraphSource& source);
+Status buildCleanGraph(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options, SurfaceGraph& graph, GraphSource& source);
 
 } // namespace pcl_spiral

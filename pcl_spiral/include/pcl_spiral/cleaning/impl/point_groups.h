@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Groups of connected points.
  */
@@ -12,7 +13,6 @@ namespace pcl_spiral {
 
 /** The group of each point, numbered from 0 in the order of their first points. Steps of no more than \p reach link the points
  *  of a group. */
-std::vector<std::uint32_t>
-pointGroups(const std::vector<Eigen::Vector3f>& points, double reach);
+std::vector<std::uint32_t> pointGroups(const std::vector<Eigen::Vector3f>& points, double reach);
 
 } // namespace pcl_spiral

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_spiral/common/impl/thread_limit.h>
-#include <pcl_spiral/cleaning/impl/point_groups.h>
-#include <pcl_spiral/search/impl/usable_points.h>
 #include <pcl_spiral/cleaning/impl/clean_graph.h>
+#include <pcl_spiral/cleaning/impl/point_groups.h>
 #include <pcl_spiral/cleaning/stray_removal.h>
+#include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/search/impl/usable_points.h>
 
 #include <pcl/console/print.h>
 #include <pcl/filters/impl/filter_indices.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Drive points: positions with a tool axis each, which guide the cutter.
  */
@@ -14,15 +15,10 @@ namespace pcl_spiral {
  * the axis until it touches the surface anywhere. Lengths in mm. */
 struct DrivePoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); ///< from the tip to the shank; any length except 0
-  Eigen::Vector3d normal =
-      Eigen::Vector3d::Zero(); ///< of the surface, out of the material; zero: no contact is required
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< from the tip to the shank; any length except 0
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< of the surface, out of the material; zero: no contact is required
 
-  bool
-  asksForContact() const
-  {
-    return !normal.isZero(0.0);
-  }
+  bool asksForContact() const { return !normal.isZero(0.0); }
 };
 
 using DrivePoints = std::vector<DrivePoint>;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Progress callbacks, which can cancel.
  */
@@ -15,8 +16,8 @@ using ProgressCallback = std::function<bool(double share, const std::string& sta
 
 /** True if a callback takes only the share and not the name of the stage. */
 template <typename Callback>
-constexpr bool is_share_callback = std::is_invocable_r_v<bool, Callback&, double> &&
-                                   !std::is_invocable_r_v<bool, Callback&, double, const std::string&>;
+constexpr bool is_share_callback =
+    std::is_invocable_r_v<bool, Callback&, double> && !std::is_invocable_r_v<bool, Callback&, double, const std::string&>;
 
 /** Converts a callback of the share only to a ProgressCallback; an empty std::function or a null pointer gives none. */
 template <typename ShareAlone>

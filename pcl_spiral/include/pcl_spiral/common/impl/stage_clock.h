@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Time and memory that the stages of a run use.
  */
@@ -16,8 +17,7 @@ struct MemoryUse {
   std::size_t peak = 0;     ///< the maximum since the process began (VmHWM)
 };
 
-MemoryUse
-memoryUse();
+MemoryUse memoryUse();
 
 /** Wall time of one stage, and the memory of the whole process at its end. If the peak is above that of the stage before, this
  *  stage raised it. */

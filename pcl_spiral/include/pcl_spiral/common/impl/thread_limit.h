@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Sets the number of threads within a scope.
  */
@@ -21,8 +22,8 @@ checkThreads(unsigned int threads)
 {
   if (threads <= most_threads)
     return Status::success();
-  return {StatusCode::InvalidArgument, textOf("the number of threads is ", threads, ": set 0 for all, or a count up to ",
-                                              most_threads, " (setNumberOfThreads)")};
+  return {StatusCode::InvalidArgument,
+          textOf("the number of threads is ", threads, ": set 0 for all, or a count up to ", most_threads, " (setNumberOfThreads)")};
 }
 
 /** The number of threads of a stage. Base of classes that have no other base with this setter. The base classes of PCL do not use

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Writes a point of a toolpath to any point type.
  */
@@ -60,9 +61,8 @@ setFieldIfPresent(PointT& point, Number value)
 {
   if constexpr (has_toolpath_field<PointT, Field>) {
     using Type = typename pcl::traits::datatype<PointT, Field>::type;
-    static_assert(std::is_arithmetic_v<Type>,
-                  "a toolpath writes numbers: register this field as a number, not as an array, or "
-                  "specialise pcl_spiral::ToolpathFields for the point type");
+    static_assert(std::is_arithmetic_v<Type>, "a toolpath writes numbers: register this field as a number, not as an array, or "
+                                              "specialise pcl_spiral::ToolpathFields for the point type");
     pcl::setFieldValue(point, pcl::traits::offset<PointT, Field>::value, numberAs<Type>(value));
   }
 }
@@ -101,13 +101,11 @@ template <typename PointT>
 struct ToolpathFields {
   /** \param[out] point constructed by its default constructor
    *  \param[in] contact,normal,axis,arc_length,turn,over_gap see the table */
-  static void
-  set(PointT& point, const Eigen::Vector3d& contact, const Eigen::Vector3d& normal,
-      const Eigen::Vector3f& axis, double arc_length, float turn, bool over_gap)
+  static void set(PointT& point, const Eigen::Vector3d& contact, const Eigen::Vector3d& normal, const Eigen::Vector3f& axis,
+                  double arc_length, float turn, bool over_gap)
   {
     namespace fields = pcl::fields;
-    static_assert(has_toolpath_field<PointT, fields::x> && has_toolpath_field<PointT, fields::y> &&
-                      has_toolpath_field<PointT, fields::z>,
+    static_assert(has_toolpath_field<PointT, fields::x> && has_toolpath_field<PointT, fields::y> && has_toolpath_field<PointT, fields::z>,
                   "a point of a toolpath needs the registered fields x, y and z: name them in "
                   "POINT_CLOUD_REGISTER_POINT_STRUCT, or specialise pcl_spiral::ToolpathFields for the point "
                   "type");

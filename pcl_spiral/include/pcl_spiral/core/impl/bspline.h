@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Cubic B-spline curve in space, with its arc length.
  */
@@ -25,58 +26,26 @@ public:
    * them. \param control_points at least four. \throws std::invalid_argument if these do not match. */
   BSplineCurve(std::vector<double> knots, Polyline control_points);
 
-  const std::vector<double>&
-  knots() const
-  {
-    return knots_;
-  }
-  const Polyline&
-  controlPoints() const
-  {
-    return control_points_;
-  }
-  std::size_t
-  spans() const
-  {
-    return polynomials_.size();
-  }
-  double
-  firstParameter() const
-  {
-    return breaks_.empty() ? 0.0 : breaks_.front();
-  }
-  double
-  lastParameter() const
-  {
-    return breaks_.empty() ? 0.0 : breaks_.back();
-  }
+  const std::vector<double>& knots() const { return knots_; }
+  const Polyline& controlPoints() const { return control_points_; }
+  std::size_t spans() const { return polynomials_.size(); }
+  double firstParameter() const { return breaks_.empty() ? 0.0 : breaks_.front(); }
+  double lastParameter() const { return breaks_.empty() ? 0.0 : breaks_.back(); }
 
   Eigen::Vector3d position(double u) const;
   Eigen::Vector3d derivative(double u) const;
   Eigen::Vector3d secondDerivative(double u) const;
 
   /** Whole arc length. */
-  double
-  length() const
-  {
-    return lengths_.empty() ? 0.0 : lengths_.back();
-  }
+  double length() const { return lengths_.empty() ? 0.0 : lengths_.back(); }
   /** Arc length from the start to parameter \p u. */
   double arcLength(double u) const;
   /** Parameter at arc length \p s from the start: the inverse of arcLength, to 1e-12 of the length. */
   double parameterAt(double s) const;
   /** Point at arc length \p s. */
-  Eigen::Vector3d
-  positionAt(double s) const
-  {
-    return position(parameterAt(s));
-  }
+  Eigen::Vector3d positionAt(double s) const { return position(parameterAt(s)); }
   /** Unit tangent at arc length \p s; zero where the derivative is zero. */
-  Eigen::Vector3d
-  tangentAt(double s) const
-  {
-    return derivative(parameterAt(s)).normalized();
-  }
+  Eigen::Vector3d tangentAt(double s) const { return derivative(parameterAt(s)).normalized(); }
 
 private:
   /** Position is a0 + t (a1 + t (a2 + t a3)), t = u - start of the span. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Parabolas instead of the straight edges of a triangle mesh.
  *
@@ -36,8 +37,8 @@ Eigen::Vector3d publishedBow(const Eigen::Vector3d& d, const Eigen::Vector3d& n0
 
 /** Bow of a crease, where two surfaces meet, each with its own normals at both ends. The edge bows in each surface as that
  *  surface does. Zero where the surfaces fold together or continue each other (normals within 5 degrees of one line). */
-Eigen::Vector3d creaseBow(const Eigen::Vector3d& d, const Eigen::Vector3d& n0, const Eigen::Vector3d& n1,
-                          const Eigen::Vector3d& m0, const Eigen::Vector3d& m1);
+Eigen::Vector3d creaseBow(const Eigen::Vector3d& d, const Eigen::Vector3d& n0, const Eigen::Vector3d& n1, const Eigen::Vector3d& m0,
+                          const Eigen::Vector3d& m1);
 
 /** Where a parabola reaches \p level, as u from 0 to 1, if its ends lie on both sides of it: v0 < level <= v1 or the other way
  *  round. \p v0 and \p v1 are the values of a linear function at its ends; \p bow is the function's value of the bow (without the

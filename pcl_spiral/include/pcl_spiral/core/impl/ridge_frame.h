@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The frame in which the profile of a ridge keeps its shape along a rail.
  *
@@ -16,8 +17,8 @@ namespace pcl_spiral {
 /** What the chord of a generator keeps constant along the rail. */
 struct RidgeChord {
   Eigen::Vector3d reference = Eigen::Vector3d::UnitZ(); ///< N, unit
-  double sin_angle = 0.0; ///< sine of the angle theta between the chord and the reference plane
-  int branch = 1;         ///< sign of cos psi, 1 or -1: the side to which the measured chord points
+  double sin_angle = 0.0;                               ///< sine of the angle theta between the chord and the reference plane
+  int branch = 1;                                       ///< sign of cos psi, 1 or -1: the side to which the measured chord points
 };
 
 /** The frame at a place of the rail, right-handed. */
@@ -29,13 +30,8 @@ struct RidgeFrame {
   double slope = 0.0;   ///< of the rail to the reference plane, from -pi/2 to pi/2
 
   /** \p local along the three directions of the frame. */
-  Eigen::Vector3d
-  turned(const Eigen::Vector3d& local) const
-  {
-    return local.x() * tangent + local.y() * chord + local.z() * up;
-  }
-  Eigen::Vector3d
-  localOf(const Eigen::Vector3d& direction) const
+  Eigen::Vector3d turned(const Eigen::Vector3d& local) const { return local.x() * tangent + local.y() * chord + local.z() * up; }
+  Eigen::Vector3d localOf(const Eigen::Vector3d& direction) const
   {
     return {tangent.dot(direction), chord.dot(direction), up.dot(direction)};
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Lengths along a surface in step-overs.
  */
@@ -16,13 +17,11 @@ class StepOverMetric {
 public:
   StepOverMetric() = default;
   explicit StepOverMetric(const Eigen::Matrix3d& g)
-      : g_{static_cast<float>(g(0, 0)), static_cast<float>(g(1, 1)), static_cast<float>(g(2, 2)),
-           static_cast<float>(g(0, 1)), static_cast<float>(g(0, 2)), static_cast<float>(g(1, 2))}
-  {
-  }
+  : g_{static_cast<float>(g(0, 0)), static_cast<float>(g(1, 1)), static_cast<float>(g(2, 2)),
+       static_cast<float>(g(0, 1)), static_cast<float>(g(0, 2)), static_cast<float>(g(1, 2))}
+  {}
 
-  double
-  squaredLength(const Eigen::Vector3d& d) const
+  double squaredLength(const Eigen::Vector3d& d) const
   {
     return g_[0] * d.x() * d.x() + g_[1] * d.y() * d.y() + g_[2] * d.z() * d.z() +
            2.0 * (g_[3] * d.x() * d.y() + g_[4] * d.x() * d.z() + g_[5] * d.y() * d.z());
@@ -30,8 +29,7 @@ public:
   /** Length of the move \p d, mm, in step-overs. */
   double length(const Eigen::Vector3d& d) const { return std::sqrt(std::max(0.0, squaredLength(d))); }
 
-  Eigen::Matrix3d
-  matrix() const
+  Eigen::Matrix3d matrix() const
   {
     Eigen::Matrix3d m;
     m << g_[0], g_[3], g_[4], g_[3], g_[1], g_[5], g_[4], g_[5], g_[2];
@@ -39,16 +37,14 @@ public:
   }
 
   /** This metric times \p share; sums of such shares are weighted means. */
-  StepOverMetric
-  times(double share) const
+  StepOverMetric times(double share) const
   {
     StepOverMetric scaled;
     for (std::size_t i = 0; i < 6; ++i)
       scaled.g_[i] = static_cast<float>(share * g_[i]);
     return scaled;
   }
-  StepOverMetric&
-  operator+=(const StepOverMetric& other)
+  StepOverMetric& operator+=(const StepOverMetric& other)
   {
     for (std::size_t i = 0; i < 6; ++i)
       g_[i] += other.g_[i];
@@ -68,8 +64,7 @@ between(const StepOverMetric& a, const StepOverMetric& b, double share)
 }
 
 /** The largest length in mm of a move of one step-over: 1 / sqrt of the least eigenvalue. */
-double
-longestStepOver(const StepOverMetric& metric);
+double longestStepOver(const StepOverMetric& metric);
 
 /** Metric of a ball of \p radius that leaves \p scallop_height. There the surface has the unit \p normal and the principal
  *  curvatures k1 along \p direction1 and k2 across it, 1/mm, positive where convex:
@@ -79,8 +74,7 @@ longestStepOver(const StepOverMetric& metric);
  *  On a plane one step-over is exactly 2 sqrt(2 R h - h^2). On a curved surface it is that of stepOverFirstOrder with the plane's
  *  second-order term. A curvature that leaves less than 0.05 / R is replaced by that value: the ball hardly fits there, and
  *  step-overs are at most 4.5 times those of a plane. */
-StepOverMetric
-stepOverMetric(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction1, double k1, double k2, double radius,
-               double scallop_height);
+StepOverMetric stepOverMetric(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction1, double k1, double k2, double radius,
+                              double scallop_height);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  How deep a cutter can cut on the move between two places where it does not cut.
  */

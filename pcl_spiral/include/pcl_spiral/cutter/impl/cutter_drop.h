@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Moves a cutter down along its axis onto points.
  */
@@ -19,43 +20,25 @@ struct AxisFrame {
   Eigen::Vector3d origin, e1, e2, axis;
 
   /** \p axis unit. */
-  AxisFrame(const Eigen::Vector3d& through, const Eigen::Vector3d& axis) : origin(through), axis(axis)
-  {
-    tangentFrame(axis, e1, e2);
-  }
-  Eigen::Vector2d
-  across(const Eigen::Vector3d& p) const
-  {
-    return {e1.dot(p - origin), e2.dot(p - origin)};
-  }
-  double
-  along(const Eigen::Vector3d& p) const
-  {
-    return axis.dot(p - origin);
-  }
-  Eigen::Vector3d
-  place(const Eigen::Vector2d& x, double h) const
-  {
-    return origin + x.x() * e1 + x.y() * e2 + h * axis;
-  }
+  AxisFrame(const Eigen::Vector3d& through, const Eigen::Vector3d& axis) : origin(through), axis(axis) { tangentFrame(axis, e1, e2); }
+  Eigen::Vector2d across(const Eigen::Vector3d& p) const { return {e1.dot(p - origin), e2.dot(p - origin)}; }
+  double along(const Eigen::Vector3d& p) const { return axis.dot(p - origin); }
+  Eigen::Vector3d place(const Eigen::Vector2d& x, double h) const { return origin + x.x() * e1 + x.y() * e2 + h * axis; }
 };
 
 /** A box in the frame of a tool axis. */
 struct AxisBox {
-  double nearest = 0.0; ///< lower bound of the distance of its places to the axis
+  double nearest = 0.0;         ///< lower bound of the distance of its places to the axis
   double low = 0.0, high = 0.0; ///< along the axis
 };
 
 /** Puts boxes into the frame of an axis. The frame must outlive it. */
 class AxisView {
 public:
-  explicit AxisView(const AxisFrame& frame)
-      : frame_(frame), a1_(frame.e1.cwiseAbs()), a2_(frame.e2.cwiseAbs()), a3_(frame.axis.cwiseAbs())
-  {
-  }
+  explicit AxisView(const AxisFrame& frame) : frame_(frame), a1_(frame.e1.cwiseAbs()), a2_(frame.e2.cwiseAbs()), a3_(frame.axis.cwiseAbs())
+  {}
 
-  AxisBox
-  see(const Box& box) const
+  AxisBox see(const Box& box) const
   {
     const Eigen::Vector3d lower(box.low[0], box.low[1], box.low[2]), upper(box.high[0], box.high[1], box.high[2]);
     const Eigen::Vector3d half = 0.5 * (upper - lower), middle = 0.5 * (upper + lower);
@@ -72,10 +55,9 @@ private:
 
 /** The first contact of a cutter that moves down along its axis. */
 struct DropContact {
-  bool found = false; ///< false: no point within the cutter's radius of the axis
-  double height =
-      -std::numeric_limits<double>::infinity(); ///< of the tip along the axis, from the frame's origin
-  std::uint32_t point = 0;                      ///< in the order of the blocks
+  bool found = false;                                       ///< false: no point within the cutter's radius of the axis
+  double height = -std::numeric_limits<double>::infinity(); ///< of the tip along the axis, from the frame's origin
+  std::uint32_t point = 0;                                  ///< in the order of the blocks
 };
 
 /** Finds the points under a cutter by exact search: it skips a box of points only if the box
@@ -84,21 +66,12 @@ class CutterDrop {
 public:
   CutterDrop(const PointBlocks& blocks, const CutterProfile& profile) : blocks_(blocks), profile_(profile) {}
 
-  const PointBlocks&
-  blocks() const
-  {
-    return blocks_;
-  }
-  const CutterProfile&
-  profile() const
-  {
-    return profile_;
-  }
+  const PointBlocks& blocks() const { return blocks_; }
+  const CutterProfile& profile() const { return profile_; }
 
   /** The location without gouge: of all points within R of the axis, the highest foot on the
    *  axis minus the height of the profile. Only points that hold the tip above \p floor count. */
-  DropContact
-  highest(const AxisFrame& frame, double floor = -std::numeric_limits<double>::infinity()) const
+  DropContact highest(const AxisFrame& frame, double floor = -std::numeric_limits<double>::infinity()) const
   {
     DropContact best;
     best.height = floor;
@@ -115,8 +88,7 @@ public:
   /** Calls \p visit(point, height) for all points that hold the tip at \p floor or above, and
    *  for some others below. \p floor is read again each time, so \p visit may raise it. */
   template <typename Visit>
-  void
-  visitAbove(const AxisFrame& frame, const double& floor, Visit visit) const
+  void visitAbove(const AxisFrame& frame, const double& floor, Visit visit) const
   {
     constexpr double slack = 1e-9; // rounding never skips a point
     const AxisView view(frame);

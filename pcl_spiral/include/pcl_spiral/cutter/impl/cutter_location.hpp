@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
-#include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/mesh/impl/mesh_input.h>
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,7 @@ CutterLocation<PointT>::setDrivePath(const Path& path)
   drive_points_.clear();
   drive_points_.reserve(path.size());
   for (const ToolpathPoint& p : path)
-    drive_points_.push_back({p.getVector3fMap().template cast<double>(),
-                             p.getAxisVector3fMap().template cast<double>(),
+    drive_points_.push_back({p.getVector3fMap().template cast<double>(), p.getAxisVector3fMap().template cast<double>(),
                              p.getNormalVector3fMap().template cast<double>()});
   pass_sizes_ = {drive_points_.size()};
 }
@@ -45,25 +45,21 @@ CutterLocation<PointT>::check() const
   if (const std::string fault = faultOf(cutter_); !fault.empty())
     return {StatusCode::InvalidArgument, fault};
   if (!(options_.tolerance > 0.0) || !std::isfinite(options_.tolerance))
-    return {StatusCode::InvalidArgument,
-            textOf("the contact tolerance is ", options_.tolerance, " mm; set it above 0")};
+    return {StatusCode::InvalidArgument, textOf("the contact tolerance is ", options_.tolerance, " mm; set it above 0")};
   if (const std::string fault = faultOf(options_.holder); !fault.empty())
     return {StatusCode::InvalidArgument, fault};
   if (!(options_.holder_clearance >= 0.0) || !std::isfinite(options_.holder_clearance))
-    return {StatusCode::InvalidArgument,
-            textOf("the holder's clearance is ", options_.holder_clearance, " mm; set it to 0 or more")};
+    return {StatusCode::InvalidArgument, textOf("the holder's clearance is ", options_.holder_clearance, " mm; set it to 0 or more")};
   if (!(options_.max_retilt >= 0.0) || !(options_.max_retilt <= 90.0))
-    return {StatusCode::InvalidArgument,
-            textOf("the largest retilt is ", options_.max_retilt, " degrees; set it between 0 and 90")};
+    return {StatusCode::InvalidArgument, textOf("the largest retilt is ", options_.max_retilt, " degrees; set it between 0 and 90")};
   if (!(path_tolerance_ >= 0.0) || !std::isfinite(path_tolerance_))
-    return {StatusCode::InvalidArgument,
-            textOf("the path tolerance is ", path_tolerance_, " mm; set it above 0, or to 0 for none")};
-  const bool asked = std::any_of(drive_points_.begin(), drive_points_.end(),
-                                 [](const DrivePoint& p) { return p.normal.squaredNorm() > 0.0; });
+    return {StatusCode::InvalidArgument, textOf("the path tolerance is ", path_tolerance_, " mm; set it above 0, or to 0 for none")};
+  const bool asked =
+      std::any_of(drive_points_.begin(), drive_points_.end(), [](const DrivePoint& p) { return p.normal.squaredNorm() > 0.0; });
   if (options_.max_retilt > 0.0 && !drive_points_.empty() && !asked)
-    return {StatusCode::InvalidArgument,
-            textOf("axes may turn by ", options_.max_retilt, " degrees for contacts to be reached, but no drive point "
-                   "asks for one: give drive points their normals, or set the largest retilt to 0")};
+    return {StatusCode::InvalidArgument, textOf("axes may turn by ", options_.max_retilt,
+                                                " degrees for contacts to be reached, but no drive point "
+                                                "asks for one: give drive points their normals, or set the largest retilt to 0")};
   return checkDrivePoints(drive_points_);
 }
 
@@ -83,9 +79,9 @@ CutterLocation<PointT>::makeLocationSurface()
   if (made.code() == StatusCode::InvalidArgument || made.code() == StatusCode::Cancelled)
     return made; // a setting is wrong; if only the points form no surface, cutters still stay off them
   if (surface && surface->counts().guessed > 0)
-    return {StatusCode::InvalidInput,
-            textOf("the surface has ", surface->counts().guessed, " points that were put into gaps, where nothing is known: give "
-                   "the surface as it was before GapBridging")};
+    return {StatusCode::InvalidInput, textOf("the surface has ", surface->counts().guessed,
+                                             " points that were put into gaps, where nothing is known: give "
+                                             "the surface as it was before GapBridging")};
   if (this->given_surface_) {
     if (made.ok())
       location_surface_ = std::make_shared<LocationSurface>(surface);
@@ -94,8 +90,7 @@ CutterLocation<PointT>::makeLocationSurface()
   UsablePoints usable = usablePoints(*this->input_, this->givenIndices().get());
   if (usable.source.empty())
     return made;
-  location_surface_ = std::make_shared<LocationSurface>(std::move(usable.positions), std::move(usable.source),
-                                                         std::move(surface), made);
+  location_surface_ = std::make_shared<LocationSurface>(std::move(usable.positions), std::move(usable.source), std::move(surface), made);
   return Status::success();
 }
 
@@ -141,8 +136,7 @@ CutterLocation<PointT>::run(std::vector<ToolLocations>& passes)
   if (const Status status = on_mesh_ ? makeLocationMesh() : makeLocationSurface(); !status.ok())
     return status;
   const CutterProfile profile(cutter_);
-  return locate(on_mesh_ ? CutterLocator(*location_mesh_, profile, options_)
-                         : CutterLocator(*location_surface_, profile, options_),
+  return locate(on_mesh_ ? CutterLocator(*location_mesh_, profile, options_) : CutterLocator(*location_surface_, profile, options_),
                 passes);
 }
 
@@ -158,8 +152,7 @@ CutterLocation<PointT>::locate(const CutterLocator& locator, std::vector<ToolLoc
   if (bisected) {
     BisectionSettings settings;
     settings.tolerance = path_tolerance_;
-    if (const Status status = bisectLocations(locator, settings, partOf(progress_, 0.5, 1.0), located, bisection_figures_);
-        !status.ok())
+    if (const Status status = bisectLocations(locator, settings, partOf(progress_, 0.5, 1.0), located, bisection_figures_); !status.ok())
       return status;
     locations.clear();
     for (const ToolLocations& pass : located)

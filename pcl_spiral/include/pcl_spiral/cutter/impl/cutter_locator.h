@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Cutter locations without gouge on a scan or a mesh.
  */
 #pragma once
 
+#include <pcl_spiral/common/impl/drive_point.h>
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/core/impl/swept_error.h>
-#include <pcl_spiral/common/impl/drive_point.h>
 #include <pcl_spiral/cutter/impl/location_mesh.h>
 #include <pcl_spiral/cutter/impl/location_surface.h>
 #include <pcl_spiral/cutter/tool_location.h>
@@ -28,11 +29,11 @@ enum class LocationEvaluation {
 
 struct LocationOptions {
   LocationEvaluation evaluation = LocationEvaluation::FittedSurface;
-  double tolerance = 0.01; ///< mm along the axis: a contact touched within this counts as reached;
-                           ///< also the depth in shank or holder that is not yet a collision
+  double tolerance = 0.01;         ///< mm along the axis: a contact touched within this counts as reached;
+                                   ///< also the depth in shank or holder that is not yet a collision
   std::vector<ToolSegment> holder; ///< the parts above the cutter, from the top of its flank upwards
   double holder_clearance = 0.0;   ///< mm to keep between holder and scan
-  double max_retilt = 0.0; ///< degrees the axis may turn if its contact is not reached otherwise; 0: none
+  double max_retilt = 0.0;         ///< degrees the axis may turn if its contact is not reached otherwise; 0: none
 };
 
 /** Locates one cutter on one scan or mesh, any number of times. The surface or mesh must outlive it.
@@ -55,11 +56,7 @@ public:
 
   LocationFigures figures(const ToolLocations& locations) const;
 
-  const CutterProfile&
-  profile() const
-  {
-    return profile_;
-  }
+  const CutterProfile& profile() const { return profile_; }
 
 private:
   void retilt(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Collision of shank and holder with the points of a scan.
  */
@@ -15,16 +16,11 @@ struct HolderCollision {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
   std::uint32_t cloud_index = 0;
 
-  bool
-  found() const
-  {
-    return segment >= 0;
-  }
+  bool found() const { return segment >= 0; }
 };
 
 /** The deepest point of \p blocks that is deeper than \p tolerance, with the tip at height \p tip along
  *  the axis of \p frame. The search is exact. cloud_index is that of the original points of the blocks. */
-HolderCollision findCollision(const PointBlocks& blocks, const HolderProfile& holder, const AxisFrame& frame,
-                              double tip, double tolerance);
+HolderCollision findCollision(const PointBlocks& blocks, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Adds locations until the cutter can go straight from one to the next.
  */
@@ -18,11 +19,11 @@ struct BisectionSettings {
 /** Result of a bisection. Lengths in mm. */
 struct BisectionFigures {
   std::size_t inserted = 0;
-  double largest_error = 0.0; ///< of all moves: a bound of what they cut, or what is left in
-                              ///< the middle if that is more; plus what thinning shifts
-  std::size_t unresolved = 0; ///< moves still beyond the tolerance; largest_error includes their error
+  double largest_error = 0.0;                            ///< of all moves: a bound of what they cut, or what is left in
+                                                         ///< the middle if that is more; plus what thinning shifts
+  std::size_t unresolved = 0;                            ///< moves still beyond the tolerance; largest_error includes their error
   Eigen::Vector3d worst_place = Eigen::Vector3d::Zero(); ///< tip in the middle of the move with the largest error
-  std::size_t not_judged = 0; ///< moves from or to a location without a cloud
+  std::size_t not_judged = 0;                            ///< moves from or to a location without a cloud
 };
 
 /** Adds locations between those of \p passes, each in travel order, until no move has an error above the tolerance.
@@ -35,8 +36,7 @@ struct BisectionFigures {
  *  on a slope needs them 0.05 mm apart). So moves are halved down to half the tolerance; then added locations are
  *  removed again if the cutter shifts by no more than the other half. Given locations stay. The same for any number
  *  of threads. Fails as CutterLocator::locate does, and on a setting out of range; \p passes are then unchanged. */
-Status bisectLocations(const CutterLocator& locator, const BisectionSettings& settings,
-                       const ProgressCallback& progress, std::vector<ToolLocations>& passes,
-                       BisectionFigures& figures);
+Status bisectLocations(const CutterLocator& locator, const BisectionSettings& settings, const ProgressCallback& progress,
+                       std::vector<ToolLocations>& passes, BisectionFigures& figures);
 
 } // namespace pcl_spiral

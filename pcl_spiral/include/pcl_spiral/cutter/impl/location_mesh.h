@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A mesh prepared for locating cutters on it.
  */
@@ -15,28 +16,12 @@ public:
   LocationMesh(const LocationMesh&) = delete; // shared
   LocationMesh& operator=(const LocationMesh&) = delete;
 
-  const SurfaceMesh::ConstPtr&
-  mesh() const
-  {
-    return mesh_;
-  }
-  const PatchTree&
-  faces() const
-  {
-    return faces_;
-  }
+  const SurfaceMesh::ConstPtr& mesh() const { return mesh_; }
+  const PatchTree& faces() const { return faces_; }
   /** Boundary edges: beyond them nothing is known. */
-  const PatchTree&
-  rim() const
-  {
-    return rim_;
-  }
+  const PatchTree& rim() const { return rim_; }
   /** Rounding of the coordinates: two steps of single precision. */
-  double
-  rounding() const
-  {
-    return rounding_;
-  }
+  double rounding() const { return rounding_; }
 
 private:
   SurfaceMesh::ConstPtr mesh_;

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <pcl_spiral/common/impl/thread_limit.h>
-#include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/drive/drive_path.h>
 #include <pcl_spiral/drive/impl/drive_planner.h>
 #include <pcl_spiral/mesh/impl/mesh_input.h>
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
 
 namespace pcl_spiral {
 
@@ -12,8 +13,8 @@ template <typename PointT>
 Status
 DrivePath<PointT>::runOnMesh(DrivePasses& passes)
 {
-  if (const Status status = checkBesideMesh(this->scanned_.getSettings(), this->scanned_.getInputNormals() != nullptr,
-                                            this->givenIndices() != nullptr);
+  if (const Status status =
+          checkBesideMesh(this->scanned_.getSettings(), this->scanned_.getInputNormals() != nullptr, this->givenIndices() != nullptr);
       !status.ok())
     return status;
   if (const Status status = checkSettings(settings_); !status.ok())

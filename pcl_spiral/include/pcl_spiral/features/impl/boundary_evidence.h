@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Measures from the neighbours of a point that show whether it lies on the boundary.
  */
@@ -11,9 +12,8 @@ namespace pcl_spiral {
 
 /** Two measures of a boundary point, both without unit. */
 struct BoundaryEvidence {
-  double offset =
-      0.0;          ///< distance from the point to the centroid of its neighbours, over their radius: 0 to 1
-  double gap = 0.0; ///< largest angle without a neighbour, radians: 0 to 2 pi
+  double offset = 0.0; ///< distance from the point to the centroid of its neighbours, over their radius: 0 to 1
+  double gap = 0.0;    ///< largest angle without a neighbour, radians: 0 to 2 pi
 };
 
 /** Evidence from the neighbours in the tangent plane of a point.
@@ -25,19 +25,17 @@ struct BoundaryEvidence {
  *  \param offsets of the neighbours from the point, in the tangent plane; those at the point do not count
  *  \param radius of the neighbourhood, above 0
  *  \param angles working memory */
-BoundaryEvidence boundaryEvidence(const std::vector<Eigen::Vector2d>& offsets, double radius,
-                                  std::vector<double>& angles);
+BoundaryEvidence boundaryEvidence(const std::vector<Eigen::Vector2d>& offsets, double radius, std::vector<double>& angles);
 
 /** Which measure makes a boundary point. */
 enum class BoundaryCriterion {
   Centroid,   ///< offset above its threshold, as published (Wu et al. 2025); misses re-entrant corners
   LargestGap, ///< gap above its threshold, as in pcl::BoundaryEstimation
-  Combined ///< offset and gap, each divided by its threshold, sum to more than 1.7; or the gap exceeds 0.9 of its
-           ///< threshold
+  Combined    ///< offset and gap, each divided by its threshold, sum to more than 1.7; or the gap exceeds 0.9 of its
+              ///< threshold
 };
 
 /** Decide by a criterion. Thresholds above 0, that of the gap in radians. */
-bool isBoundary(const BoundaryEvidence& evidence, BoundaryCriterion criterion, double offset_threshold,
-                double gap_threshold);
+bool isBoundary(const BoundaryEvidence& evidence, BoundaryCriterion criterion, double offset_threshold, double gap_threshold);
 
 } // namespace pcl_spiral

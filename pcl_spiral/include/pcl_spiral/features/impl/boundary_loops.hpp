@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <pcl_spiral/common/impl/message.h>
@@ -19,8 +20,7 @@ BoundaryLoops<PointT, PointNT>::run(std::vector<BoundaryLoop>& loops)
   options.progress = partOf(progress_, 0.6, 1.0, "boundaries");
   if (boundary_points_) {
     if (boundary_points_->size() != surface->inputSize())
-      return {StatusCode::InvalidInput, textOf("there are ", boundary_points_->size(), " boundary flags for ",
-                                               surface->inputSize(),
+      return {StatusCode::InvalidInput, textOf("there are ", boundary_points_->size(), " boundary flags for ", surface->inputSize(),
                                                " points: call setBoundaryPoints with one a point, of the whole cloud")};
     options.marked.resize(surface->size());
     for (std::size_t i = 0; i < surface->size(); ++i) {

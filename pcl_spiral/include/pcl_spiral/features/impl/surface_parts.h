@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The separate parts of the surface of a cloud.
  */
@@ -15,7 +16,7 @@ namespace pcl_spiral {
 /** Triangles connected by their edges. */
 struct SurfacePart {
   std::size_t triangles = 0;
-  double area = 0.0; ///< mm2
+  double area = 0.0;                                ///< mm2
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< mean, weighted by area
 };
 
@@ -25,15 +26,14 @@ struct SurfaceParts {
   std::vector<std::uint32_t> of_triangle; ///< index into parts
 };
 
-SurfaceParts
-surfaceParts(const SurfaceGraph& graph);
+SurfaceParts surfaceParts(const SurfaceGraph& graph);
 
 /** What the parts other than the one with most triangles are. */
 enum class OtherParts {
   None,
-  Specks,   ///< clusters to be left out
-  TooMany,  ///< clusters, but too many in all: the scan is disconnected
-  TooLarge  ///< at least one is not a cluster
+  Specks,  ///< clusters to be left out
+  TooMany, ///< clusters, but too many in all: the scan is disconnected
+  TooLarge ///< at least one is not a cluster
 };
 
 /** Largest share of all triangles in one cluster; ten times that for all clusters together. */
@@ -41,20 +41,16 @@ constexpr double largest_speck = 0.02;
 
 /** True if a part other than the \p first, with \p share of all triangles at most, is a cluster. A part that is much larger in
  *  area is not, because a coarse scan has few triangles beside a fine one. */
-bool
-isSpeck(const SurfacePart& part, const SurfacePart& first, std::size_t all_triangles, double share);
+bool isSpeck(const SurfacePart& part, const SurfacePart& first, std::size_t all_triangles, double share);
 
 /** What the other parts are. \p parts by decreasing number of triangles; \p share: the largest of a cluster. */
-OtherParts
-otherParts(const std::vector<SurfacePart>& parts, double share);
+OtherParts otherParts(const std::vector<SurfacePart>& parts, double share);
 
 /** "7854 mm2 about (1, 2, 3), 12 mm2 about (4, 5, 6) and 7 more": \p parts as text, the first few listed. */
-std::string
-partsText(const std::vector<SurfacePart>& parts);
+std::string partsText(const std::vector<SurfacePart>& parts);
 
 /** For each point of the graph: 1 if it belongs only to parts other than number \p part. A point without a triangle
  *  does not. */
-std::vector<std::uint8_t>
-apartFrom(const SurfaceGraph& graph, const SurfaceParts& parts, std::size_t part);
+std::vector<std::uint8_t> apartFrom(const SurfaceGraph& graph, const SurfaceParts& parts, std::size_t part);
 
 } // namespace pcl_spiral

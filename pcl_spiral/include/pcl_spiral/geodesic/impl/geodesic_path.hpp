@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <pcl_spiral/common/impl/thread_limit.h>
@@ -39,8 +40,7 @@ GeodesicPath<PointT, PointNT>::checkPlace(const Place& place, const std::string&
   if (!place.by_index && !place.position.allFinite())
     return {StatusCode::InvalidArgument, "the " + name + " is not set, or not finite; give a position on the surface"};
   if (place.by_index && (!input_ || static_cast<std::size_t>(place.index) >= input_->size()))
-    return {StatusCode::InvalidArgument, "the index of the " + name + ", " + std::to_string(place.index) +
-                                             ", is outside the cloud of " +
+    return {StatusCode::InvalidArgument, "the index of the " + name + ", " + std::to_string(place.index) + ", is outside the cloud of " +
                                              std::to_string(input_ ? input_->size() : 0) + " points"};
   if (place.by_index && !pcl::isXYZFinite((*input_)[place.index]))
     return {StatusCode::InvalidArgument,
@@ -67,8 +67,7 @@ template <typename PointT, typename PointNT>
 Eigen::Vector3d
 GeodesicPath<PointT, PointNT>::positionOf(const Place& place) const
 {
-  return !place.by_index ? place.position
-                         : Eigen::Vector3d((*input_)[place.index].getVector3fMap().template cast<double>());
+  return !place.by_index ? place.position : Eigen::Vector3d((*input_)[place.index].getVector3fMap().template cast<double>());
 }
 
 template <typename PointT, typename PointNT>
@@ -91,8 +90,7 @@ GeodesicPath<PointT, PointNT>::run()
     own_fit.emplace(surface->graph(), fit_neighbours_);
   const Status status = shortestPaths(own_fit ? *own_fit : surface->fit(), positionOf(source_), targets, start_, options_, lines_);
   for (const GeodesicLine& line : lines_)
-    lengths_.push_back(line.points.empty() || line.left_surface ? std::numeric_limits<double>::quiet_NaN()
-                                                                : line.length);
+    lengths_.push_back(line.points.empty() || line.left_surface ? std::numeric_limits<double>::quiet_NaN() : line.length);
   return status;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Refines rough lines on a surface to geodesics.
  */
@@ -18,9 +19,9 @@ struct GeodesicLine {
                                  ///< surface reaches it
   double length = 0.0;           ///< of a smooth curve through the points, not of the chords
   double largest_move = std::numeric_limits<double>::infinity(); ///< sideways, required by the last iteration
-  bool converged = false;        ///< largest_move is within the tolerance
-  bool left_surface = false;     ///< the geodesic leaves the cloud: over a re-entrant rim or a gap
-  Eigen::Vector3d left_at = Eigen::Vector3d::Zero(); ///< the first such place, if left_surface
+  bool converged = false;                                        ///< largest_move is within the tolerance
+  bool left_surface = false;                                     ///< the geodesic leaves the cloud: over a re-entrant rim or a gap
+  Eigen::Vector3d left_at = Eigen::Vector3d::Zero();             ///< the first such place, if left_surface
 };
 
 /** The step that brings a line nearer to its geodesic. */
@@ -43,7 +44,6 @@ struct RefinementOptions {
  *  because the surface ends keeps its last position on the surface, with left_surface set; it is then not
  *  a geodesic. The same bytes for any number of threads.
  */
-void
-refineGeodesics(const MlsSurface& surface, const RefinementOptions& options, std::vector<GeodesicLine>& lines);
+void refineGeodesics(const MlsSurface& surface, const RefinementOptions& options, std::vector<GeodesicLine>& lines);
 
 } // namespace pcl_spiral

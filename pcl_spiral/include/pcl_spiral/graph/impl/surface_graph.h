@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Results of one pass over the neighbourhoods of a cloud: order, normals, spacing, triangles.
  */
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/search/impl/point_blocks.h>
 #include <pcl_spiral/graph/impl/triangulation.h>
+#include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <optional>
 
@@ -13,8 +14,8 @@ namespace pcl_spiral {
 
 /** Options of a SurfaceGraph. */
 struct SurfaceGraphOptions {
-  int neighbours = 32;           ///< in one neighbourhood; doubled while stars stay open (scan lines)
-  double max_circumradius = 3.0; ///< of a triangle, in local spacings: larger empty circles are outside or holes
+  int neighbours = 32;                       ///< in one neighbourhood; doubled while stars stay open (scan lines)
+  double max_circumradius = 3.0;             ///< of a triangle, in local spacings: larger empty circles are outside or holes
   std::optional<Eigen::Vector3d> view_point; ///< normals face it; absent: towards +z as a whole
   bool flip_normals = false;
   std::vector<Eigen::Vector3f> given_normals; ///< one per point (zero: none), or empty; they face the outer side

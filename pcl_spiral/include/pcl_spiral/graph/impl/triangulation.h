@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Triangles over the points of a surface, with their neighbours.
  */
@@ -22,8 +23,8 @@ public:
   Triangulation(std::size_t point_count, const std::vector<Triangle>& triangles);
   /** Made from its parts, which must fit together: \p opposite of each half-edge; half-edges that leave point v in \p outgoing
    *  from outgoing_begin[v] to outgoing_begin[v + 1]. */
-  Triangulation(std::vector<Triangle> triangles, std::vector<std::uint32_t> opposite,
-                std::vector<std::uint32_t> outgoing_begin, std::vector<std::uint32_t> outgoing);
+  Triangulation(std::vector<Triangle> triangles, std::vector<std::uint32_t> opposite, std::vector<std::uint32_t> outgoing_begin,
+                std::vector<std::uint32_t> outgoing);
 
   /** Add triangles of the same points. Each half-edge is joined to one that faces it and has no neighbour yet, if there is
    *  one. Never more than two triangles meet at an edge, so that every walk around a point ends. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Blocks where the machine needs them: more where it bends the path, fewer where it does not.
  */
@@ -10,25 +11,22 @@ namespace pcl_spiral {
 /** How far a block may move the tool off the path. */
 struct BlockTolerance {
   static constexpr double least_tip = 1e-4, least_axis = 1e-6; ///< smaller ones would need blocks without end
-  double tip = 0.002;  ///< mm
-  double axis = 0.001; ///< radians
+  double tip = 0.002;                                          ///< mm
+  double axis = 0.001;                                         ///< radians
 };
 
 /** What the machine does at share \p t of a block: programmed axes move linearly.
  *  With RTCP these are the axes of the tip, without RTCP those of the machine. */
-ToolPose interpolated(const Kinematics& kinematics, const MachineLocation& a, const MachineLocation& b,
-                      double t);
+ToolPose interpolated(const Kinematics& kinematics, const MachineLocation& a, const MachineLocation& b, double t);
 
 /** Adds locations until the machine stays within \p tolerance of the straight move and the
  *  arc of the axis, and no rotary axis turns by more than a quarter turn in a block. */
-MachineLocations splitBlocks(const Kinematics& kinematics, Branch branch, const MachineLocations& path,
-                             const BlockTolerance& tolerance);
+MachineLocations splitBlocks(const Kinematics& kinematics, Branch branch, const MachineLocations& path, const BlockTolerance& tolerance);
 
 /** Leaves out locations if the machine, without them, comes within \p tolerance of each:
  *  tip and axis together, at the same share of the way. With RTCP the tolerance holds along
  *  the whole path, also between its locations. Without RTCP it holds plus the tolerance of
  *  splitBlocks. Ends stay. A tolerance of 0 keeps all locations except repeated ones. */
-MachineLocations thinnedBlocks(const Kinematics& kinematics, const MachineLocations& path,
-                               const BlockTolerance& tolerance);
+MachineLocations thinnedBlocks(const Kinematics& kinematics, const MachineLocations& path, const BlockTolerance& tolerance);
 
 } // namespace pcl_spiral

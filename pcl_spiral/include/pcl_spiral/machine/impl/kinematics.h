@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  From tool poses to the axes of a machine and back.
  */
@@ -28,11 +29,7 @@ public:
   /** \throw std::invalid_argument if checkMachine finds a fault */
   explicit Kinematics(Machine machine);
 
-  const Machine&
-  machine() const
-  {
-    return machine_;
-  }
+  const Machine& machine() const { return machine_; }
 
   /** Tool axis in the workpiece frame, unit. */
   Eigen::Vector3d toolAxis(const RotaryAngles& angles) const;
@@ -53,8 +50,7 @@ public:
   Eigen::Vector3d tipOf(const Eigen::Vector3d& programmed, const RotaryAngles& angles) const;
 
   /** X, Y, Z of the gauge point in machine coordinates, to which the limits apply. */
-  Eigen::Vector3d
-  gaugePoint(const Eigen::Vector3d& programmed) const
+  Eigen::Vector3d gaugePoint(const Eigen::Vector3d& programmed) const
   {
     return programmed + machine_.work_zero + Eigen::Vector3d(0.0, 0.0, machine_.tool_length);
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Rotary angles along a path: one branch, unwound, safe at the pole.
  */
@@ -32,9 +33,9 @@ struct PoleZone {
 
 /** Settings of rotary angles along a path. */
 struct RotaryPathSettings {
-  double feed = 1000.0; ///< at the contact, mm/min
-  double pivot = 0.0; ///< distance from the tip to the point on the axis that stays in
-                      ///< place while an axis is blended: the radius of a ball, mm
+  double feed = 1000.0;    ///< at the contact, mm/min
+  double pivot = 0.0;      ///< distance from the tip to the point on the axis that stays in
+                           ///< place while an axis is blended: the radius of a ball, mm
   double pole_cone = 0.09; ///< axes are blended only within this angle of the pole, radians
 };
 
@@ -54,7 +55,6 @@ struct RotaryPath {
  *  changes evenly from one end of the run to the other. If the run is at an end
  *  of the path, the angle is held. The point at pivot on the axis stays in place.
  *  \return InvalidInput with the pose that is not finite or that no angles reach */
-Status rotaryPath(const Kinematics& kinematics, const ToolPoses& poses, const RotaryPathSettings& settings,
-                  RotaryPath& path);
+Status rotaryPath(const Kinematics& kinematics, const ToolPoses& poses, const RotaryPathSettings& settings, RotaryPath& path);
 
 } // namespace pcl_spiral

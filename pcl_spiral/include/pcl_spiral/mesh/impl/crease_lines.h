@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Distances from the creases of a mesh.
  */
@@ -27,7 +28,7 @@ public:
   double distance(const Eigen::Vector3d& p, double limit) const;
 
 private:
-  Polyline line_;                     ///< pieces of creases, joined where one does not begin at the end of the one before
+  Polyline line_;                      ///< pieces of creases, joined where one does not begin at the end of the one before
   std::vector<std::uint8_t> is_joint_; ///< of the segment that begins here
   std::unique_ptr<MoveIndex> index_;
   double length_ = 0.0;

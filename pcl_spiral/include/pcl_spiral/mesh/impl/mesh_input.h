@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Settings that are allowed with a mesh, if a cloud could be given as well.
  */

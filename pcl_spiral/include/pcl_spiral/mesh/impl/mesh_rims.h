@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The boundary of a mesh, or of some of its faces, as closed curves.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  How a triangle mesh is used as a surface, and what was found in it.
  */
@@ -35,8 +36,7 @@ struct MeshFinding {
   std::size_t count = 0;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
 
-  void
-  add(const Eigen::Vector3d& where)
+  void add(const Eigen::Vector3d& where)
   {
     if (count++ == 0)
       place = where;
@@ -58,9 +58,9 @@ struct MeshCounts {
   MeshFinding other_normals;   ///< vertices with normals by Max although fitted ones were asked for
   double crease_length = 0.0;  ///< mm
   std::size_t vertices = 0, faces = 0, parts = 0, loops = 0;
-  double noise = 0.0;          ///< of the vertices about the surface, mm: a crease must stand higher
-  bool closed = false;         ///< no open edges
-  bool inside_out = false;     ///< a closed mesh whose faces all faced inwards: turned
+  double noise = 0.0;      ///< of the vertices about the surface, mm: a crease must stand higher
+  bool closed = false;     ///< no open edges
+  bool inside_out = false; ///< a closed mesh whose faces all faced inwards: turned
 };
 
 } // namespace pcl_spiral

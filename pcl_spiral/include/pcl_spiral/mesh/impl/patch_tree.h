@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Curved triangles in a tree of boxes; they can be divided into smaller ones.
  */
@@ -15,13 +16,12 @@ namespace pcl_spiral {
 /** Part of a curved triangle, which is a curved triangle too: a quarter of a quarter and so on. In barycentric coordinates
  *  its edges are parallel to those of the whole, so its bows are those of the whole divided by four at each halving. */
 struct PatchCell {
-  Eigen::Matrix3d corners; ///< one per column
-  Eigen::Matrix3d bows;    ///< one per column, as in MeshPatch
+  Eigen::Matrix3d corners;                               ///< one per column
+  Eigen::Matrix3d bows;                                  ///< one per column, as in MeshPatch
   Eigen::Matrix3d weights = Eigen::Matrix3d::Identity(); ///< of the corners in the whole, one per column
 
   /** The place at barycentric coordinates \p b of this part. */
-  Eigen::Vector3d
-  position(const Eigen::Vector3d& b) const
+  Eigen::Vector3d position(const Eigen::Vector3d& b) const
   {
     return corners * b - bows * Eigen::Vector3d(b[0] * b[1], b[1] * b[2], b[2] * b[0]);
   }
@@ -53,11 +53,7 @@ public:
   std::size_t size() const { return tree_.size(); }
   /** Index, as given, of the patch at \p place in tree order. */
   std::uint32_t index(std::size_t place) const { return tree_.item(place); }
-  PatchCell
-  cell(std::size_t place) const
-  {
-    return {shapes_[place].corners, shapes_[place].bows};
-  }
+  PatchCell cell(std::size_t place) const { return {shapes_[place].corners, shapes_[place].bows}; }
 
   /** The place nearest to \p p, if one is within \p distance, accurate to \p sag. If several are equally near: that of the lowest index. */
   bool nearest(const Eigen::Vector3d& p, double distance, double sag, PatchPlace& place) const;

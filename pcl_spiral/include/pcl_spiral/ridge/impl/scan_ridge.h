@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Finds rail and generator of a ridge in the surface of a full scan.
  */
@@ -17,34 +18,34 @@ namespace pcl_spiral {
 
 /** What to look for in a scan. Lengths in mm. */
 struct ScanRidgeSettings {
-  Polyline rough_points;  ///< at the wanted ends of the ridge and, where it bends, between; of a closed ridge all round it
-  bool closed = false;    ///< the ridge is a ring
+  Polyline rough_points;   ///< at the wanted ends of the ridge and, where it bends, between; of a closed ridge all round it
+  bool closed = false;     ///< the ridge is a ring
   double half_width = 0.0; ///< how far the generator extends to either side of the crest, along the surface
   Eigen::Vector3d reference = Eigen::Vector3d::UnitZ(); ///< normal of the reference plane, \see RidgeSettings
-  double point_spacing = 0.0; ///< of both lines; 0: twice that of the scan
-  int most_rounds = 30;       ///< largest number of rounds that align the sections
+  double point_spacing = 0.0;                           ///< of both lines; 0: twice that of the scan
+  int most_rounds = 30;                                 ///< largest number of rounds that align the sections
 };
 
 /** What was found. Lengths in mm. */
 struct ScanRidgeReport {
-  std::size_t sections = 0; ///< sections across the ridge that were aligned
-  std::size_t points = 0;   ///< points of the scan in the band of the ridge
-  int rounds = 0;           ///< until rail and generator did not move any more
-  double last_move = 0.0;   ///< of the rail in the last round, rms, without the common part of all moves
-  double noise = 0.0;       ///< of the scan: standard deviation of a point about its surface
+  std::size_t sections = 0;                   ///< sections across the ridge that were aligned
+  std::size_t points = 0;                     ///< points of the scan in the band of the ridge
+  int rounds = 0;                             ///< until rail and generator did not move any more
+  double last_move = 0.0;                     ///< of the rail in the last round, rms, without the common part of all moves
+  double noise = 0.0;                         ///< of the scan: standard deviation of a point about its surface
   double reach_left = 0.0, reach_right = 0.0; ///< length of the generator from the crest to its start, and to its end
-  double crest_wander = 0.0; ///< rms distance of the crest from the rail that was found, across it
-  double misfit = 0.0;      ///< rms distance of the points from the swept surface, including the noise of the scan
-  double largest_misfit = 0.0; ///< largest median of small cells of the surface, so that noise has little effect on it
+  double crest_wander = 0.0;                  ///< rms distance of the crest from the rail that was found, across it
+  double misfit = 0.0;                        ///< rms distance of the points from the swept surface, including the noise of the scan
+  double largest_misfit = 0.0;                ///< largest median of small cells of the surface, so that noise has little effect on it
   Eigen::Vector3d largest_place = Eigen::Vector3d::Zero(); ///< middle of that cell
-  Polyline crest;           ///< where the larger curvature is largest; the search begins with it
+  Polyline crest;                                          ///< where the larger curvature is largest; the search begins with it
   std::vector<std::string> warnings;
 };
 
 /** Both lines, ready for RidgeSurface::make, and the report. */
 struct ScanRidge {
-  Polyline rail;      ///< evenly spaced; on a ring the first point is not repeated
-  Polyline generator; ///< in the normal plane of the rail, at 0.45 of the rail's length
+  Polyline rail;                ///< evenly spaced; on a ring the first point is not repeated
+  Polyline generator;           ///< in the normal plane of the rail, at 0.45 of the rail's length
   RidgeSurface::ConstPtr ridge; ///< up is the outer side of the scan; settings().flip of the ridge reports whether it had to be flipped
   ScanRidgeReport report;
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A binary tree of boxes, halved down to single ones.
  */
@@ -38,8 +39,7 @@ public:
 
   /** Call \p visit(place) for every item under boxes that all pass \p keep(box), in a fixed order. */
   template <typename Keep, typename Visit>
-  void
-  forItems(Keep keep, Visit visit) const
+  void forItems(Keep keep, Visit visit) const
   {
     Node stack[64];
     std::size_t top = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <pcl_spiral/common/impl/thread_limit.h>
@@ -20,22 +21,19 @@ EllipticGabrielGraph<PointT, PointNT>::check() const
   if (!input_ || input_->empty())
     return {StatusCode::InvalidInput, "the input cloud is missing or empty; call setInputCloud with points"};
   if (!(options_.alpha > 0.0) || options_.alpha * options_.alpha > 2.0 + 1e-12)
-    return {StatusCode::InvalidArgument,
-            "alpha is " + std::to_string(options_.alpha) + "; set it above 0 and not above 1.4142"};
+    return {StatusCode::InvalidArgument, "alpha is " + std::to_string(options_.alpha) + "; set it above 0 and not above 1.4142"};
   if (options_.candidates < 1)
-    return {StatusCode::InvalidArgument,
-            "the number of candidates is " + std::to_string(options_.candidates) + "; set it to 1 or more"};
+    return {StatusCode::InvalidArgument, "the number of candidates is " + std::to_string(options_.candidates) + "; set it to 1 or more"};
   if (!(options_.max_edge >= 0.0))
-    return {StatusCode::InvalidArgument, "the longest edge is " + std::to_string(options_.max_edge) +
-                                             " spacings; set it above 0, or 0 for any"};
+    return {StatusCode::InvalidArgument,
+            "the longest edge is " + std::to_string(options_.max_edge) + " spacings; set it above 0, or 0 for any"};
   if (!(max_normal_angle_ >= 0.0 && max_normal_angle_ <= 180.0))
-    return {StatusCode::InvalidArgument, "the largest angle between normals is " +
-                                             std::to_string(max_normal_angle_) +
-                                             " degrees; set it between 0 and 180"};
+    return {StatusCode::InvalidArgument,
+            "the largest angle between normals is " + std::to_string(max_normal_angle_) + " degrees; set it between 0 and 180"};
   if (max_normal_angle_ > 0.0 && (!normals_ || normals_->size() != input_->size()))
     return {StatusCode::InvalidInput, "the angle between normals needs one normal a point: there are " +
-                                          std::to_string(normals_ ? normals_->size() : 0) + " for " +
-                                          std::to_string(input_->size()) + " points; call setInputNormals"};
+                                          std::to_string(normals_ ? normals_->size() : 0) + " for " + std::to_string(input_->size()) +
+                                          " points; call setInputNormals"};
   if (const Status status = checkThreads(options_.threads); !status.ok())
     return status;
   return checkIndices(indices_.get(), input_->size());
@@ -51,8 +49,7 @@ EllipticGabrielGraph<PointT, PointNT>::usablePoints() const
       wanted[static_cast<std::size_t>(index)] = true;
   std::vector<std::uint32_t> usable;
   for (std::size_t i = 0; i < input_->size(); ++i)
-    if (wanted[i] && pcl::isXYZFinite((*input_)[i]) &&
-        (max_normal_angle_ == 0.0 || pcl::isNormalFinite((*normals_)[i])))
+    if (wanted[i] && pcl::isXYZFinite((*input_)[i]) && (max_normal_angle_ == 0.0 || pcl::isNormalFinite((*normals_)[i])))
       usable.push_back(static_cast<std::uint32_t>(i));
   return usable;
 }
@@ -65,8 +62,7 @@ EllipticGabrielGraph<PointT, PointNT>::compute(NeighbourLists& graph)
   status_ = check();
   const std::vector<std::uint32_t> usable = status_.ok() ? usablePoints() : std::vector<std::uint32_t>();
   if (status_.ok() && usable.empty())
-    status_ = {StatusCode::InvalidInput,
-               "none of the points to join is finite; check the cloud, its normals and indices"};
+    status_ = {StatusCode::InvalidInput, "none of the points to join is finite; check the cloud, its normals and indices"};
   if (!status_.ok()) {
     PCL_ERROR("[pcl_spiral::EllipticGabrielGraph::compute] %s.\n", status_.message().c_str());
     return;

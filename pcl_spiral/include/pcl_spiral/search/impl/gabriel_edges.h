@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Edges of the elliptic Gabriel graph of points.
  */
@@ -11,9 +12,9 @@ namespace pcl_spiral {
 
 /** Settings of an elliptic Gabriel graph. Angles in radians. */
 struct GabrielOptions {
-  double alpha = 0.75;   ///< axis of the ellipsoid across the edge over the axis along it, in (0, sqrt 2]
-  int candidates = 32;   ///< nearest neighbours of a point that can become its neighbours
-  double max_edge = 3.5; ///< in local spacings, the larger of the two ends; 0: any length
+  double alpha = 0.75;           ///< axis of the ellipsoid across the edge over the axis along it, in (0, sqrt 2]
+  int candidates = 32;           ///< nearest neighbours of a point that can become its neighbours
+  double max_edge = 3.5;         ///< in local spacings, the larger of the two ends; 0: any length
   double max_normal_angle = 0.0; ///< between the normals of the two ends; 0: any
   unsigned int threads = 0;      ///< 0: as many as a ThreadLimit leaves, or all; the result does not depend on it
 };
@@ -30,8 +31,7 @@ struct GabrielOptions {
  *  \param points finite
  *  \param normals unit and consistently oriented, one per point; may be empty if max_normal_angle is 0
  *  \param options in range */
-NeighbourLists ellipticGabrielEdges(const std::vector<Eigen::Vector3f>& points,
-                                    const std::vector<Eigen::Vector3f>& normals,
+NeighbourLists ellipticGabrielEdges(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& normals,
                                     const GabrielOptions& options);
 
 /** True if \p x lies inside the ellipsoid of the edge \p p \p q (axis ratio \p alpha); false for p and q

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The moves of a path in a tree of boxes.
  */
@@ -32,8 +33,7 @@ public:
   /** Call \p test(move) for every segment within \p radius() of \p p, the nearest boxes first. The radius may
    * shrink during the search. A segment may be passed twice. */
   template <typename Radius, typename Test>
-  void
-  search(const Eigen::Vector3d& p, const Radius& radius, const Test& test) const
+  void search(const Eigen::Vector3d& p, const Radius& radius, const Test& test) const
   {
     if (boxes_.empty())
       return;
@@ -79,16 +79,14 @@ private:
     std::uint32_t move;
   };
 
-  static float
-  squaredDistance(const Box4& box, const Eigen::Array4f& p)
+  static float squaredDistance(const Box4& box, const Eigen::Array4f& p)
   {
     using Lanes = Eigen::Map<const Eigen::Array4f, Eigen::Aligned16>;
     const Lanes low(box.low.data()), high(box.high.data());
     return (low - p).max(p - high).max(0.0f).square().sum();
   }
   /** With a margin for the rounding of single precision. */
-  float
-  squared(double radius) const
+  float squared(double radius) const
   {
     const double wide = radius * (1.0 + 1e-6) + slack_;
     return static_cast<float>(wide * wide);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The neighbours of every point of a cloud, in one block of memory.
  */
@@ -18,26 +19,10 @@ public:
   class List {
   public:
     List(const std::uint32_t* first, const std::uint32_t* last) : first_(first), last_(last) {}
-    const std::uint32_t*
-    begin() const
-    {
-      return first_;
-    }
-    const std::uint32_t*
-    end() const
-    {
-      return last_;
-    }
-    std::size_t
-    size() const
-    {
-      return static_cast<std::size_t>(last_ - first_);
-    }
-    std::uint32_t
-    operator[](std::size_t i) const
-    {
-      return first_[i];
-    }
+    const std::uint32_t* begin() const { return first_; }
+    const std::uint32_t* end() const { return last_; }
+    std::size_t size() const { return static_cast<std::size_t>(last_ - first_); }
+    std::uint32_t operator[](std::size_t i) const { return first_[i]; }
 
   private:
     const std::uint32_t* first_;
@@ -51,22 +36,10 @@ public:
    *  \param edges pairs of different points below \p point_count, in any order */
   NeighbourLists(std::size_t point_count, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges);
 
-  std::size_t
-  size() const
-  {
-    return begin_.empty() ? 0 : begin_.size() - 1;
-  }
-  List
-  operator[](std::size_t i) const
-  {
-    return {ends_.data() + begin_[i], ends_.data() + begin_[i + 1]};
-  }
+  std::size_t size() const { return begin_.empty() ? 0 : begin_.size() - 1; }
+  List operator[](std::size_t i) const { return {ends_.data() + begin_[i], ends_.data() + begin_[i + 1]}; }
   /** Undirected edges. */
-  std::size_t
-  edgeCount() const
-  {
-    return ends_.size() / 2;
-  }
+  std::size_t edgeCount() const { return ends_.size() / 2; }
   bool contains(std::uint32_t i, std::uint32_t j) const;
   /** The same graph for a cloud of \p point_count points, in which point i of this graph is \p indices[i]. \p
    * indices ascending. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Bodies of PCL's search structures, so that they exist for the user's own point types too. PCL compiles them for its own
  *  point types. The declarations here keep every including file from compiling them again (35 s to 8 s a file).

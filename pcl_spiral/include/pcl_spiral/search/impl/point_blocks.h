@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Points in spatial order, in blocks of 32 under an implicit tree of boxes.
  */
@@ -19,24 +20,21 @@ struct Box {
   std::array<float, 3> low{1e30f, 1e30f, 1e30f};
   std::array<float, 3> high{-1e30f, -1e30f, -1e30f};
 
-  void
-  extend(const float* p)
+  void extend(const float* p)
   {
     for (int d = 0; d < 3; ++d) {
       low[d] = std::min(low[d], p[d]);
       high[d] = std::max(high[d], p[d]);
     }
   }
-  void
-  extend(const Box& other)
+  void extend(const Box& other)
   {
     for (int d = 0; d < 3; ++d) {
       low[d] = std::min(low[d], other.low[d]);
       high[d] = std::max(high[d], other.high[d]);
     }
   }
-  float
-  squaredDistance(const Box& other) const
+  float squaredDistance(const Box& other) const
   {
     float sum = 0.0f;
     for (int d = 0; d < 3; ++d) {
@@ -45,8 +43,7 @@ struct Box {
     }
     return sum;
   }
-  float
-  squaredDistance(const float* p) const
+  float squaredDistance(const float* p) const
   {
     float sum = 0.0f;
     for (int d = 0; d < 3; ++d) {
@@ -55,8 +52,7 @@ struct Box {
     }
     return sum;
   }
-  float
-  diagonal() const
+  float diagonal() const
   {
     float sum = 0.0f;
     for (int d = 0; d < 3; ++d)
@@ -95,8 +91,7 @@ private:
  *  BlockPartition. The order depends only on the set of positions, not on their input order or on the number of
  *  threads.
  */
-void
-sortSpatially(std::vector<IndexedPosition>& positions);
+void sortSpatially(std::vector<IndexedPosition>& positions);
 
 /** Points in spatial order with the boxes of their blocks; the tree is implicit (node i has children 2i, 2i+1). */
 class PointBlocks {
@@ -123,8 +118,7 @@ public:
 
   /** Call \p visit(block) for every block under boxes that all pass \p keep(box), in a fixed order. */
   template <typename Keep, typename Visit>
-  void
-  forBlocks(Keep keep, Visit visit) const
+  void forBlocks(Keep keep, Visit visit) const
   {
     const std::size_t leaves = blockCount();
     std::array<std::uint32_t, 64> stack;
@@ -146,8 +140,7 @@ public:
 
   /** Call \p visit(block) for every block whose box is within sqrt(squared_radius) of \p query. */
   template <typename Visit>
-  void
-  forBlocksNear(const Box& query, float squared_radius, Visit visit) const
+  void forBlocksNear(const Box& query, float squared_radius, Visit visit) const
   {
     forBlocks([&](const Box& box) { return box.squaredDistance(query) <= squared_radius; }, visit);
   }

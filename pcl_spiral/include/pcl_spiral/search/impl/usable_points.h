@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The points of a PCL cloud that a computation can work on.
  */
@@ -26,8 +27,8 @@ checkIndices(const pcl::Indices* indices, std::size_t size)
   if (indices)
     for (const auto index : *indices)
       if (static_cast<std::size_t>(index) >= size)
-        return {StatusCode::InvalidInput, "index " + std::to_string(index) + " is outside the cloud of " +
-                                              std::to_string(size) + " points"};
+        return {StatusCode::InvalidInput,
+                "index " + std::to_string(index) + " is outside the cloud of " + std::to_string(size) + " points"};
   return Status::success();
 }
 
@@ -40,8 +41,7 @@ struct UsablePoints {
   std::size_t duplicates = 0; ///< of those, left out: another point stands at the same place
 
   /** Keep only the points of ascending \p kept; returns how many are dropped. */
-  std::size_t
-  keep(const std::vector<std::uint32_t>& kept)
+  std::size_t keep(const std::vector<std::uint32_t>& kept)
   {
     const std::size_t dropped = source.size() - kept.size();
     if (dropped == 0)

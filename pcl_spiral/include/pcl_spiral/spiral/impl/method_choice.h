@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Predicts which method takes less machine time on a surface.
  */
@@ -5,8 +6,8 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
-#include <pcl_spiral/surface/surface.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
+#include <pcl_spiral/surface/surface.h>
 
 #include <string>
 #include <vector>
@@ -15,8 +16,7 @@ namespace pcl_spiral {
 
 /** The method that \p settings select. Shortest becomes Radial if a setting has an effect only there: a centre, a way
  *  to find lines, the pitch along them. */
-SpiralMethod
-methodAsked(const SpiralSettings& settings);
+SpiralMethod methodAsked(const SpiralSettings& settings);
 
 /** Prediction for each method, from outlines and step-overs only. Lengths in mm, times in s. */
 struct MethodForesight {
@@ -37,7 +37,6 @@ struct MethodForesight {
  *  within 2 %, Radial is taken; within 10 % if turns lie closer than a quarter of the spacing of the points.
  *
  *  On large surfaces it looks at only 20,000 points, and its running time is that of these. */
-MethodForesight
-foreseeMethods(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings);
+MethodForesight foreseeMethods(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings);
 
 } // namespace pcl_spiral

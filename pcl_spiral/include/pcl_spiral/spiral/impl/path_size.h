@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Predicts how large a spiral becomes, before it is made.
  */
@@ -24,16 +25,13 @@ struct PathSize {
 };
 
 /** Area of the surface, mm2: the sum of each point's share. */
-double
-surfaceArea(const SurfaceGraph& graph);
+double surfaceArea(const SurfaceGraph& graph);
 
 /** From the \p area only: turns one flat step-over apart, with the longest moves. A hollow surface needs fewer points; every bend
  *  of the path needs more. */
-PathSize
-roughPathSize(double area, const SpiralSettings& settings);
+PathSize roughPathSize(double area, const SpiralSettings& settings);
 
 /** Ok, or an error with the estimate: more than \p most points, or more memory than there is. */
-Status
-checkPathSize(const PathSize& size, double area, const SpiralSettings& settings, double most = most_path_points);
+Status checkPathSize(const PathSize& size, double area, const SpiralSettings& settings, double most = most_path_points);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The spiral of Wu et al. 2025, for comparison.
  */
@@ -21,8 +22,7 @@ namespace pcl_spiral {
 /** Figures of the published method. Lengths in mm. */
 struct PublishedFigures {
   std::size_t lines = 0;
-  std::size_t unsettled_lines =
-      0; ///< geodesics that still moved sideways by more than the chord error at the end
+  std::size_t unsettled_lines = 0;     ///< geodesics that still moved sideways by more than the chord error at the end
   double largest_line_move = 0.0;      ///< largest move of any of them at the end
   double largest_line_deviation = 0.0; ///< of a B-spline from the points it was fitted to
   double step = 0.0;                   ///< (13)-(15): requested between points of the path
@@ -37,9 +37,8 @@ struct PublishedResult {
   std::vector<BoundaryLoop> loops;
   RadialLineSet lines;
   Polyline contacts;
-  std::vector<Eigen::Vector3d>
-      normals; ///< unit, out of the material: PCA at the point of the cloud nearest to the contact
-  std::vector<Eigen::Vector3f> axes; ///< unit, tip to shank
+  std::vector<Eigen::Vector3d> normals; ///< unit, out of the material: PCA at the point of the cloud nearest to the contact
+  std::vector<Eigen::Vector3f> axes;    ///< unit, tip to shank
   std::vector<double> arc_lengths;
   std::vector<float> turns;
   PublishedFigures figures;
@@ -74,13 +73,11 @@ struct PublishedResult {
  *  It uses these \p settings: radius, scallop height, chord error, longest step, tilt and lead, centre, start
  * point, boundary mode, gap handling, direction and sense. Call it within a ThreadLimit to set the number of threads;
  * the bytes are the same for any. */
-Status planPublished(const SurfaceGraph& graph, const SpiralSettings& settings,
-                     const ProgressCallback& progress, PublishedResult& result);
+Status planPublished(const SurfaceGraph& graph, const SpiralSettings& settings, const ProgressCallback& progress, PublishedResult& result);
 
 /** The same between given \p loops, instead of equation (1) and the walk. Refused if they do not belong to the
  * surface (checkLoops). */
-Status planPublishedWithin(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& loops,
-                           const SpiralSettings& settings, const ProgressCallback& progress,
-                           PublishedResult& result);
+Status planPublishedWithin(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
+                           const ProgressCallback& progress, PublishedResult& result);
 
 } // namespace pcl_spiral

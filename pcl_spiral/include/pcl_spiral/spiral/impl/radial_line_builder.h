@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Makes radial lines from the boundaries of a surface.
  */
@@ -5,9 +6,9 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
 #include <pcl_spiral/spiral/impl/radial_line.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
+#include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <functional>
 #include <optional>
@@ -24,9 +25,9 @@ struct RadialLineRequest {
   std::optional<Eigen::Vector3d> centre;      ///< one boundary only; absent: found
   std::optional<Eigen::Vector3d> start_point; ///< line 0 ends at the rim point nearest to it; absent: a corner, or the farthest
   LineMethod method = LineMethod::Automatic;
-  double tolerance = 0.05;    ///< allowed error of a turn interpolated between lines, mm
-  double fit_tolerance = 1e-3; ///< allowed distance of a line's B-spline from its points, mm
-  std::function<bool(double)> progress;       ///< share done; false cancels
+  double tolerance = 0.05;              ///< allowed error of a turn interpolated between lines, mm
+  double fit_tolerance = 1e-3;          ///< allowed distance of a line's B-spline from its points, mm
+  std::function<bool(double)> progress; ///< share done; false cancels
 };
 
 /** Radial lines, in order along the rim, and the boundaries from line 0 on. */
@@ -35,12 +36,12 @@ struct RadialLineSet {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< one boundary only
   bool harmonic = false;                            ///< the fallback made them
   std::string why_harmonic;
-  Polyline rim;                                     ///< closed, from line 0's end
+  Polyline rim; ///< closed, from line 0's end
   std::vector<std::size_t> rim_corners;
-  Polyline inner;                                   ///< closed, from line 0's start; empty with one boundary
+  Polyline inner; ///< closed, from line 0's start; empty with one boundary
   std::vector<std::size_t> inner_corners;
-  double largest_interpolation_error = 0.0;         ///< measured between neighbouring lines, mm
-  bool centre_settled = true;                       ///< the search for the centre converged
+  double largest_interpolation_error = 0.0; ///< measured between neighbouring lines, mm
+  bool centre_settled = true;               ///< the search for the centre converged
 };
 
 /** Make the lines: coarse ones evenly along the rim and on each of its corners. Then add one in the middle of every interval until
@@ -51,7 +52,6 @@ struct RadialLineSet {
  *  cross or jump. Then all lines become gradient lines of the harmonic function between the
  *  boundaries, which never cross.
  */
-Status
-buildRadialLines(const RadialLineRequest& request, RadialLineSet& set);
+Status buildRadialLines(const RadialLineRequest& request, RadialLineSet& set);
 
 } // namespace pcl_spiral

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/features/impl/surface_boundary.h>
-#include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/spiral/impl/boundary_choice.h>
 #include <pcl_spiral/spiral/impl/loop_check.h>
 #include <pcl_spiral/spiral/radial_lines.h>
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
 
 #include <cmath>
 
@@ -18,8 +19,7 @@ RadialLines<PointT, PointNT>::check() const
 {
   for (const double tolerance : {tolerance_, fit_tolerance_})
     if (!(tolerance > 0.0) || !std::isfinite(tolerance))
-      return {StatusCode::InvalidArgument,
-              textOf("a tolerance is ", tolerance, " mm: set it above 0 (setTolerance, setFitTolerance)")};
+      return {StatusCode::InvalidArgument, textOf("a tolerance is ", tolerance, " mm: set it above 0 (setTolerance, setFitTolerance)")};
   for (const auto* point : {&center_, &start_point_})
     if (*point && !(*point)->allFinite())
       return {StatusCode::InvalidArgument, "the centre or start point is not finite: give a point, or clear it"};
@@ -39,8 +39,7 @@ RadialLines<PointT, PointNT>::run()
   loops_ = given_loops_;
   BoundaryOptions options;
   options.progress = partOf(progress_, 0.4, 0.5, "boundaries");
-  const Status loops_status =
-      loops_.empty() ? findBoundaryLoops(*surface, options, loops_) : checkLoops(surface->graph(), loops_);
+  const Status loops_status = loops_.empty() ? findBoundaryLoops(*surface, options, loops_) : checkLoops(surface->graph(), loops_);
   if (!loops_status.ok())
     return loops_status;
   BoundaryChoice choice;
@@ -50,15 +49,9 @@ RadialLines<PointT, PointNT>::run()
     return {StatusCode::InvalidArgument, textOf("a centre was given, ", placeText(*center_),
                                                 ", but the surface has two boundaries: leave the centre out (clearCenter), "
                                                 "or ask for one boundary (setBoundaryMode)")};
-  const RadialLineRequest request{surface->fit(),
-                                  *choice.rim,
-                                  choice.inner,
-                                  center_,
-                                  start_point_,
-                                  method_,
-                                  tolerance_,
-                                  fit_tolerance_,
-                                  partOf(progress_, 0.5, 1.0, "radial lines")};
+  const RadialLineRequest request{surface->fit(), *choice.rim,    choice.inner,
+                                  center_,        start_point_,   method_,
+                                  tolerance_,     fit_tolerance_, partOf(progress_, 0.5, 1.0, "radial lines")};
   return buildRadialLines(request, set_);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Moves outlines off the rim and holes of a surface.
  */
@@ -18,7 +19,6 @@ namespace pcl_spiral {
  *  the rim, rows of points continue the surface straight (Surface::isGuessed). A surface with these points replaces \p surface, and
  *  corners of the part are rounded with the overhang as radius. Fails, and changes nothing, if the surface falls into pieces or
  *  nothing is left of it. */
-Status
-offsetOutlines(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops, double overhang, double hole_margin);
+Status offsetOutlines(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops, double overhang, double hole_margin);
 
 } // namespace pcl_spiral

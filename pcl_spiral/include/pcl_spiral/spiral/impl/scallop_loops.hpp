@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/spiral/impl/settings_check.h>
 #include <pcl_spiral/spiral/impl/step_over_input.hpp>
 #include <pcl_spiral/spiral/scallop_loops.h>
-#include <pcl_spiral/spiral/impl/settings_check.h>
 
 namespace pcl_spiral {
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Checks settings, and whether the scan fits them.
  */
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/surface/surface.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
+#include <pcl_spiral/surface/surface.h>
 
 #include <string>
 #include <vector>
@@ -13,11 +14,9 @@
 namespace pcl_spiral {
 
 /** Ok, or an error with the invalid setting, its value and the remedy. */
-Status
-checkSettings(const SpiralSettings& settings);
+Status checkSettings(const SpiralSettings& settings);
 
 /** Ok, or an error if the scan is smaller than the cutter or the path would be too large. Adds scanWarnings to \p warnings. */
-Status
-checkScale(const Surface& surface, const SpiralSettings& settings, std::vector<std::string>& warnings);
+Status checkScale(const Surface& surface, const SpiralSettings& settings, std::vector<std::string>& warnings);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The spiral between radial lines, before it is put on the surface.
  */
@@ -24,8 +25,7 @@ struct SpiralPoint {
  */
 class SpiralCurve {
 public:
-  SpiralCurve(const std::vector<RadialLine>& lines, const TurnFunction& turns, const SpiralSettings& settings,
-              double spacing);
+  SpiralCurve(const std::vector<RadialLine>& lines, const TurnFunction& turns, const SpiralSettings& settings, double spacing);
 
   /** The rim, closed, from line 0 on, and which of its entries are corners. */
   void setRim(Polyline rim, std::vector<std::size_t> corners);
@@ -43,9 +43,9 @@ private:
   struct Knot {
     Eigen::Vector3d position;
     double turn;
-    double step;  ///< longest linear move here, from the curvature of the surface
-    bool corner;  ///< the tangent may jump
-    bool anchor;  ///< a path point stands here, so that each turn is sampled separately
+    double step; ///< longest linear move here, from the curvature of the surface
+    bool corner; ///< the tangent may jump
+    bool anchor; ///< a path point stands here, so that each turn is sampled separately
   };
   struct ClosedLoop {
     Polyline points;

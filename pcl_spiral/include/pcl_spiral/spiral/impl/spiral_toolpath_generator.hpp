@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  SpiralToolpathGenerator: the chain of stages.
  */
@@ -8,13 +9,13 @@
 #include <pcl_spiral/common/impl/toolpath_fields.h>
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/spiral/impl/method_choice.h>
+#include <pcl_spiral/spiral/impl/path_size.h>
 #include <pcl_spiral/spiral/impl/rim_offset.h>
 #include <pcl_spiral/spiral/impl/settings_check.h>
-#include <pcl_spiral/spiral/spiral_reports.h>
-#include <pcl_spiral/surface/impl/scanned_surface.hpp>
-#include <pcl_spiral/spiral/impl/path_size.h>
 #include <pcl_spiral/spiral/radial_lines.h>
+#include <pcl_spiral/spiral/spiral_reports.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
 
 #include <cstdint>
 #include <utility>
@@ -72,8 +73,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLoops(Surface::ConstP
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
-SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLines(const Surface::ConstPtr& surface,
-                                                                 const std::vector<BoundaryLoop>& loops, RadialLineSet& lines)
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLines(const Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops,
+                                                                 RadialLineSet& lines)
 {
   RadialLines<PointInT, PointNT> radial;
   radial.setInputSurface(surface);
@@ -112,9 +113,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOnLines(Surface::Cons
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
-SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeRadial(Surface::ConstPtr& surface,
-                                                                  const std::vector<BoundaryLoop>& loops, StageClock& clock,
-                                                                  SpiralTurns& turns)
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeRadial(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops,
+                                                                  StageClock& clock, SpiralTurns& turns)
 {
   if (settings_.hole_margin > 0.0 && report_.boundaries > 1)
     return {StatusCode::InvalidArgument, "turns of the radial method begin at the edge of the hole, but a margin about holes is asked "
@@ -127,8 +127,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeRadial(Surface::Const
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
-SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(const Surface& surface,
-                                                                           const std::vector<BoundaryLoop>& loops,
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops,
                                                                            StageClock& clock, SpiralTurns& turns)
 {
   report_.method = SpiralMethod::ConstantScallop;
@@ -142,9 +141,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(const
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
-SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeShortest(Surface::ConstPtr& surface,
-                                                                    const std::vector<BoundaryLoop>& loops, StageClock& clock,
-                                                                    SpiralTurns& turns)
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeShortest(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops,
+                                                                    StageClock& clock, SpiralTurns& turns)
 {
   const MethodForesight foresight = foreseeMethods(*surface, loops, settings_);
   report_.foreseen_radial = foresight.radial_length;
@@ -162,8 +160,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeShortest(Surface::Con
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
-SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstPtr& surface, StageClock& clock,
-                                                                 SpiralTurns& turns)
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstPtr& surface, StageClock& clock, SpiralTurns& turns)
 {
   if (given_lines_ && settings_.method == SpiralMethod::ConstantScallop)
     return {StatusCode::InvalidArgument, "radial lines were given, but a path at constant scallop height has none: call "
@@ -185,7 +182,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
     dropTriangulation(surface);
     return status;
   }
-  case SpiralMethod::Radial: return makeRadial(surface, loops, clock, turns);
+  case SpiralMethod::Radial:
+    return makeRadial(surface, loops, clock, turns);
   default: {
     const Status status = makeShortest(surface, loops, clock, turns);
     dropTriangulation(surface);
@@ -196,17 +194,15 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
-SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePublished(const Surface& surface, StageClock& clock,
-                                                                     SpiralPath& path)
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePublished(const Surface& surface, StageClock& clock, SpiralPath& path)
 {
   if (given_lines_)
     return {StatusCode::InvalidArgument, "radial lines were given, but the published method makes its own: call "
                                          "clearRadialLines, or setMethod with another method"};
   PublishedResult published;
   const ProgressCallback progress = partOf(progress_, 0.25, 1.0);
-  const Status status = given_loops_.empty()
-                            ? planPublished(surface.graph(), settings_, progress, published)
-                            : planPublishedWithin(surface.graph(), given_loops_, settings_, progress, published);
+  const Status status = given_loops_.empty() ? planPublished(surface.graph(), settings_, progress, published)
+                                             : planPublishedWithin(surface.graph(), given_loops_, settings_, progress, published);
   for (const StageCost& stage : published.stages)
     report_.stages.push_back(stage);
   clock.restart();
@@ -241,8 +237,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
     SpiralTurns turns;
     if (const Status status = makeCurve(surface, clock, turns); !status.ok())
       return status;
-    if (const Status status = putOnSurface(turns.curve, *surface, settings_, turns.largest_allowed_step,
-                                           partOf(progress_, 0.65, 0.9), path, gaps);
+    if (const Status status =
+            putOnSurface(turns.curve, *surface, settings_, turns.largest_allowed_step, partOf(progress_, 0.65, 0.9), path, gaps);
         !status.ok())
       return status;
   }
@@ -257,8 +253,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
   SpiralSettings used = settings_;
   used.method = report_.method;
   PathFigures figures;
-  const Status checked =
-      checkPath(path, used, report_.largest_allowed_step, partOf(progress_, 0.96, 1.0), figures);
+  const Status checked = checkPath(path, used, report_.largest_allowed_step, partOf(progress_, 0.96, 1.0), figures);
   reportPath(gaps, axes, figures, report_);
   report_.pass_begins = path.passes;
   clock.end("tool axis");
@@ -284,8 +279,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::compute(pcl::PointCloud<P
   const auto count = static_cast<std::int64_t>(path.size());
 #pragma omp parallel for schedule(static)
   for (std::int64_t i = 0; i < count; ++i)
-    ToolpathFields<PointOutT>::set(path[i], spiral.contacts[i], spiral.normals[i], spiral.axes[i], spiral.arc_lengths[i],
-                                   spiral.turns[i], spiral.over_gap[i] != 0);
+    ToolpathFields<PointOutT>::set(path[i], spiral.contacts[i], spiral.normals[i], spiral.axes[i], spiral.arc_lengths[i], spiral.turns[i],
+                                   spiral.over_gap[i] != 0);
   if (this->input_)
     path.header = this->input_->header;
   path.is_dense = true;

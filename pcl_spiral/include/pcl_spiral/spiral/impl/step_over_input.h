@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Input shared by the stages of a path at constant scallop height.
  */
@@ -5,8 +6,8 @@
 
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/features/boundary_loop.h>
-#include <pcl_spiral/surface/surface_input.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
+#include <pcl_spiral/surface/surface_input.h>
 
 #include <memory>
 #include <string>
@@ -61,15 +62,13 @@ public:
   void setInputField(const FieldConstPtr& field) { given_field_ = field; }
   FieldConstPtr getInputField() const { return given_field_; }
 
-  void
-  setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
+  void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
   {
     StepOverInput<PointT, PointNT>::setInputCloud(cloud);
     given_field_.reset();
   }
   /** \see SurfaceInput::setInputSurface */
-  void
-  setInputSurface(const Surface::ConstPtr& surface)
+  void setInputSurface(const Surface::ConstPtr& surface)
   {
     StepOverInput<PointT, PointNT>::setInputSurface(surface);
     given_field_.reset();

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <pcl_spiral/features/impl/surface_boundary.h>
-#include <pcl_spiral/spiral/impl/constant_scallop.h>
-#include <pcl_spiral/spiral/impl/settings_check.h>
-#include <pcl_spiral/spiral/step_over_field.h>
-#include <pcl_spiral/spiral/impl/step_over_input.h>
-#include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/spiral/impl/boundary_choice.h>
+#include <pcl_spiral/spiral/impl/constant_scallop.h>
 #include <pcl_spiral/spiral/impl/loop_check.h>
+#include <pcl_spiral/spiral/impl/settings_check.h>
+#include <pcl_spiral/spiral/impl/step_over_input.h>
+#include <pcl_spiral/spiral/step_over_field.h>
+#include <pcl_spiral/surface/impl/scanned_surface.hpp>
 
 namespace pcl_spiral {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Triangles over a surface that end on its outlines, with lengths in step-overs.
  */
@@ -36,8 +37,7 @@ struct StepOverOptions {
 /** The mesh of \p surface between \p outlines, which lie on it. Points outside or close to an outline, and triangles that cross
  *  one, are left out; the ragged boundary that remains is joined to the outline. Fails if no boundary of the surface runs along an
  *  outline, and on surfaces with handles. */
-Status
-makeStepOverMesh(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options,
-                 StepOverMesh& mesh);
+Status makeStepOverMesh(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options,
+                        StepOverMesh& mesh);
 
 } // namespace pcl_spiral

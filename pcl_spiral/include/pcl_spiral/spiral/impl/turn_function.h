@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Number of turns between the start of a radial line and a place on it.
  */
@@ -15,9 +16,9 @@ namespace pcl_spiral {
 
 /** The highest ridge that turns leave at corners. */
 struct CornerRidge {
-  double height = 0.0;   ///< mm; the tool radius where material is left uncut; 0 without corners
-  double widening = 1.0; ///< distance of turns there, as a multiple of the step-over
-  double remedy = 0.0;   ///< mm: the scallop height whose turns leave ridges of the requested height
+  double height = 0.0;                              ///< mm; the tool radius where material is left uncut; 0 without corners
+  double widening = 1.0;                            ///< distance of turns there, as a multiple of the step-over
+  double remedy = 0.0;                              ///< mm: the scallop height whose turns leave ridges of the requested height
   Eigen::Vector3d corner = Eigen::Vector3d::Zero(); ///< of the outline
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Moving-least-squares surface of a cloud: feet, normals and curvatures of any points.
  */
@@ -17,19 +18,18 @@ namespace pcl_spiral {
  *  convex (curves away from its normal). */
 struct SurfaceFoot {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); ///< unit, out of the material
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();     ///< unit, out of the material
   Eigen::Vector3d direction1 = Eigen::Vector3d::UnitX(); ///< unit, principal direction of curvature1
-  double curvature1 = 0.0; ///< the larger principal curvature, 1/mm
-  double curvature2 = 0.0; ///< the smaller, across direction1
-  double residual = 0.0;   ///< standard deviation of the cloud about the fit here, mm
-  double overhang = 0.0;   ///< distance beyond the outermost points of the cloud, mm; 0 inside
-  double nearest_distance = 0.0; ///< from the nearest point of the cloud, mm
-  std::uint32_t nearest = 0;     ///< index of that point, in the order of the graph
-  bool valid = false;      ///< false far from the cloud, beyond its rim, or where the fit is not determined
+  double curvature1 = 0.0;                               ///< the larger principal curvature, 1/mm
+  double curvature2 = 0.0;                               ///< the smaller, across direction1
+  double residual = 0.0;                                 ///< standard deviation of the cloud about the fit here, mm
+  double overhang = 0.0;                                 ///< distance beyond the outermost points of the cloud, mm; 0 inside
+  double nearest_distance = 0.0;                         ///< from the nearest point of the cloud, mm
+  std::uint32_t nearest = 0;                             ///< index of that point, in the order of the graph
+  bool valid = false;                                    ///< false far from the cloud, beyond its rim, or where the fit is not determined
 
   /** Normal curvature in the tangent direction \p t (unit), by Euler's theorem. */
-  double
-  normalCurvature(const Eigen::Vector3d& t) const
+  double normalCurvature(const Eigen::Vector3d& t) const
   {
     const double c = t.dot(direction1), s = t.dot(normal.cross(direction1));
     const double whole = c * c + s * s;
@@ -51,8 +51,7 @@ class MlsSurface {
 public:
   /** \p neighbours in one fit; 0: as many as the noise needs and the curvature allows, and enough to span several scan
    *  lines: from max(32, graph.neighbours()), half as many again for RobustQuartic, doubled up to 256. */
-  explicit MlsSurface(const SurfaceGraph& graph, int neighbours = 0,
-                      ProjectionMethod method = ProjectionMethod::Quadratic);
+  explicit MlsSurface(const SurfaceGraph& graph, int neighbours = 0, ProjectionMethod method = ProjectionMethod::Quadratic);
 
   /** Feet of all queries, in their order, in parallel. Queries that are not finite or farther than four spacings from
    *  the cloud become invalid. For an invalid foot, fits with twice the neighbours are tried, and so on up to \p widest times as
@@ -75,8 +74,7 @@ private:
   void chooseNeighbours();
   /** Move the feet of \p which by one fit about their present places. Returns which feet moved so far that they
    *  need another fit. */
-  std::vector<std::uint8_t>
-  projectOnce(const std::vector<std::uint32_t>& which, std::vector<SurfaceFoot>& feet, int neighbours) const;
+  std::vector<std::uint8_t> projectOnce(const std::vector<std::uint32_t>& which, std::vector<SurfaceFoot>& feet, int neighbours) const;
 
   const SurfaceGraph& graph_;
   ProjectionMethod method_;

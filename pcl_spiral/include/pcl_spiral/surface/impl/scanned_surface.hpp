@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <pcl_spiral/common/impl/message.h>
@@ -20,8 +21,8 @@ ScannedSurface<PointT, PointNT>::checkNormals(std::size_t size) const
 {
   if (!normals_ || normals_->size() == size)
     return Status::success();
-  return {StatusCode::InvalidInput, textOf("there are ", normals_->size(), " normals for ", size,
-                                           " points: call setInputNormals with one a point, or with none")};
+  return {StatusCode::InvalidInput,
+          textOf("there are ", normals_->size(), " normals for ", size, " points: call setInputNormals with one a point, or with none")};
 }
 
 template <typename PointT, typename PointNT>
@@ -40,14 +41,12 @@ ScannedSurface<PointT, PointNT>::check() const
             textOf("outlier removal by ", settings_.outlier_neighbours, " neighbours and ", settings_.outlier_deviations,
                    " standard deviations: give 1 or more neighbours (0: none), and deviations above 0")};
   if (!(settings_.thinning >= 0.0) || !std::isfinite(settings_.thinning))
-    return {StatusCode::InvalidArgument,
-            textOf("the thinning edge is ", settings_.thinning, " mm: give a length above 0, or 0 for none")};
+    return {StatusCode::InvalidArgument, textOf("the thinning edge is ", settings_.thinning, " mm: give a length above 0, or 0 for none")};
   if (settings_.neighbours < 8)
     return {StatusCode::InvalidArgument,
             textOf("k is ", settings_.neighbours, " neighbours: set 8 or more (setKSearch); 32 is recommended")};
   if (!(settings_.alpha >= 1.0))
-    return {StatusCode::InvalidArgument,
-            textOf("alpha is ", settings_.alpha, " spacings: below 1 the surface falls apart; 3 is usual")};
+    return {StatusCode::InvalidArgument, textOf("alpha is ", settings_.alpha, " spacings: below 1 the surface falls apart; 3 is usual")};
   if (settings_.view_point && !settings_.view_point->allFinite())
     return {StatusCode::InvalidArgument, "the view point is not finite: give the place where the scanner stood"};
   return checkIndices(givenIndices(), size);
@@ -71,14 +70,13 @@ ScannedSurface<PointT, PointNT>::filter(UsablePoints& usable, SurfaceCounts& cou
     return usable.keep(kept);
   };
   if (settings_.outlier_neighbours > 0)
-    counts.outlier = keep(
-        statisticalInliers(usable.positions, settings_.outlier_neighbours, settings_.outlier_deviations), LeftOut::Outlier);
+    counts.outlier =
+        keep(statisticalInliers(usable.positions, settings_.outlier_neighbours, settings_.outlier_deviations), LeftOut::Outlier);
   if (settings_.thinning > 0.0) {
     const std::vector<std::uint32_t> kept = voxelRepresentatives(usable.positions, settings_.thinning);
     if (kept.empty() && !usable.source.empty())
       return {StatusCode::InvalidArgument,
-              textOf("the thinning edge ", settings_.thinning,
-                     " mm is too small for the size of the cloud: raise it, or check the units")};
+              textOf("the thinning edge ", settings_.thinning, " mm is too small for the size of the cloud: raise it, or check the units")};
     counts.thinned = keep(kept, LeftOut::Thinned);
   }
   return Status::success();
@@ -116,8 +114,8 @@ ScannedSurface<PointT, PointNT>::run(Surface::ConstPtr& surface)
   counts.nonfinite = usable.nonfinite;
   counts.duplicate = usable.duplicates;
   if (usable.source.empty())
-    return {StatusCode::InvalidInput, textOf("none of the ", counts.input,
-                                             " points is finite: check the scan, or the columns of its file")};
+    return {StatusCode::InvalidInput,
+            textOf("none of the ", counts.input, " points is finite: check the scan, or the columns of its file")};
   std::vector<std::uint32_t> dropped; // indices in the cloud
   std::vector<LeftOut> reasons;
   if (const Status status = filter(usable, counts, dropped, reasons); !status.ok())

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  A toolpath prepared for measuring, and places on it.
  */
@@ -44,12 +45,11 @@ raise(PlacedValue& largest, double value, const Eigen::Vector3d& position, std::
 /** Reads a toolpath. Fails if there is none, on fewer than two points, a point that is not finite, and a normal of length
  *  zero. An axis of length zero at any point leaves the path without axes. \p passes: where the second pass and each
  *  further one begin; empty: found from the arc lengths, see passBegins. Fails if they do not ascend within the path. */
-Status
-readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterPath& path, const std::vector<std::size_t>& passes = {});
+Status readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterPath& path,
+                      const std::vector<std::size_t>& passes = {});
 
 /** Length of all passes, mm. */
-double
-cutLength(const CutterPath& path);
+double cutLength(const CutterPath& path);
 
 /** How the path moves between lifts. Angles in degrees. */
 struct PathMotion {
@@ -62,7 +62,6 @@ struct PathMotion {
   PlacedValue normal_change; ///< largest angle between neighbouring normals
 };
 
-PathMotion
-pathMotion(const CutterPath& path);
+PathMotion pathMotion(const CutterPath& path);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The solid that a cutter sweeps along the linear moves of its path.
  */
@@ -39,8 +40,7 @@ public:
 
   /** Lowers \p t to the smallest t in [-start, t) at which x + t n lies in the solid swept
    *  along \p move. Returns false, and keeps \p t, if there is none. \p n is unit. */
-  virtual bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start,
-                     double& t) const = 0;
+  virtual bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double& t) const = 0;
   /** Whether \p x lies in the solid swept along \p move. */
   virtual bool contains(std::size_t move, const Eigen::Vector3d& x) const = 0;
   /** Height of the cutter above the surface about \p foot, a quadric no wider than \p reach,
@@ -50,8 +50,7 @@ public:
 protected:
   CutterSweep(Polyline centres, double bounding_radius, std::vector<std::size_t> passes)
   : centres_(std::move(centres)), bounding_radius_(bounding_radius), passes_(std::move(passes))
-  {
-  }
+  {}
 
 private:
   Polyline centres_;
@@ -67,15 +66,13 @@ public:
   BallSweep(const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals, double radius,
             const std::vector<std::size_t>& passes = {});
 
-  bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start,
-             double& t) const override;
+  bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double& t) const override;
   bool contains(std::size_t move, const Eigen::Vector3d& x) const override;
   SurfaceHeight lowest(std::size_t move, double f, const SurfaceFoot& foot, double reach) const override;
 };
 
 /** Height of \p p above the quadric about \p foot: signed distance, positive out of the material. If the nearest place is farther
  *  than \p reach from the foot, across the normal, the distance is from the place on the way there that is within \p reach. */
-SurfaceHeight
-heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p, double reach);
+SurfaceHeight heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p, double reach);
 
 } // namespace pcl_spiral

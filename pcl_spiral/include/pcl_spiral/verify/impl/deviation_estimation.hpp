@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <pcl_spiral/common/impl/thread_limit.h>
@@ -16,8 +17,7 @@ DeviationEstimation<PointT>::compute(pcl::PointCloud<pcl::PointXYZI>& output)
   std::vector<float> deviation;
   this->status_ = this->prepare(path);
   if (this->status_.ok())
-    this->status_ = measureDeviation(*this->reference_, path, this->chord_error_, this->progress_, deviation,
-                                     figures_);
+    this->status_ = measureDeviation(*this->reference_, path, this->chord_error_, this->progress_, deviation, figures_);
   this->tellFailure("DeviationEstimation");
   if (!this->status_.ok())
     return;

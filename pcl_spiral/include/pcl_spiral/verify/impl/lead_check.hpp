@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <pcl_spiral/common/impl/message.h>
@@ -25,8 +26,7 @@ LeadCheck<PointT>::check() const
     if (!fault.empty())
       return {StatusCode::InvalidArgument, fault};
   if (!(holder_clearance_ >= 0.0) || !std::isfinite(holder_clearance_))
-    return {StatusCode::InvalidArgument,
-            textOf("the holder's clearance is ", holder_clearance_, " mm; set it to 0 or more")};
+    return {StatusCode::InvalidArgument, textOf("the holder's clearance is ", holder_clearance_, " mm; set it to 0 or more")};
   if (!(tolerance_ > 0.0) || !std::isfinite(tolerance_))
     return {StatusCode::InvalidArgument, textOf("the tolerance is ", tolerance_, " mm; set it above 0")};
   return checkThreads(thread_count_);
@@ -44,8 +44,7 @@ LeadCheck<PointT>::compute(const MachineProgram& program)
     const CutterProfile cutter(cutter_);
     const HolderProfile holder(holder_, cutter.topHeight(), cutter.radius(), holder_clearance_);
     status_ = points.empty() ? Status(StatusCode::InvalidInput, "no point of the cloud is finite; check the scan")
-                             : findLeadCollisions(PointBlocks(std::move(points)), cutter, holder, program, tolerance_,
-                                                  progress_, figures_);
+                             : findLeadCollisions(PointBlocks(std::move(points)), cutter, holder, program, tolerance_, progress_, figures_);
   }
   if (!status_.ok() && status_.code() != StatusCode::Cancelled)
     PCL_ERROR("[pcl_spiral::LeadCheck::compute] %s\n", status_.message().c_str());

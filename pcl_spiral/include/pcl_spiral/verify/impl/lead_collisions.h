@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Checks the moves of a program off its path against the points of a scan.
  */
@@ -44,9 +45,7 @@ struct LeadFigures {
  *  (sweptError, and the wedge between two shanks up to the top of the scan). A holder misses at most half of 0.1 mm
  *  or half of the tolerance, whichever is larger. The move from the machine's first position to the first block is not
  *  known, and not checked. The same for any number of threads. Fails on a program without moves, or when cancelled. */
-Status
-findLeadCollisions(const PointBlocks& points, const CutterProfile& cutter, const HolderProfile& holder,
-                   const MachineProgram& program, double tolerance, const ProgressCallback& progress,
-                   LeadFigures& figures);
+Status findLeadCollisions(const PointBlocks& points, const CutterProfile& cutter, const HolderProfile& holder,
+                          const MachineProgram& program, double tolerance, const ProgressCallback& progress, LeadFigures& figures);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <pcl_spiral/common/impl/message.h>
@@ -73,8 +74,7 @@ MaterialRemoval<PointT>::compute(pcl::PointCloud<pcl::PointXYZI>& output)
   if (this->status_.ok()) {
     const BallSweep ball(path.contacts, path.normals, tool_radius_, path.passes);
     const RemovalSettings settings{tool_radius_, scallop_height_, this->chord_error_, reach_};
-    this->status_ = measureRemovedMaterial(*this->reference_, path, ball, settings, this->progress_, heights,
-                                           figures_);
+    this->status_ = measureRemovedMaterial(*this->reference_, path, ball, settings, this->progress_, heights, figures_);
   }
   this->tellFailure("MaterialRemoval");
   if (!this->status_.ok())

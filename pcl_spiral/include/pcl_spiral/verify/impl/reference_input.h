@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What the classes that judge a path have in common: the scan or mesh by which it is judged.
  */
@@ -29,14 +30,12 @@ public:
 
   /** Judges by samples of the curved surface of this mesh; see ReferenceMesh and ReferenceSurface. Its faces give the
    *  side: a view point or another setting for scans is refused. The last input set counts: cloud, surface or mesh. */
-  void
-  setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
+  void setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
   {
     forget();
     polygons_ = mesh;
   }
-  void
-  setInputMesh(const SurfaceMesh::ConstPtr& mesh)
+  void setInputMesh(const SurfaceMesh::ConstPtr& mesh)
   {
     forget();
     mesh_ = mesh;
@@ -55,8 +54,7 @@ public:
   /** The path to judge. Its points have contact and normal; the axis is used if there is one. \p passes:
    *  where the second pass and each further one begin; the tool is lifted to these points and does not
    *  cut on the way. Empty, the default: where the arc length does not grow, see passBegins. */
-  void
-  setInputToolpath(const ToolpathConstPtr& toolpath, std::vector<std::size_t> passes = {})
+  void setInputToolpath(const ToolpathConstPtr& toolpath, std::vector<std::size_t> passes = {})
   {
     toolpath_ = toolpath;
     passes_ = std::move(passes);
@@ -78,15 +76,13 @@ public:
   /** The fit of the last compute; null before. */
   std::shared_ptr<const ReferenceSurface> getReferenceSurface() const { return reference_; }
 
-  void
-  setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
+  void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
   {
     forget();
     SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputCloud(cloud);
   }
   /** \see SurfaceInput::setInputSurface */
-  void
-  setInputSurface(const Surface::ConstPtr& surface)
+  void setInputSurface(const Surface::ConstPtr& surface)
   {
     SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputSurface(surface);
     given_reference_.reset();
@@ -99,8 +95,7 @@ protected:
   Status prepare(CutterPath& path);
   Status prepareMesh(const CutterPath& path);
   /** Clears any reference that was given. */
-  void
-  forget()
+  void forget()
   {
     this->input_.reset();
     this->given_surface_.reset();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <pcl_spiral/common/impl/message.h>
@@ -30,9 +31,9 @@ ReferenceInput<PointT>::prepare(CutterPath& path)
   if (const Status status = this->prepareSurface(surface); !status.ok())
     return status;
   if (surface->counts().guessed > 0)
-    return {StatusCode::InvalidInput,
-            textOf("the surface has ", surface->counts().guessed, " points that were put into gaps, and a guess is no reference: "
-                   "give the surface as it was before GapBridging")};
+    return {StatusCode::InvalidInput, textOf("the surface has ", surface->counts().guessed,
+                                             " points that were put into gaps, and a guess is no reference: "
+                                             "give the surface as it was before GapBridging")};
   reference_ = std::make_shared<ReferenceSurface>(surface);
   return Status::success();
 }
@@ -42,9 +43,9 @@ Status
 ReferenceInput<PointT>::prepareMesh(const CutterPath& path)
 {
   if (const std::string setter = disagreement(this->scanned_.getSettings(), SurfaceSettings()); !setter.empty() || this->getInputNormals())
-    return {StatusCode::InvalidArgument,
-            (setter.empty() ? "setInputNormals" : setter) + " was called beside setInputMesh: it belongs to scans, and a mesh's side is "
-                                                            "that of its faces; leave it, or turn them over (setMeshSettings, flip)"};
+    return {StatusCode::InvalidArgument, (setter.empty() ? "setInputNormals" : setter) +
+                                             " was called beside setInputMesh: it belongs to scans, and a mesh's side is "
+                                             "that of its faces; leave it, or turn them over (setMeshSettings, flip)"};
   if (!(sample_spacing_ >= 0.0) || !std::isfinite(sample_spacing_))
     return {StatusCode::InvalidArgument,
             textOf("the sample spacing is ", sample_spacing_, " mm; set it above 0, or to 0 to have it chosen (setSampleSpacing)")};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The scan or mesh by which a path is judged: its surface, its noise, its rim.
  */
@@ -5,9 +6,9 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
+#include <pcl_spiral/search/impl/move_index.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
 #include <pcl_spiral/surface/surface.h>
-#include <pcl_spiral/search/impl/move_index.h>
 #include <pcl_spiral/verify/impl/reference_mesh.h>
 
 #include <cstddef>
@@ -68,8 +69,7 @@ public:
   bool inGap(const Eigen::Vector3d& p) const;
   /** Half the width of the band about the creases of a mesh, mm: the reach of a fit; 0 without creases. */
   double creaseBand() const { return crease_band_; }
-  bool
-  inCreaseBand(const Eigen::Vector3d& p) const
+  bool inCreaseBand(const Eigen::Vector3d& p) const
   {
     return crease_band_ > 0.0 && mesh_->creases().distance(p, crease_band_) < crease_band_;
   }
@@ -107,7 +107,6 @@ private:
 /** Warnings about what the scan cannot show: the scallop height and the chord error
  *  asked for, if they are below its noise or below the noise of the surface fitted
  *  to it; for a mesh, below three times the latter. 0: nothing was asked for. */
-std::vector<std::string>
-noiseWarnings(const ReferenceSurface& reference, double scallop_height, double chord_error);
+std::vector<std::string> noiseWarnings(const ReferenceSurface& reference, double scallop_height, double chord_error);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  What a cutter leaves on a scanned surface, and where it gouges.
  */
@@ -37,24 +38,24 @@ struct StockFigures {
 struct RemovalFigures {
   std::size_t reference_points = 0;
   std::size_t unmeasured = 0; ///< reference points without a fit of the surface
-  StockFigures stock;   ///< at the reference points farther than one step-over from the rim
-  StockFigures scallop; ///< at the tops of the ridges next to these points; max also next to every path point and between path points
-  StockFigures rim;     ///< at the reference points within one step-over of the rim
-  PlacedValue gouge;    ///< deepest, at reference points and along every move; 0 if there is none
-  PlacedValue rim_gouge; ///< the same for moves just outside the outermost points, below the extended surface; not looked for in gaps
-  StockFigures crease;  ///< at the reference points within crease_band of a crease of the mesh, above the mesh
-                        ///< itself. Not part of the other figures: a ball leaves stock in every hollow crease
-  PlacedValue crease_gouge; ///< the deepest there
-  double crease_band = 0.0; ///< see ReferenceSurface::creaseBand
-  double limit = 0.0;   ///< 1.02 scallop heights plus the chord error
-  double reach = 0.0;   ///< as used
-  double area = 0.0;         ///< mm^2
-  double rim_length = 0.0;   ///< mm
-  double least_length = 0.0; ///< mm: no path of this scallop height is much shorter, see leastLength
-  double path_length = 0.0;  ///< mm
-  double efficiency = 0.0;   ///< eta = least_length / path_length
-  double noise = 0.0;     ///< see ReferenceSurface::noise
-  double fit_noise = 0.0; ///< see ReferenceSurface::fitNoise; heights below three times this are not known
+  StockFigures stock;         ///< at the reference points farther than one step-over from the rim
+  StockFigures scallop;       ///< at the tops of the ridges next to these points; max also next to every path point and between path points
+  StockFigures rim;           ///< at the reference points within one step-over of the rim
+  PlacedValue gouge;          ///< deepest, at reference points and along every move; 0 if there is none
+  PlacedValue rim_gouge;      ///< the same for moves just outside the outermost points, below the extended surface; not looked for in gaps
+  StockFigures crease;        ///< at the reference points within crease_band of a crease of the mesh, above the mesh
+                              ///< itself. Not part of the other figures: a ball leaves stock in every hollow crease
+  PlacedValue crease_gouge;   ///< the deepest there
+  double crease_band = 0.0;   ///< see ReferenceSurface::creaseBand
+  double limit = 0.0;         ///< 1.02 scallop heights plus the chord error
+  double reach = 0.0;         ///< as used
+  double area = 0.0;          ///< mm^2
+  double rim_length = 0.0;    ///< mm
+  double least_length = 0.0;  ///< mm: no path of this scallop height is much shorter, see leastLength
+  double path_length = 0.0;   ///< mm
+  double efficiency = 0.0;    ///< eta = least_length / path_length
+  double noise = 0.0;         ///< see ReferenceSurface::noise
+  double fit_noise = 0.0;     ///< see ReferenceSurface::fitNoise; heights below three times this are not known
   double seconds = 0.0;
   std::vector<std::string> warnings;
 };
@@ -74,17 +75,15 @@ struct RemovalHeights {
  *
  *  Memory: 30 bytes per reference point plus the reference, and 100 to 130 per path point. Parallel;
  *  the same for any number of threads. Fails on settings out of range, and when \p progress cancels. */
-Status
-measureRemovedMaterial(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep,
-                       const RemovalSettings& settings, const ProgressCallback& progress, RemovalHeights& heights,
-                       RemovalFigures& figures);
+Status measureRemovedMaterial(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep,
+                              const RemovalSettings& settings, const ProgressCallback& progress, RemovalHeights& heights,
+                              RemovalFigures& figures);
 
 /** Length that a path of constant scallop height needs at least: the integral of dA over
  *  the largest step-over, which is the one across the smallest curvature, plus half the
  *  rim, where half of the pass lies outside the part. \p steps and \p feet: one per point
  *  of the graph; the step is 0 where there is none. \p area is that of the part, mm^2. */
-double
-leastLength(const ReferenceSurface& reference, const std::vector<float>& steps,
-            const std::vector<Eigen::Vector3f>& feet, double& area);
+double leastLength(const ReferenceSurface& reference, const std::vector<float>& steps, const std::vector<Eigen::Vector3f>& feet,
+                   double& area);
 
 } // namespace pcl_spiral

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  Many lines in one actor of VTK. Header only: the program that includes it links VTK.
  */
@@ -30,8 +31,7 @@ public:
   }
 
   /** Adds a point to the current line. A point that is not finite is left out: the line goes on to the next point. */
-  void
-  add(const Eigen::Vector3d& place, const Color& color)
+  void add(const Eigen::Vector3d& place, const Color& color)
   {
     if (!place.allFinite())
       return;
@@ -41,8 +41,7 @@ public:
   }
 
   /** Ends the current line; a closed line goes back to its start. A line of a single point is not drawn. */
-  void
-  end(bool closed)
+  void end(bool closed)
   {
     if (closed && run_.size() > 2)
       run_.push_back(run_.front());
@@ -52,15 +51,10 @@ public:
   }
 
   /** Whether there are no lines. */
-  bool
-  empty() const
-  {
-    return lines_->GetNumberOfCells() == 0;
-  }
+  bool empty() const { return lines_->GetNumberOfCells() == 0; }
 
   /** The finished lines. */
-  vtkSmartPointer<vtkPolyData>
-  data() const
+  vtkSmartPointer<vtkPolyData> data() const
   {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     data->SetPoints(points_);

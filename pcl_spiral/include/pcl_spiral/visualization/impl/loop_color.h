@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** \file
  *  The colours of boundary loops, in pictures and viewers.
  */
