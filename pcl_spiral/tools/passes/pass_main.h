@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  A whole run of a program that makes passes of a tool.
+ */
+#pragma once
+
+#include "pass_program.h"
+#include "report/picture_files.h"
+#include "terminal/program_main.h"
+
+#include "io/output_files.h"
+
+#include <pcl/console/print.h>
+
+#include <chrono>
+#include <iostream>
+#include <optional>
+#include <string>
+
+/** From a job to files: the program's own filesOf, plan, writeOutputs and printSummary, found by the type of its job. */
+template <typename Job>
+void
+runPasses(const std::string& name, const Job& job)
+{
+  const auto start = std::chrono::steady_clock::now();
+  pcl_spiral::OutputFiles files(filesOf(job));
+  for (const std::string& output : job.outputs)
+    requireDisplay(output);
+  if (!job.verbose)
+    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is reported below, once
+  const std::optional<pcl_spiral::Machine> machine = machineOf(job);
+  auto result = plan(job);
+  if (machine)
+    addProgram(job, *machine, result);
+  if (!job.quiet)
+    for (const std::string& warning : result.warnings)
+      std::cerr << name << ": warning: " << warning << '\n';
+  writeOutputs(job, result, files);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  if (!job.quiet)
+    printSummary(job, result, seconds.count());
+}
+
+/** main of the program \p name; \p parse and \p help are its own. */
+template <typename Job>
+int
+passMain(const std::string& name, int argc, const char* const* argv, Job (*parse)(int, const char* const*), void (*help)(std::ostream&))
+{
+  return runProgram(name, [&] {
+    const Job job = parse(argc, argv);
+    if (job.help)
+      help(std::cout);
+    else if (job.version)
+      std::cout << name << " " PCL_SPIRAL_VERSION "\n";
+    else
+      runPasses(name, job);
+    return 0;
+  });
+}
