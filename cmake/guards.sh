@@ -48,6 +48,33 @@ for folder in "$library"/include/pcl_spiral/*/ "$library"/src/*/; do
   done < <(grep -rnE '#[[:space:]]*include[[:space:]]*([<"]pcl_spiral/|")[a-z_]+/' "$folder" || true)
 done
 
+# Folders within a room (. is the room itself): each includes its own files and those of the folders named before it.
+part_order() { # ROOM -> its folders, from the ground up
+  case "$1" in
+    spiral) echo outlines lines field loops turns path linking published . ;;
+    io) echo . read write post report ;;
+    visualization) echo . viewer ;;
+    *) echo . ;;
+  esac
+}
+reaches() { # ROOM OWN THEIRS: whether files of folder OWN may include those of folder THEIRS
+  [ "$2" = "$3" ] && return
+  [ "$1" = io ] && [ "$3" != . ] && return 1 # readers, writers, posts and reports stand side by side
+  grep -qE "(^| )$3 (.* )?$2( |$)" <<<"$(part_order "$1")"
+}
+for folder in "$library"/src/*/*/; do
+  room=$(basename "$(dirname "$folder")") own=$(basename "$folder")
+  case " $(part_order "$room") " in *" $own "*) ;; *) fault "folder without a place in its room (give it one in cmake/guards.sh)" "$folder" ;; esac
+done
+while IFS=: read -r file line text; do
+  place=${file#"$library"/src/} room=${file#"$library"/src/}
+  room=${room%%/*} own=$(dirname "${place#*/}")
+  theirs=$(sed -E 's/.*"([a-z_\/]+\.h)".*/\1/' <<<"$text")
+  [ "${theirs%%/*}" = "$room" ] || continue
+  theirs=$(dirname "${theirs#*/}")
+  reaches "$room" "$own" "$theirs" || fault "$room/$own includes $room/$theirs, which does not stand below it" "$file:$line:$text"
+done < <(grep -rnE '#[[:space:]]*include[[:space:]]*"(spiral|io|visualization)/' $library/src || true)
+
 # What a user names: a new header goes to src, or to impl where a template's body needs it, unless it is put into the list on purpose.
 public_headers() {
   (cd $library/include/pcl_spiral && find . -name '*.h' -not -path '*/impl/*' | sed 's|^\./||' | LC_ALL=C sort)

@@ -3,7 +3,7 @@
 #include "outline_distance.h"
 #include "table.h"
 
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
 
 #include <cmath>

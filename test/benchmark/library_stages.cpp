@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "library_stages.h"
 
-#include "core/axis_field.h"
-#include "core/tool_axis.h"
+#include "core/smooth_axes.h"
+#include "core/tilted_axes.h"
 #include "search/neighbour_search.h"
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/io/cloud_reader.h>

@@ -10,7 +10,7 @@
 
 #include "geodesic/distance_field.h"
 #include <pcl_spiral/common/point_types.h>
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 #include <pcl_spiral/geodesic/impl/geodesic_refinement.h>
 
 #include <map>

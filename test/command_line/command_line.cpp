@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The main program from outside: exit codes, words on stderr, and the files it leaves or does not leave.
-#include "core/tool_axis.h"
+#include "core/tilted_axes.h"
 #include <pcl_spiral/io/toolpath_reader.h>
 
 #include "run_program.h"

@@ -37,6 +37,10 @@ plant pcl_spiral/src/cutter/planted.cpp '#include <pcl_spiral/io/toolpath_writer
 plant $headers/utils/planted.h '#pragma once'
 plant $headers/core/planted.h '#pragma once'
 plant pcl_spiral/src/mesh/planted.cpp '#include "drive/line_gaps.h"'
+plant pcl_spiral/src/spiral/lines/segment_set.h '#include "spiral/loops/loop_finder.h"'
+plant pcl_spiral/src/io/read/text_scan.h '#include "io/post/post_text.h"'
+plant pcl_spiral/src/visualization/sheet.h '#include "visualization/viewer/viewer_keys.h"'
+plant pcl_spiral/src/mesh/planted/planted.h '#pragma once'
 plant $headers/common/status.h "// $(yes x | head -n 140 | tr -d '\n')"
 plant $headers/common/status.h 'struct Planted { int threads_ = 0; };'
 plant $headers/spiral/spiral_settings.h 'struct Planted { int chunk_size_ = 0; };'

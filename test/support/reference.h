@@ -7,8 +7,8 @@
 #include "support/checked_path.h"
 #include "support/sampling.h"
 
+#include <pcl_spiral/verify/impl/material_removal_engine.h>
 #include <pcl_spiral/verify/impl/reference_surface.h>
-#include <pcl_spiral/verify/impl/removed_material.h>
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 
 #include "support/sampling.h"
 
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 #include <pcl_spiral/surface/surface.h>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/axis_field.h"
-#include "core/tool_axis.h"
+#include "core/smooth_axes.h"
+#include "core/tilted_axes.h"
 #include <pcl_spiral/spiral/axis_field.h>
 
 #include <pcl/console/print.h>

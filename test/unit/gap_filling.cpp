@@ -3,7 +3,7 @@
 #include "support/sampling.h"
 
 #include "surface/gap_filling.h"
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 #include <pcl_spiral/surface/scanned_surface.h>
 
 #include <gtest/gtest.h>

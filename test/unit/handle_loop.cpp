@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Handles of triangulations: found where they are, cut through where noise made them, refused where they are the part's.
-#include "spiral/handle_loop.h"
-#include "spiral/outline_cut.h"
+#include "spiral/outlines/handle_loop.h"
+#include "spiral/outlines/outline_cut.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines drawn anew stay beside those they are made of, however their points stand.
-#include "spiral/line_smoothing.h"
+#include "spiral/lines/line_smoothing.h"
 
 #include <gtest/gtest.h>
 

@@ -47,7 +47,7 @@ struct Bisected {
 Bisected
 bisected(const LocationSurface& surface, const CutterShape& shape)
 {
-  const CutterLocator locator(surface, CutterProfile(shape), {});
+  const CutterLocationEngine locator(surface, CutterProfile(shape), {});
   Bisected run;
   for (const DrivePoints& drive : lines()) {
     run.before.emplace_back();
@@ -100,7 +100,7 @@ TEST(LocationBisection, TheSweptCutterKeepsTheTolerance)
   const double sampling = 0.002; // what the fitted surface is off the waves
   for (const CutterShape& shape : all_kinds) {
     const CutterProfile cutter(shape);
-    const CutterLocator locator(surface, cutter, {});
+    const CutterLocationEngine locator(surface, cutter, {});
     const Bisected run = bisected(surface, shape);
     EXPECT_EQ(run.figures.unresolved, 0u);
     EXPECT_LE(run.figures.largest_error, tolerance);
@@ -128,7 +128,7 @@ TEST(LocationBisection, TheSweptCutterKeepsTheTolerance)
 TEST(LocationBisection, KeepsWhatItIsGivenAndEndsAtTheLimit)
 {
   const LocationSurface surface(surfaceOf(waves(2)));
-  const CutterLocator locator(surface, CutterProfile(CutterShape::ball(4.0)), {});
+  const CutterLocationEngine locator(surface, CutterProfile(CutterShape::ball(4.0)), {});
   std::vector<ToolLocations> passes(1), tight;
   DrivePoints drive = lines()[0];
   drive[5].position.x() = 500.0; // no cloud there
@@ -153,7 +153,7 @@ TEST(LocationBisection, KeepsWhatItIsGivenAndEndsAtTheLimit)
 TEST(LocationBisection, RefusesAndCancels)
 {
   const LocationSurface surface(surfaceOf(waves(3)));
-  const CutterLocator locator(surface, CutterProfile(CutterShape::ball(4.0)), {});
+  const CutterLocationEngine locator(surface, CutterProfile(CutterShape::ball(4.0)), {});
   std::vector<ToolLocations> passes(1);
   ASSERT_TRUE(locator.locate(lines()[0], {}, passes[0]).ok());
   const std::size_t before = passes[0].size();

@@ -4,7 +4,7 @@
 #include "support/surfaces.h"
 
 #include "surface/gap_filling.h"
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 #include <pcl_spiral/spiral/impl/loop_check.h>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pairs of points on two loops: against all pairings there are, and where the answer is known.
-#include "spiral/loop_matching.h"
+#include "spiral/loops/loop_matching.h"
 #include "support/plane_lines.h"
 #include "support/sampling.h"
 

@@ -155,12 +155,12 @@ TEST(MeshMoves, OverThePlaneAreAllowedAtAnyLengthToBallsThatDoNotTurn)
   const LocationMesh mesh(ground().surface());
   const CutterPlace from{{-15, 0, 0}, Vector3d::UnitZ()}, to{{15, 0, 0}, Vector3d::UnitZ()};
   const CutterPlace near{{-14.8, 0, 0}, Vector3d::UnitZ()}, turned{near.tip, Vector3d(0.02, 0.0, 1.0).normalized()};
-  const CutterLocator balls(mesh, CutterProfile(ball_end), {});
+  const CutterLocationEngine balls(mesh, CutterProfile(ball_end), {});
   EXPECT_LE(balls.moveError(from, to, 0.5 * tolerance), 0.5 * tolerance);
   EXPECT_EQ(balls.moveError(from, near, 0.5 * tolerance), sweptError(balls.profile(), from, near)); // less than allowed
   EXPECT_EQ(balls.moveError(from, turned, 1e-6), sweptError(balls.profile(), from, turned));
   for (const CutterShape& shape : {CutterShape::bullNose(R, 2.0, 3.0), CutterShape::taper(R, 3.0, 20.0)}) {
-    const CutterLocator other(mesh, CutterProfile(shape), {});
+    const CutterLocationEngine other(mesh, CutterProfile(shape), {});
     EXPECT_EQ(other.moveError(from, near, 1e-6), sweptError(other.profile(), from, near));
   }
 }
@@ -170,7 +170,7 @@ TEST(MeshMoves, CutNoDeeperThanTheBoundOrTheMesh)
   PlainMesh mesh = ground();
   addBox(mesh, {-0.1, -20.0, -1.0}, {0.1, 20.0, 0.15});
   const LocationMesh ridge(mesh.surface());
-  const CutterLocator locator(ridge, CutterProfile(ball_end), {});
+  const CutterLocationEngine locator(ridge, CutterProfile(ball_end), {});
   const auto at = [](double x, double z) { return CutterPlace{{x, 0.0, z}, Vector3d::UnitZ()}; };
   const double sag = 5e-4;
   EXPECT_NEAR(locator.moveError(at(-2, 0), at(2, 0), 0.005), 0.15, sag + 1e-6);       // the ridge's height

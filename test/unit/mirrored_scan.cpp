@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scan mirrored, or turned by 90 degrees, which no coordinate is rounded for: the same points, triangles and outlines.
 #include <pcl_spiral/cleaning/impl/clean_graph.h>
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 
 #include "support/sampling.h"
 

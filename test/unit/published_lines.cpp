@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Radial lines as published, and the step of (13)-(15): against meridians, exact surfaces, sagittas; where
 // lines fail.
-#include "spiral/published_lines.h"
-#include "spiral/published_step.h"
+#include "spiral/published/published_lines.h"
+#include "spiral/published/published_step.h"
 #include "support/even_cloud.h"
 #include "support/plane_lines.h"
 #include "support/surfaces.h"
 
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 
 #include <gtest/gtest.h>
 #include <omp.h>

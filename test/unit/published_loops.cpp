@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Boundaries as published: flags by equation (1) against a search of all pairs, walks that close and walks
 // that end.
-#include "spiral/published_loops.h"
+#include "spiral/published/published_loops.h"
 #include "support/even_cloud.h"
 #include "support/sampling.h"
 #include "support/surfaces.h"

@@ -4,9 +4,9 @@
 #include "support/even_cloud.h"
 #include "support/surfaces.h"
 
-#include "spiral/surface_centre.h"
+#include "spiral/lines/surface_centre.h"
 #include <pcl_spiral/common/impl/thread_limit.h>
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 #include <pcl_spiral/spiral/impl/published_spiral.h>
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
-#include "spiral/surface_centre.h"
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include "spiral/lines/surface_centre.h"
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

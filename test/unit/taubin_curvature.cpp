@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Equation (12) on surfaces of known curvature: even fans of neighbours, then the Gabriel neighbours of
 // clouds.
-#include "spiral/taubin_curvature.h"
+#include "spiral/published/taubin_curvature.h"
 #include "support/even_cloud.h"
 #include "support/surfaces.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/tool_axis.h"
+#include "core/tilted_axes.h"
 #include <pcl_spiral/spiral/tool_axis.h>
 
 #include <Eigen/Geometry>

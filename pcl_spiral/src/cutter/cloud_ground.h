@@ -8,7 +8,7 @@
 #include "location_ground.h"
 
 #include "fitted_drop.h"
-#include <pcl_spiral/cutter/impl/cutter_locator.h>
+#include <pcl_spiral/cutter/impl/cutter_location_engine.h>
 
 namespace pcl_spiral {
 

@@ -45,7 +45,7 @@ middleOf(const ToolLocation& a, const ToolLocation& b)
 
 class Bisection {
 public:
-  Bisection(const CutterLocator& locator, const BisectionSettings& settings, const std::vector<ToolLocations>& passes)
+  Bisection(const CutterLocationEngine& locator, const BisectionSettings& settings, const std::vector<ToolLocations>& passes)
   : locator_(locator), settings_(settings)
   {
     for (const ToolLocations& pass : passes)
@@ -200,7 +200,7 @@ private:
     pass.locations.resize(left);
   }
 
-  const CutterLocator& locator_;
+  const CutterLocationEngine& locator_;
   BisectionSettings settings_;
   std::vector<OpenPass> open_;
   double thinned_by_ = 0.0;
@@ -210,7 +210,7 @@ private:
 } // namespace
 
 Status
-bisectLocations(const CutterLocator& locator, const BisectionSettings& settings, const ProgressCallback& progress,
+bisectLocations(const CutterLocationEngine& locator, const BisectionSettings& settings, const ProgressCallback& progress,
                 std::vector<ToolLocations>& passes, BisectionFigures& figures)
 {
   if (!(settings.tolerance > 0.0) || !std::isfinite(settings.tolerance))

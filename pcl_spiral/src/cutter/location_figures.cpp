@@ -2,14 +2,14 @@
 #include "location_ground.h"
 
 #include <pcl_spiral/common/impl/message.h>
-#include <pcl_spiral/cutter/impl/cutter_locator.h>
+#include <pcl_spiral/cutter/impl/cutter_location_engine.h>
 
 #include <cmath>
 
 namespace pcl_spiral {
 
 LocationFigures
-CutterLocator::figures(const ToolLocations& locations) const
+CutterLocationEngine::figures(const ToolLocations& locations) const
 {
   LocationFigures f;
   for (std::size_t i = 0; i < locations.size(); ++i) {

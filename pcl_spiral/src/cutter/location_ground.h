@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What cutters are located on, as CutterLocator sees it. Private.
+ *  What cutters are located on, as CutterLocationEngine sees it. Private.
  */
 #pragma once
 

@@ -3,7 +3,7 @@
 
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/frame.h>
-#include <pcl_spiral/cutter/impl/cutter_locator.h>
+#include <pcl_spiral/cutter/impl/cutter_location_engine.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ isWanting(const ToolLocation& location)
 } // namespace
 
 void
-CutterLocator::retilt(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const
+CutterLocationEngine::retilt(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const
 {
   struct Pending {
     std::size_t index;

@@ -9,7 +9,7 @@
 #include "mesh_sweep.h"
 
 #include "mesh_drop.h"
-#include <pcl_spiral/cutter/impl/cutter_locator.h>
+#include <pcl_spiral/cutter/impl/cutter_location_engine.h>
 
 namespace pcl_spiral {
 

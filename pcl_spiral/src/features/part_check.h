@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 
 #include <cstdint>
 #include <vector>

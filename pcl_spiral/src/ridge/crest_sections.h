@@ -6,7 +6,7 @@
 
 #include "scan_sections.h"
 
-#include <pcl_spiral/ridge/impl/scan_ridge.h>
+#include <pcl_spiral/ridge/impl/ridge_lines_engine.h>
 #include <pcl_spiral/ridge/impl/smooth_line.h>
 
 namespace pcl_spiral {

@@ -6,7 +6,7 @@
 
 #include "section_rounds.h"
 
-#include <pcl_spiral/ridge/impl/scan_ridge.h>
+#include <pcl_spiral/ridge/impl/ridge_lines_engine.h>
 
 namespace pcl_spiral {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ridge_row.h"
 
-#include "core/tool_axis.h"
+#include "core/tilted_axes.h"
 
 #include <pcl_spiral/core/impl/angles.h>
 

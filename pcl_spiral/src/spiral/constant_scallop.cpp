@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/constant_scallop.h>
 
-#include "path_cover.h"
-#include "path_end.h"
-#include "scallop_size.h"
-#include "turn_radius.h"
+#include "spiral/field/scallop_size.h"
+#include "spiral/linking/path_cover.h"
+#include "spiral/path/path_end.h"
+#include "spiral/turns/turn_radius.h"
 
 #include "common/freed_memory.h"
 #include <pcl_spiral/core/impl/pass_ranges.h>

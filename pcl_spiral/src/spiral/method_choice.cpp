@@ -2,7 +2,7 @@
 #include <pcl_spiral/spiral/impl/method_choice.h>
 
 #include "geodesic/distance_field.h"
-#include "surface_centre.h"
+#include "spiral/lines/surface_centre.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/search/impl/point_selection.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/verify/impl/removed_material.h>
+#include <pcl_spiral/verify/impl/material_removal_engine.h>
 
 #include <Eigen/Geometry>
 

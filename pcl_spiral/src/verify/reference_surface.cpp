@@ -5,7 +5,7 @@
 #include "surface/noise_warning.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/frame.h>
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 
 #include <algorithm>
 #include <cmath>

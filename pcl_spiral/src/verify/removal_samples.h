@@ -6,7 +6,7 @@
 
 #include "stock_field.h"
 
-#include <pcl_spiral/verify/impl/removed_material.h>
+#include <pcl_spiral/verify/impl/material_removal_engine.h>
 
 #include <cstdint>
 #include <vector>

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "io/verification_writer.h"
+#include "io/report/verification_writer.h"
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "io/verification_writer.h"
+#include "io/report/verification_writer.h"
 #include <pcl_spiral/io/toolpath_reader.h>
 
 /** Count the tips that do not stand where a ball of \p tool_radius touches at their contact, and say so. Files without

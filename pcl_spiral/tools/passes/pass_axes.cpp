@@ -2,7 +2,7 @@
 #include "pass_axes.h"
 #include "terminal/terminal.h"
 
-#include "core/axis_field.h"
+#include "core/smooth_axes.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
 

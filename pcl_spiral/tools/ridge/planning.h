@@ -7,7 +7,7 @@
 #include "job.h"
 #include "passes/pass_result.h"
 
-#include <pcl_spiral/ridge/impl/scan_ridge.h>
+#include <pcl_spiral/ridge/impl/ridge_lines_engine.h>
 #include <pcl_spiral/ridge/ridge_rows.h>
 #include <pcl_spiral/ridge/ridge_surface.h>
 

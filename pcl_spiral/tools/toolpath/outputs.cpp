@@ -6,7 +6,7 @@
 #include "terminal/file_names.h"
 #include "terminal/terminal.h"
 
-#include "io/report_writer.h"
+#include "io/report/report_writer.h"
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
 #include <pcl_spiral/io/toolpath_writer.h>

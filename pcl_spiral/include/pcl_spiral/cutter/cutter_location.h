@@ -8,7 +8,7 @@
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/cutter/impl/cutter_locator.h>
+#include <pcl_spiral/cutter/impl/cutter_location_engine.h>
 #include <pcl_spiral/cutter/impl/location_bisection.h>
 #include <pcl_spiral/cutter/impl/location_mesh.h>
 #include <pcl_spiral/surface/surface_input.h>
@@ -144,7 +144,7 @@ private:
   Status makeLocationMesh();
   Status checkBesideMesh() const;
   Status run(std::vector<ToolLocations>& passes);
-  Status locate(const CutterLocator& locator, std::vector<ToolLocations>& passes);
+  Status locate(const CutterLocationEngine& locator, std::vector<ToolLocations>& passes);
   std::vector<ToolLocations> inPasses(const ToolLocations& locations) const;
   void forgetInputs()
   {

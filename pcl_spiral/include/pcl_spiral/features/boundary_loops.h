@@ -6,7 +6,7 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 #include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/pcl_base.h>

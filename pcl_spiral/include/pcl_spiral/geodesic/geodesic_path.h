@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/geodesic/impl/shortest_paths.h>
+#include <pcl_spiral/geodesic/impl/geodesic_path_engine.h>
 #include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/pcl_base.h>

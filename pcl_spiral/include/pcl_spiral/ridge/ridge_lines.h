@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/impl/progress.h>
-#include <pcl_spiral/ridge/impl/scan_ridge.h>
+#include <pcl_spiral/ridge/impl/ridge_lines_engine.h>
 #include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/pcl_base.h>

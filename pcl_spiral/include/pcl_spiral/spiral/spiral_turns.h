@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/spiral/impl/radial_line_builder.h>
+#include <pcl_spiral/spiral/impl/radial_lines_engine.h>
 #include <pcl_spiral/spiral/impl/spiral_curve.h>
 #include <pcl_spiral/spiral/impl/turn_function.h>
 #include <pcl_spiral/spiral/spiral_settings.h>

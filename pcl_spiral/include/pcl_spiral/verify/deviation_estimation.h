@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/verify/impl/path_deviation.h>
+#include <pcl_spiral/verify/impl/deviation_estimation_engine.h>
 #include <pcl_spiral/verify/impl/reference_input.h>
 
 namespace pcl_spiral {

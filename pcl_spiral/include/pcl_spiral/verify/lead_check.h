@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/impl/thread_limit.h>
-#include <pcl_spiral/verify/impl/lead_collisions.h>
+#include <pcl_spiral/verify/impl/lead_check_engine.h>
 
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>

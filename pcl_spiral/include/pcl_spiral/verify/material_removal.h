@@ -4,8 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/verify/impl/material_removal_engine.h>
 #include <pcl_spiral/verify/impl/reference_input.h>
-#include <pcl_spiral/verify/impl/removed_material.h>
 
 namespace pcl_spiral {
 

@@ -4,8 +4,8 @@
  */
 #pragma once
 
-#include <pcl_spiral/verify/impl/path_deviation.h>
-#include <pcl_spiral/verify/impl/removed_material.h>
+#include <pcl_spiral/verify/impl/deviation_estimation_engine.h>
+#include <pcl_spiral/verify/impl/material_removal_engine.h>
 #include <pcl_spiral/visualization/pictures.h>
 
 #include <memory>

@@ -136,13 +136,14 @@ CutterLocation<PointT>::run(std::vector<ToolLocations>& passes)
   if (const Status status = on_mesh_ ? makeLocationMesh() : makeLocationSurface(); !status.ok())
     return status;
   const CutterProfile profile(cutter_);
-  return locate(on_mesh_ ? CutterLocator(*location_mesh_, profile, options_) : CutterLocator(*location_surface_, profile, options_),
+  return locate(on_mesh_ ? CutterLocationEngine(*location_mesh_, profile, options_)
+                         : CutterLocationEngine(*location_surface_, profile, options_),
                 passes);
 }
 
 template <typename PointT>
 Status
-CutterLocation<PointT>::locate(const CutterLocator& locator, std::vector<ToolLocations>& passes)
+CutterLocation<PointT>::locate(const CutterLocationEngine& locator, std::vector<ToolLocations>& passes)
 {
   const bool bisected = path_tolerance_ > 0.0;
   ToolLocations locations;

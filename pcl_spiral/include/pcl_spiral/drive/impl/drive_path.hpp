@@ -3,7 +3,7 @@
 
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/drive/drive_path.h>
-#include <pcl_spiral/drive/impl/drive_planner.h>
+#include <pcl_spiral/drive/impl/drive_path_engine.h>
 #include <pcl_spiral/mesh/impl/mesh_input.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl_spiral/common/impl/thread_limit.h>
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 

@@ -9,7 +9,7 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
-#include <pcl_spiral/spiral/impl/radial_line_builder.h>
+#include <pcl_spiral/spiral/impl/radial_lines_engine.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 #include <pcl_spiral/spiral/impl/boundary_choice.h>
 #include <pcl_spiral/spiral/impl/loop_check.h>
 #include <pcl_spiral/spiral/radial_lines.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_spiral/features/impl/surface_boundary.h>
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
 #include <pcl_spiral/spiral/impl/boundary_choice.h>
 #include <pcl_spiral/spiral/impl/constant_scallop.h>
 #include <pcl_spiral/spiral/impl/loop_check.h>

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verification_html.h"
+
+#include "io/setting_names.h"
+#include "mesh/mesh_findings.h"
+#include "report_writer.h"
+
+#include <algorithm>
+
+namespace pcl_spiral {
+namespace {
+
+std::string
+place(const Eigen::Vector3d& p)
+{
+  return words("%.3f, %.3f, %.3f mm", p.x(), p.y(), p.z());
+}
+
+std::string
+place(const std::optional<Eigen::Vector3d>& p, const char* otherwise)
+{
+  return p ? place(*p) : otherwise;
+}
+
+std::string
+duration(double seconds)
+{
+  const auto minutes = static_cast<long>(seconds / 60.0 + 0.5);
+  return seconds < 60.0     ? words("%.1f s", seconds)
+         : seconds < 3600.0 ? words("%.1f min", seconds / 60.0)
+                            : words("%ld h %02ld min", minutes / 60, minutes % 60);
+}
+
+/** What a path at constant scallop height is made of. */
+HtmlRows
+scallopRows(const SpiralReport& r)
+{
+  return {{"Loops", words("%zu, of them %zu in the spiral, %zu joined to it by bridges", r.scallop_loops, r.chain_loops, r.bridges)},
+          {"Fingers", std::to_string(r.fingers)},
+          {"Efficiency: least length / path length", words("%.3f", r.least_length / r.path_length)},
+          {"Travelled against the sense asked for", words("%.0f %%", 100.0 * r.reversed_share)},
+          {"Passes", r.pass_begins.empty() ? std::string("1")
+                                           : words("%zu, %.3f m of lifts between them", r.pass_begins.size() + 1, 0.001 * r.lift_length)},
+          {"Radius of the sharpest turns", words("%.2f step-overs", r.turn_radius)}};
+}
+
+void
+addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
+{
+  page.addHeading("Toolpath");
+  HtmlRows rows{{"Turns", std::to_string(r.turns)},
+                {"Points", std::to_string(r.path_points)},
+                {"Length", words("%.3f m", r.path_length / 1000.0)},
+                {"Machining time", duration(60.0 * r.path_length / s.feed) + words(" at %g mm/min", s.feed)},
+                {"Method", choiceName(r.method)},
+                {"Longest linear move", words("%.4g mm", r.largest_gap)},
+                {"Largest axis change per step", words("%.3g\u00b0", r.largest_axis_change)}};
+  if (r.method == SpiralMethod::ConstantScallop)
+    for (const auto& row : scallopRows(r))
+      rows.push_back(row);
+  else
+    rows.insert(rows.end(), {{"Step-over", words("%.4g to %.4g mm", r.smallest_step_over, r.largest_step_over)},
+                             {"Radial lines", words("%zu, %s", r.radial_lines.size(), r.harmonic_lines ? "harmonic" : "geodesic")}});
+  if (r.gap_points > 0)
+    rows.push_back({"Over gaps of the scan, bridged: a guess", words("%zu points, %.1f mm", r.gap_points, r.gap_length)});
+  if (r.boundaries == 1 && r.method != SpiralMethod::ConstantScallop)
+    rows.push_back({"Centre", place(r.centre)});
+  if (r.deviating_points > 0)
+    rows.push_back({words("Axis off the tilt asked for by more than %g\u00b0, to turn smoothly", s.axis_deviation),
+                    words("%zu points, by up to %.3g\u00b0", r.deviating_points, r.largest_axis_deviation)});
+  page.addTable(rows, false);
+}
+
+HtmlRows
+meshRows(const RunMesh& mesh)
+{
+  const MeshCounts& c = mesh.counts;
+  HtmlRows rows{{"Mesh", words("%zu faces, %zu vertices, %zu boundaries", c.faces, c.vertices, c.loops)}};
+  if (const std::string found = findingsText(c); !found.empty())
+    rows.push_back({"Found in it", found});
+  if (c.creases.count > 0)
+    rows.push_back({"Creases", words("%.1f mm, %zu edges", c.crease_length, c.creases.count)});
+  return rows;
+}
+
+void
+addSurface(HtmlPage& page, const std::optional<RunMesh>& mesh, const SpiralReport& r)
+{
+  page.addHeading(mesh ? "Surface" : "Scanned surface");
+  HtmlRows rows = mesh ? meshRows(*mesh) : HtmlRows();
+  rows.push_back({mesh ? "Samples of its curved surface" : "Points", words("%zu, of them %zu used", r.input_points, r.used_points)});
+  const auto dropped = [&](std::size_t count, const char* why) {
+    if (count > 0)
+      rows.push_back({std::string("Left out: ") + why, std::to_string(count)});
+  };
+  dropped(r.nonfinite_points, "not finite");
+  dropped(r.duplicate_points, "repeated");
+  dropped(r.outlier_points, "outliers");
+  dropped(r.surplus_points, "surplus along scan lines or beside sparser parts");
+  dropped(r.left_out_points, "in other parts");
+  rows.push_back({"Point spacing, median", words("%.4g mm", r.spacing)});
+  rows.push_back(
+      {mesh ? "Samples off the local fits, standard deviation" : "Noise of a single point, standard deviation", words("%.2g mm", r.noise)});
+  for (const BoundaryLoop& loop : r.loops) {
+    const char* const name = loop.type == LoopType::Outer   ? "Outer rim"
+                             : loop.type == LoopType::Inner ? "Inner loop"
+                             : mesh                         ? "Narrow hole, bridged"
+                                                            : "Gap in the scan, bridged";
+    rows.push_back({name, words("%.1f mm long, %zu corners", loop.length, loop.corners.size())});
+  }
+  for (const HoleReport& hole : r.holes)
+    rows.push_back({hole.handling == HoleHandling::Around ? "Hole, the path runs round it" : "Hole or gap, the path runs over it",
+                    words("%.1f mm wide, at ", hole.width) + place(hole.place)});
+  page.addTable(rows, false);
+}
+
+void
+addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
+{
+  page.addHeading("Settings");
+  std::string outputs;
+  for (const std::string& output : files.outputs)
+    outputs += (outputs.empty() ? "" : ", ") + output;
+  page.addTable(
+      {{"Scan", files.scan},
+       {"Unit of the scan", choiceName(files.unit)},
+       {"Origin taken off the scan", files.origin.isZero() ? "none" : place(files.origin)},
+       {"Written", outputs},
+       {"Ball cutter, radius R", words("%g mm", s.tool_radius)},
+       {"Scallop height h", words("%g mm", s.scallop_height)},
+       {"Chord error e", words("%g mm", s.chord_error)},
+       {"Longest linear move allowed", words("%g mm", s.max_step > 0.0 ? s.max_step : s.tool_radius)},
+       {"Side tilt, lead of the axis", words("%g\u00b0, %g\u00b0", s.tilt_angle, s.lead_angle)},
+       {"Largest turn of the axis", words("%g\u00b0 per mm", s.max_axis_rate)},
+       {"Axis smoothed over", s.axis_smoothing > 0.0 ? words("%g mm, by up to %g\u00b0", s.axis_smoothing, s.axis_deviation) : "nothing"},
+       {"Feed at the contact", words("%g mm/min", s.feed)},
+       {"Centre", place(s.centre, "found")},
+       {"The path meets the rim near", place(s.start_point, "found")},
+       {"View point of the scanner", place(s.view_point, "none: the cutter comes from +z, or the convex side")},
+       {"Cutter on the other side", s.flip_normals ? "yes" : "no"},
+       {"Boundaries", choiceName(s.boundary_mode)},
+       {"Direction, sense", choiceName(s.direction) + ", " + choiceName(s.sense) + (s.one_way ? ", one way" : "")},
+       {"Method asked for", choiceName(s.method)},
+       {"Acceleration", words("%g mm/s2", s.acceleration)},
+       {"Turns warned of below", words("%g step-overs", s.least_turn_radius)},
+       {"Pitch measured", choiceName(s.pitch)},
+       {"Lines", choiceName(s.lines)},
+       {"Holes", choiceName(s.holes) + (s.hole_size > 0.0 ? words(", at least %g mm wide", s.hole_size) : "") +
+                     (s.hole_margin > 0.0 ? words(", %g mm away", s.hole_margin) : "")},
+       {"Pass along the rim", s.rim_overhang == 0.0  ? std::string("on the rim")
+                              : s.rim_overhang > 0.0 ? words("%g mm beyond the rim", s.rim_overhang)
+                                                     : words("%g mm inside the rim", -s.rim_overhang)},
+       {"Gaps in the scan", choiceName(s.gaps)},
+       {"Thinning", s.thinning > 0.0 ? words("%g mm", s.thinning) : "none"},
+       {"Outlier filter",
+        s.outlier_neighbours > 0 ? words("%d neighbours, %g standard deviations", s.outlier_neighbours, s.outlier_deviations) : "none"}},
+      false);
+}
+
+/** Empty where it is not known. */
+std::string
+megabytes(std::size_t bytes)
+{
+  return bytes > 0 ? words("%.0f MB", 1e-6 * static_cast<double>(bytes)) : "";
+}
+
+void
+addTimes(HtmlPage& page, const SpiralReport& report, const Verification* verification)
+{
+  page.addHeading("Time and memory");
+  HtmlRows rows{{"stage", "time", "memory at its end", "most until then"}};
+  double total = verification ? verification->seconds : 0.0;
+  for (const StageCost& stage : report.stages) {
+    rows.push_back({stage.name, words("%.2f s", stage.seconds), megabytes(stage.memory.resident), megabytes(stage.memory.peak)});
+    total += stage.seconds;
+  }
+  if (verification)
+    for (const auto& row : judgingTimes(*verification))
+      rows.push_back(row);
+  rows.push_back({"all of them", words("%.2f s", total)});
+  page.addTable(rows, true);
+}
+
+} // namespace
+
+void
+writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files, const SpiralSettings& settings,
+                const SpiralReport& report, const std::vector<ReportPicture>& pictures, const Verification* verification,
+                const std::vector<ReportPicture>& judged)
+{
+  HtmlPage html(page.title, words("Spiral toolpath over a scanned surface; ball cutter, radius %g mm, scallop %g mm", settings.tool_radius,
+                                  settings.scallop_height));
+  std::vector<std::string> warnings = files.warnings;
+  warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
+  if (verification) {
+    for (const std::string& warning : warningsOf(*verification))
+      if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+        warnings.push_back(warning);
+    const VerificationRun run{files.scan, files.unit, settings.tool_radius, settings.scallop_height, settings.chord_error, {}, {}};
+    html.addPart("Verification");
+    addVerification(html, run, *verification, judged);
+  }
+  else
+    html.addStatement(Tone::Neutral, "Not judged", {"pcl_spiral_verify measures deviation, scallop and gouge against the scan"});
+  html.addPart("Path and surface");
+  for (const ReportPicture& picture : pictures)
+    html.addPicture(picture);
+  addPath(html, report, settings);
+  addSurface(html, files.mesh, report);
+  html.addPart("Run");
+  addWarnings(html, warnings);
+  addSettings(html, files, settings);
+  addTimes(html, report, verification);
+  if (!page.command.empty()) {
+    html.addHeading("Made by");
+    html.addCode(page.command);
+  }
+  html.write(file, page.made);
+}
+
+} // namespace pcl_spiral

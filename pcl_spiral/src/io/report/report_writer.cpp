@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/byte_file.h"
+#include "mesh_json.h"
+#include "verification_json.h"
+
+#include "io/setting_names.h"
+#include "report_writer.h"
+
+#include <nlohmann/json.hpp>
+
+namespace pcl_spiral {
+namespace {
+
+using Json = nlohmann::ordered_json; // keeps the order of writing
+
+Json
+toJson(const Eigen::Vector3d& v)
+{
+  return Json::array({v.x(), v.y(), v.z()});
+}
+
+Json
+toJson(const std::optional<Eigen::Vector3d>& v)
+{
+  return v ? toJson(*v) : Json();
+}
+
+Json
+settingsJson(const SpiralSettings& s)
+{
+  return {{"tool_radius", s.tool_radius},
+          {"scallop", s.scallop_height},
+          {"chord_error", s.chord_error},
+          {"max_step", s.max_step > 0.0 ? s.max_step : s.tool_radius},
+          {"tilt", s.tilt_angle},
+          {"lead", s.lead_angle},
+          {"max_axis_rate", s.max_axis_rate},
+          {"axis_smoothing", s.axis_smoothing},
+          {"axis_deviation", s.axis_deviation},
+          {"feed", s.feed},
+          {"acceleration", s.acceleration},
+          {"turn_radius", s.least_turn_radius},
+          {"rim_overhang", s.rim_overhang},
+          {"holes", choiceName(s.holes)},
+          {"hole_size", s.hole_size > 0.0 ? Json(s.hole_size) : Json()},
+          {"hole_margin", s.hole_margin},
+          {"center", toJson(s.centre)},
+          {"start", toJson(s.start_point)},
+          {"view_point", toJson(s.view_point)},
+          {"flip_normals", s.flip_normals},
+          {"boundaries", choiceName(s.boundary_mode)},
+          {"direction", choiceName(s.direction)},
+          {"sense", choiceName(s.sense)},
+          {"one_way", s.one_way},
+          {"method", choiceName(s.method)},
+          {"pitch", choiceName(s.pitch)},
+          {"lines", choiceName(s.lines)},
+          {"largest", s.largest_part},
+          {"gaps", choiceName(s.gaps)},
+          {"thin", s.thinning},
+          {"outliers", s.outlier_neighbours > 0 ? Json::array({s.outlier_neighbours, s.outlier_deviations}) : Json()},
+          {"threads", s.threads}};
+}
+
+Json
+loopsJson(const SpiralReport& report)
+{
+  Json loops = Json::array();
+  for (const BoundaryLoop& loop : report.loops) {
+    Json corners = Json::array();
+    for (const std::size_t corner : loop.corners)
+      if (corner < loop.curve.size())
+        corners.push_back(toJson(loop.curve[corner]));
+    const char* const type = loop.type == LoopType::Outer ? "outer" : loop.type == LoopType::Inner ? "inner" : "scan gap";
+    loops.push_back(
+        {{"type", type}, {"length", loop.length}, {"points", std::max(loop.points.size(), loop.indices.size())}, {"corners", corners}});
+  }
+  return loops;
+}
+
+Json
+holesJson(const SpiralReport& report)
+{
+  Json holes = Json::array();
+  for (const HoleReport& hole : report.holes)
+    holes.push_back({{"place", toJson(hole.place)}, {"width", hole.width}, {"path", choiceName(hole.handling)}});
+  return holes;
+}
+
+/** What the path at constant scallop height is made of. */
+Json
+scallopJson(const SpiralReport& report)
+{
+  if (report.method != SpiralMethod::ConstantScallop)
+    return {};
+  return {{"loops", report.scallop_loops},    {"chain_loops", report.chain_loops},       {"bridges", report.bridges},
+          {"fingers", report.fingers},        {"reversed_share", report.reversed_share}, {"passes", report.pass_begins.size() + 1},
+          {"lift_length", report.lift_length}};
+}
+
+Json
+foreseenJson(const SpiralReport& report)
+{
+  if (report.foreseen_scallop == 0.0)
+    return {};
+  return {{"radial", report.foreseen_radial > 0.0 ? Json(report.foreseen_radial) : Json()}, {"constant_scallop", report.foreseen_scallop}};
+}
+
+Json
+surfaceJson(const SpiralReport& report)
+{
+  return {{"input_points", report.input_points},
+          {"nonfinite_points", report.nonfinite_points},
+          {"duplicate_points", report.duplicate_points},
+          {"outlier_points", report.outlier_points},
+          {"surplus_points", report.surplus_points},
+          {"left_out_parts", report.left_out_parts},
+          {"left_out_points", report.left_out_points},
+          {"used_points", report.used_points},
+          {"neighbourhood_passes", report.passes},
+          {"spacing", report.spacing},
+          {"noise", report.noise},
+          {"projection_neighbours", report.projection_neighbours}};
+}
+
+Json
+pathJson(const SpiralReport& report, double feed)
+{
+  return {{"method", choiceName(report.method)},
+          {"foreseen_length", foreseenJson(report)},
+          {"boundaries", report.boundaries},
+          {"center", report.boundaries == 1 && report.method != SpiralMethod::ConstantScallop ? toJson(report.centre) : Json()},
+          {"radial_lines", report.radial_lines.size()},
+          {"harmonic_lines", report.harmonic_lines},
+          {"center_settled", report.centre_settled},
+          {"unsettled_lines", report.unsettled_lines},
+          {"largest_unsettled", report.largest_unsettled},
+          {"line_error", report.line_error},
+          {"line_tolerance", report.line_tolerance},
+          {"constant_scallop", scallopJson(report)},
+          {"turn_radius", report.turn_radius > 0.0 ? Json(report.turn_radius) : Json()},
+          {"sharpest_turn", report.turn_radius > 0.0 ? toJson(report.sharpest_place) : Json()},
+          {"least_length", report.least_length > 0.0 ? Json(report.least_length) : Json()},
+          {"efficiency", report.least_length > 0.0 ? Json(report.least_length / report.path_length) : Json()},
+          {"turns", report.turns},
+          {"points", report.path_points},
+          {"length", report.path_length},
+          {"points_over_gaps", report.gap_points},
+          {"length_over_gaps", report.gap_length},
+          {"machining_minutes", feed > 0.0 ? Json(report.path_length / feed) : Json()},
+          {"smallest_step_over", report.smallest_step_over},
+          {"largest_step_over", report.largest_step_over},
+          {"corner_ridge", report.corner_ridge},
+          {"largest_allowed_step", report.largest_allowed_step},
+          {"largest_gap", report.largest_gap},
+          {"largest_axis_change", report.largest_axis_change},
+          {"largest_axis_rate", report.largest_axis_rate},
+          {"largest_axis_lean", report.largest_axis_lean},
+          {"largest_axis_deviation", report.largest_axis_deviation},
+          {"deviating_points", report.deviating_points}};
+}
+
+/** MB; null where it is not known. */
+Json
+megabytes(std::size_t bytes)
+{
+  return bytes > 0 ? Json(1e-6 * static_cast<double>(bytes)) : Json();
+}
+
+Json
+secondsJson(const std::vector<StageCost>& costs)
+{
+  Json stages = Json::object();
+  double total = 0.0;
+  for (const StageCost& stage : costs) {
+    stages[stage.name] = stage.seconds;
+    total += stage.seconds;
+  }
+  return {{"total", total}, {"stages", stages}};
+}
+
+/** At the end of each stage: in main memory, and the most there has been up to then. */
+Json
+memoryJson(const std::vector<StageCost>& costs)
+{
+  Json stages = Json::object();
+  for (const StageCost& stage : costs)
+    stages[stage.name] = {{"resident", megabytes(stage.memory.resident)}, {"peak", megabytes(stage.memory.peak)}};
+  return {{"peak", costs.empty() ? Json() : megabytes(costs.back().memory.peak)}, {"stages", stages}};
+}
+
+} // namespace
+
+void
+writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings, const SpiralReport& report,
+                const Verification* verification)
+{
+  std::vector<std::string> warnings = files.warnings;
+  warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
+  Json json = {{"units", {{"length", "mm"}, {"angle", "degree"}, {"feed", "mm/min"}, {"time", "s"}, {"memory", "MB"}}},
+               {"input", {{"file", files.scan}, {"unit", choiceName(files.unit)}, {"origin", toJson(files.origin)}}},
+               {"outputs", files.outputs},
+               {"settings", settingsJson(settings)},
+               {"surface", surfaceJson(report)},
+               {"loops", loopsJson(report)},
+               {"holes", holesJson(report)},
+               {"path", pathJson(report, settings.feed)},
+               {"seconds", secondsJson(report.stages)},
+               {"memory", memoryJson(report.stages)},
+               {"warnings", warnings}};
+  if (files.mesh)
+    json["mesh"] = meshJson(*files.mesh);
+  if (verification)
+    json["verification"] = verificationJson(*verification);
+  ByteFile out(file);
+  out.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  out.close();
+}
+
+} // namespace pcl_spiral

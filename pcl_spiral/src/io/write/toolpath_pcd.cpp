@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/byte_file.h"
+#include "toolpath_rows.h"
+
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/toolpath_writer.h>
+
+#include <pcl/io/pcd_io.h>
+
+namespace pcl_spiral {
+
+// The header is PCL's; the points are written here, because on a full disk PCL's writer says something on the console
+// and nothing that a user understands.
+
+void
+writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path)
+{
+  if (path.empty())
+    throw FileError(file, "not written: the path has no points");
+  ByteFile out(file);
+  out.write(pcl::PCDWriter::generateHeader(path) + "DATA binary\n");
+  out.write(toolpathRows(path));
+  out.close();
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Lines along which loops must reach further to leave nothing uncovered.
+ */
+#pragma once
+
+#include "ridge_climb.h"
+#include "spiral/lines/segment_set.h"
+
+#include <pcl_spiral/spiral/step_over_field.h>
+
+#include <functional>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Half the width of a finger, step-overs. */
+constexpr double finger_radius = 0.3;
+/** A node farther from all loops than this is uncovered, step-overs. */
+constexpr double covered_within = 0.504;
+
+/** A line in the middle of a finger. */
+struct FingerAxis {
+  Polyline points;
+  std::vector<StepOverMetric> metric;
+};
+
+/** What lies between the loops of one level and the next. */
+struct LevelGap {
+  int level = 0;                    ///< of the lower loops
+  std::vector<std::uint32_t> nodes; ///< of the band, between the two levels; ascending
+  std::vector<std::uint32_t> necks; ///< on ridges within a loop of the next level that is narrower there than a finger; ascending
+  std::vector<double> distances;    ///< of each from the loops of both levels
+  std::function<bool(std::uint32_t)> is_ridge;         ///< whether gradients part about a node
+  std::function<bool(std::uint32_t)> is_above;         ///< whether a node lies within a loop of the next level
+  std::function<std::size_t(std::uint32_t)> loop_near; ///< the loop of the next level nearest to a node
+};
+
+/** Axes in the uncovered parts of \p gap: up along the ridge into the loop above. */
+void findFingers(const StepOverDistance& field, const RidgeClimb& climb, const LevelGap& gap, std::vector<std::uint32_t>& scratch,
+                 std::vector<FingerAxis>& axes);
+
+/** Axes in cores, parts that no loop of the next level lies in: \p nodes of one core, connected, with their \p distances from
+ *  the loops about it. The longest way through what is uncovered, and branches of it. */
+void findCoreAxes(const StepOverDistance& field, const std::vector<std::uint32_t>& nodes, const std::vector<double>& distances,
+                  std::vector<std::uint32_t>& scratch, std::vector<FingerAxis>& axes);
+
+/** \p nodes in connected groups, each ascending. \p scratch: a 0 for each node of the mesh, and so again afterwards. */
+std::vector<std::vector<std::uint32_t>> connectedGroups(const Triangulation& triangles, const std::vector<std::uint32_t>& nodes,
+                                                        std::vector<std::uint32_t>& scratch);
+
+} // namespace pcl_spiral

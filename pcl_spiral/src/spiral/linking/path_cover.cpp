@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "path_cover.h"
+
+#include "cover_tests.h"
+#include "spiral/lines/segment_set.h"
+#include "spiral/path/path_densify.h"
+
+#include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double aim = 0.49;        // to which it is brought
+constexpr double moved_reach = 2.2; // and the path within this may move
+constexpr double looked_at = 1.0;   // of a test point: its nearest segment is one of those within
+constexpr double bell = 0.8;        // half the length of path that one place moves
+constexpr double grain = 0.05;      // of the path where it moves
+constexpr auto bell_points = static_cast<std::size_t>(bell / grain);
+constexpr double damping = 0.7;
+constexpr int most_rounds = 24;
+
+/** Points first to last of a pass. */
+struct PathRun {
+  std::size_t first = 0, last = 0;
+};
+
+/** A test point that a moving path may uncover. */
+struct Watched {
+  Eigen::Vector3d point;
+  StepOverMetric metric;
+  std::vector<PathRun> runs; ///< of the path near it
+  std::size_t segment = 0;   ///< the nearest, from its point of the path to the next
+  double share = 0.0;        ///< along it
+  double distance = 0.0;     ///< no more than this: what the nearest segment has moved since is in it
+};
+
+class Mover {
+public:
+  Mover(const StepOverDistance& field, LinkedPath& path) : field_(field), path_(path) {}
+
+  bool run(double held, const ProgressCallback& progress, CoverFigures& figures)
+  {
+    watch(held, figures);
+    for (; !watched_.empty() && figures.rounds < most_rounds; ++figures.rounds) {
+      if (progress && !progress(0.5 + 0.5 * figures.rounds / most_rounds, "coverage"))
+        return false;
+      const std::vector<std::size_t> open = openPlaces();
+      figures.left = open.size();
+      figures.farthest = open.empty() ? covered : watched_[open.front()].distance;
+      if (open.empty())
+        break;
+      figures.farthest_place = watched_[open.front()].point;
+      pull(open);
+      if (!move())
+        break;
+    }
+    return true;
+  }
+
+private:
+  void watch(double held, CoverFigures& figures);
+  void findNear(const SegmentSet& line, const std::vector<std::size_t>& places, const CoverTests& tests,
+                std::vector<std::uint8_t>& near) const;
+  void findRuns();
+  SegmentSet movingLines() const;
+  void measure(Watched& at) const;
+  std::vector<std::size_t> openPlaces();
+  void pull(const std::vector<std::size_t>& open);
+  bool isTaken(std::size_t centre) const;
+  bool move();
+
+  const StepOverDistance& field_;
+  LinkedPath& path_;
+  std::vector<Watched> watched_;
+  std::vector<std::uint8_t> near_;     ///< one a point of the path: 1 within reach of a place that was not covered
+  std::vector<std::uint8_t> moves_;    ///< the same, but for those held
+  std::vector<Eigen::Vector3d> shift_; ///< one a point of the path, zero between rounds
+  std::vector<std::uint8_t> taken_;    ///< the same: middles of this round's bells
+  std::vector<std::size_t> pulled_;    ///< points with a shift, some twice
+  std::vector<std::size_t> centres_;   ///< points taken
+};
+
+/** Find the places that are not covered, the path that may move towards them, and the test points it may uncover. */
+void
+Mover::watch(double held, CoverFigures& figures)
+{
+  const SegmentSet line = passLines(path_);
+  const CoverTests tests = coverTests(field_, path_, line);
+  figures.farthest_before = covered;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < tests.size(); ++i)
+    if (tests.distances[i] > covered) {
+      places.push_back(i);
+      figures.farthest_before = std::max(figures.farthest_before, tests.distances[i]);
+    }
+  figures.farthest = figures.farthest_before;
+  figures.places = places.size();
+  if (places.empty())
+    return;
+  std::vector<std::uint8_t> near(path_.points.size(), 0);
+  findNear(line, places, tests, near);
+  densify(near, held, grain, path_, near_, moves_);
+  shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
+  taken_.assign(path_.points.size(), 0);
+  for (const std::size_t i : testsToWatch(tests, places))
+    watched_.push_back({tests.points[i], tests.metric[i], {}, 0, 0.0, tests.distances[i]});
+  findRuns();
+}
+
+/** The runs of the path near each watched point, and its nearest segment. */
+void
+Mover::findRuns()
+{
+  const SegmentSet lines = movingLines();
+  const auto count = static_cast<std::int64_t>(watched_.size());
+#pragma omp parallel for schedule(dynamic, 256)
+  for (std::int64_t i = 0; i < count; ++i) {
+    Watched& at = watched_[i];
+    std::vector<std::size_t> segments;
+    lines.forSegmentsNear(at.point, at.metric, looked_at, [&](std::size_t s) { segments.push_back(lines.label(s) + lines.place(s)); });
+    std::sort(segments.begin(), segments.end());
+    for (const std::size_t s : segments) {
+      if (at.runs.empty() || s > at.runs.back().last + 2 || passOf(path_.passes, s) != passOf(path_.passes, at.runs.back().first))
+        at.runs.push_back({s, s + 1});
+      at.runs.back().last = std::max(at.runs.back().last, s + 1);
+    }
+    measure(at);
+  }
+}
+
+/** Mark the points of the path within reach of \p places. */
+void
+Mover::findNear(const SegmentSet& line, const std::vector<std::size_t>& places, const CoverTests& tests,
+                std::vector<std::uint8_t>& near) const
+{
+  const auto count = static_cast<std::int64_t>(places.size());
+#pragma omp parallel
+  {
+    std::vector<std::size_t> found;
+#pragma omp for schedule(dynamic, 256) nowait
+    for (std::int64_t i = 0; i < count; ++i)
+      line.forSegmentsNear(tests.points[places[i]], tests.metric[places[i]], moved_reach,
+                           [&](std::size_t s) { found.push_back(line.label(s) + line.place(s)); });
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+#pragma omp critical
+    for (const std::size_t s : found)
+      near[s] = near[s + 1] = 1;
+  }
+}
+
+/** The runs of the path that may move, with the point on either side; a run's label is its first point. */
+SegmentSet
+Mover::movingLines() const
+{
+  SegmentSet lines;
+  const std::size_t n = path_.points.size();
+  const auto follows = [this, n](std::size_t i) { return i > 0 && i < n && !beginsPass(path_.passes, i); };
+  const auto counts = [&](std::size_t i) { return near_[i] || (follows(i) && near_[i - 1]) || (follows(i + 1) && near_[i + 1]); };
+  for (std::size_t i = 0; i < n;) {
+    std::size_t end = i;
+    while (end < n && counts(end) && (end == i || !beginsPass(path_.passes, end)))
+      ++end;
+    if (end > i)
+      lines.add(Polyline(path_.points.begin() + static_cast<std::ptrdiff_t>(i), path_.points.begin() + static_cast<std::ptrdiff_t>(end)),
+                false, i);
+    i = std::max(end, i + 1);
+  }
+  lines.build();
+  return lines;
+}
+
+void
+Mover::measure(Watched& at) const
+{
+  double least = at.runs.empty() ? 0.0 : 1e30;
+  for (const PathRun& run : at.runs)
+    for (std::size_t s = run.first; s < run.last; ++s) {
+      double share = 0.0;
+      const double d = distanceFromSegment(at.point, at.metric, path_.points[s], path_.points[s + 1], share);
+      if (d < least) {
+        least = d;
+        at.segment = s;
+        at.share = share;
+      }
+    }
+  at.distance = least;
+}
+
+/** Of the watched points those that are not covered, the farthest first. */
+std::vector<std::size_t>
+Mover::openPlaces()
+{
+  const auto count = static_cast<std::int64_t>(watched_.size());
+#pragma omp parallel for schedule(dynamic, 256)
+  for (std::int64_t i = 0; i < count; ++i)
+    if (watched_[i].distance > covered)
+      measure(watched_[i]);
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < watched_.size(); ++i)
+    if (watched_[i].distance > covered)
+      open.push_back(i);
+  std::sort(open.begin(), open.end(), [this](std::size_t a, std::size_t b) {
+    return watched_[a].distance != watched_[b].distance ? watched_[a].distance > watched_[b].distance : a < b;
+  });
+  return open;
+}
+
+/** Whether the middle of another bell is near. */
+bool
+Mover::isTaken(std::size_t centre) const
+{
+  const std::size_t low = centre - std::min(centre, bell_points / 3), high = std::min(taken_.size() - 1, centre + bell_points / 3);
+  return std::any_of(taken_.begin() + static_cast<std::ptrdiff_t>(low), taken_.begin() + static_cast<std::ptrdiff_t>(high) + 1,
+                     [](std::uint8_t t) { return t != 0; });
+}
+
+/** What is to be moved towards \p open places, as bells along the path. */
+void
+Mover::pull(const std::vector<std::size_t>& open)
+{
+  for (const std::size_t i : open) {
+    const Watched& at = watched_[i];
+    const std::size_t centre = at.segment + (at.share > 0.5 ? 1 : 0);
+    if (isTaken(centre))
+      continue;
+    taken_[centre] = 1;
+    centres_.push_back(centre);
+    const Eigen::Vector3d foot = (1.0 - at.share) * path_.points[at.segment] + at.share * path_.points[at.segment + 1];
+    const Eigen::Vector3d way = (at.point - foot) * ((at.distance - aim) / at.distance);
+    const PassRange pass = passRanges(path_.passes, path_.points.size())[passOf(path_.passes, centre)];
+    const std::size_t low = std::max(pass.begin, centre - std::min(centre, bell_points)),
+                      high = std::min(pass.end - 1, centre + bell_points);
+    for (std::size_t k = low; k <= high; ++k)
+      if (moves_[k]) {
+        const double off = static_cast<double>(k > centre ? k - centre : centre - k) / (static_cast<double>(bell_points) + 1.0);
+        shift_[k] += way * (0.5 * (1.0 + std::cos(pi * off)));
+        pulled_.push_back(k);
+      }
+  }
+}
+
+/** Move what was pulled; false where nothing was. */
+bool
+Mover::move()
+{
+  std::sort(pulled_.begin(), pulled_.end());
+  pulled_.erase(std::unique(pulled_.begin(), pulled_.end()), pulled_.end());
+  for (const std::size_t k : pulled_)
+    path_.points[k] += damping * shift_[k];
+  const auto moved = [this](std::size_t k) { return shift_[k].isZero() ? 0.0 : path_.metric[k].length(damping * shift_[k]); };
+  for (Watched& at : watched_)
+    at.distance += std::max(moved(at.segment), moved(std::min(at.segment + 1, shift_.size() - 1)));
+  for (const std::size_t k : pulled_)
+    shift_[k].setZero();
+  for (const std::size_t c : centres_)
+    taken_[c] = 0;
+  const bool any = !pulled_.empty();
+  pulled_.clear();
+  centres_.clear();
+  return any;
+}
+
+} // namespace
+
+bool
+coverPath(const StepOverDistance& field, double held, const ProgressCallback& progress, LinkedPath& path, CoverFigures& figures)
+{
+  figures = CoverFigures();
+  return Mover(field, path).run(held, progress, figures);
+}
+
+} // namespace pcl_spiral

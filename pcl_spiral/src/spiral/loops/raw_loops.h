@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Loops as they are drawn on a mesh.
+ */
+#pragma once
+
+#include "spiral/field/ridge_band.h"
+#include "spiral/field/ridge_climb.h"
+#include "spiral/lines/segment_set.h"
+
+#include <pcl_spiral/spiral/impl/scallop_loop.h>
+
+#include <cstdint>
+#include <unordered_set>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A loop as it was drawn on the mesh, with what is to be known of its points. */
+struct RawLoop {
+  ScallopLoop line;
+  Polyline uphill;                    ///< one a point: a direction to larger distances, mm
+  std::vector<std::uint8_t> is_fine;  ///< one a point: within the refined band
+  std::vector<std::uint8_t> is_near;  ///< one a point: so near to the band that its nodes may be nearest to it
+  std::vector<std::uint32_t> summits; ///< that the nodes within it lead to
+  bool is_thin = false;               ///< goes round summits alone that a finger reaches
+};
+
+/** The closed lines of \p values at \p level through \p triangles, ascending; those shorter than half a step-over are left out. */
+std::vector<RawLoop> traceLoops(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& climb,
+                                const std::vector<double>& values, int level, const std::vector<std::uint32_t>& triangles);
+
+/** Summits that no loop of the next level goes round alone: those of \p loops that are thin, and of no other. */
+std::unordered_set<std::uint32_t> thinSummits(const std::vector<RawLoop>& loops);
+
+/** A loop without the jaggedness of the mesh. */
+struct FinishedLoop {
+  ScallopLoop line;
+  std::vector<std::uint8_t> is_near; ///< one a point: as of the loop it was made of
+};
+
+FinishedLoop finishedLoop(const StepOverDistance& field, const RawLoop& loop);
+
+/** Add the parts of \p loop that are near the band to \p set. */
+void addNearRuns(const ScallopLoop& loop, const std::vector<std::uint8_t>& is_near, std::size_t label, SegmentSet& set);
+
+} // namespace pcl_spiral

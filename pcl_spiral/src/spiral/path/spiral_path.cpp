@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/spiral/spiral_path.h>
+
+#include "path_feet.h"
+
+#include "core/self_crossing.h"
+#include "core/smooth_axes.h"
+#include "core/tilted_axes.h"
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double gap_in_spacings = 2.7; // on random points one in 10^9 lies so far from the next
+constexpr double slack = 1.05;          // steps stretch a little when put on the surface
+constexpr double stretched = 2.0;       // on rough ones more, and are halved again and again
+constexpr int most_halvings = 3;
+constexpr std::size_t chunk = 1u << 16; // path points between progress reports
+
+double
+radians(double degrees)
+{
+  return degrees * pi / 180.0;
+}
+
+double
+degrees(double radians)
+{
+  return radians * 180.0 / pi;
+}
+
+bool
+isOverGap(const SurfaceFoot& foot, const Surface& surface)
+{
+  return isOverGap(surface, foot.position, foot.nearest, foot.nearest_distance);
+}
+
+/** Steps that projection stretched beyond the longest one get a point in their middle. Those of more than twice that are jumps,
+ *  left for checkPath to refuse, as are those that are as long when halved. \return whether there were any. */
+bool
+halveStretchedSteps(const Surface& surface, double longest, SpiralPath& path)
+{
+  std::vector<std::size_t> ends; // of the steps
+  std::vector<Eigen::Vector3d> queries;
+  for (std::size_t i = 1; i < path.contacts.size(); ++i) {
+    const double step = beginsPass(path.passes, i) ? 0.0 : (path.contacts[i] - path.contacts[i - 1]).norm();
+    if (step > longest && step <= stretched * longest) {
+      ends.push_back(i);
+      queries.push_back(0.5 * (path.contacts[i] + path.contacts[i - 1]));
+    }
+  }
+  if (ends.empty())
+    return false;
+  std::vector<SurfaceFoot> feet;
+  pathFeet(surface, queries, feet);
+  SpiralPath halved;
+  const auto add = [&halved](const Eigen::Vector3d& contact, const Eigen::Vector3d& normal, float turn, bool over_gap) {
+    halved.contacts.push_back(contact);
+    halved.normals.push_back(normal);
+    halved.turns.push_back(turn);
+    halved.over_gap.push_back(over_gap);
+  };
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < path.contacts.size(); ++i) {
+    if (next < ends.size() && ends[next] == i) {
+      if (feet[next].valid)
+        add(feet[next].position, feet[next].normal, 0.5f * (path.turns[i - 1] + path.turns[i]), isOverGap(feet[next], surface));
+      ++next;
+    }
+    if (beginsPass(path.passes, i))
+      halved.passes.push_back(halved.contacts.size());
+    add(path.contacts[i], path.normals[i], path.turns[i], path.over_gap[i] != 0);
+  }
+  path = std::move(halved);
+  return true;
+}
+
+/** Lengths cut up to each point; serial: a sum whose rounding depends on its order. */
+std::vector<double>
+cutLengths(const SpiralPath& path)
+{
+  std::vector<double> lengths(path.contacts.size(), 0.0);
+  for (std::size_t i = 1; i < lengths.size(); ++i)
+    lengths[i] = lengths[i - 1] + (beginsPass(path.passes, i) ? 0.0 : (path.contacts[i] - path.contacts[i - 1]).norm());
+  return lengths;
+}
+
+/** Call \p visit with contacts and normals of each pass. */
+template <typename Visit>
+void
+forPasses(const SpiralPath& path, Visit visit)
+{
+  if (path.passes.empty()) // no copies
+    return visit(path.contacts, path.normals);
+  for (const PassRange& pass : passRanges(path.passes, path.contacts.size())) {
+    const auto part = [&pass](const std::vector<Eigen::Vector3d>& values) {
+      return Polyline(values.begin() + static_cast<std::ptrdiff_t>(pass.begin), values.begin() + static_cast<std::ptrdiff_t>(pass.end));
+    };
+    visit(part(path.contacts), part(path.normals));
+  }
+}
+
+/** Axes of all passes, each tilted and smoothed by itself; \p wanted: before they were smoothed. */
+SmoothAxes
+axesOf(const SpiralPath& path, const SpiralSettings& settings, std::vector<Eigen::Vector3d>& wanted)
+{
+  const AxisFieldOptions options{settings.axis_smoothing, radians(settings.axis_deviation), radians(settings.max_axis_rate)};
+  SmoothAxes all;
+  forPasses(path, [&](const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals) {
+    const auto tilted = tiltedAxes(contacts, normals, radians(settings.tilt_angle), radians(settings.lead_angle));
+    const SmoothAxes field = smoothAxes(contacts, tilted, options);
+    wanted.insert(wanted.end(), tilted.begin(), tilted.end());
+    all.axes.insert(all.axes.end(), field.axes.begin(), field.axes.end());
+    all.largest_deviation = std::max(all.largest_deviation, field.largest_deviation);
+    all.largest_change = std::max(all.largest_change, field.largest_change);
+    all.largest_rate = std::max(all.largest_rate, field.largest_rate);
+    all.deviating_points += field.deviating_points;
+  });
+  return all;
+}
+
+/** Moves, but for lifts, on which the surface turns faster than \p rate. */
+std::size_t
+fastMoves(const SpiralPath& path, double rate)
+{
+  std::size_t moves = 0;
+  forPasses(path, [&](const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals) {
+    moves += movesTurningFaster(contacts, normals, rate);
+  });
+  return moves;
+}
+
+} // namespace
+
+bool
+isOverGap(const Surface& surface, const Eigen::Vector3d& place, std::uint32_t nearest, double distance)
+{
+  return distance > gap_in_spacings * surface.graph().spacing(nearest) || surface.isGuessed(nearest) ||
+         surface.voids().contains(place, nearest);
+}
+
+Status
+measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& figures)
+{
+  figures = GapFigures();
+  for (std::size_t i = 0; i < path.contacts.size(); ++i) {
+    figures.points += path.over_gap[i];
+    if (i > 0 && (path.over_gap[i - 1] || path.over_gap[i]))
+      figures.length += path.arc_lengths[i] - path.arc_lengths[i - 1];
+    if (path.over_gap[i] && settings.gaps == GapHandling::Refuse && settings.rim_overhang <= 0.0) // beyond the rim there is none
+      return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(path.contacts[i]),
+                                               ": no point of it lies near the path there; scan it again, or allow gaps to "
+                                               "be bridged (setGapHandling)")};
+  }
+  return Status::success();
+}
+
+Status
+putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings, double longest_step,
+             const ProgressCallback& progress, SpiralPath& path, GapFigures& figures)
+{
+  const double hollowest = -1.0 / settings.tool_radius;
+  path.contacts.resize(curve.size());
+  path.normals.resize(curve.size());
+  path.turns.resize(curve.size());
+  path.over_gap.resize(curve.size());
+  path.passes.clear();
+  for (std::size_t i = 1; i < curve.size(); ++i)
+    if (curve[i].begins_pass)
+      path.passes.push_back(i);
+  std::vector<Eigen::Vector3d> queries;
+  std::vector<SurfaceFoot> feet;
+  for (std::size_t begin = 0; begin < curve.size(); begin += chunk) {
+    const std::size_t end = std::min(curve.size(), begin + chunk);
+    const auto count = static_cast<std::int64_t>(end - begin);
+    queries.resize(end - begin);
+    for (std::int64_t i = 0; i < count; ++i)
+      queries[i] = curve[begin + i].position;
+    pathFeet(surface, queries, feet);
+    std::int64_t first_bad = count;
+#pragma omp parallel for schedule(static) reduction(min : first_bad)
+    for (std::int64_t i = 0; i < count; ++i) {
+      if (!feet[i].valid || feet[i].curvature2 <= hollowest)
+        first_bad = std::min(first_bad, i);
+      path.contacts[begin + i] = feet[i].position;
+      path.normals[begin + i] = feet[i].normal;
+      path.over_gap[begin + i] = isOverGap(feet[i], surface);
+      path.turns[begin + i] = static_cast<float>(curve[begin + i].turn);
+    }
+    if (first_bad < count) {
+      const SurfaceFoot& foot = feet[first_bad];
+      const SpiralPoint& asked = curve[begin + first_bad];
+      if (!foot.valid)
+        return {StatusCode::Failed,
+                textOf("the path leaves the scanned surface at ", placeText(asked.position), " in turn ", asked.turn,
+                       ": the scan has a gap or a ragged rim there; scan it again, more densely, or cut the ragged part away")};
+      return {StatusCode::Failed,
+              textOf("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ", placeText(foot.position),
+                     ", tighter than the tool radius ", settings.tool_radius, " mm: the cutter would gouge; use a smaller tool")};
+    }
+    if (progress && !progress(static_cast<double>(end) / static_cast<double>(curve.size()), "projection"))
+      return {StatusCode::Cancelled, "cancelled"};
+  }
+  for (int round = 0; round < most_halvings && halveStretchedSteps(surface, longest_step, path); ++round)
+    ;
+  path.arc_lengths = cutLengths(path);
+  return measureGaps(path, settings, figures);
+}
+
+Status
+setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, std::vector<std::string>& warnings)
+{
+  std::vector<Eigen::Vector3d> wanted;
+  const SmoothAxes field = axesOf(path, settings, wanted);
+  const AxisLean lean = largestLean(path.normals, field.axes);
+  if (liesInSurface(lean, path.normals, wanted))
+    return {StatusCode::Failed,
+            textOf("the tool axis would lean ", degrees(lean.angle), " degrees off the surface at ", placeText(path.contacts[lean.point]),
+                   " so as to turn no faster than the largest axis rate of ", settings.max_axis_rate, " degrees per mm: raise the rate")};
+  const auto count = static_cast<std::int64_t>(field.axes.size());
+  path.axes.resize(field.axes.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i)
+    path.axes[i] = field.axes[i].cast<float>();
+  figures.largest_change = degrees(field.largest_change);
+  figures.largest_rate = degrees(field.largest_rate);
+  figures.largest_deviation = degrees(field.largest_deviation);
+  figures.largest_lean = degrees(lean.angle);
+  figures.deviating_points = field.deviating_points;
+  if (const std::size_t moves = fastMoves(path, radians(settings.max_axis_rate)); moves > 0)
+    warnings.push_back(textOf("on ", moves, " of ", count - 1, " moves the surface alone turns faster than the largest axis rate of ",
+                              settings.max_axis_rate,
+                              " degrees per mm: the tool axis cannot follow it there and leaves the tilt "
+                              "asked for by up to ",
+                              figures.largest_deviation, " degrees; allow a higher rate, or smooth the scan"));
+  return Status::success();
+}
+
+Status
+checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest_step, const ProgressCallback& progress,
+          PathFigures& figures)
+{
+  figures = PathFigures();
+  for (std::size_t i = 1; i < path.contacts.size(); ++i) {
+    if (beginsPass(path.passes, i))
+      continue;
+    const double gap = (path.contacts[i] - path.contacts[i - 1]).norm();
+    figures.largest_gap = std::max(figures.largest_gap, gap);
+    if (!(gap <= slack * longest_step))
+      return {StatusCode::Failed, textOf("the path jumps by ", gap, " mm at ", placeText(path.contacts[i]), " in turn ", path.turns[i],
+                                         ", above the longest step ", longest_step,
+                                         " mm: the surface is too rough or too sparse there; scan more densely or raise the longest step")};
+  }
+  figures.turns = static_cast<std::size_t>(std::lround(std::abs(path.turns.back() - path.turns.front())));
+  figures.points = path.contacts.size();
+  figures.length = path.arc_lengths.back();
+  // Turns that are not in order cross somewhere: each goes once round.
+  bool cancelled = false;
+  const auto go_on = [&](double share) {
+    cancelled = progress && !progress(share, "crossings");
+    return !cancelled;
+  };
+  const auto crossing = firstSelfCrossing(path.contacts, path.normals, settings.chord_error, go_on, path.passes);
+  if (cancelled)
+    return {StatusCode::Cancelled, "cancelled"};
+  if (crossing)
+    return {
+        StatusCode::Failed,
+        textOf("the path crosses itself at ", placeText(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
+               settings.method == SpiralMethod::ConstantScallop
+                   ? ": ask for the other sense (setSense), for passes with lifts between (setOneWay) or for another scallop height, or "
+                     "choose the radial method (setMethod)"
+                   : ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
+  return Status::success();
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Radial lines as published. Private to spiral.
+ */
+#pragma once
+
+#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/spiral/impl/radial_lines_engine.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+namespace pcl_spiral {
+
+/** What published lines are made of. */
+struct PublishedLineRequest {
+  const MlsSurface& surface; ///< of ProjectionMethod::DirectionalCentroid: (8)-(11)
+  const BoundaryLoop& rim;
+  const BoundaryLoop* inner = nullptr;              ///< second boundary, if any
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< on the surface; one boundary only
+  std::optional<Eigen::Vector3d> start_point;       ///< line 0 ends nearest to it; absent: where the rim's points begin
+  double chord_error = 0.005;                       ///< mm
+  std::function<bool(double)> progress;             ///< share done; false cancels
+};
+
+/** What came of the lines besides themselves. */
+struct PublishedLineFigures {
+  std::size_t unsettled = 0; ///< geodesics that still moved sideways by more than the chord error at the end
+  double largest_move = 0.0; ///< mm: the most any of them still moved
+};
+
+/** So many lines that chords between their ends leave a circle as long as the rim by the chord error at most;
+ * none closer there than half a spacing. */
+std::size_t publishedLineCount(double rim_length, double chord_error, double spacing);
+
+/** Lines as Wu et al. 2025 make them, each stage with its equations there:
+ *  seeds at equal distances on the rim, and their partners on the inner loop where there is one (matchLoops);
+ * shortest ways over the elliptic Gabriel graph (one tree from the centre; with two boundaries one from each
+ * partner); the conjugate-gradient Newton step on the geodesic curvature, (2)-(7); projection, (8)-(11);
+ * Taubin smoothing, ends held; projection again; B-spline; Taubin's curvatures at the cloud's point nearest
+ * to each station, (12).
+ *
+ *  Corrected where it cannot work as printed: the Newton step holds the ends, and goes from coarse to fine
+ *  (refineGeodesics); lines have levels, by which turns leave most of them out near the centre. Feet carry
+ * (12) as their curvatures; normals and positions are those of the projection. Fails where the graph does not
+ * lead to the rim and where a line leaves the surface, with the place. That lines cross is not looked for
+ * here. */
+Status publishedLines(const PublishedLineRequest& request, RadialLineSet& set, PublishedLineFigures& figures);
+
+} // namespace pcl_spiral

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/spiral/stage_reports.h>
+
+#include "surface/noise_warning.h"
+#include <pcl_spiral/common/impl/message.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double far_start = 0.05; // of the rim's length: a path that begins so far from the place asked for is told
+
+void
+markGaps(const Surface& surface, const Polyline& contacts, std::vector<std::uint8_t>& over_gap)
+{
+  const auto count = static_cast<std::int64_t>(contacts.size());
+  over_gap.resize(contacts.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i) {
+    const std::uint32_t nearest = surface.graph().blocks().nearest(contacts[i]);
+    over_gap[i] = isOverGap(surface, contacts[i], nearest, (surface.position(nearest) - contacts[i]).norm());
+  }
+}
+
+HoleReport
+holeOf(const BoundaryLoop& loop)
+{
+  HoleReport hole;
+  for (const Eigen::Vector3d& p : loop.curve)
+    hole.place += p / static_cast<double>(loop.curve.size());
+  for (const Eigen::Vector3d& p : loop.curve)
+    hole.width = std::max(hole.width, 2.0 * (p - hole.place).norm());
+  return hole;
+}
+
+/** Holes the path runs round, gaps it runs over, and voids, which are too narrow to be loops. */
+void
+reportHoles(const BridgedSurface& bridged, SpiralReport& report)
+{
+  for (const BoundaryLoop& loop : bridged.loops)
+    if (loop.type == LoopType::Inner)
+      report.holes.push_back(holeOf(loop));
+  for (const BridgedGap& gap : bridged.gaps)
+    report.holes.push_back(
+        {gap.points > 0 ? gap.centre : holeOf(gap.loop).place, gap.points > 0 ? gap.width : holeOf(gap.loop).width, HoleHandling::Over});
+  const std::size_t before = report.holes.size();
+  const HoleReport* widest = nullptr;
+  for (const ScanVoid& found : bridged.surface->voids().voids()) {
+    const auto is_hole = [&](const HoleReport& hole) { return (hole.place - found.place).norm() < 0.5 * hole.width; };
+    if (std::none_of(report.holes.begin(), report.holes.begin() + static_cast<std::ptrdiff_t>(before), is_hole))
+      report.holes.push_back({found.place, found.width, HoleHandling::Over});
+  }
+  for (std::size_t i = before; i < report.holes.size(); ++i)
+    if (!widest || report.holes[i].width > widest->width)
+      widest = &report.holes[i];
+  if (widest)
+    report.warnings.push_back(textOf("the scan has ", report.holes.size() - before, " narrow place(s) without points, up to ",
+                                     widest->width, " mm wide, as at ", placeText(widest->place),
+                                     ": the path runs over them and is marked there; if they are holes of the part, give the "
+                                     "least width of a hole (setHoleSize)"));
+}
+
+} // namespace
+
+double
+lineTolerance(const SpiralSettings& settings)
+{
+  return 0.02 * std::sqrt(8.0 * settings.scallop_height * settings.tool_radius);
+}
+
+double
+lineFitTolerance(const SpiralSettings& settings)
+{
+  return 0.2 * settings.chord_error;
+}
+
+void
+reportSurface(const Surface& surface, bool made, SpiralReport& report)
+{
+  const SurfaceCounts& counts = surface.counts();
+  report.input_points = counts.input;
+  report.nonfinite_points = counts.nonfinite;
+  report.duplicate_points = counts.duplicate;
+  report.surplus_points = counts.surplus;
+  report.outlier_points = counts.outlier + counts.isolated + counts.speck;
+  report.left_out_parts = counts.separate_parts;
+  report.left_out_points = counts.other_part;
+  report.used_points = counts.used;
+  report.passes = made ? counts.passes : 0;
+  report.spacing = surface.spacing();
+  report.noise = surface.noise();
+  report.projection_neighbours = surface.fit().neighbours();
+  report.warnings = surface.warnings();
+}
+
+void
+reportNoise(const Surface& surface, const SpiralSettings& settings, SpiralReport& report)
+{
+  if (const auto warning = noiseWarning(surface.fit(), "scallop height", settings.scallop_height))
+    report.warnings.push_back(*warning);
+}
+
+void
+reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, SpiralReport& report)
+{
+  report.loops = bridged.loops;
+  reportHoles(bridged, report);
+  for (const BridgedGap& gap : bridged.gaps)
+    if (gap.points > 0) // those that were not filled are among the loops
+      report.loops.push_back(gap.loop);
+  report.passes += report.loops.size() > bridged.loops.size(); // the surface was made again, with the points put in
+  report.boundaries = 1;
+  for (const BoundaryLoop& loop : bridged.loops)
+    report.boundaries += loop.type == LoopType::Inner;
+  const Surface& surface = *bridged.surface;
+  report.spacing = surface.spacing();
+  report.noise = surface.noise();
+  report.projection_neighbours = surface.fit().neighbours();
+  report.warnings.insert(report.warnings.end(), bridged.warnings.begin(), bridged.warnings.end());
+  reportNoise(surface, settings, report);
+}
+
+void
+reportLines(const RadialLineSet& lines, const SpiralSettings& settings, SpiralReport& report)
+{
+  report.boundaries = lines.inner.empty() ? 1 : 2;
+  report.centre = lines.centre;
+  report.centre_settled = lines.centre_settled;
+  report.harmonic_lines = lines.harmonic;
+  report.line_error = lines.largest_interpolation_error;
+  report.line_tolerance = lineTolerance(settings);
+  for (const RadialLine& line : lines.lines) {
+    Polyline points;
+    for (std::size_t k = 0; k < line.feet.size(); k += 4)
+      points.push_back(line.feet[k].position);
+    report.radial_lines.push_back(std::move(points));
+    report.unsettled_lines += line.unsettled > 0.0;
+    report.largest_unsettled = std::max(report.largest_unsettled, line.unsettled);
+  }
+  if (lines.harmonic && settings.lines == LineMethod::Automatic && !lines.why_harmonic.empty())
+    report.warnings.push_back("harmonic radial lines were used: " + lines.why_harmonic);
+  if (!lines.centre_settled)
+    report.warnings.push_back(textOf("the search for the centre did not come to rest; it is taken at ", placeText(lines.centre),
+                                     ": look whether turns close round it well, or give a centre "
+                                     "(setCenter)"));
+  // A line that is a little off still lies on the surface and in order: turns are as far apart there as elsewhere.
+  if (report.largest_unsettled > report.line_tolerance)
+    report.warnings.push_back(textOf(report.unsettled_lines, " of ", lines.lines.size(),
+                                     " radial lines did not settle: the last step still moved one by ", report.largest_unsettled,
+                                     " mm sideways, where ", report.line_tolerance,
+                                     " mm are allowed; harmonic lines need no settling (setLineMethod)"));
+  if (report.line_error > report.line_tolerance)
+    report.warnings.push_back(textOf("turns between radial lines are known to ", report.line_error, " mm, where ", report.line_tolerance,
+                                     " mm are allowed: lines cannot stand closer than the points of "
+                                     "the scan let them; scan more densely, or check the scallops (MaterialRemoval)"));
+}
+
+void
+reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, SpiralReport& report)
+{
+  report.scallop_loops = figures.loops;
+  report.chain_loops = figures.chain_loops;
+  report.bridges = figures.bridges;
+  report.fingers = figures.fingers;
+  report.scallop_lines = figures.lines;
+  report.finger_axes = figures.axes;
+  report.reversed_share = figures.reversed_share;
+  report.lift_length = figures.lift_length;
+  report.least_length = figures.least_length;
+  report.smallest_step_over = figures.smallest_step_over;
+  report.largest_step_over = figures.largest_step_over;
+  report.turn_radius = figures.turn_radius;
+  report.sharpest_place = figures.sharpest_place;
+  if (figures.start_off > far_start * figures.rim_length)
+    report.warnings.push_back(textOf("the path meets the rim ", figures.start_off,
+                                     " mm from the start point asked for: the loops "
+                                     "inside lead to no nearer place; leave the start point out, or give one there (setStartPoint)"));
+  if (figures.turn_radius < settings.least_turn_radius)
+    report.warnings.push_back(textOf("the path turns more sharply than the radius of ", settings.least_turn_radius,
+                                     " step-overs asked for: a thousandth of it with less than ", figures.turn_radius, ", at most with ",
+                                     figures.least_radius, " at ", placeText(figures.sharpest_place),
+                                     ": slow down there; a smaller radius (setLeastTurnRadius) leaves the warning out"));
+  const double ridge = 4.0 * figures.farthest * figures.farthest * settings.scallop_height;
+  if (figures.farthest > 0.52)
+    report.warnings.push_back(textOf("a ridge of about ", ridge, " mm is left at ", placeText(figures.farthest_place),
+                                     ", above the scallop height of ", settings.scallop_height,
+                                     " mm: ask for a lower scallop height if that is too much"));
+}
+
+void
+reportTurns(const SpiralTurns& turns, SpiralReport& report)
+{
+  report.smallest_step_over = turns.smallest_step_over;
+  report.largest_step_over = turns.largest_step_over;
+  report.largest_allowed_step = turns.largest_allowed_step;
+  report.corner_ridge = turns.corner_ridge.height;
+  report.warnings.insert(report.warnings.end(), turns.warnings.begin(), turns.warnings.end());
+}
+
+void
+reportGaps(const GapFigures& gaps, SpiralReport& report)
+{
+  report.gap_points = gaps.points;
+  report.gap_length = gaps.length;
+  if (gaps.points > 0)
+    report.warnings.push_back(textOf(gaps.points, " path points, ", gaps.length,
+                                     " mm, lie over gaps of the scan or beyond its rim, where the surface is a guess; they are "
+                                     "marked"));
+}
+
+void
+reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& path, SpiralReport& report)
+{
+  reportGaps(gaps, report);
+  report.largest_axis_change = axes.largest_change;
+  report.largest_axis_rate = axes.largest_rate;
+  report.largest_axis_deviation = axes.largest_deviation;
+  report.largest_axis_lean = axes.largest_lean;
+  report.deviating_points = axes.deviating_points;
+  report.turns = path.turns;
+  report.path_points = path.points;
+  report.path_length = path.length;
+  report.largest_gap = path.largest_gap;
+}
+
+void
+reportPublished(const Surface& surface, const SpiralSettings& settings, PublishedResult& published, SpiralReport& report, SpiralPath& path)
+{
+  const PublishedFigures& figures = published.figures;
+  if (!published.lines.lines.empty())
+    reportLines(published.lines, settings, report);
+  report.loops = std::move(published.loops);
+  report.unsettled_lines = figures.unsettled_lines;
+  report.largest_unsettled = figures.largest_line_move;
+  report.smallest_step_over = report.largest_step_over = figures.step_over;
+  report.largest_allowed_step = figures.step;
+  report.largest_gap = figures.longest_move;
+  report.largest_axis_change = figures.largest_axis_change;
+  report.warnings.insert(report.warnings.end(), published.warnings.begin(), published.warnings.end());
+  if (published.axes.empty()) // it failed before there was a path
+    return;
+  report.turns = static_cast<std::size_t>(std::lround(std::abs(published.turns.back() - published.turns.front())));
+  report.path_points = published.contacts.size();
+  report.path_length = published.arc_lengths.back();
+  markGaps(surface, published.contacts, path.over_gap);
+  path.contacts = std::move(published.contacts);
+  path.normals = std::move(published.normals);
+  path.axes = std::move(published.axes);
+  path.arc_lengths = std::move(published.arc_lengths);
+  path.turns = std::move(published.turns);
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/verify/impl/deviation_estimation_engine.h>
+
+#include "quantile.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr std::size_t chunk = 1u << 16; // path points between progress reports
+
+/** Sums and extremes over the points, taken in their order. */
+class Tally {
+public:
+  Tally(const ReferenceSurface& reference, const CutterPath& path, DeviationFigures& figures)
+  : reference_(reference), path_(path), figures_(figures)
+  {}
+
+  float take(std::size_t i, const SurfaceFoot& foot)
+  {
+    if (reference_.inCreaseBand(path_.contacts[i]))
+      return takeCrease(i, foot);
+    if (!foot.valid) {
+      ++(reference_.inGap(path_.contacts[i]) ? figures_.in_gaps : figures_.unmeasured);
+      return std::numeric_limits<float>::quiet_NaN();
+    }
+    const Eigen::Vector3d& p = path_.contacts[i];
+    const double deviation = (p - foot.position).dot(foot.normal);
+    if (reference_.inGap(foot.position)) {
+      ++figures_.in_gaps;
+      if (std::abs(deviation) > std::abs(figures_.gap_max.value))
+        figures_.gap_max = {deviation, p, i};
+      return static_cast<float>(deviation);
+    }
+    takeNormal(i, foot);
+    PlacedValue& largest = foot.overhang > 0.0 ? figures_.rim_max : figures_.max;
+    if (std::abs(deviation) > std::abs(largest.value))
+      largest = {deviation, p, i};
+    if (foot.overhang > 0.0)
+      ++figures_.beyond_rim;
+    else {
+      ++figures_.measured;
+      squares_ += deviation * deviation;
+      amounts_.push_back(static_cast<float>(std::abs(deviation)));
+    }
+    return static_cast<float>(deviation);
+  }
+
+  void finish()
+  {
+    figures_.rms = amounts_.empty() ? 0.0 : std::sqrt(squares_ / static_cast<double>(amounts_.size()));
+    figures_.p99 = quantile(amounts_, 0.99);
+    figures_.normal_p99 = quantile(angles_, 0.99);
+  }
+
+private:
+  /** Of a contact in the band about a crease: apart, for the fit rounds it. */
+  float takeCrease(std::size_t i, const SurfaceFoot& foot)
+  {
+    ++figures_.in_crease_band;
+    if (!foot.valid)
+      return std::numeric_limits<float>::quiet_NaN();
+    const double deviation = (path_.contacts[i] - foot.position).dot(foot.normal);
+    if (std::abs(deviation) > std::abs(figures_.crease_max.value))
+      figures_.crease_max = {deviation, path_.contacts[i], i};
+    return std::numeric_limits<float>::quiet_NaN();
+  }
+
+  void takeNormal(std::size_t i, const SurfaceFoot& foot)
+  {
+    const Eigen::Vector3d& n = path_.normals[i];
+    const double cosine = n.dot(foot.normal);
+    const double angle = std::atan2(n.cross(foot.normal).norm(), cosine) * 180.0 / pi;
+    if (foot.overhang <= 0.0) {
+      angles_.push_back(static_cast<float>(angle));
+      if (angle > figures_.normal_error.value)
+        figures_.normal_error = {angle, path_.contacts[i], i};
+    }
+    if (cosine < 0.0 && figures_.opposed++ == 0)
+      figures_.first_opposed = {angle, path_.contacts[i], i};
+    if (!path_.axes.empty() && path_.axes[i].dot(foot.normal) < 0.0 && figures_.inward_axes++ == 0)
+      figures_.first_inward = {std::acos(std::max(-1.0, path_.axes[i].dot(foot.normal))) * 180.0 / pi, path_.contacts[i], i};
+  }
+
+  const ReferenceSurface& reference_;
+  const CutterPath& path_;
+  DeviationFigures& figures_;
+  double squares_ = 0.0;
+  std::vector<float> amounts_, angles_;
+};
+
+void
+warn(const ReferenceSurface& reference, DeviationFigures& figures)
+{
+  const auto of = [&](std::size_t count) { return std::to_string(count) + " of " + std::to_string(figures.points) + " path points"; };
+  if (figures.unmeasured > 0)
+    figures.warnings.push_back(of(figures.unmeasured) + " have no " + (reference.mesh() ? "surface of the mesh" : "scanned surface") +
+                               " near them: is it another part, or another unit?");
+  const bool reversed = 2 * figures.opposed > figures.measured + figures.beyond_rim;
+  if (reversed)
+    figures.warnings.push_back("the normals of " + of(figures.opposed) +
+                               " point into the material: they are reversed, or the reference is seen from its other "
+                               "side; flip the reference's normals if so");
+  else if (figures.opposed > 0)
+    figures.warnings.push_back("the normals of " + of(figures.opposed) + " point into the material, the first at " +
+                               std::to_string(figures.first_opposed.index));
+  if (figures.inward_axes > 0 && !reversed)
+    figures.warnings.push_back("the tool axes of " + of(figures.inward_axes) + " point into the material, the first at " +
+                               std::to_string(figures.first_inward.index) + ": the shank would stand in the part");
+  if (figures.in_gaps > 0)
+    figures.warnings.push_back(of(figures.in_gaps) + " lie in gaps of the scan: nothing there to judge them by");
+}
+
+} // namespace
+
+Status
+measureDeviation(const ReferenceSurface& reference, const CutterPath& path, double chord_error, const ProgressCallback& progress,
+                 std::vector<float>& deviation, DeviationFigures& figures)
+{
+  const auto start = std::chrono::steady_clock::now();
+  deviation.clear();
+  figures = DeviationFigures();
+  figures.points = path.size();
+  figures.reference_points = reference.graph().size();
+  figures.noise = reference.noise();
+  figures.fit_noise = reference.fitNoise();
+  figures.crease_band = reference.creaseBand();
+  figures.by_mesh = reference.mesh() != nullptr;
+  figures.warnings = reference.warnings();
+  for (std::string& warning : noiseWarnings(reference, 0.0, chord_error))
+    figures.warnings.push_back(std::move(warning));
+  figures.motion = pathMotion(path);
+  deviation.reserve(path.size());
+  Tally tally(reference, path, figures);
+  std::vector<SurfaceFoot> feet;
+  for (std::size_t begin = 0; begin < path.size(); begin += chunk) {
+    const std::size_t end = std::min(path.size(), begin + chunk);
+    reference.surface().project(
+        {path.contacts.begin() + static_cast<std::ptrdiff_t>(begin), path.contacts.begin() + static_cast<std::ptrdiff_t>(end)}, feet);
+    for (std::size_t i = begin; i < end; ++i)
+      deviation.push_back(tally.take(i, feet[i - begin]));
+    if (progress && !progress(static_cast<double>(end) / static_cast<double>(path.size()), "deviation"))
+      return {StatusCode::Cancelled, "cancelled"};
+  }
+  tally.finish();
+  figures.wobble = turnWobble(path, deviation);
+  warn(reference, figures);
+  figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (figures.unmeasured == path.size())
+    return {StatusCode::InvalidInput,
+            "none of the " + std::to_string(path.size()) + " path points lies on the reference: is it another part, or another unit?"};
+  return Status::success();
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/verify/impl/material_removal_engine.h>
+
+#include "quantile.h"
+#include "removal_samples.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr std::size_t chunk = 1u << 16; // places between progress reports
+constexpr std::size_t block = 32;       // places that follow one another: one's move is tried first at the next
+
+/** One measurement, step by step. */
+class Measurement {
+public:
+  Measurement(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& settings,
+              const ProgressCallback& progress, RemovalHeights& heights, RemovalFigures& figures)
+  : reference_(reference), path_(path), sweep_(sweep), settings_(settings), progress_(progress), heights_(heights), figures_(figures),
+    index_(sweep.centres()), sampler_(reference, sweep, index_, settings, figures.reach)
+  {}
+
+  bool overReference();
+  bool alongPath();
+  void finish();
+
+private:
+  void count(std::size_t i, const SampleResult& result);
+  void finish(StockFigures& figures, std::vector<float>& heights, const PlacedValue& max);
+
+  const ReferenceSurface& reference_;
+  const CutterPath& path_;
+  const CutterSweep& sweep_;
+  const RemovalSettings& settings_;
+  const ProgressCallback& progress_;
+  RemovalHeights& heights_;
+  RemovalFigures& figures_;
+  MoveIndex index_;
+  RemovalSampler sampler_;
+  RemovalExtremes extremes_;
+  std::vector<float> main_, ridge_, rim_, crease_, steps_;
+  std::vector<Eigen::Vector3f> feet_;
+};
+
+void
+Measurement::count(std::size_t i, const SampleResult& result)
+{
+  heights_.stock[i] = result.stock;
+  heights_.ridge[i] = result.ridge;
+  steps_[i] = result.step;
+  if (result.zone == Zone::None) {
+    ++figures_.unmeasured;
+    return;
+  }
+  const Zone zone = result.zone;
+  (zone == Zone::Crease ? crease_ : zone == Zone::Rim ? rim_ : main_).push_back(result.stock);
+  if (result.ridge == result.ridge)
+    ridge_.push_back(result.ridge);
+  if (!result.met) {
+    StockFigures& figures = zone == Zone::Crease ? figures_.crease : zone == Zone::Rim ? figures_.rim : figures_.stock;
+    if (figures.uncut++ == 0)
+      figures.first_uncut = {result.stock, feet_[i].cast<double>(), result.move};
+  }
+}
+
+bool
+Measurement::overReference()
+{
+  const std::size_t size = reference_.graph().size();
+  heights_.stock.resize(size);
+  heights_.ridge.resize(size);
+  steps_.resize(size);
+  feet_.resize(size);
+  std::vector<Eigen::Vector3d> queries;
+  std::vector<SurfaceFoot> feet;
+  for (std::size_t begin = 0; begin < size; begin += chunk) {
+    const std::size_t end = std::min(size, begin + chunk);
+    queries.clear();
+    for (std::size_t i = begin; i < end; ++i)
+      queries.push_back(reference_.graph().position(i));
+    reference_.surface().project(queries, feet);
+    for (std::size_t i = begin; i < end; ++i)
+      if (reference_.inCreaseBand(queries[i - begin]))
+        feet[i - begin] = reference_.meshPlace(i);
+    const auto blocks = static_cast<std::ptrdiff_t>((end - begin + block - 1) / block);
+    std::vector<SampleResult> results(end - begin);
+    std::vector<RemovalExtremes> extremes(static_cast<std::size_t>(blocks));
+#pragma omp parallel for schedule(dynamic, 8)
+    for (std::ptrdiff_t b = 0; b < blocks; ++b) {
+      const std::size_t first = static_cast<std::size_t>(b) * block;
+      std::size_t guess = sweep_.moves();
+      for (std::size_t k = first; k < std::min(first + block, end - begin); ++k)
+        results[k] = sampler_.at(feet[k], guess, extremes[static_cast<std::size_t>(b)]);
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+      feet_[i] = feet[i - begin].position.cast<float>();
+      count(i, results[i - begin]);
+    }
+    for (const RemovalExtremes& e : extremes)
+      extremes_.merge(e);
+    if (progress_ && !progress_(0.6 * static_cast<double>(end) / static_cast<double>(size), "stock"))
+      return false;
+  }
+  return true;
+}
+
+bool
+Measurement::alongPath()
+{
+  const std::size_t moves = sweep_.moves();
+  const double longest = 2.0 * reference_.fitRadius(); // of a piece of a move
+  struct Station {
+    std::size_t move;
+    double f;
+  };
+  std::vector<Station> stations;
+  std::vector<Eigen::Vector3d> queries;
+  std::vector<SurfaceFoot> feet;
+  for (std::size_t begin = 0; begin < moves;) {
+    stations.clear();
+    queries.clear();
+    std::size_t end = begin;
+    for (; end < moves && stations.size() < chunk; ++end) {
+      const Eigen::Vector3d &a = path_.contacts[end], &b = path_.contacts[end + 1];
+      const auto pieces = sweep_.isLift(end) ? 1 : static_cast<std::size_t>(std::clamp(std::ceil((b - a).norm() / longest), 1.0, 1e4));
+      for (std::size_t k = 0; k < pieces; ++k) {
+        const double f = static_cast<double>(k) / static_cast<double>(pieces);
+        stations.push_back({end, f});
+        queries.push_back((1.0 - f) * a + f * b);
+      }
+    }
+    queries.push_back(path_.contacts[end]);
+    reference_.surface().project(queries, feet);
+    const auto blocks = static_cast<std::ptrdiff_t>((stations.size() + block - 1) / block);
+    std::vector<RemovalExtremes> extremes(static_cast<std::size_t>(blocks));
+#pragma omp parallel for schedule(dynamic, 8)
+    for (std::ptrdiff_t b = 0; b < blocks; ++b) {
+      RemovalExtremes& met = extremes[static_cast<std::size_t>(b)];
+      const std::size_t first = static_cast<std::size_t>(b) * block;
+      for (std::size_t k = first; k < std::min(first + block, stations.size()); ++k) {
+        const Station& station = stations[k];
+        if (sweep_.isLift(station.move))
+          continue;
+        const bool ends = k + 1 == stations.size() || stations[k + 1].move != station.move;
+        sampler_.along(station.move, station.f, ends ? 1.0 : stations[k + 1].f, feet[k], feet[k + 1], met);
+        if (!feet[k].valid)
+          continue;
+        // Every ridge has a pass on either side: one sees it at its points, the other between them.
+        sampler_.beside(feet[k], station.move, 1.0, met);
+        sampler_.beside(shifted(feet[k], 0.5 * (queries[k + 1] - queries[k])), station.move, -1.0, met);
+      }
+    }
+    for (const RemovalExtremes& e : extremes)
+      extremes_.merge(e);
+    begin = end;
+    if (progress_ && !progress_(0.6 + 0.4 * static_cast<double>(end) / static_cast<double>(moves), "moves"))
+      return false;
+  }
+  return true;
+}
+
+void
+Measurement::finish(StockFigures& figures, std::vector<float>& heights, const PlacedValue& max)
+{
+  figures.samples = heights.size();
+  if (heights.empty())
+    return;
+  figures.max = max;
+  const auto above = std::count_if(heights.begin(), heights.end(), [this](float v) { return v > figures_.limit; });
+  figures.share_above = static_cast<double>(above) / static_cast<double>(heights.size());
+  figures.p50 = quantile(heights, 0.5);
+  figures.p90 = quantile(heights, 0.9);
+  figures.p99 = quantile(heights, 0.99);
+  figures.p999 = quantile(heights, 0.999);
+}
+
+void
+Measurement::finish()
+{
+  figures_.gouge = extremes_.gouge;
+  figures_.rim_gouge = extremes_.rim_gouge;
+  finish(figures_.stock, main_, extremes_.stock);
+  finish(figures_.rim, rim_, extremes_.rim);
+  finish(figures_.crease, crease_, extremes_.crease);
+  figures_.crease_gouge = extremes_.crease_gouge;
+  finish(figures_.scallop, ridge_, extremes_.scallop);
+  figures_.rim_length = reference_.rimLength();
+  figures_.least_length = leastLength(reference_, steps_, feet_, figures_.area);
+  figures_.path_length = cutLength(path_);
+  if (figures_.path_length > 0.0)
+    figures_.efficiency = figures_.least_length / figures_.path_length;
+  if (figures_.gouge.value > settings_.tool_radius)
+    figures_.warnings.push_back("the middle of the cutter stands inside the material at path point " +
+                                std::to_string(figures_.gouge.index) +
+                                ": the path's normals are reversed there, or the reference is seen from its other side");
+}
+
+Status
+check(const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& settings)
+{
+  const auto bad = [](const char* what, double value, const char* remedy) {
+    return Status(StatusCode::InvalidArgument, std::string(what) + " is " + std::to_string(value) + " mm; " + remedy);
+  };
+  if (!(settings.tool_radius > 0.0) || !std::isfinite(settings.tool_radius))
+    return bad("the tool radius", settings.tool_radius, "set it above 0: setToolRadius");
+  if (!(settings.scallop_height > 0.0) || !(settings.scallop_height < settings.tool_radius))
+    return bad("the scallop height", settings.scallop_height, "set it above 0 and below the tool radius");
+  if (!(settings.chord_error >= 0.0) || !std::isfinite(settings.chord_error))
+    return bad("the chord error", settings.chord_error, "set it to 0 or more");
+  if (!(settings.reach >= 0.0) || !std::isfinite(settings.reach))
+    return bad("the reach", settings.reach, "set it above the scallop height, or to 0 to have it chosen");
+  if (path.size() < 2 || sweep.centres().size() != path.size())
+    return {StatusCode::InvalidArgument, "the path has " + std::to_string(path.size()) + " points and the cutter " +
+                                             std::to_string(sweep.centres().size()) + " places: give two points or more, one place each"};
+  return Status::success();
+}
+
+} // namespace
+
+Status
+measureRemovedMaterial(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& settings,
+                       const ProgressCallback& progress, RemovalHeights& heights, RemovalFigures& figures)
+{
+  const auto start = std::chrono::steady_clock::now();
+  heights = RemovalHeights();
+  figures = RemovalFigures();
+  if (const Status status = check(path, sweep, settings); !status.ok())
+    return status;
+  figures.reference_points = reference.graph().size();
+  figures.noise = reference.noise();
+  figures.fit_noise = reference.fitNoise();
+  figures.warnings = reference.warnings();
+  for (std::string& warning : noiseWarnings(reference, settings.scallop_height, settings.chord_error))
+    figures.warnings.push_back(std::move(warning));
+  figures.crease_band = reference.creaseBand();
+  figures.limit = 1.02 * settings.scallop_height + settings.chord_error;
+  figures.reach = settings.reach > 0.0 ? settings.reach : std::max(20.0 * settings.scallop_height, 10.0 * figures.noise);
+  Measurement measurement(reference, path, sweep, settings, progress, heights, figures);
+  if (!measurement.overReference() || !measurement.alongPath())
+    return {StatusCode::Cancelled, "cancelled"};
+  measurement.finish();
+  figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return Status::success();
+}
+
+} // namespace pcl_spiral
