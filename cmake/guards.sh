@@ -154,4 +154,14 @@ wrong_names() {
 }
 fault "names that are not in the declaration under the comment" "$(wrong_names)"
 
+# Doxygen has no warning for values of an enumeration without a comment.
+bare_values() {
+  find $library/include -name '*.h' -not -path '*/impl/*' -print0 | xargs -0 awk '
+    /^ *enum class .*\{.*[A-Za-z]/ { print FILENAME ":" FNR ":" $0; next }
+    /^ *enum class / { inside = 1; next }
+    /};/ { inside = 0 }
+    inside && /^ *[A-Za-z]/ && !/\/\/\/</ { print FILENAME ":" FNR ":" $0 }'
+}
+fault "values of a public enumeration without a comment (one a line, each with ///<)" "$(bare_values)"
+
 exit $faults

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A column with a waist by one helix about its own axis; a wavy plate by section planes. Both with a ball.
-#include <pcl_spiral/core/profile_step.h>
+#include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/drive/drive_path.h>
 

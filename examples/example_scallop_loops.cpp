@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A bent plate with two holes: closed loops one step-over apart, and by hand one path over them.
 #include <pcl_spiral/spiral/loop_linking.h>
-#include <pcl_spiral/spiral/path_sampling.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Smooth a jagged closed line by a wavelength in mm: the noise goes, the size stays, the corner is kept.
-#include <pcl_spiral/core/taubin.h>
+#include <pcl_spiral/core/polyline.h>
 
 #include <cmath>
 #include <cstdio>

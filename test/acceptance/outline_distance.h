@@ -6,7 +6,7 @@
 
 #include "support/checked_path.h"
 
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 
 namespace pcl_spiral::acceptance {
 

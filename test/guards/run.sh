@@ -28,9 +28,9 @@ plant() { # FILE LINE: a fresh copy with LINE at the end of FILE must be refused
 }
 
 headers=pcl_spiral/include/pcl_spiral
-plant $headers/core/impl/polyline.h '#include <pcl/point_types.h>'
+plant $headers/core/polyline.h '#include <pcl/point_types.h>'
 plant pcl_spiral/src/core/polyline.cpp '# include "pcl/point_cloud.h"'
-plant $headers/core/impl/polyline.h '#include <pcl_spiral/common/status.h>'
+plant $headers/core/polyline.h '#include <pcl_spiral/common/status.h>'
 plant $headers/common/status.h '#include <pcl_spiral/surface/mls_projector.h>'
 plant $headers/surface/impl/planted.hpp '#include <pcl_spiral/geodesic/geodesic_path.h>'
 plant pcl_spiral/src/cutter/planted.cpp '#include <pcl_spiral/io/toolpath_writer.h>'
@@ -51,6 +51,11 @@ plant cmake/planted.cmake 'add_compile_definitions(PCL_NO_PRECOMPILE)'
 plant pcl_spiral/src/core/polyline.cpp '#pragma GCC optimize("fast-math")'
 plant $headers/common/impl/progress.h '/** Of \p shares in the work. */
 double percentOf(double share);'
+plant $headers/common/status.h 'enum class Planted { One, Two };'
+plant $headers/common/status.h 'enum class Planted {
+  One, ///< the first
+  Two
+};'
 plant examples/example_step_over.cpp "$(yes '// more' | head -n 61)"
 plant examples/example_stage_by_stage.cpp "$(yes '// more' | head -n 20)"
 plant pcl_spiral/doc/stage_by_stage.md '```cpp

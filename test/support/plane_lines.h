@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/core/bspline_fit.h>
-#include <pcl_spiral/spiral/impl/radial_line.h>
+#include <pcl_spiral/spiral/radial_line.h>
 
 #include <algorithm>
 #include <cmath>

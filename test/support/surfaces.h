@@ -6,7 +6,7 @@
 
 #include "support/region.h"
 
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 
 #include <Eigen/Core>
 

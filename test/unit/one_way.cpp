@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Paths at constant scallop height that cut in one sense alone: which way every move goes, what is left, what passes become.
-#include <pcl_spiral/common/pass_begins.h>
+#include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture of passes: on meshes with their own triangles and on clouds, as many as stand apart, words inside the sheet.
-#include <pcl_spiral/common/pass_begins.h>
+#include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/mesh/mesh_sections.h>
 #include <pcl_spiral/visualization/pass_picture.h>

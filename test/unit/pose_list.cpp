@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lists of poses, .6d and .5d, read back by a parser of the test and led through kinematics of the tests.
 #include <pcl_spiral/io/file_error.h>
-#include <pcl_spiral/io/pose_list.h>
+#include <pcl_spiral/io/path_exchange.h>
 
 #include "support/dome_spiral.h"
 #include "support/scratch_folder.h"

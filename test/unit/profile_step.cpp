@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Step-over from the cutter's profile, against ridges found by moving the two passes apart.
-#include <pcl_spiral/core/profile_step.h>
+#include <pcl_spiral/core/cutter_profile.h>
 
 #include "support/cutters.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Triangles over ridges: on the surface, as near to it as asked, looking up, without a seam.
-#include <pcl_spiral/ridge/ridge_mesh.h>
+#include <pcl_spiral/ridge/ridge_surface.h>
 
 #include "support/made_ridge.h"
 #include "support/ridges.h"

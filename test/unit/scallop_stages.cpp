@@ -7,7 +7,6 @@
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
 #include <pcl_spiral/spiral/loop_linking.h>
-#include <pcl_spiral/spiral/path_sampling.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>

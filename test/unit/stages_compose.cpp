@@ -10,10 +10,10 @@
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
+#include <pcl_spiral/spiral/impl/stage_reports.h>
 #include <pcl_spiral/spiral/radial_lines.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
-#include <pcl_spiral/spiral/stage_reports.h>
 #include <pcl_spiral/surface/mls_projector.h>
 #include <pcl_spiral/verify/deviation_estimation.h>
 

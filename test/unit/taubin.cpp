@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/common/impl/thread_limit.h>
-#include <pcl_spiral/core/taubin.h>
+#include <pcl_spiral/core/polyline.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Toolpath files: read back by our readers, by PCL and VTK, and by a plain parser of the header.
-#include <pcl_spiral/common/pass_begins.h>
+#include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
 #include <pcl_spiral/io/toolpath_reader.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/core/impl/bspline.h>
+#include <pcl_spiral/core/bspline_fit.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/core/profile_step.h>
+#include <pcl_spiral/core/cutter_profile.h>
 
 namespace pcl_spiral {
 

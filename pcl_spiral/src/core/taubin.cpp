@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
-#include <pcl_spiral/core/taubin.h>
+#include <pcl_spiral/core/polyline.h>
 
 #include <omp.h>
 

@@ -2,6 +2,7 @@
 #include "cloud_ground.h"
 
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/cutter/impl/holder_collision.h>
 
 #include <algorithm>
 #include <cmath>

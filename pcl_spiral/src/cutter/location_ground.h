@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/impl/drive_point.h>
+#include <pcl_spiral/common/drive_pass.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/core/impl/swept_error.h>
 #include <pcl_spiral/cutter/tool_location.h>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "graph/level_lines.h"
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 
 #include <vector>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/drive/impl/drive_cylinder.h>
 #include <pcl_spiral/drive/impl/drive_path_engine.h>
 
 #include "drive_kinds.h"

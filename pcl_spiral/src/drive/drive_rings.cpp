@@ -4,6 +4,7 @@
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/drive/impl/drive_cylinder.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,6 +7,7 @@
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/drive/impl/drive_cylinder.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
 
 #include <Eigen/Geometry>

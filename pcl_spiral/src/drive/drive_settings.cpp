@@ -2,6 +2,7 @@
 #include <pcl_spiral/drive/drive_settings.h>
 
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/drive/impl/drive_cylinder.h>
 
 #include <Eigen/Geometry>
 

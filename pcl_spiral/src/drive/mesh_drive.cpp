@@ -4,6 +4,7 @@
 
 #include "mesh/mesh_feet.h"
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/drive/impl/drive_cylinder.h>
 #include <pcl_spiral/drive/impl/drive_path_engine.h>
 #include <pcl_spiral/mesh/mesh_sampling.h>
 #include <pcl_spiral/mesh/mesh_sections.h>

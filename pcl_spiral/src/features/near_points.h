@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <vector>

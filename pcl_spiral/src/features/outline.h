@@ -6,7 +6,7 @@
 
 #include "loop_rings.h"
 
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 #include "outline_corners.h"
 
 #include <pcl_spiral/core/impl/angles.h>
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>

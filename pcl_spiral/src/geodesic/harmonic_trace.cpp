@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harmonic_field.h"
 #include <pcl_spiral/core/impl/angles.h>
-#include <pcl_spiral/core/taubin.h>
+#include <pcl_spiral/core/polyline.h>
 
 #include "harmonic_domain.h"
 #include "level_fit.h"

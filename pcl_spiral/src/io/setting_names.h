@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/drive/drive_settings.h>
-#include <pcl_spiral/io/impl/length_unit.h>
+#include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/ridge/ridge_rows.h>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "block_times.h"
 
+#include <pcl_spiral/machine/impl/kinematics.h>
+
 #include <algorithm>
 #include <cmath>
 

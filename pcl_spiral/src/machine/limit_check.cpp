@@ -3,6 +3,7 @@
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/machine/impl/kinematics.h>
 
 #include <algorithm>
 #include <array>

@@ -6,9 +6,10 @@
 #include "turn_passes.h"
 
 #include <pcl_spiral/common/impl/message.h>
-#include <pcl_spiral/common/pass_begins.h>
+#include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
+#include <pcl_spiral/machine/impl/block_spacing.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 
 #include <pcl/console/print.h>

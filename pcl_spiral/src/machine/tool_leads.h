@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/machine/impl/rotary_path.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 
 namespace pcl_spiral {

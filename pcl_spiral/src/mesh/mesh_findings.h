@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/mesh/impl/mesh_settings.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
 
 #include <string>
 #include <utility>

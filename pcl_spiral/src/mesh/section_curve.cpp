@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "section_curve.h"
 
+#include <pcl_spiral/core/impl/parabola_edge.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 
 #include "graph/level_lines.h"
 #include <pcl_spiral/common/drive_pass.h>
-#include <pcl_spiral/mesh/impl/section_settings.h>
+#include <pcl_spiral/mesh/mesh_sections.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 namespace pcl_spiral {

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/mesh/impl/section_settings.h>
+#include <pcl_spiral/mesh/mesh_sections.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 namespace pcl_spiral {

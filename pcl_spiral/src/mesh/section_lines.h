@@ -5,7 +5,7 @@
 #pragma once
 
 #include "graph/level_lines.h"
-#include <pcl_spiral/mesh/impl/section_settings.h>
+#include <pcl_spiral/mesh/mesh_sections.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 namespace pcl_spiral {

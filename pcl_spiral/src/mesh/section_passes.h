@@ -6,7 +6,7 @@
 
 #include <pcl_spiral/common/drive_pass.h>
 #include <pcl_spiral/common/impl/progress.h>
-#include <pcl_spiral/mesh/impl/section_settings.h>
+#include <pcl_spiral/mesh/mesh_sections.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 namespace pcl_spiral {

@@ -6,6 +6,7 @@
 #include "welded_faces.h"
 
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/parabola_edge.h>
 
 #include <Eigen/Geometry>
 

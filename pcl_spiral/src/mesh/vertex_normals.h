@@ -6,7 +6,7 @@
 
 #include "corner_sectors.h"
 
-#include <pcl_spiral/mesh/impl/mesh_settings.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
 
 #include <Eigen/Core>
 

@@ -6,7 +6,7 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/graph/impl/triangulation.h>
-#include <pcl_spiral/mesh/impl/mesh_settings.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
 
 #include <pcl/PolygonMesh.h>
 

@@ -6,8 +6,8 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/core/impl/ridge_frame.h>
-#include <pcl_spiral/ridge/impl/ridge_settings.h>
 #include <pcl_spiral/ridge/impl/smooth_line.h>
+#include <pcl_spiral/ridge/ridge_surface.h>
 
 #include <string>
 #include <vector>

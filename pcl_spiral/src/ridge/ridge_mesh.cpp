@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/ridge/ridge_mesh.h>
+#include <pcl_spiral/ridge/ridge_surface.h>
 
 #include <pcl_spiral/common/impl/message.h>
 

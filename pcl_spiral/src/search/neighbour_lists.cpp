@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/search/impl/neighbour_lists.h>
+#include <pcl_spiral/search/neighbour_lists.h>
 
 #include <algorithm>
 

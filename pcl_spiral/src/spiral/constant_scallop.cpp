@@ -8,8 +8,8 @@
 
 #include "common/freed_memory.h"
 #include <pcl_spiral/core/impl/pass_ranges.h>
+#include <pcl_spiral/spiral/impl/path_size.h>
 #include <pcl_spiral/spiral/loop_linking.h>
-#include <pcl_spiral/spiral/path_sampling.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/spiral/stage_reports.h>
+#include <pcl_spiral/spiral/impl/stage_reports.h>
 
 #include "surface/noise_warning.h"
 #include <pcl_spiral/common/impl/message.h>

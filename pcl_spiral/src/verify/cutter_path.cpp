@@ -3,7 +3,7 @@
 #include <pcl_spiral/verify/impl/cutter_path.h>
 
 #include <pcl_spiral/common/impl/message.h>
-#include <pcl_spiral/common/pass_begins.h>
+#include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <Eigen/Geometry>

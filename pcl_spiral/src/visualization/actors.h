@@ -6,7 +6,7 @@
 
 #include "sheet.h"
 
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 
 #include <vtkActor.h>
 #include <vtkPolyData.h>

@@ -5,7 +5,7 @@
 #include "path_layer.h"
 #include "shown_passes.h"
 
-#include <pcl_spiral/common/pass_begins.h>
+#include <pcl_spiral/common/point_types.h>
 
 #include <algorithm>
 #include <stdexcept>

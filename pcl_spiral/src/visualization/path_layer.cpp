@@ -3,7 +3,7 @@
 
 #include "actors.h"
 
-#include <pcl_spiral/common/pass_begins.h>
+#include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <vtkCellArray.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ridge_display.h"
 
-#include <pcl_spiral/ridge/ridge_mesh.h>
+#include <pcl_spiral/ridge/ridge_surface.h>
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>

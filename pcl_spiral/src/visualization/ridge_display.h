@@ -6,7 +6,7 @@
 
 #include "display_surface.h"
 
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/ridge/ridge_surface.h>
 
 #include <functional>

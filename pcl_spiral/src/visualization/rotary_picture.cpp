@@ -3,7 +3,7 @@
 
 #include "box_axes.h"
 #include <pcl_spiral/core/impl/angles.h>
-#include <pcl_spiral/visualization/rotary_picture.h>
+#include <pcl_spiral/visualization/pass_picture.h>
 
 #include <algorithm>
 #include <cmath>

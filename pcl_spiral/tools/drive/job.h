@@ -7,7 +7,7 @@
 #include "passes/pass_job.h"
 
 #include <pcl_spiral/drive/drive_settings.h>
-#include <pcl_spiral/mesh/impl/mesh_settings.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
 
 #include <optional>
 #include <string>

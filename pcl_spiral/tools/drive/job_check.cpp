@@ -9,7 +9,7 @@
 #include "io/setting_names.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
-#include <pcl_spiral/core/profile_step.h>
+#include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>

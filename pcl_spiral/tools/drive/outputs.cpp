@@ -8,7 +8,7 @@
 #include "terminal/file_names.h"
 
 #include "io/setting_names.h"
-#include <pcl_spiral/visualization/rotary_picture.h>
+#include <pcl_spiral/visualization/pass_picture.h>
 
 #include <cstdio>
 #include <filesystem>

@@ -7,7 +7,6 @@
 
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
-#include <pcl_spiral/io/pose_list.h>
 
 #include <algorithm>
 #include <stdexcept>

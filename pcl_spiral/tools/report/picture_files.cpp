@@ -5,7 +5,7 @@
 #include "terminal/terminal.h"
 
 #include <pcl_spiral/io/file_error.h>
-#include <pcl_spiral/visualization/rotary_picture.h>
+#include <pcl_spiral/visualization/pass_picture.h>
 
 #include <stdlib.h>
 

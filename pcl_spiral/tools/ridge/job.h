@@ -6,9 +6,9 @@
 
 #include "passes/pass_job.h"
 
-#include <pcl_spiral/core/impl/polyline.h>
-#include <pcl_spiral/ridge/impl/ridge_settings.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/ridge/ridge_rows.h>
+#include <pcl_spiral/ridge/ridge_surface.h>
 
 #include <string>
 

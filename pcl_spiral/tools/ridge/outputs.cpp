@@ -10,7 +10,6 @@
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/visualization/pass_picture.h>
 #include <pcl_spiral/visualization/ridge_picture.h>
-#include <pcl_spiral/visualization/rotary_picture.h>
 
 #include <cstdio>
 #include <filesystem>

@@ -14,7 +14,7 @@
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/ridge/ridge_lines.h>
-#include <pcl_spiral/ridge/ridge_mesh.h>
+#include <pcl_spiral/ridge/ridge_surface.h>
 
 #include <algorithm>
 #include <cmath>

@@ -44,9 +44,10 @@ struct StrayFigures {
 template <typename PointT>
 class StrayRemoval : public pcl::FilterIndices<PointT>, public ThreadCount {
 public:
-  using Ptr = pcl::shared_ptr<StrayRemoval>;
-  using ConstPtr = pcl::shared_ptr<const StrayRemoval>;
+  using Ptr = pcl::shared_ptr<StrayRemoval>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const StrayRemoval>; ///< A shared pointer to a constant one.
 
+  /** \p extract_removed_indices: if true, getRemovedIndices has the points left out. */
   explicit StrayRemoval(bool extract_removed_indices = false) : pcl::FilterIndices<PointT>(extract_removed_indices)
   {
     this->filter_name_ = "StrayRemoval";
@@ -55,7 +56,7 @@ public:
   /** Connected outliers in groups of more points than this stay: a false echo is a single point, a screw or a clamp is not.
    *  0, the default: all are left out. */
   void setLargestGroup(std::size_t points) { largest_group_ = points; }
-  std::size_t getLargestGroup() const { return largest_group_; }
+  std::size_t getLargestGroup() const { return largest_group_; } ///< The value of setLargestGroup.
 
   /** Clears the last result. A null pointer is an error at once. */
   void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
@@ -86,10 +87,10 @@ public:
 
   /** Status of the last call of filter: the fault of the points if they form no surface. */
   const Status& getStatus() const { return status_; }
-  const StrayFigures& getFigures() const { return figures_; }
+  const StrayFigures& getFigures() const { return figures_; } ///< Figures of the last call of filter.
 
 protected:
-  void applyFilter(pcl::Indices& indices) override;
+  void applyFilter(pcl::Indices& indices) override; ///< What pcl::FilterIndices calls.
 
 private:
   static Status missingCloud() { return {StatusCode::InvalidInput, "the input cloud is missing: call setInputCloud with points"}; }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The result of a computation, which every class of pcl_spiral keeps.
+ *  Result, progress and cost of a computation.
  */
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -22,19 +24,36 @@ enum class StatusCode {
 /** Result of the last compute: a code, and a message with the fault, the place and the remedy. */
 class Status {
 public:
-  Status() = default;
-  Status(StatusCode code, std::string message) : code_(code), message_(std::move(message)) {}
+  Status() = default;                                                                         ///< Not computed.
+  Status(StatusCode code, std::string message) : code_(code), message_(std::move(message)) {} ///< A result with its message.
 
-  static Status success() { return Status(StatusCode::Ok, "done"); }
+  static Status success() { return Status(StatusCode::Ok, "done"); } ///< Done.
 
-  bool ok() const { return code_ == StatusCode::Ok; }
-  StatusCode code() const { return code_; }
+  bool ok() const { return code_ == StatusCode::Ok; } ///< Whether the computation succeeded.
+  StatusCode code() const { return code_; }           ///< Why it ended.
   /** The fault, the place and value, and the remedy; one or more sentences. */
   const std::string& message() const { return message_; }
 
 private:
   StatusCode code_ = StatusCode::NotComputed;
   std::string message_ = "compute has not been called";
+};
+
+/** Called with the share done, 0 to 1, and the name of the stage. Return false to cancel. Called from one thread only. */
+using ProgressCallback = std::function<bool(double share, const std::string& stage)>;
+
+/** Memory of this process, bytes, as Linux reports it in /proc/self/status, to about 1 MB; 0 if not known. */
+struct MemoryUse {
+  std::size_t resident = 0; ///< in main memory now (VmRSS): of the process itself and of the library pages it used
+  std::size_t peak = 0;     ///< the maximum since the process began (VmHWM)
+};
+
+/** Wall time of one stage, and the memory of the whole process at its end. If the peak is above that of the stage before, this
+ *  stage raised it. */
+struct StageCost {
+  std::string name;     ///< of the stage
+  double seconds = 0.0; ///< wall time
+  MemoryUse memory;     ///< of the process at the end of the stage
 };
 
 } // namespace pcl_spiral

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 
 namespace pcl_spiral {
@@ -17,14 +18,17 @@ struct CutterShape {
   double flank_length = 0.0;  ///< L, along the slant; 0: the cutter ends at the end of the corner
   double flank_angle = 0.0;   ///< alpha, of the flank to the axis, degrees; 0: a cylinder
 
-  /** Flank lengths are those of the cutting edge above the corner; 0 if they do not matter. */
+  /** A ball end on a cylinder. Flank lengths, here and below, are those of the cutting edge above the corner, mm; 0 if they do
+   *  not matter. */
   static CutterShape ball(double radius, double flank_length = 0.0);
-  static CutterShape flatEnd(double radius, double flank_length = 0.0);
+  static CutterShape flatEnd(double radius, double flank_length = 0.0); ///< A cylinder with a flat end and a sharp edge.
+  /** A cylinder with a flat end and a rounded edge of \p corner_radius. */
   static CutterShape bullNose(double radius, double corner_radius, double flank_length = 0.0);
   /** A cone with a flat tip at the lower end of the flank. */
   static CutterShape taper(double radius, double flank_length, double flank_angle);
   /** A cone with a ball that continues it smoothly: r = (R - L sin alpha) / cos alpha. */
   static CutterShape taperedBall(double radius, double flank_length, double flank_angle);
+  /** The general case. \p radius at the upper end of the flank, mm; \p flank_angle to the axis, degrees. */
   static CutterShape taperedBullNose(double radius, double corner_radius, double flank_length, double flank_angle);
 };
 
@@ -43,7 +47,7 @@ struct CutterContact {
   /** False: the plane leans over the flank (n v < sin alpha), and no part of the cutting edge can touch it. The rest
    *  then belongs to the top edge of the flank, the part that would meet the plane first. */
   bool touches = false;
-  CutterPart part = CutterPart::Corner;
+  CutterPart part = CutterPart::Corner;          ///< that touches
   Eigen::Vector3d tip = Eigen::Vector3d::Zero(); ///< the location
   double distance = 0.0;                         ///< of the contact from the axis
   double height = 0.0;                           ///< of the contact above the tip, along the axis
@@ -64,7 +68,7 @@ public:
   /** \throws std::invalid_argument with faultOf(shape) if it is not a valid cutter. */
   explicit CutterProfile(const CutterShape& shape);
 
-  const CutterShape& shape() const { return shape_; }
+  const CutterShape& shape() const { return shape_; }          ///< The lengths and the angle that define it.
   double radius() const { return shape_.radius; }              ///< R
   double cornerRadius() const { return shape_.corner_radius; } ///< r
   double flankRadius() const { return flank_radius_; }         ///< R1, where the flank begins
@@ -97,5 +101,14 @@ private:
 /** The cutter reduced by \p depth along its normals: a point inside it is deeper than \p depth inside the whole one. Its tip is
  *  \p depth above the tip of the whole one. Returns the cutter itself if nothing would be left. */
 CutterProfile insetCutter(const CutterProfile& profile, double depth);
+
+/** Largest distance, mm, between two parallel passes on a plane, with the axis along its normal, that leaves no ridge
+ * between them higher than \p scallop, mm: twice the largest distance from the axis at which the profile
+ * is not higher than that.
+ *
+ *  The ridge midway between passes s apart is z(s / 2) high. For a ball that gives 2 sqrt(R^2 - (R - h)^2),
+ * for a bull-nose 2 R2 + 2 sqrt(r^2 - (r - h)^2), for a flat end 2 R: its edges meet and leave no ridge. Never
+ * more than 2 R. Empty if \p scallop is not above 0. */
+std::optional<double> stepForScallop(const CutterProfile& profile, double scallop);
 
 } // namespace pcl_spiral

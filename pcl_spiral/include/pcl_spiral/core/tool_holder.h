@@ -11,11 +11,12 @@ namespace pcl_spiral {
 
 /** A conical frustum about the tool axis; a cylinder if both radii are the same. */
 struct ToolSegment {
-  double lower_radius = 0.0;
-  double upper_radius = 0.0;
-  double length = 0.0;
-  std::string name; ///< for messages: "shank"
+  double lower_radius = 0.0; ///< mm, at the end towards the cutter
+  double upper_radius = 0.0; ///< mm, at the end towards the spindle
+  double length = 0.0;       ///< mm, along the axis
+  std::string name;          ///< for messages: "shank"
 
+  /** Both radii the same; mm. */
   static ToolSegment cylinder(double radius, double length, const std::string& name) { return {radius, radius, length, name}; }
 };
 
@@ -32,10 +33,10 @@ public:
    * radius below it. \throws std::invalid_argument on invalid segments or an invalid clearance. */
   HolderProfile(const std::vector<ToolSegment>& segments, double base, double cutter_radius, double clearance);
 
-  bool empty() const { return parts_.empty(); }
-  double radius() const { return radius_; } ///< the largest radius
-  double bottom() const { return bottom_; } ///< height above the tip
-  double top() const { return top_; }
+  bool empty() const { return parts_.empty(); } ///< Whether there are no segments.
+  double radius() const { return radius_; }     ///< the largest radius
+  double bottom() const { return bottom_; }     ///< height above the tip
+  double top() const { return top_; }           ///< height of its upper end above the tip
 
   /** The segment that contains a place \p l from the axis and \p height above the tip, or -1, and the depth there:
    * the shortest way out, through the flank or through a lower face that is wider than what is below it. */

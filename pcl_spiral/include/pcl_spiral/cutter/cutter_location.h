@@ -11,6 +11,7 @@
 #include <pcl_spiral/cutter/impl/cutter_location_engine.h>
 #include <pcl_spiral/cutter/impl/location_bisection.h>
 #include <pcl_spiral/cutter/impl/location_mesh.h>
+#include <pcl_spiral/cutter/tool_location.h>
 #include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/PolygonMesh.h>
@@ -37,11 +38,11 @@ namespace pcl_spiral {
 template <typename PointT>
 class CutterLocation : public SurfaceInput<pcl::PCLBase<PointT>, PointT> {
 public:
-  CutterLocation() { this->scanned_.setStrict(false); } // a rough surface is accepted
-  using Ptr = pcl::shared_ptr<CutterLocation>;
-  using ConstPtr = pcl::shared_ptr<const CutterLocation>;
-  using Path = pcl::PointCloud<ToolpathPoint>;
-  using Evaluation = LocationEvaluation;
+  CutterLocation() { this->scanned_.setStrict(false); }   // a rough surface is accepted
+  using Ptr = pcl::shared_ptr<CutterLocation>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const CutterLocation>; ///< A shared pointer to a constant one.
+  using Path = pcl::PointCloud<ToolpathPoint>;            ///< A toolpath.
+  using Evaluation = LocationEvaluation;                  ///< How the height of a location is found.
 
   /** Places, axes and, where a contact is asked for, normals. */
   void setDrivePoints(DrivePoints points)
@@ -51,42 +52,42 @@ public:
   }
   /** The same with several passes, such as those of DrivePath; the first point of a ring is repeated at its end. */
   void setDrivePasses(const DrivePasses& passes);
-  const DrivePoints& getDrivePoints() const { return drive_points_; }
+  const DrivePoints& getDrivePoints() const { return drive_points_; } ///< The value of setDrivePoints.
   /** The same from a toolpath: its contacts, axes and normals (zero: none). */
   void setDrivePath(const Path& path);
 
   /** Shape of the cutter. Must be set. */
   void setCutter(const CutterShape& cutter) { cutter_ = cutter; }
-  const CutterShape& getCutter() const { return cutter_; }
+  const CutterShape& getCutter() const { return cutter_; } ///< The value of setCutter.
 
   /** How the height of a location is found; Evaluation::FittedSurface by default. */
   void setEvaluation(Evaluation evaluation) { options_.evaluation = evaluation; }
-  Evaluation getEvaluation() const { return options_.evaluation; }
+  Evaluation getEvaluation() const { return options_.evaluation; } ///< The value of setEvaluation.
 
   /** A contact counts as reached if the cutter touches within this distance along the axis, mm; 0.01 by default. */
   void setContactTolerance(double tolerance) { options_.tolerance = tolerance; }
-  double getContactTolerance() const { return options_.tolerance; }
+  double getContactTolerance() const { return options_.tolerance; } ///< The value of setContactTolerance.
 
   /** The parts above the cutter, from the top of its flank upwards: shank, extensions,
    *  chuck. None by default: no collision check. Set the cutter's flank length too. */
   void setHolder(std::vector<ToolSegment> segments) { options_.holder = std::move(segments); }
-  const std::vector<ToolSegment>& getHolder() const { return options_.holder; }
+  const std::vector<ToolSegment>& getHolder() const { return options_.holder; } ///< The value of setHolder.
 
   /** Distance to keep between holder and scan, mm; 0 by default. Less counts as a collision. */
   void setHolderClearance(double clearance) { options_.holder_clearance = clearance; }
-  double getHolderClearance() const { return options_.holder_clearance; }
+  double getHolderClearance() const { return options_.holder_clearance; } ///< The value of setHolderClearance.
 
   /** Largest angle by which the axis may turn where the contact asked for is not reached or the holder
    *  collides, degrees, up to 90. 0, the default: the cutter is lifted instead. The smallest of six
    *  angles that helps is taken. Each point is treated separately: neighbouring axes may differ by as
    *  much as this angle. Drive points must ask for contacts: refused if none of them has a normal. */
   void setMaxRetilt(double degrees) { options_.max_retilt = degrees; }
-  double getMaxRetilt() const { return options_.max_retilt; }
+  double getMaxRetilt() const { return options_.max_retilt; } ///< The value of setMaxRetilt.
 
   /** Adds locations between the drive points until no straight move of the cutter cuts deeper into the
    *  surface than this, mm, or leaves more than this. 0, the default: none. \see bisectLocations */
   void setPathTolerance(double tolerance) { path_tolerance_ = tolerance; }
-  double getPathTolerance() const { return path_tolerance_; }
+  double getPathTolerance() const { return path_tolerance_; } ///< The value of setPathTolerance.
 
   /** Called with the completed share; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
@@ -96,6 +97,7 @@ public:
   void setLocationSurface(const std::shared_ptr<const LocationSurface>& surface) { given_location_ = surface; }
   /** The surface used by the last compute; null before, and on a mesh. */
   std::shared_ptr<const LocationSurface> getLocationSurface() const { return location_surface_; }
+  /** The scan. Clears a surface, a mesh, and a reused location surface. */
   void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
   {
     SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputCloud(cloud);

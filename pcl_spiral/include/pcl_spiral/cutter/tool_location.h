@@ -4,8 +4,6 @@
  */
 #pragma once
 
-#include <pcl_spiral/cutter/impl/holder_collision.h>
-
 #include <Eigen/Core>
 
 #include <array>
@@ -16,6 +14,15 @@
 #include <vector>
 
 namespace pcl_spiral {
+
+/** How the height of a location is found. */
+enum class LocationEvaluation {
+  FittedSurface,  ///< on the surface fitted to the points; where that fit cannot be trusted,
+                  ///< as PointsAndBound. On a mesh: on the curved surface behind its faces
+  PointsAndBound, ///< on the points, raised by the bound of how far the cutter would sink between
+                  ///< them, if there is one. A mesh has no such bound: it has no gaps between points
+  Points          ///< only on the points, as published: sharp cutters sink between them. On a mesh: on its flat faces
+};
 
 /** The result of a location. */
 enum class LocationState {
@@ -29,7 +36,7 @@ enum class LocationState {
   NoCloud      ///< no point, or part of a mesh, lies within the cutter's radius of the axis, and no
                ///< contact on the surface was asked for: nothing is known, and the tip is not a number
 };
-constexpr std::size_t location_states = 6;
+constexpr std::size_t location_states = 6; ///< Number of states.
 
 /** The data that gave the height of a location. */
 enum class LocationBasis {
@@ -40,7 +47,17 @@ enum class LocationBasis {
                   ///< steep walls, and cutters between the points. No point is deeper in the cutter than
                   ///< the tolerance plus the noise allowance, measured along the normal of the surface
 };
-constexpr std::size_t location_bases = 4;
+constexpr std::size_t location_bases = 4; ///< Number of bases.
+
+/** The point that is deepest in the shank or holder. Lengths in mm. */
+struct HolderCollision {
+  int segment = -1;                                ///< number of the part, from the cutter upwards; -1: none
+  double depth = 0.0;                              ///< shortest way out of it, clearance included
+  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< the point
+  std::uint32_t cloud_index = 0;                   ///< of the point, in the input cloud
+
+  bool found() const { return segment >= 0; } ///< Whether there is a collision.
+};
 
 /** A place of the cutter without gouge. Lengths in mm, along the tool axis unless stated otherwise. */
 struct ToolLocation {
@@ -48,8 +65,8 @@ struct ToolLocation {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();                                           ///< unit, from the tip to the shank
   Eigen::Vector3d contact = Eigen::Vector3d::Zero(); ///< the first place the cutter touches: on the surface, or a point of the scan
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the fitted surface or the mesh at the contact; zero if there is none
-  LocationState state = LocationState::NoCloud;
-  LocationBasis basis = LocationBasis::Points;
+  LocationState state = LocationState::NoCloud;      ///< result of the location
+  LocationBasis basis = LocationBasis::Points;       ///< data that gave its height
   double lift = 0.0;             ///< height above the place where the cutter touches at the contact asked for. Negative if
                                  ///< it would have to go down to touch the scan (Clear). 0 if no contact was asked for
   double gap = 0.0;              ///< how much higher than on the points only; slightly negative
@@ -64,32 +81,44 @@ struct ToolLocation {
   HolderCollision collision;     ///< of the shank or holder with the scan
 };
 
-using ToolLocations = std::vector<ToolLocation>;
+using ToolLocations = std::vector<ToolLocation>; ///< Locations in the order of their drive points.
 
 /** Counts of the states and bases of many locations, and their largest values with the index of the location. */
 struct LocationFigures {
-  std::array<std::size_t, location_states> states{};
-  std::array<std::size_t, location_bases> bases{}; ///< NoCloud counts in none of them
-  std::size_t over_rim = 0, retilted = 0, collisions = 0;
-  double least_rim_clearance = 0.0; ///< of the locations over the rim
-  double largest_retilt = 0.0;      ///< degrees
-  double deepest_collision = 0.0;
-  std::size_t most_collided = 0;
-  double largest_lift = 0.0;
-  std::size_t most_lifted = 0;
-  double largest_gap = 0.0;       ///< corrected: how far the cutter would have sunk between points
-  double largest_gap_bound = 0.0; ///< of the finite bounds, at locations on the points
-  std::size_t unbounded = 0;      ///< locations on the points only, without a bound
-  double noise_allowance = 0.0;   ///< a point of the scan is no deeper than this, along the surface's normal, in the cutter
-  std::size_t stray_points = 0;   ///< outliers of the scan, off its surface: the cutter stays off them too
-  std::vector<std::string> warnings;
+  std::array<std::size_t, location_states> states{}; ///< number of locations in each state
+  std::array<std::size_t, location_bases> bases{};   ///< NoCloud counts in none of them
+  std::size_t over_rim = 0;                          ///< locations over the rim or over a gap
+  std::size_t retilted = 0;                          ///< locations whose axis was turned
+  std::size_t collisions = 0;                        ///< locations where shank or holder collide
+  double least_rim_clearance = 0.0;                  ///< of the locations over the rim
+  double largest_retilt = 0.0;                       ///< degrees
+  double deepest_collision = 0.0;                    ///< mm
+  std::size_t most_collided = 0;                     ///< index of that location
+  double largest_lift = 0.0;                         ///< mm
+  std::size_t most_lifted = 0;                       ///< index of that location
+  double largest_gap = 0.0;                          ///< corrected: how far the cutter would have sunk between points
+  double largest_gap_bound = 0.0;                    ///< of the finite bounds, at locations on the points
+  std::size_t unbounded = 0;                         ///< locations on the points only, without a bound
+  double noise_allowance = 0.0;      ///< a point of the scan is no deeper than this, along the surface's normal, in the cutter
+  std::size_t stray_points = 0;      ///< outliers of the scan, off its surface: the cutter stays off them too
+  std::vector<std::string> warnings; ///< in full sentences, with the remedy
 
-  std::size_t count(LocationState state) const { return states[static_cast<std::size_t>(state)]; }
-  std::size_t count(LocationBasis basis) const { return bases[static_cast<std::size_t>(basis)]; }
+  std::size_t count(LocationState state) const { return states[static_cast<std::size_t>(state)]; } ///< Number of locations in a state.
+  std::size_t count(LocationBasis basis) const { return bases[static_cast<std::size_t>(basis)]; }  ///< Number of locations of a basis.
+};
+
+/** Result of a bisection. Lengths in mm. */
+struct BisectionFigures {
+  std::size_t inserted = 0;                              ///< locations added
+  double largest_error = 0.0;                            ///< of all moves: a bound of what they cut, or what is left in
+                                                         ///< the middle if that is more; plus what thinning shifts
+  std::size_t unresolved = 0;                            ///< moves still beyond the tolerance; largest_error includes their error
+  Eigen::Vector3d worst_place = Eigen::Vector3d::Zero(); ///< tip in the middle of the move with the largest error
+  std::size_t not_judged = 0;                            ///< moves from or to a location without a cloud
 };
 
 /** The name in words: "reached", "lifted". */
 const char* nameOf(LocationState state);
-const char* nameOf(LocationBasis basis);
+const char* nameOf(LocationBasis basis); ///< The same for a basis: "fitted surface", "points".
 
 } // namespace pcl_spiral

@@ -66,6 +66,7 @@ public:
   }
   /** The mesh given, or made by the last compute from the polygons given; null before, and for clouds. */
   SurfaceMesh::ConstPtr getInputMesh() const { return mesh_; }
+  /** The scan. Clears a surface and a mesh. */
   void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
   {
     SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputCloud(cloud);
@@ -78,28 +79,28 @@ public:
     forgetMesh();
   }
 
-  using Ptr = pcl::shared_ptr<DrivePath>;
-  using ConstPtr = pcl::shared_ptr<const DrivePath>;
-  using Kind = DriveKind;
-  using AxisMode = DriveAxisMode;
-  using Rows = DriveRows;
+  using Ptr = pcl::shared_ptr<DrivePath>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const DrivePath>; ///< A shared pointer to a constant one.
+  using Kind = DriveKind;                            ///< Where the path runs.
+  using AxisMode = DriveAxisMode;                    ///< Where tool axes come from.
+  using Rows = DriveRows;                            ///< How planes are spaced.
 
   /** Where the path runs; Kind::Planes by default. */
   void setKind(DriveKind kind) { settings_.kind = kind; }
-  DriveKind getKind() const { return settings_.kind; }
+  DriveKind getKind() const { return settings_.kind; } ///< The value of setKind.
 
   /** Largest distance between neighbouring planes, rings, turns or offsets, mm. Must be set, except for a curve
    *  and for DriveRows::Kept, where it has no effect. To get it from the cutter's profile: stepForScallop. */
   void setStepOver(double step) { settings_.step_over = step; }
-  double getStepOver() const { return settings_.step_over; }
+  double getStepOver() const { return settings_.step_over; } ///< The value of setStepOver.
 
   /** Largest distance between consecutive drive points along their pass, mm; 1 by default. */
   void setPointSpacing(double spacing) { settings_.point_spacing = spacing; }
-  double getPointSpacing() const { return settings_.point_spacing; }
+  double getPointSpacing() const { return settings_.point_spacing; } ///< The value of setPointSpacing.
 
   /** For sections of a mesh: straight moves stay this near the curved surface, mm; 0.005 by default. */
   void setChordError(double error) { settings_.chord_error = error; }
-  double getChordError() const { return settings_.chord_error; }
+  double getChordError() const { return settings_.chord_error; } ///< The value of setChordError.
 
   /** Direction of the passes of planes: degrees about the tool axis, right-handed,
    *  from X, or from Y if the axis is within 26 degrees of X. 0 by default. */
@@ -108,7 +109,7 @@ public:
     settings_.plane_angle = degrees;
     settings_.plane_direction.setZero();
   }
-  double getPlaneAngle() const { return settings_.plane_angle; }
+  double getPlaneAngle() const { return settings_.plane_angle; } ///< The angle of setPlaneDirection, degrees.
   /** The same as a vector; its part along the tool axis has no effect. */
   void setPlaneDirection(const Eigen::Vector3d& along) { settings_.plane_direction = along; }
   /** Zero if the angle is used instead. */
@@ -120,43 +121,43 @@ public:
    *  where less would be needed, as on walls along the planes. Where a rim overhangs across the rows, a ball that comes
    *  down along a fixed axis reaches it only from beyond, and there is no plane there. \see rowDistance, rowLevels */
   void setRows(DriveRows rows) { settings_.rows = rows; }
-  DriveRows getRows() const { return settings_.rows; }
+  DriveRows getRows() const { return settings_.rows; } ///< The value of setRows.
   /** Ball radius and scallop \p height for DriveRows::Kept, mm. Must be set for it. */
   void setScallop(double radius, double height)
   {
     settings_.tool_radius = radius;
     settings_.scallop_height = height;
   }
-  double getToolRadius() const { return settings_.tool_radius; }
-  double getScallopHeight() const { return settings_.scallop_height; }
+  double getToolRadius() const { return settings_.tool_radius; }       ///< The radius of setScallop, mm.
+  double getScallopHeight() const { return settings_.scallop_height; } ///< The height of setScallop, mm.
 
   /** Whether rows of planes in zigzag are joined on the surface to one pass. This is done if the next row begins within two
    *  step-overs of the end of this row, and the straight way between is over the scan and crosses no gap. False by default. */
   void setLinkRows(bool link) { settings_.link_rows = link; }
-  bool getLinkRows() const { return settings_.link_rows; }
+  bool getLinkRows() const { return settings_.link_rows; } ///< The value of setLinkRows.
 
   /** Whether every second plane, or arc of a sector, runs backwards; true by default. */
   void setZigzag(bool zigzag) { settings_.zigzag = zigzag; }
-  bool getZigzag() const { return settings_.zigzag; }
+  bool getZigzag() const { return settings_.zigzag; } ///< The value of setZigzag.
 
   /** Tool axis, from the tip to the shank: for AxisMode::Fixed, and for section planes. +Z by default. */
   void setAxis(const Eigen::Vector3d& axis) { settings_.axis = axis; }
-  const Eigen::Vector3d& getAxis() const { return settings_.axis; }
+  const Eigen::Vector3d& getAxis() const { return settings_.axis; } ///< The value of setAxis.
 
   /** Axis and extent for helix, rings and AxisMode::Cylinder. If not set, it is fitted
    *  to the scan, which must be a column scanned from outside. \see findColumn */
   void setCylinder(const DriveCylinder& cylinder) { settings_.cylinder = cylinder; }
-  const std::optional<DriveCylinder>& getCylinder() const { return settings_.cylinder; }
+  const std::optional<DriveCylinder>& getCylinder() const { return settings_.cylinder; } ///< The value of setCylinder.
 
   /** How far helix and rings continue beyond both ends of the column, mm; 0 by default. Where
    *  the surface leans along the column, a cutter of radius R touches it up to R sin(lean)
    *  away from its own axis. Without overrun, that much of an end is not reached. */
   void setOverrun(double overrun) { settings_.overrun = overrun; }
-  double getOverrun() const { return settings_.overrun; }
+  double getOverrun() const { return settings_.overrun; } ///< The value of setOverrun.
 
   /** AxisMode::Cylinder by default for helix and rings, AxisMode::Fixed for the others. */
   void setAxisMode(DriveAxisMode mode) { settings_.axis_mode = mode; }
-  DriveAxisMode getAxisMode() const { return settings_.axisMode(); }
+  DriveAxisMode getAxisMode() const { return settings_.axisMode(); } ///< The value of setAxisMode.
 
   /** The curve of Kind::Curve; a closed one does not repeat its first point.
    *  Points are put along it at equal steps of arc length, and cut its corners. */
@@ -165,7 +166,7 @@ public:
     settings_.curve = curve;
     settings_.curve_closed = closed;
   }
-  const Polyline& getCurve() const { return settings_.curve; }
+  const Polyline& getCurve() const { return settings_.curve; } ///< The value of setCurve.
 
   /** Called with the completed share; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
@@ -175,7 +176,7 @@ public:
    *  more than 1e8 points or larger than the free memory, or cancelled. */
   void compute(DrivePasses& passes);
 
-  const DriveReport& getReport() const { return report_; }
+  const DriveReport& getReport() const { return report_; } ///< Figures and warnings of the last compute.
 
 private:
   Status run(DrivePasses& passes);

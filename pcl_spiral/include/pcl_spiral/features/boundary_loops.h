@@ -26,42 +26,42 @@ namespace pcl_spiral {
 template <typename PointT, typename PointNT = pcl::Normal>
 class BoundaryLoops : public SurfaceInput<pcl::PCLBase<PointT>, PointT, PointNT> {
 public:
-  using Ptr = pcl::shared_ptr<BoundaryLoops>;
-  using ConstPtr = pcl::shared_ptr<const BoundaryLoops>;
-  using BoundaryPointsConstPtr = pcl::PointCloud<pcl::Boundary>::ConstPtr;
+  using Ptr = pcl::shared_ptr<BoundaryLoops>;                              ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const BoundaryLoops>;                   ///< A shared pointer to a constant one.
+  using BoundaryPointsConstPtr = pcl::PointCloud<pcl::Boundary>::ConstPtr; ///< Boundary flags, shared.
 
   /** Boundary flags, one per input point: those of CentroidBoundaryEstimation, of pcl::BoundaryEstimation, or
    *  the user's own. LoopMethod::HalfEdges leaves out loops with less than half of their points marked, and fails if the rim
    *  is such a loop. LoopMethod::Walk goes from marked point to marked point. Without flags, the boundary points are those
    *  with an open star. */
   void setBoundaryPoints(const BoundaryPointsConstPtr& points) { boundary_points_ = points; }
-  BoundaryPointsConstPtr getBoundaryPoints() const { return boundary_points_; }
+  BoundaryPointsConstPtr getBoundaryPoints() const { return boundary_points_; } ///< The value of setBoundaryPoints.
 
   /** How points are put in order; LoopMethod::HalfEdges by default. */
   void setLoopMethod(LoopMethod method) { options_.method = method; }
-  LoopMethod getLoopMethod() const { return options_.method; }
+  LoopMethod getLoopMethod() const { return options_.method; } ///< The value of setLoopMethod.
 
   /** Largest change of direction of the walk from one step to the next, degrees, above 0 to 180; 90 by default. */
   void setMaxTurn(double degrees) { options_.max_turn = degrees; }
-  double getMaxTurn() const { return options_.max_turn; }
+  double getMaxTurn() const { return options_.max_turn; } ///< The value of setMaxTurn.
 
   /** Least length of a real hole, mm; shorter loops are gaps in the data. 0, the default, decides by the length of the
    *  rim and the spacing, see BoundaryOptions. */
   void setMinHoleLength(double length) { options_.min_hole_length = length; }
-  double getMinHoleLength() const { return options_.min_hole_length; }
+  double getMinHoleLength() const { return options_.min_hole_length; } ///< The value of setMinHoleLength.
 
   /** Least width of a real hole, its largest extent, mm. If set, holes that are too narrow to stay open between triangles are
    *  found too. 0, the default: the length decides. */
   void setMinHoleWidth(double width) { options_.min_hole_width = width; }
-  double getMinHoleWidth() const { return options_.min_hole_width; }
+  double getMinHoleWidth() const { return options_.min_hole_width; } ///< The value of setMinHoleWidth.
 
   /** Width, in spacings, up to which a hole is a gap in the data if no least length is set; 15 by default. */
   void setLargestGap(double spacings) { options_.largest_gap = spacings; }
-  double getLargestGap() const { return options_.largest_gap; }
+  double getLargestGap() const { return options_.largest_gap; } ///< The value of setLargestGap.
 
   /** Radius of the largest circle without points that still counts as surface, in spacings; 3 by default. */
   void setAlpha(double spacings) { this->scanned_.setAlpha(spacings); }
-  double getAlpha() const { return this->scanned_.getAlpha(); }
+  double getAlpha() const { return this->scanned_.getAlpha(); } ///< The value of setAlpha.
 
   /** Called with the share done; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }

@@ -52,10 +52,10 @@ setThreadsOfBase(BaseT&, unsigned int, long)
 template <typename PointInT, typename PointNT, typename PointOutT = pcl::Boundary>
 class CentroidBoundaryEstimation : public pcl::BoundaryEstimation<PointInT, PointNT, PointOutT> {
 public:
-  using Base = pcl::BoundaryEstimation<PointInT, PointNT, PointOutT>;
-  using Ptr = pcl::shared_ptr<CentroidBoundaryEstimation>;
-  using ConstPtr = pcl::shared_ptr<const CentroidBoundaryEstimation>;
-  using PointCloudOut = typename Base::PointCloudOut;
+  using Base = pcl::BoundaryEstimation<PointInT, PointNT, PointOutT>; ///< The base class of PCL.
+  using Ptr = pcl::shared_ptr<CentroidBoundaryEstimation>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const CentroidBoundaryEstimation>; ///< A shared pointer to a constant one.
+  using PointCloudOut = typename Base::PointCloudOut;                 ///< The cloud of the output.
 
   /** The angle threshold, which the base class keeps in radians, starts at 121 degrees: with 32 neighbours, no angular
    * gap inside is wider. */
@@ -63,16 +63,16 @@ public:
 
   /** Which measure decides; Combined by default. */
   void setCriterion(BoundaryCriterion criterion) { criterion_ = criterion; }
-  BoundaryCriterion getCriterion() const { return criterion_; }
+  BoundaryCriterion getCriterion() const { return criterion_; } ///< The value of setCriterion.
 
   /** Offset above which a point is a boundary point, 0 to 1; 0.31 by default: with 32 neighbours, 99.9 % of the
    * points inside are below it and 99 % of those on the boundary are above it. */
   void setOffsetThreshold(double threshold) { offset_threshold_ = threshold; }
-  double getOffsetThreshold() const { return offset_threshold_; }
+  double getOffsetThreshold() const { return offset_threshold_; } ///< The value of setOffsetThreshold.
 
   /** The mu of the score exp(mu offset); 1 by default. It changes the score, but not the decision. */
   void setMu(double mu) { mu_ = mu; }
-  double getMu() const { return mu_; }
+  double getMu() const { return mu_; } ///< The value of setMu.
 
   /** Threads to use; 0, the default, means all. The output does not depend on it. The search method must
    * allow simultaneous queries, as those of PCL do. Newer PCL (2026) has this method in the base class, where it is not
@@ -84,6 +84,7 @@ public:
       detail::setThreadsOfBase(static_cast<Base&>(*this), threads, 0);
     told_base_ = threadsOfBase(*this, 0);
   }
+  /** The value of setNumberOfThreads, of this class or of its base. */
   unsigned int getNumberOfThreads() const
   {
     const unsigned int of_base = threadsOfBase(*this, 0);
@@ -101,11 +102,11 @@ public:
   /** Largest angular gap about each output point, radians. */
   const std::vector<float>& getGaps() const { return gaps_; }
 
-  const Status& getStatus() const { return status_; }
+  const Status& getStatus() const { return status_; } ///< Result of the last compute.
 
 protected:
-  bool initCompute() override;
-  void computeFeature(PointCloudOut& output) override;
+  bool initCompute() override;                         ///< Checks the settings, then calls the base class.
+  void computeFeature(PointCloudOut& output) override; ///< What pcl::Feature calls.
 
   using Base::angle_threshold_;
   using Base::feature_name_;

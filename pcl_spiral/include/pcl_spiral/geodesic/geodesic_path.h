@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/geodesic/geodesic_line.h>
 #include <pcl_spiral/geodesic/impl/geodesic_path_engine.h>
 #include <pcl_spiral/surface/surface_input.h>
 
@@ -29,9 +30,9 @@ namespace pcl_spiral {
 template <typename PointT, typename PointNT = pcl::Normal>
 class GeodesicPath : public SurfaceInput<pcl::PCLBase<PointT>, PointT, PointNT> {
 public:
-  using Ptr = pcl::shared_ptr<GeodesicPath>;
-  using ConstPtr = pcl::shared_ptr<const GeodesicPath>;
-  using PointCloud = pcl::PointCloud<PointT>;
+  using Ptr = pcl::shared_ptr<GeodesicPath>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const GeodesicPath>; ///< A shared pointer to a constant one.
+  using PointCloud = pcl::PointCloud<PointT>;           ///< The cloud of the input.
 
   /** Start of all paths. Must be set: a position, or an index into the input cloud. */
   void setSourcePoint(const Eigen::Vector3d& source) { source_ = {source, false, 0}; }
@@ -43,34 +44,34 @@ public:
 
   /** Start of the refinement; the field by default. */
   void setStart(GeodesicStart start) { start_ = start; }
-  GeodesicStart getStart() const { return start_; }
+  GeodesicStart getStart() const { return start_; } ///< The value of setStart.
 
   /** How paths are refined; the tridiagonal Newton iteration by default. */
   void setMethod(RefinementMethod method) { options_.method = method; }
-  RefinementMethod getMethod() const { return options_.method; }
+  RefinementMethod getMethod() const { return options_.method; } ///< The value of setMethod.
 
   /** Segments of a path, coarse to fine; 16, 32, 64, 128 by default. A path has one point more than the last. */
   void setLevels(const std::vector<int>& levels) { options_.levels = levels; }
-  const std::vector<int>& getLevels() const { return options_.levels; }
+  const std::vector<int>& getLevels() const { return options_.levels; } ///< The value of setLevels.
 
   /** Sideways move below which a path has converged, mm; 0.001 by default. */
   void setTolerance(double tolerance) { options_.tolerance = tolerance; }
-  double getTolerance() const { return options_.tolerance; }
+  double getTolerance() const { return options_.tolerance; } ///< The value of setTolerance.
 
   /** Largest number of iterations per level; 30 by default. */
   void setMaximumIterations(int iterations) { options_.max_iterations = iterations; }
-  int getMaximumIterations() const { return options_.max_iterations; }
+  int getMaximumIterations() const { return options_.max_iterations; } ///< The value of setMaximumIterations.
 
   /** Neighbours in one surface fit, 6 or more; 0, the default: as many as the noise needs. */
   void setKSearch(int neighbours) { fit_neighbours_ = neighbours; }
-  int getKSearch() const { return fit_neighbours_; }
+  int getKSearch() const { return fit_neighbours_; } ///< The value of setKSearch.
   /** The former name. */
   [[deprecated("setKSearch")]] void setFitNeighbours(int neighbours) { setKSearch(neighbours); }
-  [[deprecated("getKSearch")]] int getFitNeighbours() const { return getKSearch(); }
+  [[deprecated("getKSearch")]] int getFitNeighbours() const { return getKSearch(); } ///< The former name of getKSearch.
 
   /** Find the paths, in the order of the targets. On failure (see getStatus) the paths that were not found are empty, or all. */
   void compute(std::vector<PointCloud>& paths);
-  void compute(std::vector<Polyline>& paths);
+  void compute(std::vector<Polyline>& paths); ///< The same in double precision.
 
   /** Length of each path of the last compute, mm; NaN for a path that was not found. */
   const std::vector<double>& getLengths() const { return lengths_; }

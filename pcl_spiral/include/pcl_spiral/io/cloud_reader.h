@@ -4,8 +4,6 @@
  */
 #pragma once
 
-#include <pcl_spiral/io/impl/length_unit.h>
-
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -16,9 +14,23 @@
 
 namespace pcl_spiral {
 
+/** Unit of the coordinates in a file; the library uses millimetres. */
+enum class LengthUnit {
+  Millimetre, ///< the default
+  Metre,      ///< 1000 mm
+  Inch        ///< 25.4 mm
+};
+
+/** Millimetres in one \p unit. */
+constexpr double
+millimetres(LengthUnit unit)
+{
+  return unit == LengthUnit::Metre ? 1000.0 : unit == LengthUnit::Inch ? 25.4 : 1.0;
+}
+
 /** How to read the numbers in a scan. */
 struct ReadOptions {
-  LengthUnit unit = LengthUnit::Millimetre;
+  LengthUnit unit = LengthUnit::Millimetre;         ///< of the numbers in the file
   Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< subtracted in double precision, in the unit of the file
   /** Text files only: a name for each column, from the left; the columns named x, y and z are
    *  used. Empty: taken from the header of the file, otherwise the first three columns. */
@@ -27,8 +39,8 @@ struct ReadOptions {
 
 /** A scan in mm. */
 struct Scan {
-  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud;
-  std::vector<std::string> warnings; ///< what the reader found and did not change
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud; ///< never null
+  std::vector<std::string> warnings;         ///< what the reader found and did not change
 };
 
 /** Extensions that readCloud accepts, with the dot. */

@@ -13,6 +13,7 @@ namespace pcl_spiral {
  *  the file, the line or byte, the reason and the remedy. */
 class FileError : public std::runtime_error {
 public:
+  /** \p reason with its place and remedy, after the name of the \p file. */
   FileError(const std::string& file, const std::string& reason) : std::runtime_error(file + ": " + reason) {}
 };
 

@@ -61,10 +61,10 @@ void writeHeidenhain(const std::string& file, const MachineProgram& program, con
 
 /** Name, needs and writer of a language. */
 struct DialectEntry {
-  Dialect dialect;
-  const char* word; ///< in options and job files
-  bool needs_rtcp;  ///< it takes only tips and tool axes, no rotary angles
-  void (*write)(const std::string&, const MachineProgram&, const ProgramHeader&);
+  Dialect dialect;                                                                ///< the language
+  const char* word;                                                               ///< in options and job files
+  bool needs_rtcp;                                                                ///< it takes only tips and tool axes, no rotary angles
+  void (*write)(const std::string&, const MachineProgram&, const ProgramHeader&); ///< its writer
 };
 
 /** All languages. A new one needs a line here, its value above, and a file with its writer. */

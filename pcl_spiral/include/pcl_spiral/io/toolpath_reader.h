@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/point_types.h>
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 
 #include <pcl/point_cloud.h>
 
@@ -16,9 +16,9 @@ namespace pcl_spiral {
 
 /** A toolpath as it was written. */
 struct ToolpathFile {
-  pcl::PointCloud<ToolpathPoint> path;
-  std::vector<double> feed; ///< one per point, mm/min; empty if the file has none (.pcd, .ply)
-  Polyline tips;            ///< tool tips, mm; empty if the file has none (all but .csv)
+  pcl::PointCloud<ToolpathPoint> path; ///< contacts in travel order, mm
+  std::vector<double> feed;            ///< one per point, mm/min; empty if the file has none (.pcd, .ply)
+  Polyline tips;                       ///< tool tips, mm; empty if the file has none (all but .csv)
 };
 
 /** Reads a toolpath from .csv, .pcd, .ply or .vtp, as the writers make it. A CSV may contain comment lines (#).

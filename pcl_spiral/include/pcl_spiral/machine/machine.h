@@ -23,10 +23,11 @@ enum class RotaryMount {
 
 /** Range and speed of one axis: mm and mm/min, or radians and radians/min. */
 struct AxisRange {
-  double lower = -std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
-  double largest_rate = std::numeric_limits<double>::infinity();
+  double lower = -std::numeric_limits<double>::infinity();       ///< lower limit
+  double upper = std::numeric_limits<double>::infinity();        ///< upper limit
+  double largest_rate = std::numeric_limits<double>::infinity(); ///< largest speed
 
+  /** Whether there is a limit of position. */
   bool finite() const { return lower > -std::numeric_limits<double>::infinity() || upper < std::numeric_limits<double>::infinity(); }
 };
 
@@ -34,19 +35,34 @@ struct AxisRange {
  *  or head right-handed about the direction. \note If the table turns the other way
  *  (ISO 841 counts the tool against the work), give the opposite direction: 0,0,-1. */
 struct RotaryAxis {
-  char letter = 'C'; ///< A, B or C
-  RotaryMount mount = RotaryMount::Table;
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
-  Eigen::Vector3d point = Eigen::Vector3d::Zero(); ///< on the axis, mm; for a table in machine coordinates,
-                                                   ///< for a head from the gauge point of the spindle
-  AxisRange range;
-  double home = 0.0; ///< programs start as near to this as they can, radians
+  char letter = 'C';                                    ///< A, B or C
+  RotaryMount mount = RotaryMount::Table;               ///< what it turns
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); ///< any length except 0
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();      ///< on the axis, mm; for a table in machine coordinates,
+                                                        ///< for a head from the gauge point of the spindle
+  AxisRange range;                                      ///< radians and radians/min
+  double home = 0.0;                                    ///< programs start as near to this as they can, radians
+};
+
+/** Angles of the two rotary axes, radians: first is the axis nearer to the
+ *  workpiece. The usual table-table and head-head machines turn the tool about
+ *  the workpiece's Z by the first (C), and tilt it by the second (A or B). */
+struct RotaryAngles {
+  double first = 0.0;  ///< of the axis nearer to the workpiece
+  double second = 0.0; ///< of the axis nearer to the tool
+};
+
+/** Of the two ways to reach a tool axis, the one with the larger
+ *  or the smaller second angle: (A, C) or (-A, C + 180). */
+enum class Branch {
+  Larger, ///< the larger second angle
+  Smaller ///< the smaller second angle
 };
 
 /** A machine with X, Y and Z and two rotary axes. At zero,
  *  the tool points along +Z from its tip to the spindle. */
 struct Machine {
-  std::string name;
+  std::string name;                                    ///< for messages and comments
   std::array<AxisRange, 3> linear;                     ///< of the gauge point, in machine coordinates
   std::array<RotaryAxis, 2> rotary;                    ///< in order from the workpiece to the tool; tables come before heads
   Eigen::Vector3d work_zero = Eigen::Vector3d::Zero(); ///< zero of the program in machine coordinates, with the rotary axes at zero

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A path as the moves of one machine.
+ *  A path as tool poses, and as the moves of one machine.
  */
 #pragma once
 
-#include <pcl_spiral/machine/impl/rotary_path.h>
+#include <pcl_spiral/machine/machine.h>
+
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <string>
@@ -12,21 +14,39 @@
 
 namespace pcl_spiral {
 
+/** One location of a cutter in the workpiece frame, mm. */
+struct ToolPose {
+  Eigen::Vector3d tip = Eigen::Vector3d::Zero();     ///< of the cutter
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   ///< unit, from the tip to the shank
+  Eigen::Vector3d contact = Eigen::Vector3d::Zero(); ///< on the surface
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); ///< unit, out of the material at the contact
+};
+
+using ToolPoses = std::vector<ToolPose>; ///< Poses of one pass, in travel order.
+
+/** How far a block may move the tool off the path. */
+struct BlockTolerance {
+  static constexpr double least_tip = 1e-4;  ///< mm: a smaller tip tolerance would need blocks without end
+  static constexpr double least_axis = 1e-6; ///< radians: the same for the axis
+  double tip = 0.002;                        ///< mm
+  double axis = 0.001;                       ///< radians
+};
+
 /** Purpose of a block. */
 enum class BlockSection {
   Position, ///< above the start, above everything
   Approach, ///< down to where the feed begins
-  LeadIn,
-  Cut,
-  LeadOut,
-  Retract, ///< up again
-  Unwind   ///< the first rotary axis turns back at the top
+  LeadIn,   ///< from there to the surface
+  Cut,      ///< along the path
+  LeadOut,  ///< off the surface
+  Retract,  ///< up again
+  Unwind    ///< the first rotary axis turns back at the top
 };
 
 /** One linear move of all five axes to this position. */
 struct ProgramBlock {
-  BlockSection section = BlockSection::Cut;
-  bool rapid = false;
+  BlockSection section = BlockSection::Cut;          ///< purpose of the move
+  bool rapid = false;                                ///< at rapid speed, without feed
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();     ///< in the workpiece frame, mm
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   ///< in the workpiece frame, unit
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); ///< of the surface at the contact, unit
@@ -36,11 +56,20 @@ struct ProgramBlock {
   double minutes = 0.0;                              ///< time of the move; 0 for rapids
 };
 
+/** A run of locations near the pole, whose axes were blended so that the first rotary axis keeps to its largest rate. */
+struct PoleZone {
+  std::size_t first_pose = 0;  ///< of the input path
+  std::size_t last_pose = 0;   ///< of the input path
+  double begin = 0.0;          ///< arc length, mm
+  double end = 0.0;            ///< arc length, mm
+  double largest_change = 0.0; ///< of an axis, radians
+};
+
 /** Report of a program. Lengths in mm, angles in radians. */
 struct ProgramReport {
-  Branch branch = Branch::Larger;
-  std::vector<PoleZone> poles;
-  std::size_t cut_blocks = 0;
+  Branch branch = Branch::Larger; ///< used by the whole path
+  std::vector<PoleZone> poles;    ///< where axes were blended
+  std::size_t cut_blocks = 0;     ///< blocks that cut
   std::size_t split_blocks = 0;   ///< added so that the machine stays near the path
   std::size_t thinned_poses = 0;  ///< left out
   std::size_t slowed_blocks = 0;  ///< below the feed, so that an axis keeps to its largest rate
@@ -48,18 +77,20 @@ struct ProgramReport {
   double least_feed_at = 0.0;     ///< arc length at that block
   std::vector<double> unwound_at; ///< arc lengths where the first axis turns back
   double first_travel = 0.0;      ///< sum of all turning of the first rotary axis while cutting
-  double lowest_first = 0.0, highest_first = 0.0;
-  double lowest_second = 0.0, highest_second = 0.0;
-  double largest_turn = 0.0; ///< of a rotary axis in one cutting block
-  double minutes = 0.0;      ///< without rapids
+  double lowest_first = 0.0;      ///< angle of the first rotary axis
+  double highest_first = 0.0;     ///< angle of the first rotary axis
+  double lowest_second = 0.0;     ///< angle of the second rotary axis
+  double highest_second = 0.0;    ///< angle of the second rotary axis
+  double largest_turn = 0.0;      ///< of a rotary axis in one cutting block
+  double minutes = 0.0;           ///< without rapids
 };
 
 /** Moves in order, and their machine. */
 struct MachineProgram {
-  Machine machine;
-  double feed = 0.0; ///< at the contact, mm/min
-  std::vector<ProgramBlock> blocks;
-  ProgramReport report;
+  Machine machine;                  ///< that runs it
+  double feed = 0.0;                ///< at the contact, mm/min
+  std::vector<ProgramBlock> blocks; ///< in order
+  ProgramReport report;             ///< of its making
 };
 
 } // namespace pcl_spiral

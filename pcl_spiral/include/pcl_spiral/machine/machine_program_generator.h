@@ -5,7 +5,6 @@
 #pragma once
 
 #include <pcl_spiral/common/point_types.h>
-#include <pcl_spiral/machine/impl/block_spacing.h>
 #include <pcl_spiral/machine/machine_program.h>
 
 #include <pcl/point_cloud.h>
@@ -25,10 +24,10 @@ struct ProgramSettings {
   double pole_cone = 5.0;            ///< axes are blended only within this angle of the pole, degrees
   BlockTolerance block;              ///< kept by the machine between poses
   BlockTolerance thinning{0.0, 0.0}; ///< poses are left out within this tolerance; 0: none
-  LeadKind lead = LeadKind::Normal;
-  double lead_length = 2.0;   ///< mm; for an arc its radius
-  double clearance = 5.0;     ///< the feed begins this far along the tool axis from the lead, mm
-  double rapid_height = 50.0; ///< rapids cross at this height above the highest tip, mm
+  LeadKind lead = LeadKind::Normal;  ///< how the tool comes and leaves
+  double lead_length = 2.0;          ///< mm; for an arc its radius
+  double clearance = 5.0;            ///< the feed begins this far along the tool axis from the lead, mm
+  double rapid_height = 50.0;        ///< rapids cross at this height above the highest tip, mm
 };
 
 /** Poses of a ball cutter along \p path, as one pass. On a path of several passes the lifts would cut: see ballPasses. */
@@ -52,7 +51,7 @@ std::vector<ToolPoses> ballPasses(const pcl::PointCloud<ToolpathPoint>& path, do
 class MachineProgramGenerator {
 public:
   void setMachine(const Machine& machine) { machine_ = machine; } ///< The machine of the program.
-  const Machine& getMachine() const { return machine_; }
+  const Machine& getMachine() const { return machine_; }          ///< The value of setMachine.
 
   /** Poses of any cutter, in travel order. */
   void setInputPoses(const ToolPoses& poses) { passes_ = {poses}; }
@@ -60,16 +59,16 @@ public:
   void setInputPasses(const std::vector<ToolPoses>& passes) { passes_ = passes; }
   /** Poses of a ball cutter of \p ball_radius mm along the passes of \p path (ballPasses); also sets the ball radius. */
   void setInputPath(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);
-  const std::vector<ToolPoses>& getInputPasses() const { return passes_; }
+  const std::vector<ToolPoses>& getInputPasses() const { return passes_; } ///< The value of setInputPasses.
 
   void setSettings(const ProgramSettings& settings) { settings_ = settings; } ///< Feed, leads, tolerances; see ProgramSettings.
-  const ProgramSettings& getSettings() const { return settings_; }
+  const ProgramSettings& getSettings() const { return settings_; }            ///< The value of setSettings.
 
   /** Computes the program. \p program is empty on failure: an invalid machine, a
    *  setting out of range, a tool axis out of reach, an axis beyond its limits. */
   void compute(MachineProgram& program);
 
-  const Status& getStatus() const { return status_; }
+  const Status& getStatus() const { return status_; } ///< Result of the last compute.
 
 private:
   Status check() const;

@@ -37,34 +37,34 @@ namespace pcl_spiral {
  */
 class MeshSampling : public ThreadCount {
 public:
-  using Ptr = std::shared_ptr<MeshSampling>;
-  using ConstPtr = std::shared_ptr<const MeshSampling>;
+  using Ptr = std::shared_ptr<MeshSampling>;            ///< A shared pointer.
+  using ConstPtr = std::shared_ptr<const MeshSampling>; ///< A shared pointer to a constant one.
 
   /** The mesh, or one prepared earlier. The last input set counts. */
   void setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh);
-  void setInputMesh(const SurfaceMesh::ConstPtr& mesh); ///< The same with a prepared mesh.
-  pcl::PolygonMesh::ConstPtr getInputMesh() const { return input_; }
+  void setInputMesh(const SurfaceMesh::ConstPtr& mesh);              ///< The same with a prepared mesh.
+  pcl::PolygonMesh::ConstPtr getInputMesh() const { return input_; } ///< The value of setInputMesh.
   /** The prepared mesh, as given or after compute. */
   SurfaceMesh::ConstPtr getSurfaceMesh() const { return mesh_; }
 
   /** How a PolygonMesh is prepared. */
   void setMeshSettings(const MeshSettings& settings) { settings_ = settings; }
-  const MeshSettings& getMeshSettings() const { return settings_; }
+  const MeshSettings& getMeshSettings() const { return settings_; } ///< The value of setMeshSettings.
 
   /** Distance between points, mm; 0, the default: defaultSampleSpacing. */
   void setSpacing(double spacing) { spacing_ = spacing; }
-  double getSpacing() const { return spacing_; }
+  double getSpacing() const { return spacing_; } ///< The value of setSpacing.
   /** The spacing used by the last compute, mm. */
   double getUsedSpacing() const { return used_spacing_; }
 
   /** Samples only the faces for which \p chosen is not 0, one value per face
    *  of the SurfaceMesh; their boundary is the rim. Empty, the default: all. */
   void setFaces(std::vector<std::uint8_t> chosen) { chosen_ = std::move(chosen); }
-  const std::vector<std::uint8_t>& getFaces() const { return chosen_; }
+  const std::vector<std::uint8_t>& getFaces() const { return chosen_; } ///< The value of setFaces.
 
   /** Points nearer than this to a crease between sampled faces are marked, mm, see getInCreaseBand; 0, the default: none. */
   void setCreaseBand(double width) { crease_band_ = width; }
-  double getCreaseBand() const { return crease_band_; }
+  double getCreaseBand() const { return crease_band_; } ///< The value of setCreaseBand.
 
   /** Computes the points. \p output is empty on failure: no or unfit mesh, a setting out of range, no face chosen, too little memory. */
   void compute(pcl::PointCloud<pcl::PointNormal>& output);
@@ -73,7 +73,7 @@ public:
   const std::vector<std::uint32_t>& getFaceIndices() const { return faces_; }
   /** Of each point: 1 in the crease band. */
   const std::vector<std::uint8_t>& getInCreaseBand() const { return in_band_; }
-  const Status& getStatus() const { return status_; }
+  const Status& getStatus() const { return status_; } ///< Result of the last compute.
 
 private:
   Status run(pcl::PointCloud<pcl::PointNormal>& output);

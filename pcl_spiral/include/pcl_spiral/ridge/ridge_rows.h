@@ -29,27 +29,31 @@ enum class RidgeSteps {
 /** Settings of rows. Lengths in mm, angles in degrees. Set exactly one of these for
  *  the distance between rows: step-over; spot size; tool radius with scallop height. */
 struct RidgeRowSettings {
-  RidgeDirection direction = RidgeDirection::AlongRail;
-  bool zigzag = true;                             ///< in zigzag; false: all in one direction
-  double step_over = 0.0;                         ///< largest distance between neighbouring rows
-  double spot_size = 0.0;                         ///< diameter of the spot of a beam
-  double overlap = 0.0;                           ///< share of the spot that the next row covers again, from 0 to below 1
-  double tool_radius = 0.0, scallop_height = 0.0; ///< of a ball cutter
-  double point_spacing = 1.0;                     ///< largest distance between consecutive points on the surface
+  RidgeDirection direction = RidgeDirection::AlongRail; ///< of the rows
+  bool zigzag = true;                                   ///< in zigzag; false: all in one direction
+  double step_over = 0.0;                               ///< largest distance between neighbouring rows
+  double spot_size = 0.0;                               ///< diameter of the spot of a beam
+  double overlap = 0.0;                                 ///< share of the spot that the next row covers again, from 0 to below 1
+  double tool_radius = 0.0;                             ///< of a ball cutter
+  double scallop_height = 0.0;                          ///< that the ball may leave
+  double point_spacing = 1.0;                           ///< largest distance between consecutive points on the surface
   double chord_error = 0.01; ///< of straight moves, for contact and tool; equal steps are made shorter until it holds; 0: no limit
-  RidgeSteps steps = RidgeSteps::EqualOnRow;
-  RidgeNormals normals = RidgeNormals::True;
-  double stand_off = 0.0;             ///< distance of the tool from the contact, along the normal
-  double lead = 0.0, tilt = 0.0;      ///< of the axis: forward, and to the right of travel, at the contact; the tool stays on the normal
-  double run_in = 0.0, run_out = 0.0; ///< straight extension before and after each row that is not closed
+  RidgeSteps steps = RidgeSteps::EqualOnRow; ///< spacing of the points of a row
+  RidgeNormals normals = RidgeNormals::True; ///< which normals the points have
+  double stand_off = 0.0;                    ///< distance of the tool from the contact, along the normal
+  double lead = 0.0;                         ///< lean of the axis forward, at the contact; the tool stays on the normal
+  double tilt = 0.0;                         ///< lean of the axis to the right of travel, in the same way
+  double run_in = 0.0;                       ///< straight extension before each row that is not closed
+  double run_out = 0.0;                      ///< the same after the row
 };
 
 /** Report of rows. Lengths in mm. */
 struct RidgeRowReport {
-  std::size_t rows = 0, points = 0;
-  double length = 0.0;       ///< of all rows
-  double largest_step = 0.0; ///< between neighbouring rows
-  std::vector<std::string> warnings;
+  std::size_t rows = 0;              ///< number of rows
+  std::size_t points = 0;            ///< of all rows
+  double length = 0.0;               ///< of all rows
+  double largest_step = 0.0;         ///< between neighbouring rows
+  std::vector<std::string> warnings; ///< in full sentences, with the remedy
 };
 
 /** Rows over \p surface. The outermost rows are half a step-over from the edges of the ridge. On a closed rail, rows along it are closed,

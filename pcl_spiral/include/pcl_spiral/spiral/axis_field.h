@@ -21,26 +21,26 @@ namespace pcl_spiral {
  *  The method is smoothAxes in core/smooth_axes.h. */
 class AxisField {
 public:
-  using Path = pcl::PointCloud<ToolpathPoint>;
+  using Path = pcl::PointCloud<ToolpathPoint>; ///< A toolpath.
 
   /** Path in travel order, with the wanted axis at every point. If it has surface normals too, axes are checked against
    *  them. */
   void setInputPath(const Path::ConstPtr& path) { path_ = path; }
-  Path::ConstPtr getInputPath() const { return path_; }
+  Path::ConstPtr getInputPath() const { return path_; } ///< The value of setInputPath.
 
   /** Smoothing length, mm: shorter changes are smoothed away; 50 by default, 0 for none. A wave of length 2 pi l keeps the
    *  share 1 / (1 + (length / l)^4). */
   void setSmoothingLength(double length) { smoothing_length_ = length; }
-  double getSmoothingLength() const { return smoothing_length_; }
+  double getSmoothingLength() const { return smoothing_length_; } ///< The value of setSmoothingLength.
 
   /** How far smoothing may move the axis from the wanted one, degrees, in the mean over its length; 2 by default. Where it would
    *  move it farther, it smooths less. The axis rate has priority: points with a larger deviation are counted. */
   void setMaxDeviation(double degrees) { max_deviation_ = degrees; }
-  double getMaxDeviation() const { return max_deviation_; }
+  double getMaxDeviation() const { return max_deviation_; } ///< The value of setMaxDeviation.
 
   /** Largest turn of the axis, degrees per mm of path; 10 by default, 0 for no limit. */
   void setMaxAxisRate(double degrees_per_mm) { max_axis_rate_ = degrees_per_mm; }
-  double getMaxAxisRate() const { return max_axis_rate_; }
+  double getMaxAxisRate() const { return max_axis_rate_; } ///< The value of setMaxAxisRate.
 
   /** Copy the path and set its axes. \p output may be the input cloud. It is empty on failure: no path, a point or
    *  axis that is not finite, an axis of zero length, a setting out of range, or an axis that the rate limit would

@@ -15,18 +15,18 @@ namespace pcl_spiral {
 
 /** A gap, and the patch put into it. */
 struct BridgedGap {
-  BoundaryLoop loop;      ///< the boundary of the gap, of type ScanGap
-  std::size_t points = 0; ///< put into it; 0 if it is too narrow to be filled, and paths run over it as it is
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double width = 0.0;    ///< its largest extent, mm
-  double residual = 0.0; ///< rms distance of the points around it from the patch, mm
+  BoundaryLoop loop;                                ///< the boundary of the gap, of type ScanGap
+  std::size_t points = 0;                           ///< put into it; 0 if it is too narrow to be filled, and paths run over it as it is
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< its middle, mm
+  double width = 0.0;                               ///< its largest extent, mm
+  double residual = 0.0;                            ///< rms distance of the points around it from the patch, mm
 };
 
 /** A surface with its gaps bridged, and what was guessed for that. */
 struct BridgedSurface {
-  Surface::ConstPtr surface;       ///< the given one if there is nothing to bridge
-  std::vector<BoundaryLoop> loops; ///< the rim (Outer), the hole that is kept, if any (Inner), gaps that were not filled (ScanGap)
-  std::vector<BridgedGap> gaps;
+  Surface::ConstPtr surface;         ///< the given one if there is nothing to bridge
+  std::vector<BoundaryLoop> loops;   ///< the rim (Outer), the hole that is kept, if any (Inner), gaps that were not filled (ScanGap)
+  std::vector<BridgedGap> gaps;      ///< with the patch put into each
   std::vector<std::string> warnings; ///< one per gap
 };
 
@@ -38,10 +38,10 @@ enum class LoopOrigin {
 
 /** What to do with each hole. */
 struct HoleOptions {
-  BoundaryMode mode = BoundaryMode::Automatic;
-  HoleHandling holes = HoleHandling::Around; ///< Over: as OneBoundary
-  GapHandling gaps = GapHandling::Bridge;
-  double hole_size = 0.0; ///< BoundaryOptions::min_hole_width, mm
+  BoundaryMode mode = BoundaryMode::Automatic; ///< which holes stay as boundaries
+  HoleHandling holes = HoleHandling::Around;   ///< Over: as OneBoundary
+  GapHandling gaps = GapHandling::Bridge;      ///< what to do with gaps in the data
+  double hole_size = 0.0;                      ///< BoundaryOptions::min_hole_width, mm
 };
 
 /** Bridge all holes of a surface except those that BoundaryMode and HoleHandling keep as boundaries. \p surface is released before
@@ -61,29 +61,29 @@ Status bridgeGaps(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& lo
 template <typename PointT, typename PointNT = pcl::Normal>
 class GapBridging : public SurfaceInput<pcl::PCLBase<PointT>, PointT, PointNT> {
 public:
-  using Ptr = pcl::shared_ptr<GapBridging>;
-  using ConstPtr = pcl::shared_ptr<const GapBridging>;
+  using Ptr = pcl::shared_ptr<GapBridging>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const GapBridging>; ///< A shared pointer to a constant one.
 
   /** The loops of the surface, as BoundaryLoops gives them, or the user's own. None, the default: they are found. */
   void setBoundaryLoops(const std::vector<BoundaryLoop>& loops) { given_loops_ = loops; }
-  const std::vector<BoundaryLoop>& getBoundaryLoops() const { return given_loops_; }
+  const std::vector<BoundaryLoop>& getBoundaryLoops() const { return given_loops_; } ///< The value of setBoundaryLoops.
 
   /** Which hole stays as a boundary of the part: with Automatic (the default) a single real one, with TwoBoundaries the longest,
    *  with OneBoundary none. */
   void setBoundaryMode(BoundaryMode mode) { options_.mode = mode; }
-  BoundaryMode getBoundaryMode() const { return options_.mode; }
+  BoundaryMode getBoundaryMode() const { return options_.mode; } ///< The value of setBoundaryMode.
 
   /** Bridge gaps, the default, or refuse a surface with gaps. */
   void setGapHandling(GapHandling handling) { options_.gaps = handling; }
-  GapHandling getGapHandling() const { return options_.gaps; }
+  GapHandling getGapHandling() const { return options_.gaps; } ///< The value of setGapHandling.
 
   /** Keep holes of the part, the default, bridge them, or refuse a surface with holes. */
   void setHoleHandling(HoleHandling holes) { options_.holes = holes; }
-  HoleHandling getHoleHandling() const { return options_.holes; }
+  HoleHandling getHoleHandling() const { return options_.holes; } ///< The value of setHoleHandling.
 
   /** Least width of a hole of the part, mm; 0, the default: decided from the scan, see BoundaryOptions. */
   void setHoleSize(double width) { options_.hole_size = width; }
-  double getHoleSize() const { return options_.hole_size; }
+  double getHoleSize() const { return options_.hole_size; } ///< The value of setHoleSize.
 
   /** Called with the share done; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
@@ -95,7 +95,7 @@ public:
 
   /** What the last compute put into each gap. */
   const std::vector<BridgedGap>& getGaps() const { return gaps_; }
-  const std::vector<std::string>& getWarnings() const { return warnings_; }
+  const std::vector<std::string>& getWarnings() const { return warnings_; } ///< Warnings of the last compute, one per gap.
 
 private:
   Status run(BridgedSurface& bridged);

@@ -7,8 +7,11 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/core/impl/step_over_metric.h>
 #include <pcl_spiral/spiral/impl/constant_scallop.h>
-#include <pcl_spiral/spiral/impl/scallop_loop.h>
 #include <pcl_spiral/spiral/impl/step_over_input.h>
+#include <pcl_spiral/spiral/scallop_loop.h>
+#include <pcl_spiral/spiral/spiral_path.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
+#include <pcl_spiral/surface/surface.h>
 
 #include <cstddef>
 #include <optional>
@@ -26,23 +29,23 @@ enum class LoopJointKind {
 
 /** One branch of the tree that links the loops. */
 struct LoopJoint {
-  std::size_t loop = 0;   ///< index in the given loops
-  std::size_t parent = 0; ///< the loop nearer to the rim's loop along the tree
-  LoopJointKind kind = LoopJointKind::Bridge;
+  std::size_t loop = 0;                                   ///< index in the given loops
+  std::size_t parent = 0;                                 ///< the loop nearer to the rim's loop along the tree
+  LoopJointKind kind = LoopJointKind::Bridge;             ///< how it is joined
   Eigen::Vector3d place = Eigen::Vector3d::Zero();        ///< on the loop, mm
   Eigen::Vector3d parent_place = Eigen::Vector3d::Zero(); ///< on the parent loop
 };
 
 /** A path before it is put on the surface. Parallel arrays; mm. */
 struct LinkedPath {
-  Polyline points;
-  std::vector<StepOverMetric> metric;
-  std::vector<float> turns;           ///< number of loops travelled so far
-  std::vector<std::uint8_t> reversed; ///< 1 where it travels against the sense of the rim's loop
-  Polyline links;                     ///< places between the turns of ramps and near bridges, where coverage must be checked
-  std::vector<StepOverMetric> link_metric;
-  std::vector<std::size_t> passes; ///< where the second and each later pass begins, with the tool lifted before; empty: one pass
-  std::vector<LoopJoint> joints;   ///< one for each loop except the rim's; parents before the loops joined to them, except fingers
+  Polyline points;                         ///< in travel order
+  std::vector<StepOverMetric> metric;      ///< one per point
+  std::vector<float> turns;                ///< number of loops travelled so far
+  std::vector<std::uint8_t> reversed;      ///< 1 where it travels against the sense of the rim's loop
+  Polyline links;                          ///< places between the turns of ramps and near bridges, where coverage must be checked
+  std::vector<StepOverMetric> link_metric; ///< one per place of links
+  std::vector<std::size_t> passes;         ///< where the second and each later pass begins, with the tool lifted before; empty: one pass
+  std::vector<LoopJoint> joints;           ///< one for each loop except the rim's; parents before the loops joined to them, except fingers
 
   std::size_t chain_loops = 0; ///< in the spiral from the rim to the innermost loop
   std::size_t bridges = 0;     ///< further loops, each joined to a neighbour by a pair of turns
@@ -58,6 +61,12 @@ struct LinkedPath {
 Status linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::optional<Eigen::Vector3d>& start = std::nullopt,
                  bool one_way = false);
 
+/** Points of \p path. They are so close that linear moves keep the chord error of \p settings, on the surface and at the ball's
+ *  centre, and the longest step. Points within a fifth of the chord error of a straight move are left out. \p longest_step: the
+ *  longest move allowed anywhere, mm. The first point of each pass is marked. Fails where the path leaves the surface. */
+Status samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<SpiralPoint>& points,
+                  double& longest_step);
+
 /** One continuous path over closed loops: linkLoops, then moves the path where it would leave more than the loops, in the given
  *  direction. samplePath gives its points for linear moves. putOnSurface and setToolAxes make it a toolpath.
  *
@@ -68,14 +77,15 @@ Status linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const 
 template <typename PointT, typename PointNT = pcl::Normal>
 class LoopLinking : public FieldInput<PointT, PointNT> {
 public:
-  using Ptr = pcl::shared_ptr<LoopLinking>;
-  using ConstPtr = pcl::shared_ptr<const LoopLinking>;
+  using Ptr = pcl::shared_ptr<LoopLinking>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const LoopLinking>; ///< A shared pointer to a constant one.
 
   /** Loops as ScallopLoops gives them, or the user's own: one inside the other, one step-over apart, the rim first, the surface
    *  on their left. None, the default: they are made. setInputCloud and setInputSurface clear them. */
   void setInputLoops(const std::vector<ScallopLoop>& loops) { given_scallop_loops_ = loops; }
-  const std::vector<ScallopLoop>& getInputLoops() const { return given_scallop_loops_; }
+  const std::vector<ScallopLoop>& getInputLoops() const { return given_scallop_loops_; } ///< The value of setInputLoops.
 
+  /** The scan. Clears a surface, a field and loops. */
   void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
   {
     FieldInput<PointT, PointNT>::setInputCloud(cloud);
@@ -90,20 +100,20 @@ public:
 
   /** Direction of the path: Outward, the default, ends on the rim; Inward begins there. */
   void setDirection(SpiralDirection direction) { this->settings_.direction = direction; }
-  SpiralDirection getDirection() const { return this->settings_.direction; }
+  SpiralDirection getDirection() const { return this->settings_.direction; } ///< The value of setDirection.
 
   /** The path begins (or if outward, ends) at the rim near this point, as near as the loops inside allow. */
   void setStartPoint(const Eigen::Vector3d& point) { this->settings_.start_point = point; }
-  const std::optional<Eigen::Vector3d>& getStartPoint() const { return this->settings_.start_point; }
-  void clearStartPoint() { this->settings_.start_point.reset(); }
+  const std::optional<Eigen::Vector3d>& getStartPoint() const { return this->settings_.start_point; } ///< The value of setStartPoint.
+  void clearStartPoint() { this->settings_.start_point.reset(); }                                     ///< Takes back setStartPoint.
 
   /** Which way the cutter travels along the rim, seen from outside; CounterClockwise by default. */
   void setSense(SpiralSense sense) { this->settings_.sense = sense; }
-  SpiralSense getSense() const { return this->settings_.sense; }
+  SpiralSense getSense() const { return this->settings_.sense; } ///< The value of setSense.
 
   /** Never travel against the sense: instead of bridges there are further passes (LinkedPath::passes). Off by default. */
   void setOneWay(bool one_way) { this->settings_.one_way = one_way; }
-  bool getOneWay() const { return this->settings_.one_way; }
+  bool getOneWay() const { return this->settings_.one_way; } ///< The value of setOneWay.
 
   /** Link the loops. \p path is empty on failure: no loops, a loop without a neighbour beside it, or any failure of StepOverField;
    *  getStatus reports which and where. */

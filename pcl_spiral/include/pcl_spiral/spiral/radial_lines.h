@@ -33,42 +33,42 @@ namespace pcl_spiral {
 template <typename PointT, typename PointNT = pcl::Normal>
 class RadialLines : public SurfaceInput<pcl::PCLBase<PointT>, PointT, PointNT> {
 public:
-  using Ptr = pcl::shared_ptr<RadialLines>;
-  using ConstPtr = pcl::shared_ptr<const RadialLines>;
+  using Ptr = pcl::shared_ptr<RadialLines>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const RadialLines>; ///< A shared pointer to a constant one.
 
   /** The boundaries, as BoundaryLoops or findBoundaryLoops gives them: the surface lies on the left of each. Without
    *  them, or with an empty vector, they are found. */
   void setBoundaryLoops(const std::vector<BoundaryLoop>& loops) { given_loops_ = loops; }
-  const std::vector<BoundaryLoop>& getBoundaryLoops() const { return given_loops_; }
+  const std::vector<BoundaryLoop>& getBoundaryLoops() const { return given_loops_; } ///< The value of setBoundaryLoops.
   /** The former name. */
   [[deprecated("setBoundaryLoops")]] void setLoops(const std::vector<BoundaryLoop>& loops) { setBoundaryLoops(loops); }
 
   /** Where lines start on a surface with one boundary: within three spacings of it. Without it, a balanced centre is found, which
    *  makes few turns and stays away from the rim (balancedCentre). */
   void setCenter(const Eigen::Vector3d& center) { center_ = center; }
-  void clearCenter() { center_.reset(); }
+  void clearCenter() { center_.reset(); } ///< Takes back setCenter.
 
   /** The first line ends at the rim point nearest to this point. Without it, at the corner, or without corners the rim point,
    *  farthest from the centre. */
   void setStartPoint(const Eigen::Vector3d& point) { start_point_ = point; }
-  const std::optional<Eigen::Vector3d>& getStartPoint() const { return start_point_; }
-  void clearStartPoint() { start_point_.reset(); }
+  const std::optional<Eigen::Vector3d>& getStartPoint() const { return start_point_; } ///< The value of setStartPoint.
+  void clearStartPoint() { start_point_.reset(); }                                     ///< Takes back setStartPoint.
 
   /** How lines are found; Automatic by default. */
   void setLineMethod(LineMethod method) { method_ = method; }
-  LineMethod getLineMethod() const { return method_; }
+  LineMethod getLineMethod() const { return method_; } ///< The value of setLineMethod.
 
   /** One or two boundaries; Automatic by default. */
   void setBoundaryMode(BoundaryMode mode) { mode_ = mode; }
-  BoundaryMode getBoundaryMode() const { return mode_; }
+  BoundaryMode getBoundaryMode() const { return mode_; } ///< The value of setBoundaryMode.
 
   /** Allowed error of a turn interpolated between lines, mm; 0.05 by default. A smaller one makes more lines. */
   void setTolerance(double tolerance) { tolerance_ = tolerance; }
-  double getTolerance() const { return tolerance_; }
+  double getTolerance() const { return tolerance_; } ///< The value of setTolerance.
 
   /** Allowed distance of a line's B-spline from its points, mm; 0.001 by default. */
   void setFitTolerance(double tolerance) { fit_tolerance_ = tolerance; }
-  double getFitTolerance() const { return fit_tolerance_; }
+  double getFitTolerance() const { return fit_tolerance_; } ///< The value of setFitTolerance.
 
   /** Called with the share done; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
@@ -90,15 +90,16 @@ public:
   const Eigen::Vector3d& getCenter() const { return set_.centre; }
   /** True if the lines of the last compute are those of the harmonic function; if it was the fallback, the reason. */
   bool usedHarmonic() const { return set_.harmonic; }
-  const std::string& getWhyHarmonic() const { return set_.why_harmonic; }
+  const std::string& getWhyHarmonic() const { return set_.why_harmonic; } ///< Reason of the fallback; empty without it.
   /** Largest error, mm, of a turn between neighbouring lines of the last compute; measured. */
   double getInterpolationError() const { return set_.largest_interpolation_error; }
-  /** The boundaries of the last compute, closed: from the end of line 0, and from its start (empty with one boundary). */
+  /** The rim of the last compute, closed, from the end of line 0. */
   const Polyline& getRim() const { return set_.rim; }
+  /** The inner boundary in the same way, from the start of line 0; empty with one boundary. */
   const Polyline& getInner() const { return set_.inner; }
-  /** Entries of getRim() and getInner() where they turn sharply. */
+  /** Entries of getRim() where it turns sharply. */
   const std::vector<std::size_t>& getRimCorners() const { return set_.rim_corners; }
-  const std::vector<std::size_t>& getInnerCorners() const { return set_.inner_corners; }
+  const std::vector<std::size_t>& getInnerCorners() const { return set_.inner_corners; } ///< Entries of getInner() where it turns sharply.
   /** The loops that the lines were made from, given or found. */
   const std::vector<BoundaryLoop>& getLoops() const { return loops_; }
 

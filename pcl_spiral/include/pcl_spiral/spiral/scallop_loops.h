@@ -7,7 +7,7 @@
 #include <pcl_spiral/common/drive_pass.h>
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/spiral/impl/scallop_loop.h>
+#include <pcl_spiral/spiral/scallop_loop.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
 #include <vector>
@@ -44,29 +44,29 @@ Status putLoopsOnSurface(const std::vector<ScallopLoop>& loops, const Surface& s
 template <typename PointT, typename PointNT = pcl::Normal>
 class ScallopLoops : public FieldInput<PointT, PointNT> {
 public:
-  using Ptr = pcl::shared_ptr<ScallopLoops>;
-  using ConstPtr = pcl::shared_ptr<const ScallopLoops>;
+  using Ptr = pcl::shared_ptr<ScallopLoops>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const ScallopLoops>; ///< A shared pointer to a constant one.
 
   /** For passes: largest distance between a linear move and the loop, mm; 0.005 by default. */
   void setChordError(double error) { this->settings_.chord_error = error; }
-  double getChordError() const { return this->settings_.chord_error; }
+  double getChordError() const { return this->settings_.chord_error; } ///< The value of setChordError.
 
   /** For passes: longest linear move, mm; 0, the default, means the tool radius. */
   void setMaxStep(double step) { this->settings_.max_step = step; }
-  double getMaxStep() const { return this->settings_.max_step; }
+  double getMaxStep() const { return this->settings_.max_step; } ///< The value of setMaxStep.
 
   /** For passes: side tilt of the tool axis about the feed direction, degrees; 15 by default. */
   void setTiltAngle(double degrees) { this->settings_.tilt_angle = degrees; }
-  double getTiltAngle() const { return this->settings_.tilt_angle; }
+  double getTiltAngle() const { return this->settings_.tilt_angle; } ///< The value of setTiltAngle.
 
   /** For passes: lead of the tool axis in the feed direction, degrees; 0 by default. */
   void setLeadAngle(double degrees) { this->settings_.lead_angle = degrees; }
-  double getLeadAngle() const { return this->settings_.lead_angle; }
+  double getLeadAngle() const { return this->settings_.lead_angle; } ///< The value of setLeadAngle.
 
   /** For passes: which way they go round the area inside them, seen from outside; CounterClockwise by default. Round holes of the
    *  part they go the other way, so that the boundary is always on the same side. */
   void setSense(SpiralSense sense) { this->settings_.sense = sense; }
-  SpiralSense getSense() const { return this->settings_.sense; }
+  SpiralSense getSense() const { return this->settings_.sense; } ///< The value of setSense.
 
   /** Make the loops. \p set is empty on failure; see getStatus. */
   void compute(ScallopLoopSet& set);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  From the curve of a spiral to a toolpath: contacts on the surface, tool axes, checks. Each step is a function of its arguments only.
+ *  From radial lines to a toolpath: turns, contacts on the surface, tool axes, checks. Each step is a function of its arguments only.
  */
 #pragma once
 
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/core/impl/polyline.h>
-#include <pcl_spiral/spiral/impl/spiral_curve.h>
+#include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/spiral/radial_line.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
 #include <pcl_spiral/surface/surface.h>
 
@@ -17,15 +17,50 @@
 
 namespace pcl_spiral {
 
+/** A point of the unprojected spiral. */
+struct SpiralPoint {
+  Eigen::Vector3d position; ///< mm
+  double turn;              ///< turns completed up to here
+  bool begins_pass = false; ///< the tool is lifted to it
+};
+
+/** The highest ridge that turns leave at corners. */
+struct CornerRidge {
+  double height = 0.0;                              ///< mm; the tool radius where material is left uncut; 0 without corners
+  double widening = 1.0;                            ///< distance of turns there, as a multiple of the step-over
+  double remedy = 0.0;                              ///< mm: the scallop height whose turns leave ridges of the requested height
+  Eigen::Vector3d corner = Eigen::Vector3d::Zero(); ///< of the outline
+};
+
+/** The curve, before it is put on the surface, and its figures. Lengths in mm. */
+struct SpiralTurns {
+  std::vector<SpiralPoint> curve;    ///< in travel order
+  double smallest_step_over = 0.0;   ///< on the surface, along the lines
+  double largest_step_over = 0.0;    ///< the largest, in the same way
+  double largest_allowed_step = 0.0; ///< longest linear move
+  CornerRidge corner_ridge;          ///< the highest ridge left at corners
+  std::vector<std::string> warnings; ///< in full sentences, with the remedy
+};
+
+/** Turns between \p lines at the step-over that \p settings define (TurnFunction), drawn as one curve (SpiralCurve).
+ *  \p spacing and \p area, mm2, of the surface. Fails where the cutter does not fit, where a line leaves the surface, or if the
+ *  path is too large. */
+Status makeTurns(const RadialLineSet& lines, double spacing, double area, const SpiralSettings& settings, SpiralTurns& turns);
+
+/** Ok, or an error in the user's own \p lines, for a surface of this \p spacing: too few lines, wrong order, feet that are not
+ *  finite or have left the surface, levels out of range or none 0, no rim, an inner boundary of one or two points. The message
+ *  reports which line, and where. */
+Status checkLines(const RadialLineSet& lines, double spacing);
+
 /** A toolpath as parallel arrays, in double precision. Other forms are derived from it. */
 struct SpiralPath {
-  Polyline contacts;
+  Polyline contacts;                    ///< on the surface, mm
   std::vector<Eigen::Vector3d> normals; ///< unit, out of the material
   std::vector<Eigen::Vector3f> axes;    ///< unit, tip to shank
   std::vector<double> arc_lengths;      ///< cut so far, mm: lifts do not count
-  std::vector<float> turns;
-  std::vector<std::uint8_t> over_gap; ///< 1 where the scan has a gap
-  std::vector<std::size_t> passes;    ///< where the second and each later pass begins, with the tool lifted before; empty: one
+  std::vector<float> turns;             ///< completed up to each point
+  std::vector<std::uint8_t> over_gap;   ///< 1 where the scan has a gap
+  std::vector<std::size_t> passes;      ///< where the second and each later pass begins, with the tool lifted before; empty: one
 };
 
 /** Result of measureGaps. */
@@ -45,8 +80,8 @@ struct AxisFigures {
 
 /** Result of checkPath. */
 struct PathFigures {
-  std::size_t turns = 0;
-  std::size_t points = 0;
+  std::size_t turns = 0;    ///< of the path
+  std::size_t points = 0;   ///< of the path
   double length = 0.0;      ///< mm
   double largest_gap = 0.0; ///< longest linear move, mm
 };

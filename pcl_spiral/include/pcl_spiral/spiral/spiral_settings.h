@@ -20,11 +20,17 @@ enum class BoundaryMode {
   AllBoundaries  ///< the rim and every real hole: only with SpiralMethod::ConstantScallop
 };
 /** Direction of the spiral. */
-enum class SpiralDirection { Outward, Inward };
+enum class SpiralDirection {
+  Outward, ///< from the centre, or the inner loop, to the rim
+  Inward   ///< from the rim inwards
+};
 /** Which way the cutter travels round, seen from outside the material; the same for outward and inward. With a spindle that
  *  turns clockwise (M3), it is climb milling if uncut material lies on the right of travel: outward counter-clockwise,
  *  inward clockwise. */
-enum class SpiralSense { CounterClockwise, Clockwise };
+enum class SpiralSense {
+  CounterClockwise, ///< the rim is on the right of travel
+  Clockwise         ///< the rim is on the left of travel
+};
 /** Direction in which the distance between neighbouring turns is measured. */
 enum class Pitch {
   AcrossFeed, ///< across the feed: this distance leaves the scallop
@@ -37,12 +43,15 @@ enum class HoleHandling {
   Refuse  ///< a part with holes is refused
 };
 /** What to do with gaps: missing data, not holes of the part. */
-enum class GapHandling { Bridge, Refuse };
+enum class GapHandling {
+  Bridge, ///< the path runs over them on a smooth patch, and is marked there
+  Refuse  ///< a scan with gaps is refused
+};
 /** How lines between the boundaries are found. */
 enum class LineMethod {
   Automatic, ///< geodesics, or gradient lines of the harmonic function where geodesics merge
-  Geodesic,
-  Harmonic
+  Geodesic,  ///< shortest paths on the surface
+  Harmonic   ///< gradient lines of the harmonic function between the boundaries
 };
 
 /** How the whole path is made. */
@@ -55,39 +64,45 @@ enum class SpiralMethod {
 
 /** Settings of a spiral toolpath. Lengths in mm, angles in degrees. */
 struct SpiralSettings {
-  double tool_radius = 0.0;                   ///< ball radius; must be set
-  double scallop_height = 0.0;                ///< allowed height of the ridge between turns; must be set
-  double chord_error = 0.005;                 ///< allowed distance between a linear move and the surface curve
-  double max_step = 0.0;                      ///< longest linear move; 0: the tool radius
-  double tilt_angle = 15.0;                   ///< side tilt of the axis about the feed direction
-  double lead_angle = 0.0;                    ///< lead of the axis in the feed direction
-  double max_axis_rate = 10.0;                ///< largest turn of the axis per mm of path
-  double axis_smoothing = 50.0;               ///< shorter changes along the path are smoothed out of the axis; 0: no smoothing
-  double axis_deviation = 2.0;                ///< of the smoothed axis from the requested tilt, in the mean over its length
-  double feed = 1000.0;                       ///< mm/min at the contact
-  double acceleration = 2000.0;               ///< of the machine along the path, mm/s2: a sharp turn costs time
-  double least_turn_radius = 0.2;             ///< of turns, in step-overs: the report of ConstantScallop warns of sharper ones
-  double rim_overhang = 0.0;                  ///< of the pass along the rim: above 0 this far beyond the rim, below 0 inside it
-  std::optional<Eigen::Vector3d> centre;      ///< of a surface with one boundary; absent: found
-  std::optional<Eigen::Vector3d> start_point; ///< the path meets the rim nearest here; absent: found
-  std::optional<Eigen::Vector3d> view_point;  ///< normals face it; absent: towards +z as a whole
-  bool flip_normals = false;
-  BoundaryMode boundary_mode = BoundaryMode::Automatic;
-  SpiralDirection direction = SpiralDirection::Outward;
-  SpiralSense sense = SpiralSense::CounterClockwise;
-  bool one_way = false; ///< ConstantScallop cuts only in that sense, in several passes where loops lie beside each other
-  Pitch pitch = Pitch::AcrossFeed;
-  SpiralMethod method = SpiralMethod::Shortest;
-  HoleHandling holes = HoleHandling::Around;
+  double tool_radius = 0.0;                             ///< ball radius; must be set
+  double scallop_height = 0.0;                          ///< allowed height of the ridge between turns; must be set
+  double chord_error = 0.005;                           ///< allowed distance between a linear move and the surface curve
+  double max_step = 0.0;                                ///< longest linear move; 0: the tool radius
+  double tilt_angle = 15.0;                             ///< side tilt of the axis about the feed direction
+  double lead_angle = 0.0;                              ///< lead of the axis in the feed direction
+  double max_axis_rate = 10.0;                          ///< largest turn of the axis per mm of path
+  double axis_smoothing = 50.0;                         ///< shorter changes along the path are smoothed out of the axis; 0: no smoothing
+  double axis_deviation = 2.0;                          ///< of the smoothed axis from the requested tilt, in the mean over its length
+  double feed = 1000.0;                                 ///< mm/min at the contact
+  double acceleration = 2000.0;                         ///< of the machine along the path, mm/s2: a sharp turn costs time
+  double least_turn_radius = 0.2;                       ///< of turns, in step-overs: the report of ConstantScallop warns of sharper ones
+  double rim_overhang = 0.0;                            ///< of the pass along the rim: above 0 this far beyond the rim, below 0 inside it
+  std::optional<Eigen::Vector3d> centre;                ///< of a surface with one boundary; absent: found
+  std::optional<Eigen::Vector3d> start_point;           ///< the path meets the rim nearest here; absent: found
+  std::optional<Eigen::Vector3d> view_point;            ///< normals face it; absent: towards +z as a whole
+  bool flip_normals = false;                            ///< turn all normals to the other side
+  BoundaryMode boundary_mode = BoundaryMode::Automatic; ///< between which boundaries the path runs
+  SpiralDirection direction = SpiralDirection::Outward; ///< outward or inward
+  SpiralSense sense = SpiralSense::CounterClockwise;    ///< which way round
+  bool one_way = false;            ///< ConstantScallop cuts only in that sense, in several passes where loops lie beside each other
+  Pitch pitch = Pitch::AcrossFeed; ///< how the distance between turns is measured
+  SpiralMethod method = SpiralMethod::Shortest; ///< how the whole path is made
+  HoleHandling holes = HoleHandling::Around;    ///< what to do with holes of the part
   double hole_size = 0.0;   ///< least width of a hole of the part; narrower ones are gaps in the data. 0: from the scan, BoundaryOptions
   double hole_margin = 0.0; ///< the path stays this far from holes
-  GapHandling gaps = GapHandling::Bridge;
-  LineMethod lines = LineMethod::Automatic;
-  bool largest_part = false;       ///< keep only the part with the largest area if there are several
-  double thinning = 0.0;           ///< voxel edge of the thinning filter; 0: no thinning
-  int outlier_neighbours = 0;      ///< neighbours of the statistical outlier filter; 0: no filter
-  double outlier_deviations = 3.0; ///< its threshold in standard deviations
-  unsigned int threads = 0;        ///< 0: all
+  GapHandling gaps = GapHandling::Bridge;   ///< what to do with gaps in the data
+  LineMethod lines = LineMethod::Automatic; ///< how radial lines are found
+  bool largest_part = false;                ///< keep only the part with the largest area if there are several
+  double thinning = 0.0;                    ///< voxel edge of the thinning filter; 0: no thinning
+  int outlier_neighbours = 0;               ///< neighbours of the statistical outlier filter; 0: no filter
+  double outlier_deviations = 3.0;          ///< its threshold in standard deviations
+  unsigned int threads = 0;                 ///< 0: all
 };
+
+/** Allowed error of a turn between radial lines, mm: a fiftieth of the step-over on a plane. */
+double lineTolerance(const SpiralSettings& settings);
+
+/** Allowed distance of a radial line's B-spline from its points, mm. */
+double lineFitTolerance(const SpiralSettings& settings);
 
 } // namespace pcl_spiral

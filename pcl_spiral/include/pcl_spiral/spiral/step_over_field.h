@@ -15,9 +15,9 @@ namespace pcl_spiral {
 /** D, the distance of each place from the nearest rim or hole along the surface, in allowed step-overs. It has ridges where
  *  fronts from several sides meet. The mesh is refined there to an eighth of a step-over. */
 struct StepOverDistance {
-  using ConstPtr = std::shared_ptr<const StepOverDistance>;
+  using ConstPtr = std::shared_ptr<const StepOverDistance>; ///< A shared pointer to a constant one.
 
-  StepOverMesh mesh;
+  StepOverMesh mesh;                 ///< nodes and triangles, up to the outlines
   std::vector<double> distance;      ///< one per node
   std::vector<std::uint8_t> is_fine; ///< one per node: 1 within the refined band about the ridges
   std::vector<std::uint8_t> is_weak; ///< one per triangle: 1 outside the band where |grad D| is below 0.97
@@ -46,8 +46,8 @@ std::vector<std::uint32_t> ridgeNodes(const StepOverDistance& field);
 template <typename PointT, typename PointNT = pcl::Normal>
 class StepOverField : public StepOverInput<PointT, PointNT> {
 public:
-  using Ptr = pcl::shared_ptr<StepOverField>;
-  using ConstPtr = pcl::shared_ptr<const StepOverField>;
+  using Ptr = pcl::shared_ptr<StepOverField>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const StepOverField>; ///< A shared pointer to a constant one.
 
   /** Measure the distance. \p field is null on failure: no cloud, a setting out of range, loops that do not belong to the surface, an
    *  outline along which no boundary of it runs, a surface with a handle, or cancelled; getStatus reports which and where. */

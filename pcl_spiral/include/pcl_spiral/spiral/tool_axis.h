@@ -14,32 +14,32 @@ namespace pcl_spiral {
  *  conormal, then smoothed along the path and limited in rate by AxisField. The method is tiltedAxes in core/tilted_axes.h. */
 class ToolAxis {
 public:
-  using Path = pcl::PointCloud<ToolpathPoint>;
+  using Path = pcl::PointCloud<ToolpathPoint>; ///< A toolpath.
 
   /** Path in travel order, with the unit surface normal at every point. */
   void setInputPath(const Path::ConstPtr& path) { path_ = path; }
-  Path::ConstPtr getInputPath() const { return path_; }
+  Path::ConstPtr getInputPath() const { return path_; } ///< The value of setInputPath.
 
   /** Side tilt about the feed direction, degrees, within +-89; 15 by default. Positive leans to the right of travel, seen
    *  from outside the material. */
   void setTiltAngle(double degrees) { tilt_angle_ = degrees; }
-  double getTiltAngle() const { return tilt_angle_; }
+  double getTiltAngle() const { return tilt_angle_; } ///< The value of setTiltAngle.
 
   /** Lead about the conormal, degrees, within +-89; 0 by default. Positive leans forward. */
   void setLeadAngle(double degrees) { lead_angle_ = degrees; }
-  double getLeadAngle() const { return lead_angle_; }
+  double getLeadAngle() const { return lead_angle_; } ///< The value of setLeadAngle.
 
   /** Smoothing length, mm: shorter changes along the path are smoothed away; 50 by default, 0 for none. See AxisField. */
   void setSmoothingLength(double length) { field_.setSmoothingLength(length); }
-  double getSmoothingLength() const { return field_.getSmoothingLength(); }
+  double getSmoothingLength() const { return field_.getSmoothingLength(); } ///< The value of setSmoothingLength.
 
   /** How far smoothing may move the axis from the requested tilt, degrees; 2 by default. See AxisField. */
   void setMaxDeviation(double degrees) { field_.setMaxDeviation(degrees); }
-  double getMaxDeviation() const { return field_.getMaxDeviation(); }
+  double getMaxDeviation() const { return field_.getMaxDeviation(); } ///< The value of setMaxDeviation.
 
   /** Largest turn of the axis, degrees per mm of path; 10 by default, 0 for no limit. */
   void setMaxAxisRate(double degrees_per_mm) { field_.setMaxAxisRate(degrees_per_mm); }
-  double getMaxAxisRate() const { return field_.getMaxAxisRate(); }
+  double getMaxAxisRate() const { return field_.getMaxAxisRate(); } ///< The value of setMaxAxisRate.
 
   /** Copy the path and set its axes. \p output may be the input cloud. It is empty on failure: no path, fewer than two
    *  points, a point or normal that is not finite, a normal of zero length, a setting out of range, or an axis that the rate

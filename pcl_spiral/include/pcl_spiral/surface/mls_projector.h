@@ -31,42 +31,42 @@ namespace pcl_spiral {
 template <typename PointInT, typename PointOutT>
 class MLSProjector : public SurfaceInput<pcl::CloudSurfaceProcessing<PointInT, PointOutT>, PointInT> {
 public:
-  using Ptr = pcl::shared_ptr<MLSProjector>;
-  using ConstPtr = pcl::shared_ptr<const MLSProjector>;
-  using PointCloudIn = pcl::PointCloud<PointInT>;
-  using PointCloudInConstPtr = typename PointCloudIn::ConstPtr;
-  using PointCloudOut = pcl::PointCloud<PointOutT>;
-  using SearchPtr = typename pcl::search::Search<PointInT>::Ptr;
-  using Method = ProjectionMethod;
+  using Ptr = pcl::shared_ptr<MLSProjector>;                     ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const MLSProjector>;          ///< A shared pointer to a constant one.
+  using PointCloudIn = pcl::PointCloud<PointInT>;                ///< A cloud of the input.
+  using PointCloudInConstPtr = typename PointCloudIn::ConstPtr;  ///< The input, shared.
+  using PointCloudOut = pcl::PointCloud<PointOutT>;              ///< The cloud of the output.
+  using SearchPtr = typename pcl::search::Search<PointInT>::Ptr; ///< A search method of PCL.
+  using Method = ProjectionMethod;                               ///< Type of the fitted surface.
 
   /** Points to project. Without them: the points of the input cloud that setIndices selects, or with a surface and no cloud,
    *  the points of the surface. */
   void setQueryCloud(const PointCloudInConstPtr& queries) { queries_ = queries; }
-  PointCloudInConstPtr getQueryCloud() const { return queries_; }
+  PointCloudInConstPtr getQueryCloud() const { return queries_; } ///< The value of setQueryCloud.
 
   /** Type of the fitted surface; Method::Quadratic by default. */
   void setMethod(Method method) { method_ = method; }
-  Method getMethod() const { return method_; }
+  Method getMethod() const { return method_; } ///< The value of setMethod.
 
   /** Neighbours in one fit, 6 or more; 0, the default: the noise and the curvature decide. */
   void setKSearch(int neighbours) { neighbours_ = neighbours; }
-  int getKSearch() const { return neighbours_; }
+  int getKSearch() const { return neighbours_; } ///< The value of setKSearch.
   /** The former name. */
   [[deprecated("setKSearch")]] void setNeighbours(int neighbours) { setKSearch(neighbours); }
-  [[deprecated("getKSearch")]] int getNeighbours() const { return getKSearch(); }
+  [[deprecated("getKSearch")]] int getNeighbours() const { return getKSearch(); } ///< The former name of getKSearch.
 
   /** Radius of one fit, mm, as in pcl::MovingLeastSquares: it takes pi (radius / spacing)^2 neighbours. 0, the default:
    *  setKSearch is used. Do not set both. */
   void setSearchRadius(double radius) { search_radius_ = radius; }
-  double getSearchRadius() const { return search_radius_; }
+  double getSearchRadius() const { return search_radius_; } ///< The value of setSearchRadius.
 
   /** As in pcl::MovingLeastSquares: 2 is Method::Quadratic, 0 is Method::DirectionalCentroid; compute refuses others. */
   void setPolynomialOrder(int order);
-  int getPolynomialOrder() const { return order_; }
+  int getPolynomialOrder() const { return order_; } ///< The value of setPolynomialOrder.
 
   /** compute refuses a search that is not null: the projector uses its own exact search. */
   void setSearchMethod(const SearchPtr& search) { search_ = search; }
-  SearchPtr getSearchMethod() const { return search_; }
+  SearchPtr getSearchMethod() const { return search_; } ///< The value of setSearchMethod.
 
   /** The name of compute in pcl::CloudSurfaceProcessing. */
   void process(PointCloudOut& output) override { compute(output); }
@@ -90,7 +90,7 @@ public:
   int getNeighboursUsed() const { return neighbours_used_; }
 
 protected:
-  void performProcessing(PointCloudOut& output) override { compute(output); }
+  void performProcessing(PointCloudOut& output) override { compute(output); } ///< What pcl::CloudSurfaceProcessing calls.
 
 private:
   Status check() const;

@@ -36,31 +36,31 @@ struct UsablePoints;
 template <typename PointT, typename PointNT = pcl::Normal>
 class ScannedSurface : public pcl::PCLBase<PointT>, public ThreadCount {
 public:
-  using Ptr = pcl::shared_ptr<ScannedSurface>;
-  using ConstPtr = pcl::shared_ptr<const ScannedSurface>;
-  using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
+  using Ptr = pcl::shared_ptr<ScannedSurface>;                         ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const ScannedSurface>;              ///< A shared pointer to a constant one.
+  using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr; ///< Normals of the input, shared.
 
   /** Normals of the input, one per point, out of the material. Only the side they face is used. Null, the default: none. */
   void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
-  NormalsConstPtr getInputNormals() const { return normals_; }
+  NormalsConstPtr getInputNormals() const { return normals_; } ///< The value of setInputNormals.
 
   /** Position of the scanner: normals face it. Without it they face +z as a whole. */
   void setViewPoint(const Eigen::Vector3d& point) { settings_.view_point = point; }
-  const std::optional<Eigen::Vector3d>& getViewPoint() const { return settings_.view_point; }
-  void clearViewPoint() { settings_.view_point.reset(); }
+  const std::optional<Eigen::Vector3d>& getViewPoint() const { return settings_.view_point; } ///< The value of setViewPoint.
+  void clearViewPoint() { settings_.view_point.reset(); }                                     ///< Takes back setViewPoint.
 
   /** Turn all normals to the other side. */
   void setFlipNormals(bool flip) { settings_.flip_normals = flip; }
-  bool getFlipNormals() const { return settings_.flip_normals; }
+  bool getFlipNormals() const { return settings_.flip_normals; } ///< The value of setFlipNormals.
 
   /** Keep only the part with the largest area if there are several. Without it, the default, all stay, and stages that
    *  need a single part refuse the surface. Clusters are left out in both cases. */
   void setLargestPart(bool alone) { settings_.largest_part = alone; }
-  bool getLargestPart() const { return settings_.largest_part; }
+  bool getLargestPart() const { return settings_.largest_part; } ///< The value of setLargestPart.
 
   /** Keep one point in each voxel of this edge length, the one nearest to the centroid of the voxel; 0, the default: all. */
   void setThinning(double voxel_edge) { settings_.thinning = voxel_edge; }
-  double getThinning() const { return settings_.thinning; }
+  double getThinning() const { return settings_.thinning; } ///< The value of setThinning.
 
   /** Drop points whose mean distance to their \p neighbours nearest points is more than \p deviations standard deviations above
    *  the mean, as in pcl::StatisticalOutlierRemoval. 0 neighbours, the default: no filter. */
@@ -69,30 +69,30 @@ public:
     settings_.outlier_neighbours = neighbours;
     settings_.outlier_deviations = deviations;
   }
-  int getOutlierNeighbours() const { return settings_.outlier_neighbours; }
-  double getOutlierDeviations() const { return settings_.outlier_deviations; }
+  int getOutlierNeighbours() const { return settings_.outlier_neighbours; }    ///< The neighbours of setOutlierRemoval.
+  double getOutlierDeviations() const { return settings_.outlier_deviations; } ///< The deviations of setOutlierRemoval.
 
   /** Neighbours of a point to start with, 8 or more; 32 by default. Doubled while scan lines are too far apart. */
   void setKSearch(int neighbours) { settings_.neighbours = neighbours; }
-  int getKSearch() const { return settings_.neighbours; }
+  int getKSearch() const { return settings_.neighbours; } ///< The value of setKSearch.
 
   /** Radius of the largest circle without points that still counts as surface, in spacings, 1 or more; 3 by default. */
   void setAlpha(double spacings) { settings_.alpha = spacings; }
-  double getAlpha() const { return settings_.alpha; }
+  double getAlpha() const { return settings_.alpha; } ///< The value of setAlpha.
 
   /** Refuse a scan that is no single sheet (noise above 0.35 spacings), is badly connected (more than a tenth of the points
    *  isolated), or has normals without a common side (more than a tenth disagree); true by
    *  default. */
   void setStrict(bool strict) { settings_.strict = strict; }
-  bool getStrict() const { return settings_.strict; }
+  bool getStrict() const { return settings_.strict; } ///< The value of setStrict.
 
   /** Set all of the above at once. */
   void setSettings(const SurfaceSettings& settings) { settings_ = settings; }
-  const SurfaceSettings& getSettings() const { return settings_; }
+  const SurfaceSettings& getSettings() const { return settings_; } ///< The value of setSettings.
 
   /** If true, compute prints nothing to the console when it fails; false by default. The status is the same. */
   void setQuiet(bool quiet) { quiet_ = quiet; }
-  bool getQuiet() const { return quiet_; }
+  bool getQuiet() const { return quiet_; } ///< The value of setQuiet.
 
   /** Called with the share done; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }

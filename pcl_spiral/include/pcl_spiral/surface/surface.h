@@ -9,42 +9,66 @@
 #include <pcl_spiral/graph/impl/surface_graph.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
 #include <pcl_spiral/surface/impl/scan_voids.h>
-#include <pcl_spiral/surface/impl/surface_settings.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl_spiral {
 
+/** Settings of ScannedSurface; its setters explain them. Lengths in mm. */
+struct SurfaceSettings {
+  std::optional<Eigen::Vector3d> view_point; ///< normals face it; absent: towards +z as a whole
+  bool flip_normals = false;                 ///< turn all normals to the other side
+  bool largest_part = false;                 ///< keep only the part with the largest area if there are several
+  double thinning = 0.0;                     ///< voxel edge of the thinning filter; 0: no thinning
+  int outlier_neighbours = 0;                ///< of the statistical outlier filter; 0: no filter
+  double outlier_deviations = 3.0;           ///< its threshold in standard deviations
+  int neighbours = 32;                       ///< in one neighbourhood, to start with
+  double alpha = 3.0;                        ///< radius of the largest circle without points that is still surface, in spacings
+  bool strict = true;                        ///< refuse a scan that is no single sheet or is badly connected
+};
+
+/** Name of the first setter that \p asked uses and \p made does not agree with; empty if there is none. A setting
+ *  \p asked leaves at its default agrees with everything. strict is not compared. */
+std::string disagreement(const SurfaceSettings& asked, const SurfaceSettings& made);
+
 /** What happened to the points of a cloud: input is the sum of the entries down to used. */
 struct SurfaceCounts {
-  std::size_t input = 0;      ///< of the cloud, or of its indices
-  std::size_t nonfinite = 0;  ///< NaN, infinite, or marker values beyond 1e12
-  std::size_t duplicate = 0;  ///< at the same place as an earlier point
-  std::size_t outlier = 0;    ///< removed by the statistical filter
-  std::size_t thinned = 0;    ///< removed by the voxel grid
-  std::size_t surplus = 0;    ///< much closer together than the points around them, as along scan lines
-  std::size_t isolated = 0;   ///< single points off the surface
-  std::size_t speck = 0;      ///< in clusters apart from the surface
-  std::size_t other_part = 0; ///< in separate parts other than the largest, left out on request
-  std::size_t used = 0;
+  std::size_t input = 0;          ///< of the cloud, or of its indices
+  std::size_t nonfinite = 0;      ///< NaN, infinite, or marker values beyond 1e12
+  std::size_t duplicate = 0;      ///< at the same place as an earlier point
+  std::size_t outlier = 0;        ///< removed by the statistical filter
+  std::size_t thinned = 0;        ///< removed by the voxel grid
+  std::size_t surplus = 0;        ///< much closer together than the points around them, as along scan lines
+  std::size_t isolated = 0;       ///< single points off the surface
+  std::size_t speck = 0;          ///< in clusters apart from the surface
+  std::size_t other_part = 0;     ///< in separate parts other than the largest, left out on request
+  std::size_t used = 0;           ///< points of the surface
   std::size_t separate_parts = 0; ///< left out on request
   std::size_t guessed = 0;        ///< points put into gaps, in addition to those used
   int passes = 0;                 ///< over all neighbourhoods, to make the surface
 };
 
 /** Why a point is not part of the surface. */
-enum class LeftOut : std::uint8_t { Outlier, Thinned, Surplus, Isolated, Speck, OtherPart };
+enum class LeftOut : std::uint8_t {
+  Outlier,  ///< removed by the statistical filter
+  Thinned,  ///< removed by the voxel grid
+  Surplus,  ///< much closer to its neighbours than the points around it
+  Isolated, ///< a single point off the surface
+  Speck,    ///< in a cluster apart from the surface
+  OtherPart ///< in a part other than the largest
+};
 
 /** Finite and different points of the cloud that are not part of the surface. Parallel arrays, indices ascending. */
 struct LeftOutPoints {
-  std::vector<Eigen::Vector3f> positions;
-  std::vector<std::uint32_t> indices; ///< in the cloud
-  std::vector<LeftOut> why;
+  std::vector<Eigen::Vector3f> positions; ///< mm
+  std::vector<std::uint32_t> indices;     ///< in the cloud
+  std::vector<LeftOut> why;               ///< reason of each
 };
 
 /** A scan that is ready for use: clean points in spatial order with oriented normals, spacing, triangulation and local fit, and
@@ -53,24 +77,24 @@ struct LeftOutPoints {
  */
 class Surface {
 public:
-  using Ptr = std::shared_ptr<Surface>;
-  using ConstPtr = std::shared_ptr<const Surface>;
+  using Ptr = std::shared_ptr<Surface>;            ///< A shared pointer.
+  using ConstPtr = std::shared_ptr<const Surface>; ///< A shared pointer to a constant one.
 
   /** sourceIndex of a point put into a gap. */
   static constexpr std::uint32_t no_source = std::numeric_limits<std::uint32_t>::max();
 
   /** The parts of a Surface; see makeSurface. */
   struct Parts {
-    SurfaceGraph graph;
+    SurfaceGraph graph;                ///< order, normals, spacing, triangles
     std::vector<std::uint32_t> source; ///< cloud index of each point that the graph was built from; empty: the whole cloud, in order
-    SurfaceSettings settings;
-    SurfaceCounts counts;
-    LeftOutPoints left_out;
-    std::size_t input_size = 0;
-    bool side_is_clear = true;
-    std::vector<std::string> warnings;
+    SurfaceSettings settings;          ///< by which it was made
+    SurfaceCounts counts;              ///< what happened to the points
+    LeftOutPoints left_out;            ///< points that are not part of it
+    std::size_t input_size = 0;        ///< number of points in the cloud
+    bool side_is_clear = true;         ///< see sideIsClear
+    std::vector<std::string> warnings; ///< see warnings()
   };
-  explicit Surface(Parts parts);
+  explicit Surface(Parts parts);    ///< Takes the parts and fits the surface to them.
   Surface(const Surface&) = delete; // the fit refers to the graph
   Surface& operator=(const Surface&) = delete;
 
@@ -82,8 +106,8 @@ public:
   /** Places without points that triangles cover: holes and gaps too narrow to be loops. */
   const ScanVoids& voids() const { return voids_; }
 
-  std::size_t size() const { return parts_.graph.size(); }
-  Eigen::Vector3d position(std::size_t i) const { return parts_.graph.position(i); }
+  std::size_t size() const { return parts_.graph.size(); }                           ///< Number of points.
+  Eigen::Vector3d position(std::size_t i) const { return parts_.graph.position(i); } ///< Point \p i, mm.
   /** Unit normal, out of the material. */
   Eigen::Vector3d normal(std::size_t i) const { return parts_.graph.normal(i); }
   /** Median distance between neighbouring points, as if they were spread evenly. */
@@ -101,9 +125,9 @@ public:
   /** Number of points in the cloud, used or not. */
   std::size_t inputSize() const { return parts_.input_size; }
 
-  const SurfaceSettings& settings() const { return parts_.settings; }
-  const SurfaceCounts& counts() const { return parts_.counts; }
-  const LeftOutPoints& leftOut() const { return parts_.left_out; }
+  const SurfaceSettings& settings() const { return parts_.settings; } ///< The settings it was made with.
+  const SurfaceCounts& counts() const { return parts_.counts; }       ///< What happened to the points of the cloud.
+  const LeftOutPoints& leftOut() const { return parts_.left_out; }    ///< The points left out, and why.
   /** True if normals, a view point or +z gave the outer side. If false, the convex side was taken. */
   bool sideIsClear() const { return parts_.side_is_clear; }
   /** Which points were left out and whether the side is guessed, as text. */

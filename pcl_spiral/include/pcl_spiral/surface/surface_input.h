@@ -25,9 +25,10 @@ namespace pcl_spiral {
 template <typename BaseT, typename PointT, typename PointNT = pcl::Normal>
 class SurfaceInput : public BaseT {
 public:
-  using CloudConstPtr = typename pcl::PointCloud<PointT>::ConstPtr;
-  using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
+  using CloudConstPtr = typename pcl::PointCloud<PointT>::ConstPtr;    ///< The input cloud, shared.
+  using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr; ///< Normals of the input, shared.
 
+  /** The scan. Clears a surface given before. */
   void setInputCloud(const CloudConstPtr& cloud) override
   {
     BaseT::setInputCloud(cloud);
@@ -37,42 +38,42 @@ public:
   /** Work on this surface, made by ScannedSurface or by another stage. The settings below that define a surface must be
    *  at their defaults, or as the surface was made. Normals must be null, because the surface already has a side. */
   void setInputSurface(const Surface::ConstPtr& surface) { given_surface_ = surface; }
-  Surface::ConstPtr getInputSurface() const { return given_surface_; }
+  Surface::ConstPtr getInputSurface() const { return given_surface_; } ///< The value of setInputSurface.
 
   /** Normals of the input cloud, one per point, out of the material. Only the side they face is used. Without them the view
    *  point gives the side, or else +z. \see ScannedSurface */
   void setInputNormals(const NormalsConstPtr& normals) { scanned_.setInputNormals(normals); }
-  NormalsConstPtr getInputNormals() const { return scanned_.getInputNormals(); }
+  NormalsConstPtr getInputNormals() const { return scanned_.getInputNormals(); } ///< The value of setInputNormals.
 
   /** Position of the scanner: normals face it. Without it they face +z as a whole. */
   void setViewPoint(const Eigen::Vector3d& point) { scanned_.setViewPoint(point); }
-  const std::optional<Eigen::Vector3d>& getViewPoint() const { return scanned_.getViewPoint(); }
-  void clearViewPoint() { scanned_.clearViewPoint(); }
+  const std::optional<Eigen::Vector3d>& getViewPoint() const { return scanned_.getViewPoint(); } ///< The value of setViewPoint.
+  void clearViewPoint() { scanned_.clearViewPoint(); }                                           ///< Takes back setViewPoint.
 
   /** Turn all normals to the other side. */
   void setFlipNormals(bool flip) { scanned_.setFlipNormals(flip); }
-  bool getFlipNormals() const { return scanned_.getFlipNormals(); }
+  bool getFlipNormals() const { return scanned_.getFlipNormals(); } ///< The value of setFlipNormals.
 
   /** \see ScannedSurface::setThinning */
   void setThinning(double voxel_edge) { scanned_.setThinning(voxel_edge); }
-  double getThinning() const { return scanned_.getThinning(); }
+  double getThinning() const { return scanned_.getThinning(); } ///< The value of setThinning.
 
   /** \see ScannedSurface::setOutlierRemoval */
   void setOutlierRemoval(int neighbours, double deviations = 3.0) { scanned_.setOutlierRemoval(neighbours, deviations); }
-  int getOutlierNeighbours() const { return scanned_.getOutlierNeighbours(); }
-  double getOutlierDeviations() const { return scanned_.getOutlierDeviations(); }
+  int getOutlierNeighbours() const { return scanned_.getOutlierNeighbours(); }    ///< The neighbours of setOutlierRemoval.
+  double getOutlierDeviations() const { return scanned_.getOutlierDeviations(); } ///< The deviations of setOutlierRemoval.
 
   /** \see ScannedSurface::setLargestPart */
   void setLargestPart(bool alone) { scanned_.setLargestPart(alone); }
-  bool getLargestPart() const { return scanned_.getLargestPart(); }
+  bool getLargestPart() const { return scanned_.getLargestPart(); } ///< The value of setLargestPart.
 
   /** Threads to use; 0, the default, means all. The output does not depend on it. */
   void setNumberOfThreads(unsigned int threads = 0) { scanned_.setNumberOfThreads(threads); }
-  unsigned int getNumberOfThreads() const { return scanned_.getNumberOfThreads(); }
+  unsigned int getNumberOfThreads() const { return scanned_.getNumberOfThreads(); } ///< The value of setNumberOfThreads.
 
   /** If true, compute prints nothing to the console when it fails; false by default. The status is the same. */
   void setQuiet(bool quiet) { quiet_ = quiet; }
-  bool getQuiet() const { return quiet_; }
+  bool getQuiet() const { return quiet_; } ///< The value of setQuiet.
 
   /** Result of the last compute. */
   const Status& getStatus() const { return status_; }
@@ -130,12 +131,13 @@ protected:
       PCL_ERROR("[pcl_spiral::%s::compute] %s\n", name, status_.message().c_str());
   }
 
+  /** The indices of setIndices; null without them. */
   pcl::IndicesPtr givenIndices() const { return this->fake_indices_ ? nullptr : this->indices_; }
 
   ScannedSurface<PointT, PointNT> scanned_; ///< holds the settings of the stage
-  Surface::ConstPtr given_surface_;
-  bool quiet_ = false;
-  Status status_;
+  Surface::ConstPtr given_surface_;         ///< of setInputSurface; null: the cloud counts
+  bool quiet_ = false;                      ///< of setQuiet
+  Status status_;                           ///< of the last compute
 };
 
 } // namespace pcl_spiral

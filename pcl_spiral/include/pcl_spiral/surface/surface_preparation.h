@@ -30,9 +30,9 @@ using PreparationCounts = SurfaceCounts;
 template <typename PointT>
 class SurfacePreparation : public pcl::Filter<PointT> {
 public:
-  using Ptr = pcl::shared_ptr<SurfacePreparation>;
-  using ConstPtr = pcl::shared_ptr<const SurfacePreparation>;
-  using PointCloud = pcl::PointCloud<PointT>;
+  using Ptr = pcl::shared_ptr<SurfacePreparation>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const SurfacePreparation>; ///< A shared pointer to a constant one.
+  using PointCloud = pcl::PointCloud<PointT>;                 ///< The cloud of the input.
 
   /** \p extract_removed_indices: if true, getRemovedIndices has the points left out. */
   explicit SurfacePreparation(bool extract_removed_indices = false) : pcl::Filter<PointT>(extract_removed_indices)
@@ -55,47 +55,47 @@ public:
 
   /** \see ScannedSurface::setOutlierRemoval */
   void setOutlierRemoval(int neighbours, double deviations = 3.0) { scanned_.setOutlierRemoval(neighbours, deviations); }
-  int getOutlierNeighbours() const { return scanned_.getOutlierNeighbours(); }
-  double getOutlierDeviations() const { return scanned_.getOutlierDeviations(); }
+  int getOutlierNeighbours() const { return scanned_.getOutlierNeighbours(); }    ///< The neighbours of setOutlierRemoval.
+  double getOutlierDeviations() const { return scanned_.getOutlierDeviations(); } ///< The deviations of setOutlierRemoval.
 
   /** \see ScannedSurface::setThinning */
   void setThinning(double voxel_edge) { scanned_.setThinning(voxel_edge); }
-  double getThinning() const { return scanned_.getThinning(); }
+  double getThinning() const { return scanned_.getThinning(); } ///< The value of setThinning.
 
   /** \see ScannedSurface::setLargestPart */
   void setLargestPart(bool alone) { scanned_.setLargestPart(alone); }
-  bool getLargestPart() const { return scanned_.getLargestPart(); }
+  bool getLargestPart() const { return scanned_.getLargestPart(); } ///< The value of setLargestPart.
 
   /** \see ScannedSurface::setViewPoint */
   void setViewPoint(const Eigen::Vector3d& point) { scanned_.setViewPoint(point); }
-  const std::optional<Eigen::Vector3d>& getViewPoint() const { return scanned_.getViewPoint(); }
-  void clearViewPoint() { scanned_.clearViewPoint(); }
+  const std::optional<Eigen::Vector3d>& getViewPoint() const { return scanned_.getViewPoint(); } ///< The value of setViewPoint.
+  void clearViewPoint() { scanned_.clearViewPoint(); }                                           ///< Takes back setViewPoint.
 
   /** \see ScannedSurface::setFlipNormals */
   void setFlipNormals(bool flip) { scanned_.setFlipNormals(flip); }
-  bool getFlipNormals() const { return scanned_.getFlipNormals(); }
+  bool getFlipNormals() const { return scanned_.getFlipNormals(); } ///< The value of setFlipNormals.
 
   /** \see ScannedSurface::setKSearch */
   void setKSearch(int neighbours) { scanned_.setKSearch(neighbours); }
-  int getKSearch() const { return scanned_.getKSearch(); }
+  int getKSearch() const { return scanned_.getKSearch(); } ///< The value of setKSearch.
   /** The former name. */
   [[deprecated("setKSearch")]] void setNumberOfNeighbours(int neighbours) { setKSearch(neighbours); }
-  [[deprecated("getKSearch")]] int getNumberOfNeighbours() const { return getKSearch(); }
+  [[deprecated("getKSearch")]] int getNumberOfNeighbours() const { return getKSearch(); } ///< The former name of getKSearch.
 
   /** \see ScannedSurface::setStrict */
   void setStrict(bool strict) { scanned_.setStrict(strict); }
-  bool getStrict() const { return scanned_.getStrict(); }
+  bool getStrict() const { return scanned_.getStrict(); } ///< The value of setStrict.
 
   /** Threads to use; 0, the default, means all. */
   void setNumberOfThreads(unsigned int threads = 0) { scanned_.setNumberOfThreads(threads); }
-  unsigned int getNumberOfThreads() const { return scanned_.getNumberOfThreads(); }
+  unsigned int getNumberOfThreads() const { return scanned_.getNumberOfThreads(); } ///< The value of setNumberOfThreads.
 
   /** filter, with one unit normal per point: \p cloud has the points kept, in spatial order. Both are empty on failure,
    *  see ScannedSurface::compute. */
   void compute(PointCloud& cloud, pcl::PointCloud<pcl::Normal>& normals);
 
-  const Status& getStatus() const { return status_; } ///< result of the last run
-  const SurfaceCounts& getCounts() const { return counts_; }
+  const Status& getStatus() const { return status_; }        ///< result of the last run
+  const SurfaceCounts& getCounts() const { return counts_; } ///< What happened to the points in the last run.
   /** Index in the input of each output point. */
   const std::vector<std::uint32_t>& getSourceIndices() const { return source_indices_; }
   /** The surface of the last run, for the stages that follow (setInputSurface); null before a run and on failure. */
@@ -108,7 +108,7 @@ public:
   }
 
 protected:
-  void applyFilter(PointCloud& output) override;
+  void applyFilter(PointCloud& output) override; ///< What pcl::Filter calls.
 
 private:
   static Status missingCloud() { return {StatusCode::InvalidInput, "the input cloud is missing: call setInputCloud with points"}; }

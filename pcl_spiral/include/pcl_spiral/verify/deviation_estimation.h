@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/verify/figures.h>
 #include <pcl_spiral/verify/impl/deviation_estimation_engine.h>
 #include <pcl_spiral/verify/impl/reference_input.h>
 
@@ -18,8 +19,8 @@ namespace pcl_spiral {
 template <typename PointT>
 class DeviationEstimation : public ReferenceInput<PointT> {
 public:
-  using Ptr = pcl::shared_ptr<DeviationEstimation>;
-  using ConstPtr = pcl::shared_ptr<const DeviationEstimation>;
+  using Ptr = pcl::shared_ptr<DeviationEstimation>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const DeviationEstimation>; ///< A shared pointer to a constant one.
 
   /** Measures. \p output has one point per path point, in their order: its place, with the
    *  deviation as intensity, NaN where there is no surface. It is empty on failure: a missing

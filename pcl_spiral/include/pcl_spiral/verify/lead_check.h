@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/verify/figures.h>
 #include <pcl_spiral/verify/impl/lead_check_engine.h>
 
 #include <pcl/pcl_base.h>
@@ -33,25 +34,25 @@ namespace pcl_spiral {
 template <typename PointT>
 class LeadCheck : public pcl::PCLBase<PointT>, public ThreadCount {
 public:
-  using Ptr = pcl::shared_ptr<LeadCheck>;
-  using ConstPtr = pcl::shared_ptr<const LeadCheck>;
+  using Ptr = pcl::shared_ptr<LeadCheck>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const LeadCheck>; ///< A shared pointer to a constant one.
 
   /** Shape of the cutter. Must be set. Above it, a shank as wide as the cutter is assumed. */
   void setCutter(const CutterShape& cutter) { cutter_ = cutter; }
-  const CutterShape& getCutter() const { return cutter_; }
+  const CutterShape& getCutter() const { return cutter_; } ///< The value of setCutter.
 
   /** The parts above the cutter, from the top of its flank upwards. None by default. */
   void setHolder(std::vector<ToolSegment> segments) { holder_ = std::move(segments); }
-  const std::vector<ToolSegment>& getHolder() const { return holder_; }
+  const std::vector<ToolSegment>& getHolder() const { return holder_; } ///< The value of setHolder.
 
   /** Distance to keep between holder and scan; 0 by default. */
   void setHolderClearance(double clearance) { holder_clearance_ = clearance; }
-  double getHolderClearance() const { return holder_clearance_; }
+  double getHolderClearance() const { return holder_clearance_; } ///< The value of setHolderClearance.
 
   /** How deep a point may be in the tool; 0.05 by default. Set what the path itself may have: its chord
    *  error plus five standard deviations of the noise of the scan, because leads end on the path. */
   void setTolerance(double tolerance) { tolerance_ = tolerance; }
-  double getTolerance() const { return tolerance_; }
+  double getTolerance() const { return tolerance_; } ///< The value of setTolerance.
 
   /** Called with the completed share; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
@@ -59,8 +60,8 @@ public:
   /** Checks \p program. Fails without a cloud or a cutter, on invalid settings, or when cancelled. */
   void compute(const MachineProgram& program);
 
-  const Status& getStatus() const { return status_; }
-  const LeadFigures& getFigures() const { return figures_; }
+  const Status& getStatus() const { return status_; }        ///< Result of the last compute.
+  const LeadFigures& getFigures() const { return figures_; } ///< Figures of the last compute.
 
 private:
   Status check() const;

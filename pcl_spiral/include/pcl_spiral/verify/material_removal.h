@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/verify/figures.h>
 #include <pcl_spiral/verify/impl/material_removal_engine.h>
 #include <pcl_spiral/verify/impl/reference_input.h>
 
@@ -18,21 +19,21 @@ namespace pcl_spiral {
 template <typename PointT>
 class MaterialRemoval : public ReferenceInput<PointT> {
 public:
-  using Ptr = pcl::shared_ptr<MaterialRemoval>;
-  using ConstPtr = pcl::shared_ptr<const MaterialRemoval>;
+  using Ptr = pcl::shared_ptr<MaterialRemoval>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const MaterialRemoval>; ///< A shared pointer to a constant one.
 
   /** Radius of the ball cutter, mm. Must be set. */
   void setToolRadius(double radius) { tool_radius_ = radius; }
-  double getToolRadius() const { return tool_radius_; }
+  double getToolRadius() const { return tool_radius_; } ///< The value of setToolRadius.
 
   /** Scallop height asked of the path, mm. Must be set, below the radius. */
   void setScallopHeight(double height) { scallop_height_ = height; }
-  double getScallopHeight() const { return scallop_height_; }
+  double getScallopHeight() const { return scallop_height_; } ///< The value of setScallopHeight.
 
   /** How far above the surface stock is looked for, mm; nothing met counts as uncut.
    *  0, the default: 20 scallop heights, and at least ten times the scan's noise. */
   void setReach(double reach) { reach_ = reach; }
-  double getReach() const { return reach_; }
+  double getReach() const { return reach_; } ///< The value of setReach.
 
   /** Measures. \p output has one point per input point (per index, if indices are set), in their order. With a surface
    *  and no cloud: one per point of the cloud that the surface was made of; the place of a point that was left out is NaN

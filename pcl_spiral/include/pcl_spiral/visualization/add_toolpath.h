@@ -7,9 +7,8 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/pass_begins.h>
 #include <pcl_spiral/common/point_types.h>
-#include <pcl_spiral/spiral/impl/radial_line.h>
+#include <pcl_spiral/spiral/radial_line.h>
 #include <pcl_spiral/visualization/impl/colored_lines.h>
 
 #include <pcl/point_cloud.h>

@@ -19,12 +19,12 @@ namespace pcl_spiral {
 
 /** Contents of the pictures; lengths in mm. */
 struct PictureScene {
-  std::string title; ///< such as the name of the scan
-  pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud;
-  SurfaceMesh::ConstPtr mesh; ///< used instead of the cloud; if null, the points of the cloud are triangulated
-  pcl::PointCloud<ToolpathPoint>::ConstPtr path;
-  SpiralSettings settings;
-  SpiralReport report;
+  std::string title;                              ///< such as the name of the scan
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud; ///< of the part
+  SurfaceMesh::ConstPtr mesh;                     ///< used instead of the cloud; if null, the points of the cloud are triangulated
+  pcl::PointCloud<ToolpathPoint>::ConstPtr path;  ///< contacts in travel order
+  SpiralSettings settings;                        ///< by which the path was made
+  SpiralReport report;                            ///< of its making: loops, lines, figures
 };
 
 /** What is wrong with the X display through which VTK draws: "DISPLAY is not set"; empty if nothing is wrong. */

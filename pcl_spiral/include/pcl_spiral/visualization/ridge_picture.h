@@ -15,9 +15,10 @@ namespace pcl_spiral {
 
 /** Contents of the pictures; lengths in mm. */
 struct RidgeScene {
-  std::string title; ///< such as the name of the part
-  RidgeSurface::ConstPtr ridge;
-  Polyline rail, generator;                      ///< the measured points
+  std::string title;                             ///< such as the name of the part
+  RidgeSurface::ConstPtr ridge;                  ///< fitted to the lines
+  Polyline rail;                                 ///< the points measured along the ridge
+  Polyline generator;                            ///< the points measured across it
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr scan; ///< of the part, drawn behind the lines; null: none
 };
 

@@ -50,7 +50,7 @@ public:
   /** Handles keys and mouse until the user closes the window. */
   void run();
 
-  ViewerPage getPage() const;
+  ViewerPage getPage() const; ///< The view shown.
   /** The path point that the user chose. */
   std::optional<std::size_t> getChosenPoint() const;
   /** The message of the last key or click. */

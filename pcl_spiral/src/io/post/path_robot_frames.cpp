@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "post_text.h"
 
-#include <pcl_spiral/common/pass_begins.h>
+#include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/core/impl/frame.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>

@@ -4,7 +4,7 @@
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
-#include <pcl_spiral/io/pose_list.h>
+#include <pcl_spiral/io/path_exchange.h>
 #include <pcl_spiral/machine/impl/kinematics.h>
 
 #include <cmath>

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "verification_writer.h"
-#include <pcl_spiral/io/impl/length_unit.h>
-#include <pcl_spiral/mesh/impl/mesh_settings.h>
+#include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
 #include <pcl_spiral/spiral/spiral_report.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
 

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "report_page.h"
-#include <pcl_spiral/io/impl/length_unit.h>
-#include <pcl_spiral/mesh/impl/mesh_settings.h>
+#include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
 #include <pcl_spiral/verify/impl/deviation_estimation_engine.h>
 #include <pcl_spiral/verify/impl/material_removal_engine.h>
 

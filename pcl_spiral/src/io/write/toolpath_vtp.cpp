@@ -2,7 +2,7 @@
 #include "io/byte_file.h"
 #include "io/quiet_vtk.h"
 
-#include <pcl_spiral/common/pass_begins.h>
+#include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 

@@ -4,6 +4,7 @@
 #include "common/available_memory.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/step_over.h>
+#include <pcl_spiral/spiral/impl/path_size.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/spiral/spiral_turns.h>
+#include <pcl_spiral/spiral/spiral_path.h>
 
 #include <pcl_spiral/common/impl/message.h>
 

@@ -6,7 +6,7 @@
 
 #include "spiral/outlines/rim_curve.h"
 
-#include <pcl_spiral/spiral/impl/radial_line.h>
+#include <pcl_spiral/spiral/radial_line.h>
 
 #include <limits>
 #include <vector>

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/spiral/impl/scallop_loop.h>
+#include <pcl_spiral/spiral/scallop_loop.h>
 
 #include <vector>
 

@@ -4,8 +4,8 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/impl/polyline.h>
 #include <pcl_spiral/core/impl/step_over_metric.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/search/impl/move_index.h>
 
 #include <algorithm>

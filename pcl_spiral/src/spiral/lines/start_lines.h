@@ -5,7 +5,7 @@
 #pragma once
 
 #include "geodesic/distance_field.h"
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 
 #include <memory>
 

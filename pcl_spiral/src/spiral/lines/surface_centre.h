@@ -5,7 +5,7 @@
 #pragma once
 
 #include "start_lines.h"
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <optional>

@@ -6,7 +6,7 @@
 
 #include "spiral/lines/segment_set.h"
 
-#include <pcl_spiral/spiral/impl/scallop_loop.h>
+#include <pcl_spiral/spiral/scallop_loop.h>
 
 #include <vector>
 

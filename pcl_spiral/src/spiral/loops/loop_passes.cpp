@@ -5,7 +5,7 @@
 
 #include "core/tilted_axes.h"
 #include <pcl_spiral/common/impl/message.h>
-#include <pcl_spiral/spiral/path_sampling.h>
+#include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 #include "spiral/field/ridge_climb.h"
 #include "spiral/lines/segment_set.h"
 
-#include <pcl_spiral/spiral/impl/scallop_loop.h>
+#include <pcl_spiral/spiral/scallop_loop.h>
 
 #include <cstdint>
 #include <unordered_set>

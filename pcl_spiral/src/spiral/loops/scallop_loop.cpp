@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/spiral/impl/scallop_loop.h>
+#include <pcl_spiral/spiral/scallop_loop.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/spiral/path_sampling.h>
+#include <pcl_spiral/spiral/loop_linking.h>
 
 #include "path_feet.h"
 

@@ -9,8 +9,8 @@
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/bspline_fit.h>
 #include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/core/step_over.h>
-#include <pcl_spiral/core/taubin.h>
 #include <pcl_spiral/geodesic/impl/geodesic_refinement.h>
 #include <pcl_spiral/search/impl/gabriel_edges.h>
 

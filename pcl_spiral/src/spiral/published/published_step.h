@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/spiral/impl/radial_line.h>
+#include <pcl_spiral/spiral/radial_line.h>
 
 #include <vector>
 

@@ -4,9 +4,9 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
-#include <pcl_spiral/search/impl/neighbour_lists.h>
+#include <pcl_spiral/search/neighbour_lists.h>
 
 #include <optional>
 

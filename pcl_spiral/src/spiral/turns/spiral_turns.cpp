@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/spiral/spiral_turns.h>
+#include <pcl_spiral/spiral/spiral_path.h>
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
+#include <pcl_spiral/spiral/impl/spiral_curve.h>
 
 namespace pcl_spiral {
 namespace {

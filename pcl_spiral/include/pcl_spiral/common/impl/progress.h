@@ -5,14 +5,12 @@
 #pragma once
 
 #include <functional>
+#include <pcl_spiral/common/status.h>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 namespace pcl_spiral {
-
-/** Called with the share done, 0 to 1, and the name of the stage. Return false to cancel. Called from one thread only. */
-using ProgressCallback = std::function<bool(double share, const std::string& stage)>;
 
 /** True if a callback takes only the share and not the name of the stage. */
 template <typename Callback>

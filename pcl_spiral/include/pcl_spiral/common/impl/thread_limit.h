@@ -32,19 +32,20 @@ class ThreadCount {
 public:
   /** Threads to use; 0, the default, means all. The output does not depend on it. */
   void setNumberOfThreads(unsigned int threads = 0) { thread_count_ = threads; }
-  unsigned int getNumberOfThreads() const { return thread_count_; }
+  unsigned int getNumberOfThreads() const { return thread_count_; } ///< The value of setNumberOfThreads.
 
 protected:
   ThreadCount() = default;
   ~ThreadCount() = default;
 
-  unsigned int thread_count_ = 0;
+  unsigned int thread_count_ = 0; ///< of setNumberOfThreads
 };
 
 /** While the object lives, parallel loops started in this thread use this number of threads; 0 means all processors, as in PCL
  *  (omp_get_num_procs). */
 class ThreadLimit {
 public:
+  /** \p threads to use; 0: all. */
   explicit ThreadLimit(unsigned int threads) : before_(omp_get_max_threads())
   {
     const auto processors = static_cast<unsigned int>(omp_get_num_procs());

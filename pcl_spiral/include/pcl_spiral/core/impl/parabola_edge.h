@@ -13,13 +13,6 @@
 
 namespace pcl_spiral {
 
-/** Shape of the edges of a mesh. */
-enum class MeshEdges {
-  Straight,  ///< straight lines: plain sections
-  Published, ///< parabola from the meeting point of the edge's projections, equation (3) of Sun, Li, Li, Liu
-  Robust     ///< parabola from the mean of the slopes at both ends along the mean normal
-};
-
 /** Height of the mean slope: half the difference of the slopes of both tangent planes along the edge, measured along \p mean,
  *  (n0.d / n0.mean - n1.d / n1.mean) / 2: positive where the surface is hollow. nullopt if the normal at an end is perpendicular
  *  to \p mean or points away from it: the slope is not defined then. */

@@ -4,10 +4,11 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/impl/drive_point.h>
+#include <pcl_spiral/common/drive_pass.h>
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/core/impl/swept_error.h>
+#include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/cutter/impl/location_mesh.h>
 #include <pcl_spiral/cutter/impl/location_surface.h>
 #include <pcl_spiral/cutter/tool_location.h>
@@ -18,15 +19,7 @@ namespace pcl_spiral {
 
 class LocationGround;
 
-/** How the height of a location is found. */
-enum class LocationEvaluation {
-  FittedSurface,  ///< on the surface fitted to the points; where that fit cannot be trusted,
-                  ///< as PointsAndBound. On a mesh: on the curved surface behind its faces
-  PointsAndBound, ///< on the points, raised by the bound of how far the cutter would sink between
-                  ///< them, if there is one. A mesh has no such bound: it has no gaps between points
-  Points          ///< only on the points, as published: sharp cutters sink between them. On a mesh: on its flat faces
-};
-
+/** How a cutter is placed; the setters of CutterLocation explain it. */
 struct LocationOptions {
   LocationEvaluation evaluation = LocationEvaluation::FittedSurface;
   double tolerance = 0.01;         ///< mm along the axis: a contact touched within this counts as reached;

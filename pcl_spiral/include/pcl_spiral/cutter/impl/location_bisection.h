@@ -11,19 +11,10 @@
 
 namespace pcl_spiral {
 
+/** When locations are added; see CutterLocation::setPathTolerance. */
 struct BisectionSettings {
   double tolerance = 0.01; ///< mm: no move cuts deeper than this into the surface, or leaves more than this above it
   int most_halvings = 12;  ///< of one move; a move that is beyond the tolerance after these is reported
-};
-
-/** Result of a bisection. Lengths in mm. */
-struct BisectionFigures {
-  std::size_t inserted = 0;
-  double largest_error = 0.0;                            ///< of all moves: a bound of what they cut, or what is left in
-                                                         ///< the middle if that is more; plus what thinning shifts
-  std::size_t unresolved = 0;                            ///< moves still beyond the tolerance; largest_error includes their error
-  Eigen::Vector3d worst_place = Eigen::Vector3d::Zero(); ///< tip in the middle of the move with the largest error
-  std::size_t not_judged = 0;                            ///< moves from or to a location without a cloud
 };
 
 /** Adds locations between those of \p passes, each in travel order, until no move has an error above the tolerance.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/drive/drive_settings.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
 
 #include <Eigen/Core>
@@ -12,25 +13,6 @@
 #include <optional>
 
 namespace pcl_spiral {
-
-/** A part of an axis. Lengths in mm. If first = last, the default, it is as long as the scan. */
-struct DriveCylinder {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();     ///< any point of the axis
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); ///< of travel from one end to the other; any length except 0
-  double first = 0.0;                                   ///< where the surface begins along the axis, from the origin
-  double last = 0.0;                                    ///< where it ends
-};
-
-/** How a scan lies about an axis. Lengths in mm. */
-struct DriveColumn {
-  DriveCylinder cylinder;   ///< the direction is unit
-  bool fitted = false;      ///< to the scan; false: given
-  double normal_miss = 0.0; ///< rms distance between the normals and the axis: the residual of the fit; 0 if the axis was given
-  double radius = 0.0;      ///< mean by area
-  double least_radius = 0.0, largest_radius = 0.0;
-  double covered_angle = 360.0; ///< degrees about the axis in which there are points
-  double first_angle = 0.0;     ///< degrees: where these points begin, from referenceAcross(direction), right-handed
-};
 
 /** The direction from which angles about \p axis (unit) count: X, or Y if the
  *  axis is within 26 degrees of X, made perpendicular to the axis; unit. */

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <pcl_spiral/features/boundary_loop.h>
 
 #include <vector>
 
@@ -26,14 +27,6 @@ struct BoundaryEvidence {
  *  \param radius of the neighbourhood, above 0
  *  \param angles working memory */
 BoundaryEvidence boundaryEvidence(const std::vector<Eigen::Vector2d>& offsets, double radius, std::vector<double>& angles);
-
-/** Which measure makes a boundary point. */
-enum class BoundaryCriterion {
-  Centroid,   ///< offset above its threshold, as published (Wu et al. 2025); misses re-entrant corners
-  LargestGap, ///< gap above its threshold, as in pcl::BoundaryEstimation
-  Combined    ///< offset and gap, each divided by its threshold, sum to more than 1.7; or the gap exceeds 0.9 of its
-              ///< threshold
-};
 
 /** Decide by a criterion. Thresholds above 0, that of the gap in radians. */
 bool isBoundary(const BoundaryEvidence& evidence, BoundaryCriterion criterion, double offset_threshold, double gap_threshold);

@@ -18,12 +18,6 @@
 
 namespace pcl_spiral {
 
-/** How boundary points are put in order. */
-enum class LoopMethod {
-  HalfEdges, ///< links free half-edges of the triangulation: loops also close at corners, gaps and thick bands
-  Walk       ///< from point to nearest point, with limited changes of direction, as published (Wu et al. 2025, section 1); fails there
-};
-
 /** What counts as a boundary. */
 struct BoundaryOptions {
   LoopMethod method = LoopMethod::HalfEdges;
@@ -42,15 +36,6 @@ struct BoundaryOptions {
   double largest_left_out = largest_speck; ///< largest share of the triangles of a further part that is left out; all such parts
                                            ///< together: ten times that
   std::function<bool(double)> progress;    ///< called with the share done; false cancels
-};
-
-/** What was left out before the loops were made. */
-struct BoundaryCounts {
-  std::size_t left_out_parts = 0;     ///< clusters apart from the surface
-  std::size_t left_out_triangles = 0; ///< in them
-  std::size_t left_out_points = 0;    ///< of these triangles only
-  std::size_t left_out_loops = 0;     ///< see shortest_loop
-  std::size_t unmarked_loops = 0;     ///< with less than half of their points marked
 };
 
 /** Boundaries of the largest edge-connected part of the surface: the rim first, then by decreasing length.

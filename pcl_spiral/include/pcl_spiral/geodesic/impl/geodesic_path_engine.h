@@ -11,12 +11,6 @@
 
 namespace pcl_spiral {
 
-/** Start of the refinement of a geodesic. */
-enum class GeodesicStart {
-  Field, ///< steepest descent of a distance field: on the correct side of every hill, close to the geodesic
-  Graph  ///< shortest path over edges
-};
-
 /** Geodesics from \p source to each of \p targets, in their order. Lines that were not found have no points, or have
  *  left_surface set. The status is Failed if there is such a line, with the first one and the remedy in its message; Ok with a
  *  remark in the message if lines have not converged to the tolerance. */

@@ -8,13 +8,6 @@
 
 namespace pcl_spiral {
 
-/** How far a block may move the tool off the path. */
-struct BlockTolerance {
-  static constexpr double least_tip = 1e-4, least_axis = 1e-6; ///< smaller ones would need blocks without end
-  double tip = 0.002;                                          ///< mm
-  double axis = 0.001;                                         ///< radians
-};
-
 /** What the machine does at share \p t of a block: programmed axes move linearly.
  *  With RTCP these are the axes of the tip, without RTCP those of the machine. */
 ToolPose interpolated(const Kinematics& kinematics, const MachineLocation& a, const MachineLocation& b, double t);

@@ -10,18 +10,6 @@
 
 namespace pcl_spiral {
 
-/** Angles of the two rotary axes, radians: first is the axis nearer to the
- *  workpiece. The usual table-table and head-head machines turn the tool about
- *  the workpiece's Z by the first (C), and tilt it by the second (A or B). */
-struct RotaryAngles {
-  double first = 0.0;
-  double second = 0.0;
-};
-
-/** Of the two ways to reach a tool axis, the one with the larger
- *  or the smaller second angle: (A, C) or (-A, C + 180). */
-enum class Branch { Larger, Smaller };
-
 /** Kinematics of one machine. With u the tool axis in the workpiece frame, R rotations about the
  *  directions of the axes, and s = -1 for a table, +1 for a head: u = R(d1, s1 q1) R(d2, s2 q2) z. */
 class Kinematics {

@@ -7,6 +7,7 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/machine/impl/kinematics.h>
 #include <pcl_spiral/machine/impl/tool_pose.h>
+#include <pcl_spiral/machine/machine_program.h>
 
 #include <cstddef>
 #include <vector>
@@ -21,15 +22,6 @@ struct MachineLocation {
 };
 
 using MachineLocations = std::vector<MachineLocation>;
-
-/** A run of locations near the pole, whose axes were blended so that the first rotary axis keeps to its largest rate. */
-struct PoleZone {
-  std::size_t first_pose = 0; ///< of the input path
-  std::size_t last_pose = 0;
-  double begin = 0.0; ///< arc length, mm
-  double end = 0.0;
-  double largest_change = 0.0; ///< of an axis, radians
-};
 
 /** Settings of rotary angles along a path. */
 struct RotaryPathSettings {

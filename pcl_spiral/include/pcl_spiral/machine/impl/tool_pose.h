@@ -4,21 +4,9 @@
  */
 #pragma once
 
-#include <Eigen/Core>
-
-#include <vector>
+#include <pcl_spiral/machine/machine_program.h>
 
 namespace pcl_spiral {
-
-/** One location of a cutter in the workpiece frame, mm. */
-struct ToolPose {
-  Eigen::Vector3d tip = Eigen::Vector3d::Zero();
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); ///< unit, from the tip to the shank
-  Eigen::Vector3d contact = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); ///< unit, out of the material at the contact
-};
-
-using ToolPoses = std::vector<ToolPose>;
 
 /** The unit vector at share \p t of the arc from \p a to \p b, both unit; for opposite vectors, which have no arc: \p a. */
 Eigen::Vector3d arcBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double t);

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/surface/impl/surface_settings.h>
+#include <pcl_spiral/surface/surface.h>
 
 #include <string>
 

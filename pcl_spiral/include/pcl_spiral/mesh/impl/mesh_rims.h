@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/ridge/ridge_surface.h>
 #include <pcl_spiral/surface/surface.h>
 
@@ -24,22 +24,6 @@ struct ScanRidgeSettings {
   Eigen::Vector3d reference = Eigen::Vector3d::UnitZ(); ///< normal of the reference plane, \see RidgeSettings
   double point_spacing = 0.0;                           ///< of both lines; 0: twice that of the scan
   int most_rounds = 30;                                 ///< largest number of rounds that align the sections
-};
-
-/** What was found. Lengths in mm. */
-struct ScanRidgeReport {
-  std::size_t sections = 0;                   ///< sections across the ridge that were aligned
-  std::size_t points = 0;                     ///< points of the scan in the band of the ridge
-  int rounds = 0;                             ///< until rail and generator did not move any more
-  double last_move = 0.0;                     ///< of the rail in the last round, rms, without the common part of all moves
-  double noise = 0.0;                         ///< of the scan: standard deviation of a point about its surface
-  double reach_left = 0.0, reach_right = 0.0; ///< length of the generator from the crest to its start, and to its end
-  double crest_wander = 0.0;                  ///< rms distance of the crest from the rail that was found, across it
-  double misfit = 0.0;                        ///< rms distance of the points from the swept surface, including the noise of the scan
-  double largest_misfit = 0.0;                ///< largest median of small cells of the surface, so that noise has little effect on it
-  Eigen::Vector3d largest_place = Eigen::Vector3d::Zero(); ///< middle of that cell
-  Polyline crest;                                          ///< where the larger curvature is largest; the search begins with it
-  std::vector<std::string> warnings;
 };
 
 /** Both lines, ready for RidgeSurface::make, and the report. */

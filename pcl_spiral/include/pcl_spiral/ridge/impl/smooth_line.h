@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/impl/bspline.h>
+#include <pcl_spiral/core/bspline_fit.h>
 #include <pcl_spiral/ridge/impl/measured_line.h>
 
 namespace pcl_spiral {

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/search/impl/neighbour_lists.h>
+#include <pcl_spiral/search/neighbour_lists.h>
 
 #include <Eigen/Core>
 

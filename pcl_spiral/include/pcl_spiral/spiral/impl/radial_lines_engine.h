@@ -6,7 +6,7 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
-#include <pcl_spiral/spiral/impl/radial_line.h>
+#include <pcl_spiral/spiral/radial_line.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
 
@@ -28,20 +28,6 @@ struct RadialLineRequest {
   double tolerance = 0.05;              ///< allowed error of a turn interpolated between lines, mm
   double fit_tolerance = 1e-3;          ///< allowed distance of a line's B-spline from its points, mm
   std::function<bool(double)> progress; ///< share done; false cancels
-};
-
-/** Radial lines, in order along the rim, and the boundaries from line 0 on. */
-struct RadialLineSet {
-  std::vector<RadialLine> lines;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< one boundary only
-  bool harmonic = false;                            ///< the fallback made them
-  std::string why_harmonic;
-  Polyline rim; ///< closed, from line 0's end
-  std::vector<std::size_t> rim_corners;
-  Polyline inner; ///< closed, from line 0's start; empty with one boundary
-  std::vector<std::size_t> inner_corners;
-  double largest_interpolation_error = 0.0; ///< measured between neighbouring lines, mm
-  bool centre_settled = true;               ///< the search for the centre converged
 };
 
 /** Make the lines: coarse ones evenly along the rim and on each of its corners. Then add one in the middle of every interval until

@@ -6,17 +6,11 @@
 
 #include <pcl_spiral/features/boundary_loop.h>
 #include <pcl_spiral/spiral/impl/turn_function.h>
+#include <pcl_spiral/spiral/spiral_path.h>
 
 #include <vector>
 
 namespace pcl_spiral {
-
-/** A point of the unprojected spiral. */
-struct SpiralPoint {
-  Eigen::Vector3d position;
-  double turn;
-  bool begins_pass = false; ///< the tool is lifted to it
-};
 
 /** The turns of a spiral as one curve. It passes through line i of turn j at T_i = j + delta_i, with delta_i the line's share of the
  *  rim. So line n of turn j is exactly line 0 of turn j + 1. Then follows one turn along the rim (and first one along the inner

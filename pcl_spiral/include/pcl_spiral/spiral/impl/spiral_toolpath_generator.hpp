@@ -12,9 +12,9 @@
 #include <pcl_spiral/spiral/impl/path_size.h>
 #include <pcl_spiral/spiral/impl/rim_offset.h>
 #include <pcl_spiral/spiral/impl/settings_check.h>
+#include <pcl_spiral/spiral/impl/stage_reports.h>
 #include <pcl_spiral/spiral/radial_lines.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
-#include <pcl_spiral/spiral/stage_reports.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 
 #include <cstdint>

@@ -5,8 +5,8 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/core/impl/polyline.h>
 #include <pcl_spiral/core/impl/step_over_metric.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/features/boundary_loop.h>
 #include <pcl_spiral/graph/impl/triangulation.h>
 #include <pcl_spiral/surface/surface.h>

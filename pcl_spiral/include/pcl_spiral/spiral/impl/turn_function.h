@@ -6,21 +6,14 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
-#include <pcl_spiral/spiral/impl/radial_line.h>
+#include <pcl_spiral/spiral/radial_line.h>
+#include <pcl_spiral/spiral/spiral_path.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
 
 #include <optional>
 #include <vector>
 
 namespace pcl_spiral {
-
-/** The highest ridge that turns leave at corners. */
-struct CornerRidge {
-  double height = 0.0;                              ///< mm; the tool radius where material is left uncut; 0 without corners
-  double widening = 1.0;                            ///< distance of turns there, as a multiple of the step-over
-  double remedy = 0.0;                              ///< mm: the scallop height whose turns leave ridges of the requested height
-  Eigen::Vector3d corner = Eigen::Vector3d::Zero(); ///< of the outline
-};
 
 /** T_i(s) = integral over arc length of cos psi / l, for every radial line i.
  *

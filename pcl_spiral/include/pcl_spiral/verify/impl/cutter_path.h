@@ -6,7 +6,8 @@
 
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/verify/figures.h>
 
 #include <pcl/point_cloud.h>
 
@@ -27,13 +28,6 @@ struct CutterPath {
   std::size_t size() const { return contacts.size(); }
 };
 
-/** A measured value and where it was found. */
-struct PlacedValue {
-  double value = 0.0;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  std::size_t index = 0; ///< of the path point, or of the first point of the move
-};
-
 /** Takes \p value and its place if it is above \p largest. */
 inline void
 raise(PlacedValue& largest, double value, const Eigen::Vector3d& position, std::size_t index)
@@ -51,17 +45,7 @@ Status readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, 
 /** Length of all passes, mm. */
 double cutLength(const CutterPath& path);
 
-/** How the path moves between lifts. Angles in degrees. */
-struct PathMotion {
-  double length = 0.0;       ///< mm
-  std::size_t lifts = 0;     ///< between passes, without cutting
-  double lift_length = 0.0;  ///< mm
-  PlacedValue gap;           ///< longest move, mm
-  PlacedValue turn;          ///< largest angle between neighbouring moves
-  PlacedValue axis_change;   ///< largest angle between neighbouring axes; 0 without axes
-  PlacedValue normal_change; ///< largest angle between neighbouring normals
-};
-
+/** Lengths, lifts and largest changes of direction of \p path. */
 PathMotion pathMotion(const CutterPath& path);
 
 } // namespace pcl_spiral

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/core/impl/pass_ranges.h>
-#include <pcl_spiral/core/impl/polyline.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <cstddef>

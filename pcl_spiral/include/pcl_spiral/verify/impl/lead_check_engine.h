@@ -10,34 +10,11 @@
 #include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/machine/machine_program.h>
 #include <pcl_spiral/search/impl/point_blocks.h>
+#include <pcl_spiral/verify/figures.h>
 
 #include <cstddef>
 
 namespace pcl_spiral {
-
-/** Part of the tool. */
-enum class ToolPart {
-  Cutter, ///< up to the top of its flank
-  Shank,  ///< above the cutter, as wide as the cutter, without an end
-  Holder
-};
-
-/** A place where the tool would be in the scan. Lengths in mm. */
-struct LeadCollision {
-  ToolPart part = ToolPart::Cutter;
-  BlockSection section = BlockSection::Position;
-  std::size_t block = 0; ///< of the program: the end of the move
-  int segment = -1;      ///< of the holder, from the cutter upwards; -1: none
-  double depth = 0.0;    ///< of the point in the tool; for cutter and shank the shorter way out, along the axis or across it
-  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< the point of the scan
-  Eigen::Vector3d tip = Eigen::Vector3d::Zero();
-};
-
-struct LeadFigures {
-  std::size_t moves = 0;    ///< moves that do not cut
-  std::size_t collided = 0; ///< number of these moves with a collision
-  LeadCollision deepest;    ///< if there is one
-};
 
 /** Checks all moves of \p program that do not cut, also rapids, as the machine makes them. No point may be deeper
  *  inside than \p tolerance mm in \p cutter (along its normals), in a shank of the same width above it, or in \p holder.

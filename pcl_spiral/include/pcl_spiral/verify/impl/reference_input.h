@@ -24,7 +24,7 @@ namespace pcl_spiral {
 template <typename PointT>
 class ReferenceInput : public SurfaceInput<pcl::PCLBase<PointT>, PointT> {
 public:
-  using ToolpathConstPtr = pcl::PointCloud<ToolpathPoint>::ConstPtr;
+  using ToolpathConstPtr = pcl::PointCloud<ToolpathPoint>::ConstPtr; ///< A toolpath, shared.
 
   ReferenceInput() { this->scanned_.setStrict(false); } // a rough reference is accepted, with a warning
 
@@ -45,11 +45,11 @@ public:
 
   /** How a PolygonMesh is prepared: creases, normals, side. */
   void setMeshSettings(const MeshSettings& settings) { mesh_settings_ = settings; }
-  const MeshSettings& getMeshSettings() const { return mesh_settings_; }
+  const MeshSettings& getMeshSettings() const { return mesh_settings_; } ///< The value of setMeshSettings.
 
   /** Distance between the samples of a mesh, mm; 0, the default: defaultSampleSpacing. */
   void setSampleSpacing(double spacing) { sample_spacing_ = spacing; }
-  double getSampleSpacing() const { return sample_spacing_; }
+  double getSampleSpacing() const { return sample_spacing_; } ///< The value of setSampleSpacing.
 
   /** The path to judge. Its points have contact and normal; the axis is used if there is one. \p passes:
    *  where the second pass and each further one begin; the tool is lifted to these points and does not
@@ -59,12 +59,12 @@ public:
     toolpath_ = toolpath;
     passes_ = std::move(passes);
   }
-  ToolpathConstPtr getInputToolpath() const { return toolpath_; }
-  const std::vector<std::size_t>& getPasses() const { return passes_; }
+  ToolpathConstPtr getInputToolpath() const { return toolpath_; }       ///< The value of setInputToolpath.
+  const std::vector<std::size_t>& getPasses() const { return passes_; } ///< The passes of setInputToolpath.
 
   /** Chord error asked of the path, mm, compared with the noise; 0.005 by default. */
   void setChordError(double error) { chord_error_ = error; }
-  double getChordError() const { return chord_error_; }
+  double getChordError() const { return chord_error_; } ///< The value of setChordError.
 
   /** Called with the completed share; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
@@ -76,6 +76,7 @@ public:
   /** The fit of the last compute; null before. */
   std::shared_ptr<const ReferenceSurface> getReferenceSurface() const { return reference_; }
 
+  /** The reference scan. Clears a surface, a mesh and a reused fit. */
   void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
   {
     forget();
@@ -93,7 +94,7 @@ public:
 protected:
   /** Reads the path and makes the surface. */
   Status prepare(CutterPath& path);
-  Status prepareMesh(const CutterPath& path);
+  Status prepareMesh(const CutterPath& path); ///< Makes the reference of the mesh, near the contacts of \p path.
   /** Clears any reference that was given. */
   void forget()
   {
@@ -104,15 +105,16 @@ protected:
     mesh_.reset();
   }
 
-  ToolpathConstPtr toolpath_;
-  std::vector<std::size_t> passes_;
-  pcl::PolygonMesh::ConstPtr polygons_;
-  SurfaceMesh::ConstPtr mesh_;
-  MeshSettings mesh_settings_;
-  double sample_spacing_ = 0.0;
-  double chord_error_ = 0.005;
-  ProgressCallback progress_;
-  std::shared_ptr<const ReferenceSurface> given_reference_, reference_;
+  ToolpathConstPtr toolpath_;                               ///< of setInputToolpath
+  std::vector<std::size_t> passes_;                         ///< of setInputToolpath
+  pcl::PolygonMesh::ConstPtr polygons_;                     ///< of setInputMesh
+  SurfaceMesh::ConstPtr mesh_;                              ///< of setInputMesh, or made of the polygons
+  MeshSettings mesh_settings_;                              ///< of setMeshSettings
+  double sample_spacing_ = 0.0;                             ///< of setSampleSpacing
+  double chord_error_ = 0.005;                              ///< of setChordError
+  ProgressCallback progress_;                               ///< of setProgressCallback
+  std::shared_ptr<const ReferenceSurface> given_reference_; ///< of setReferenceSurface
+  std::shared_ptr<const ReferenceSurface> reference_;       ///< of the last compute
 };
 
 } // namespace pcl_spiral

@@ -9,15 +9,8 @@
 #include <pcl_spiral/spiral/impl/published_spiral.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 #include <pcl_spiral/spiral/spiral_report.h>
-#include <pcl_spiral/spiral/spiral_turns.h>
 
 namespace pcl_spiral {
-
-/** Allowed error of a turn between radial lines, mm: a fiftieth of the step-over on a plane. */
-double lineTolerance(const SpiralSettings& settings);
-
-/** Allowed distance of a radial line's B-spline from its points, mm. */
-double lineFitTolerance(const SpiralSettings& settings);
 
 /** Points, spacing, noise and warnings of the surface. \p made: true if it was made for this path, false if it was given. */
 void reportSurface(const Surface& surface, bool made, SpiralReport& report);

@@ -1,7 +1,0 @@
-// SPDX-License-Identifier: BSD-3-Clause
-/** \file
- *  Former place of spiral/spiral_settings.h.
- */
-#pragma once
-
-#include <pcl_spiral/spiral/spiral_settings.h>
