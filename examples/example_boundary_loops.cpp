@@ -39,7 +39,7 @@ main(int argc, char** argv)
                 loop.corners.size());
   }
 
-  // Boundary points from elsewhere, as CentroidBoundaryEstimation gives them; here those of the outer loop, to be walked.
+  // Given boundary points, for example from CentroidBoundaryEstimation; here the points of the outer loop, to be linked.
   pcl::PointCloud<pcl::Boundary>::Ptr marked(new pcl::PointCloud<pcl::Boundary>(cloud->size(), 1));
   for (const std::uint32_t index : loops.front().indices)
     (*marked)[index].boundary_point = 1;

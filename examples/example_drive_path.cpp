@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A column with a waist by one helix about its own axis; a wavy plate by section planes. Both with a ball.
+// A column with a waist, along one helix round its axis; a wavy plate, along planes. Both with a ball.
 #include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/drive/drive_path.h>
@@ -20,7 +20,7 @@ machine(const char* name, DrivePath<pcl::PointXYZ>& drive, const Cloud::Ptr& clo
   drive.setPointSpacing(0.8);
   DrivePasses passes;
   drive.compute(passes);
-  DrivePoints points; // none on failure: both classes say why
+  DrivePoints points; // empty on failure: both classes report the error
   for (const DrivePass& pass : passes)
     points.insert(points.end(), pass.points.begin(), pass.points.end());
   CutterLocation<pcl::PointXYZ> location;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A dome with a hole and two gaps in its scan: the hole stays, the gaps are bridged by points that are known to be guesses.
+// A dome with a hole and two gaps in its scan: the hole stays, the gaps are bridged by points that are marked as estimated.
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
 
@@ -21,13 +21,13 @@ main()
       scan->emplace_back(x, y, std::sqrt(radius * radius - x * x - y * y));
   }
 
-  pcl_spiral::GapBridging<pcl::PointXYZ> bridging; // with a surface and loops at hand: setInputSurface, setBoundaryLoops
+  pcl_spiral::GapBridging<pcl::PointXYZ> bridging; // if you have a surface and loops: setInputSurface, setBoundaryLoops
   bridging.setInputCloud(scan);
   pcl_spiral::Surface::ConstPtr surface;
   std::vector<pcl_spiral::BoundaryLoop> loops;
   bridging.compute(surface, loops);
   if (!surface)
-    return 1; // it has said why, as bridging.getStatus() does
+    return 1; // the class has reported the error; bridging.getStatus() has it too
 
   for (const pcl_spiral::BridgedGap& gap : bridging.getGaps())
     std::printf("gap at (%.1f, %.1f, %.1f), %.1f mm wide: %zu points; those about it lie %.5f mm from the patch\n", gap.centre.x(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A dome with a screw and false echoes: its spiral's leads are held against the scan, with the echoes and without them.
+// A dome with a screw and false echoes: checks the leads of its spiral against the scan, with the echoes and without them.
 #include <pcl_spiral/cleaning/stray_removal.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
@@ -24,7 +24,7 @@ main()
   }
   for (int i = 0; i < 150; ++i) // echoes in the air
     scan->push_back({40.0f * unit(random), 40.0f * unit(random), 150.0f + 20.0f * unit(random)});
-  for (int i = 0; i < 12; ++i) // a screw over the middle
+  for (int i = 0; i < 12; ++i) // a screw above the middle
     scan->push_back({2.0f * unit(random), 2.0f * unit(random), 128.0f + 0.5f * unit(random)});
 
   SpiralToolpathGenerator<pcl::PointXYZ> spiral; // leaves both out
@@ -53,7 +53,7 @@ main()
   look("all points", scan);
   StrayRemoval<pcl::PointXYZ> echoes;
   echoes.setInputCloud(scan);
-  echoes.setLargestGroup(3); // what hangs together is no echo
+  echoes.setLargestGroup(3); // larger groups are not echoes
   echoes.filter(*without);
   look("without echoes", without);
   return echoes.getStatus().ok() ? 0 : 1;

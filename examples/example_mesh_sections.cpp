@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Section rows over a triangle mesh, kept to a scallop and joined, and the cutter that stands on them.
+// Rows over a triangle mesh along planes, as close as a scallop height needs and joined, and the cutter on them.
 // Usage: example_mesh_sections MESH.stl
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/io/mesh_reader.h>
@@ -18,11 +18,11 @@ try {
   pcl_spiral::MeshSections sections;
   sections.setInputMesh(file.mesh);
   sections.setPlaneNormal({0.0, 1.0, 0.0});      // rows along x
-  sections.setRows(pcl_spiral::DriveRows::Kept); // as close as the scallop asks
+  sections.setRows(pcl_spiral::DriveRows::Kept); // as close as the scallop height needs
   sections.setScallop(5.0, 0.01);                // mm: radius of the ball, height of the ridges
   sections.setChordError(0.001);                 // mm
   sections.setLinkRows(true);
-  sections.setFacing(true); // what looks away from the tool axis is left out
+  sections.setFacing(true); // leaves out what faces away from the tool axis
   pcl_spiral::DrivePasses passes;
   sections.compute(passes);
   if (!sections.getStatus().ok())
@@ -31,7 +31,7 @@ try {
   std::printf("%zu rows, %.4g to %.4g mm apart, in %zu passes: %zu contacts, %.1f mm\n", report.rows, report.smallest_step,
               report.step_over, report.passes, report.points, report.length);
 
-  pcl_spiral::CutterLocation<pcl::PointXYZ> location; // lifts the ball where another part of the mesh is in its way
+  pcl_spiral::CutterLocation<pcl::PointXYZ> location; // lifts the ball where it would touch another part of the mesh
   location.setInputMesh(sections.getSurfaceMesh());
   location.setCutter(pcl_spiral::CutterShape::ball(5.0));
   location.setDrivePasses(passes);

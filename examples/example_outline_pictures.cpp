@@ -24,14 +24,14 @@ isInside(int part, float x, float y)
 int
 main()
 {
-  if (const std::string fault = displayFault(); !fault.empty()) // PCLVisualizer would end the program
+  if (const std::string fault = displayFault(); !fault.empty()) // without a display PCLVisualizer would end the program
     return std::fprintf(stderr, "pictures need a display and %s; run this under 'xvfb-run -a'\n", fault.c_str());
   pcl::visualization::PCLVisualizer viewer("outlines");
   viewer.setSize(1200, 640);
   std::mt19937 random(1);
   std::uniform_real_distribution<float> side(-65.0f, 65.0f);
   pcl::PointCloud<pcl::PointXYZ>::Ptr scan(new pcl::PointCloud<pcl::PointXYZ>);
-  SpiralReport scallop; // it tells the least length
+  SpiralReport scallop; // holds the least length
   for (int view = 0; view < 8; ++view) {
     const int part = view / 2, row = view % 2; // row 0 below, row 1 above
     if (row == 0)

@@ -31,7 +31,7 @@ main()
               radial.usedHarmonic() ? "harmonic" : "geodesic");
   for (const pcl_spiral::RadialLine& line : lines) {
     if (line.level > 0)
-      continue; // the coarse lines; finer ones stand between them
+      continue; // only the coarse lines; finer lines are between them
     const Eigen::Vector3d end = line.curve.positionAt(line.length());
     std::printf("to (%7.2f %7.2f %7.2f): %7.3f mm, %2zu spans, off its points by %.5f mm%s\n", end.x(), end.y(), end.z(), line.length(),
                 line.curve.spans(), line.deviation, line.corner ? ", a corner" : "");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a scan of a part to rows of a laser spot over one of its ridges, with a few rough points on the ridge.
+// Makes rows of a laser spot over a ridge from a scan of the part and a few rough points on the ridge.
 // Usage: example_ridge_lines SCAN HALF_WIDTH X Y Z X Y Z ...
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/ridge/ridge_lines.h>
@@ -20,7 +20,7 @@ try {
   pcl_spiral::RidgeLines<pcl::PointXYZ> lines;
   lines.setInputCloud(pcl_spiral::readCloud(argv[1]).cloud);
   lines.setHalfWidth(std::atof(argv[2])); // mm, to either side of the crest
-  lines.setRoughPoints(rough);            // at the wanted ends, and between where the ridge bends
+  lines.setRoughPoints(rough);            // at both ends, and between them where the ridge bends
   lines.setQuiet(true);
   const pcl::PointCloud<pcl::PointXYZ>::Ptr rail(new pcl::PointCloud<pcl::PointXYZ>), generator(new pcl::PointCloud<pcl::PointXYZ>);
   lines.compute(*rail, *generator);
@@ -35,7 +35,7 @@ try {
   pcl_spiral::RidgeToolpath<pcl::PointXYZ> ridge;
   ridge.setInputCloud(rail);
   ridge.setInputGenerator(generator);
-  ridge.setFlipNormals(lines.getRidge()->settings().flip); // up is where the scan was seen from
+  ridge.setFlipNormals(lines.getRidge()->settings().flip); // up is the side of the scanner
   ridge.setSpot(4.0, 0.25);                                // mm, share that the next row covers again
   ridge.setQuiet(true);
   pcl_spiral::DrivePasses rows;

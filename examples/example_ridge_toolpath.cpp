@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of a laser spot over a ridge of which two lines were measured: along it, and once across.
+// Rows of a laser spot over a ridge with two measured lines: along it, and once across.
 // Usage: example_ridge_toolpath RAIL GENERATOR
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/ridge/ridge_toolpath.h>

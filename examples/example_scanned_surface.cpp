@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A raw scan of a dome made into a surface once; two stages work on it, and it tells what was left out and why.
+// Makes a surface from a raw scan of a dome once; two stages use it. It reports the points left out and the reasons.
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/surface/mls_projector.h>
 
@@ -18,20 +18,20 @@ main()
     const float x = side(random), y = side(random), z = std::sqrt(200.0f * 200.0f - x * x - y * y);
     scan->emplace_back(x, y, z);
     if (i % 500 == 0)
-      scan->emplace_back(x, y, z); // a repetition
+      scan->emplace_back(x, y, z); // a duplicate
     if (i % 1000 == 0)
       scan->emplace_back(x, y, std::numeric_limits<float>::quiet_NaN());
     if (i % 2000 == 0)
-      scan->emplace_back(x, y, z + 10.0f); // a false echo
+      scan->emplace_back(x, y, z + 10.0f); // an outlier
   }
 
   pcl_spiral::ScannedSurface<pcl::PointXYZ> scanned;
   scanned.setInputCloud(scan);
-  scanned.setViewPoint(Eigen::Vector3d(0.0, 0.0, 1000.0)); // where the scanner stood
+  scanned.setViewPoint(Eigen::Vector3d(0.0, 0.0, 1000.0)); // position of the scanner
   pcl_spiral::Surface::ConstPtr surface;
   scanned.compute(surface);
   if (!surface)
-    return 1; // it has said why, as scanned.getStatus() does
+    return 1; // the class has reported the error; scanned.getStatus() has it too
 
   const pcl_spiral::SurfaceCounts& counts = surface->counts();
   std::printf("%zu points: %zu not finite, %zu repeated, %zu isolated, %zu in specks, %zu surplus, %zu used\n", counts.input,
@@ -45,7 +45,7 @@ main()
   std::vector<pcl_spiral::BoundaryLoop> loops;
   boundaries.compute(loops);
 
-  pcl_spiral::MLSProjector<pcl::PointXYZ, pcl::PointNormal> projector; // of the surface's own points, without a query
+  pcl_spiral::MLSProjector<pcl::PointXYZ, pcl::PointNormal> projector; // projects the points of the surface, without other points
   projector.setInputSurface(surface);
   pcl::PointCloud<pcl::PointNormal> feet;
   projector.compute(feet);

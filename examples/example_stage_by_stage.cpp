@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A spiral toolpath stage by stage: each takes what the one before gives, and each could be another's.
+// A spiral toolpath stage by stage: each stage takes the result of the stage before, and you can replace each.
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/spiral/gap_bridging.h>
 #include <pcl_spiral/spiral/radial_lines.h>
@@ -14,7 +14,7 @@ using Point = pcl::PointXYZ;
 int
 main()
 {
-  pcl::PointCloud<Point>::Ptr scan(new pcl::PointCloud<Point>); // a dome of 120 mm, with echoes and a gap in the data
+  pcl::PointCloud<Point>::Ptr scan(new pcl::PointCloud<Point>); // a dome of 120 mm, with outliers and a gap in the data
   std::mt19937 random(1);
   std::uniform_real_distribution<float> side(-60.0f, 60.0f);
   while (scan->size() < 8000) {
@@ -28,7 +28,7 @@ main()
   pcl_spiral::Surface::ConstPtr surface;
   scanned.compute(surface);
   if (!surface)
-    return 1; // scanned.getStatus() says why, as that of every stage does
+    return 1; // scanned.getStatus() has the error, as in every stage
 
   pcl_spiral::BoundaryLoops<Point> boundaries; // its rim and holes
   boundaries.setInputSurface(surface);

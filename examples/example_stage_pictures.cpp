@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pictures of pcl_spiral/doc/stage_by_stage.md: what each stage of example_stage_by_stage gives, as PNG files in the
-// current folder. It needs a display: xvfb-run -a example_stage_pictures
+// Makes the pictures of pcl_spiral/doc/stage_by_stage.md: the result of each stage of example_stage_by_stage, as PNG files in
+// the current folder. It needs a display: xvfb-run -a example_stage_pictures
 #include <pcl_spiral/spiral/gap_bridging.h>
 #include <pcl_spiral/spiral/radial_lines.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
@@ -32,7 +32,7 @@ dotsOf(const Surface& surface)
   return dots;
 }
 
-/** The viewer with dots and every fourth of their normals, the whole dome or the gap, as a picture; empties the viewer. */
+/** Saves a picture of points and every fourth of their normals, of the whole dome or the gap; then empties the viewer. */
 static void
 write(pcl::visualization::PCLVisualizer& viewer, const char* file, bool whole, const Dots::Ptr& dots, double size)
 {
@@ -55,7 +55,7 @@ main()
 {
   if (const std::string fault = displayFault(); !fault.empty()) {
     std::fprintf(stderr, "pictures need a display and %s; run this under 'xvfb-run -a'\n", fault.c_str());
-    return 1; // PCLVisualizer would end the program
+    return 1; // without a display PCLVisualizer would end the program
   }
   pcl::PointCloud<pcl::PointXYZ>::Ptr scan(new pcl::PointCloud<pcl::PointXYZ>); // the dome of example_stage_by_stage
   std::mt19937 random(1);
@@ -88,7 +88,7 @@ main()
   bridging.compute(surface, loops);
   write(viewer, "stage_bridged.png", false, dotsOf(*surface), 5.0);
 
-  SpiralToolpathGenerator<pcl::PointXYZ> spiral; // its report holds loops and lines
+  SpiralToolpathGenerator<pcl::PointXYZ> spiral; // its report has loops and lines
   spiral.setInputCloud(scan);
   spiral.setToolRadius(6.0);
   spiral.setScallopHeight(0.1);

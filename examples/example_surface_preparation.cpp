@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A raw scan of a dome, with stray points, repetitions and NaN, made ready for the other stages.
+// Prepares a raw scan of a dome, with outliers, duplicates and NaN, for the other stages.
 #include <pcl_spiral/surface/surface_preparation.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ main()
   preparation.setInputCloud(scan);
   preparation.setOutlierRemoval(16, 6.0);
   preparation.setThinning(1.0);                            // mm
-  preparation.setViewPoint(Eigen::Vector3d(0, 0, 1000.0)); // where the scanner stood
+  preparation.setViewPoint(Eigen::Vector3d(0, 0, 1000.0)); // position of the scanner
   pcl::PointCloud<pcl::PointXYZ> cloud;
   pcl::PointCloud<pcl::Normal> normals;
   preparation.compute(cloud, normals);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Smooth a jagged closed line by a wavelength in mm: the noise goes, the size stays, the corner is kept.
+// Smooths a jagged closed line by a wavelength in mm: it removes the noise and keeps the size and the corner.
 #include <pcl_spiral/core/polyline.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tool axes along a flat spiral: tilted 15 degrees about the feed, at most so many degrees per mm near the
+// Tool axes along a flat spiral: tilted 15 degrees about the feed, with a limit in degrees per mm near the
 // centre.
 #include <pcl_spiral/spiral/tool_axis.h>
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# From a scan to a spiral toolpath, report and pictures. Installs what is missing on a Debian system.
+# Makes a spiral toolpath, a report and pictures of a scan. Installs missing packages on a Debian system.
 # Usage: examples/quickstart.sh [SCAN] [options of pcl_spiral_toolpath]
-#   without SCAN, a line-laser scan of a tank dome is simulated, and cut with a 10 mm ball, 0.05 mm scallop
-#   with SCAN, name the cutter: examples/quickstart.sh part.ply --tool-radius 6 --scallop 0.02
+#   without SCAN it simulates a line-laser scan of a tank dome, for a ball of 10 mm radius and a scallop of 0.05 mm
+#   with SCAN, give the cutter: examples/quickstart.sh part.ply --tool-radius 6 --scallop 0.02
 # The files are written to quickstart_output in the current folder.
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

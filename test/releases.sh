@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Runs the quick start and every test on bare Debian releases, and compares the bytes of the quick start's path.
-# Usage: releases.sh [--again] [RELEASE ...] [options for ctest]     bookworm and trixie when none is named
-#   --again  goes on in the root of the last run, with its packages and build folder; else a fresh copy of the bare root
+# Usage: releases.sh [--again] [RELEASE ...] [options for ctest]     default: bookworm and trixie
+#   --again  continues in the root of the last run, with its packages and build folder; otherwise a fresh copy of the bare root
 # Needs root, and packages: cmake/install_dependencies.sh releases. Mirror, proxy and credentials are those of this
-# system's apt. Takes half an hour and more a release, so it is no part of .ci/run.
-# PCL_SPIRAL_RELEASES_DIR (/var/tmp/pcl_spiral_releases) keeps roots, packages fetched and compiled objects, some 4 GB
-# a release. Ends with 1 where something fails or the bytes differ.
+# system's apt. Takes at least half an hour per release, so it is not part of .ci/run.
+# PCL_SPIRAL_RELEASES_DIR (/var/tmp/pcl_spiral_releases) keeps roots, packages and compiled objects, about 4 GB
+# per release. Exit code 1 if something fails or the bytes differ.
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 scratch=${PCL_SPIRAL_RELEASES_DIR:-/var/tmp/pcl_spiral_releases}

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds everything and runs every test. Installs what is missing on a Debian system.
-# Usage: test/run.sh [options for ctest]     build folder: build, or what PCL_SPIRAL_BUILD_DIR names
+# Builds everything and runs every test. Installs missing packages on a Debian system.
+# Usage: test/run.sh [options for ctest]     build folder: build, or PCL_SPIRAL_BUILD_DIR
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${PCL_SPIRAL_BUILD_DIR:-$top/build}
@@ -12,7 +12,7 @@ echo "Configuring $build"
 cmake -G Ninja -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release -DPCL_SPIRAL_BUILD_TESTS=ON \
   -DPCL_SPIRAL_BUILD_EXAMPLES=ON
 
-# PCL's headers take up to 1.5 GB a compiler.
+# PCL's headers need up to 1.5 GB per compiler process.
 memory_jobs=$(awk '/MemAvailable/ { print int($2 / 1.5e6) }' /proc/meminfo)
 jobs=$(nproc)
 [ "$memory_jobs" -ge "$jobs" ] || jobs=$((memory_jobs > 0 ? memory_jobs : 1))

@@ -45,7 +45,7 @@ twoSheets(std::uint64_t seed)
   return points;
 }
 
-/** The run must fail, say why, and leave no path. */
+/** The run must fail, report the reason, and leave no path. */
 void
 refused(const std::string& what, const Job& job, const Points& points, const Options& options, Table& table)
 {
@@ -54,7 +54,7 @@ refused(const std::string& what, const Job& job, const Points& points, const Opt
   table.holds(what, held, result.status.message());
 }
 
-/** Non-finite points and duplicates are dropped and counted, and change nothing else. */
+/** Non-finite points and duplicates are removed and counted, and change nothing else. */
 void
 dirty(const Job& job, const Options& options, Table& table)
 {

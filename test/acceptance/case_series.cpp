@@ -20,7 +20,7 @@ namespace pcl_spiral::acceptance {
 
 namespace {
 
-/** Of the signals that end a process, those that a limit of time sends. */
+/** The signals of a time limit, among those that end a process. */
 bool
 isHang(int signal)
 {
@@ -41,7 +41,7 @@ isolated(unsigned int longest, const std::function<Outcome()>& judge)
     ::close(pipe[0]);
     const rlimit seconds{longest, longest};
     ::setrlimit(RLIMIT_CPU, &seconds);
-    ::alarm(20 * longest); // asleep for good
+    ::alarm(20 * longest); // if it sleeps for ever
     std::string told;
     try {
       const Outcome outcome = judge();
@@ -66,7 +66,7 @@ isolated(unsigned int longest, const std::function<Outcome()>& judge)
   return {told.substr(0, end), end == std::string::npos ? "nothing told" : told.substr(end + 1)};
 }
 
-/** Numbers left out, so that refusals of one kind are counted together; the first clause alone. */
+/** The first clause without numbers, so that refusals of one kind are counted together. */
 std::string
 reasonOf(const std::string& message)
 {

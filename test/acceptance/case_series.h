@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Random cases one after the other, each in a process of its own, so that a crash or a hang is an outcome like others.
+ *  Random cases in sequence, each in a separate process, so that a crash or a hang is an outcome like others.
  */
 #pragma once
 
@@ -12,21 +12,21 @@
 
 namespace pcl_spiral::acceptance {
 
-/** What a case came to: nothing wrong, or the faults found. */
+/** The outcome of a case: the faults found, if any. */
 struct Outcome {
-  std::string kind; ///< "path", or the reason of the refusal with its numbers left out
+  std::string kind; ///< "path", or the reason of the refusal without its numbers
   std::string faults;
 };
 
-/** Numbers left out, so that refusals of one kind are counted together; the first clause alone. */
+/** The first clause without numbers, so that refusals of one kind are counted together. */
 std::string reasonOf(const std::string& message);
 
-/** What \p judge finds in a process of its own that may use the processor for \p longest seconds; kind "crash" or
- *  "hang" where it does not come back. No threads may run beside it. */
+/** The result of \p judge in a separate process with at most \p longest seconds of processor time; kind "crash" or
+ *  "hang" if it does not return. No other threads may run. */
 Outcome isolated(unsigned int longest, const std::function<Outcome()>& judge);
 
-/** Judge the cases that \p options name; prints those with faults, and how many ended in what.
- *  \p longest: s of processor time; a case that takes longer hangs. Returns how many have faults. */
+/** Judges the cases of \p options; prints those with faults, and the number of each outcome.
+ *  \p longest: s of processor time; a case that takes longer hangs. Returns the number of cases with faults. */
 int judgeSeries(const std::string& name, const Options& options, unsigned int longest,
                 const std::function<Outcome(const RandomCase&)>& judge);
 

@@ -29,7 +29,7 @@ published()
   return values;
 }
 
-/** Lengths of the shortest paths along the edges to the 16 nearest neighbours, from the first point. */
+/** Lengths of the shortest paths from the first point along the edges to the 16 nearest neighbours. */
 std::vector<double>
 graphLengths(const Cloud::ConstPtr& cloud)
 {

@@ -23,8 +23,8 @@ comparePaths(const std::string& what, const Path& expected, const Run& other, co
   table.atMost(what + ": end", match.end, 1e-3);
 }
 
-/** The job on its points under a similarity: all lengths are scaled with them, and a mirrored part is gone
- * round the other way. */
+/** The job on its points under a similarity: all lengths are scaled with them, and on a mirrored part the
+ * sense is opposite. */
 Run
 runMapped(const Job& job, const std::vector<Eigen::Vector3d>& points, const Eigen::Affine3d& map, const Eigen::Vector3d& view,
           const Eigen::Vector3d& start, int threads)

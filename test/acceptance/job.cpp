@@ -68,7 +68,7 @@ noisyDome()
   return j;
 }
 
-/** Two million points: the size the planner is made for. */
+/** Two million points: the size that the planner is designed for. */
 Job
 largeDome(const std::string& name, double noise)
 {
@@ -162,7 +162,7 @@ run(const Job& job, const Cloud::ConstPtr& cloud, int threads, const Eigen::Vect
 {
   Generator generator;
   generator.setInputCloud(cloud);
-  generator.setMethod(SpiralMethod::Radial); // outlines by the other: acceptance_outlines
+  generator.setMethod(SpiralMethod::Radial); // outlines by the other method: acceptance_outlines
   generator.setToolRadius(job.tool_radius);
   generator.setScallopHeight(job.scallop_height);
   generator.setChordError(job.chord_error);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The generated surfaces of the acceptance table, and one run of the generator on one. Lengths in mm.
+ *  The generated surfaces of the acceptance table, and one run of the generator. Lengths in mm.
  */
 #pragma once
 
@@ -19,7 +19,7 @@ using Generator = SpiralToolpathGenerator<pcl::PointXYZ>;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Path = pcl::PointCloud<ToolpathPoint>;
 
-/** One row of the table: a sampled surface, a cutter, and what must hold. 0 limits are not asked. */
+/** One row of the table: a sampled surface, a cutter, and limits. Limits of 0 are not checked. */
 struct Job {
   std::string name;
   test::SurfacePtr surface;
@@ -33,17 +33,17 @@ struct Job {
   bool may_refuse = false;     ///< a clear error is as good as a path
   std::size_t samples = 60000; ///< of the removed material
   double machined_max = 0.0;   ///< stock, scallop or gouge, by a second cloud
-  double judge_seconds = 0.0;  ///< to judge by it; wants a quiet machine
+  double judge_seconds = 0.0;  ///< to judge with it; needs an idle computer
 };
 
 /** Every row that ends in a path. */
 std::vector<Job> jobs();
 
-/** Rows judged by a second cloud: the two published parts, each without and with noise, and a million points beside a
+/** Rows judged by a second cloud: the two published parts, each without and with noise, and a million points with a
  *  million moves. */
 std::vector<Job> secondCloudJobs();
 
-/** The row of that name; throws std::out_of_range when there is none. */
+/** The row of that name; throws std::out_of_range if there is none. */
 Job job(const std::string& name);
 
 /** The job's points, noise included. */
@@ -57,7 +57,7 @@ struct Run {
   double seconds = 0.0;
 };
 
-/** Run with the job's cutter on \p cloud; \p view and \p start are left to the generator when null. */
+/** Runs with the job's cutter on \p cloud; if \p view and \p start are null, the generator finds them. */
 Run run(const Job& job, const Cloud::ConstPtr& cloud, int threads, const Eigen::Vector3d* view = nullptr,
         const Eigen::Vector3d* start = nullptr, SpiralSense sense = SpiralSense::CounterClockwise);
 

@@ -14,7 +14,7 @@ namespace pcl_spiral::acceptance {
 
 namespace {
 
-/** Integral of dA / exact step-over with turns in no known direction: the mean over the two principal directions. */
+/** Integral of dA / exact step-over for turns of unknown direction: the mean over the two principal directions. */
 double
 lengthOverPrincipal(const Job& job)
 {
@@ -46,7 +46,7 @@ judgePath(const Job& job, const Run& run, const test::CheckedPath& path, int thr
   else
     table.note("largest turning", text(f.turning));
   table.note("contact farthest past the outline", text(f.beyond_rim));
-  const double h20 = 20.0 * job.scallop_height; // farther from the path than this, the rim counts as uncut
+  const double h20 = 20.0 * job.scallop_height; // a rim farther from the path than this counts as uncut
   table.atMost("outline farthest from the path", f.rim_missed, std::sqrt(2.0 * job.tool_radius * h20 - h20 * h20));
   table.atMost("crossings", static_cast<double>(f.crossings), 0.0, "");
   if (f.crossings > 0)
@@ -89,7 +89,7 @@ judgeMaterial(const Job& job, const test::CheckedPath& path, const Options& opti
   table.note("stock max within the band", text(f.rim.max));
 }
 
-/** What every path must be, whatever the surface. */
+/** Checks that hold for every path on any surface. */
 void
 judgePoints(const Run& run, Table& table)
 {

@@ -12,7 +12,7 @@ namespace pcl_spiral::acceptance {
 
 namespace {
 
-/** A cloud whose outlines are known. */
+/** A cloud with known outlines. */
 struct Outlined {
   std::string name;
   test::SurfacePtr surface;
@@ -40,7 +40,7 @@ outlinedClouds(std::uint64_t seed)
 
   Outlined lines{"scan lines 10:1", flat(Region({ell(100, 40)})), {}, 0.0};
   lines.points = sampleScanLines(*lines.surface, 0.2, 2.0, seed).points;
-  lines.spacing = 2.0; // the outline cannot be known better than the lines are apart
+  lines.spacing = 2.0; // the outline cannot be known better than the distance of the lines
   all.push_back(lines);
 
   Outlined rough = uniform("noise 0.3 spacing along the normal", flat(Region({rectangle(100, 100)})), 10000, seed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The acceptance table: run one case by name. Exit code 1 when a limit is broken, 2 for a wrong command.
+// The acceptance table: runs one case by name. Exit code 1 if a limit is broken, 2 for a wrong command.
 #include "cases.h"
 #include "outline_rows.h"
 
@@ -67,7 +67,7 @@ usage()
   return 2;
 }
 
-/** Take one option; false where there is none of that name. */
+/** Reads one option; false if there is none of that name. */
 bool
 take(const std::string& name, const char* value, Options& options)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ridges between rows of sections on a mesh, by a ball swept over the exact surface: rows a step on the plane apart, and kept.
+// Ridges between rows of sections on a mesh, by a ball swept over the exact surface: rows at the step of a plane, and kept rows.
 #include "cases.h"
 #include "table.h"
 

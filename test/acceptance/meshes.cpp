@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sections of meshes whose exact surface is known: contacts and ball centres of each kind of normals and edges as shares of plain
-// sections' errors.
+// Sections of meshes with a known exact surface: errors of contacts and ball centres for each kind of normals and edges, as shares of
+// the errors of plain sections.
 #include "cases.h"
 #include "table.h"
 
@@ -74,7 +74,7 @@ struct SectionErrors {
 SectionErrors
 errorsOf(const AnalyticSurface& surface, const DrivePasses& passes)
 {
-  constexpr int along = 4; // places a move
+  constexpr int along = 4; // places per move
   SectionErrors errors;
   for (const DrivePass& pass : passes)
     for (std::size_t i = 0; i < pass.points.size(); ++i) {

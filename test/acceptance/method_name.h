@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The method that a word on the command line names.
+ *  The method for a word on the command line.
  */
 #pragma once
 
@@ -14,7 +14,7 @@ namespace pcl_spiral::acceptance {
 /** The method whose word begins with \p name. */
 std::optional<SpiralMethod> methodNamed(const std::string& name);
 
-/** Whether there is one; says which there are where there is none. */
+/** Whether there is one; if not, prints the existing methods. */
 bool isMethod(const std::string& name);
 
 } // namespace pcl_spiral::acceptance

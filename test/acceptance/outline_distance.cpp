@@ -7,7 +7,7 @@ namespace pcl_spiral::acceptance {
 
 namespace {
 
-/** Points along the closed line, no farther apart than \p step. */
+/** Points along the closed line, at most \p step apart. */
 Polyline
 dense(const Polyline& line, double step)
 {

@@ -22,7 +22,7 @@ placeText(const test::Place& p)
   return printed(" at (%.2f %.2f %.2f), %.2f mm from the rim", p.at.x(), p.at.y(), p.at.z(), p.rim);
 }
 
-/** Adds cells to a line, and to what is broken. */
+/** Adds cells to a line, and to the text of broken limits. */
 class Cells {
 public:
   explicit Cells(OutlineLine& out) : out_(out) {}

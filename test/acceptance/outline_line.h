@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A row of the table of outlines: every figure with its limit, and the places where one is broken.
+ *  A row of the table of outlines: every figure with its limit, and the places of broken limits.
  */
 #pragma once
 
@@ -18,7 +18,7 @@ std::string outlineHeading();
 /** A judged path as one line; a star marks a figure beyond its limit. */
 struct OutlineLine {
   std::string line;
-  std::string broken; ///< what is, by how much and where; empty when every limit holds
+  std::string broken; ///< broken limits, by how much and where; empty if every limit holds
   std::string places; ///< of every figure, held or not
 };
 OutlineLine outlineLine(const OutlineRow& row, const test::JudgedFigures& figures, const test::JudgeSettings& settings);

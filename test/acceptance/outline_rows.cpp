@@ -12,9 +12,9 @@ namespace pcl_spiral::acceptance {
 namespace {
 
 constexpr double gap_radius = 7.0;
-constexpr double lines_ratio = 10.0; ///< between lines to along them
+constexpr double lines_ratio = 10.0; ///< distance between lines over distance along them
 
-/** Rows that share a limit of length. */
+/** Rows with the same limit of length. */
 void
 addRows(double length, const std::vector<std::string>& names, std::vector<OutlineRow>& rows)
 {
@@ -26,7 +26,7 @@ addRows(double length, const std::vector<std::string>& names, std::vector<Outlin
   }
 }
 
-/** Harder scans of an outline that is there already. What is left above 1.05 h follows from the limit of
+/** More difficult scans of an existing outline. The share above 1.05 h follows from the limit of
  * p99.9. */
 void
 addHarderScans(const std::string& name, std::vector<OutlineRow>& rows)
@@ -48,7 +48,7 @@ addHarderScans(const std::string& name, std::vector<OutlineRow>& rows)
   add("_gap", Scan::Gap, 0.0, 1.05, 0.001);
 }
 
-/** Leave a round hole in the scan about the point nearest to three gap radii from the rim. */
+/** Makes a round gap in the scan round the point nearest to three gap radii from the rim. */
 void
 cutGap(double size, OutlineCloud& cloud)
 {

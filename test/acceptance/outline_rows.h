@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The outlines that paths are judged on, their limits and their clouds. Lengths in mm.
+ *  The outlines for judging paths, their limits and their clouds. Lengths in mm.
  */
 #pragma once
 
@@ -13,30 +13,30 @@
 
 namespace pcl_spiral::acceptance {
 
-/** How the points of an outline lie. */
+/** Arrangement of the points of an outline. */
 enum class Scan { Even, Noisy, Lines, Sparse, Gap };
 
-/** An outline, its scan, and what a path over it must hold. Heights in h, radii in pitches. */
+/** An outline, its scan, and the limits of a path over it. Heights in h, radii in pitches. */
 struct OutlineRow {
-  std::string name, outline; ///< of the row, and as outlinedPart knows it
-  double length = 0.0;       ///< over the least
+  std::string name, outline; ///< of the row, and for outlinedPart
+  double length = 0.0;       ///< length over the least length
   Scan scan = Scan::Even;
   double noise = 0.0; ///< standard deviation
   double p999 = 1.02;
   double over = 0.0005; ///< share above 1.05
   double max = 1.25;
-  double radius = 0.2; ///< that a thousandth of the path may be sharper than
-  double time = 0.10;  ///< machine time over the least beyond the length's ratio
+  double radius = 0.2; ///< a thousandth of the path may have a smaller radius
+  double time = 0.10;  ///< machine time over the least, beyond the ratio of lengths
 };
 
 std::vector<OutlineRow> outlineRows();
 
-/** A row's part and its points. */
+/** The part of a row and its points. */
 struct OutlineCloud {
   test::SurfacePtr part;
   std::vector<Eigen::Vector3d> points;
-  double spacing = 0.0; ///< of as many points spread evenly; between lines that of the lines
-  test::PlaneLoop gap;  ///< where the scan has none; may be empty
+  double spacing = 0.0; ///< of the same number of points spread evenly; for scan lines the distance of the lines
+  test::PlaneLoop gap;  ///< gap of the scan; may be empty
 };
 
 /** The cloud for a cutter whose exact step-over on the plane is \p pitch. */

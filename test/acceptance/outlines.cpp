@@ -28,7 +28,7 @@ isWanted(const std::string& name, const std::string& only)
   return only.empty();
 }
 
-/** The path over a row's cloud, and its report. */
+/** The path over the cloud of a row, and its report. */
 Run
 planned(const OutlineCloud& cloud, const Options& options, const test::JudgeSettings& judge)
 {
@@ -57,8 +57,8 @@ curves(const SpiralReport& report)
   return loops;
 }
 
-/** Where every figure was found, the boundaries and the planner's warnings. Flushed: the process ends without
- * it. */
+/** Prints the places of all figures, the boundaries and the planner's warnings. Flushes, because the process ends without a
+ * flush. */
 void
 printPlaces(const OutlineRow& row, const SpiralReport& report, const OutlineLine& line)
 {
@@ -74,7 +74,7 @@ printPlaces(const OutlineRow& row, const SpiralReport& report, const OutlineLine
   std::fflush(stdout);
 }
 
-/** Path and picture of a row; the reason where they cannot be written. */
+/** Writes path and picture of a row; returns the reason if they cannot be written. */
 std::string
 drawn(const OutlineRow& row, const Options& options, const OutlineCloud& cloud, const test::CheckedPath& path,
       const test::JudgedFigures& figures)
@@ -86,7 +86,7 @@ drawn(const OutlineRow& row, const Options& options, const OutlineCloud& cloud, 
   return written ? "" : "    cannot write " + base + ".csv and .png: does the folder exist?\n";
 }
 
-/** What is wrong with the path over a gap of the scan: points over it, a spacing in, that are not marked. */
+/** Faults of the path over a gap of the scan: points over it, at least a spacing inside, that are not marked. */
 std::string
 gapFaults(const OutlineCloud& cloud, const Path& path)
 {

@@ -18,13 +18,13 @@ farthest(const test::CheckedPath& a, const test::MoveTree& b)
   test::Place place;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double d = b.nearest(a.contacts[i]).first;
-    if (!(d <= place.value)) // no number is the farthest of all
+    if (!(d <= place.value)) // NaN is the farthest of all
       place = {d, a.contacts[i], 0.0, a.turn(i), i};
   }
   return place;
 }
 
-/** The axis of \p path where \p share of its length is gone; \p from: a point no later, and then the last before. */
+/** The axis of \p path after \p share of its length; \p from: a point before it, set to the last point before it. */
 Eigen::Vector3d
 axisAt(const Path& path, double share, std::size_t& from)
 {

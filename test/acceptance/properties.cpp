@@ -41,8 +41,8 @@ mapped(const Cloud& cloud, const Eigen::Affine3d& map)
   return result;
 }
 
-/** The settings for the part under a similarity: lengths are scaled with it, and a mirrored part is gone round the other
- *  way, the axis tilted to the other side of the feed. */
+/** The settings for the part under a similarity: lengths are scaled with it; on a mirrored part the sense is opposite and the
+ *  axis is tilted to the other side of the feed. */
 SpiralSettings
 mapped(const SpiralSettings& settings, const Eigen::Affine3d& map)
 {
@@ -71,15 +71,15 @@ reordered(const Cloud& cloud, std::uint64_t seed)
   return result;
 }
 
-/** A part, moved: \p exact where its coordinates in single precision are moved without rounding. Rounded anew, a scan
- *  is another one by a little, and now and then a point or a corner is taken the other way. */
+/** A part, moved: \p exact if its coordinates in single precision are moved without rounding. With new rounding a scan
+ *  is slightly different, and sometimes a point or a corner is decided differently. */
 struct Motion {
   std::string name;
   Eigen::Affine3d map;
   bool exact;
 };
 
-/** What is wrong with \p other, made where the part was moved to; empty when nothing is. */
+/** Faults of \p other, made on the moved part; empty if there are none. */
 std::string
 difference(const Motion& motion, const Made& first, const Made& other, double spacing)
 {
@@ -97,8 +97,8 @@ difference(const Motion& motion, const Made& first, const Made& other, double sp
   return text.str();
 }
 
-/** Motions that leave the path where it is on the part. At constant scallop what is found once may be linked otherwise where
- *  numbers are rounded otherwise: there a scale is asked for that rounds nothing. */
+/** Motions that do not change the path on the part. At constant scallop height other rounding may change the links between
+ *  loops: so only a scale without rounding is tested there. */
 std::vector<Motion>
 motions(const Eigen::Affine3d& moved, SpiralMethod method)
 {
@@ -120,8 +120,8 @@ Outcome
 outcomeOf(const RandomCase& random, SpiralMethod method)
 {
   SpiralSettings settings = settingsOf(random, method);
-  settings.thinning = 0.0;   // voxels lie along the axes
-  if (!settings.start_point) // the rim point farthest off is one of several on round parts
+  settings.thinning = 0.0;   // voxels are parallel to the axes
+  if (!settings.start_point) // on round parts several rim points are the farthest
     settings.start_point = random.motion * random.surface->outlines().front().front();
   const Made first = made(random.cloud, settings);
   std::string faults;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr unsigned int longest = 30; ///< s
 
-/** Collects what does not hold. */
+/** Collects broken limits. */
 class Faults {
 public:
   void atMost(const char* what, double value, double limit)
@@ -32,7 +32,7 @@ private:
   std::ostringstream text_;
 };
 
-/** The path where the exact surface stands. */
+/** The path, moved to the exact surface. */
 test::CheckedPath
 movedBack(const RandomCase& made, const Path& path)
 {
@@ -45,7 +45,7 @@ movedBack(const RandomCase& made, const Path& path)
   return back;
 }
 
-/** The points that are not marked as lying over a gap of the scan, where the surface is a guess. */
+/** The points that are not marked as over a gap of the scan, where the surface is estimated. */
 test::CheckedPath
 offGaps(const Path& path, const test::CheckedPath& all)
 {

@@ -12,7 +12,7 @@ namespace pcl_spiral::acceptance {
 
 namespace {
 
-constexpr std::size_t fine = 512; ///< vertices of a round outline
+constexpr std::size_t fine = 512; ///< number of vertices of a round outline
 
 /** An outline about 2 across, and its name. */
 struct Outline {
@@ -93,7 +93,7 @@ choice(test::Random& random, std::initializer_list<Enum> values)
   return *(values.begin() + random.below(values.size()));
 }
 
-/** A cutter from a fiftieth of the part to a third, turns from a few to sixty. */
+/** A cutter of a fiftieth to a third of the part, a few to sixty turns. */
 void
 chooseJob(test::Random& random, RandomCase& made, double size, const std::vector<Eigen::Vector3d>& points)
 {
@@ -121,10 +121,10 @@ chooseJob(test::Random& random, RandomCase& made, double size, const std::vector
     s.outlier_neighbours = 8 + static_cast<int>(random.below(16));
   if (random.uniform() < 0.1)
     s.thinning = made.spacing * random.uniform(0.2, 1.5);
-  s.threads = 1; // several wait for each other in turns where the machine is busy: no measure of a hang
+  s.threads = 1; // on a busy computer several threads wait for each other, which is not a hang
 }
 
-/** Stray points, repetitions and points that are no numbers among those of the scan. */
+/** Adds outliers, duplicates and non-finite points to the scan. */
 void
 spoil(test::Random& random, RandomCase& made, double size, std::vector<Eigen::Vector3d>& points)
 {
@@ -177,7 +177,7 @@ randomCase(std::uint64_t seed, std::uint64_t index)
   if (random.uniform() < 0.5)
     made.motion = test::randomMotion(own, 3.0 * size);
   spoil(random, made, size, scan.points);
-  double top = 0.0; // a flat cap of a large ball lies high
+  double top = 0.0; // a flat cap of a large ball is high
   for (const Eigen::Vector3d& p : scan.points)
     if (p.allFinite())
       top = std::max(top, p.z());

@@ -28,7 +28,7 @@ numbersIn(const std::string& message)
   return found;
 }
 
-/** Whether three numbers in a row are a point of the surface, to a millimetre. */
+/** Whether three successive numbers are a point of the surface, to a millimetre. */
 bool
 namesAPlace(const std::string& message, const test::AnalyticSurface& surface)
 {

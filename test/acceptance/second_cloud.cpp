@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paths judged by a second, exact cloud of the part, which the planner has not seen: how far the path lies from the part,
-// and the greatest error after simulated machining. Among them the two parts of Wu et al. 2025 at their full size, for
-// which they publish 0.046 and 0.1215 mm (the first).
+// Paths judged by a second, exact cloud of the part, which the planner does not have: the distance of the path from the part,
+// and the greatest error after simulated machining. Among them are the two parts of Wu et al. 2025 at full size; they
+// publish 0.046 and 0.1215 mm (the first).
 #include "cases.h"
 #include "table.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The printed outcome of an acceptance case: measured values against limits, with places.
+ *  The printed result of an acceptance case: measured values against limits, with places.
  */
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace pcl_spiral::acceptance {
 
-/** Prints rows as they come and counts the limits broken. Lengths in mm. */
+/** Prints rows immediately and counts broken limits. Lengths in mm. */
 class Table {
 public:
   explicit Table(const std::string& title);
@@ -19,7 +19,7 @@ public:
   void note(const std::string& name, const std::string& text);
   /** A value that must not exceed the limit. */
   void atMost(const std::string& name, double value, double limit, const std::string& unit = "mm");
-  /** The same, with the place it was measured at, printed when the limit is broken. */
+  /** The same, with its place, which is printed if the limit is broken. */
   void atMost(const std::string& name, const test::Place& place, double limit, const std::string& unit = "mm");
   void holds(const std::string& name, bool held, const std::string& text = "");
   int broken() const { return broken_; }
@@ -28,7 +28,7 @@ private:
   int broken_ = 0;
 };
 
-/** Coordinates, distance to the rim, turn and index, for the maker of the path to find the fault. */
+/** Coordinates, distance to the rim, turn and index, to find the fault in the path. */
 std::string text(const test::Place& place);
 
 } // namespace pcl_spiral::acceptance

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Honest but ugly scans of parts known exactly, each beside a clean one: as many points as its sparsest part implies,
-// spread evenly, with the same noise.
+// Correct but difficult scans of exact parts, each compared with a clean scan: as many points as the density of its
+// sparsest area gives, spread evenly, with the same noise.
 #include "cases.h"
 #include "outline_distance.h"
 #include "table.h"
@@ -20,7 +20,7 @@ namespace {
 
 using test::SurfacePtr;
 
-/** One scan, and how far apart the points of a clean one of the same worth are. */
+/** One scan, and the spacing of a clean scan of the same quality. */
 struct Scan {
   std::string name;
   std::vector<Eigen::Vector3d> points;
@@ -58,7 +58,7 @@ countAt(const test::AnalyticSurface& surface, double spacing)
   return static_cast<std::size_t>(surface.area() / (spacing * spacing));
 }
 
-/** Points \p coarse apart where \p density, a share of the densest, is one \p ratio-th. */
+/** Points \p coarse apart where \p density, a share of the largest density, is one \p ratio-th. */
 test::Sampled
 sampleByDensity(const test::AnalyticSurface& surface, double coarse, double ratio, std::uint64_t seed,
                 const std::function<double(const Eigen::Vector3d&)>& density)
@@ -75,7 +75,7 @@ sampleByDensity(const test::AnalyticSurface& surface, double coarse, double rati
   return kept;
 }
 
-/** Share of the densest, falling evenly (in its logarithm) to one \p ratio-th across the part. */
+/** Share of the largest density; its logarithm falls linearly to one \p ratio-th across the part. */
 std::function<double(const Eigen::Vector3d&)>
 fading(const test::AnalyticSurface& surface, double ratio)
 {
@@ -104,7 +104,7 @@ twoPasses(const test::AnalyticSurface& surface, const test::Sampled& first, cons
   return points;
 }
 
-/** \p share of false points among the others: half within \p near of the surface, half anywhere in a box
+/** Adds \p share of outliers: half within \p near of the surface, half anywhere in a box
  *  that is \p near larger on all sides. */
 void
 addOutliers(const test::AnalyticSurface& surface, double share, double near, std::uint64_t seed, std::vector<Eigen::Vector3d>& points)
@@ -159,7 +159,7 @@ judgeLoopsOf(const Run& run, const std::vector<Polyline>& outlines, double coars
   }
 }
 
-/** \p outlines are what the loops should be. */
+/** \p outlines: the correct loops. */
 void
 judgeScan(const Job& job, const Scan& scan, const std::vector<Polyline>& outlines, const Options& options, Table& table)
 {

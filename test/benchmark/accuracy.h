@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A path against the exact surface, cheaply, so that no time is read without it. mm.
+ *  A fast check of a path against the exact surface, printed with every time. mm.
  */
 #pragma once
 
@@ -13,7 +13,7 @@ namespace pcl_spiral::benchmarks {
 struct Accuracy {
   double deviation_max = 0.0, deviation_rms = 0.0; ///< of the contacts from the surface
   double longest_move = 0.0;
-  double length_ratio = 0.0; ///< of the path to the least one; 0 where that is not known
+  double length_ratio = 0.0; ///< of the path to the least length; 0 if that is not known
 };
 
 Accuracy accuracyOf(const RunCase& run, const pcl::PointCloud<ToolpathPoint>& path);

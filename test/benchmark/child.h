@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The same program once more, so that a measurement has a process, and a peak of memory, of its own.
+ *  Runs the same program again, so that a measurement has its own process and its own peak of memory.
  */
 #pragma once
 
@@ -8,25 +8,25 @@
 
 namespace pcl_spiral::benchmarks {
 
-/** What a child measures. */
+/** The measurement of a child process. */
 struct ChildTask {
   std::string what; ///< "ours" or "pcl"
   std::string name; ///< of the case
   double scallop = 0.0;
   int threads = 0;
-  std::string folder; ///< where the scan is, and where the path and the result go
+  std::string folder; ///< folder of the scan, the path and the result
 };
 
 /** The scan of the folder. */
 std::string scanIn(const std::string& folder);
 
-/** Run it in a process of its own. \throw std::runtime_error with its message where it fails */
+/** Runs it in a separate process. \throw std::runtime_error with its message if it fails */
 Json runChild(const ChildTask& task);
 
 /** Whether the program was called by runChild. */
 bool isChild(int argc, char** argv);
 
-/** Do what runChild asks, in the child; the exit code. */
+/** Runs the measurement in the child process; returns the exit code. */
 int childMain(int argc, char** argv);
 
 } // namespace pcl_spiral::benchmarks

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t seed = 1;
 
-/** 5 to 20 mm to either side, evenly. */
+/** 5 to 20 mm to one of both sides, with uniform probability. */
 double
 echoDistance(test::Random& random)
 {

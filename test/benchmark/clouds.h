@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The clouds that everything is timed on. Lengths in mm.
+ *  The clouds for all times. Lengths in mm.
  */
 #pragma once
 
@@ -25,21 +25,21 @@ struct CloudPlan {
   test::SurfacePtr surface;
   std::size_t points = 0;
   double noise = 0.0;        ///< standard deviation along the normal
-  double false_echoes = 0.0; ///< share of points that lie 5 to 20 mm before or behind the surface instead
+  double false_echoes = 0.0; ///< share of points moved 5 to 20 mm in front of or behind the surface
 };
 
 /** The half spheroid of the published part: 3300 across, 860 high. */
 test::SurfacePtr domeSurface();
 
-/** The same points for the same plan on every machine, in random order. */
+/** The same points for the same plan on every computer, in random order. */
 Points sampledPoints(const CloudPlan& plan);
 
-/** In the order in which neighbours stand close to each other in memory. */
+/** Ordered so that neighbours are close to each other in memory. */
 Points inSpatialOrder(const Points& points);
 
 Cloud::Ptr toCloud(const Points& points);
 
-/** "86k", "2M": how sizes are named. */
+/** Names of sizes: "86k", "2M". */
 std::string sizeName(std::size_t points);
 
 } // namespace pcl_spiral::benchmarks

@@ -21,9 +21,9 @@ namespace {
 using State = benchmark::State;
 
 constexpr int knn = 32;
-constexpr std::size_t chunk = 1u << 16; // path points that the planner projects at a time
+constexpr std::size_t chunk = 1u << 16; // path points that the planner projects at once
 
-/** A file of our own, removed at the end. */
+/** A temporary file, removed at the end. */
 class ScratchFile {
 public:
   explicit ScratchFile(const std::string& extension)
@@ -63,7 +63,7 @@ spatialSort(State& state, StageInput& input, int)
   count(state, points.size(), bytesOf(points.size()));
 }
 
-/** The floor of all that looks at neighbourhoods: nothing but the search. */
+/** The lower limit for all stages with neighbourhoods: only the search. */
 void
 bareKnn(State& state, StageInput& input, int)
 {
@@ -131,7 +131,7 @@ distanceField(State& state, StageInput& input, int)
   count(state, graph.size(), bytesOf(graph.size()));
 }
 
-/** As the radial lines of a spiral are refined, 128 of them. */
+/** The refinement of 128 radial lines of a spiral. */
 void
 refinement(State& state, StageInput& input, int)
 {
@@ -179,8 +179,8 @@ toolAxis(State& state, StageInput& input, int)
   count(state, spiral.size(), 2 * spiral.size() * sizeof(Eigen::Vector3d));
 }
 
-/** A tapered bull-nose on 100,000 places of the spiral (or as many as there are), leant 15 degrees; the surface made on
- *  the way. */
+/** A tapered bull-nose on up to 100,000 places of the spiral, tilted 15 degrees; the time includes making the
+ *  surface. */
 template <int radius>
 void
 cutterLocation(State& state, StageInput& input, int threads)

@@ -25,7 +25,7 @@ namespace pcl_spiral::benchmarks {
 
 namespace {
 
-constexpr double bytes_a_path_point = 160.0; // what the target allows
+constexpr double bytes_a_path_point = 160.0; // limit of the target
 
 double
 megabytes(std::size_t bytes)
@@ -33,7 +33,7 @@ megabytes(std::size_t bytes)
   return 1e-6 * static_cast<double>(bytes);
 }
 
-/** Of all threads of this process up to now. */
+/** Processor time of all threads of this process up to now. */
 double
 processorSeconds()
 {
@@ -42,7 +42,7 @@ processorSeconds()
   return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
-/** Of a file's bytes: the same for the same path, whatever the number of threads. */
+/** Checksum of a file: the same for the same path, for any number of threads. */
 std::string
 checksum(const std::string& file)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sections of a mesh with many planes, one thread: ours by each search, beside the loop over all triangles with points ordered by
-// the nearest, CGAL's Polygon_mesh_slicer and VTK's vtkCutter. pcl_spiral_benchmark_sections [landform|bonnet] [step-over]
+// Sections of a mesh with many planes, one thread: pcl_spiral with each search, compared with a loop over all triangles with points
+// ordered by nearest, CGAL's Polygon_mesh_slicer and VTK's vtkCutter. pcl_spiral_benchmark_sections [landform|bonnet] [step-over]
 #include "support/mesh_surfaces.h"
 #include "support/meshes.h"
 
@@ -45,7 +45,7 @@ secondsOf(const std::function<void()>& work)
   return least;
 }
 
-/** The places where each plane crosses each triangle's edges, found by a loop over all of them, put in order by the nearest. */
+/** The places where each plane crosses the edges of each triangle, found by a loop over all triangles, ordered by nearest. */
 Rows
 plainLoop(const SurfaceMesh& mesh, const std::vector<double>& levels)
 {

@@ -15,7 +15,7 @@ normalsOfPcl(benchmark::State& state, StageInput& input, int threads)
   count(state, cloud->size(), cloud->size() * sizeof(pcl::PointXYZ));
 }
 
-/** With the tree that the normals have left. */
+/** With the tree from the normals. */
 template <FileOrder order>
 void
 boundaryOfPcl(benchmark::State& state, StageInput& input, int)

@@ -8,8 +8,8 @@ namespace pcl_spiral::benchmarks {
 
 namespace {
 
-/** Edge of the voxels of which a surface of \p area occupies \p count: 3/2 area / edge^2, as the sum of the moduli of a
- * unit normal's components is 3/2 in the mean. */
+/** Edge of the voxels such that a surface of \p area occupies \p count of them: 3/2 area / edge^2, because the sum of the absolute
+ * components of a unit normal is 3/2 in the mean. */
 double
 voxelEdge(double area, double count)
 {
@@ -34,7 +34,7 @@ rawDome(const std::string& name)
   return raw;
 }
 
-/** The method that the end of a case's name stands for. */
+/** The method for the end of a case's name. */
 SpiralMethod
 methodNamed(const std::string& name)
 {

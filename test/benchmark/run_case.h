@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The whole runs that are timed. Lengths in mm.
+ *  The timed whole runs. Lengths in mm.
  */
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace pcl_spiral::benchmarks {
 
-/** A cloud and what is asked of its path. */
+/** A cloud and the settings of its path. */
 struct RunCase {
   std::string name;
   CloudPlan cloud;

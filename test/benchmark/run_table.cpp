@@ -8,7 +8,7 @@ namespace pcl_spiral::benchmarks {
 
 namespace {
 
-/** A number, or NaN where there is none. */
+/** A number, or NaN if there is none. */
 double
 number(const Json& json, const char* key)
 {

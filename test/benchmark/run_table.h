@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What whole runs came to, for people.
+ *  Tables of the results of whole runs.
  */
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace pcl_spiral::benchmarks {
 
-/** One run beside PCL's pair: times, ratio, memory, accuracy, and its stages. */
+/** One run compared with PCL's pair: times, ratio, memory, accuracy, and its stages. */
 void printRun(const Json& run);
 
-/** All of them, a line each, as a table in Markdown. */
+/** All runs as a table in Markdown, one line per run. */
 void printTable(const Json& runs);
 
 } // namespace pcl_spiral::benchmarks

@@ -112,7 +112,7 @@ StageInput::spiral()
   const double radius = 0.49 * (region.upper() - region.lower()).minCoeff();
   const auto n = static_cast<double>(plan_.points);
   for (double i = 0.0; i < n; ++i) {
-    // r = c angle with steps along as long as the way between turns, 2 pi c
+    // r = c angle, with steps along it as long as the distance between turns, 2 pi c
     const double r = radius * std::sqrt((i + 0.5) / n), angle = std::sqrt(4.0 * M_PI * (i + 0.5));
     spiral_.push_back(plan_.surface->lift(middle + r * Eigen::Vector2d(std::cos(angle), std::sin(angle))));
   }

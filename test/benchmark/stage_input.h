@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What the stages work on, made once for each size and before the clock runs.
+ *  Input of the stages, made once for each size and before the clock runs.
  */
 #pragma once
 
@@ -21,8 +21,8 @@ namespace pcl_spiral::benchmarks {
 
 enum class FileOrder { Random, Sorted };
 
-/** A cloud of one size and all that stages make of it for those after them, each made when first asked for.
- *  86k points are the free-form part, every other number the dome. */
+/** A cloud of one size and the results of stages that later stages need, each made when first used.
+ *  86k points are the free-form part, every other number is the dome. */
 class StageInput {
 public:
   explicit StageInput(std::size_t points);
@@ -37,9 +37,9 @@ public:
   Eigen::Vector3d centre() const;
   const DistanceField& field();
   const Polyline& rim();
-  /** From the centre to places evenly along the rim, as traced down the field. */
+  /** Lines from the centre to places evenly along the rim, traced down the field. */
   const std::vector<GeodesicLine>& traces();
-  /** As many path points as there are cloud points, in turns as far apart as the points of a turn. */
+  /** As many path points as cloud points, in turns as far apart as the points of a turn. */
   const Polyline& spiral();
   const std::vector<SurfaceFoot>& spiralFeet();
   const pcl::PointCloud<ToolpathPoint>& path();
@@ -59,10 +59,10 @@ private:
   pcl::PointCloud<ToolpathPoint> path_;
 };
 
-/** The input of that size. Only one size is kept: asking for another one drops it. */
+/** The input of that size. Only one size is kept: another size replaces it. */
 StageInput& inputOf(std::size_t points);
 
-/** Throws what went wrong: nothing is worth timing then. */
+/** Throws the error of a stage: its time would have no meaning. */
 void require(const Status& status);
 
 } // namespace pcl_spiral::benchmarks

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times every stage of the library, and PCL's normals and boundary points beside them: stage x size x threads.
+// Measures the time of every stage of the library, and of PCL's normals and boundary points: stage x size x threads.
 #include "library_stages.h"
 
 #include <pcl_spiral/common/impl/thread_limit.h>
@@ -11,7 +11,7 @@ using namespace pcl_spiral::benchmarks;
 
 namespace {
 
-/** 1, 2, 4 and so on, and as many as the machine has. */
+/** 1, 2, 4 and so on, and the number of processors. */
 std::vector<int>
 threadCounts()
 {
@@ -36,7 +36,7 @@ runStage(benchmark::State& state, const Stage& stage, std::size_t points, int th
   }
 }
 
-/** Named stage/size/threads, size by size, so that each cloud is made once. */
+/** Cases named stage/size/threads, size by size, so that each cloud is made once. */
 void
 registerAll(const std::vector<std::size_t>& sizes)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times whole runs, reading PCD to written CSV, beside PCL's normals and boundary points of the same cloud.
+// Measures the time of whole runs, from the PCD to the written CSV, and of PCL's normals and boundary points of the same cloud.
 #include "child.h"
 #include "run_table.h"
 
@@ -20,7 +20,7 @@ using namespace pcl_spiral::benchmarks;
 
 namespace {
 
-/** What is asked for; every combination of the lists is run. */
+/** The options; every combination of the lists is run. */
 struct Plan {
   std::vector<std::string> cases{"dome"}, orders{"random"};
   std::vector<double> scallops{0.05};
@@ -30,7 +30,7 @@ struct Plan {
   std::string json, folder;
 };
 
-/** False when only help was wanted. */
+/** False if only help was asked for. */
 bool
 parse(int argc, char** argv, Plan& plan)
 {
@@ -66,7 +66,7 @@ parse(int argc, char** argv, Plan& plan)
   return !given.count("help");
 }
 
-/** The median one of several measurements, with the seconds of all. */
+/** The median measurement of several, with the seconds of all. */
 Json
 median(std::vector<Json> measured)
 {
@@ -79,7 +79,7 @@ median(std::vector<Json> measured)
   return chosen;
 }
 
-/** Ours and PCL's, by turns. */
+/** Runs pcl_spiral and PCL alternately. */
 Json
 measure(const Plan& plan, const ChildTask& ours)
 {

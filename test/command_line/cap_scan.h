@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A scan to run the programs on.
+ *  A scan for runs of the programs.
  */
 #pragma once
 
@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-/** A cap of a sphere of radius 100 mm, 40 mm across its rim's radius, as the text of an .xyz file; uniform
+/** A cap of a sphere of radius 100 mm, with a rim of radius 40 mm, as the text of an .xyz file; uniform
  * over its disc, with noise of standard deviation \p noise along z. */
 inline std::string
 capScan(int count, double noise = 0.0)

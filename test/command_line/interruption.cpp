@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What remains of earlier outputs when a run is killed, ended, or has no room: they are whole, the old or the new.
+// Earlier outputs after a run is killed, ended, or has no disk space: each file is complete, the old or the new one.
 #include <pcl_spiral/io/toolpath_reader.h>
 
 #include "cap_scan.h"
@@ -23,7 +23,7 @@ const std::string program = PCL_SPIRAL_TOOLPATH_PROGRAM;
 using Arguments = std::vector<std::string>;
 using Contents = std::map<std::string, std::string>; ///< of files, by name
 
-/** Every kind of output but those with pictures, which need a display. */
+/** Every kind of output except those with pictures, which need a display. */
 const Arguments plain{"a.csv", "a.pcd", "a.ply", "a.vtp", "a.json"};
 
 Arguments
@@ -43,7 +43,7 @@ protected:
 
   RunResult run(const Arguments& arguments) { return endOf(startProgram(program, arguments, folder_), folder_); }
 
-  /** The files of a folder that are no scans: seen ones, or hidden ones. */
+  /** The files of a folder that are not scans: visible files, or hidden files. */
   Contents contents(bool hidden = false, const std::string& below = "") const
   {
     Contents result;
@@ -55,7 +55,7 @@ protected:
     return result;
   }
 
-  /** A report differs from run to run by times: it is whole where it can be read and ends. */
+  /** Reports of two runs differ in their times: a report is complete if it can be read to its end. */
   void expectWhole(const std::string& name, const std::string& text) const
   {
     const std::string extension = fs::path(name).extension().string();
@@ -69,7 +69,7 @@ protected:
       FAIL() << name << " is neither the old nor the new one, " << text.size() << " bytes";
   }
 
-  /** Kill runs that overwrite \p outputs, from the share \p from of their time on. */
+  /** Kills runs that overwrite \p outputs, from the share \p from of their time on. */
   void expectWholeAfterKills(const Arguments& outputs, int kills, double from)
   {
     ASSERT_EQ(run(call(outputs, "0.02")).code, 0);
@@ -209,7 +209,7 @@ TEST_F(Interruption, PlacesThatCannotBeWrittenAreRefusedBeforeAnyWork)
   refused("cap.xyz/a.csv", "is not a folder", 1);
   fs::create_symlink("cap.xyz", folder_.path("link.csv"));
   refused("link.csv", "is the scan itself", 2);
-  if (::getuid() != 0) { // who may write everywhere
+  if (::getuid() != 0) { // root may write everywhere
     fs::create_directory(folder_.path("locked"));
     fs::permissions(folder_.path("locked"), fs::perms::owner_read | fs::perms::owner_exec);
     refused("locked/a.csv", "choose a folder you may write to", 1);

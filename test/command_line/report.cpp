@@ -21,7 +21,7 @@ namespace {
 using Arguments = std::vector<std::string>;
 using Tree = boost::property_tree::ptree;
 
-const std::string awkward = "ca<p> & \"1\" 'x'"; // a name that HTML would take for its own
+const std::string awkward = "ca<p> & \"1\" 'x'"; // a name with special characters of HTML
 
 std::string
 decoded(const std::string& base64)
@@ -42,7 +42,7 @@ decoded(const std::string& base64)
   return bytes;
 }
 
-/** A report as a reader takes it apart. */
+/** The parts of a report. */
 struct Page {
   std::string text;             ///< all words, a line a piece
   std::vector<std::string> png; ///< bytes of its pictures
@@ -81,7 +81,7 @@ readPage(const std::string& file)
   EXPECT_EQ(html.find("url("), std::string::npos);
   std::istringstream in(html);
   Tree tree;
-  boost::property_tree::read_xml(in, tree); // throws where it is not well-formed
+  boost::property_tree::read_xml(in, tree); // throws if it is not well-formed
   Page page;
   collect(tree, page);
   return page;
@@ -174,7 +174,7 @@ TEST_F(Report, HoldsPicturesFiguresAndSettings)
 
 TEST_F(Report, OfAPathThatIsNotJudgedSaysSoWhateverItsName)
 {
-  const std::string name = "sc\xFF\xC3\x01n.xyz"; // bytes that are no text
+  const std::string name = "sc\xFF\xC3\x01n.xyz"; // bytes that are not text
   writeText(folder_.path(name), capScan(3000));
   ASSERT_EQ(run(PCL_SPIRAL_TOOLPATH_PROGRAM, {name, "--tool-radius", "3", "--scallop", "0.2", "-o", "a.html"}).code, 0);
   const std::string html = readText(folder_.path("a.html"));
@@ -192,7 +192,7 @@ TEST_F(Report, OfSeveralPathsSaysWhichKeepsTheLimits)
   ASSERT_EQ(make({"-o", "good.csv"}).code, 0);
   std::istringstream rows(readText(folder_.path("good.csv")));
   std::string spoilt, row;
-  for (int i = 0; std::getline(rows, row); ++i) // the innermost turns alone
+  for (int i = 0; std::getline(rows, row); ++i) // only the innermost turns
     if (i < 400)
       spoilt += row + "\n";
   writeText(folder_.path("bad.csv"), spoilt);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Runs a program and keeps what it said.
+ *  Runs a program and keeps its output.
  */
 #pragma once
 
@@ -16,14 +16,14 @@
 #include <thread>
 #include <vector>
 
-/** How a run ended. */
+/** The end of a run. */
 struct RunResult {
-  int code = -1; ///< exit code; -1 where a signal ended it
+  int code = -1; ///< exit code; -1 if a signal ended it
   std::string out, err;
-  std::size_t peak_memory = 0; ///< bytes, as the system counted
+  std::size_t peak_memory = 0; ///< bytes, counted by the system
 };
 
-/** Start \p program in \p folder, with its output in hidden files there. Returns its process. */
+/** Starts \p program in \p folder, with its output in hidden files there. Returns its process. */
 inline pid_t
 startProgram(const std::string& program, const std::vector<std::string>& arguments, const ScratchFolder& folder)
 {
@@ -41,7 +41,7 @@ startProgram(const std::string& program, const std::vector<std::string>& argumen
   ::_exit(127);
 }
 
-/** Wait until the process catches \p signal (SigCgt in /proc), but no longer than ten seconds. */
+/** Waits until the process catches \p signal (SigCgt in /proc), at most ten seconds. */
 inline bool
 waitUntilCaught(pid_t process, int signal)
 {
@@ -55,7 +55,7 @@ waitUntilCaught(pid_t process, int signal)
   return false;
 }
 
-/** Wait for a process that startProgram began; takes its output files away. */
+/** Waits for a process of startProgram; removes its output files. */
 inline RunResult
 endOf(pid_t process, const ScratchFolder& folder)
 {

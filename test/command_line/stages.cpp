@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a run tells about the time and memory of its stages: in the report, on the terminal.
+// Time and memory of the stages of a run: in the report, on the terminal.
 #include "cap_scan.h"
 #include "run_program.h"
 
@@ -21,7 +21,7 @@ const Names scallop_chain{"reading",    "surface",   "boundaries", "step-over fi
 struct MadeRun {
   RunResult result;
   Json report;
-  double seconds = 0.0; ///< as seen from outside
+  double seconds = 0.0; ///< measured from outside
 };
 
 MadeRun

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What every fuzzed reader must keep: a table that is whole and in proportion to its bytes, or a FileError.
+ *  The rule for every fuzzed reader: it returns a complete table in proportion to its bytes, or throws a FileError.
  */
 #pragma once
 
@@ -15,8 +15,8 @@
 
 namespace pcl_spiral {
 
-/** Runs \p read on the bytes; ends the program where what comes back is not a table of \p columns, all of one length,
- *  with at least one row and no more than one a byte. Any exception but FileError ends the program by itself. */
+/** Runs \p read on the bytes; ends the program if the result is not a table of \p columns, all of the same length,
+ *  with at least one row and at most one row per byte. Any exception except FileError ends the program. */
 template <typename Read>
 int
 fuzzTable(const std::uint8_t* data, std::size_t size, std::size_t columns, Read read)

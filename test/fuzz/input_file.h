@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The bytes of a fuzzer as a file, for readers that open one themselves.
+ *  The bytes of a fuzzer as a file, for readers that open files themselves.
  */
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Job files (YAML, and JSON as part of it): read, set, and checked as pcl_spiral_toolpath does before any work.
+// Job files (YAML, and JSON as part of it): read, set, and checked as in pcl_spiral_toolpath before any work.
 #include "input_file.h"
 
 #include "terminal/terminal.h"

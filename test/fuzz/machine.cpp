@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Machine files (YAML): read and checked as programs take them.
+// Machine files (YAML): read and checked as in the programs.
 #include "input_file.h"
 
 #include <pcl_spiral/io/file_error.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What every fuzzed reader of meshes must keep.
+ *  The rule for every fuzzed reader of meshes.
  */
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace pcl_spiral {
 
-/** Reads the bytes as a mesh: ends the program where what comes back is no triangles over finite vertices, in
- *  proportion to the bytes, or where the vertices are not those of the scan. */
+/** Reads the bytes as a mesh: ends the program if the result is not a set of triangles over finite vertices, in
+ *  proportion to the bytes, or if the vertices are not those of the scan. */
 inline int
 fuzzMesh(const std::string& extension, const std::uint8_t* data, std::size_t size)
 {

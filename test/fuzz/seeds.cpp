@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes the first inputs of the fuzzers, with our own writers and PCL's: fuzz_seeds FOLDER.
+// Makes the first inputs of the fuzzers, with the library's and PCL's writers: fuzz_seeds FOLDER.
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <pcl/io/pcd_io.h>
@@ -110,7 +110,7 @@ copyMachines(const fs::path& folder)
     fs::copy(file.path(), folder / "machine" / file.path().filename());
 }
 
-/** Each under the byte that tells the fuzzer its format. */
+/** Each with a first byte that gives its format to the fuzzer. */
 void
 writeToolpaths(const fs::path& folder)
 {

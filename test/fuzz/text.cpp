@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scans in text files: .xyz .txt .csv .asc. The first byte says whether the columns are named by the user.
+// Scans in text files: .xyz .txt .csv .asc. The first byte selects whether the user names the columns.
 #include "harness.h"
 
 using namespace pcl_spiral;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Toolpath files, as pcl_spiral_verify reads them. The first byte says which format.
+// Toolpath files, read as in pcl_spiral_verify. The first byte selects the format.
 #include "input_file.h"
 
 #include <pcl_spiral/io/file_error.h>

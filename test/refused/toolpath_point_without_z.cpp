@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Must not compile: a point of a toolpath without z. The compiler's message has to name the remedy.
+// Must not compile: a point of a toolpath without z. The compiler's message must name the remedy.
 #include <pcl_spiral/common/impl/toolpath_fields.h>
 
 struct FlatPoint {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Where a beam is on along a program that was read back.
+ *  Finds where a beam is on along a program that was read back.
  */
 #pragma once
 
@@ -18,7 +18,7 @@ namespace pcl_spiral::test {
 
 inline const std::string on_code = "M62 P0", off_code = "M63 P0";
 
-/** Moves with the beam on: the tool stands at the end of move on - 1 as it goes on, and of off - 1 as it goes off. */
+/** Moves with the beam on: the beam switches on at the end of move on - 1, and off at the end of move off - 1. */
 struct Beam {
   std::size_t on, off;
 };
@@ -47,7 +47,7 @@ distanceTo(const std::vector<ToolPoses>& rows, const Eigen::Vector3d& p)
   return least;
 }
 
-/** With the beam off, the tool comes near the rows at no move of \p begin to before \p end. */
+/** With the beam off, no move from \p begin to before \p end brings the tool near the rows. */
 inline void
 expectOffRows(const std::vector<TipAndAxis>& way, std::size_t begin, std::size_t end, const std::vector<ToolPoses>& rows)
 {
@@ -55,7 +55,7 @@ expectOffRows(const std::vector<TipAndAxis>& way, std::size_t begin, std::size_t
     EXPECT_GT(distanceTo(rows, way[i].tip), 1.0) << "move " << i;
 }
 
-/** Moves of \p beam stay on \p row; \p next is its first pose that was not passed yet. */
+/** The moves of \p beam stay on \p row; \p next is its first pose not yet passed. */
 inline void
 expectOnRow(const ParsedProgram& program, const std::vector<TipAndAxis>& way, const Beam& beam, const ToolPoses& row, std::size_t& next)
 {
@@ -67,7 +67,7 @@ expectOnRow(const ParsedProgram& program, const std::vector<TipAndAxis>& way, co
   }
 }
 
-/** All of a program, in order; a test fails where they are no pairs one after the other. */
+/** All beams of a program, in order; a test fails if they are not successive pairs. */
 inline std::vector<Beam>
 beamsOf(const ParsedProgram& program)
 {
@@ -82,8 +82,8 @@ beamsOf(const ParsedProgram& program)
   return beams;
 }
 
-/** The beams together pass every pose of the rows in order, to 1e-3 mm and 1e-3 degrees, each row from its first to its last, and stay
- *  on them; off the beams the tool is off the rows. \return how many times a row was broken off and taken up again */
+/** Together the beams pass every pose of the rows in order, to 1e-3 mm and 1e-3 degrees, each row from first to last, and stay
+ *  on the rows; with the beam off, the tool is off the rows. \return how many times a row was interrupted and continued */
 inline std::size_t
 expectBeamsOnRows(const Machine& machine, const ParsedProgram& program, const std::vector<ToolPoses>& rows)
 {
@@ -98,7 +98,7 @@ expectBeamsOnRows(const Machine& machine, const ParsedProgram& program, const st
       break;
     }
     expectOffRows(way, off, beam.on - 1, rows);
-    broken += next > 0; // then it is taken up where it was left
+    broken += next > 0; // then the row continues where it was interrupted
     EXPECT_TRUE(isAt(way[beam.on - 1], next > 0 ? way[off - 1] : placeOf(rows[row][0]))) << "row " << row;
     expectOnRow(program, way, beam, rows[row], next);
     off = beam.off;

@@ -16,10 +16,10 @@ namespace pcl_spiral::test {
 struct CanonicalMotion {
   bool rapid;
   std::array<double, 6> xyzabc;
-  double feed; ///< as the interpreter would have the speed, mm/min
+  double feed; ///< speed from the interpreter, mm/min
 };
 
-/** A digital output, switched as the next motion begins. */
+/** A digital output, switched when the next motion begins. */
 struct CanonicalOutput {
   bool on;
   int bit;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Cutters of every kind, at random.
+ *  Random cutters of every kind.
  */
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace pcl_spiral::test {
 
-/** One of the six kinds, each as often, its measures anywhere in their ranges; radii from 0.5 to 20 mm. */
+/** One of the six kinds, all with the same probability, with random measures in their ranges; radii from 0.5 to 20 mm. */
 inline CutterShape
 randomCutter(Random& random)
 {
@@ -42,21 +42,21 @@ randomCutter(Random& random)
   }
 }
 
-/** Depth of \p p in the cutter, its shank a cylinder without end; negative outside: least over all planes that
+/** Depth of \p p in the cutter with an endless cylinder as shank; negative outside: the least over all planes that
  *  bound the convex body. */
 inline double
 depthOf(const Eigen::Vector3d& p, const CutterProfile& c, const CutterPlace& place)
 {
   const double z = (p - place.tip).dot(place.axis), l = (p - place.tip - z * place.axis).norm();
   const double a = c.flankAngle(), r = c.cornerRadius();
-  const double u = l - c.flatRadius(), v = z - r; // from the corner's middle
+  const double u = l - c.flatRadius(), v = z - r; // from the middle of the corner
   double depth = std::min({z, c.radius() - l, r - (u * std::cos(a) - v * std::sin(a))});
   if (u > 0.0 && v < 0.0 && -v >= u * std::tan(a))
     depth = std::min(depth, r - std::hypot(u, v));
   return depth;
 }
 
-/** The place at share \p t of a move, tip and axis led evenly. */
+/** The place at share \p t of a move; tip and axis change linearly. */
 inline CutterPlace
 onTheWay(const CutterPlace& a, const CutterPlace& b, double t)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A spiral over a sphere known exactly.
+ *  A spiral over an exact sphere.
  */
 #pragma once
 
@@ -13,8 +13,8 @@
 namespace pcl_spiral::test {
 
 /** \p turns turns of a ball cutter of radius \p ball, \p pitch mm apart in arc length, from the pole of a
- * sphere of radius \p sphere down; the axis leans \p tilt degrees to the side of the travel from the normal,
- * eased in over the first \p ease mm from the pole. */
+ * sphere of radius \p sphere down; the axis is tilted \p tilt degrees from the normal to the side of the travel,
+ * starting gradually over the first \p ease mm from the pole. */
 inline ToolPoses
 domeSpiral(double sphere, double pitch, int turns, int poses_a_turn, double ball, double tilt, double ease = 10.0)
 {

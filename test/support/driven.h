@@ -19,7 +19,7 @@ namespace pcl_spiral::test {
 
 using Drive = DrivePath<pcl::PointXYZ>;
 
-/** What a compute gave. */
+/** The result of compute. */
 struct Driven {
   DrivePasses passes;
   DriveReport report;
@@ -40,7 +40,7 @@ driven(const std::vector<Eigen::Vector3d>& points, const std::function<void(Driv
   return run;
 }
 
-/** Largest distance of consecutive points, of closed passes from the last to the first too. */
+/** Largest distance of consecutive points; for closed passes also from the last to the first. */
 inline double
 largestStep(const DrivePass& pass)
 {
@@ -50,7 +50,7 @@ largestStep(const DrivePass& pass)
   return largest;
 }
 
-/** Largest difference of two runs' points, infinite where they have not the same passes. */
+/** Largest difference between the points of two runs, infinite if they do not have the same passes. */
 inline double
 difference(const DrivePasses& a, const DrivePasses& b)
 {

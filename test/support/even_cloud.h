@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Clouds spread as evenly as a thinned scan is. Lengths in mm.
+ *  Clouds as even as a thinned scan. Lengths in mm.
  */
 #pragma once
 
@@ -16,8 +16,8 @@
 
 namespace pcl_spiral::test {
 
-/** Points of \p surface at random, each farther than \p apart from those kept before; \p tries per point that
- * would fit side by side. */
+/** Random points of \p surface, each farther than \p apart from the points kept before; \p tries for each point that
+ * fits side by side. */
 inline std::vector<Eigen::Vector3d>
 evenPoints(const AnalyticSurface& surface, double apart, double tries, std::uint64_t seed)
 {
@@ -41,7 +41,7 @@ evenPoints(const AnalyticSurface& surface, double apart, double tries, std::uint
   return kept;
 }
 
-/** The graph of points, normals towards +z as a whole. */
+/** The graph of points, with normals on the whole towards +z. */
 inline SurfaceGraph
 graphOf(const std::vector<Eigen::Vector3d>& points)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Lines of ridges found in scans, and how far they are off the die that was scanned.
+ *  Lines of ridges found in scans, and their distance from the scanned die.
  */
 #pragma once
 
@@ -39,7 +39,7 @@ find(Lines& lines)
   EXPECT_EQ(generator.size(), lines.getGenerator().size());
 }
 
-/** A scan of the die with coarser points, for what does not need all. */
+/** A scan of the die with coarser points, for tests that do not need all points. */
 inline std::vector<Eigen::Vector3d>
 coarseDie()
 {

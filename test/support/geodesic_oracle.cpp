@@ -24,7 +24,7 @@ acceleration(const AnalyticSurface& surface, const State& s)
   return -s.v.dot(surface.hessian(s.x) * s.v) / g.squaredNorm() * g;
 }
 
-/** Runge-Kutta of the fourth order over \p length. */
+/** Fourth-order Runge-Kutta over \p length. */
 Polyline
 shoot(const AnalyticSurface& surface, const Vector3d& from, const Vector3d& direction, double length, State& end)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Geodesics of surfaces known exactly, by integrating their equation.
+ *  Geodesics of exact surfaces, by integration of their equation.
  */
 #pragma once
 
@@ -12,7 +12,7 @@ namespace pcl_spiral::test {
 struct ExactGeodesic {
   Polyline points;
   double length = 0.0;
-  double miss = 0.0; ///< of the target, mm
+  double miss = 0.0; ///< distance from the target, mm
 };
 
 /** The geodesic from \p from to \p to that starts near the direction \p towards: x'' = -(x' H x') grad F / |grad F|^2

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Loops to be given to a stage: those found on a cloud, and circles drawn on a sphere.
+ *  Loops to give to a stage: loops found on a cloud, and circles on a sphere.
  */
 #pragma once
 
@@ -27,7 +27,7 @@ loopsOf(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud)
   return loops;
 }
 
-/** A circle of \p radius about the top of the sphere of radius \p sphere about the origin, with the surface inside it (Outer) or
+/** A circle of \p radius round the top of the sphere of radius \p sphere about the origin, with the surface inside it (Outer) or
  *  outside it (Inner). */
 inline BoundaryLoop
 circleOnSphere(double sphere, double radius, LoopType type = LoopType::Outer)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Surfaces that are heights over the x-y plane.
+ *  Surfaces given as heights over the x-y plane.
  */
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Meshes to sample and to judge paths by: a landform over a grid, its exact surface, boxes, roofs.
+ *  Meshes to sample and to check paths against: a landform over a grid, its exact surface, boxes, roofs.
  */
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace pcl_spiral::test {
 
-/** Points and faces, to be put together. */
+/** Points and faces of a mesh under construction. */
 struct MeshDraft {
   pcl::PointCloud<pcl::PointXYZ> points;
   std::vector<pcl::Vertices> faces;
@@ -76,7 +76,7 @@ landform(double x, double y)
          0.35 * std::sin(wave(25) * (0.6 * y - x) + 2.0);
 }
 
-/** Of a height function, by differences. */
+/** Normal of a height function, by differences. */
 template <typename Height>
 Eigen::Vector3d
 heightNormal(Height height, double x, double y)
@@ -86,7 +86,7 @@ heightNormal(Height height, double x, double y)
       .normalized();
 }
 
-/** A closed box from 0 to \p size: facets as large as its sides. */
+/** A closed box from 0 to \p size; its facets are as large as its sides. */
 inline MeshDraft
 boxMesh(const Eigen::Vector3d& size)
 {
@@ -102,8 +102,8 @@ boxMesh(const Eigen::Vector3d& size)
   return draft;
 }
 
-/** Two planes that meet along x = 0, \p slope the fall of each outwards, \p size mm wide and long: a roof, or a valley for a
- *  negative one. */
+/** Two planes that meet along x = 0, each falling outwards by \p slope, \p size mm wide and long: a roof, or with a negative
+ *  slope a valley. */
 inline MeshDraft
 roofMesh(double size, double slope)
 {

@@ -22,7 +22,7 @@ ranked(const std::vector<StockSample>& samples, std::vector<std::size_t>& picked
   return *at;
 }
 
-/** An unbroken run of a path: the moves of the ball's centre, the first of them by its index. */
+/** One pass of a path: the moves of the ball's centre, with the index of the first. */
 struct Pass {
   MoveTree centres;
   std::size_t first;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The heights that a swept ball leaves on a surface known exactly. Lengths in mm.
+ *  The heights that a swept ball leaves on an exact surface. Lengths in mm.
  */
 #pragma once
 
@@ -15,19 +15,19 @@
 
 namespace pcl_spiral::test {
 
-/** What the ball cuts with. */
+/** The ball and its settings. */
 struct SweptBall {
   double radius = 0.0, h = 0.0;
-  double longest_move = 0.0; ///< over longer ones it is lifted
+  double longest_move = 0.0; ///< on longer moves the ball is lifted
   int threads = 0;           ///< 0: all
 };
 
-/** Height over every one of \p count points spread evenly by area over the whole surface, by the capsules
- * that the ball fills along the straight moves between its centres. Rays reach 20 h: above is uncut. */
+/** Height over each of \p count points spread evenly by area over the whole surface, from the capsules
+ * that the ball fills along the straight moves between its centres. Rays reach 20 h: more is uncut. */
 std::vector<StockSample> heightsLeft(const AnalyticSurface& surface, const CheckedPath& path, const SweptBall& ball, std::size_t count,
                                      std::uint64_t seed);
 
-/** Figures of heights, as multiples of h; a place's value too. */
+/** Figures of heights, as multiples of h; so is the value of a place. */
 struct HeightFigures {
   std::size_t samples = 0;
   Place p99, p999, max;    ///< each with a sample of that height; uncut counts as 20
@@ -37,7 +37,7 @@ struct HeightFigures {
   Place gouge; ///< deepest cut below the surface
 };
 
-/** Figures of the samples that \p counts picks by their position; \p area gives the distance to the rim. */
+/** Figures of the samples that \p counts selects by position; \p area gives the distance to the rim. */
 HeightFigures heightFigures(const std::vector<StockSample>& samples, const CheckedPath& path, const JudgedArea& area, double h,
                             const std::function<bool(std::size_t)>& counts);
 

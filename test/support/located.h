@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Cutters located on clouds of known surfaces.
+ *  Cutter locations on clouds of known surfaces.
  */
 #pragma once
 
@@ -20,7 +20,7 @@ namespace pcl_spiral::test {
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Evaluation = LocationEvaluation;
 
-/** An axis \p lean degrees off the normal at random, at the most. */
+/** A random axis at most \p lean degrees off the normal. */
 inline Eigen::Vector3d
 leaning(const Eigen::Vector3d& normal, double lean, Random& random)
 {
@@ -29,8 +29,8 @@ leaning(const Eigen::Vector3d& normal, double lean, Random& random)
   return std::cos(a) * normal + std::sin(a) * side;
 }
 
-/** Places of a surface with the axis off the normal by up to \p lean degrees, \p inside of the outline or
- * more. */
+/** Places of a surface with the axis up to \p lean degrees off the normal, at least \p inside from the
+ * outline. */
 inline DrivePoints
 drivePoints(const AnalyticSurface& surface, std::size_t count, double lean, double inside, bool contacts, std::uint64_t seed)
 {
@@ -46,7 +46,7 @@ drivePoints(const AnalyticSurface& surface, std::size_t count, double lean, doub
   return drive;
 }
 
-/** What a compute gave. */
+/** The result of compute. */
 struct Located {
   ToolLocations locations;
   LocationFigures figures;
@@ -71,7 +71,7 @@ located(const Cloud::ConstPtr& cloud, const CutterShape& cutter, const DrivePoin
   return run;
 }
 
-/** How deep the deepest point of \p points lies in the cutter, along its axis. */
+/** Depth of the deepest of \p points in the cutter, along its axis. */
 inline double
 deepest(const std::vector<Eigen::Vector3d>& points, const CutterProfile& cutter, const ToolLocation& location)
 {
@@ -84,7 +84,7 @@ deepest(const std::vector<Eigen::Vector3d>& points, const CutterProfile& cutter,
   return depth;
 }
 
-/** One of each kind. */
+/** One cutter of each kind. */
 const CutterShape all_kinds[] = {CutterShape::ball(4.0),
                                  CutterShape::bullNose(6.0, 1.5, 10.0),
                                  CutterShape::flatEnd(4.0, 10.0),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Cutters located on meshes of known surfaces.
+ *  Cutter locations on meshes of known surfaces.
  */
 #pragma once
 
@@ -39,7 +39,7 @@ onMesh(const Mesh& mesh, const CutterShape& cutter, const DrivePoints& drive, Ev
   return onMesh(mesh, cutter, drive, [&](Location& l) { l.setEvaluation(evaluation); });
 }
 
-/** z = a cos(k x): its valleys have the radius 1 / (a k^2). */
+/** z = a cos(k x); its valleys have the radius 1 / (a k^2). */
 struct Waves {
   double a, k;
 
@@ -64,7 +64,7 @@ struct Waves {
   }
 };
 
-/** Contacts along x with axes leaning by up to half the cutter's reach. */
+/** Contacts along x with axes tilted by up to half the cutter's reach. */
 inline DrivePoints
 contactsOn(const Waves& waves, double from, double to, std::uint64_t seed)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Forward kinematics of five-axis machines, written apart from the library's: chains of 4x4 matrices from
- * the frame of the workpiece to that of the tool.
+ *  Forward kinematics of five-axis machines, independent of the library: chains of 4x4 matrices from
+ * the frame of the workpiece to the frame of the tool.
  */
 #pragma once
 
@@ -12,17 +12,17 @@
 
 namespace pcl_spiral::test {
 
-/** One joint of a chain, at its place when every joint is at zero. */
+/** One joint of a chain, at its place if every joint is at zero. */
 struct ChainRotary {
   char letter;
   bool table;
   Eigen::Vector3d direction, point;
 };
 
-/** A machine as its maker would draw it. Table joints from the work outward, head joints from the slides to
+/** A machine as in its drawing. Table joints from the workpiece outward, head joints from the slides to
  * the tool. */
 struct MachineChain {
-  std::vector<ChainRotary> rotary; ///< from the work to the tool
+  std::vector<ChainRotary> rotary; ///< from the workpiece to the tool
   Eigen::Vector3d work_zero = Eigen::Vector3d::Zero();
   double tool_length = 0.0;
 };
@@ -37,8 +37,8 @@ struct TipAndAxis {
   Eigen::Vector3d tip, axis;
 };
 
-/** Where the tool is in the frame of the work for programmed machine coordinates: X Y Z count from the work's
- * zero and include the tool length. */
+/** The tool in the frame of the workpiece for programmed machine coordinates: X Y Z count from the zero of the
+ * workpiece and include the tool length. */
 inline TipAndAxis
 forward(const MachineChain& chain, const AxisValues& at)
 {
@@ -48,7 +48,7 @@ forward(const MachineChain& chain, const AxisValues& at)
                 Eigen::Translation3d(-joint.point));
   };
   const double angles[2] = {at.first, at.second};
-  Pose work = Pose::Identity(); // machine <- table with the work on it
+  Pose work = Pose::Identity(); // machine <- table with the workpiece
   for (int i = 1; i >= 0; --i)
     if (chain.rotary[i].table)
       work = work * about(chain.rotary[i], angles[i]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Where a machine is between two blocks of a program.
+ *  Positions of a machine between two blocks of a program.
  */
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace pcl_spiral::test {
 
-/** Where the machine is at share \p t of the way from \p a to \p b, through the oracle's kinematics: programmed axes go
+/** Position of the machine at share \p t of the way from \p a to \p b, by the kinematics of the oracle: programmed axes move
  *  linearly, with RTCP those of the tip. */
 inline TipAndAxis
 onTheWay(const Machine& machine, const ProgramBlock& a, const ProgramBlock& b, double t)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A ridge that has to be made.
+ *  Makes a ridge; the test fails if it cannot be made.
  */
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Small mesh files made by hand: four corners of a tetrahedron, and two faces over them.
+ *  Small mesh files: the four corners of a tetrahedron, and two faces.
  */
 #pragma once
 
@@ -19,7 +19,7 @@ namespace pcl_spiral {
 
 using Triangles = std::vector<std::array<int, 3>>;
 
-/** A tetrahedron's corners, and two faces over the first three and the last. */
+/** The corners of a tetrahedron, and two faces over the first three and the last. */
 inline const std::vector<Eigen::Vector3f> corners{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10.5}};
 inline const Triangles two_faces{{0, 2, 1}, {0, 1, 3}};
 
@@ -29,7 +29,7 @@ inline const std::string ply_faces = "element face 2\nproperty list uchar int ve
 inline const std::string ply_rows = "0 0 0\n10 0 0\n0 10 0\n0 0 10.5\n";
 inline const std::string ascii = "ply\nformat ascii 1.0\n";
 
-/** A value's bytes, in the other order where swapped. */
+/** The bytes of a value, in the other order if swapped. */
 template <typename T>
 std::string
 bytesOf(T value, bool swapped)
@@ -64,7 +64,7 @@ facet(const std::string& rows)
   return "facet normal 0 0 1\nouter loop\n" + rows + "endloop\nendfacet\n";
 }
 
-/** The message of the error that reading ends in; empty where it does not. */
+/** The error message of reading; empty if there is no error. */
 inline std::string
 problem(const std::string& file, const ReadOptions& options = {})
 {

@@ -22,11 +22,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/** Point \p k of \p n evenly along the rim, from the origin. */
+/** Point \p k of \p n at equal distances along the rim, from the origin. */
 Vector2d
 rimPoint(const Vector2d& extent, std::size_t k, std::size_t n)
 {
-  // Each side gets its share, corners always.
+  // Each side gets its share of points, and always its corners.
   const double w = extent.x(), h = extent.y(), around = 2.0 * (w + h);
   const auto across = static_cast<std::size_t>(std::lround(static_cast<double>(n) * w / around)), up = n / 2 - across;
   const double u = static_cast<double>(k % (across + up));

@@ -118,7 +118,7 @@ MoveTree::entry(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double radiu
   while (depth > 0) {
     const std::uint32_t id = stack[--depth];
     const Node& node = nodes_[id];
-    // Centres farther than this from the middle of what is left of the ray cannot touch it.
+    // Centres farther than this from the middle of the rest of the ray cannot touch it.
     const double half = 0.5 * (best.t + start), limit = radius + half;
     if (node.box.squaredExteriorDistance(Eigen::Vector3d(x + (half - start) * n)) > limit * limit)
       continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Linear moves in a tree of boxes: where a ray enters the ball swept along them, nearest move, overlaps.
+ *  Linear moves in a tree of boxes: the place where a ray enters the swept ball, nearest move, overlaps.
  */
 #pragma once
 
@@ -21,16 +21,16 @@ public:
   explicit MoveTree(std::vector<Eigen::Vector3d> points);
 
   struct Entry {
-    double t = 0.0;       ///< where the ray enters; the reach when it meets nothing
+    double t = 0.0;       ///< where the ray enters; the reach if it meets nothing
     std::size_t move = 0; ///< the move met
     bool met = false;
   };
-  /** Smallest t in [-start, reach] at which x + t n lies in the union of the capsules of \p radius about the
+  /** Smallest t in [-start, reach] at which x + t n is in the union of the capsules of \p radius round the
    * moves. */
   Entry entry(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double radius, double start, double reach) const;
-  /** Distance of \p p to the nearest move, and which it is. */
+  /** Distance of \p p to the nearest move, and that move. */
   std::pair<double, std::size_t> nearest(const Eigen::Vector3d& p) const;
-  /** Call \p f with every move after \p move whose box overlaps that of \p move. */
+  /** Calls \p f with every move after \p move whose box overlaps the box of \p move. */
   void laterOverlaps(std::size_t move, const std::function<void(std::size_t)>& f) const;
 
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
@@ -50,7 +50,7 @@ private:
   std::vector<Node> nodes_;
 };
 
-/** Interval of the line x + t n within the capsule of \p radius about a-b; false when the line misses it. */
+/** Interval of the line x + t n inside the capsule of \p radius round a-b; false if the line misses it. */
 bool capsuleInterval(const Eigen::Vector3d& x, const Eigen::Vector3d& n, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius,
                      double& enter, double& leave);
 

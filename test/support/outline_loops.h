@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Closed outlines that test a path's plan: necks, arms, slits, bands. Counter-clockwise, mm.
+ *  Closed outlines to test paths: necks, arms, slits, bands. Counter-clockwise, mm.
  */
 #pragma once
 
@@ -20,11 +20,11 @@ PlaneLoop dumbbell(double radius, double apart, double neck, std::size_t count =
 PlaneLoop cross(double size, double arm);
 /** A star without corners: radius + swing cos(tips t) about the origin. */
 PlaneLoop smoothStar(int tips, double radius, double swing, std::size_t count = 4096);
-/** A U open above: its limbs and its floor are \p limb wide. */
+/** A U open at the top: its limbs and its floor are \p limb wide. */
 PlaneLoop uShape(double width, double height, double limb);
-/** A band about the circle of \p radius, \p width wide over \p degrees, its ends half circles. */
+/** A band along the circle of \p radius, \p width wide over \p degrees, with half circles as ends. */
 PlaneLoop band(double radius, double width, double degrees, std::size_t count = 4096);
-/** A disc with a slit from the rim at the right down to the centre, \p width wide, its end a half circle. */
+/** A disc with a slit from the right rim to the centre, \p width wide, with a half circle as end. */
 PlaneLoop slitDisc(double radius, double width, std::size_t count = 4096);
 
 /** The loop with edges no longer than \p longest, every vertex moved by \p f. */

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/** An outline and the ground under it, as drawn. */
+/** An outline and the surface under it, before variation. */
 struct Drawing {
   std::string name;
   std::vector<PlaneLoop> loops;
@@ -90,7 +90,7 @@ drawings()
   return all;
 }
 
-/** Size, proportions, direction, softly bent sides, other ground. */
+/** Changes size, proportions, direction, slightly bends the sides, changes the surface. */
 void
 vary(Drawing& drawing, std::uint64_t seed)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Where the tool is at the moves of a program that was read back.
+ *  Places of the tool at the moves of a program that was read back.
  */
 #pragma once
 
@@ -17,7 +17,7 @@ parsed(const std::string& file, Dialect dialect)
   return dialect == Dialect::Siemens ? parseSiemens(file) : dialect == Dialect::Heidenhain ? parseHeidenhain(file) : parseFanuc(file);
 }
 
-/** Tip and tool axis of a move: what it says, or the oracle's chain of the angles it says. */
+/** Tip and tool axis of a move: from the move itself, or from its angles by the chain of the oracle. */
 inline TipAndAxis
 where(const Machine& machine, const ParsedMove& move)
 {

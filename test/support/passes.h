@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Paths made of parallel passes on exact surfaces, to calibrate the checks with.
+ *  Paths of parallel passes on exact surfaces, to calibrate the checks.
  */
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace pcl_spiral::test {
 
-/** Contacts at the parameters given, with the exact normals; turn is the pass. */
+/** Contacts at the given parameters, with the exact normals; turn is the pass. */
 class PassBuilder {
 public:
   explicit PassBuilder(const AnalyticSurface& surface) : surface_(surface) {}
@@ -29,7 +29,7 @@ private:
   CheckedPath path_;
 };
 
-/** Passes along v at the abscissas \p us from v = -half to half, to and fro, contacts \p spacing apart. */
+/** Passes along v at the abscissas \p us from v = -half to half, back and forth, contacts \p spacing apart. */
 inline CheckedPath
 straightPasses(const AnalyticSurface& surface, const std::vector<double>& us, double half, double spacing)
 {
@@ -43,7 +43,7 @@ straightPasses(const AnalyticSurface& surface, const std::vector<double>& us, do
   return builder.path();
 }
 
-/** Circles about the chart's origin of the radii given, \p count contacts each, joined by short moves. */
+/** Circles about the origin of the chart with the given radii, \p count contacts each, joined by short moves. */
 inline CheckedPath
 circularPasses(const AnalyticSurface& surface, const std::vector<double>& radii, const std::function<int(double)>& count)
 {

@@ -99,7 +99,7 @@ measureRim(const AnalyticSurface& surface, const CheckedPath& path, PathFigures&
     }
 }
 
-/** How far each of two moves passes the other, the smaller of the two; negative when they do not cross. */
+/** How far each of two moves goes beyond the other, the smaller of the two; negative if they do not cross. */
 double
 crossingDepth(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c, const Eigen::Vector2d& d)
 {

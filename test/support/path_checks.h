@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A toolpath against an exact surface and against itself: deviation, normals, gaps, turning, crossings. mm,
+ *  Checks a toolpath against an exact surface and against itself: deviation, normals, gaps, turning, crossings. mm,
  * degrees.
  */
 #pragma once
@@ -23,14 +23,14 @@ struct PathFigures {
   Place beyond_rim; ///< farthest contact past the outline
   Place rim_missed; ///< outline point farthest from the path
   std::size_t crossings = 0;
-  Place crossing; ///< deepest; value is how far each move passes the other
+  Place crossing; ///< deepest; value is how far each move goes beyond the other
 };
 
-/** \p clear: distance from both ends of the path and from the outline within which turning is not measured.
+/** \p clear: turning is not measured within this distance from both ends of the path and from the outline.
  */
 PathFigures checkPath(const AnalyticSurface& surface, const CheckedPath& path, double clear, int threads = 0);
 
-/** Crossings of the path with itself in the surface's chart that are deeper than \p tolerance. */
+/** Crossings of the path with itself, in the chart of the surface, deeper than \p tolerance. */
 std::vector<Place> crossings(const AnalyticSurface& surface, const CheckedPath& path, double tolerance = 0.01, int threads = 0);
 
 } // namespace pcl_spiral::test

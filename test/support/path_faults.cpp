@@ -15,9 +15,9 @@ namespace pcl_spiral::test {
 
 namespace {
 
-constexpr double rounding = 1e-5; ///< mm: of contacts in single precision, a part's size from the origin
+constexpr double rounding = 1e-5; ///< mm: of contacts in single precision, at the size of a part from the origin
 
-/** How far \p p lies to the left of the line from \p a to \p b. */
+/** Distance of \p p to the left of the line from \p a to \p b. */
 double
 side(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p)
 {
@@ -25,7 +25,7 @@ side(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& 
   return e.norm() > 0.0 ? (e.x() * q.y() - e.y() * q.x()) / e.norm() : 0.0;
 }
 
-/** How far the moves \p i and \p j pass each other in the tangent plane at \p i; 0 where they do not cross.
+/** How far the moves \p i and \p j go beyond each other in the tangent plane at \p i; 0 if they do not cross.
  */
 double
 crossingDepth(const CheckedPath& path, std::size_t i, std::size_t j)

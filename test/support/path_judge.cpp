@@ -22,7 +22,7 @@ isOver(const Region& gap, const AnalyticSurface& surface, const std::vector<Stoc
   return 2 * cut > in;
 }
 
-/** The true outlines, and the gap's where the path leaves it out. */
+/** The true outlines, and the outline of the gap if the path leaves it out. */
 std::vector<Polyline>
 trueRims(const AnalyticSurface& surface, const JudgeSettings& settings, JudgedFigures& f)
 {

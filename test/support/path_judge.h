@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Every figure of a finished path over a part known exactly: heights left, length, motion, faults. Lengths
+ *  All figures of a finished path over an exact part: heights left, length, motion, faults. Lengths
  * in mm.
  */
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace pcl_spiral::test {
 
-/** What a path is judged by. */
+/** Settings for judging a path. */
 struct JudgeSettings {
   double tool_radius = 0.0, scallop_height = 0.0;
   std::size_t samples = 200000; ///< over the whole true surface
@@ -25,16 +25,16 @@ struct JudgeSettings {
   double spacing = 0.0;                        ///< of the cloud; loops within three of an outline are its rim
   double longest_move = 0.0;                   ///< longer ones are jumps, which cut nothing; 0: the tool radius
   double speed = 100.0, acceleration = 2000.0; ///< mm/s, mm/s^2
-  PlaneLoop gap;                               ///< in the chart, where the scan has no points; may be empty
+  PlaneLoop gap;                               ///< in the chart, the gap of the scan; may be empty
   int threads = 0;
 };
 
-/** What a path comes to. Heights in h, lengths in mm, radii in pitches. */
+/** The figures of a path. Heights in h, lengths in mm, radii in pitches. */
 struct JudgedFigures {
   double pitch = 0.0;                                 ///< exact step-over on the plane
   double turns = 0.0;                                 ///< largest distance from the rims in pitches
   std::size_t rims_missed = 0;                        ///< outlines that no loop follows: the true one counts
-  bool over_gap = false;                              ///< the gap is machined like the rest; else its loop counts as a rim
+  bool over_gap = false;                              ///< the gap is machined like the rest; otherwise its loop counts as a rim
   HeightFigures inside;                               ///< within the fitted rims by the margin
   HeightFigures whole;                                ///< over the whole true surface
   double length = 0.0, least = 0.0, least_true = 0.0; ///< least within the fitted rims; within the true ones
@@ -48,12 +48,12 @@ struct JudgedFigures {
 
   double lengthRatio() const { return length / least; }
   double trueRatio() const { return length / least_true; }
-  /** Machine time over that of the least length at full speed. */
+  /** Machine time divided by the time for the least length at full speed. */
   double timeRatio(const JudgeSettings& s) const { return seconds * s.speed / least; }
   std::size_t passes() const { return jumps.size() + 1; }
 };
 
-/** Judge \p path over \p surface; \p loops: the boundaries the planner found, in any order. */
+/** Judges \p path over \p surface; \p loops: the boundaries that the planner found, in any order. */
 JudgedFigures judgedPath(const AnalyticSurface& surface, const std::vector<Polyline>& loops, const CheckedPath& path,
                          const JudgeSettings& settings);
 

@@ -76,7 +76,7 @@ turningRadii(const Points& line, double pitch)
 ReversalFigures
 reversals(const Points& line, double pitch)
 {
-  constexpr std::size_t half = 10; // steps of a tenth of a pitch to either side
+  constexpr std::size_t half = 10; // steps of a tenth of a pitch to each side
   ReversalFigures f;
   const Points p = atEqualSteps(line, 0.1 * pitch);
   std::size_t turned = 0;
@@ -100,7 +100,7 @@ machineTime(const Points& line, double speed, double acceleration, double window
   constexpr std::size_t w = 3;
   const Points p = atEqualSteps(line, window / w);
   const double step = lineLength(line) / static_cast<double>(p.size() - 1);
-  const double sharpest = 0.1 * window;                 // else a fold back onto itself takes for ever
+  const double sharpest = 0.1 * window;                 // otherwise a fold back onto itself takes infinite time
   std::vector<double> squares(p.size(), speed * speed); // of the speed
   for (std::size_t i = w; i + w < p.size(); ++i)
     squares[i] = std::min(squares[i], acceleration * std::max(sharpest, circleRadius(p[i - w], p[i], p[i + w])));

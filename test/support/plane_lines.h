@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Radial lines known exactly: straight in the plane z = 0, or meridians of a sphere. Lengths in mm.
+ *  Exact radial lines: straight in the plane z = 0, or meridians of a sphere. Lengths in mm.
  */
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace pcl_spiral::test {
 
-/** A line through 129 feet; \p foot gives the one at a share of its length. */
+/** A line through 129 points; \p foot gives the point at a share of its length. */
 inline RadialLine
 lineThrough(const std::function<SurfaceFoot(double)>& foot)
 {
@@ -34,7 +34,7 @@ lineThrough(const std::function<SurfaceFoot(double)>& foot)
   return line;
 }
 
-/** Straight lines from \p start(i) to vertex i of the closed \p rim; every fourth is coarse, those between finer. */
+/** Straight lines from \p start(i) to vertex i of the closed \p rim; every fourth is coarse, the lines between are finer. */
 inline std::vector<RadialLine>
 straightLines(const std::function<Eigen::Vector3d(std::size_t)>& start, const Polyline& rim, const std::vector<std::size_t>& corners = {})
 {

@@ -34,7 +34,7 @@ decimal(const std::string& text)
   return value;
 }
 
-/** Words of a line with their values; a word is what stands before the first sign, digit or =. */
+/** Words of a line with their values; a word is the text before the first sign, digit or =. */
 std::map<std::string, double>
 wordsOf(const std::string& line, bool equals)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Readers of control programs, apart from the library's writers: one a language.
+ *  Readers of control programs, independent of the library's writers: one per language.
  */
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace pcl_spiral::test {
 
-/** One move as the control would take it. */
+/** One move as the control reads it. */
 struct ParsedMove {
   bool rapid = false;
   Eigen::Vector3d xyz = Eigen::Vector3d::Zero();
@@ -24,19 +24,19 @@ struct ParsedMove {
   double minutes = 0.0; ///< of a feed move, from its F
 };
 
-/** A program: its moves and every line that is none. */
+/** A program: its moves and all other lines. */
 struct ParsedProgram {
   std::vector<ParsedMove> moves;
   std::vector<std::string> others;
-  std::vector<std::size_t> moves_before; ///< each of the others
+  std::vector<std::size_t> moves_before; ///< for each other line
 
   bool has(const std::string& line) const;
   void addOther(const std::string& line);
-  /** How many moves stand before each of the lines that are \p line. */
+  /** Number of moves before each line equal to \p line. */
   std::vector<std::size_t> placesOf(const std::string& line) const;
 };
 
-ParsedProgram parseFanuc(const std::string& file); ///< reads LinuxCNC's too
+ParsedProgram parseFanuc(const std::string& file); ///< also reads LinuxCNC programs
 ParsedProgram parseSiemens(const std::string& file);
 ParsedProgram parseHeidenhain(const std::string& file);
 

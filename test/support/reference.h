@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Clouds and paths on exact surfaces, as the judging classes take them.
+ *  Clouds and paths on exact surfaces, for the classes that check paths.
  */
 #pragma once
 

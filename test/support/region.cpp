@@ -12,7 +12,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr std::size_t bucket_count = 1024;
 
-/** Abscissa at which the edge a-b meets the row v, for edges that span it (half open). */
+/** Abscissa where the edge a-b meets the row v, for edges that cross it (half open). */
 bool
 crossing(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double v, double& x)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Regions of the plane bounded by closed outlines, the parameter domains of the test surfaces.
+ *  Regions of the plane inside closed outlines, the parameter domains of the test surfaces.
  */
 #pragma once
 
@@ -16,7 +16,7 @@ namespace pcl_spiral::test {
 /** A closed outline in the plane; the first vertex is not repeated. */
 using PlaneLoop = std::vector<Eigen::Vector2d>;
 
-/** The inside of a first, outer loop less the insides of the others. */
+/** The inside of the first, outer loop without the insides of the others. */
 class Region {
 public:
   Region() = default;

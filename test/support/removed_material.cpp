@@ -69,7 +69,7 @@ figures(const AnalyticSurface& surface, const CheckedPath& path, const std::vect
   return f;
 }
 
-/** The \p count samples of the most stock, most first. */
+/** The \p count samples with the most stock, largest first. */
 std::vector<StockSample>
 highest(std::vector<StockSample> samples, std::size_t count)
 {
@@ -98,7 +98,7 @@ besidePath(const AnalyticSurface& surface, const CheckedPath& path, const StockF
   return samples;
 }
 
-/** Deepest penetration of the ball along the moves: R less the distance of its centre to the surface. */
+/** Deepest penetration of the ball along the moves: R minus the distance of its centre to the surface. */
 Place
 deepestAlongPath(const AnalyticSurface& surface, const CheckedPath& path, const MoveTree& tree, double radius, int threads)
 {

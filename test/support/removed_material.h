@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What a ball cutter leaves and what it takes too much, against an exact surface. Lengths in mm.
+ *  Stock and gouges of a ball cutter, against an exact surface. Lengths in mm.
  */
 #pragma once
 
@@ -15,7 +15,7 @@ namespace pcl_spiral::test {
 struct RemovalSettings {
   double tool_radius = 0.0;
   double scallop_height = 0.0;
-  std::size_t samples = 100000; ///< by area, ridge searched at each
+  std::size_t samples = 100000; ///< by area; the ridge is searched at each sample
   std::uint64_t seed = 1;
   int threads = 0; ///< 0: all
 };
@@ -31,19 +31,19 @@ struct StockFigures {
 
 struct RemovalFigures {
   StockFigures stock; ///< at the samples themselves, farther than the band from the outline
-  StockFigures ridge; ///< highest within the pitch about each sample; max also searches along the path
+  StockFigures ridge; ///< highest within the pitch round each sample; max also searches along the path
   StockFigures rim;   ///< at the samples within the band
   Place gouge;        ///< deepest, anywhere
   double band = 0.0;  ///< width left out at the outline: the largest exact step-over on the surface
 };
 
-/** Sweep the ball along the linear moves of its centre (contact + R normal) and measure at exact surface
+/** Sweeps the ball along the linear moves of its centre (contact + R normal) and measures at exact surface
  * samples.
  *
  *  Stock at x is the smallest t at which x + t n enters the swept solid, a union of capsules. Cusps are
- * V-shaped, so from every sample the top of the ridge is searched across the feed. A gouge is where x lies
- * within; the deepest penetration of a ball at centre q is R less the distance of q to the surface, and is
- * sought along every move too.
+ * V-shaped, so from every sample the top of the ridge is searched across the feed. A gouge is where x is
+ * inside; the deepest penetration of a ball at centre q is R minus the distance of q to the surface, and is
+ * also searched along every move.
  */
 RemovalFigures removedMaterial(const AnalyticSurface& surface, const CheckedPath& path, const RemovalSettings& settings);
 

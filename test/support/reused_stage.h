@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A stage used again: clouds of other sizes, other point types, indices, no cloud at all. Never an answer of before.
+ *  A stage used again: clouds of other sizes, other point types, indices, no cloud. It must never give an earlier result.
  */
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace pcl_spiral::test {
 
-using Values = std::vector<double>; ///< what a run gave, in numbers that do not name points by index
+using Values = std::vector<double>; ///< the result of a run, in numbers that are not indices of points
 
 constexpr double dome_radius = 80.0, dome_height = 45.0;
 
@@ -53,7 +53,7 @@ fresh(const std::vector<Eigen::Vector3d>& points)
   return stage.run();
 }
 
-/** \p Stage is one adaptor a class: run computes and gives numbers, none on failure. Outputs are kept from run to run. */
+/** \p Stage is one adaptor per class: run computes and returns numbers, none on failure. Outputs are kept between runs. */
 template <template <typename> class Stage>
 void
 checkReuse(const char* name)
@@ -79,7 +79,7 @@ checkReuse(const char* name)
   EXPECT_FALSE(stage.getStatus().ok());
   EXPECT_EQ(run(cloudOf<Point>(small)), of_small) << "after a failure";
 
-  // The points of a larger cloud that are those of the small one.
+  // The points of a larger cloud that are also in the small cloud.
   std::vector<Eigen::Vector3d> both = large;
   both.insert(both.end(), small.begin(), small.end());
   pcl::IndicesPtr indices(new pcl::Indices);
@@ -88,7 +88,7 @@ checkReuse(const char* name)
   Stage<Point> chosen;
   chosen.setInputCloud(cloudOf<Point>(both));
   chosen.setIndices(indices);
-  if (std::string(name) != "CentroidBoundaryEstimation") // where the others serve as support, as PCL has it
+  if (std::string(name) != "CentroidBoundaryEstimation") // where the other points are support, as in PCL
     EXPECT_EQ(chosen.run(), of_small) << "by indices";
   else
     EXPECT_EQ(chosen.run().size(), small.size());

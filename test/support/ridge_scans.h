@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Full scans of ridges that are known exactly.
+ *  Full scans of exact ridges.
  */
 #pragma once
 
@@ -11,11 +11,11 @@
 
 namespace pcl_spiral::test {
 
-/** One point anywhere in each cell of \p along by \p across, each coordinate moved by normal noise. */
+/** One random point in each cell of \p along by \p across, each coordinate moved by Gaussian noise. */
 std::vector<Eigen::Vector3d> scanOf(const ExactRidge& ridge, int along, int across, double noise, std::uint64_t seed);
 
-/** Rough points of the die ridge: 3 mm to one side of its crest and 3 mm to the other in turn, so that lines between them run 10 degrees
- *  and more off it. */
+/** Rough points of the die ridge: alternately 3 mm to one side of its crest and 3 mm to the other, so that lines between them are at 10
+ *  degrees and more to it. */
 std::vector<Eigen::Vector3d> roughPointsOfDie(const ExactRidge& die);
 
 } // namespace pcl_spiral::test

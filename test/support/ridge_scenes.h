@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Ridges to be drawn, and what is looked for in their pictures.
+ *  Ridges to draw, and places to check in their pictures.
  */
 #pragma once
 
@@ -18,7 +18,7 @@
 namespace pcl_spiral::test {
 
 constexpr double degree = M_PI / 180.0;
-constexpr int part_end = 1180; ///< column of pixels; words stand right of it
+constexpr int part_end = 1180; ///< column of pixels; text is right of it
 
 inline RidgeScene
 sceneOf(const Polyline& rail, const Polyline& generator)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Ridges known exactly: a generator along a rail, by their formulas and a frame solved by bisection.
+ *  Exact ridges: a generator along a rail, by formulas and a frame solved by bisection.
  */
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace pcl_spiral::test {
 
-/** Parameters run from 0 to 1, and a little beyond. */
+/** Parameters are from 0 to 1, and a little beyond. */
 struct ExactRidge {
   std::function<Eigen::Vector3d(double)> rail;
   std::function<Eigen::Vector3d(double)> generator; ///< along tangent, chord and up
@@ -30,11 +30,11 @@ struct ExactRidge {
   double distance(const Eigen::Vector3d& p) const;
 
   std::vector<Eigen::Vector3d> railPoints(std::size_t count) const;
-  /** Of the generator where it is measured. */
+  /** Points of the generator where it is measured. */
   std::vector<Eigen::Vector3d> generatorPoints(double measured_at, std::size_t count) const;
 };
 
-/** Of a press die: 600 mm long, 24 wide. */
+/** Ridge of a press die: 600 mm long, 24 wide. */
 ExactRidge dieRidge();
 
 /** A closed ring of radius \p radius about +Z with the generator (b, c). */
@@ -43,7 +43,7 @@ ExactRidge ringRidge(double radius, std::function<Eigen::Vector3d(double)> gener
 /** One turn of a helix about +Z. */
 ExactRidge helixRidge(double radius, double slope, std::function<Eigen::Vector3d(double)> generator, double theta);
 
-/** Each coordinate of the points moved by normal noise. */
+/** The points, each coordinate moved by Gaussian noise. */
 std::vector<Eigen::Vector3d> moved(std::vector<Eigen::Vector3d> points, double sigma, std::uint64_t seed);
 
 } // namespace pcl_spiral::test

@@ -18,7 +18,7 @@
 
 namespace pcl_spiral::test {
 
-/** Random numbers from mt19937_64 by formulas of our own: the standard distributions differ between
+/** Random numbers from mt19937_64 with own formulas: the standard distributions differ between
  * libraries. */
 class Random {
 public:
@@ -34,7 +34,7 @@ private:
   std::mt19937_64 engine_;
 };
 
-/** Points of a surface with the exact normals there. */
+/** Points of a surface with exact normals. */
 struct Sampled {
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::Vector3d> normals;
@@ -47,7 +47,7 @@ Sampled sampleUniform(const AnalyticSurface& surface, std::size_t count, std::ui
  * moves each point along its row by up to that share of \p along. Spacings in chart units. */
 Sampled sampleScanLines(const AnalyticSurface& surface, double along, double across, std::uint64_t seed, double jitter = 0.1);
 
-/** Move every point along its normal by a normal deviate of standard deviation \p sigma. */
+/** Moves every point along its normal by Gaussian noise of standard deviation \p sigma. */
 void addNoise(Sampled& sampled, double sigma, std::uint64_t seed);
 
 /** A random order of 0 .. n-1. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What a build with sanitizers cannot tell.
+ *  Whether a build has sanitizers, and so cannot check some limits.
  */
 #pragma once
 
@@ -12,8 +12,8 @@
 #endif
 #endif
 
-/** Whether AddressSanitizer or ThreadSanitizer is built in. Both hold several times the memory of a program, keep what it
- *  frees, map terabytes of addresses and slow it down: limits of memory and of time are not judged under them. */
+/** Whether AddressSanitizer or ThreadSanitizer is built in. Both need several times the memory of a program, keep freed
+ *  memory, map terabytes of addresses and slow the program down: limits of memory and time are not checked with them. */
 #ifdef PCL_SPIRAL_TESTS_SANITIZED
 constexpr bool sanitized = true;
 #else

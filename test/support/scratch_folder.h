@@ -12,7 +12,7 @@
 #include <iterator>
 #include <string>
 
-/** Makes an empty folder and removes it with all that is in it. */
+/** Makes an empty folder, and removes it with its content. */
 class ScratchFolder {
 public:
   ScratchFolder()
@@ -31,7 +31,7 @@ public:
 
   const std::filesystem::path& root() const { return root_; }
   std::string path(const std::string& name) const { return (root_ / name).string(); }
-  /** Entries, hidden ones too. */
+  /** Number of entries, with hidden ones. */
   std::size_t count() const
   {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(root_), std::filesystem::directory_iterator()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Triangles under a cutter, and their highest by search.
+ *  Triangles under a cutter, and the height of the cutter on them by search.
  */
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace pcl_spiral::test {
 
-/** The largest of a concave function on [0, 1]. */
+/** The maximum of a concave function on [0, 1]. */
 template <typename Function>
 double
 largest(const Function& f)
@@ -35,7 +35,7 @@ largest(const Function& f)
   return best;
 }
 
-/** Height at which the cutter stands on a triangle seen along its axis, by golden section within golden section; beyond the
+/** Height of the cutter on a triangle seen along its axis, by golden section inside golden section; beyond the
  *  cutter the profile rises steeply instead of ending. */
 inline double
 searched(const Eigen::Matrix3d& c, const CutterProfile& cutter, double steep)
@@ -51,7 +51,7 @@ searched(const Eigen::Matrix3d& c, const CutterProfile& cutter, double steep)
   });
 }
 
-/** Corners at random about a cutter of radius \p R: of any size, some level, upright, thin, or about the axis. */
+/** Random corners round a cutter of radius \p R: of any size, some level, upright, thin, or round the axis. */
 inline Eigen::Matrix3d
 randomTriangle(double R, Random& random)
 {

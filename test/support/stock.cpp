@@ -19,7 +19,7 @@ StockSample
 StockField::at(const Eigen::Vector3d& x) const
 {
   const Eigen::Vector3d n = surface_.normal(x);
-  // A short ray is quick; one that starts within the cut is cast anew from deeper.
+  // A short ray is fast; a ray that starts inside the cut is repeated from deeper.
   const double start = 0.2 * h_;
   MoveTree::Entry entry = tree_.entry(x, n, radius_, start, 20.0 * h_);
   if (entry.met && entry.t <= -start)

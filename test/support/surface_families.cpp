@@ -60,7 +60,7 @@ private:
   Ground g_;
 };
 
-/** The ellipsoid x^2/a^2 + y^2/c^2 + z^2/b^2 = 1, c infinite for a cylinder; sign -1 turns the normals
+/** The ellipsoid x^2/a^2 + y^2/c^2 + z^2/b^2 = 1, c infinite for a cylinder; with sign -1 the normals point
  * inwards. */
 class RoundSurface : public AnalyticSurface {
 public:
@@ -70,7 +70,7 @@ public:
   double value(const Eigen::Vector3d& x) const override { return 0.5 * scale_ * (x.dot(q_.cwiseProduct(x)) - 1.0); }
   Eigen::Vector3d gradient(const Eigen::Vector3d& x) const override { return scale_ * q_.cwiseProduct(x); }
   Eigen::Matrix3d hessian(const Eigen::Vector3d&) const override { return (scale_ * q_).asDiagonal().toDenseMatrix(); }
-  /** Over the plane; the upper half, or the lower for inward normals. */
+  /** The upper half over the plane, or the lower half for inward normals. */
   Eigen::Vector3d lift(const Eigen::Vector2d& u) const override
   {
     const double z = std::sqrt((1.0 - q_[0] * u.x() * u.x() - q_[1] * u.y() * u.y()) / q_[2]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Surfaces and loops of sampled clouds, as the stages get them.
+ *  Surfaces and loops of sampled clouds, as input of the stages.
  */
 #pragma once
 

@@ -9,7 +9,7 @@
 
 namespace pcl_spiral::test {
 
-/** The outlines in space, with bounding balls over runs of segments. */
+/** The outlines in space, with bounding balls round runs of segments. */
 struct AnalyticSurface::Rim {
   struct Run {
     Eigen::Vector3d centre;
@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t run_length = 32;
 
-/** The loop with no edge longer than 1/2048 of its length, its vertices kept. */
+/** The loop with its vertices and further points, no edge longer than 1/2048 of its length. */
 PlaneLoop
 subdivided(const PlaneLoop& loop)
 {

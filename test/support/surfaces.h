@@ -19,8 +19,8 @@ namespace pcl_spiral::test {
 
 /** A bounded piece of an implicit surface F = 0 with a chart (u, v) and an outline given in the chart.
  *
- *  F grows out of the material, the side the cutter is on; curvature is positive where the material is
- * convex. Positions, normals and distances are those of the whole surface, beyond the outline too.
+ *  F grows out of the material, towards the cutter; curvature is positive where the material is
+ * convex. Positions, normals and distances are those of the whole surface, also beyond the outline.
  */
 class AnalyticSurface {
 public:
@@ -43,7 +43,7 @@ public:
   /** Smallest and largest normal curvature, 1/mm. */
   std::pair<double, double> principalCurvatures(const Eigen::Vector3d& x) const;
 
-  /** A point of the surface near \p p: Newton along the gradient, F = 0 to rounding; not the closest. */
+  /** A point of the surface near \p p: Newton along the gradient, F = 0 up to rounding; not the closest point. */
   Eigen::Vector3d pulled(const Eigen::Vector3d& p) const;
   /** Closest point of the whole surface, by Newton on the Lagrange conditions, to 1e-9 mm. */
   Eigen::Vector3d closest(const Eigen::Vector3d& p) const;
@@ -51,12 +51,12 @@ public:
   double signedDistance(const Eigen::Vector3d& p) const;
 
   double area() const;
-  /** The outlines in space, the outer first, corners kept. */
+  /** The outlines in space, the outer first, with their corners. */
   const std::vector<Polyline>& outlines() const;
   /** Straight distance from \p x to the nearest outline; shorter than the distance along the surface by d^3
    * k^2 / 24. */
   double rimDistance(const Eigen::Vector3d& x) const;
-  /** Whether the point of the surface at \p x is within the outline. */
+  /** Whether the point of the surface at \p x is inside the outline. */
   bool contains(const Eigen::Vector3d& x) const { return region_.contains(chart(x)); }
 
 private:
@@ -85,9 +85,9 @@ SurfacePtr waves(std::vector<Wave> sum, Region region);
 /** Waves of 60, 38 and 25 mm on a square from the origin, slopes up to 0.43. */
 SurfacePtr landform(double size = 100.0);
 /** Upper half of the spheroid of semi-axes a, a, b down to z = 0; chart: parametric latitude from the pole
- * times a. With \p hole_radius the part nearer to the axis than that is missing. */
+ * times a. With \p hole_radius the part nearer to the axis is missing. */
 SurfacePtr spheroidCap(double a, double b, double hole_radius = 0.0);
-/** The inside of a spherical bowl, cutter within. */
+/** The inside of a spherical bowl, with the cutter inside. */
 SurfacePtr bowl(double radius = 130.0, double opening = 100.0);
 /** The outside of a sphere about the origin, over the region of the plane. */
 SurfacePtr ball(double radius, Region region);
@@ -96,7 +96,7 @@ SurfacePtr cylinder(double radius, Region region);
 /** z = x^2 / (2 rx) + y^2 / (2 ry) over the region; positive radii are concave. */
 SurfacePtr quadric(double rx, double ry, Region region);
 
-/** Ground that is flat, or waves gently, or bends as a whole. */
+/** A surface that is flat, slightly wavy, or bent as a whole. */
 struct Ground {
   double amplitude = 0.0;                  ///< mm
   double length_x = 45.0, length_y = 50.0; ///< wave lengths over 2 pi, mm
@@ -111,7 +111,7 @@ SurfacePtr ovalSaddle();
 SurfacePtr offCentreAnnulus();
 /** A kidney 240 wide on a gentle saddle. */
 SurfacePtr kidneyPatch();
-/** The same bent twice as much, with long thin ends that hardly any point sees both of. */
+/** The same bent twice as much, with long thin ends; almost no point sees both ends. */
 SurfacePtr boomerangPatch();
 /** An L of size 200, limbs 90 wide, on a gently convex surface. */
 SurfacePtr ellPatch();

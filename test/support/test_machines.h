@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Machines of every kind, with nothing at zero that can be off it.
+ *  Machines of every kind; every offset that can differ from zero does.
  */
 #pragma once
 
@@ -34,7 +34,7 @@ rotaryAxis(char letter, RotaryMount mount, const Eigen::Vector3d& direction, con
   return axis;
 }
 
-/** Two tilting tables, a swivelling head, a head over a table, a nutating head and a table that turns the
+/** Two tilting tables, a swivel head, a head over a table, a nutating head and a table that turns the
  * other way. */
 inline std::vector<Machine>
 testMachines()

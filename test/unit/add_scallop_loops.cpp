@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fields, closed loops and their tree in a user's PCLVisualizer: shapes counted, branches told apart.
+// Fields, closed loops and their tree in a user's PCLVisualizer: shapes counted, branches distinguished.
 #include <pcl_spiral/visualization/add_scallop_loops.h>
 #include <pcl_spiral/visualization/pictures.h>
 
@@ -19,7 +19,7 @@ using pcl::visualization::PCLVisualizer;
 
 namespace {
 
-/** Of a plate with two holes. */
+/** The field of a plate with two holes. */
 struct Made {
   StepOverDistance::ConstPtr field;
   ScallopLoopSet set;
@@ -94,7 +94,7 @@ TEST(AddScallopLoops, ShapesHoldWhatTheyShow)
   const Made of = made();
   ASSERT_FALSE(of.path.points.empty());
   PCLVisualizer viewer("scallop");
-  for (int twice = 0; twice < 2; ++twice) { // the second time in place of the first
+  for (int twice = 0; twice < 2; ++twice) { // the second time replaces the first
     addStepOverField(viewer, *of.field);
     addScallopLoops(viewer, of.set);
     addLoopTree(viewer, of.set.loops, of.path);
@@ -109,7 +109,7 @@ TEST(AddScallopLoops, ShapesHoldWhatTheyShow)
   EXPECT_EQ(cellsOf(viewer, "tree_joints"), static_cast<vtkIdType>(of.path.joints.size()));
   EXPECT_EQ(cellsOf(viewer, "linked_linked"), 1);
   const std::vector<std::size_t> branch = branchesOf(of.path.joints, of.set.loops.size());
-  EXPECT_GE(std::set<std::size_t>(branch.begin(), branch.end()).size(), 3u); // about two holes, beside the spiral
+  EXPECT_GE(std::set<std::size_t>(branch.begin(), branch.end()).size(), 3u); // round two holes, in addition to the spiral
 }
 
 TEST(AddScallopLoops, NothingIsShownOfNothing)

@@ -36,7 +36,7 @@ struct DomePath {
   std::vector<RadialLine> lines;
 };
 
-/** Of a dome with a hole in its scan, made once. */
+/** The path of a dome with a hole in its scan, made once. */
 const DomePath&
 dome()
 {
@@ -74,7 +74,7 @@ shape(PCLVisualizer& viewer, const std::string& id)
   return vtkPolyData::SafeDownCast(vtkActor::SafeDownCast(found->second)->GetMapper()->GetInput());
 }
 
-/** Points of each cell, whose order is the data's; a closed one ends where it began. */
+/** Points of each cell, in the order of the data; a closed cell ends where it began. */
 std::vector<std::vector<vtkIdType>>
 cells(vtkPolyData* data)
 {
@@ -93,7 +93,7 @@ place(vtkPolyData* data, vtkIdType i)
   return Eigen::Map<const Eigen::Vector3d>(data->GetPoint(i));
 }
 
-/** That cell \p ids of \p data runs through exactly these places. */
+/** Checks that cell \p ids of \p data runs through exactly these places. */
 void
 expectLine(vtkPolyData* data, const std::vector<vtkIdType>& ids, const Polyline& places, bool closed)
 {
@@ -132,7 +132,7 @@ protected:
   }
   PCLVisualizer& viewer() { return *viewer_; }
   std::size_t shapes() { return viewer_->getShapeActorMap()->size(); }
-  /** What the viewer shows, from above: 5 pixels a mm. */
+  /** The picture of the viewer from above: 5 pixels per mm. */
   vtkSmartPointer<vtkImageData> picture(const std::string& file)
   {
     vtkCamera* const camera = viewer_->getRendererCollection()->GetFirstRenderer()->GetActiveCamera();
@@ -223,7 +223,7 @@ TEST_F(AddToolpath, ThePathIsColouredByTurnAndOverGaps)
   EXPECT_GT(over_gap, 10U);
   EXPECT_NE(pixelOf(turnColor(0.0)), pixelOf(turnColor(1.0)));
 
-  pcl::PointCloud<pcl::PointXYZ> bare; // a type that knows of no turns
+  pcl::PointCloud<pcl::PointXYZ> bare; // a type without turns
   for (const ToolpathPoint& point : made.path)
     bare.emplace_back(point.x, point.y, point.z);
   ASSERT_TRUE(addToolpath(viewer(), bare));
@@ -344,7 +344,7 @@ TEST_F(AddToolpath, ThePictureShowsTheSpiral)
 
   addToolpath(viewer(), pcl::PointCloud<ToolpathPoint>(), {}, made.lines);
   const auto lines = picture(folder.path("lines.png"));
-  std::size_t crossed_pixels = 0; // of a square of 60 mm about the centre, which every line leaves
+  std::size_t crossed_pixels = 0; // of a square of 60 mm round the centre; every line leaves it
   for (int i = 0; i < 800; ++i)
     for (const auto& [x, y] : {std::pair(i, 250), {i, 549}, {250, i}, {549, i}})
       crossed_pixels += i >= 250 && i < 550 && !black(at(lines, x, y));

@@ -49,7 +49,7 @@ sphereSpiral(double step, double end_radius)
   return path;
 }
 
-/** A straight path of uneven steps with axes that lean along and across it by functions of the arc length. */
+/** A straight path of uneven steps with axes tilted along and across it by functions of the arc length. */
 template <typename Along, typename Across>
 TestPath
 straightPath(std::size_t count, double step, Along along, Across across)
@@ -141,7 +141,7 @@ TEST(SmoothAxes, NoiseFallsAsTheoryHasIt)
 
 TEST(SmoothAxes, EndsAreNatural)
 {
-  // Straight in the arc length: neither bent nor drawn level at the ends.
+  // Linear in the arc length: not bent, and not made level at the ends.
   TestPath path;
   for (int i = 0; i <= 400; ++i) {
     path.points.emplace_back(0.25 * i, 0.0, 0.0);
@@ -168,7 +168,7 @@ TEST(SmoothAxes, AStepBecomesARampWithinTheRate)
       EXPECT_GE(field.axes[i].x(), before - 1e-12) << "turns back";
       before = field.axes[i].x();
       const double off = std::abs(path.points[i].x() - 100.0);
-      if (off > 1.1 * std::atan(height) / rate) // both passes' ramps lie within
+      if (off > 1.1 * std::atan(height) / rate) // the ramps of both passes are inside
         EXPECT_LT(angleBetween(field.axes[i], path.wanted[i]), 1e-9);
     }
   }
@@ -228,7 +228,7 @@ TEST(SmoothAxes, ThroughThePoleWithoutASpin)
 
 TEST(SmoothAxes, ADentOfTheTurnsIsSmoothedAway)
 {
-  // Turns of radius 150 mm with a dent of 2 mm, 60 mm long: the feed swings by some 6 degrees, the axis with it.
+  // Turns of radius 150 mm with a dent of 2 mm, 60 mm long: the feed direction changes by about 6 degrees, and so does the axis.
   TestPath path;
   for (int i = 0; i < 6000; ++i) {
     const double angle = 2 * M_PI * i / 600.0, off = std::remainder(angle - M_PI, 2 * M_PI) * 150.0 / 15.0;
@@ -237,7 +237,7 @@ TEST(SmoothAxes, ADentOfTheTurnsIsSmoothedAway)
     path.points.push_back(300.0 * path.normals.back());
   }
   path.wanted = tiltedAxes(path.points, path.normals, 15 * degree, 0.0);
-  const auto deepest = [&](const Vectors& axes) { // fall of the angle to the pole after what it had reached
+  const auto deepest = [&](const Vectors& axes) { // decrease of the angle to the pole after its largest value
     double reached = 0.0, fall = 0.0;
     for (std::size_t i = 700; i < 5300; ++i) {
       reached = std::max(reached, angleBetween(axes[i], Vector3d::UnitZ()));
@@ -405,7 +405,7 @@ TEST(AxisField, SaysWhatIsWrong)
 
 TEST(AxisField, RefusesAnAxisInTheSurface)
 {
-  // Over a fin 4 mm wide the normal leans by 150 degrees: there is no time to follow it.
+  // Over a fin 4 mm wide the normal turns by 150 degrees: the axis cannot follow it in time.
   TestPath path = straightPath(
       100, 0.5, [](double) { return 0.0; }, [](double) { return 0.0; });
   for (std::size_t i = 50; i < 58; ++i)

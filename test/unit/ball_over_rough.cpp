@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gouges of a ball that touches the mesh where a local fit, carried on as far as the ball is wide, would lie inside the ball.
+// Gouges of a ball that touches the mesh where a local fit, extended over the width of the ball, would be inside the ball.
 #include <pcl_spiral/verify/material_removal.h>
 
 #include "support/judged_meshes.h"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double R = 20.0;
 
-/** Contact at \p p of a ball whose centre lies along \p normal. */
+/** Contact at \p p of a ball with its centre along \p normal. */
 ToolpathPoint
 touching(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, double arc_length)
 {
@@ -56,7 +56,7 @@ TEST(BallOverRough, ARippleNarrowerThanTheBallIsGougedByItsOwnHeightAlone)
   for (double x = 0.0; x < 8.0; x += 1e-4)
     nearest = std::min(nearest, std::hypot(x, R - height - ripple(x, 0.0)));
   const RemovalFigures figures = removed(heightMesh(ripple, 60.0, 60).made(), path);
-  EXPECT_NEAR(figures.gouge.value, R - nearest, 0.005); // 0.052 mm; of the fit in the hollow alone 2.3 mm
+  EXPECT_NEAR(figures.gouge.value, R - nearest, 0.005); // 0.052 mm; only from the fit in the hollow 2.3 mm
 }
 
 TEST(BallOverRough, ABallRolledOverTheRimGougesNothing)

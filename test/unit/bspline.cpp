@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/** Cox-de Boor by its definition. */
+/** The definition of Cox and de Boor. */
 double
 basisByDefinition(const std::vector<double>& t, std::size_t i, int degree, double u)
 {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CentroidBoundaryEstimation over a base class that keeps a number of threads of its own, as PCL's does from 2026 on.
+// CentroidBoundaryEstimation over a base class with its own number of threads, as in PCL from 2026 on.
 #include <pcl/features/boundary.h>
 #include <pcl/point_types.h>
 
-/** A point type for which the base class is the one below. */
+/** A point type with the base class below. */
 struct NewPoint {
   PCL_ADD_POINT4D;
 };
 POINT_CLOUD_REGISTER_POINT_STRUCT(NewPoint, (float, x, x)(float, y, y)(float, z, z))
 
-/** What CentroidBoundaryEstimation uses of the base, with setNumberOfThreads, which is not virtual. */
+/** The part of the base that CentroidBoundaryEstimation uses, with setNumberOfThreads, which is not virtual. */
 template <>
 class pcl::BoundaryEstimation<NewPoint, pcl::Normal, pcl::Boundary> : public pcl::FeatureFromNormals<NewPoint, pcl::Normal, pcl::Boundary> {
 public:

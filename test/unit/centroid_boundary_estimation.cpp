@@ -60,9 +60,9 @@ sectorEvidence(double angle)
 }
 
 struct Marks {
-  double recall = 0.0;    ///< of the points within half a spacing of the edge
+  double recall = 0.0;    ///< share found of the points within half a spacing of the edge
   double inside = 0.0;    ///< share marked beyond 4 spacings from it
-  double precision = 0.0; ///< share of the marked within 2 spacings of it
+  double precision = 0.0; ///< share of the marked points within 2 spacings of the edge
 };
 
 Marks
@@ -326,9 +326,9 @@ TEST(CentroidBoundaryEstimation, SaysWhatIsWrong)
   EXPECT_EQ(codeOf([](Estimation& e) { e.setNumberOfThreads(-1); }), argument);
   Estimation same;
   same.setInputCloud(cloud);
-  same.setSearchSurface(cloud); // the input itself is no other surface
+  same.setSearchSurface(cloud); // the input itself does not count as another surface
   same.setInputNormals(upwards(cloud->size()));
-  same.setKSearch(500); // more than there are
+  same.setKSearch(500); // more than the cloud has
   pcl::PointCloud<pcl::Boundary> out;
   same.compute(out);
   EXPECT_TRUE(same.getStatus().ok());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A column that hides a part of itself from every side, driven by a helix on its cylinder: covered whole, and its
-// rotary axes calmer than with the normals of local planes on the same path.
+// A column of which every side hides a part, machined by a helix on its cylinder: it is covered completely, and the
+// rotary axes move less than with the normals of local planes on the same path.
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/drive/drive_path.h>
 #include <pcl_spiral/machine/impl/rotary_path.h>
@@ -72,7 +72,7 @@ helix(const Cloud::ConstPtr& cloud, DriveAxisMode mode)
   return passes;
 }
 
-/** Largest step of an axis between neighbouring points, and how much the steps vary in all. */
+/** Largest step of an axis between neighbouring points, and the total variation of the steps. */
 struct Calm {
   double largest = 0.0, variation = 0.0;
 };
@@ -125,7 +125,7 @@ TEST(ColumnDrive, HelixCoversTheWholeSurfaceWithoutAGouge)
   ASSERT_EQ(passes.size(), 1U);
   EXPECT_EQ(location.getBisectionFigures().unresolved, 0U);
 
-  // The ball's middle goes straight from location to location: each place of the surface against the moves near it.
+  // The ball's centre moves on a line from location to location: each place of the surface against the moves near it.
   std::vector<Vector3d> middles;
   for (const ToolLocation& l : passes[0])
     if (l.state != LocationState::NoCloud)
@@ -144,7 +144,7 @@ TEST(ColumnDrive, HelixCoversTheWholeSurfaceWithoutAGouge)
       nearest = std::min(nearest, (p - a - t * d).norm());
     }
     uncut = std::max(uncut, nearest - radius);
-    if (z > 1.0 && z < height - 1.0) // the last points stand up to a spacing and a half inside the end
+    if (z > 1.0 && z < height - 1.0) // the last points are up to a spacing and a half inside the end
       cut = std::min(cut, nearest - radius);
   }
   // A ridge between turns: step^2 / 8 (1 / R + 1 / rho) on the most convex lobe along the column's axis.

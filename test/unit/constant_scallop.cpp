@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SpiralMethod::ConstantScallop through the generator: what is left, which way it goes, what it refuses.
+// SpiralMethod::ConstantScallop with the generator: material left, direction of travel, refusals.
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include "support/outline_loops.h"
@@ -49,7 +49,7 @@ checked(const Path& path)
   return result;
 }
 
-/** Twice the area that the last tenth of an inward path, or the first of an outward one, goes round, by sign. */
+/** Twice the signed area inside the last tenth of an inward path, or the first tenth of an outward path. */
 double
 turning(const Path& path)
 {
@@ -88,7 +88,7 @@ TEST(ConstantScallop, CoversAPartWithTwoHolesInOnePath)
   EXPECT_EQ(figures.rims_missed, 0u);
   EXPECT_TRUE(figures.crossings.empty());
   EXPECT_EQ(figures.passes(), 1u);
-  EXPECT_LT(figures.lengthRatio(), 1.12); // some twelve turns
+  EXPECT_LT(figures.lengthRatio(), 1.12); // about twelve turns
   EXPECT_NEAR(generator.getReport().least_length, figures.least, 0.02 * figures.least);
 }
 
@@ -111,7 +111,7 @@ TEST(ConstantScallop, GoesTheWayAskedFor)
     }
 }
 
-/** Not every place of the rim can be reached from the loops inside: then the nearest that can, and a warning. */
+/** Not every place of the rim can be reached from the loops inside: then the nearest reachable place is used, with a warning. */
 TEST(ConstantScallop, BeginsAtTheRimNearThePlaceAskedFor)
 {
   const auto off = [](const std::optional<Vector3d>& asked, const Vector3d& place, bool& warned) {
@@ -137,7 +137,7 @@ TEST(ConstantScallop, BeginsAtTheRimNearThePlaceAskedFor)
   }
 }
 
-/** A bridge from the rim's loop to the next: places looked at beyond the rim pulled the path out of the part. */
+/** A bridge from the rim's loop to the next. An earlier fault: places beyond the rim pulled the path out of the part. */
 TEST(ConstantScallop, NothingIsPulledBeyondTheRim)
 {
   const PlaneLoop waist{{-38, -18}, {-8, -18}, {-8, -2}, {8, -2}, {8, -18}, {38, -18},
@@ -148,7 +148,7 @@ TEST(ConstantScallop, NothingIsPulledBeyondTheRim)
   generator.compute(path);
   ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
   for (const ToolpathPoint& p : path)
-    if (std::abs(p.x) > 11.0 && std::abs(p.x) < 35.0) // beside straight sides the outline is known well
+    if (std::abs(p.x) > 11.0 && std::abs(p.x) < 35.0) // at straight sides the outline is accurate
       ASSERT_LT(std::abs(p.y), 18.4) << p.x;
 }
 

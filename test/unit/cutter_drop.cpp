@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cutters brought down on points and on height models, against brute force.
+// Cutters moved down onto points and height models, against brute force.
 #include "core/model_touch.h"
 #include "core/sampling_gap.h"
 #include <pcl_spiral/cutter/impl/cutter_drop.h>
@@ -36,7 +36,7 @@ publishedHeight(const CutterShape& s, double l)
   return r - r * std::sin(a) + (l - r1) / std::tan(a);
 }
 
-/** As the method is published: over all points, no search. */
+/** The published method: over all points, without a search. */
 double
 highestTip(const std::vector<Eigen::Vector3f>& points, const CutterShape& cutter, const Vector3d& through, const Vector3d& axis)
 {
@@ -145,7 +145,7 @@ TEST(ModelTouch, FindsTheFirstTouchOfEveryQuadraticThatTheCutterFits)
     HeightModel model;
     model.at = R * Vector2d(random.uniform(-0.7, 0.7), random.uniform(-0.7, 0.7));
     model.slope = Vector2d(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5));
-    // Convex, level or a saddle, never more hollow than the cutter is round: concave sum, so one maximum.
+    // Convex, level or a saddle, never with a smaller radius than the cutter: a concave sum, so one maximum.
     const double hollow = shape.flank_angle == 0.0 && shape.corner_radius == R ? 0.5 / R : 0.0;
     const double t = random.uniform(0.0, M_PI);
     const Eigen::Matrix2d turn = Eigen::Rotation2Dd(t).toRotationMatrix();
@@ -162,7 +162,7 @@ TEST(ModelTouch, FindsTheFirstTouchOfEveryQuadraticThatTheCutterFits)
   }
 }
 
-// Cutters on planes and spheres known at the points of a square grid alone, turned and shifted at random.
+// Cutters on planes and spheres known only at the points of a square grid, turned and shifted at random.
 TEST(SamplingGap, BoundsWhatCuttersSinkOnAGrid)
 {
   Random random(5);
@@ -200,7 +200,7 @@ TEST(SamplingGap, BoundsWhatCuttersSinkOnAGrid)
     close += -drop.height > 0.3 * bound;
   }
   EXPECT_GT(bounded, 1800);
-  EXPECT_GT(close, 100); // a bound far off everything says nothing
+  EXPECT_GT(close, 100); // a bound far from all heights would check nothing
 }
 
 TEST(SamplingGap, IsTheDesignsFigureOnALevelGrid)

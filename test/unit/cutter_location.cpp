@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The class CutterLocation: what must not change its output, and what it refuses.
+// The class CutterLocation: changes that must not change its output, and refusals.
 #include <pcl_spiral/cutter/cutter_location.h>
 
 #include "support/located.h"
@@ -37,7 +37,7 @@ TEST(CutterLocation, MovesWithThePart)
       same += (run.locations[i].tip - motion * still.locations[i].tip).norm() < 3e-5;
       EXPECT_EQ(run.locations[i].state, still.locations[i].state);
     }
-    EXPECT_GT(same, 98 * drive.size() / 100); // the others near the rim, or at the edge of trusting a fit
+    EXPECT_GT(same, 98 * drive.size() / 100); // the others are near the rim, or where a fit is just not accepted
   }
 }
 

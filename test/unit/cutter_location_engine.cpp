@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Locations of cutters on clouds of known surfaces: exact on planes and spheres, free of gouge, honest where
+// Cutter locations on clouds of known surfaces: exact on planes and spheres, without gouges, with correct states where
 // the scan ends.
 #include <pcl_spiral/cutter/cutter_location.h>
 
@@ -14,7 +14,7 @@ using namespace pcl_spiral;
 using namespace pcl_spiral::test;
 using Eigen::Vector3d;
 
-// The published case, and every other cutter: axis off the plane's normal, the tip known in closed form.
+// The published case, and every other cutter: axis not along the plane's normal, the tip in closed form.
 TEST(CutterLocation, IsExactOnATiltedPlane)
 {
   const SurfacePtr plane = flat(Region({rectangle(30.0, 30.0)}));
@@ -31,7 +31,7 @@ TEST(CutterLocation, IsExactOnATiltedPlane)
     const Located run = located(cloud, shape, drive);
     EXPECT_EQ(run.figures.count(LocationBasis::FittedSurface), drive.size());
     for (std::size_t i = 0; i < drive.size(); ++i) {
-      // Down the axis until it touches: tip = P + s v, where the touch with the plane is that of locate().
+      // Down the axis to the contact: tip = P + s v, with the contact of locate() on the plane.
       const Vector3d n = motion.linear() * Vector3d::UnitZ(), v = drive[i].axis;
       const CutterContact c = cutter.locate(Vector3d::Zero(), n, v);
       const double s = (c.tip - drive[i].position).dot(n) / v.dot(n);
@@ -42,7 +42,7 @@ TEST(CutterLocation, IsExactOnATiltedPlane)
   }
 }
 
-// A ball over a sphere, the axis off its middle by l: the ball's centre stands sqrt((rho + R)^2 - l^2) high.
+// A ball over a sphere, the axis at l from its centre: the ball's centre is sqrt((rho + R)^2 - l^2) high.
 TEST(CutterLocation, ABallOnASphereStandsWhereItShould)
 {
   const double rho = 10.0, R = 2.0; // small, for single precision
@@ -65,7 +65,7 @@ TEST(CutterLocation, ABallOnASphereStandsWhereItShould)
     ASSERT_LE(expected - points.locations[i].tip.z(), points.locations[i].gap_bound + 1e-5);
   }
   EXPECT_LT(worst, 1e-6);
-  EXPECT_GT(worst_points, 100.0 * worst); // what evaluation on the surface is for
+  EXPECT_GT(worst_points, 100.0 * worst); // the reason for evaluation on the surface
   RecordProperty("fitted", std::to_string(worst));
   RecordProperty("points", std::to_string(worst_points));
 }
@@ -95,7 +95,7 @@ TEST(CutterLocation, ABallTooLargeForABowlIsLiftedByWhatItMisses)
   const Located large = located(cloud, CutterShape::ball(R), {{Vector3d::Zero(), Vector3d::UnitZ(), Vector3d::UnitZ()}});
   const ToolLocation& location = large.locations[0];
   EXPECT_EQ(location.state, LocationState::Lifted);
-  // The ball rests on both sides, at x^2 = R^2 - a^2: its centre is R^2 / (2 a) + a / 2 high.
+  // The ball touches both sides, at x^2 = R^2 - a^2: its centre is R^2 / (2 a) + a / 2 high.
   EXPECT_NEAR(location.lift, R * R / (2.0 * bowl_radius) + 0.5 * bowl_radius - R, 1e-3);
   EXPECT_NEAR(std::abs(location.contact.x()), std::sqrt(R * R - bowl_radius * bowl_radius), 0.05);
   const Located small = located(cloud, CutterShape::ball(5.0), {{Vector3d::Zero(), Vector3d::UnitZ(), Vector3d::UnitZ()}});
@@ -139,7 +139,7 @@ TEST(CutterLocation, AHoleInTheScanIsNoPlaceToSinkInto)
   const Vector3d up = Vector3d::UnitZ();
   const Located run = located(cloud, CutterShape::ball(8.0), {{{0, 0, 0}, up, up}, {{0, 0, 0}, up, Vector3d::Zero()}});
   EXPECT_EQ(run.locations[0].state,
-            LocationState::Clear); // left on the contact, since the hole tells nothing
+            LocationState::Clear); // stays on the contact, because there are no points in the hole
   EXPECT_NEAR(run.locations[0].tip.z(), 0.0, 1e-9);
   EXPECT_TRUE(run.locations[0].over_rim);
   EXPECT_EQ(run.locations[1].state, LocationState::Touching);
@@ -147,7 +147,7 @@ TEST(CutterLocation, AHoleInTheScanIsNoPlaceToSinkInto)
   EXPECT_TRUE(run.locations[1].over_rim);
 }
 
-// A column that no plane shows whole: round about its axis, driven from a helix with radial axes.
+// A column that no plane shows completely: machined all round along a helix with radial axes.
 TEST(CutterLocation, AColumnIsFollowedAllRound)
 {
   const double R = 5.0;
@@ -164,10 +164,10 @@ TEST(CutterLocation, AColumnIsFollowedAllRound)
   const Located run = located(toCloud(points), CutterShape::ball(R), drive);
   EXPECT_EQ(run.figures.count(LocationBasis::FittedSurface), drive.size());
   for (std::size_t i = 0; i < drive.size(); ++i) {
-    double expected = 0.0; // in the plane through the axis, the column being round across it
+    double expected = 0.0; // in the plane through the axis; across it the column is round
     for (double d = -R; d <= R; d += 1e-3)
       expected = std::max(expected, radius(drive[i].position.z() + d) - R + std::sqrt(R * R - d * d));
-    ASSERT_NEAR(run.locations[i].tip.head<2>().norm(), expected, 2e-3) << i; // what quadrics leave of it
+    ASSERT_NEAR(run.locations[i].tip.head<2>().norm(), expected, 2e-3) << i; // the error of the quadrics
     ASSERT_NEAR(run.locations[i].tip.head<2>().normalized().dot(drive[i].axis.head<2>()), 1.0, 1e-9);
   }
 }
@@ -212,7 +212,7 @@ TEST(CutterLocation, NoPointOfTwentyFreeFormCloudsLiesInTheCutter)
         const double depth = deepest(points, cutter, location);
         if (evaluation != Evaluation::FittedSurface) // on the points, or above
           ASSERT_LT(depth, 1e-9) << k;
-        else { // below a point by what its noise allows, and no more than it says
+        else { // below a point by at most the allowance for noise
           const double share = location.normal.isZero(0.0) ? 1.0 : std::max(0.2, location.normal.dot(location.axis));
           ASSERT_LT(depth, run.figures.noise_allowance / share + 1e-9) << k;
           ASSERT_NEAR(depth, std::max(0.0, -location.gap) - std::max(0.0, location.gap), 1e-6) << k;
@@ -225,7 +225,7 @@ TEST(CutterLocation, NoPointOfTwentyFreeFormCloudsLiesInTheCutter)
   EXPECT_LT(worst, 0.05); // five times the noise
 }
 
-// On the surface itself, which the points only sample: a cutter located on the fit does not sink into it.
+// On the surface itself, which the points only sample: a cutter located on the fit does not go into it.
 TEST(CutterLocation, TheTrueSurfaceIsNotCutInto)
 {
   const SurfacePtr part = quadric(90.0, -60.0, Region({circle({0, 0}, 30.0)}));
@@ -241,7 +241,7 @@ TEST(CutterLocation, TheTrueSurfaceIsNotCutInto)
       const double depth = deepest(dense, cutter, points.locations[i]);
       sunk_points = std::max(sunk_points, depth);
       ASSERT_LE(depth, points.locations[i].gap_bound + 1e-5);
-      // It stands off these points as far as it would sink between them.
+      // Its distance from these points is the depth it would have between them.
       ASSERT_GT(deepest(dense, cutter, fitted.locations[i]), shape.corner_radius > 0.0 ? -0.01 : -0.08);
     }
     EXPECT_LT(sunk, 1e-4) << shape.radius << ' ' << shape.corner_radius << ' ' << shape.flank_angle;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The swept ball, its index and the ridge search, against trying every move and against exact peaks.
+// The swept ball, its index and the ridge search, against a check of every move and against exact peaks.
 #include <pcl_spiral/search/impl/move_index.h>
 #include <pcl_spiral/verify/impl/cutter_sweep.h>
 
@@ -58,7 +58,7 @@ TEST(BallSweep, EntersWhereTheSegmentComesWithinTheRadius)
     const bool met = sweep.enter(0, x, n, 0.5, t);
     entered += met && t > -0.5 ? 1 : 0;
     EXPECT_EQ(met, t < 4.0);
-    for (double s = -0.5; s < 4.0; s += 0.01) { // outside all the way, inside just after
+    for (double s = -0.5; s < 4.0; s += 0.01) { // outside up to there, inside just after
       const double d = one.nearest(x + s * n).first;
       if (std::abs(d - 1.0) < 1e-6)
         continue;
@@ -102,7 +102,7 @@ TEST(MoveIndex, AgreesWithTryingEveryMove)
   Polyline points;
   for (int i = 0; i < 600; ++i)
     points.push_back(Eigen::Vector3d(random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-3, 3)));
-  for (int i = 0; i < 600; ++i) // and short moves beside the long ones
+  for (int i = 0; i < 600; ++i) // and short moves together with the long ones
     points.push_back(points.back() + randomVector(random, 0.3));
   const double radius = 0.7, start = 0.5;
   const BallSweep sweep(points, std::vector<Eigen::Vector3d>(points.size(), Eigen::Vector3d::Zero()), radius);
@@ -155,14 +155,14 @@ TEST(HeightAbove, IsTheDistanceToTheNearestPointOfTheQuadric)
     foot.position = randomVector(random, 5.0);
     foot.normal = randomUnit(random);
     foot.direction1 = foot.normal.unitOrthogonal();
-    foot.curvature1 = random.uniform(-0.33, 0.5); // a ball of 3 fits, at times hardly
+    foot.curvature1 = random.uniform(-0.33, 0.5); // a ball of 3 fits, sometimes only just
     foot.curvature2 = random.uniform(-0.33, foot.curvature1);
     foot.valid = true;
     const Eigen::Vector3d e2 = foot.normal.cross(foot.direction1);
     const double a = random.uniform(-1.0, 1.0), b = random.uniform(-1.0, 1.0), z = random.uniform(-1.0, 3.0);
     double nearest = 1e9;
     double reach = 12.0, u0 = a, v0 = b;
-    for (int round = 0; round < 5; ++round) { // finer and finer about the best
+    for (int round = 0; round < 5; ++round) { // in finer steps round the best
       double best_u = u0, best_v = v0;
       for (int i = -60; i <= 60; ++i)
         for (int j = -60; j <= 60; ++j) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Deviation of path points from a raw cloud: faults found in their places, noise told apart, the class's manners.
+// Deviation of path points from a raw cloud: faults found at their places, separated from noise; behaviour of the class.
 #include <pcl_spiral/verify/deviation_estimation.h>
 
 #include "support/passes.h"
@@ -120,7 +120,7 @@ TEST(DeviationEstimation, ReversedNormalsAreToldAndPlaced)
   Measured m = measured(sampleUniform(*surface, 20000, 1), path);
   EXPECT_EQ(m.figures.opposed, 1u);
   EXPECT_EQ(m.figures.first_opposed.index, 123u);
-  EXPECT_EQ(m.figures.inward_axes, 1u); // the axis is that of the normal
+  EXPECT_EQ(m.figures.inward_axes, 1u); // the axis is on the side of the normal
   EXPECT_EQ(m.figures.warnings.size(), 2u);
   path.normals[123] *= -1.0;
   for (Eigen::Vector3d& n : path.normals)
@@ -140,7 +140,7 @@ TEST(DeviationEstimation, NoiseIsMeasuredAndWhatItHidesIsSaid)
   addNoise(scan, sigma, 7);
   const Measured m = measured(scan, path, 0.005);
   EXPECT_NEAR(m.figures.noise, sigma, 0.05 * sigma);
-  // The path lies on the exact surface: all its deviation is noise of the fit, as foretold.
+  // The path is on the exact surface: all its deviation is noise of the fit, as predicted.
   EXPECT_NEAR(m.figures.rms, m.figures.fit_noise, 0.25 * m.figures.fit_noise);
   ASSERT_EQ(m.figures.warnings.size(), 1u);
   EXPECT_NE(m.figures.warnings[0].find("chord error asked for, 0.005"), std::string::npos);
@@ -190,14 +190,14 @@ TEST(DeviationEstimation, AGapOfTheScanIsNotJudged)
   EXPECT_LT(std::abs(m.figures.max.value), 0.002);
   ASSERT_EQ(m.figures.warnings.size(), 1u);
   EXPECT_NE(m.figures.warnings[0].find("gaps of the scan"), std::string::npos);
-  const Measured whole = measured(scan, path); // where the scan shows the place, the fault counts
+  const Measured whole = measured(scan, path); // if the scan shows the place, the fault counts
   EXPECT_EQ(whole.figures.in_gaps, 0u);
   EXPECT_NEAR(whole.figures.max.value, -0.05, 0.005);
 }
 
 TEST(DeviationEstimation, SeesWhatAPlannersFitHasSmoothedAway)
 {
-  // Waves of 0.2 mm, 15 mm long; the path lies on wide quadratic fits to the same points, which flatten them.
+  // Waves of 0.2 mm, 15 mm long; the path is on wide quadratic fits to the same points, which flatten the waves.
   const auto height = [](double x) { return 0.2 * std::sin(2.0 * M_PI * x / 15.0); };
   Random random(2);
   Sampled scan;

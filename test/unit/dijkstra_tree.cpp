@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shortest paths over edges that are given: those of the elliptic Gabriel graph.
+// Shortest paths over given edges: those of the elliptic Gabriel graph.
 #include "support/even_cloud.h"
 #include "support/surfaces.h"
 

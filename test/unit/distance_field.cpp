@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances along surfaces against exact ones: plane, sphere, cylinder, spheroid; from points and from curves.
+// Distances along surfaces against exact distances: plane, sphere, cylinder, spheroid; from points and from curves.
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
@@ -159,7 +159,7 @@ TEST(DistanceField, FromASquareInThePlane)
     const Eigen::Vector2d q = p.head<2>().cwiseAbs() - Eigen::Vector2d(40, 40);
     return q.maxCoeff() < 0.0 ? -q.maxCoeff() : q.cwiseMax(0.0).norm();
   });
-  EXPECT_LT(e.rms, 0.07); // fronts turn sharply at the corners' bisectors: wrong there by up to a spacing
+  EXPECT_LT(e.rms, 0.07); // fronts turn sharply at the bisectors of corners: the error there is up to a spacing
   EXPECT_LT(e.largest, graph.spacing());
 }
 
@@ -211,7 +211,7 @@ TEST(DistanceField, TracesArriveAndAreShort)
 
 TEST(DistanceField, TracesGoRoundACorner)
 {
-  // From one limb of an L to the other: straight to the re-entrant corner, straight on.
+  // From one limb of an L to the other: straight to the re-entrant corner, then straight again.
   const auto surface = test::flat(test::Region({test::ell(200, 90)}));
   const SurfaceGraph graph = graphOf(test::sampleUniform(*surface, 30000, 18).points);
   const Eigen::Vector2d low = surface->region().lower();
@@ -219,7 +219,7 @@ TEST(DistanceField, TracesGoRoundACorner)
   DistanceField field;
   ASSERT_TRUE(field.compute(graph, source));
   const double exact = (source - corner).norm() + (to - corner).norm();
-  EXPECT_NEAR(field.distanceAt(to), exact, 2.0 * graph.spacing()); // triangles round the corner off a little
+  EXPECT_NEAR(field.distanceAt(to), exact, 2.0 * graph.spacing()); // triangles cut the corner slightly
   const Polyline line = field.trace(to);
   ASSERT_GE(line.size(), 2u);
   EXPECT_EQ(line.front(), source);

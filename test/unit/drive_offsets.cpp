@@ -48,7 +48,7 @@ TEST(DriveOffsets, OfADiscAreCirclesOfTheRadiiAskedFor)
       turned += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
     }
     EXPECT_NEAR(turned, 2.0 * M_PI, 1e-6); // the boundary on the right
-    if (k > 0)                             // begun next to where the one before began
+    if (k > 0)                             // begins next to the start of the pass before
       EXPECT_LT((pass.points.front().position - run.passes[k - 1].points.front().position).norm(), 4.3);
   }
   EXPECT_LT(farthestFrom(run, points), 0.5 * run.report.step_over + 0.2);
@@ -69,7 +69,7 @@ TEST(DriveOffsets, OfASphericalCapKeepTheirDistanceAlongTheSurface)
 
 TEST(DriveOffsets, CoverIslandsWhereTheSurfaceParts)
 {
-  // Two squares of different size, joined by a neck: lines part there, and each part ends at its own depth.
+  // Two squares of different size, joined by a neck: lines split there, and each part ends at its own depth.
   const PlaneLoop outline = {{-40, -20}, {0, -20}, {0, -3}, {12, -3}, {12, -13}, {38, -13},
                              {38, 13},   {12, 13}, {12, 3}, {0, 3},   {0, 20},   {-40, 20}};
   const std::vector<Vector3d> points = sampleUniform(*flat(Region({outline})), 20000, 3).points;

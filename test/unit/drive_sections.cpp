@@ -46,7 +46,7 @@ TEST(DriveSections, OfASphereCapLieOnPlanesAndSurface)
       const double plane = low + (high - low) * (k + 0.5) / 24.0;
       for (const DrivePoint& p : pass.points) {
         ASSERT_NEAR(across.dot(p.position), plane,
-                    1e-5); // low and high may belong to a point off the triangulation
+                    1e-5); // low and high may be points that are not in the triangulation
         ASSERT_LT(p.position.norm(), radius + 1e-4);
         ASSERT_GT(p.position.norm(), radius - 0.02); // sag of the longest edges
         ASSERT_EQ(p.axis, Vector3d::UnitZ());
@@ -70,7 +70,7 @@ TEST(DriveSections, RunOneWayWhereAsked)
   const Driven run = driven(points, [](Drive& drive) {
     drive.setStepOver(3.0);
     drive.setZigzag(false);
-    drive.setPlaneDirection(Vector3d(-1.0, 0.0, 5.0)); // what it has along the axis does not count
+    drive.setPlaneDirection(Vector3d(-1.0, 0.0, 5.0)); // the component along the axis has no effect
   });
   EXPECT_EQ(run.passes.size(), 7u); // 20 / 3
   for (const DrivePass& pass : run.passes)
@@ -112,7 +112,7 @@ TEST(DriveSections, AreLinkedOnTheSurface)
   EXPECT_EQ(apart.report.links, 0U);
   EXPECT_EQ(run.report.links + run.passes.size(), 24U);
   EXPECT_EQ(run.report.rows_apart + 1, run.passes.size());
-  // The ends of rows on a circle are more than two step-overs apart where it bends away: the outermost two or three.
+  // The ends of the outermost two or three rows on a circle are more than two step-overs apart.
   EXPECT_GE(run.report.links, 18U);
   std::set<std::array<double, 3>> of_rows;
   for (const DrivePass& pass : apart.passes)
@@ -147,7 +147,7 @@ TEST(DriveSections, AreNotLinkedAcrossAHole)
   });
   std::printf("  %zu rows, %zu links, %zu apart\n", run.report.rows, run.report.links, run.report.rows_apart);
   EXPECT_EQ(run.report.rows, 13U);
-  EXPECT_EQ(run.report.rows_apart, 4U); // one a row across the hole, and one at the notch
+  EXPECT_EQ(run.report.rows_apart, 4U); // one for each row across the hole, and one at the notch
   EXPECT_EQ(run.report.rows_apart + 1, run.passes.size());
   EXPECT_EQ(run.report.links, 11U);
   for (const DrivePass& pass : run.passes)
@@ -182,7 +182,7 @@ TEST(DriveSections, OfAClosedColumnAreRings)
     const double a = random.uniform(0.0, 2.0 * M_PI);
     points.emplace_back(15.0 * std::cos(a), random.uniform(-20.0, 20.0), 15.0 * std::sin(a));
   }
-  const Driven run = driven(points, [](Drive& drive) { // planes across the column, the tool axis in them
+  const Driven run = driven(points, [](Drive& drive) { // planes across the column that contain the tool axis
     drive.setStepOver(4.0);
     drive.setPlaneDirection(0.0);
   });
@@ -191,7 +191,7 @@ TEST(DriveSections, OfAClosedColumnAreRings)
     EXPECT_TRUE(pass.closed);
     EXPECT_LE(largestStep(pass), 1.0 + 1e-9);
     EXPECT_NEAR(pass.points.size(), 2.0 * M_PI * 15.0, 2.0);
-    EXPECT_LT(pass.points.front().position.x(), -14.5); // begun where it begins along the passes
+    EXPECT_LT(pass.points.front().position.x(), -14.5); // starts where the surface starts along the passes
   }
 }
 

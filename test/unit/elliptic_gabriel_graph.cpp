@@ -216,7 +216,7 @@ TEST(EllipticGabrielGraph, IndicesAndBadPoints)
 
 TEST(EllipticGabrielGraph, EdgesStartNoMoreThreadsThanALimitLeaves)
 {
-  testing::FLAGS_gtest_death_test_style = "threadsafe"; // in a process of its own, which has started none yet
+  testing::FLAGS_gtest_death_test_style = "threadsafe"; // in a separate process that has not started threads yet
   const auto alive = [] {
     const std::filesystem::directory_iterator all("/proc/self/task");
     return std::distance(begin(all), end(all));

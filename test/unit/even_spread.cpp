@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clouds whose points lie much closer one way than the other, twice at one place, or change density at a step: what the
-// graph is built of, and that clouds spread evenly stay as they are.
+// Clouds with points much closer in one direction than in the other, twice at one place, or with a step in density: which
+// points the graph uses, and that even clouds do not change.
 #include <pcl_spiral/cleaning/impl/clean_graph.h>
 
 #include "support/sampling.h"
@@ -77,8 +77,8 @@ TEST(EvenSpread, ScanLinesAreThinnedToAboutTheDistanceOfTheLines)
       EXPECT_EQ(b.graph.size(), b.source.indices.size());
       EXPECT_GT(b.graph.spacing(), 0.9) << along;
       EXPECT_LT(b.graph.spacing(), 2.1) << along;
-      EXPECT_EQ(b.graph.neighbours(), 32) << along; // the stars are settled by as many as of an even cloud
-      double farthest = 0.0;                        // no hole is torn: every point given has one kept near it
+      EXPECT_EQ(b.graph.neighbours(), 32) << along; // the stars need as many neighbours as in an even cloud
+      double farthest = 0.0;                        // no hole is made: near every given point there is a kept point
       for (const Eigen::Vector3f& p : points)
         farthest = std::max(farthest, distanceFrom(b.graph, p.cast<double>()));
       EXPECT_LT(farthest, 2.0) << along;

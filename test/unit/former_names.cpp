@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Setters, getters and callbacks by the names they had: they forward, with a warning of the compiler that is left out here.
+// Setters, getters and callbacks with their former names: they forward, with a compiler warning that is switched off here.
 #include <pcl_spiral/geodesic/geodesic_path.h>
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
 #include <pcl_spiral/spiral/radial_lines.h>
@@ -28,7 +28,7 @@ grid()
   return cloud;
 }
 
-/** Whether compute calls what \p set sets, and is cancelled by it. */
+/** Whether compute calls the callback that \p set sets, and whether the callback cancels it. */
 template <typename Set>
 bool
 cancels(const Set& set)

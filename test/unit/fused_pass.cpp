@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pass that SpiralToolpathGenerator makes over all neighbourhoods against the classes of PCL's kind, given any of PCL's
+// The pass of SpiralToolpathGenerator over all neighbourhoods against the single PCL-style classes with any of PCL's
 // searches: both give the same neighbours, normals, boundary points and loops.
 #include "support/sampling.h"
 
@@ -25,7 +25,7 @@ using Estimation = CentroidBoundaryEstimation<pcl::PointXYZ, pcl::Normal>;
 
 namespace {
 
-/** Of distances between points some hundred mm from the origin, in single precision, mm. */
+/** Rounding of distances between points some hundred mm from the origin, in single precision, mm. */
 constexpr double rounding = 1e-4;
 
 struct Scan {
@@ -52,7 +52,7 @@ scanOf(const test::SurfacePtr& surface, double noise)
   return scan;
 }
 
-/** With one boundary and with two, without and with noise. */
+/** Parts with one boundary and with two, without and with noise. */
 const std::vector<Scan>&
 scans()
 {
@@ -78,7 +78,7 @@ estimationOf(const Scan& scan, const Search::Ptr& search)
   return estimation;
 }
 
-/** Evidence at point \p i of the graph from what the pass sees there. */
+/** Boundary evidence at point \p i of the graph from the pass. */
 BoundaryEvidence
 evidenceOf(const Scan& scan, const Neighbourhood& near, std::size_t i)
 {
@@ -124,7 +124,7 @@ TEST(FusedPass, NormalsAreThoseOfPclWithAnySearch)
       for (std::size_t i = 0; i < normals.size(); ++i) {
         const Eigen::Vector3d ours = (*scan.normals)[i].getNormalVector3fMap().cast<double>();
         const Eigen::Vector3d theirs = normals[i].getNormalVector3fMap().cast<double>();
-        ASSERT_LT(ours.cross(theirs).norm(), 1e-3) << search->getName() << ", point " << i; // either sign
+        ASSERT_LT(ours.cross(theirs).norm(), 1e-3) << search->getName() << ", point " << i; // the sign may differ
       }
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gaps in spheres: the points put there lie on the sphere, fill the gap, and stay in it.
+// Gaps in spheres: the added points are on the sphere, fill the gap, and stay in it.
 #include "support/sampling.h"
 
 #include "surface/gap_filling.h"
@@ -105,7 +105,7 @@ TEST(AddPoints, GivesNoSurfaceWhereItFails)
   Surface::ConstPtr surface, result;
   scanned.compute(surface);
   ASSERT_TRUE(surface);
-  std::vector<Eigen::Vector3f> scattered; // no single sheet
+  std::vector<Eigen::Vector3f> scattered; // not a single sheet
   test::Random random(3);
   for (int i = 0; i < 16000; ++i) {
     const double x = random.uniform(-40, 40), y = random.uniform(-40, 40);

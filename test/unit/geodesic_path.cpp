@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// GeodesicPath as a PCL user meets it: published distances, both starts, moved clouds, threads, bad input.
+// GeodesicPath for a PCL user: published distances, both starts, moved clouds, threads, bad input.
 #include "support/geodesic_oracle.h"
 #include "support/sampling.h"
 #include "support/surfaces.h"
@@ -177,7 +177,7 @@ TEST_F(OnSaddle, IndicesAndUnusablePoints)
   pcl::IndicesPtr indices(new pcl::Indices);
   for (std::size_t i = 0; i < sampled_.points.size(); ++i)
     indices->push_back(static_cast<pcl::index_t>(i));
-  cloud->push_back((*cloud)[7]); // twice there
+  cloud->push_back((*cloud)[7]); // a duplicate
   cloud->push_back(pcl::PointXYZ(std::nanf(""), 0, 0));
   geodesic_.setInputCloud(cloud);
   geodesic_.compute(same);
@@ -199,7 +199,7 @@ TEST_F(OnSaddle, CloudsWithNormalsOnTheGivenSide)
   pcl::PointCloud<pcl::PointNormal>::Ptr cloud(new pcl::PointCloud<pcl::PointNormal>);
   cloud->header.frame_id = "part";
   auto normals = test::toNormals(sampled_.normals);
-  for (auto& n : *normals) // the other side than the surface's own
+  for (auto& n : *normals) // the other side of the surface
     n.getNormalVector3fMap() *= -1.0f;
   for (const Vector3d& p : sampled_.points) {
     cloud->emplace_back();

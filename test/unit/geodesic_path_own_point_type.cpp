@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// GeodesicPath on a point type that PCL does not know, with no header but its own: a link test too.
+// GeodesicPath on a point type that PCL does not know, with only its own header: also a link test.
 #include <pcl_spiral/geodesic/geodesic_path.h>
 
 #include <pcl/register_point_struct.h>

@@ -57,7 +57,7 @@ struct Worst {
   double length = 0.0, sideways = 0.0;
 };
 
-/** Lengths against the published ones, paths against integrated ones. */
+/** Lengths against published lengths, paths against integrated paths. */
 Worst
 worstOnSpheroid(const std::vector<GeodesicLine>& lines)
 {
@@ -123,7 +123,7 @@ TEST_F(OnSpheroid, AnyRoughStartComesToTheSame)
   const Vector3d source = test::onSpheroid(a, b, 60, 0);
   auto lines = traced(*graph_, source, rimOfSpheroid());
   std::vector<SurfaceFoot> feet;
-  for (GeodesicLine& line : lines) { // swung out sideways by up to 60 mm, and jagged
+  for (GeodesicLine& line : lines) { // moved sideways by up to 60 mm, and jagged
     for (std::size_t i = 1; i + 1 < line.points.size(); ++i) {
       Vector3d& p = line.points[i];
       const Vector3d side(-p.y(), p.x(), 0.0);
@@ -203,7 +203,7 @@ TEST(GeodesicRefinement, SaysWhereALineLeavesTheSurface)
   EXPECT_LT((lines[0].left_at - corner).norm(), 10.0);
   for (const Vector3d& p : lines[0].points)
     EXPECT_LT(std::min(p.x() - corner.x(), p.y() - corner.y()), 5.0 * graph.spacing());
-  EXPECT_FALSE(lines[1].left_surface); // its neighbour is not disturbed
+  EXPECT_FALSE(lines[1].left_surface); // its neighbour is not affected
   EXPECT_TRUE(lines[1].converged);
   EXPECT_NEAR(lines[1].length, (lines[1].points.back() - source).norm(), 1e-4);
 }

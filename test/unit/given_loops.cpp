@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A user's own loops: kept as they are where gaps are bridged, refused where they belong to another scan.
+// Loops given by the user: unchanged by gap bridging, refused if they belong to another scan.
 #include "support/given_loops.h"
 #include "support/sampling.h"
 #include "support/surfaces.h"
@@ -22,7 +22,7 @@ using Loops = std::vector<BoundaryLoop>;
 
 constexpr double sphere = 150.0, rim = 60.0;
 
-/** A cap of the sphere with a gap, whose top is at \p x, 0. */
+/** A cap of the sphere with its top at \p x, 0, and with a gap. */
 Cloud::Ptr
 dome(double gap_radius, double gap_x, double x = 0.0)
 {
@@ -62,7 +62,7 @@ reachOf(const Path& path)
   return reach;
 }
 
-/** The path of the generator, and the same from a surface and loops that went through GapBridging before, to the byte. */
+/** The path of the generator, and byte for byte the same from a surface and loops after GapBridging. */
 Path
 pathBetween(const Cloud::ConstPtr& cloud, const Loops& loops, SpiralReport& report)
 {

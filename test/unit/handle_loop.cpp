@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Handles of triangulations: found where they are, cut through where noise made them, refused where they are the part's.
+// Handles of triangulations: found, cut through if noise made them, refused if they belong to the part.
 #include "spiral/outlines/handle_loop.h"
 #include "spiral/outlines/outline_cut.h"
 
@@ -13,12 +13,12 @@ using Eigen::Vector3d;
 
 namespace {
 
-/** A square sheet with two square openings, whose edges a tube joins on the far side: one handle. */
+/** A square sheet with two square openings; a tube on the far side joins their edges: one handle. */
 struct TubedSheet {
   Polyline positions;
   std::vector<Triangulation::Triangle> triangles;
 
-  /** \p side: nodes along the sheet; the openings are \p width cells wide; \p rings of the tube between them. */
+  /** \p side: nodes along the sheet; the openings are \p width cells wide; the tube between them has \p rings rings. */
   TubedSheet(int side, int width, int rings)
   {
     const double step = 1.0;
@@ -133,7 +133,7 @@ TEST(HandleLoop, AHandleOfThePartIsRefusedWithItsPlace)
 
 TEST(HandleLoop, TrianglesThatTouchInANodeAloneArePulledApart)
 {
-  // Two cones that share their tip: the tip lies in no free edge, and is no node of a sheet.
+  // Two cones that share their tip: the tip is on no free edge, and is not a node of a sheet.
   Polyline positions{{0, 0, 0}};
   std::vector<Triangulation::Triangle> triangles;
   for (const double z : {1.0, -1.0}) {
@@ -145,7 +145,7 @@ TEST(HandleLoop, TrianglesThatTouchInANodeAloneArePulledApart)
       triangles.push_back(z > 0.0 ? Triangulation::Triangle{0, a, b} : Triangulation::Triangle{0, b, a});
     }
   }
-  for (std::uint32_t k = 0; k < 6; ++k) { // a tube about them keeps both in one part
+  for (std::uint32_t k = 0; k < 6; ++k) { // a tube round them keeps both in one part
     const std::uint32_t next = (k + 1) % 6;
     triangles.push_back({1 + k, 7 + k, 1 + next});
     triangles.push_back({1 + next, 7 + k, 7 + next});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Harmonic fields against the exact ones of the plane: radii, logarithms, circles through the limiting points; lines of
-// outlines without a formula reach the middle and never cross.
+// Harmonic fields against exact fields of the plane: radii, logarithms, circles through the limiting points. For
+// outlines without a formula, lines reach the middle and never cross.
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
@@ -53,7 +53,7 @@ plane(const Vector3d& p)
   return {p.x(), p.y()};
 }
 
-/** Largest sideways error of lines that ought to be level lines of arg f, in spacings. \p slope: |f' / f|. */
+/** Largest sideways error of lines that must be level lines of arg f, in spacings. \p slope: |f' / f|. */
 double
 sidewaysError(const HarmonicField& field, const Polyline& rim, double spacing, const std::function<Complex(Complex)>& f,
               const std::function<double(Complex)>& slope)
@@ -73,7 +73,7 @@ sidewaysError(const HarmonicField& field, const Polyline& rim, double spacing, c
   return largest / spacing;
 }
 
-/** How far \p line strays to the right of its neighbour \p other, which ought to lie on its right; seen from above. */
+/** How far \p line goes to the right of its neighbour \p other, which must be on its right; seen from above. */
 double
 overlap(const Polyline& line, const Polyline& other)
 {
@@ -154,7 +154,7 @@ TEST(HarmonicField, OffCentreAnnulusIsBipolar)
   HarmonicField field;
   const Status status = field.compute(scan.graph, scan.loops[1], surface->outlines()[1], scan.loops[0]);
   ASSERT_TRUE(status.ok()) << status.message();
-  // The limiting points of the two circles, inverse to each other in both.
+  // The limiting points of the two circles, inverse to each other in both circles.
   const double d = std::abs(c), sum = (r1 * r1 + d * d - r0 * r0) / d;
   const double root = std::sqrt(sum * sum / 4.0 - r1 * r1);
   const Complex p = c / d * (sum / 2.0 - root), q = c / d * (sum / 2.0 + root);
@@ -168,7 +168,7 @@ TEST(HarmonicField, OffCentreAnnulusIsBipolar)
   EXPECT_LT(sidewaysError(field, resampled(surface->outlines()[0], 400, true), scan.graph.spacing(), f, slope), 1.2);
 }
 
-/** A square with a hole the scan left in it. */
+/** A square with a gap of the scan. */
 Scan
 gappedSquare(const Eigen::Isometry3d& motion = Eigen::Isometry3d::Identity())
 {
@@ -195,7 +195,7 @@ TEST(HarmonicField, LinesRideRoundAGap)
   }
   EXPECT_LT(deepest, 0.5 * spacing);
   EXPECT_LT(worst, 0.1 * spacing);
-  EXPECT_GT(overlap(lines[0], lines[1]), 0.5 * spacing); // neighbours in the wrong order are noticed
+  EXPECT_GT(overlap(lines[0], lines[1]), 0.5 * spacing); // neighbours in the wrong order are detected
 }
 
 TEST(HarmonicField, SameLinesWhereverTheSurfaceLiesAndForAnyThreads)
@@ -263,7 +263,7 @@ TEST(HarmonicField, OutlinesWithoutAFormula)
       EXPECT_EQ(lines[l].front(), middle);
       EXPECT_EQ(lines[l].back(), rim[l]);
     }
-    // In the arms the lines draw together without limit: they may touch, not change places.
+    // In the arms the lines come together without limit: they may touch but not change places.
     double worst = 0.0;
     for (std::size_t l = 0; l < lines.size(); ++l)
       worst = std::max(worst, overlap(lines[(l + 1) % lines.size()], lines[l]));

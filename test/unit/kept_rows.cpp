@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of a scan kept to the scallop: a ball brought down along them, and the heights it leaves.
+// Rows of a scan that keep the scallop height: a ball moved down along them, and the heights it leaves.
 #include "support/driven.h"
 #include "support/left_heights.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double radius = 5.0, height = 0.01;
 
-/** The passes as a ball's, located on the scan. */
+/** The passes of a ball, located on the scan. */
 CheckedPath
 ballPath(const std::vector<Vector3d>& scan, const DrivePasses& passes)
 {
@@ -30,7 +30,7 @@ ballPath(const std::vector<Vector3d>& scan, const DrivePasses& passes)
   for (const ToolLocations& pass : located) {
     if (path.size() > 0)
       path.lifted_to.push_back(path.size());
-    for (const ToolLocation& at : pass) { // the middle alone counts
+    for (const ToolLocation& at : pass) { // only the middle counts
       path.contacts.push_back(at.tip);
       path.normals.push_back(at.axis);
     }
@@ -103,7 +103,7 @@ TEST(KeptRows, AreHardlyMoreUnderNoise)
   }
 }
 
-/** A wall along the planes asks for rows without end; planes across it do not see it. */
+/** A wall along the planes would need endless rows; planes across it are not affected. */
 TEST(KeptRows, AreHeldOnWallsAlongThePlanesAndSaySo)
 {
   std::vector<Vector3d> scan;

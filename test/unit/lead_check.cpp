@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Moves off the path against a scan: a wall beside the path by hand, any scene by brute force through the oracle's kinematics.
+// Moves off the path against a scan: a wall beside the path by hand, random scenes by brute force with the oracle's kinematics.
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/verify/lead_check.h>
 
@@ -50,7 +50,7 @@ figures(const Cloud::ConstPtr& cloud, const CutterShape& cutter, const MachinePr
   return check.getFigures();
 }
 
-/** How deep the deepest point is, on the move to \p block, in the cutter less \p inset or in the shank above it, along the
+/** Depth of the deepest point, on the move to \p block, in the cutter minus \p inset or in the shank above it, along the
  *  axis or across it; and in the holder. */
 struct BruteDepth {
   double cutter = 0.0, holder = 0.0;
@@ -80,7 +80,7 @@ bruteDepth(const Cloud& cloud, const CutterShape& shape, double inset, const Hol
   return deepest;
 }
 
-/** A path along -x over the floor z = 0 that begins at x = 0; the axis stands up, so tip and contact are one. */
+/** A path along -x over the floor z = 0 that begins at x = 0; the axis is upright, so tip and contact are the same. */
 ToolPoses
 overTheFloor()
 {
@@ -149,7 +149,7 @@ TEST(LeadCheck, AHolderMeetsTheWallThatTheCutterPasses)
   EXPECT_NEAR(found.deepest.depth, 0.5, 1e-5) << "out through the side";
 }
 
-/** A nut comes straight down past a ledge: at both ends of the move it is free. */
+/** A nut moves straight down past a ledge: at both ends of the move it is free. */
 TEST(LeadCheck, AHolderDoesNotJumpOverALedge)
 {
   Cloud::Ptr cloud(new Cloud);
@@ -203,7 +203,7 @@ TEST(LeadCheck, FindsWhatDenseSamplesOfTheMachineFind)
           if (program.blocks[i].section == BlockSection::Cut)
             continue;
           ++moves;
-          // Between the places looked at a point may be deeper by half the tolerance.
+          // Between the checked places a point may be deeper by half the tolerance.
           const BruteDepth more = bruteDepth(*cloud, cutter, 1.5 * tolerance, holder, program, i),
                            about = bruteDepth(*cloud, cutter, 0.8 * tolerance, holder, program, i);
           surely += more.cutter > 0.0 || more.holder > 1.5 * tolerance;

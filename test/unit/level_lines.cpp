@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Level lines of random functions on random triangulations, against what each triangle says by itself.
+// Level lines of random functions on random triangulations, against the line in each single triangle.
 #include "graph/level_lines.h"
 
 #include "support/sampling.h"
@@ -29,7 +29,7 @@ graphOf(const AnalyticSurface& surface, std::size_t count, std::uint64_t seed)
   return graph;
 }
 
-/** Place on the edge a b at which a linear function reaches the level. */
+/** Place on the edge a b where a linear function reaches the level. */
 Vector3d
 placeOn(const SurfaceGraph& graph, const std::vector<double>& values, std::uint32_t a, std::uint32_t b, double level)
 {

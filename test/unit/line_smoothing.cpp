@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines drawn anew stay beside those they are made of, however their points stand.
+// Smoothed lines stay near their input lines for any spacing of the points.
 #include "spiral/lines/line_smoothing.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST(LineSmoothing, CirclesKeepTheirRadius)
 
 TEST(LineSmoothing, PointsInClumpsThrowNoSpikes)
 {
-  // Points stand in clumps far apart, as where a loop runs over large triangles and past their corners.
+  // Points are in groups far apart, as where a loop runs over large triangles and past their corners.
   Polyline points;
   for (int i = 0; i < 40; ++i)
     for (int k = 0; k < 5; ++k) {

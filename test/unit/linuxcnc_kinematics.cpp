@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Our kinematics against LinuxCNC's own modules for trunnion tables, which are loaded here with a stand-in
+// The kinematics against LinuxCNC's own modules for trunnion tables; the modules are loaded here with a replacement
 // for their HAL.
 #include <pcl_spiral/machine/impl/kinematics.h>
 #include <pcl_spiral/machine/impl/tool_pose.h>
@@ -18,8 +18,8 @@
 
 namespace {
 
-std::map<std::string, double*> pins;  ///< by name without the module's
-std::deque<std::vector<double>> room; ///< that was given to the modules
+std::map<std::string, double*> pins;  ///< by name without the name of the module
+std::deque<std::vector<double>> room; ///< memory given to the modules
 
 void*
 given(std::size_t bytes)
@@ -30,7 +30,7 @@ given(std::size_t bytes)
 
 } // namespace
 
-// What the modules ask of the process that loads them.
+// Functions that the modules need from the process that loads them.
 extern "C" {
 int
 hal_init(const char*)
@@ -90,7 +90,7 @@ namespace {
 using namespace pcl_spiral;
 using namespace pcl_spiral::test;
 
-/** As LinuxCNC lays out a position. */
+/** LinuxCNC's layout of a position. */
 struct EmcPosition {
   double x, y, z, a, b, c, u, v, w;
 };

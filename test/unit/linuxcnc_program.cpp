@@ -21,7 +21,7 @@ word(const Machine& machine, const CanonicalMotion& motion, int rotary)
   return motion.xyzabc[3 + (machine.rotary[rotary].letter - 'A')];
 }
 
-/** Tip and axis of the motion through kinematics of this test's own. */
+/** Tip and axis of the motion with the kinematics of this test. */
 TipAndAxis
 where(const Machine& machine, const CanonicalMotion& motion)
 {

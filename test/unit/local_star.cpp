@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A star is what the circles through the point and pairs of neighbours say, and stands on lattices, too.
+// A star follows from the circles through the point and pairs of neighbours; it also works on lattices.
 #include "graph/local_star.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ struct Neighbours {
 
   int count() const { return static_cast<int>(u.size()); }
 
-  /** Nearest first, as the search gives them. */
+  /** Nearest first, as from the search. */
   Neighbours sorted() const
   {
     std::vector<int> order;
@@ -94,7 +94,7 @@ TEST(LocalStar, TrianglesAreThoseOfEmptyCircles)
   pcl_spiral::LocalStar star;
   std::size_t seen = 0, far_neighbours = 0;
   for (int trial = 0; trial < 3000; ++trial) {
-    // Round the point, on one side of it, in a narrow wedge, stretched, with a crowd on one side.
+    // Round the point, on one side of it, in a narrow wedge, stretched, with many points on one side.
     Neighbours raw;
     const int kind = trial % 5, points = 2 + trial % 47;
     for (int i = 0; i < points; ++i) {

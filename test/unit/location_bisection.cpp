@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bisection of located passes, against dense samples of the swept cutter in the cloud it was located on.
+// Bisection of located passes, against dense samples of the swept cutter in the same cloud.
 #include <pcl_spiral/cutter/impl/location_bisection.h>
 
 #include "support/located.h"
@@ -26,7 +26,7 @@ waves(std::uint64_t seed)
   return points;
 }
 
-/** Lines over the waves 3 mm a point, the axis swaying by up to 20 degrees. */
+/** Lines over the waves, one point per 3 mm, with axes that vary by up to 20 degrees. */
 std::vector<DrivePoints>
 lines()
 {
@@ -61,7 +61,7 @@ bisected(const LocationSurface& surface, const CutterShape& shape)
   return run;
 }
 
-/** Depth along the normal of the deepest point in the cutter on its way along \p passes. \p points in order of x. */
+/** Depth along the normal of the deepest point in the cutter along \p passes. \p points are in order of x. */
 double
 deepestOnTheWay(const std::vector<Vector3d>& points, const CutterProfile& cutter, const std::vector<ToolLocations>& passes)
 {
@@ -97,7 +97,7 @@ TEST(LocationBisection, TheSweptCutterKeepsTheTolerance)
   std::vector<Vector3d> points = waves(1);
   std::sort(points.begin(), points.end(), [](const Vector3d& a, const Vector3d& b) { return a.x() < b.x(); });
   const LocationSurface surface(surfaceOf(points));
-  const double sampling = 0.002; // what the fitted surface is off the waves
+  const double sampling = 0.002; // error of the fitted surface
   for (const CutterShape& shape : all_kinds) {
     const CutterProfile cutter(shape);
     const CutterLocationEngine locator(surface, cutter, {});
@@ -109,7 +109,7 @@ TEST(LocationBisection, TheSweptCutterKeepsTheTolerance)
                 2 * run.before[0].size(), run.figures.inserted, before, after);
     EXPECT_GT(before, 1.1 * tolerance);
     EXPECT_LE(after, tolerance + sampling);
-    // Nothing is left either: at a quarter of each move the cutter stands no higher above where it would touch.
+    // No material is left either: at a quarter of each move the cutter is no higher above its contact than this.
     DrivePoints quarters;
     for (const ToolLocations& pass : run.after)
       for (std::size_t i = 0; i + 1 < pass.size(); ++i) {
@@ -143,7 +143,7 @@ TEST(LocationBisection, KeepsWhatItIsGivenAndEndsAtTheLimit)
   EXPECT_GT(figures.unresolved, 0u);
   EXPECT_GT(figures.largest_error, settings.tolerance);
   EXPECT_EQ(passes[0].size(), given.size() + figures.inserted);
-  std::size_t next = 0; // those given are still there, in their order
+  std::size_t next = 0; // the given points are still there, in order
   for (const ToolLocation& location : passes[0])
     if (next < given.size() && (location.tip == given[next].tip || (next == 5 && location.state == LocationState::NoCloud)))
       ++next;

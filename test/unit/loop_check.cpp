@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loops from outside: which way round an outline goes that is drawn across the surface, and what lies inside a loop.
+// Given loops: the sense of an outline drawn across the surface, and the area inside a loop.
 #include "support/even_cloud.h"
 #include "support/surfaces.h"
 
@@ -69,7 +69,7 @@ TEST(LoopCheck, AnOutlineAcrossTheSurfaceGoesRoundWhatItBounds)
       const Status status = checkLoops(graph, {reversed(loop)});
       EXPECT_EQ(status.code(), StatusCode::InvalidInput);
       EXPECT_NE(status.message().find("on its right"), std::string::npos) << status.message();
-      loop.type = LoopType::Inner; // what lies beyond it is machined
+      loop.type = LoopType::Inner; // the area outside it is machined
       EXPECT_FALSE(checkLoops(graph, {loop}).ok());
       EXPECT_TRUE(checkLoops(graph, {reversed(loop)}).ok());
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One path over loops drawn by hand: every loop is travelled, nothing crosses.
+// One path over given loops: it runs along every loop, and nothing crosses.
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/spiral/loop_linking.h>
 
@@ -30,7 +30,7 @@ ring(double radius, double x, int level)
   return loop;
 }
 
-/** What is within \p radius of the line from (x, -half) to (x, half), its outline. */
+/** Outline of the area within \p radius of the line from (x, -half) to (x, half). */
 ScallopLoop
 oval(double radius, double half, double x, int level)
 {
@@ -100,7 +100,7 @@ expectOnePath(const std::vector<ScallopLoop>& loops, LinkedPath& path)
     EXPECT_LT(farthest(loop, path.points), 0.65) << "level " << loop.level;
   EXPECT_EQ(path.points.size(), path.turns.size());
   EXPECT_EQ(path.points.size(), path.reversed.size());
-  std::vector<int> hangs(loops.size(), 0); // every loop but the outer rim's hangs on another, which is near
+  std::vector<int> hangs(loops.size(), 0); // every loop except that of the outer rim is a child of another loop near it
   for (const LoopJoint& joint : path.joints) {
     ++hangs[joint.loop];
     EXPECT_NE(joint.parent, joint.loop);
@@ -131,7 +131,7 @@ TEST(LoopLinking, RingsBecomeASpiral)
 
 TEST(LoopLinking, ALobesLoopsAreBridged)
 {
-  std::vector<ScallopLoop> loops{ring(20.0, 0.0, 0)}; // a rim about two nests of rings that just clear each other
+  std::vector<ScallopLoop> loops{ring(20.0, 0.0, 0)}; // a rim round two nests of rings that almost touch
   for (int k = 0; k < 9; ++k)
     loops.push_back(ring(9.5 - k, -9.5, k + 1));
   for (int k = 0; k < 7; ++k)
@@ -143,8 +143,8 @@ TEST(LoopLinking, ALobesLoopsAreBridged)
   EXPECT_GT(std::count(path.reversed.begin(), path.reversed.end(), 1), 0);
 }
 
-/** How often the passes cross the line from (x, 0) by \p reach at \p angle, less how often they do the other way round; \p back: how
- *  often that is. */
+/** Number of times the passes cross the line from (x, 0) by \p reach at \p angle, minus the number in the opposite sense; \p back:
+ *  the latter. */
 int
 timesRound(const LinkedPath& path, double x, double reach, double angle, int& back)
 {
@@ -184,7 +184,7 @@ TEST(LoopLinking, OneWayEveryLoopIsTravelledOnceInItsSense)
     for (int k = 0; k < 90; ++k)
       times.push_back(timesRound(path, x, reach, 0.01 + 2.0 * M_PI * k / 90.0, back));
     EXPECT_EQ(back, 0);
-    EXPECT_GT(std::count(times.begin(), times.end(), count), 60); // but beside the ends of a pass, where its strips are travelled twice
+    EXPECT_GT(std::count(times.begin(), times.end(), count), 60); // except beside the ends of a pass, where its strips are machined twice
     EXPECT_LE(*std::max_element(times.begin(), times.end()), count + 2);
     EXPECT_GE(*std::min_element(times.begin(), times.end()), count - 1);
   }
@@ -210,7 +210,7 @@ TEST(LoopLinking, OneWayALoopThatStandsAloneIsAPass)
 
 TEST(LoopLinking, NoBridgeLeadsAcrossALoop)
 {
-  std::vector<ScallopLoop> loops; // of a ring: from the outer rim and from the hole, and a narrow one between
+  std::vector<ScallopLoop> loops; // of a ring: from the outer rim and from the hole, and a narrow loop between them
   for (int k = 0; k < 4; ++k)
     loops.push_back(ring(12.0 - k, 0.0, k));
   for (int k = 0; k < 4; ++k)
@@ -269,7 +269,7 @@ TEST(LoopLinking, NoBridgeLeadsToADot)
   for (int k = 0; k < 5; ++k)
     loops.push_back(ring(8.0 - k, 0.0, k));
   loops.push_back(oval(1.05, 0.6, 10.05, 1)); // a lobe beside the rim
-  loops.push_back(oval(0.08, 0.6, 10.05, 2)); // and in its middle a dot, which runs beside it better than the rim
+  loops.push_back(oval(0.08, 0.6, 10.05, 2)); // and in its middle a dot, which is a better neighbour than the rim
   LinkedPath path;
   const Status status = linkLoops(loops, path);
   ASSERT_TRUE(status.ok()) << status.message();

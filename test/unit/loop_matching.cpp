@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs of points on two loops: against all pairings there are, and where the answer is known.
+// Pairs of points on two loops: against all possible pairings, and in cases with a known answer.
 #include "spiral/loops/loop_matching.h"
 #include "support/plane_lines.h"
 #include "support/sampling.h"
@@ -15,7 +15,7 @@ namespace {
 using namespace pcl_spiral;
 using Eigen::Vector3d;
 
-/** The least cost over all starts and all ways round. */
+/** The least cost over all starts and both senses. */
 double
 leastOfAll(const Polyline& seeds, const Polyline& candidates)
 {

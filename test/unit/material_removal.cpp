@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stock and gouge from a raw cloud: exact peaks on plane, cylinder and sphere, faults put in on purpose, the class.
+// Stock and gouge from a raw cloud: exact peaks on plane, cylinder and sphere, planted faults, the class.
 #include <pcl_spiral/verify/material_removal.h>
 
 #include "support/passes.h"
@@ -126,7 +126,7 @@ TEST(MaterialRemoval, ASpiralOnADiscLeavesWhatItShouldAtItsBestLength)
   const auto& f = removal.getFigures();
   EXPECT_NEAR(f.scallop.p999 / small, 1.0, 0.01);
   EXPECT_NEAR(f.efficiency, 1.0, 0.01);
-  EXPECT_NEAR(f.efficiency, (disc / pitch + 1.0) / (disc / pitch + 2.0), 0.003); // a lap of the rim comes on top
+  EXPECT_NEAR(f.efficiency, (disc / pitch + 1.0) / (disc / pitch + 2.0), 0.003); // plus one turn along the rim
   EXPECT_NEAR(f.area, M_PI * disc * disc, 0.002 * M_PI * disc * disc);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calibration of the checker: exact peaks on plane, cylinder and sphere, and faults put in on purpose.
+// Calibration of the checker: exact peaks on plane, cylinder and sphere, and planted faults.
 #include "support/move_tree.h"
 #include "support/passes.h"
 #include "support/path_checks.h"
@@ -174,7 +174,7 @@ TEST(RemovedMaterial, ChordsAddTheirSagittaWhereTheFeedIsConcaveAndGougeWhereCon
     std::vector<double> radii;
     for (double a = 0.25 * angle; a < std::asin(33.0 / radius); a += angle)
       radii.push_back(radius * std::sin(a));
-    // Every circle's chords of the centre's path leave the offset surface by e along the normal.
+    // On every circle, the chords of the centre's path leave the offset surface by e along the normal.
     const CheckedPath path = circularPasses(*surface, radii, [&](double r) {
       const double sine = r / radius, centre = (convex ? radius + R : radius - R) * sine;
       return std::max(24, static_cast<int>(std::lround(M_PI / std::acos(std::max(0.0, 1.0 - e / (centre * sine))))));
@@ -266,7 +266,7 @@ TEST(RemovedMaterial, AnUncutPatchIsCounted)
       path.normals.push_back(all.normals[i]);
     }
   const RemovalFigures f = removedMaterial(*surface, path, settings());
-  // From half the plane the ball reaches sqrt(2 R 20 h) past the last pass.
+  // From half the plane the ball reaches sqrt(2 R 20 h) beyond the last pass.
   const double last = -exactStepOver(R, h, 0.0), limit = 20 * h;
   const double reach = last + std::sqrt(2 * R * limit - limit * limit);
   EXPECT_NEAR(f.stock.uncut_share, (29.0 - f.band - reach) / (58.0 - 2 * f.band), 0.01);
@@ -295,6 +295,6 @@ TEST(PathChecks, TheRimThatThePathMissesIsMeasured)
                                    Eigen::Vector2d(-52, 50), Eigen::Vector2d(-50, -50)})
     builder.add(u, 0.0);
   const PathFigures p = checkPath(*surface, builder.path(), 1.0);
-  EXPECT_NEAR(p.rim_missed.value, 1.5 * std::sqrt(2.0), 1e-9); // the corner cut off
+  EXPECT_NEAR(p.rim_missed.value, 1.5 * std::sqrt(2.0), 1e-9); // the missing corner
   EXPECT_NEAR(p.beyond_rim.value, 2.0, 1e-9);
 }

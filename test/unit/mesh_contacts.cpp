@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is written of a location on a mesh belongs together: the ball at the tip touches at the contact, along the normal.
+// Tip, contact and normal of a location on a mesh fit together: the ball at the tip touches at the contact, along the normal.
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/mesh/mesh_sections.h>
 
@@ -15,7 +15,7 @@ using namespace pcl_spiral::test;
 
 namespace {
 
-/** Largest distance of the tip from contact + R (normal - axis), over all locations of rows, and those put in between. */
+/** Largest distance of the tip from contact + R (normal - axis), over all locations of rows and those added between them. */
 double
 farthestTip(const TriangleMesh& mesh, double radius, double step)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cutters brought down on meshes, against all triangles one by one.
+// Cutters moved down onto meshes, against all triangles one by one.
 #include "cutter/mesh_drop.h"
 
 #include "support/plain_mesh.h"
@@ -29,7 +29,7 @@ seenBy(const AxisFrame& frame, const Matrix3d& corners)
   return seen;
 }
 
-/** The patch of each face, its quarters, theirs, until none sags by more than \p sag: flat triangles. */
+/** The patch of each face, divided into quarters until none sags by more than \p sag: flat triangles. */
 void
 cutUp(const PatchCell& cell, double sag, std::vector<Matrix3d>& triangles)
 {
@@ -54,7 +54,7 @@ randomFrame(double half, double lean, Random& random)
   return {through, (Vector3d::UnitZ() + std::tan(lean * random.uniform(0.0, 1.0)) * side.normalized()).normalized()};
 }
 
-/** The highest of all triangles. */
+/** The greatest height over all triangles. */
 TouchedTriangle
 highestOf(const std::vector<Matrix3d>& triangles, const CutterProfile& cutter, const AxisFrame& frame)
 {

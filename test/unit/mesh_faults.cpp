@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Faults planted in meshes, counted by SurfaceMesh and by admesh, a program for solid meshes that Debian has.
+// Faults planted in meshes, counted by SurfaceMesh and by admesh, a Debian program for solid meshes.
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 
@@ -34,7 +34,7 @@ outputOf(const std::string& command)
   return text;
 }
 
-/** The number behind \p name and its colon. */
+/** The number after \p name and its colon. */
 std::size_t
 numberBehind(const std::string& text, const std::string& name)
 {

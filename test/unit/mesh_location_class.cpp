@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The class CutterLocation on meshes: what must not change its output, and what it refuses.
+// The class CutterLocation on meshes: changes that must not change its output, and refusals.
 #include <pcl_spiral/cutter/cutter_location.h>
 
 #include "support/located_on_mesh.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Straight moves of cutters over meshes: what stands between two locations is not cut into, and nothing is halved for fear.
+// Straight moves of cutters over meshes: obstacles between two locations are not gouged, and moves are not halved without need.
 #include <pcl_spiral/core/impl/swept_error.h>
 
 #include "support/located_on_mesh.h"
@@ -38,7 +38,7 @@ ground()
   return m;
 }
 
-/** A row along x, 4 mm a point, that comes down on what is there. */
+/** A row along x, one point per 4 mm, moved down onto the mesh. */
 DrivePoints
 row()
 {
@@ -64,7 +64,7 @@ led(const PlainMesh& mesh, double path_tolerance, BisectionFigures& figures, int
   return locations;
 }
 
-/** Deepest of places on the edges of \p mesh, 0.05 mm apart, on the way. */
+/** Largest depth along the moves of places on the edges of \p mesh, 0.05 mm apart. */
 double
 deepest(const PlainMesh& mesh, const ToolLocations& row)
 {
@@ -83,7 +83,7 @@ deepest(const PlainMesh& mesh, const ToolLocations& row)
   return depth;
 }
 
-/** What stands beside a row or across it, hit on the way between two locations and at none of them. */
+/** Obstacles beside a row or across it, touched between two locations but at no location. */
 std::vector<PlainMesh>
 traps()
 {
@@ -157,7 +157,7 @@ TEST(MeshMoves, OverThePlaneAreAllowedAtAnyLengthToBallsThatDoNotTurn)
   const CutterPlace near{{-14.8, 0, 0}, Vector3d::UnitZ()}, turned{near.tip, Vector3d(0.02, 0.0, 1.0).normalized()};
   const CutterLocationEngine balls(mesh, CutterProfile(ball_end), {});
   EXPECT_LE(balls.moveError(from, to, 0.5 * tolerance), 0.5 * tolerance);
-  EXPECT_EQ(balls.moveError(from, near, 0.5 * tolerance), sweptError(balls.profile(), from, near)); // less than allowed
+  EXPECT_EQ(balls.moveError(from, near, 0.5 * tolerance), sweptError(balls.profile(), from, near)); // smaller than allowed
   EXPECT_EQ(balls.moveError(from, turned, 1e-6), sweptError(balls.profile(), from, turned));
   for (const CutterShape& shape : {CutterShape::bullNose(R, 2.0, 3.0), CutterShape::taper(R, 3.0, 20.0)}) {
     const CutterLocationEngine other(mesh, CutterProfile(shape), {});
@@ -174,7 +174,7 @@ TEST(MeshMoves, CutNoDeeperThanTheBoundOrTheMesh)
   const auto at = [](double x, double z) { return CutterPlace{{x, 0.0, z}, Vector3d::UnitZ()}; };
   const double sag = 5e-4;
   EXPECT_NEAR(locator.moveError(at(-2, 0), at(2, 0), 0.005), 0.15, sag + 1e-6);       // the ridge's height
-  EXPECT_NEAR(locator.moveError(at(-2, -0.1), at(2, -0.1), 0.005), 0.25, sag + 1e-6); // both ends cut: so does the way
+  EXPECT_NEAR(locator.moveError(at(-2, -0.1), at(2, -0.1), 0.005), 0.25, sag + 1e-6); // both ends cut, and so does the move
   EXPECT_EQ(locator.moveError(at(-0.4, -0.1), at(0.4, -0.1), 0.005),
-            sweptError(locator.profile(), at(-0.4, -0.1), at(0.4, -0.1))); // what the way adds to the ends
+            sweptError(locator.profile(), at(-0.4, -0.1), at(0.4, -0.1))); // what the move adds to the ends
 }

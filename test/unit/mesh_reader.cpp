@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes in every format: the same faces out of each.
+// Meshes in every format: the same faces from each.
 #include <pcl_spiral/io/mesh_reader.h>
 
 #include "support/mesh_files.h"
@@ -33,7 +33,7 @@ trianglesOf(const pcl::PolygonMesh& mesh)
   return triangles;
 }
 
-/** The places of all corners of all faces, one after the other. */
+/** The places of all corners of all faces, in sequence. */
 std::vector<Eigen::Vector3f>
 cornerPlaces(const pcl::PolygonMesh& mesh)
 {
@@ -103,7 +103,7 @@ TEST_F(MeshReader, Obj)
   expectMesh(text("a.obj", "mtllib m.mtl\n" + obj_corners + "vt 0 0\nvn 0 0 1\ng one\nf 1 3 2\ns 1\nf 1 2 4\n"));
   expectMesh(text("b.obj", obj_corners + "f 1/1 3/1 2/1\nf 1//1 2//1 4//1\n"));
   expectMesh(text("c.obj", obj_corners + "f 1/1/1 3/2/1 2/3/1 # first\nf -4 -3/1/1 -1\n"));
-  expectMesh(text("d.obj", "v 0 0 0\nv 10 0 0\nf 1 3 2\nv 0 10 0\nv 0 0 10.5\nf\t1  2\t4 \n")); // named before it is there
+  expectMesh(text("d.obj", "v 0 0 0\nv 10 0 0\nf 1 3 2\nv 0 10 0\nv 0 0 10.5\nf\t1  2\t4 \n")); // named before it is defined
   expectMesh(text("e.obj", obj_corners + "f 1 3 \\\r\n 2\r\nf 1 \\\r\n2\\\r\n4"));
 }
 

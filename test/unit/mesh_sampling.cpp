@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MeshSampling: all of the surface, evenly, on the patches, the same however the mesh is written.
+// MeshSampling: the whole surface, evenly, on the patches, independent of the order in the mesh.
 #include <pcl_spiral/mesh/impl/crease_lines.h>
 #include <pcl_spiral/mesh/impl/mesh_rims.h>
 #include <pcl_spiral/mesh/mesh_sampling.h>
@@ -32,8 +32,8 @@ sampled(MeshSampling& sampling, double spacing)
   return samples;
 }
 
-/** Facets of 100 mm beside slivers a hundred times longer than wide, and a fan of small faces, whose corners stand on the side of
- *  a sliver that has none there. */
+/** Facets of 100 mm beside slivers a hundred times longer than wide, and a fan of small faces with corners on the side of
+ *  a sliver that has no corners there. */
 MeshDraft
 unevenFaces()
 {
@@ -61,7 +61,7 @@ nearest(const Samples& samples, const Eigen::Vector3d& p)
   return least;
 }
 
-/** Largest distance from places spread over the curved surface, rims and corners too, to the nearest sample. */
+/** Largest distance from places on the whole curved surface, with rims and corners, to the nearest sample. */
 double
 largestHole(const SurfaceMesh& mesh, const Samples& samples, int tests)
 {
@@ -119,7 +119,7 @@ TEST(MeshSampling, FacesOfEverySizeAreCoveredEvenly)
     const double area = sampling.getSurfaceMesh()->area();
     EXPECT_GT(samples.size(), 1.1 * area / (spacing * spacing));
     EXPECT_LT(samples.size(), 2.0 * area / (spacing * spacing));
-    EXPECT_GE(leastApart(samples), 0.3 * spacing); // rims that lie on one another have points of their own
+    EXPECT_GE(leastApart(samples), 0.3 * spacing); // rims at the same place each have their own points
   }
 }
 
@@ -183,7 +183,7 @@ TEST(MeshSampling, TheOrderOfFacesAndCornersChangesNothing)
   MeshSampling sampling;
   MeshSettings settings;
   settings.normals = MeshNormals::Max;
-  settings.edges = MeshEdges::Straight; // bows follow from sums over the faces about a vertex, in their order
+  settings.edges = MeshEdges::Straight; // bows follow from sums over the faces of a vertex, in their order
   sampling.setMeshSettings(settings);
   sampling.setInputMesh(draft.made());
   const auto before = sorted(sampled(sampling, 1.1));
@@ -196,7 +196,7 @@ TEST(MeshSampling, TheOrderOfFacesAndCornersChangesNothing)
   ASSERT_EQ(before.size(), after.size());
   for (std::size_t i = 0; i < before.size(); ++i)
     for (int k = 0; k < 6; ++k)
-      EXPECT_NEAR(before[i][k], after[i][k], k < 3 ? 0.0 : 1e-6) << i; // normals by sums in another order
+      EXPECT_NEAR(before[i][k], after[i][k], k < 3 ? 0.0 : 1e-6) << i; // normals are sums in another order
 }
 
 TEST(MeshSampling, AnotherPositionIsCoveredAsWell)
@@ -211,7 +211,7 @@ TEST(MeshSampling, AnotherPositionIsCoveredAsWell)
   sampling.setInputMesh(draft.made());
   const Samples after = sampled(sampling, 1.5);
   EXPECT_LE(largestHole(*sampling.getSurfaceMesh(), after, 3000), 1.5);
-  EXPECT_NEAR(static_cast<double>(after.size()), static_cast<double>(before), 0.07 * before); // 1.40 to 1.50 a square of the spacing
+  EXPECT_NEAR(static_cast<double>(after.size()), static_cast<double>(before), 0.07 * before); // 1.40 to 1.50 per square of the spacing
 }
 
 TEST(MeshSampling, SamplesNearACreaseAreMarked)
@@ -229,7 +229,7 @@ TEST(MeshSampling, ChosenFacesHaveTheirOwnRim)
 {
   MeshSampling sampling;
   sampling.setInputMesh(boxMesh({30, 20, 10}).made());
-  sampled(sampling, 1.0); // makes the mesh ready
+  sampled(sampling, 1.0); // prepares the mesh
   const auto mesh = sampling.getSurfaceMesh();
   sampling.setInputMesh(mesh);
   std::vector<std::uint8_t> top;
@@ -239,7 +239,7 @@ TEST(MeshSampling, ChosenFacesHaveTheirOwnRim)
   sampling.setCreaseBand(2.0);
   const Samples samples = sampled(sampling, 1.0);
   std::set<std::uint8_t> marked(sampling.getInCreaseBand().begin(), sampling.getInCreaseBand().end());
-  EXPECT_EQ(marked, std::set<std::uint8_t>{0}); // its edges are a rim, and no creases
+  EXPECT_EQ(marked, std::set<std::uint8_t>{0}); // its edges are a rim, not creases
   for (const pcl::PointNormal& s : samples)
     EXPECT_FLOAT_EQ(s.z, 10.0f);
   const auto rims = meshRims(*mesh, top);

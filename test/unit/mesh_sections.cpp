@@ -45,7 +45,7 @@ setPlain(MeshSections& sections)
 std::vector<Vector3d>
 cutByVtk(const pcl::PolygonMesh& mesh, const Vector3d& normal, double level)
 {
-  SurfaceMesh::ConstPtr surface; // welded, as the plain lines are
+  SurfaceMesh::ConstPtr surface; // welded, like the plain lines
   EXPECT_TRUE(SurfaceMesh::make(mesh, {}, surface).ok());
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -75,7 +75,7 @@ cutByVtk(const pcl::PolygonMesh& mesh, const Vector3d& normal, double level)
   return found;
 }
 
-/** Largest distance from one of \p these to the nearest of \p those. */
+/** Largest distance from a point of \p these to the nearest of \p those. */
 double
 farthest(const std::vector<Vector3d>& these, const std::vector<Vector3d>& those)
 {
@@ -276,7 +276,7 @@ TEST(MeshSections, AreTheSameOnAMovedMesh)
   std::vector<Vector3d> expected;
   for (const Vector3d& p : placesOf(here))
     expected.push_back(turn * p + shift);
-  EXPECT_LT(farthest(expected, there), 2e-4); // coordinates are floats, and crossings near vertices slide
+  EXPECT_LT(farthest(expected, there), 2e-4); // coordinates are floats, and crossings near vertices move
   EXPECT_LT(farthest(there, expected), 2e-4);
 }
 

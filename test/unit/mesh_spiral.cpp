@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From an STL file to a spiral: samples of the curved surface behind the faces, and how far the contacts stand off the exact one.
+// A spiral from an STL file: samples of the curved surface behind the faces, and the distance of contacts from the exact surface.
 #include "mesh/mesh_findings.h"
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/mesh/mesh_sampling.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ball cutters led straight over triangles: how deep they cut, against search over move and triangle.
+// Straight moves of ball cutters over triangles: the depth of the cut, against a search over move and triangle.
 #include "cutter/mesh_sweep.h"
 
 #include "support/plain_mesh.h"
@@ -32,7 +32,7 @@ struct Move {
   }
 };
 
-/** Moves level, plunging, along x with the axis z, of no length, or any. */
+/** Moves: level, plunging, along x with the axis z, of zero length, or random. */
 Move
 randomMove(Random& random)
 {
@@ -60,7 +60,7 @@ randomMove(Random& random)
   return move;
 }
 
-/** The deepest of a triangle, by golden section thrice: the depth is concave over the move and the triangle together. */
+/** The largest depth over a triangle, by three golden sections: the depth is concave over move and triangle together. */
 double
 searchedDepth(const Matrix3d& c, const Move& move)
 {
@@ -103,7 +103,7 @@ TEST(MeshSweep, IntoATriangleIsAsDeepAsSearchFinds)
   for (int i = 0; i < 400; ++i) {
     const Move move = randomMove(random);
     Matrix3d corners = randomTriangle(5.0, random);
-    if (i % 4 == 0) // about a place of the strip
+    if (i % 4 == 0) // round a place of the strip
       corners.colwise() += Vector3d(move.from + random.uniform(0.0, 1.0) * (move.to - move.from) + random.uniform(0.0, 3.0) * move.axis -
                                     corners.rowwise().mean());
     const double expected = searchedDepth(corners, move), found = depthIn(PatchTree({flatCell(corners)}), move, 0.0, -1e3);
@@ -204,7 +204,7 @@ TEST(MeshSweep, TouchesWhereNoPlaceOfTheWayIsFartherOffAllTriangles)
   EXPECT_GT(free, 100);
 }
 
-TEST(MeshSweep, TouchesCurvedTrianglesToTheSag) // on a sphere, the ends of the move the farthest off
+TEST(MeshSweep, TouchesCurvedTrianglesToTheSag) // on a sphere, the ends of the move are the farthest from it
 {
   const auto round = [](double x, double y) { return std::sqrt(900.0 - x * x - y * y); };
   const PatchTree faces = facesOf(*graphMesh(round, 6.0, 2.0).surface());

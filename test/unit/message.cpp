@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers and places in messages read as a person would write them.
+// Numbers and places in messages are easy to read.
 #include <pcl_spiral/common/impl/message.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SpiralMethod::Shortest: which method it takes, and how well it foresees both.
+// SpiralMethod::Shortest: the method it chooses, and the accuracy of its predictions.
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
@@ -41,7 +41,7 @@ const Region ring({circle({0, 0}, 70.0), circle({0, 0}, 30.0)});
 TEST(MethodChoice, ADiscIsCutInTurnsAnOvalAlongItsRim)
 {
   Generator round = generatorOf(disc, 8000), flat_round = generatorOf(oval, 8000);
-  round.setScallopHeight(0.005); // 150 turns: with few, those along the rim make the radial path longer
+  round.setScallopHeight(0.005); // 150 turns: with few turns, those along the rim make the radial path longer
   EXPECT_EQ(made(round).method, SpiralMethod::Radial);
   EXPECT_EQ(made(flat_round).method, SpiralMethod::ConstantScallop);
 }

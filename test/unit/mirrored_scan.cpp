@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scan mirrored, or turned by 90 degrees, which no coordinate is rounded for: the same points, triangles and outlines.
+// A scan mirrored, or turned by 90 degrees, without rounding of coordinates: the same points, triangles and outlines.
 #include <pcl_spiral/cleaning/impl/clean_graph.h>
 #include <pcl_spiral/features/impl/boundary_loops_engine.h>
 
@@ -67,7 +67,7 @@ triangles(const Built& built)
   return result;
 }
 
-/** Noisy enough for neighbours to disagree on triangles. */
+/** Noise large enough that neighbours disagree on triangles. */
 Sampled
 noisy(const SurfacePtr& surface, double noise, std::uint64_t seed)
 {
@@ -127,7 +127,7 @@ TEST(MirroredScan, HasTheSameOutline)
         const BoundaryLoop rim = rimOf(built(mapped(scan, map)));
         ASSERT_EQ(rim.corners.size(), expected.corners.size()) << "region " << r << ", seed " << seed;
         ASSERT_EQ(rim.curve.size(), expected.curve.size()) << "region " << r << ", seed " << seed;
-        // It begins at the same place, and runs the other way round where the part is mirrored.
+        // It begins at the same place, and runs in the opposite sense if the part is mirrored.
         const std::size_t n = rim.curve.size();
         for (std::size_t i = 0; i < n; ++i) {
           const std::size_t k = map.determinant() > 0.0 ? i : (n - i) % n;

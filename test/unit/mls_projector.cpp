@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The projector against surfaces known exactly, with PCL's point types and one of a user's own.
+// The projector against exact surfaces, with PCL's point types and a user's own.
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-/** Where a user keeps feet with curvatures. */
+/** A user's point type for feet with curvatures. */
 struct CurvedPoint {
   PCL_ADD_POINT4D;
   PCL_ADD_NORMAL4D;
@@ -73,7 +73,7 @@ TEST(MLSProjector, MovesWithTheCloudAndForgetsItsOrder)
   const auto surface = test::quadric(200.0, -120.0, square);
   const auto points = test::sampleUniform(*surface, 8000, 8).points;
   const auto order = test::shuffled(points.size(), 9);
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity(); // about +z, so that outside stays outside
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity(); // about +z, so that the outside does not change
   motion.rotate(Eigen::AngleAxisd(1.1, Vector3d(0.1, -0.2, 1.0).normalized())).pretranslate(Vector3d(30, -50, 20));
   std::vector<Vector3d> moved(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Moving least squares against a sphere, a cylinder and a paraboloid known exactly, with and without noise.
+// Moving least squares against an exact sphere, cylinder and paraboloid, with and without noise.
 #include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <gtest/gtest.h>
@@ -110,7 +110,7 @@ TEST(MlsSurface, FitNoiseIsThatOfTheFeet)
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> u(-100.0, 100.0);
   std::normal_distribution<double> noise(0.0, 0.05);
-  std::vector<Eigen::Vector3f> points; // evenly spread: a square grid, every point moved by up to 0.3 of it
+  std::vector<Eigen::Vector3f> points; // evenly spread: a square grid, every point moved by up to 0.3 of a cell
   for (int i = -100; i <= 100; ++i)
     for (int j = -100; j <= 100; ++j)
       points.push_back(Vector3d(i + 0.003 * u(random), j + 0.003 * u(random), noise(random)).cast<float>());
@@ -131,7 +131,7 @@ TEST(MlsSurface, FitNoiseIsThatOfTheFeet)
 
 namespace {
 
-/** Waves of 0.2 mm, 15 mm long, every 1 mm a point; \p sigma of noise, and a share of echoes 0.2 to 8 mm off. */
+/** Waves of 0.2 mm, 15 mm long, a point every 1 mm; with noise \p sigma, and a share of outliers 0.2 to 8 mm off. */
 std::vector<Eigen::Vector3f>
 waves(double sigma, double echoes)
 {
@@ -243,12 +243,12 @@ TEST(MlsSurface, ScanLinesFarApart)
   }
 }
 
-/** Beside a rim the quartic has two or three lines on one side: what it says of the slope and the bending across them is
+/** Beside a rim the quartic has two or three lines on one side: its slope and curvature across them are only
  *  rounding. */
 TEST(MlsSurface, TheQuarticDoesNotBendAcrossFewScanLines)
 {
   const double radius = 2000.0;
-  const Vector3d away(-750.0, 990.0, 1240.0); // where coordinates are rounded to 6e-5
+  const Vector3d away(-750.0, 990.0, 1240.0); // coordinates are rounded to 6e-5 there
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> u(-0.1, 0.1);
   for (const double across : {1.0, 2.0, 3.0, 3.7, 4.3, 5.0}) {
@@ -279,7 +279,7 @@ TEST(MlsSurface, TheQuarticDoesNotBendAcrossFewScanLines)
         worst = std::max(worst, std::abs(std::abs(curvature) - 1.0 / radius));
     }
     EXPECT_GT(valid, feet.size() / 2);
-    EXPECT_LT(worst, 20.0 / radius) << "1/mm, lines " << across << " mm apart"; // 0.01; a step of 2 mm takes 0.02 mm off
+    EXPECT_LT(worst, 20.0 / radius) << "1/mm, lines " << across << " mm apart"; // 0.01; a step of 2 mm removes 0.02 mm
     EXPECT_LT(steepest, 1e-3) << "rad, lines " << across << " mm apart";
   }
 }

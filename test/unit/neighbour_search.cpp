@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Neighbour search against brute force, and the spatial order's independence of the input's order.
+// Neighbour search against brute force; the spatial order does not depend on the order of the input.
 #include "search/neighbour_search.h"
 
 #include <gtest/gtest.h>
@@ -94,7 +94,7 @@ TEST(NeighbourSearch, PointsOffTheSurfaceDisturbNoOthers)
       ASSERT_EQ(found.size, k);
       for (int j = 0; j < k; ++j) {
         EXPECT_NEAR(std::sqrt(found.squared_distance[j]), distance[j], 1e-4 + 1e-6 * distance[j]) << "point " << i;
-        EXPECT_EQ(found.squared_distance[j], again.squared_distance[j]); // whatever was learnt before
+        EXPECT_EQ(found.squared_distance[j], again.squared_distance[j]); // independent of earlier queries
         EXPECT_EQ(found.index[j], again.index[j]);
       }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paths at constant scallop height that cut in one sense alone: which way every move goes, what is left, what passes become.
+// Paths at constant scallop height that cut in only one sense: direction of every move, material left, passes.
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
@@ -74,8 +74,8 @@ made(const AnalyticSurface& part, const SpiralSettings& settings, std::size_t po
   return result;
 }
 
-/** Lengths cut with the distance from the rims rising on the left of travel, and on the right; where the rims are no more than
- *  \p beside apart on either side, as along ridges, neither counts. */
+/** Lengths cut with the distance from the rims increasing to the left of travel, and to the right; where the difference between the
+ *  sides is at most \p beside, as along ridges, neither counts. */
 struct SenseOfTravel {
   double left = 0.0, right = 0.0;
 };
@@ -130,7 +130,7 @@ TEST_F(OneWay, NothingIsCutAgainstTheSenseAndNoMoreIsLeft)
                 two_way.report.path_length, before.right, one_way.report.path_length, after.right, one_way.report.pass_begins.size() + 1,
                 one_way.report.lift_length);
     if (two_way.report.reversed_share > 0.05) {
-      EXPECT_GT(before.right, 0.02 * before.left); // the oracle sees what bridges turn round
+      EXPECT_GT(before.right, 0.02 * before.left); // the oracle detects the loops that bridges reverse
     }
     EXPECT_EQ(after.right, 0.0);
     EXPECT_GT(after.left, 0.6 * one_way.report.path_length);
@@ -148,7 +148,7 @@ TEST_F(OneWay, NothingIsCutAgainstTheSenseAndNoMoreIsLeft)
   }
 }
 
-/** A pass that leaves the edge of a hole at its corner is moved far, away from where it covered all. */
+/** A pass that leaves the edge of a hole at its corner is moved far from the place where it covered everything. */
 TEST_F(OneWay, PassesMovedFarUncoverNothing)
 {
   const SurfacePtr part = flat(Region({rectangle(120.0, 30.0), rectangle(56.0, 10.0)}));
@@ -187,7 +187,7 @@ TEST_F(OneWay, EveryPassGoesTheWayAskedFor)
         }
       }
       if (direction == SpiralDirection::Outward) {
-        EXPECT_LT(outermost, 0.5); // the rim's pass comes last
+        EXPECT_LT(outermost, 0.5); // the pass of the rim comes last
       }
     }
 }
@@ -213,7 +213,7 @@ TEST_F(OneWay, ADiscIsOnePassAndTheSameBytes)
 TEST_F(OneWay, AxesOfAPassDoNotKnowTheOthers)
 {
   SpiralSettings s = oneWay();
-  s.axis_smoothing = 0.0; // then on a plane all lean alike, to the right of travel
+  s.axis_smoothing = 0.0; // then on a plane all axes have the same tilt, to the right of travel
   s.max_axis_rate = 1e6;
   const Made one_way = made(*twoHoles(), s);
   for (const PassRange& pass : passRanges(one_way.report.pass_begins, one_way.path.size()))
@@ -250,7 +250,7 @@ TEST_F(OneWay, TheJudgeTakesNoLiftForACut)
   EXPECT_TRUE(BallSweep(cut.contacts, cut.normals, 5.0).contains(lift, middle));
 }
 
-/** Arc lengths rounded to 20 mm stand still at most moves: cuts that would be taken for lifts. */
+/** Arc lengths rounded to 20 mm do not change at most moves: these cuts would look like lifts. */
 TEST_F(OneWay, RoundedArcLengthsAreNoLifts)
 {
   const auto path = pcl::make_shared<Path>(made(*ell(), oneWay()).path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The outlines: areas by formula, simple and counter-clockwise, wide enough, softly varied.
+// The outlines: areas by formula, simple and counter-clockwise, wide enough, slightly varied.
 #include "support/outlines.h"
 #include "support/checked_path.h"
 #include "support/outline_loops.h"
@@ -41,7 +41,7 @@ inradius(const AnalyticSurface& part)
 
 TEST(OutlineLoops, HaveTheAreasOfTheirFormulas)
 {
-  const double open = std::asin(14.0 / 45.0); // half the angle that a neck takes off a disc
+  const double open = std::asin(14.0 / 45.0); // half the angle that a neck removes from a disc
   const double cap = 45.0 * 45.0 * (open - std::sin(open) * std::cos(open));
   const double neck = 28.0 * 2.0 * (65.0 - 45.0 * std::cos(open));
   EXPECT_NEAR(signedArea(dumbbell(45.0, 65.0, 14.0)), 2.0 * (pi * 45.0 * 45.0 - cap) + neck, 0.1);
@@ -49,7 +49,7 @@ TEST(OutlineLoops, HaveTheAreasOfTheirFormulas)
   EXPECT_NEAR(signedArea(uShape(210.0, 200.0, 70.0)), 210.0 * 200.0 - 70.0 * 130.0, 1e-9);
   EXPECT_NEAR(signedArea(smoothStar(5, 75.0, 25.0)), pi * (75.0 * 75.0 + 0.5 * 25.0 * 25.0), 0.1);
   EXPECT_NEAR(signedArea(band(115.0, 82.0, 150.0)), 115.0 * 82.0 * 150.0 / 180.0 * pi + pi * 41.0 * 41.0, 0.5);
-  const double slit = 8.0 * 105.0 + 0.5 * pi * 16.0; // less a sliver at the rim
+  const double slit = 8.0 * 105.0 + 0.5 * pi * 16.0; // minus a sliver at the rim
   EXPECT_NEAR(signedArea(slitDisc(105.0, 8.0)), pi * 105.0 * 105.0 - slit, 0.5);
   EXPECT_NEAR(signedArea(superellipse(120.0, 80.0, 2.0)), pi * 120.0 * 80.0, 0.1);
   EXPECT_GT(signedArea(superellipse(120.0, 80.0, 3.0)), 1.1 * pi * 120.0 * 80.0);
@@ -73,7 +73,7 @@ TEST(Outlines, AreSurfacesOfTwentyPassesAndMore)
     for (std::size_t i = 1; i < part->region().loops().size(); ++i)
       area -= signedArea(part->region().loops()[i]);
     const double by_rows = part->region().integrate([](const Eigen::Vector2d&) { return 1.0; });
-    EXPECT_NEAR(by_rows / area, 1.0, 0.003) << name; // other where loops cross
+    EXPECT_NEAR(by_rows / area, 1.0, 0.003) << name; // different if loops cross
     EXPECT_GT(inradius(*part) / exactStepOver(5.0, 0.1, 0.0), 20.0) << name;
   }
   EXPECT_THROW(outlinedPart("none"), std::out_of_range);

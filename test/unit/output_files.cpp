@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Outputs that appear together or not at all: what lies in the folder before, during and after.
+// Outputs that are written all or none: content of the folder before, during and after.
 #include "io/output_files.h"
 #include <pcl_spiral/io/file_error.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The filters on a point type that PCL does not know, with nothing but their own headers.
+// The filters on a point type that PCL does not know, with only their own headers.
 #include <pcl_spiral/features/centroid_boundary_estimation.h>
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
 #include <pcl_spiral/spiral/loop_linking.h>

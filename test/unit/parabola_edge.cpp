@@ -37,13 +37,13 @@ TEST(ParabolaEdge, ErrsOnASphereAsItsFormulaSays)
 
 TEST(ParabolaEdge, OfAnInflectionIsNearlyStraight)
 {
-  // z = x^3: tangents at both ends lean the same way, the chord crosses the curve in the middle.
+  // z = x^3: tangents at both ends have the same slope, the chord crosses the curve in the middle.
   constexpr double a = 0.2;
   const Vector3d p0(-a, 0.0, -a * a * a), d(2.0 * a, 0.0, 2.0 * a * a * a);
   const Vector3d n = Vector3d(-3.0 * a * a, 0.0, 1.0).normalized();
   EXPECT_LT(robustBow(d, n, n).norm(), 1e-12);
   EXPECT_EQ(publishedBow(d, n, n), Vector3d::Zero()); // planes that do not meet: straight
-  // Nearly parallel tangents meet far away: the published parabola leaves the edge by far more than the straight one errs.
+  // Nearly parallel tangents meet far away: the error of the published parabola is much larger than that of the straight edge.
   const Vector3d m = (n + Vector3d(1e-3, 0.0, 0.0)).normalized();
   const double largest = a * a * a * 2.0 / (3.0 * std::sqrt(3.0)); // of x^3 - a^2 x
   EXPECT_GT(publishedBow(d, n, m).norm() / 4.0, 5.0 * largest);
@@ -58,14 +58,14 @@ TEST(ParabolaEdge, HasNoBowWhereNormalsOppose)
 
 TEST(ParabolaEdge, OfACreaseBowsInEachSurfaceAsThatSurfaceDoes)
 {
-  // Rim of a cylinder along z: its wall bends, its cap is flat.
+  // Rim of a cylinder along z: its wall is curved, its cap is flat.
   constexpr double phi = 0.1, rho = 20.0;
   const Vector3d n0(std::cos(0.5 * phi), -std::sin(0.5 * phi), 0.0), n1(std::cos(0.5 * phi), std::sin(0.5 * phi), 0.0);
   const Vector3d d = rho * (n1 - n0);
   const Vector3d bow = creaseBow(d, n0, n1, Vector3d::UnitZ(), Vector3d::UnitZ());
   EXPECT_LT((bow - robustBow(d, n0, n1)).norm(), 1e-12);
   EXPECT_LT((creaseBow(d, Vector3d::UnitZ(), Vector3d::UnitZ(), n0, n1) - bow).norm(), 1e-12);
-  // A cap that leans by 45 degrees: the edge stays in it and in the wall's tangent planes.
+  // A cap inclined by 45 degrees: the edge stays in it and in the tangent planes of the wall.
   const Vector3d m = Vector3d(1.0, 0.0, 1.0).normalized();
   const Vector3d leaning = creaseBow(d, n0, n1, m, m);
   EXPECT_NEAR(leaning.dot(m), 0.0, 1e-12);

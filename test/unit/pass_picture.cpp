@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of passes: on meshes with their own triangles and on clouds, as many as stand apart, words inside the sheet.
+// The picture of passes: on meshes with their own triangles and on clouds, separate passes only, text inside the sheet.
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/mesh/mesh_sections.h>
@@ -24,7 +24,7 @@ namespace {
 
 using Path = pcl::PointCloud<ToolpathPoint>;
 
-constexpr int part_end = 1180; ///< column of pixels; words stand right of it
+constexpr int part_end = 1180; ///< column of pixels; text is right of it
 
 void
 add(Path& path, const Eigen::Vector3d& place, const Eigen::Vector3d& normal, std::size_t pass)
@@ -94,7 +94,7 @@ isColored(const Pixel& p)
   return high - low > 40;
 }
 
-/** How often gray turns to a line on the way up a column of pixels over the part. */
+/** Number of changes from gray to a line, upwards in a column of pixels over the part. */
 int
 linesAcross(vtkImageData* image, int x)
 {
@@ -132,7 +132,7 @@ TEST(PassPicture, PassesBesideEachOtherInAnyOrderAreShownAlike)
 {
   if (!displayProblem().empty())
     GTEST_SKIP() << "no display here";
-  // each row in two pieces, left and right, one after the other: every other pass would be one side alone
+  // each row in two pieces, left and right, in sequence: every second pass would be only one side
   PassScene scene = plate(1);
   const auto path = pcl::make_shared<Path>();
   for (std::size_t row = 0; row < 600; ++row)

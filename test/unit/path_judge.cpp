@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The judge of finished paths, on paths whose figures are known by formula.
+// The judge of finished paths, on paths with figures known by formula.
 #include "support/path_judge.h"
 #include "support/passes.h"
 #include "support/path_faults.h"
@@ -53,7 +53,7 @@ square()
   return flat(Region({rectangle(20.0 * pitch, 20.0 * pitch)}));
 }
 
-/** Straight, half round to the left by a radius, straight back. */
+/** Straight, a half circle to the left, straight back. */
 Points
 uTurn(double radius)
 {
@@ -93,7 +93,7 @@ TEST(PathJudge, AMissingPassIsFoundWhereItIs)
   const JudgedFigures f = judgedPath(*part, part->outlines(), squarePasses(*part, 13), settings());
   EXPECT_NEAR(f.inside.max.value, heightAt(pitch), 0.01);
   EXPECT_NEAR(f.inside.max.at.x(), 3.0 * pitch, 0.02 * pitch);
-  // Above 1.05 h: from x on to either side of the missing pass, over a strip as long as the square.
+  // Above 1.05 h: from x on to both sides of the missing pass, over a strip as long as the square.
   const double x = std::sqrt(R * R - (R - 1.05 * h) * (R - 1.05 * h));
   EXPECT_NEAR(f.inside.over_share, 2.0 * (pitch - x) / (19.8 * pitch), 0.003);
   EXPECT_EQ(f.inside.uncut_share, 0.0);
@@ -134,7 +134,7 @@ TEST(PathJudge, AJumpCutsNothing)
 
 TEST(PathJudge, CirclesOnADiscAreTheLeastLengthButForTheirJoins)
 {
-  constexpr int n = 20; // circles of radii k s, k = 0 .. n: pi s n (n + 1) in all, as the bound
+  constexpr int n = 20; // circles of radii k s, k = 0 .. n: pi s n (n + 1) in total, the bound
   const SurfacePtr disc = flat(Region({circle({0.0, 0.0}, n * pitch)}));
   std::vector<double> radii;
   for (int k = n; k > 0; --k)
@@ -260,7 +260,7 @@ TEST(PathFaults, OneCrossingIsFoundWhereItIs)
 {
   const SurfacePtr part = ground({6.0, 45.0, 50.0, 0.0, 0.0}, Region({rectangle(200.0, 200.0)}));
   PassBuilder builder(*part);
-  for (int i = 0; i <= 700; ++i) { // a loop that closes over its own start
+  for (int i = 0; i <= 700; ++i) { // a loop that crosses its own start
     const double t = -0.25 * pi + 1.5 * pi * i / 700.0;
     builder.add({60.0 * std::sin(t), 40.0 * std::sin(2.0 * t)}, 0.0);
   }

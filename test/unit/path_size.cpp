@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How large a path becomes, foretold: against the spiral that is then made, and refused beyond what can be.
+// Predicted size of a path: against the spiral made afterwards, and refused if it is too large.
 #include "support/plane_lines.h"
 
 #include "common/available_memory.h"
@@ -28,7 +28,7 @@ settings(double scallop_height, double chord_error, double max_step)
 TEST(PathSize, ForetellsTheSpiralsPoints)
 {
   const auto lines = test::straightLines([](std::size_t) { return Vector3d(0, 0, 0); }, test::ring(radius, 128));
-  // Moves by the chord error on the circles, by the longest step, and turns far closer than either.
+  // Moves by the chord error on the circles, by the longest step, and turns much closer than both.
   for (const SpiralSettings& s :
        {settings(0.1, 0.002, 0.0), settings(0.1, 1e-5, 0.0), settings(0.1, 0.05, 0.2), settings(1e-5, 0.01, 0.0)}) {
     TurnFunction turns(lines, s, 0.5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What goes where in a picture: axes apart from one another and from the part, turns apart on the screen.
+// Layout of a picture: axes apart from each other and from the part, turns apart on the screen.
 #include "visualization/box_axes.h"
 #include "visualization/shown_turns.h"
 
@@ -13,7 +13,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** From \p azimuth about z and \p tilt off it, degrees, the whole box about 800 pixels large. */
+/** View from \p azimuth about z and \p tilt off z, degrees; the whole box is about 800 pixels large. */
 ParallelView
 viewFrom(double azimuth, double tilt, const Eigen::Vector3d& size)
 {
@@ -30,7 +30,7 @@ overlap(const AxisText& a, const AxisText& b)
   return apart.x() < room.x() && apart.y() < room.y();
 }
 
-/** Length of \p a that runs within 10 pixels of \p b, but for where they meet in a corner. */
+/** Length of \p a that runs within 10 pixels of \p b, except where they meet in a corner. */
 double
 lengthAlong(const BoxAxis& a, const BoxAxis& b)
 {
@@ -60,14 +60,14 @@ expectLegible(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Par
     ASSERT_FALSE(axis.texts.empty());
     EXPECT_EQ(axis.texts.front().words, std::string(1, "xyz"[axis.axis]) + ", mm");
     for (std::size_t i = 1; i < axis.texts.size(); ++i) {
-      // every number stands beside the place it names
+      // every number is beside its place
       const double share = (std::atof(axis.texts[i].words.c_str()) - low[axis.axis]) / (high[axis.axis] - low[axis.axis]);
       const Eigen::Vector2d named = axis.from + share * (axis.to - axis.from);
       const Eigen::Vector2d off = axis.texts[i].middle - named;
       EXPECT_NEAR(off.dot(axis.to - axis.from) / length, 0.0, 0.01 * length);
     }
     for (const AxisText& text : axis.texts) {
-      // clear of the box: all its corners lie on the other side of the axis
+      // clear of the box: all its corners are on the other side of the axis
       EXPECT_GT(axis.outward.dot(text.middle - axis.from), axis.outward.cwiseAbs().dot(text.half_size));
       for (const AxisText& other : texts)
         EXPECT_FALSE(overlap(text, other)) << text.words << " over " << other.words;
@@ -133,7 +133,7 @@ TEST(ShownTurns, StandFourPixelsApart)
   EXPECT_EQ(chooseTurns(flatSpiral(4.5, 80), above, 4.0).every, 1);
   EXPECT_EQ(chooseTurns(flatSpiral(2.1, 150), above, 4.0).every, 2);
   EXPECT_EQ(chooseTurns(flatSpiral(0.3, 1000), above, 4.0).every, 14);
-  // tilted by 60 degrees turns lie half as far apart where they run across the view
+  // tilted by 60 degrees, turns are half as far apart where they run across the view
   const int tilted = chooseTurns(flatSpiral(0.3, 1000), viewFrom(0.0, 60.0, {900.0, 0.0, 0.0}), 4.0).every;
   EXPECT_GE(tilted, 24);
   EXPECT_LE(tilted, 27);

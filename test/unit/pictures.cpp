@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures: drawn where there is a display, refused with the remedy where there is none.
+// Pictures: drawn if there is a display, otherwise refused with the remedy.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/visualization/pictures.h>
 
@@ -19,7 +19,7 @@ using namespace pcl_spiral::test;
 
 namespace {
 
-constexpr int lines_end = 1170; ///< column of pixels; the part and its axes stand left of it
+constexpr int lines_end = 1170; ///< column of pixels; the part and its axes are left of it
 
 /** A paraboloid of radius 100 mm, its rim, twelve lines and a spiral that ends at an angle of the rim. */
 struct Paraboloid {
@@ -104,7 +104,7 @@ TEST(Pictures, ShowSurfaceLinesAndSpiral)
     EXPECT_GT(share(counts, isWhite), 0.30) << name;
     EXPECT_LT(share(counts, isWhite), 0.75) << name << ": the part fills its place";
   }
-  // the rim is red: it is there with the loops, and gone without them
+  // the rim is red: it is visible with the loops, and not without them
   const double rim = share(colorsOf(folder.path("lines.png")), isRed);
   with.report.loops.clear();
   SpiralPictures(with).writeLines(folder.path("bare.png"));
@@ -149,7 +149,7 @@ TEST(Pictures, StartAndEndAreMarkedAndWhatThePartHidesIsARing)
   if (!displayProblem().empty())
     GTEST_SKIP() << "no display here";
   const ScratchFolder folder;
-  // pixels; smoothing takes 0.3 from either edge
+  // pixels; smoothing removes 0.3 at each edge
   const double disc = M_PI * 7.7 * 7.7, ring = disc - M_PI * 4.8 * 4.8;
   const auto count = [](const std::map<Pixel, std::size_t>& counts, bool (*matches)(const Pixel&)) {
     double sum = 0.0;
@@ -163,7 +163,7 @@ TEST(Pictures, StartAndEndAreMarkedAndWhatThePartHidesIsARing)
     const auto main = colorsOf(folder.path("spiral.png"), 0, lines_end);
     EXPECT_NEAR(count(main, isRed), far ? ring : disc, 20.0);
     EXPECT_NEAR(count(main, isGreen), disc, 20.0);
-    const auto side = colorsOf(folder.path("spiral.png"), lines_end); // the legend's and the enlarged view's
+    const auto side = colorsOf(folder.path("spiral.png"), lines_end); // of the legend and the enlarged view
     EXPECT_NEAR(count(side, isRed), far ? ring + disc : 2.0 * disc, 40.0);
     EXPECT_NEAR(count(side, isGreen), 2.0 * disc, 40.0);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Step-over from the cutter's profile, against ridges found by moving the two passes apart.
+// Step-over from the cutter's profile, against ridges found by a search over the distance of two passes.
 #include <pcl_spiral/core/cutter_profile.h>
 
 #include "support/cutters.h"
@@ -14,7 +14,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** Height left between two passes: of the lower cutter at each place, the highest; by small steps. */
+/** Height left between two passes: the maximum of the lower cutter at each place, in small steps. */
 double
 ridge(const CutterProfile& cutter, double step)
 {

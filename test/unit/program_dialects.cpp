@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every language of programs and paths, read back by parsers of the tests and led through kinematics of the
+// Every language of programs and paths, read back by parsers of the tests and checked with kinematics of the
 // tests.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
@@ -44,7 +44,7 @@ programFor(const Machine& machine, const ToolPoses& poses)
   return program;
 }
 
-/** Every pose behind the pole's zone is passed in order, within 1e-3 mm and 1e-3 degree; the times are those
+/** The program passes every pose after the zone of the pole in order, within 1e-3 mm and 1e-3 degree; the times are those
  * of the program. */
 void
 expectPath(const Machine& machine, const ParsedProgram& parsed, const MachineProgram& program, const ToolPoses& poses)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The published method through SpiralToolpathGenerator: gaps marked or refused, loops of the user's own, what a failure reports.
+// The published method with SpiralToolpathGenerator: gaps marked or refused, loops given by the user, reports after a failure.
 #include "support/even_cloud.h"
 #include "support/given_loops.h"
 #include "support/surfaces.h"
@@ -22,7 +22,7 @@ using Loops = std::vector<BoundaryLoop>;
 constexpr double sphere = 150.0, apart = 2.0;
 const Eigen::Vector2d hole(25.0, 0.0);
 
-/** Rings of points about the top, all but the rim a little off their places. */
+/** Rings of points round the top, all except the rim slightly moved. */
 Cloud::Ptr
 dome(double hole_radius)
 {
@@ -77,7 +77,7 @@ TEST(PublishedGenerator, MarksWhatLiesOverAHole)
     deep += off < 7.0;
     if (off < 7.0)
       EXPECT_EQ(p.over_gap, 1);
-    if (off > 8.0 + 0.8 * apart) // the empty circle reaches to the points about the hole
+    if (off > 8.0 + 0.8 * apart) // the empty circle reaches the points round the hole
       EXPECT_EQ(p.over_gap, 0);
   }
   std::printf("  %zu points, %zu marked, %zu deep inside\n", path.size(), marked, deep);
@@ -101,7 +101,7 @@ TEST(PublishedGenerator, MarksNothingOnAWholeDome)
 
 TEST(PublishedGenerator, RefusesGapsWhereAsked)
 {
-  for (const bool named : {true, false}) { // by its loop; by the path that comes over it
+  for (const bool named : {true, false}) { // by its loop; by the path over it
     const auto cloud = dome(named ? 12.0 : 8.0);
     const Loops loops = test::loopsOf(cloud);
     ASSERT_EQ(loops.size(), named ? 2u : 1u);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Radial lines as published, and the step of (13)-(15): against meridians, exact surfaces, sagittas; where
-// lines fail.
+// Published radial lines, and the step of (13)-(15): against meridians, exact surfaces, sagittas; failures of
+// lines.
 #include "spiral/published/published_lines.h"
 #include "spiral/published/published_step.h"
 #include "support/even_cloud.h"
@@ -23,7 +23,7 @@ using Eigen::Vector3d;
 
 constexpr double chord_error = 0.005;
 
-/** A cloud, its surface as published, its loops. */
+/** A cloud, its surface by the published method, its loops. */
 struct Scan {
   explicit Scan(const std::vector<Vector3d>& points)
   : graph(test::graphOf(points)), surface(graph, 0, ProjectionMethod::DirectionalCentroid)
@@ -181,7 +181,7 @@ TEST(PublishedLines, SayWhereTheGraphFallsApart)
       << status.message();
 }
 
-/** Largest distance of a circle's arc from a chord of it, by points of the arc. */
+/** Largest distance of an arc from its chord, by points of the arc. */
 double
 sagitta(double radius, double chord)
 {

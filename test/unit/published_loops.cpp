@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Boundaries as published: flags by equation (1) against a search of all pairs, walks that close and walks
+// Published boundaries: flags by equation (1) against a search of all pairs, walks that close and walks
 // that end.
 #include "spiral/published/published_loops.h"
 #include "support/even_cloud.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The published chain from a cloud to a path: what the path keeps, the same bytes for any threads, and how it
-// fails.
+// The published method from a cloud to a path: limits of the path, the same bytes for any number of threads,
+// failures.
 #include "support/even_cloud.h"
 #include "support/surfaces.h"
 
@@ -35,7 +35,7 @@ degreesBetween(const Vector3d& a, const Vector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / M_PI;
 }
 
-/** What every published path keeps; \return the largest distance of its contacts from the exact surface. */
+/** Checks the limits of every published path; \return the largest distance of its contacts from the exact surface. */
 double
 expectSoundPath(const test::AnalyticSurface& exact, const SurfaceGraph& graph, const SpiralSettings& settings,
                 const PublishedResult& result)
@@ -99,7 +99,7 @@ TEST_F(OnEvenDome, PathFromThePoleToTheRim)
   ASSERT_TRUE(status.ok()) << status.message();
   EXPECT_EQ(last_share, 1.0);
   EXPECT_EQ(result.loops.size(), 1u);
-  // Order zero draws the path in by (k1 + k2) h^2 / 4; at the rim neighbours lie on one side alone.
+  // Order zero moves the path in by (k1 + k2) h^2 / 4; at the rim there are neighbours only on one side.
   EXPECT_LT(expectSoundPath(*exact_, *graph_, cutter(), result), 0.25);
   EXPECT_LT((result.contacts.front() - Vector3d(0, 0, 100)).norm(), graph_->spacing());
   EXPECT_LT(exact_->rimDistance(result.contacts.back()), graph_->spacing());

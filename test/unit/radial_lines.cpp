@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Radial lines of clouds whose lines are known: radii, meridians, corners; and what is refused.
+// Radial lines of clouds with known lines: radii, meridians, corners; and refusals.
 #include "support/plane_lines.h"
 #include "support/sampling.h"
 
@@ -58,7 +58,7 @@ expectSplines(const std::vector<RadialLine>& lines, double tolerance)
   for (const RadialLine& line : lines) {
     EXPECT_LE(line.deviation, tolerance);
     double worst = 0.0;
-    for (std::size_t k = 0; k < line.feet.size(); k += 7) { // nearest place on the curve, by a search about the foot's
+    for (std::size_t k = 0; k < line.feet.size(); k += 7) { // nearest place on the curve, by a search round the foot
       const double s = line.stationSpacing() * static_cast<double>(k);
       double nearest = 1e300;
       for (double t = -0.5; t <= 0.5; t += 0.01)
@@ -148,7 +148,7 @@ TEST(RadialLines, AnnulusBetweenItsLoops)
     EXPECT_NEAR(start.norm(), 30.0, 1.5);
     EXPECT_NEAR(end.norm(), 80.0, 1.5);
     EXPECT_LT(bow(line, start, end), 0.02);                              // straight: a geodesic
-    EXPECT_GT(start.normalized().dot(end.normalized()), std::cos(0.08)); // and radial, to the rims' jaggedness
+    EXPECT_GT(start.normalized().dot(end.normalized()), std::cos(0.08)); // and radial, up to the roughness of the rims
   }
   EXPECT_EQ(crossings(lines, Vector3d::Zero(), 0.0), 0u);
   radial.setCenter({50, 0, 0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bytes that are no text are replaced one by one; text stays as it is (RFC 3629, and the characters of
+// Bytes that are not text are replaced one by one; text does not change (RFC 3629, and the characters of
 // XML 1.0).
 #include "common/readable_text.h"
 

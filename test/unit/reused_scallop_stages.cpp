@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stages at constant scallop height used again, as reused_stages does with the others.
+// The stages at constant scallop height used again, like the other stages in reused_stages.
 #include "support/reused_stage.h"
 
 #include <pcl_spiral/spiral/loop_linking.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every class used again: clouds of other sizes, other point types, indices, no cloud at all. Never an answer of before.
+// Every class used again: clouds of other sizes, other point types, indices, no cloud. It must never give an earlier result.
 #include "support/reused_stage.h"
 #include "support/test_machines.h"
 
@@ -33,7 +33,7 @@ namespace {
 
 constexpr double a = dome_radius, b = dome_height;
 
-/** A path over the dome, to be judged: a ring of contacts. */
+/** A path over the dome to judge: a ring of contacts. */
 pcl::PointCloud<ToolpathPoint>::Ptr
 ring()
 {
@@ -58,7 +58,7 @@ addPoints(const Points& points, Values& values)
     values.insert(values.end(), {p.x, p.y, p.z});
 }
 
-// One adaptor a class: give takes a cloud, run computes and gives numbers, none on failure. Outputs are kept from run to run.
+// One adaptor per class: give takes a cloud, run computes and returns numbers, none on failure. Outputs are kept between runs.
 
 template <typename PointT>
 struct Scanned : ScannedSurface<PointT> {

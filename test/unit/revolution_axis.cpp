@@ -20,8 +20,8 @@ struct Cloud {
   std::vector<double> weights;
 };
 
-/** Column of the radius \p radius(z, angle) about z, normals by differences and off by \p noise radians,
- * moved. */
+/** Column of the radius \p radius(z, angle) about z, normals by differences with \p noise radians,
+ * then moved. */
 Cloud
 column(const std::function<double(double, double)>& radius, double height, double sector, double noise, const Eigen::Isometry3d& motion,
        std::uint64_t seed)
@@ -88,7 +88,7 @@ TEST(RevolutionAxis, OfColumnsOfManyShapes)
     }
 }
 
-/** Seen from far off across its axis a cylinder is a piece of a huge ring, and goes round that axis as well. */
+/** From a distant axis across its own, a cylinder is a piece of a huge ring, and also runs round that axis. */
 TEST(RevolutionAxis, ACylinderIsNoPieceOfAHugeRing)
 {
   for (std::uint64_t seed = 1; seed <= 40; ++seed)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The earlier method, three long lines and arcs across them, beside a rail and a generator.
+// The earlier method, three long lines and arcs across them, compared with a rail and a generator.
 #include <pcl_spiral/ridge/ridge_surface.h>
 
 #include "support/made_ridge.h"
@@ -39,7 +39,7 @@ take(double distance, Off& off)
   ++off.places;
 }
 
-/** A surface's places, by shares from 0 to 1 of its rail and its generator, against the exact ridge. */
+/** Places of a surface, by shares from 0 to 1 of its rail and its generator, against the exact ridge. */
 Off
 offOf(const ExactRidge& exact, const std::function<Vector3d(double, double)>& surface)
 {
@@ -108,7 +108,7 @@ TEST(EarlierMethod, GoesThroughItsThreeLinesAndFitsArcs)
       least = std::min(least, (three.position(station, k / 1000.0) - three.lines[1][station]).norm());
     EXPECT_LT(least, 0.02) << "steps along the arc are 0.03 mm";
   }
-  // where the profile is an arc, of radius 20 and 24 wide, the method is right
+  // if the profile is an arc of radius 20, 24 wide, the method is right
   exact.generator = [](double w) {
     const double half = std::asin(0.6), angle = half * (2.0 * w - 1.0);
     return Vector3d(0.0, 12.0 + 20.0 * std::sin(angle), 20.0 * (std::cos(angle) - std::cos(half)));
@@ -175,7 +175,7 @@ TEST(EarlierMethod, TakesNearlyThreeTimesTheMeasuring)
   const std::size_t ours = 300 + pointsAt(apart, generator);
   EXPECT_EQ(ours, 313u);
   EXPECT_NEAR(static_cast<double>(ours) / 900.0, 0.35, 0.005);
-  const double step = 2.0; // each line by its own length
+  const double step = 2.0; // each line with its own length
   std::size_t theirs = 0;
   for (const double w : {0.0, 0.5, 1.0}) {
     std::vector<Vector3d> line;

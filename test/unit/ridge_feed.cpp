@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Speed of a beam over a ridge: programs of rows, read back, and the contact's way in the time of every block.
+// Speed of a beam over a ridge: programs of rows, read back, and the path of the contact in the time of every block.
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/ridge/ridge_toolpath.h>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double feed = 600.0, stand_off = 10.0;
 
-/** An arch that reaches 36 mm inward of a ring of radius 50, its chord rising by \p theta degrees. */
+/** An arch that reaches 36 mm inward from a ring of radius 50; its chord rises by \p theta degrees. */
 ExactRidge
 archedRing(double theta)
 {
@@ -71,7 +71,7 @@ beamPoses(const DrivePasses& rows)
   return passes;
 }
 
-/** No axis of it slows a block. */
+/** A machine whose axes slow no block. */
 Machine
 fastMachine(bool rtcp)
 {
@@ -97,7 +97,7 @@ programFor(const Machine& machine, const std::vector<ToolPoses>& passes)
   return program;
 }
 
-/** The program as a control of LinuxCNC takes it, from its text. */
+/** The program as LinuxCNC reads it from its text. */
 ParsedProgram
 readBack(const MachineProgram& program)
 {
@@ -109,7 +109,7 @@ readBack(const MachineProgram& program)
   return parseFanuc(folder.path("rings.ngc"));
 }
 
-/** Where the beam meets the surface, \p t of the way from \p a to \p b: the axes go evenly. */
+/** Place where the beam meets the surface, at share \p t of the way from \p a to \p b: the axes move linearly. */
 Vector3d
 spotAt(const Machine& machine, const ParsedMove& a, const ParsedMove& b, double t)
 {
@@ -125,7 +125,7 @@ struct Speeds {
   double slowest = 1e9, fastest = 0.0;         ///< of the spot, mm/min
   double slowest_tip = 1e9, fastest_tip = 0.0; ///< of the tip
   std::size_t blocks = 0;
-  double length = 0.0; ///< of the spot's way
+  double length = 0.0; ///< of the path of the spot
 };
 
 /** Over all moves with the beam on. */
@@ -176,7 +176,7 @@ TEST(RidgeFeed, TipsStandOffTheExactSurface)
 
 namespace {
 
-/** Over all rows, the spot is as fast as asked, by the program's text; the tip is not. */
+/** Over all rows, by the program's text, the spot moves at the feed asked for; the tip does not. */
 void
 expectFeed(const ExactRidge& ring, RidgeDirection direction, RidgeSteps steps, bool rtcp)
 {
@@ -207,7 +207,7 @@ TEST(RidgeFeed, TheSpotKeepsTheFeedOnRingsOfUnequalLength)
         expectFeed(archedRing(theta), RidgeDirection::AlongRail, steps, rtcp);
 }
 
-/** Rising by 40 degrees the arch is nowhere level: there C would turn about, and the block take as long as that does. */
+/** With a rise of 40 degrees the arch is nowhere level: at a level place C would turn round, and the block would last as long. */
 TEST(RidgeFeed, TheSpotKeepsTheFeedAcrossTheRail)
 {
   for (const RidgeSteps steps : {RidgeSteps::EqualOnRow, RidgeSteps::Stations})

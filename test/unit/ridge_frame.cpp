@@ -63,7 +63,7 @@ TEST(RidgeFrame, TellsHowFarAnErrorOfTheSlopeTurnsTheChord)
 
 TEST(RidgeFrame, TurnsAsFiniteDifferencesSay)
 {
-  // Along a curve with a slope of its own at every place.
+  // Along a curve with a different slope at every place.
   const auto tangentAt = [](double s) {
     return Vector3d(std::cos(0.3 * s), std::sin(0.3 * s), 0.4 * std::sin(0.2 * s) + 0.1).normalized();
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles over ridges: on the surface, as near to it as asked, looking up, without a seam.
+// Triangles over ridges: on the surface, as near to it as asked for, facing up, without a seam.
 #include <pcl_spiral/ridge/ridge_surface.h>
 
 #include "support/made_ridge.h"
@@ -48,7 +48,7 @@ helix()
   return madeRidge(exact.railPoints(600), exact.generatorPoints(0.37, 41));
 }
 
-/** Distance of \p p from the ridge near (u, v): steps of Gauss and Newton. */
+/** Distance of \p p from the ridge near (u, v), by Gauss-Newton steps. */
 double
 distanceFrom(const RidgeSurface& surface, const Vector3d& p, double u, double v)
 {
@@ -97,7 +97,7 @@ judge(const RidgeSurface& surface, const RidgeMesh& mesh)
   return judged;
 }
 
-/** How many edges have one face alone. */
+/** Number of edges with only one face. */
 std::size_t
 openEdges(const RidgeMesh& mesh)
 {
@@ -111,7 +111,7 @@ openEdges(const RidgeMesh& mesh)
   return open;
 }
 
-/** Distance of curved faces from the ridge, and angle of normals, within it and within three cells of its rims: there a normal is
+/** Distance of curved faces from the ridge, and angle of normals, inside it and within three cells of its rims: there a normal is
  *  fitted from one side. */
 void
 judgeCurved(const RidgeSurface& surface)

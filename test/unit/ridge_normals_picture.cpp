@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/** Of the published normal on the helix, \p b mm along the chord, degrees. */
+/** Error of the published normal on the helix, \p b mm along the chord, degrees. */
 double
 formula(double b, bool inward)
 {
@@ -39,7 +39,7 @@ TEST(RidgeNormalsPicture, AnglesOfNormalsAreThoseOfTheFormula)
     const RidgeScene scene = helixScene(inward);
     const NormalErrors errors = normalErrors(*scene.ridge);
     ASSERT_EQ(errors.places.size(), errors.most.size());
-    // the generator runs so that up is on the reference's side: outward its chord leads back to the rail
+    // the generator runs so that up is on the side of the reference: outward its chord leads back to the rail
     const Vector3d start = scene.ridge->generator().position(0.0), end = scene.ridge->generator().position(20.0);
     EXPECT_NEAR(inward ? start.norm() : end.norm(), 0.0, 1e-6);
     for (std::size_t k = 0; k < errors.places.size(); ++k) {
@@ -68,7 +68,7 @@ TEST(RidgeNormalsPicture, ColoursTellTheAngle)
       const Pixel pixel = at(image, static_cast<int>(place.x()), static_cast<int>(place.y()));
       Vector3d wanted, is(pixel[0], pixel[1], pixel[2]);
       colors->GetColor(formula(v, true), wanted.data());
-      EXPECT_LT((is.normalized() - wanted.normalized()).norm(), 0.06) << u << ' ' << v << ": " << is.transpose(); // light dims it
+      EXPECT_LT((is.normalized() - wanted.normalized()).norm(), 0.06) << u << ' ' << v << ": " << is.transpose(); // light makes it darker
     }
   expectWordsInside(folder.path("a.png"));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of the lines of a ridge: lines and frames as they are, words inside the sheet.
+// The picture of the lines of a ridge: lines and frames at their places, text inside the sheet.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/visualization/pictures.h>
 #include <pcl_spiral/visualization/ridge_picture.h>
@@ -23,7 +23,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int inset_left = Canvas::words_left, inset_low = 50, inset_high = 350; ///< of the lower enlarged view, but for its words
+constexpr int inset_left = Canvas::words_left, inset_low = 50, inset_high = 350; ///< of the lower enlarged view, without its text
 
 bool
 isRailColor(const Pixel& p)
@@ -51,7 +51,7 @@ isBlue(const Pixel& p)
   return p[0] < 60 && p[1] < 90 && p[2] > 200;
 }
 
-/** Direction in degrees, from 0 to 180, in which the pixels of a colour in the lower enlarged view spread, an arrow. */
+/** Direction of an arrow in degrees, from 0 to 180: the main direction of the pixels of its colour in the lower enlarged view. */
 double
 directionOf(vtkImageData* image, const Matches& matches)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pass along the rim inside it, on it and beyond it; the margin about holes; what does not go is refused with the place.
+// The pass along the rim inside it, on it and beyond it; the margin round holes; impossible cases are refused with the place.
 #include "support/outlines.h"
 #include "support/sampling.h"
 #include "support/surfaces.h"

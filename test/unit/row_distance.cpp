@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The distance of rows at which a ball leaves a ridge of the height asked for: on exact surfaces, by force.
+// The distance of rows at which a ball leaves the scallop height: on exact surfaces, by brute force.
 #include "support/left_heights.h"
 #include "support/sampling.h"
 #include "support/surfaces.h"
@@ -51,12 +51,12 @@ struct RowCut {
 
   Vector3d along() const { return {std::cos(direction * M_PI / 180.0), std::sin(direction * M_PI / 180.0), 0.0}; }
   Vector3d across() const { return Vector3d::UnitZ().cross(along()); }
-  /** What has to be on a plane: the contact, or the centre. */
+  /** The point that must be on a plane: the contact, or the centre. */
   Vector3d led(const Vector3d& x) const { return through == RowsThrough::Contacts ? x : Vector3d(x + radius * surface->normal(x)); }
   double nominal() const { return 2.0 * std::sqrt((2.0 * radius - height) * height); }
 };
 
-/** Patches of a fine grid, and the extent of what is led over them. */
+/** Patches of a fine grid, and the extent of the planes over them. */
 std::vector<RowPatch>
 patchesOf(const RowCut& cut, int cells, double& low, double& high)
 {
@@ -80,7 +80,7 @@ patchesOf(const RowCut& cut, int cells, double& low, double& high)
   return patches;
 }
 
-/** Contacts \p spacing apart along the rows, wherever they lie over the rectangle and 3 mm beyond it. */
+/** Contacts \p spacing apart along the rows, over the rectangle and 3 mm beyond it. */
 CheckedPath
 ballPath(const RowCut& cut, const std::vector<double>& levels, double spacing = 0.1)
 {
@@ -125,7 +125,7 @@ heightsInside(const RowCut& cut, const std::vector<double>& levels, std::size_t 
   return {quantile(heights, 0.99), quantile(heights, 0.999), quantile(heights, 1.0)};
 }
 
-/** Rows kept, with their ridges by brute force; returns how many rows over those of even steps. */
+/** Rows kept, with their ridges by brute force; returns the ratio of the number of rows to that of even steps. */
 double
 keptRowsLeave(const RowCut& cut, int cells, std::size_t samples, double least)
 {
@@ -168,7 +168,7 @@ TEST(RowDistance, OfAPlaneIsTheStepByItsSlopeAcross)
   EXPECT_EQ(rowDistance(groove, Vector3d::UnitY(), 5.0, 0.01, RowsThrough::Centres), infinity);
 }
 
-/** Two circles of ball centres about a cylinder's axis, or contacts: the ridge between them by the triangle.
+/** Two circles of ball centres round the axis of a cylinder, or contacts: the ridge between them by the triangle.
  */
 TEST(RowDistance, OfACylinderIsExactForLongSteps)
 {
@@ -196,7 +196,7 @@ TEST(RowDistance, LeavesTheRidgeOnPlanesSpheresAndTwistedSurfaces)
   }
 }
 
-/** The height over a place midway between two rows at the distance allowed there. */
+/** The height over a place in the middle between two rows at the allowed distance. */
 TEST(RowDistance, LeavesTheHeightMidway)
 {
   const Region square({rectangle(20.0, 20.0)});
@@ -208,7 +208,7 @@ TEST(RowDistance, LeavesTheHeightMidway)
         const Vector3d x = surface->lift({0.0, 0.0});
         const double apart = rowDistance(bendAt(*surface, x), cut.across(), cut.radius, cut.height, through);
         const double middle = cut.across().dot(cut.led(x));
-        double height = 0.0; // the mean of what the two leave: they differ by how the curvature changes
+        double height = 0.0; // the mean of the heights that the two leave; they differ because the curvature changes
         for (const double side : {-0.5, 0.5}) {
           const CheckedPath path = ballPath(cut, {middle + side * apart}, 0.02);
           std::vector<Vector3d> centres;

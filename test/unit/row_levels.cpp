@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Levels of rows as far apart as the patches between them allow, and no more of them than needed.
+// Levels of rows as far apart as the patches between them allow, and no more levels than needed.
 #include "support/sampling.h"
 
 #include "core/row_levels.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/** Largest distance of neighbours, in what the patches between allow; of the ends, in half of it. */
+/** Largest distance of neighbours, divided by the distance that the patches between allow; for the ends, by half of it. */
 double
 largestShare(const std::vector<RowPatch>& patches, const std::vector<double>& levels, double low, double high, double floor)
 {
@@ -59,7 +59,7 @@ TEST(RowLevels, AllowWhatThePatchesDoWithTheFewestRows)
     const double share = largestShare(patches, rows.levels, low, high, floor);
     EXPECT_LE(share, 1.0 + 1e-9);
     EXPECT_GT(share, 0.8) << "no more rows than needed";
-    // The fewest there can be, by going as far as the patches allow, in steps of a thousandth.
+    // The least possible number: steps as large as the patches allow, in steps of a thousandth.
     std::size_t fewest = 0;
     for (double at = low, ahead = 0.5; at < high; ++fewest, ahead = 1.0) {
       double next = at;

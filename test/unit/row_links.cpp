@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Passes joined on a surface that is told by a function: which, by what way, and which stay alone.
+// Passes joined on a surface given by a function: which passes, on which path, and which stay separate.
 #include "mesh/row_links.h"
 
 #include <Eigen/Geometry>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double radius = 20.0;
 
-/** On the sphere; normals and axes tell that links take over the whole drive point. */
+/** A point on the sphere; normals and axes show that links contain complete drive points. */
 std::optional<DrivePoint>
 onSphere(const Vector3d& place)
 {
@@ -52,7 +52,7 @@ TEST(RowLinks, RunOnTheSurfaceAtTheSpacingAsked)
   EXPECT_EQ(links.made, 4U);
   EXPECT_EQ(links.not_made, 0U);
   ASSERT_EQ(passes.size(), 1U);
-  EXPECT_EQ(passes[0].points.size(), 5U * 21U + 4U * 2U); // links of some 1.9 mm
+  EXPECT_EQ(passes[0].points.size(), 5U * 21U + 4U * 2U); // links of about 1.9 mm
   for (std::size_t i = 0; i + 1 < passes[0].points.size(); ++i) {
     const DrivePoint &a = passes[0].points[i], &b = passes[0].points[i + 1];
     EXPECT_NEAR(a.position.norm(), radius, 1e-12);
@@ -73,7 +73,7 @@ TEST(RowLinks, AreNotMadeOverPlacesThatAreNoSurface)
   EXPECT_EQ(links.made, 2U);
   EXPECT_EQ(links.not_made, 1U);
   ASSERT_EQ(passes.size(), 2U);
-  EXPECT_EQ(passes[0].points.size(), 42U); // the spacing needs no point between
+  EXPECT_EQ(passes[0].points.size(), 42U); // the spacing needs no point between them
 }
 
 TEST(RowLinks, AreNoLongerThanAskedNorLedOffNorMadeToRings)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sections of a mesh whose faces bow far: contacts stay on it.
+// Sections of a mesh with strongly curved faces: contacts stay on it.
 #include <pcl_spiral/mesh/impl/patch_tree.h>
 #include <pcl_spiral/mesh/mesh_sections.h>
 
@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/** Distance of \p p from the flat faces, by looking at all. */
+/** Distance of \p p from the flat faces, by a check of all faces. */
 double
 distanceFromFaces(const TriangleMesh& mesh, const Vector3d& p)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A path at constant scallop height composed by hand is the generator's, to the byte; closed loops are a toolpath of their own.
+// A path at constant scallop height composed by hand is byte for byte that of the generator; closed loops are another toolpath.
 #include "support/outlines.h"
 #include "support/sampling.h"
 
@@ -46,7 +46,7 @@ part(const char* outline)
   return toCloud(sampleUniform(*outlinedPart(outline, 0, 0.5), 5000, 3).points);
 }
 
-/** A flat part with a hole in its data, too small for one of the part. */
+/** A flat part with a gap in its data, too small for a hole of the part. */
 Cloud::Ptr
 partWithGap()
 {
@@ -64,7 +64,7 @@ expectDone(const Stage& stage)
   EXPECT_TRUE(stage.getStatus().ok()) << stage.getStatus().message();
 }
 
-/** What flows between the stages, without the generator. */
+/** The data between the stages, without the generator. */
 struct ByHand {
   Surface::ConstPtr surface;
   std::vector<BoundaryLoop> rims;
@@ -217,7 +217,7 @@ TEST_F(ScallopStages, WhatIsNotGivenIsMadeByTheSameRules)
   linking.compute(of_loops);
   for (const LinkedPath* path : {&of_cloud, &of_surface, &of_field, &of_loops})
     EXPECT_EQ(path->points, by_hand.linked.points);
-  linking.setInputCloud(part("disc")); // loops and field are forgotten
+  linking.setInputCloud(part("disc")); // loops and field are dropped
   linking.compute(of_cloud);
   EXPECT_EQ(linking.getFigures().bridges, 0u);
 }
@@ -285,11 +285,11 @@ TEST_F(ScallopStages, ClosedLoopsGoTheWayAskedForAndOnToTheCutter)
     return sum;
   };
   EXPECT_GT(area(passes[0]), 0.0); // the outer rim
-  EXPECT_LT(area(passes[1]), 0.0); // that of the hole
+  EXPECT_LT(area(passes[1]), 0.0); // the loop of the hole
   for (std::size_t i = 0; i < passes.size(); ++i)
     EXPECT_NEAR(area(back[i]), -area(passes[i]), 0.01 * std::abs(area(passes[i])));
 
-  CutterLocation<Point> location; // and so on, to programs
+  CutterLocation<Point> location; // then further, to programs
   location.setInputCloud(cloud);
   location.setDrivePasses(passes);
   location.setCutter(CutterShape::ball(5.0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gaps of a scan: ridden over and marked where asked for, refused where not; the path over them lies on the true surface.
+// Gaps of a scan: the path runs over them, marked, or they are refused; the path over them is on the true surface.
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
@@ -18,7 +18,7 @@ using Path = pcl::PointCloud<ToolpathPoint>;
 constexpr double radius = 150.0; // of the sphere
 constexpr double spacing = 0.75; // about: 20,000 points within 60 mm
 
-/** A gap on the plan of the part, and how far inside it a place lies (negative: outside). */
+/** A gap in the plan of the part, and the distance of a place from its edge (negative: outside). */
 struct Gap {
   test::PlaneLoop outline;
   std::function<double(double, double)> depth;
@@ -54,8 +54,8 @@ hasPointNear(const pcl::PointCloud<pcl::PointXYZ>& scan, const ToolpathPoint& p)
                      [&p](const pcl::PointXYZ& q) { return (q.getVector3fMap() - p.getVector3fMap()).norm() < spacing; });
 }
 
-/** Marked well inside the gaps and not well outside, unless by chance no point of the scan is near there; near the sphere
- *  everywhere. */
+/** The path is marked well inside the gaps and not well outside, unless by chance no point of the scan is near; it is near the
+ *  sphere everywhere. */
 void
 expectMarked(const pcl::PointCloud<pcl::PointXYZ>& scan, const Path& path, const std::vector<Gap>& gaps, double deviation)
 {
@@ -75,7 +75,7 @@ expectMarked(const pcl::PointCloud<pcl::PointXYZ>& scan, const Path& path, const
   EXPECT_LT(worst, deviation);
 }
 
-/** What the report says of gaps is what the path says. */
+/** The report and the path agree on gaps. */
 void
 expectReported(const Path& path, const SpiralReport& report)
 {
@@ -136,7 +136,7 @@ TEST(ScanGaps, ARealHoleIsRiddenOverWhenOneBoundaryIsAskedFor)
 
 TEST(ScanGaps, TheLongestHoleIsTheSecondBoundaryWhereTwoAreAskedFor)
 {
-  // 38 mm round, a tenth of the rim: a gap by itself, a boundary where the user says so.
+  // 38 mm long, a tenth of the rim: a gap by default, a boundary if the user asks for it.
   const std::vector<Gap> holes{spot(5.0, -4.0, 6.0), spot(30.0, 20.0, 3.0)};
   auto generator = generatorFor(holes, 0.0);
   generator.setBoundaryMode(BoundaryMode::TwoBoundaries);

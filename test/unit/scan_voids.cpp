@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Holes too narrow to be open loops: told from chance, marked on the path, opened where their size is given.
+// Holes too narrow for open loops: distinguished from chance, marked on the path, opened if their size is given.
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
@@ -49,7 +49,7 @@ TEST(ScanVoids, AreNotSeenWhereChanceAloneLeavesPlacesEmpty)
   std::size_t alarms = 0;
   for (unsigned int seed = 1; seed <= 60; ++seed)
     alarms += ScanVoids(graphOf(bowl(0.0, seed))).voids().size();
-  EXPECT_LE(alarms, 5u); // one in fifty foretold: six or more in sixty have a chance of 0.2 %
+  EXPECT_LE(alarms, 5u); // predicted: one in fifty; six or more in sixty have a probability of 0.2 %
 }
 
 TEST(ScanVoids, AHoleOfFiveSpacingsIsFoundWithItsPlaceAndWidth)
@@ -131,7 +131,7 @@ TEST(Holes, AreGoneRoundOverOrRefused)
   EXPECT_NE(generator.getStatus().message().find("setHoleHandling"), std::string::npos);
   EXPECT_TRUE(path.empty());
 
-  generator.setHoleSize(40.0); // then it is a gap in the data
+  generator.setHoleSize(40.0); // then the hole is a gap in the data
   generator.compute(path);
   EXPECT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Self-crossings put in on purpose are found where they are; a spiral has none.
+// Planted self-crossings are found at their places; a spiral has none.
 #include "core/self_crossing.h"
 
 #include <gtest/gtest.h>
@@ -41,13 +41,13 @@ TEST(SelfCrossing, ALiftCrossesNothing)
 {
   auto path = spiral(4000);
   const std::size_t begin = path.size();
-  for (int i = 0; i < 10; ++i) // a pass of its own, from the other side of all turns
+  for (int i = 0; i < 10; ++i) // a separate pass, from the other side of all turns
     path.push_back({-205.0 - i, 0.0, 39.0});
   const std::vector<Eigen::Vector3d> normals(path.size(), Eigen::Vector3d::UnitZ());
   EXPECT_TRUE(pcl_spiral::firstSelfCrossing(path, normals));
   EXPECT_FALSE(pcl_spiral::firstSelfCrossing(path, normals, 0.0, {}, {begin}));
   path.push_back({-190.0, 0.1, 36.1});
-  EXPECT_TRUE(pcl_spiral::firstSelfCrossing(path, normals, 0.0, {}, {begin})); // but what is cut then does
+  EXPECT_TRUE(pcl_spiral::firstSelfCrossing(path, normals, 0.0, {}, {begin})); // but the pass after it does
 }
 
 TEST(SelfCrossing, ALongSearchIsEndedOnTheWay)
@@ -55,7 +55,7 @@ TEST(SelfCrossing, ALongSearchIsEndedOnTheWay)
   pcl_spiral::Polyline zigzag;
   for (int i = 0; i < 300000; ++i)
     zigzag.push_back({i % 2 == 0 ? 0.0 : 1.0, 1e-2 * i, 0.0});
-  zigzag.push_back({0.5, 2990.0, 0.0}); // back over what comes last
+  zigzag.push_back({0.5, 2990.0, 0.0}); // back over the last part
   const std::vector<Eigen::Vector3d> normals(zigzag.size(), Eigen::Vector3d::UnitZ());
   std::vector<double> shares;
   const auto all = [&](double share) {
@@ -80,7 +80,7 @@ TEST(SelfCrossing, ShortPathsAndRepeatedPoints)
   EXPECT_FALSE(pcl_spiral::firstSelfCrossing({}, {}));
 }
 
-// Whether two segments of the plane z = 0 cross, each leaving the other's ends on either side by more than the slack.
+// Whether two segments of the plane z = 0 cross: each has the ends of the other on different sides, by more than the slack.
 bool
 crossInPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d, double slack)
 {
@@ -98,7 +98,7 @@ TEST(SelfCrossing, AgreesWithEveryPairTested)
   std::uniform_real_distribution<double> u(-1.0, 1.0);
   int crossed = 0;
   for (int trial = 0; trial < 300; ++trial) {
-    // A path that drifts, so that some cross late and some never.
+    // A path that drifts, so that some paths cross late and some never.
     pcl_spiral::Polyline path{Eigen::Vector3d(1000 * u(random), 1000 * u(random), 0)};
     for (int i = 0; i < 60; ++i)
       path.push_back(path.back() + Eigen::Vector3d(0.9 + u(random), 1.5 * u(random), 0));
@@ -117,7 +117,7 @@ TEST(SelfCrossing, AgreesWithEveryPairTested)
 
 TEST(SelfCrossing, SegmentsMayPassOverEachOther)
 {
-  // A loop that crosses its start, at some height over it.
+  // A loop that crosses its start at some height above it.
   const auto loop = [](double height) {
     pcl_spiral::Polyline path;
     for (int i = 0; i <= 20; ++i)

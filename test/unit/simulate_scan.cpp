@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The simulated scan against the spheroid, and the ridge, it is taken from.
+// The simulated scans against the exact spheroid and the exact ridge.
 #include <pcl_spiral/io/cloud_reader.h>
 
 #include "support/made_ridge.h"
@@ -78,7 +78,7 @@ TEST_F(SimulateScan, withoutNoiseEveryPointIsOnTheSpheroidInScanLines)
     widest = std::max(widest, double(std::hypot(p.x, p.y)));
     lines.insert(p.x);
   }
-  EXPECT_EQ(lines.size(), 269u); // every 2 mm within the rim; the outermost two only graze it
+  EXPECT_EQ(lines.size(), 269u); // every 2 mm inside the rim; the outermost two only touch it
   EXPECT_GT(widest, 269);
   EXPECT_GT(cloud.size(), 80000u);
 }
@@ -90,7 +90,7 @@ TEST_F(SimulateScan, noiseOutliersAndShadowAreAsAsked)
   std::size_t far = 0, near = 0;
   for (const auto& p : cloud) {
     if (std::hypot(p.x, p.y) > 60)
-      continue; // where the beam meets the surface obliquely, the distance is shorter than the error
+      continue; // where the beam is oblique to the surface, the distance is smaller than the error
     const double d = distance(p);
     (std::abs(d) > 0.5 ? far : near) += 1;
     sum += std::abs(d) > 0.5 ? 0 : d * d;

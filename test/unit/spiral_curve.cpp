@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The spiral between lines known exactly: on a plane disc it is Archimedes'.
+// The spiral between exact lines: on a plane disc it is an Archimedean spiral.
 #include "support/plane_lines.h"
 
 #include <pcl_spiral/spiral/impl/spiral_curve.h>
@@ -43,7 +43,7 @@ public:
 
   SpiralSettings settings;
   double turns = 0.0, longest = 0.0;
-  Polyline corner_places; ///< where turns meet the lines that end on corners
+  Polyline corner_places; ///< points where turns meet the lines that end on corners
 
 private:
   std::vector<RadialLine> lines_;
@@ -65,7 +65,7 @@ archimedes(double turn, double turns)
   return {r * std::cos(angle), r * std::sin(angle), 0.0};
 }
 
-/** Distance across the spiral; \p turn only says which of its turns is meant. */
+/** Distance across the spiral; \p turn only selects one of its turns. */
 double
 offArchimedes(const Vector3d& p, double turn, double turns)
 {
@@ -133,7 +133,7 @@ TEST(SpiralCurve, ClockwiseIsTheMirrorAndInwardTheOtherSensesReverse)
     EXPECT_NEAR((clockwise[i].position.cwiseProduct(Vector3d(1, -1, 1)) - plain[i].position).norm(), 0.0, 1e-6);
     EXPECT_NEAR(clockwise[i].turn, plain[i].turn, 1e-9);
   }
-  // Run from its end, the clockwise spiral winds counter-clockwise.
+  // From its end, the clockwise spiral runs counter-clockwise.
   c.settings.sense = SpiralSense::CounterClockwise;
   c.settings.direction = SpiralDirection::Inward;
   const auto inward = c.sample();
@@ -158,7 +158,7 @@ TEST(SpiralCurve, SquareKeepsItsCorners)
       nearest = std::min(nearest, (p.position - corner).norm());
     EXPECT_LT(nearest, 1e-9) << corner.transpose();
   }
-  for (const std::size_t k : corners) // the rim's own too
+  for (const std::size_t k : corners) // also those of the rim
     EXPECT_TRUE(std::any_of(points.begin(), points.end(), [&](const SpiralPoint& p) { return p.position == rim[k]; }));
   for (const SpiralPoint& p : points)
     EXPECT_LT(p.position.cwiseAbs().maxCoeff(), radius + 1e-9);

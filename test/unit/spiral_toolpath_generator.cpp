@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The generator as a PCL user meets it: ends, axes, sides, orders, threads, progress, refusals.
+// The generator for a PCL user: ends, axes, sides, orders, threads, progress, refusals.
 #include "support/sampling.h"
 
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
@@ -29,7 +29,7 @@ void
 setUp(Generator& spiral, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud)
 {
   spiral.setInputCloud(cloud);
-  spiral.setMethod(SpiralMethod::Radial); // the others: constant_scallop, published_generator; the choice: method_choice
+  spiral.setMethod(SpiralMethod::Radial); // other methods: constant_scallop, published_generator; the choice: method_choice
   spiral.setToolRadius(6.0);
   spiral.setScallopHeight(0.1);
   spiral.setChordError(0.01);
@@ -53,7 +53,7 @@ TEST(SpiralToolpathGenerator, FromTheCentreToTheRim)
   setUp(spiral, cloud);
   spiral.setCenter({2.0, -1.0, 80.0});
   spiral.setStartPoint({0.0, -40.0, 70.0});
-  spiral.setAxisSmoothing(0.0); // the tilt to the letter
+  spiral.setAxisSmoothing(0.0); // the exact tilt
   Path path;
   spiral.compute(path);
   ASSERT_TRUE(spiral.getStatus().ok()) << spiral.getStatus().message();
@@ -118,7 +118,7 @@ TEST(SpiralToolpathGenerator, SenseIsTheTravelsOutwardAndInward)
         Path path;
         spiral.compute(path);
         ASSERT_TRUE(spiral.getStatus().ok()) << spiral.getStatus().message();
-        const double turns = path.back().turn; // round the loops too
+        const double turns = path.back().turn; // also round the loops
         EXPECT_NEAR(winding(path) / (2.0 * M_PI), sense == SpiralSense::CounterClockwise ? turns : -turns, 0.5);
         const auto fromAxis = [](const ToolpathPoint& p) { return std::hypot(p.x, p.y); };
         const bool outward = direction == SpiralDirection::Outward;
@@ -224,7 +224,7 @@ TEST(SpiralToolpathGenerator, NormalsTellTheSideAndFlipTurnsIt)
     spiral.setFlipNormals(flip);
     spiral.compute(path);
     ASSERT_TRUE(spiral.getStatus().ok()) << spiral.getStatus().message();
-    float turned = 0.0f; // seen from the side the cutter is on, the path runs counter-clockwise
+    float turned = 0.0f; // seen from the cutter's side, the path runs counter-clockwise
     for (std::size_t i = 0; i < path.size(); ++i) {
       ASSERT_GT(side * path[i].getNormalVector3fMap().dot(path[i].getVector3fMap()), 0.99f * radius);
       if (i > 0)
@@ -232,7 +232,7 @@ TEST(SpiralToolpathGenerator, NormalsTellTheSideAndFlipTurnsIt)
     }
     EXPECT_GT(side * turned, 0.0f);
   }
-  // From inside the ball the hollow is as tight as its radius.
+  // From inside the ball, the hollow has the radius of the ball.
   spiral.setToolRadius(radius + 1.0);
   spiral.compute(path);
   EXPECT_EQ(spiral.getStatus().code(), StatusCode::Failed);
@@ -298,7 +298,7 @@ TEST(SpiralToolpathGenerator, ProgressGrowsAndCancels)
     spiral.compute(path);
     EXPECT_EQ(spiral.getStatus().code(), StatusCode::Cancelled);
     EXPECT_TRUE(path.empty());
-    EXPECT_EQ(calls, stop); // none after it said no
+    EXPECT_EQ(calls, stop); // no call after it returned false
   }
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t megabyte = 1000000;
 
-/** Memory that was written to, and so is there. */
+/** Memory that was written to, and so is really in use. */
 std::unique_ptr<char[]>
 touched(std::size_t bytes)
 {

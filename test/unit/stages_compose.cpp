@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A path composed by hand from public classes is the generator's, to the byte; a user's own stage stands in the middle.
+// A path composed by hand from public classes is byte for byte that of the generator; a user's own stage is in the middle.
 #include "support/sampling.h"
 #include "support/scratch_folder.h"
 #include "support/surfaces.h"
@@ -37,7 +37,7 @@ SpiralSettings
 settings(unsigned int threads = 0)
 {
   SpiralSettings s;
-  s.method = SpiralMethod::Radial; // the chain of the other: scallop_stages
+  s.method = SpiralMethod::Radial; // the stages of the other method: scallop_stages
   s.tool_radius = 6.0;
   s.scallop_height = 0.05;
   s.chord_error = 0.01;
@@ -57,7 +57,7 @@ inOneCall(const Cloud::ConstPtr& cloud, const SpiralSettings& s)
   return path;
 }
 
-/** What flows between the stages, and the path, without the generator. */
+/** The data between the stages, and the path, without the generator. */
 struct ByHand {
   Surface::ConstPtr scanned, surface;
   std::vector<BoundaryLoop> found, loops;
@@ -138,7 +138,7 @@ expectSame(const Path& a, const Path& b)
   }
 }
 
-/** The generator given all that was made by hand. */
+/** The generator with all results made by hand. */
 Path
 continued(const ByHand& by_hand, const SpiralSettings& s)
 {
@@ -159,7 +159,7 @@ struct Case {
   Cloud::ConstPtr cloud;
 };
 
-/** A dome with echoes off it and a hole in the data. */
+/** A dome with outliers and a gap in the data. */
 Cloud::Ptr
 domeWithGap()
 {
@@ -236,7 +236,7 @@ TEST(StagesCompose, TheSurfaceIsGivenAndTheRestMade)
   expectSame(path, inOneCall(cloud, s));
   EXPECT_GT(surface->graph().triangulation().triangleCount(), 0u) << "what is shared is left as it is";
   EXPECT_GT(spiral.getReport().gap_points, 0u);
-  // With a cloud again the surface is forgotten.
+  // With a new cloud the surface is dropped.
   spiral.setInputCloud(toCloud(sampleUniform(*spheroidCap(80.0, 45.0), 20000, 1).points));
   spiral.compute(path);
   EXPECT_EQ(spiral.getReport().gap_points, 0u);
@@ -293,7 +293,7 @@ TEST(StagesCompose, LoopsFromAUsersFlags)
 
 TEST(StagesCompose, AUsersOwnRadialLines)
 {
-  // Meridians of a sphere, drawn by formula: no RadialLines has seen them.
+  // Meridians of a sphere, by formula: not made by RadialLines.
   constexpr double radius = 150.0, reach = 0.5; // rad from the pole
   constexpr int count = 60, stations = 41;
   const auto cloud = toCloud(sampleUniform(*ball(radius, Region({circle({0, 0}, radius * std::sin(reach))})), 20000, 12).points);
@@ -377,7 +377,7 @@ TEST(StagesCompose, PclsOwnProjectionInPlaceOfOurs)
   smoothed(projector, ours);
   ASSERT_EQ(ours.size(), cloud->size()) << projector.getStatus().message();
   ASSERT_GT(theirs.size(), cloud->size() / 2);
-  for (const auto* out : {&theirs, &ours}) { // either stands before the generator
+  for (const auto* out : {&theirs, &ours}) { // each is used before the generator
     Cloud::Ptr points(new Cloud);
     for (const pcl::PointNormal& p : *out)
       points->emplace_back(p.x, p.y, p.z);

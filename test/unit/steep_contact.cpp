@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contacts where a height along the axis says nothing: flanks along walls, and cutters smaller than the gaps
+// Contacts where a height along the axis has no meaning: flanks along walls, and cutters smaller than the gaps
 // of the scan.
 #include <pcl_spiral/cutter/cutter_location.h>
 
@@ -49,7 +49,7 @@ TEST(SteepContact, AFlankAlongAWallReachesItInSpiteOfNoise)
 TEST(SteepContact, ACutterBetweenThePointsStandsOnTheSurface)
 {
   const SurfacePtr plane = flat(Region({rectangle(60.0, 60.0)}));
-  const auto cloud = toCloud(sampleUniform(*plane, 5000, 2).points); // a point on 0.7 mm^2, the cutter covers 0.03
+  const auto cloud = toCloud(sampleUniform(*plane, 5000, 2).points); // one point per 0.7 mm^2; the cutter covers 0.03
   const CutterShape cutter = CutterShape::bullNose(0.1, 0.02, 1.0);
   DrivePoints drive = drivePoints(*plane, 200, 20.0, 5.0, true, 3);
   const Located run = located(cloud, cutter, drive);

@@ -12,7 +12,7 @@ using Real = boost::multiprecision::cpp_dec_float_100;
 
 namespace {
 
-/** The closed formula, as it is written, to a hundred digits: cancellation does not matter there. */
+/** The closed formula, as written, with a hundred digits: cancellation has no effect. */
 Real
 exactStep(double radius, double curvature, double height)
 {
@@ -28,7 +28,7 @@ ridgeByBisection(double R, double rho, double step)
 {
   const double r = std::abs(rho), phi = 0.5 * step / r, sign = rho > 0.0 ? 1.0 : -1.0;
   const double cx = (r + sign * R) * std::sin(phi), cy = (r + sign * R) * std::cos(phi);
-  double low = 0.0, high = R; // at height low the point lies outside the ball (material), at high inside
+  double low = 0.0, high = R; // at height low the point is outside the ball (material), at high inside
   for (int i = 0; i < 200; ++i) {
     const double mid = 0.5 * (low + high), y = r + sign * mid;
     (std::hypot(cx, cy - y) > R ? low : high) = mid;
@@ -56,7 +56,7 @@ TEST(StepOver, AgreesWithHundredDigits)
         for (double sign : {1.0, -1.0}) {
           const double kappa = sign * size / R, h = share * R;
           if (sign < 0 && h > 1.99 * (1.0 / size - 1.0) * R)
-            continue; // no ridge that high, or the arc cosine loses its digits near it
+            continue; // no ridge of this height, or the arc cosine loses digits near it
           const Real exact = exactStep(R, kappa, h);
           const Real error = abs(Real(*stepOver(R, kappa, h)) / exact - 1);
           worst = std::max(worst, error.convert_to<double>());
@@ -140,7 +140,7 @@ TEST(StepOver, OtherFormsDifferAsTheyShould)
 {
   EXPECT_DOUBLE_EQ(*stepOverPublished(10, 0.05), 2.0);
   EXPECT_NEAR(*stepOverFirstOrder(10, 0.02, 0.05), std::sqrt(8 * 0.05 / (0.1 + 0.02)), 1e-14);
-  // First order is off in the next power of h: halving h halves the relative error.
+  // First order is wrong in the next power of h: half of h gives half of the relative error.
   auto relative = [](double h) { return *stepOverFirstOrder(10, 0.02, h) / *stepOver(10, 0.02, h) - 1; };
   EXPECT_NEAR(relative(0.002) / relative(0.001), 2.0, 0.01);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances from the rims in step-overs against formulas on discs, rings and strips.
+// Distances from the rims in step-overs, against formulas on discs, rings and strips.
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
@@ -59,7 +59,7 @@ expectDistances(const SurfaceMade& made, double tolerance)
     sum += error;
   }
   EXPECT_LT(worst, tolerance);
-  EXPECT_LT(sum / static_cast<double>(field.mesh.size()), 0.5 * tolerance); // straight fronts run a little behind in a disc
+  EXPECT_LT(sum / static_cast<double>(field.mesh.size()), 0.5 * tolerance); // straight fronts are slightly late in a disc
   for (const std::vector<std::uint32_t>& rim : field.mesh.rims)
     for (const std::uint32_t v : rim)
       EXPECT_EQ(field.distance[v], 0.0);
@@ -84,7 +84,7 @@ TEST(StepOverField, TheLeastLengthIsThatOfTheFormula)
 {
   const SurfaceMade made = surfaceOf(*flat(Region({rectangle(100.0, 60.0)})), 4000, 3);
   const StepOverDistance field = fieldOf(made);
-  const Polyline& rim = made.loops[0].curve; // lies a share of the spacing inside the true one
+  const Polyline& rim = made.loops[0].curve; // is a share of the spacing inside the true rim
   double area = 0.0;
   for (std::size_t i = 0; i < rim.size(); ++i) {
     const Vector3d &a = rim[i], &b = rim[(i + 1) % rim.size()];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lengths in step-overs against the exact step-over of plane, sphere and cylinder.
+// Lengths in step-overs, against the exact step-over of plane, sphere and cylinder.
 #include <pcl_spiral/core/impl/step_over_metric.h>
 #include <pcl_spiral/core/step_over.h>
 

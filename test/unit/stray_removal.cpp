@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Strays go, the surface stays: against points whose kind is known.
+// Outliers are removed, the surface stays: against points of known kind.
 #include <pcl_spiral/cleaning/stray_removal.h>
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t honest = 8000, strays = 60;
 
-/** A wave with a point every mm or so, then points 2 to 30 mm off it. */
+/** A wave with a point about every mm, then outliers 2 to 30 mm off it. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 scan(std::uint32_t seed = 1)
 {
@@ -69,8 +69,8 @@ TEST(StrayRemoval, TakesStraysAndKeepsTheSurface)
 TEST(StrayRemoval, RepetitionsAndNotANumberGoWithTheirKind)
 {
   const auto cloud = scan();
-  cloud->push_back((*cloud)[honest + 3]); // a stray once more
-  cloud->push_back((*cloud)[5]);          // a point of the surface once more
+  cloud->push_back((*cloud)[honest + 3]); // a duplicate of an outlier
+  cloud->push_back((*cloud)[5]);          // a duplicate of a surface point
   const float nan = std::numeric_limits<float>::quiet_NaN();
   cloud->push_back({nan, nan, nan});
   cloud->is_dense = false;
@@ -107,7 +107,7 @@ TEST(StrayRemoval, ChoosesTheSameInAnyOrderAndAmongIndices)
   EXPECT_GT(half.size(), honest / 2 - 200);
 }
 
-/** High over the surface the nearest neighbours of echoes are each other, and they make triangles. */
+/** High over the surface the nearest neighbours of outliers are other outliers, and they make triangles. */
 TEST(StrayRemoval, TakesSparseEchoesHighOverACap)
 {
   for (std::uint32_t seed = 1; seed <= 4; ++seed)
@@ -131,7 +131,7 @@ TEST(StrayRemoval, TakesSparseEchoesHighOverACap)
     }
 }
 
-/** Far beyond an end of a column one triangle may join an echo to the rim. */
+/** Far beyond an end of a column one triangle may join an outlier to the rim. */
 TEST(StrayRemoval, TakesAnEchoBeyondEachEndOfAColumn)
 {
   std::mt19937 random(2);
@@ -151,7 +151,7 @@ TEST(StrayRemoval, TakesAnEchoBeyondEachEndOfAColumn)
   }
 }
 
-/** Echoes stand alone; ten points within 4 mm are a thing. */
+/** Outliers are single; ten points within 4 mm are an object. */
 TEST(StrayRemoval, GroupsStayWhereAsked)
 {
   constexpr std::size_t together = 10;

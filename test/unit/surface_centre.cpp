@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The balanced centre against brute force in the plane, and carried along by a motion.
+// The balanced centre against brute force in the plane, and moved together with the part.
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
@@ -34,7 +34,7 @@ struct Part {
   }
 };
 
-/** max d / sqrt(min d) of straight distances, as means of the 16th power, over the rim. */
+/** max d / sqrt(min d) over the rim, for straight distances, as means of the 16th power. */
 double
 unevenness(const Polyline& rim, const Vector3d& x)
 {
@@ -49,7 +49,7 @@ unevenness(const Polyline& rim, const Vector3d& x)
 
 TEST(BalancedCentre, IsTheBestPlaceOfAFlatPart)
 {
-  // A right triangle, whose Chebyshev centre is the middle of its longest side, and an off-centre quadrilateral.
+  // A right triangle (its Chebyshev centre is the middle of its longest side), and an off-centre quadrilateral.
   const std::vector<test::PlaneLoop> outlines{{{0, 0}, {120, 0}, {0, 90}}, {{0, 0}, {150, 10}, {120, 60}, {10, 80}}};
   for (const test::PlaneLoop& outline : outlines) {
     const auto flat = test::flat(test::Region({outline}));

@@ -58,7 +58,7 @@ struct Topology {
   long euler = 0;
   std::size_t loops = 0;
   std::size_t parts = 0;
-  long pinches = 0; ///< points at which a loop touches itself: a thin triangle of the rim hangs by its ends
+  long pinches = 0; ///< points where a loop touches itself: a thin triangle of the rim is connected only at its ends
 };
 
 Topology
@@ -165,7 +165,7 @@ TEST(SurfaceGraph, SameForAnyOrderAndThreads)
     ASSERT_EQ(first.normals()[i], second.normals()[i]);
 }
 
-/** A closed fan about point 0 and one triangle more on a spoke: three triangles meet there. */
+/** A closed fan round point 0 and one more triangle on a spoke: three triangles meet there. */
 TEST(Triangulation, LoopsEndWhereThreeTrianglesShareAnEdge)
 {
   const pcl_spiral::Triangulation mesh(5, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 4}});
@@ -194,7 +194,7 @@ TEST(SurfaceGraph, FindsStrayPointsAndNoOthers)
   auto points = randomSphere(20000, 100.0, true, 12);
   EXPECT_TRUE(graphOf(points).strayPoints().empty());
   std::vector<std::uint32_t> strays;
-  for (std::uint32_t i = 500; i < points.size(); i += 2500) { // one to four spacings off, either side
+  for (std::uint32_t i = 500; i < points.size(); i += 2500) { // one to four spacings off, on both sides
     points[i] *= 1.0f + (i % 5000 < 2500 ? 0.018f : -0.05f);
     strays.push_back(i);
   }
@@ -216,7 +216,7 @@ TEST(SurfaceGraph, OnePointFarOffIsFoundAndTurnsNothing)
       std::size_t inwards = 0;
       for (std::size_t i = 0; i < graph.size(); ++i)
         inwards += graph.blocks().originalIndex(i) != 5000 && graph.normal(i).dot(graph.position(i)) < 0.0;
-      EXPECT_LE(inwards, 40u); // neighbours that took the far point for a near one, if any
+      EXPECT_LE(inwards, 40u); // only neighbours that took the far point for a near one
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every stage that works on a surface takes over of ScannedSurface: the remedies its messages name, and what is refused
-// beside a surface that is there already.
+// Settings of ScannedSurface in every stage that works on a surface: the remedies of messages, and settings that are refused
+// with a given surface.
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/drive/drive_path.h>
 #include <pcl_spiral/features/boundary_loops.h>
@@ -22,7 +22,7 @@ using Loops = BoundaryLoops<pcl::PointXYZ>;
 
 namespace {
 
-/** A square of 100 mm about (\p x, 0, 0), with points that scatter along z. */
+/** A square of 100 mm about (\p x, 0, 0), with points that have noise along z. */
 void
 addSquare(Cloud& cloud, std::size_t count, double x, double noise, double side = 50.0)
 {

@@ -63,7 +63,7 @@ TEST(SurfaceMesh, CountsPlantedFaults)
   std::swap(mesh.faces[100][1], mesh.faces[100][2]);                            // flipped
   std::swap(mesh.faces[777][1], mesh.faces[777][2]);                            // flipped
   mesh.faces.push_back(mesh.faces[5]);                                          // repeated
-  mesh.faces.push_back({mesh.faces[6][1], mesh.faces[6][0], mesh.faces[6][2]}); // repeated the other way round
+  mesh.faces.push_back({mesh.faces[6][1], mesh.faces[6][0], mesh.faces[6][2]}); // repeated with the opposite order
   mesh.faces.push_back({mesh.faces[7][0], mesh.faces[7][0], mesh.faces[7][1]}); // a corner twice
   mesh.vertices.push_back(0.5 * (mesh.vertices[mesh.faces[8][0]] + mesh.vertices[mesh.faces[8][1]]));
   mesh.faces.push_back({mesh.faces[8][0], mesh.faces[8][0], static_cast<std::uint32_t>(mesh.vertices.size() - 1)});
@@ -84,7 +84,7 @@ TEST(SurfaceMesh, FindsCrowdedEdgesPartsAndLoops)
 {
   TriangleMesh mesh = gridMesh(*flat(Region({rectangle(10, 10, {5, 5})})), {10, 10}, 10);
   const auto fin = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.push_back({5.5, 5.0, 3.0}); // a face that stands on the edge from (5, 5) to (6, 5)
+  mesh.vertices.push_back({5.5, 5.0, 3.0}); // a third face at the edge from (5, 5) to (6, 5)
   mesh.faces.push_back({5 * 11 + 5, 5 * 11 + 6, fin});
   const auto surface = made(mesh);
   EXPECT_EQ(surface->counts().crowded_edges.count, 1u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bound of what a cutter cuts between two free places, against points sampled densely in the swept cutter.
+// The bound of the depth that a cutter cuts between two free places, against dense samples in the swept cutter.
 #include <pcl_spiral/core/impl/swept_error.h>
 
 #include "support/cutters.h"
@@ -25,7 +25,7 @@ unitVector(Random& random)
   return Vector3d(random.normal(), random.normal(), random.normal()).normalized();
 }
 
-/** Deepest of many points of the swept cutter that neither end covers. */
+/** Deepest of many points of the swept cutter that the cutter at the ends does not cover. */
 double
 deepestByForce(Random& random, const CutterProfile& c, const CutterPlace& a, const CutterPlace& b, int samples)
 {
@@ -62,7 +62,7 @@ TEST(SweptError, IsExactForABall)
     if (std::abs(way.z()) < 0.6 * way.norm()) {
       ASSERT_NEAR(found, cusp, 1e-12);
     }
-    // Turned about its middle, a ball stays where it is.
+    // A ball turned about its centre does not move.
     const CutterPlace a{Vector3d::Zero(), unitVector(random)}, b{R * (a.axis - Vector3d::UnitZ()), Vector3d::UnitZ()};
     ASSERT_LE(sweptError(ball, a, b), R * std::pow(std::acos(a.axis.z()), 2) / 8.0 + 1e-9);
   }
@@ -96,7 +96,7 @@ TEST(SweptError, BoundsWhatTheSweptCutterCuts)
     if (bound > 0.0)
       nearest = std::max(nearest, cut / bound);
   }
-  EXPECT_GT(nearest, 0.9); // the sampling would see a bound that is too low
+  EXPECT_GT(nearest, 0.9); // the sampling would detect a bound that is too low
 }
 
 TEST(SweptError, BoundsWhatTheTurningCutterCuts)

@@ -91,7 +91,7 @@ TEST(Taubin, NoShortWaveGetsThrough)
 {
   TaubinOptions options;
   options.wavelength = 10.0;
-  for (double w = 0.45; w < 6.0; w *= 1.07) // the last stride alone would let 1.6 mm, 0.8 mm ... pass
+  for (double w = 0.45; w < 6.0; w *= 1.07) // the last stride only would let 1.6 mm, 0.8 mm ... pass
     EXPECT_LT(measuredGain(0.1, w, options), 0.03) << w;
 }
 
@@ -170,7 +170,7 @@ TEST(Taubin, PinnedCornerStaysSharp)
 
 TEST(Taubin, UnevenSpacingIsNoShape)
 {
-  Polyline line; // a straight line stays itself
+  Polyline line; // a straight line does not change
   for (double x = 0.0; x < 100.0; x += 0.2 + 0.8 * std::abs(std::sin(x)))
     line.emplace_back(x, 2.0 * x, -x);
   TaubinOptions options;
@@ -217,7 +217,7 @@ threadsAlive()
 
 TEST(Taubin, StartsNoMoreThreadsThanALimitLeaves)
 {
-  testing::FLAGS_gtest_death_test_style = "threadsafe"; // in a process of its own, which has started none yet
+  testing::FLAGS_gtest_death_test_style = "threadsafe"; // in a separate process that has not started threads yet
   const auto smooth = [] {
     const std::size_t before = threadsAlive();
     const pcl_spiral::ThreadLimit one(1);

@@ -18,7 +18,7 @@ namespace {
 using namespace pcl_spiral;
 using Eigen::Vector3d;
 
-/** Points of a surface round one of its points, \p reach away in the tangent plane, in even directions from
+/** Points of a surface round one of its points, \p reach away in the tangent plane, at equal angles from
  * \p first. */
 Polyline
 fan(const test::AnalyticSurface& surface, const Vector3d& centre, double reach, int count, double first)
@@ -42,7 +42,7 @@ TEST(TaubinCurvature, SphereIsExactFromAnyNeighboursInTheMean)
     for (int k = 0; k < 6; ++k)
       neighbours.push_back(radius * (n + 0.1 * Vector3d(random.normal(), random.normal(), random.normal())).normalized());
     const auto outside = taubinCurvatures(radius * n, n, neighbours);
-    const auto inside = taubinCurvatures(radius * n, -n, neighbours); // seen from within: hollow
+    const auto inside = taubinCurvatures(radius * n, -n, neighbours); // seen from inside: hollow
     ASSERT_TRUE(outside && inside);
     EXPECT_NEAR(0.5 * (outside->larger + outside->smaller), 1.0 / radius,
                 1e-12); // every section has the same curvature
@@ -72,7 +72,7 @@ TEST(TaubinCurvature, EvenFansGiveTheCurvaturesAndTheirDirection)
         ASSERT_TRUE(found);
         EXPECT_NEAR(found->larger, largest, 1e-5);
         EXPECT_NEAR(found->smaller, smallest, 1e-5);
-        if (&c.surface == cylinder.get()) // the larger one lies across the axis
+        if (&c.surface == cylinder.get()) // the larger one is across the axis
           EXPECT_NEAR(found->direction.dot(c.along), 0.0, 1e-3);
         else if (c.along.norm() > 0.0)
           EXPECT_NEAR(std::abs(found->direction.dot(c.along)), 1.0, 1e-3);

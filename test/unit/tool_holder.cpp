@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shank and holder: their solid, collisions against brute force, and axes tilted out of the way.
+// Shank and holder: their solid, collisions against brute force, and axes tilted to avoid collisions.
 #include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/cutter/impl/holder_collision.h>
 
@@ -20,7 +20,7 @@ namespace {
 const std::vector<ToolSegment> shank_and_chuck{
     ToolSegment::cylinder(5.0, 20.0, "shank"), {15.0, 25.0, 10.0, "nut"}, ToolSegment::cylinder(25.0, 30.0, "chuck")};
 
-/** The segment that a place is in, by the drawing: radii between their ends. */
+/** The segment that contains a place, by the drawing: radii between their ends. */
 int
 segmentOf(const std::vector<ToolSegment>& segments, double base, double l, double height)
 {
@@ -61,7 +61,7 @@ TEST(ToolHolder, DepthIsTheShortestWayOut)
   EXPECT_EQ(holder.inside(19.0, 37.0, depth), 1);
   EXPECT_NEAR(depth, std::sqrt(0.5), 1e-12); // across its flank of 45 degrees
   EXPECT_EQ(holder.inside(4.0, 33.0, depth), 1);
-  EXPECT_NEAR(depth, 12.0 * std::sqrt(0.5), 1e-12); // above the shank there is no face to leave by
+  EXPECT_NEAR(depth, 12.0 * std::sqrt(0.5), 1e-12); // above the shank there is no face as a way out
 }
 
 TEST(ToolHolder, AClearanceGrowsItSidewaysAndDownwards)
@@ -74,7 +74,7 @@ TEST(ToolHolder, AClearanceGrowsItSidewaysAndDownwards)
   EXPECT_NEAR(depth, 0.5, 1e-12);
   EXPECT_EQ(holder.inside(10.0, 29.9, depth), -1);
   EXPECT_EQ(holder.inside(26.5, 60.0, depth), 2);
-  EXPECT_EQ(holder.inside(4.0, 11.9, depth), -1); // the shank's lower end is the cutter's top
+  EXPECT_EQ(holder.inside(4.0, 11.9, depth), -1); // the lower end of the shank is the top of the cutter
 }
 
 TEST(ToolHolder, CollisionsEqualBruteForce)
@@ -154,7 +154,7 @@ TEST(ToolHolder, CollisionsAreFoundReportedAndTiltedAway)
   EXPECT_EQ(found[0].state, LocationState::Reached);
   ASSERT_TRUE(found[0].collision.found());
   EXPECT_EQ(found[0].collision.segment, 1);
-  EXPECT_NEAR(found[0].collision.depth, 2.0, 0.05); // the chuck reaches 12, the wall stands at 10
+  EXPECT_NEAR(found[0].collision.depth, 2.0, 0.05); // the chuck reaches 12, the wall is at 10
   EXPECT_NEAR(found[0].collision.place.x(), 10.0, 1e-6);
   EXPECT_FALSE(found[1].collision.found());
   EXPECT_EQ(location.getFigures().collisions, 1u);
@@ -174,14 +174,14 @@ TEST(ToolHolder, CollisionsAreFoundReportedAndTiltedAway)
   EXPECT_LT(found[0].axis.x(), 0.0); // away from the wall
   EXPECT_NEAR(std::acos(found[0].axis.z()) * 180.0 / M_PI, found[0].retilt, 1e-6);
   EXPECT_LT((found[0].tip + 3.0 * found[0].axis - Vector3d(0, 0, 3)).norm(),
-            1e-3); // the ball stays where it was
+            1e-3); // the ball does not move
   EXPECT_EQ(found[1].retilt, 0.0);
   EXPECT_EQ(location.getFigures().retilted, 1u);
 }
 
 TEST(ToolHolder, WhereNoTiltHelpsTheCutterIsLifted)
 {
-  // Along the foot of the wall a ball of 3 that leans into it is lifted out; upright and 2 from it, no tilt
+  // Along the foot of the wall a ball of 3 tilted towards it is lifted out; upright and 2 from it, no tilt
   // helps.
   const Vector3d up = Vector3d::UnitZ(), leaning = Vector3d(0.5, 0.0, 1.0).normalized();
   CutterLocation<pcl::PointXYZ> location;
@@ -197,7 +197,7 @@ TEST(ToolHolder, WhereNoTiltHelpsTheCutterIsLifted)
   EXPECT_LT(found[0].axis.x(), 0.1);
   EXPECT_EQ(found[1].state, LocationState::Lifted);
   EXPECT_EQ(found[1].retilt, 0.0);
-  EXPECT_GT(found[1].lift, 30.0); // over the wall's top: its side is steeper than any axis of the cone
+  EXPECT_GT(found[1].lift, 30.0); // over the top of the wall: its side is steeper than any axis of the cone
 }
 
 TEST(ToolHolder, AFlankThatIsLeantOverIsTiltedUntilItTouches)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the generator writes lands in the fields that a point type has, of any number type, and nowhere else.
+// The generator writes only to the fields that a point type has, of any number type.
 #include <pcl_spiral/common/impl/toolpath_fields.h>
 
 // an own type comes before ToolpathPoint is known: the names of the fields are the trait's
@@ -27,7 +27,7 @@ using pcl_spiral::ToolpathFields;
 
 namespace {
 
-/** No value is kept by a float, no two are alike. */
+/** No value fits exactly into a float, and no two are equal. */
 struct Written {
   Eigen::Vector3d contact{100.1, -20.7, 3.000000001};
   Eigen::Vector3d normal = Eigen::Vector3d(1.0, 2.0, 3.0).normalized();
@@ -46,7 +46,7 @@ struct Written {
 
 } // namespace
 
-/** Numbers of every kind, under members of other names. */
+/** Numbers of every kind, with other member names. */
 struct OddPoint {
   double east = 0.0, north = 0.0, up = 0.0;
   double nx = 0.0;
@@ -59,7 +59,7 @@ POINT_CLOUD_REGISTER_POINT_STRUCT(OddPoint,
                                   (double, east, x)(double, north, y)(double, up, z)(double, nx, normal_x)(
                                       std::int32_t, whole_mm, arc_length)(std::uint16_t, whole_turns, turn)(bool, guessed, over_gap))
 
-/** Known to PCL by no name at all. */
+/** A point type without names in PCL. */
 struct Station {
   Eigen::Vector3f lifted = Eigen::Vector3f::Zero();
   double metres = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Toolpath files: read back by our readers, by PCL and VTK, and by a plain parser of the header.
+// Toolpath files: read back by the library's readers, by PCL and VTK, and by a simple parser of the header.
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
@@ -27,7 +27,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** A spiral on a paraboloid with a tilted axis; lengths beyond what a float holds to the micrometre. */
+/** A spiral on a paraboloid with a tilted axis; its lengths are too large for a float with micrometres. */
 pcl::PointCloud<ToolpathPoint>
 spiral(std::size_t count)
 {
@@ -73,7 +73,7 @@ TEST(ToolpathFiles, RoundTrip)
     const std::string file = folder.path("path" + extension);
     writeToolpath(file, path, motion);
     const ToolpathFile back = readToolpath(file);
-    const bool text = extension == ".csv"; // half of the last decimal, and the float's own rounding
+    const bool text = extension == ".csv"; // half of the last decimal, and the rounding of float
     expectNear(back.path, path, text ? 0.5e-6 + 3e-5 * 0.5 : 0.0, text ? 0.6e-9 + 3e-8 : 0.0);
     if (extension == ".csv" || extension == ".vtp") {
       ASSERT_EQ(back.feed.size(), path.size());
@@ -91,7 +91,7 @@ TEST(ToolpathFiles, PassesComeBackFromEveryFormat)
   const std::vector<std::size_t> begins{700, 701, 2999};
   for (const std::size_t begin : begins)
     for (std::size_t i = begin; i < path.size(); ++i)
-      path[i].arc_length -= 1.0 / 3.0; // the way to the pass is no cut
+      path[i].arc_length -= 1.0 / 3.0; // the move to the pass is not a cut
   EXPECT_EQ(passBegins(path), begins);
   for (const std::string& extension : toolpathExtensions()) {
     const std::string file = folder.path("path" + extension);
@@ -105,7 +105,7 @@ TEST(ToolpathFiles, PassesComeBackFromEveryFormat)
   EXPECT_THROW(writeRobotFrames(folder.path("path.yaml"), path), FileError);
   for (ToolpathPoint& p : path)
     p.arc_length = 0.0;
-  EXPECT_TRUE(passBegins(path).empty()); // nothing is known of lifts
+  EXPECT_TRUE(passBegins(path).empty()); // it does not contain lifts
 }
 
 TEST(ToolpathFiles, CsvHasTheAgreedShape)
@@ -269,7 +269,7 @@ TEST(ToolpathFiles, GapsOfTheScanAreMarkedInEveryFormat)
   std::vector<std::size_t> marks;
   for (std::size_t rows = 0; std::getline(lines, line); rows += line.front() != '#')
     if (line.front() == '#')
-      marks.push_back(rows - 1); // less the header
+      marks.push_back(rows - 1); // minus the header
   EXPECT_EQ(marks, (std::vector<std::size_t>{2040, 2060}));
   pcl::PointCloud<ToolpathPoint> pcd, ply;
   ASSERT_EQ(pcl::io::loadPCDFile(folder.path("a.pcd"), pcd), 0);
@@ -291,15 +291,15 @@ TEST(ToolpathFiles, EveryPolylineIsAPassWhateverTheArcLengthsSay)
   const ScratchFolder folder;
   auto path = spiral(30);
   for (std::size_t i = 0; i < path.size(); ++i)
-    path[i].x = 0.3f * static_cast<float>(i); // shorter ways are none to lift for
+    path[i].x = 0.3f * static_cast<float>(i); // shorter moves are not lifts
   ToolpathMotion passes = motion;
-  passes.passes = {10, 20, 29}; // the arc lengths grow all along, as another program may have made them
+  passes.passes = {10, 20, 29}; // the arc length increases everywhere, as from another program
   writeToolpath(folder.path("a.vtp"), path, passes);
   const auto read = readToolpath(folder.path("a.vtp")).path;
   EXPECT_EQ(passBegins(read), passes.passes);
   EXPECT_NEAR(read[9].arc_length, path[9].arc_length, 1e-12);
   EXPECT_NEAR(read[28].arc_length - read[20].arc_length, path[28].arc_length - path[20].arc_length, 1e-9);
-  // Points that the polylines leave out, or take in another order, are told.
+  // Points that the polylines leave out, or have in another order, are reported.
   const std::string whole = readText(folder.path("a.vtp"));
   std::string entries;
   for (const std::int64_t i : {10, 11, 12})
@@ -365,7 +365,7 @@ TEST(ToolpathFiles, ReaderSaysWhatIsMissing)
   };
   EXPECT_EQ(changed("Turn", "Turn"), "") << "the file as it is can be read";
   EXPECT_NE(changed("NumberOfPoints=\"100\"", "NumberOfPoints=\"999999999999999\"").find("1200 bytes of Points"),
-            std::string::npos); // and no memory taken for them
+            std::string::npos); // and no memory is allocated for them
   EXPECT_NE(changed("NumberOfLines=\"1\"", "NumberOfLines=\"0\"").find("no polyline"), std::string::npos);
   EXPECT_NE(changed("offset=\"0\"", "offset=\"99999999\"").find("cut off"), std::string::npos);
   EXPECT_NE(changed("\"raw\"", "\"base64\"").find("encoded"), std::string::npos);

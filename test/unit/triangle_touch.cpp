@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cutters brought down on single triangles, against search in two dimensions.
+// Cutters moved down onto single triangles, against a search in two dimensions.
 #include "core/triangle_touch.h"
 
 #include "support/searched_triangle.h"

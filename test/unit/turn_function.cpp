@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The turn function on lines known exactly: plane disc, square, sphere, bowl.
+// The turn function on exact lines: plane disc, square, sphere, bowl.
 #include "support/checked_path.h"
 #include "support/plane_lines.h"
 
@@ -47,7 +47,7 @@ meridians(double radius, double reach, std::size_t count, bool hollow)
   return lines;
 }
 
-/** Turns grow evenly with arc length, and are as few as the step-over allows within half a percent and one turn. */
+/** Turns increase evenly with arc length, and are as few as the step-over allows, up to half a percent and one turn. */
 void
 expectEven(const TurnFunction& turns, double length, double step, std::size_t lines)
 {
@@ -71,7 +71,7 @@ TEST(TurnFunction, AFootThatIsNotValidTellsNothing)
   const SpiralSettings settings = cutter(5.0, 0.05);
   TurnFunction whole(lines, settings, 0.5);
   ASSERT_TRUE(whole.compute().ok());
-  // At its end a line may lie a little beyond the surface: nothing of what the foot there holds is used.
+  // At its end a line may be slightly beyond the surface: the values of the foot there are not used.
   SurfaceFoot& end = lines[7].feet.back();
   end.valid = false;
   end.curvature1 = end.curvature2 = -1.0;
@@ -121,7 +121,7 @@ TEST(TurnFunction, EvenStepsAreTakenAsTheyAre)
 {
   const double length = 75.0, step_over = 1.7, step = 0.9;
   auto lines = meridians(60.0, length, 48, true);
-  lines[5].feet[64].curvature2 = -1.0; // the cutter does not fit: not looked at
+  lines[5].feet[64].curvature2 = -1.0; // the cutter does not fit: not checked
   SpiralSettings settings = cutter(8.0, 0.02);
   settings.pitch = Pitch::AlongLine;
   TurnFunction turns(lines, settings, 0.5);
@@ -156,7 +156,7 @@ TEST(TurnFunction, SquareSavesTheRootOfTwo)
   EXPECT_GE(static_cast<double>(across.turns()), half / step);
   EXPECT_LT(static_cast<double>(across.turns()), 1.025 * half / step);
 
-  // Half way between two contours nothing is farther than half a step-over from the nearer one.
+  // In the middle between two contours no place is farther than half a step-over from the nearer contour.
   const auto contour = [&](double tau) {
     Polyline points;
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -186,7 +186,7 @@ TEST(TurnFunction, HollowTighterThanTheCutterIsRefusedWithItsPlace)
 {
   auto lines = test::straightLines(from_origin, test::ring(100.0, 16));
   lines[5].feet[64].curvature2 = -1.0 / 7.5;
-  char place[32]; // as messages give it
+  char place[32]; // as in messages
   std::snprintf(place, sizeof place, "(%.3f, ", lines[5].feet[64].position.x());
   TurnFunction tight(lines, cutter(8.0, 0.05), 0.5);
   const Status status = tight.compute();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wobble from turn to turn of flat spirals with deviations whose second difference across the turns is known.
+// Wobble from turn to turn of flat spirals with deviations of known second difference across the turns.
 #include <pcl_spiral/verify/impl/turn_wobble.h>
 
 #include "support/sampling.h"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int turn_count = 20, points_a_turn = 64;
 
-/** An Archimedean spiral; its points stand at the same places of every turn. */
+/** An Archimedean spiral; its points are at the same angles of every turn. */
 CutterPath
 spiral()
 {
@@ -96,7 +96,7 @@ TEST(TurnWobble, NothingIsMeasuredWithoutDeviationsOrTurns)
 
 TEST(TurnWobble, RowsThatTheTurnCountsHaveNone)
 {
-  CutterPath path; // the deviation of a row has nothing to do with where the row beside ends
+  CutterPath path; // the deviation of a row does not depend on the end of the next row
   std::vector<float> deviation;
   for (int row = 0; row < 10; ++row)
     for (int i = 0; i < 20; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of a verification: faults planted at known places are seen there, and nowhere else.
+// Pictures of a verification: planted faults are visible at their places, and nowhere else.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/visualization/verification_pictures.h>
 
@@ -23,7 +23,7 @@ namespace {
 
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 constexpr double radius = 100.0, height = 20.0;
-constexpr int map_end = 1170; ///< column of pixels; the part and its axes stand left of it
+constexpr int map_end = 1170; ///< column of pixels; the part and its axes are left of it
 
 /** A paraboloid of radius 100 mm. */
 Eigen::Vector3d
@@ -32,8 +32,8 @@ place(double r, double angle)
   return {r * std::cos(angle), r * std::sin(angle), height * (1.0 - r * r / (radius * radius))};
 }
 
-/** Where a place appears: seen from 35 degrees off +z towards -y, the part's box fitting 886 pixels, which
- * its width fills, about column 595 and row 580. */
+/** Position of a place: seen from 35 degrees off +z towards -y; the width of the part's box fills 886 pixels,
+ * round column 595 and row 580. */
 Eigen::Vector2d
 pixel(const Eigen::Vector3d& p)
 {
@@ -98,7 +98,7 @@ nearest(const VerificationScene& scene, const Eigen::Vector3d& p)
 using Pixel = std::array<int, 3>;
 using Matches = std::function<bool(const Pixel&)>;
 
-/** Pixels of a colour in some columns of a picture: how many, and their middle from the lower left corner. */
+/** Pixels of a colour in some columns of a picture: their number, and their middle from the lower left corner. */
 struct Found {
   std::size_t count = 0;
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
@@ -182,7 +182,7 @@ TEST_F(VerificationPicture, FarPathPointsAreSeenWhereTheyAre)
 
 TEST_F(VerificationPicture, MovesThatCrossACloseUpAreDrawn)
 {
-  // Four chords a turn: their middles are seen close up, their ends are 60 mm off.
+  // Four chords per turn: their middles are visible in the enlarged view, their ends are 60 mm away.
   VerificationScene with = scene(20000, 60, 4);
   with.removal_figures.scallop.max.position = place(60.0, M_PI / 4.0);
   VerificationPictures(with).writeStock(file);
@@ -233,7 +233,7 @@ TEST_F(VerificationPicture, TheHistogramShowsHowManyAndTheLimit)
   EXPECT_EQ(find(file, is_above).count, 0U);
   EXPECT_GT(bars.count, 2000U);
   EXPECT_GT(limit.count, 800U);
-  // the lines stand in proportion: zero is at column 130
+  // the lines are in proportion: zero is at column 130
   EXPECT_NEAR((asked.middle.x() - 130.0) / (limit.middle.x() - 130.0), 0.01 / 0.0152, 0.005);
   EXPECT_NEAR((bars.middle.x() - 130.0) / (limit.middle.x() - 130.0), 0.0095 / 0.0152, 0.04);
   with.ridges[77] = 0.03f; // one in twenty thousand

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MaterialRemoval and DeviationEstimation on a point type that PCL does not know, with no header but their own; one
-// surface for both; the parts of a cloud that are no surface.
+// MaterialRemoval and DeviationEstimation on a point type that PCL does not know, with only their own headers; one
+// surface for both; the parts of a cloud that are not a surface.
 #include <pcl_spiral/verify/deviation_estimation.h>
 #include <pcl_spiral/verify/material_removal.h>
 

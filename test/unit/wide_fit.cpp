@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fits of more neighbours than usual, where the nearest points do not tell the surface.
+// Fits with more neighbours than usual, where the nearest points do not define the surface.
 #include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 using Eigen::Vector3d;
 
-/** Beside a gap some scans overlap: the nearest points all lie on that side, and do not tell the surface over it. */
+/** Beside a gap some scans overlap: the nearest points are all on that side, and do not define the surface over the gap. */
 TEST(WideFit, SpansAGapBesidePointsThatStandCloser)
 {
   std::mt19937_64 random(5);
