@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A file in bytes, with every failure an exception.
+ *  Reading and writing files as bytes; every failure is an exception.
  */
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace pcl_spiral {
 
-/** A file written from front to back. Call close: only then is it known to be complete. */
+/** A file written from start to end. Call close: only after close is the file complete. */
 class ByteFile {
 public:
   /** \throw FileError */
@@ -29,10 +29,10 @@ private:
   std::FILE* stream_;
 };
 
-/** The whole file. \throw FileError missing, a folder, empty, not readable */
+/** The whole file. \throw FileError if it is missing, a folder, empty or not readable */
 std::string readBytes(const std::string& file);
 
-/** Extension in lower case with the dot; empty without one. */
+/** Extension in lower case with the dot; empty if there is none. */
 std::string lowerExtension(const std::string& file);
 
 } // namespace pcl_spiral

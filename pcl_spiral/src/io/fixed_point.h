@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Numbers with a fixed count of decimals, fast.
+ *  Fast writing of numbers with a fixed number of decimals.
  */
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace pcl_spiral {
 
-/** Room that one number can take: the largest double has 309 digits before the point. */
+/** Largest size of one number: the largest double has 309 digits before the point. */
 constexpr int fixed_point_room = 340;
 
 /** 00 to 99. */
@@ -25,9 +25,9 @@ inline constexpr std::array<char, 200> digit_pairs = [] {
   return pairs;
 }();
 
-/** Write \p value with \p Decimals decimals at \p out and return the end. Rounds half away from zero; within
- * one unit in the last place of a double times 10^Decimals this is what printf writes, at a twentieth of its
- * time. Values beyond 9e15 10^-Decimals, infinities and not-a-number go through std::to_chars. Zero has no
+/** Writes \p value with \p Decimals decimals at \p out and returns the end. Rounds half away from zero; within
+ * one unit in the last place of a double times 10^Decimals the result is that of printf, in a twentieth of the
+ * time. Values beyond 9e15 10^-Decimals, infinities and not-a-number use std::to_chars. Zero has no
  * sign. */
 template <int Decimals>
 char*

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Several output files that appear together or not at all.
+ *  Several output files that are written all or none.
  */
 #pragma once
 
@@ -13,34 +13,34 @@ namespace pcl_spiral {
 /** Output files written under temporary names in their own folders and renamed at the end.
  *
  *  \code
- *  OutputFiles files({"part.csv", "part.vtp"});  // throws where a path cannot be written
+ *  OutputFiles files({"part.csv", "part.vtp"});  // throws if a path cannot be written
  *  writeToolpath(files.temporary(0), ...);
  *  writeToolpath(files.temporary(1), ...);
- *  files.commit();                               // all of them, or none and the earlier files as they were
+ *  files.commit();                               // all of them, or none: then the earlier files are unchanged
  *  \endcode
- *  Without commit the destructor removes what was written. A process that is killed leaves its temporaries
- *  (.part.writing-PID.csv), and every target as it was or complete; the next OutputFiles of that target removes them.
+ *  Without commit the destructor removes the written files. A killed process leaves its temporary files
+ *  (.part.writing-PID.csv), and every target unchanged or complete; the next OutputFiles of that target removes them.
  */
 class OutputFiles {
 public:
-  /** Checks that every path can be written, by making and removing a file beside it.
-   *  \throw FileError folder missing or not writable, a folder in place of the file, a path given twice */
+  /** Checks that every path can be written: makes and removes a file beside it.
+   *  \throw FileError if the folder is missing or not writable, the path is a folder, or a path is given twice */
   explicit OutputFiles(std::vector<std::string> paths);
   ~OutputFiles();
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
 
   std::size_t size() const { return targets_.size(); }
-  /** The path as it was given. */
+  /** The path as given. */
   const std::string& path(std::size_t i) const { return paths_[i]; }
-  /** Where to write the file \p i; ends in the same extension. */
+  /** Temporary name to write the file \p i to, with the same extension. */
   const std::string& temporary(std::size_t i) const { return temporaries_[i]; }
 
-  /** \p message with the names that were given in place of the temporaries'. */
+  /** \p message with the given names instead of the temporary names. */
   std::string asGiven(std::string message) const;
 
-  /** Have every temporary on the disk, then rename them all to their targets, one right after the other. \throw FileError after earlier
-   *  files have been put back */
+  /** Forces all temporary files to the disk, then renames them to their targets, one directly after the other. \throw FileError after it
+   *  has restored the earlier files */
   void commit();
 
 private:

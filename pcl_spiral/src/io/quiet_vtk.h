@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Keeps VTK's own messages off the console.
+ *  Hides VTK's own messages.
  */
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace pcl_spiral {
 
-/** While it lives, VTK prints nothing: the caller looks at the result and says what is wrong itself. */
+/** While it exists, VTK prints nothing: the caller checks the result and reports errors itself. */
 class QuietVtk {
 public:
   QuietVtk() : before_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::GlobalWarningDisplayOff(); }

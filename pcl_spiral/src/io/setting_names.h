@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Words for the choices in the settings, as options, job files and reports spell them.
+ *  Words for the choices in the settings, used in options, job files and reports.
  */
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace pcl_spiral {
 
-/** The words of an enumeration: a value and its word each. Specialised for every choice a user has. */
+/** The words of an enumeration: pairs of a value and its word. Specialised for every choice of the user. */
 template <typename Enum>
 struct ChoiceNames;
 
@@ -132,7 +132,7 @@ choiceName(Enum choice)
   return "?";
 }
 
-/** The choice that \p name stands for; nothing where no word matches. */
+/** The choice of the word \p name; nothing if no word matches. */
 template <typename Enum>
 std::optional<Enum>
 choiceFromName(const std::string& name)

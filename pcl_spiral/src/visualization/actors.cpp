@@ -45,7 +45,7 @@ coloredSurface(vtkPolyData* surface, vtkScalarsToColors* colors)
   actor->GetMapper()->ScalarVisibilityOn();
   actor->GetMapper()->SetLookupTable(colors);
   actor->GetMapper()->UseLookupTableScalarRangeOn();
-  actor->GetMapper()->InterpolateScalarsBeforeMappingOn(); // on large faces, too, the colours are those of the scale
+  actor->GetMapper()->InterpolateScalarsBeforeMappingOn(); // large faces also get the colours of the scale
   return actor;
 }
 
@@ -78,8 +78,8 @@ lineActor(const std::vector<Polyline>& lines, bool closed, const Color& color, f
 vtkSmartPointer<vtkScalarsToColors>
 colorScale(double low, double high)
 {
-  // steps of viridis (van der Walt and Smith 2015) without its bright end, which a light surface would
-  // swallow
+  // steps of viridis (van der Walt and Smith 2015) without its bright end, which does not show on a light
+  // surface
   return scaleOf({{{0.267, 0.005, 0.329}, {0.230, 0.322, 0.546}, middle_color, {0.369, 0.789, 0.383}, {0.640, 0.790, 0.100}}}, low, high);
 }
 

@@ -18,10 +18,10 @@ constexpr Color surface_color{0.80, 0.83, 0.87};
 /** The surface in one colour, lit from the viewer's side. */
 vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface, const Color& color);
 
-/** The surface in the colours of its points' values. */
+/** The surface coloured by the values of its points. */
 vtkSmartPointer<vtkActor> coloredSurface(vtkPolyData* surface, vtkScalarsToColors* colors);
 
-/** Lines in one colour, drawn over the surface they lie on. */
+/** Lines in one colour, drawn over the surface below them. */
 vtkSmartPointer<vtkActor> lineActor(const std::vector<Polyline>& lines, bool closed, const Color& color, float width);
 
 /** In the middle of colorScale. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The cloud with its boundaries and radial lines, on a picture or in the viewer.
+ *  The cloud with its boundaries and radial lines, in a picture or in the viewer.
  */
 #pragma once
 
@@ -10,14 +10,14 @@
 
 namespace pcl_spiral {
 
-/** Colours of the drawn surface's heights. */
+/** Colours for the heights of the drawn surface. */
 vtkSmartPointer<vtkScalarsToColors> heightColors(const DisplaySurface& surface);
 
-/** The surface coloured by height, at its points or all over, the loops, the radial lines and the centre of \p report as far
- * as it has them. Returns the legend. */
+/** Draws the surface coloured by height, at its points or as faces, and the loops, radial lines and centre of \p report if
+ * it has them. Returns the legend. */
 std::vector<LegendEntry> addBoundaries(PartView& view, const SpiralReport& report, vtkScalarsToColors* height_colors);
 
-/** "scan.pcd: boundaries and radial lines", as far as there are any. */
+/** "scan.pcd: boundaries and radial lines", if there are any. */
 std::string boundariesTitle(const PictureScene& scene);
 
 /** "107198 points, spacing 1.2 mm, noise 0.018 mm", or "1200 faces, 602 vertices" */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Where the axes of a picture go.
+ *  Position of the axes of a picture.
  */
 #pragma once
 
@@ -11,18 +11,18 @@
 
 namespace pcl_spiral {
 
-/** A parallel view: the picture's directions in the scene, unit and perpendicular, and its scale. */
+/** A parallel view: the directions of the picture in the scene, unit and perpendicular, and its scale. */
 struct ParallelView {
   Eigen::Vector3d right, top;
   double mm_per_pixel = 1.0;
 
-  /** Where a place appears, pixels right of and above where the origin does. */
+  /** Position of a place in the picture, pixels right of and above the origin. */
   Eigen::Vector2d project(const Eigen::Vector3d& place) const { return Eigen::Vector2d(right.dot(place), top.dot(place)) / mm_per_pixel; }
-  /** From the scene to the viewer, unit. */
+  /** Direction from the scene to the viewer, unit. */
   Eigen::Vector3d towards() const { return right.cross(top); }
 };
 
-/** Words in a picture; pixels. */
+/** Text in a picture; pixels. */
 struct AxisText {
   std::string words;
   int font_size;
@@ -30,16 +30,16 @@ struct AxisText {
   Eigen::Vector2d half_size; ///< an upper bound
 };
 
-/** One axis as it is drawn; pixels, placed as ParallelView::project does. */
+/** One axis in the picture; pixels, as from ParallelView::project. */
 struct BoxAxis {
   int axis; ///< 0, 1, 2: x, y, z
   Eigen::Vector2d from, to;
   Eigen::Vector2d outward;            ///< unit, away from the box
-  std::vector<Eigen::Vector2d> ticks; ///< where they leave the axis
-  std::vector<AxisText> texts;        ///< the axis's name, then its numbers, mm
+  std::vector<Eigen::Vector2d> ticks; ///< start points on the axis
+  std::vector<AxisText> texts;        ///< the name of the axis, then its numbers, mm
 };
 
-/** Between numbers of an axis: 1, 2 or 5 times a power of ten, not below \p least. */
+/** Step between numbers of an axis: 1, 2 or 5 times a power of ten, at least \p least. */
 double niceStep(double least);
 
 /** Length of a tick, pixels. */
@@ -47,9 +47,9 @@ constexpr double axis_tick_length = 9.0;
 
 /** Axes along edges of the box from \p low to \p high, mm.
  *
- *  Each runs along the outline of the box in the view, so that nothing stands over the part; of the up to 64
- *  ways to choose such edges, one without overlaps, the flat axes below, steep ones on different sides, and
- *  axes that meet in a corner, as far as the view allows. Numbers that would still overlap are left out. An
+ *  Each runs along the outline of the box in the view, so that nothing covers the part. There are up to 64
+ *  ways to choose such edges. The chosen one has, if the view allows it, no overlaps, flat axes below, steep axes
+ *  on different sides, and axes that meet in a corner. Numbers that still overlap are left out. An
  *  edge seen nearly end on (less than 40 pixels) gets no axis. */
 std::vector<BoxAxis> layOutAxes(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const ParallelView& view);
 

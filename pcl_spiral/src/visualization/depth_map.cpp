@@ -27,7 +27,7 @@ DepthMap::DepthMap(const DisplaySurface& surface, const Canvas& canvas)
 : canvas_(canvas), clearance_(clearance(surface)), depth_(static_cast<std::size_t>(columns) * rows, std::numeric_limits<float>::lowest())
 {
   const Eigen::Vector3d towards = canvas.projection().towards();
-  std::vector<Eigen::Vector3d> places; // cells right and up, mm towards the viewer
+  std::vector<Eigen::Vector3d> places; // cells to the right and up, mm towards the viewer
   for (vtkIdType i = 0; i < surface.mesh->GetNumberOfPoints(); ++i) {
     const Eigen::Map<const Eigen::Vector3d> p(surface.mesh->GetPoint(i));
     const Eigen::Vector2d at = canvas.onScreen(p) / cell;
@@ -67,7 +67,7 @@ DepthMap::hides(const Eigen::Vector3d& place) const
 {
   const Eigen::Vector2d at = canvas_.onScreen(place) / cell;
   if (!(at.x() >= 0.0 && at.x() < columns && at.y() >= 0.0 && at.y() < rows))
-    return true; // off the picture
+    return true; // outside the picture
   const double depth = depth_[static_cast<std::size_t>(at.y()) * columns + static_cast<std::size_t>(at.x())];
   return depth > canvas_.projection().towards().dot(place) + clearance_;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What the drawn surface hides.
+ *  Finds what the drawn surface hides.
  */
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace pcl_spiral {
 
-/** How near to the viewer the surface comes at each place of a canvas, in cells of two pixels. */
+/** Depth of the surface, towards the viewer, at each place of a canvas, in cells of two pixels. */
 class DepthMap {
 public:
   DepthMap(const DisplaySurface& surface, const Canvas& canvas);
 
-  /** Whether the surface lies before \p place, by more than the drawn surface may be off. */
+  /** Whether the surface is in front of \p place, by more than the error of the drawn surface. */
   bool hides(const Eigen::Vector3d& place) const;
 
 private:

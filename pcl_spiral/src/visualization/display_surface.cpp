@@ -20,10 +20,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t most_points = 60000; ///< the part fills a million pixels at most: 4 pixels between points
-constexpr double margin = 0.03;            ///< of the part's size, about the box
+constexpr std::size_t most_points = 60000; ///< the part fills at most a million pixels: 4 pixels between points
+constexpr double margin = 0.03;            ///< of the part's size, round the box
 constexpr double hiding_clearance = 0.01;  ///< of the part's size
-constexpr double least_mean_normal = 0.25; ///< a shorter mean of unit normals tells no side
+constexpr double least_mean_normal = 0.25; ///< a shorter mean of unit normals gives no side
 
 void
 extend(DisplaySurface& surface, const Eigen::Vector3d& p)
@@ -53,7 +53,7 @@ measurePath(const PictureScene& scene, DisplaySurface& surface)
   surface.outward = clear ? surface.outward.normalized() : Eigen::Vector3d::Zero().eval();
 }
 
-/** The box about the part, too: the scan no farther than \p beyond of the box's size from it. */
+/** Limits the scan to a box round the part, larger by \p beyond of the box's size. */
 void
 measurePart(const PictureScene& scene, double beyond, DisplaySurface& surface)
 {
@@ -72,7 +72,7 @@ measurePart(const PictureScene& scene, double beyond, DisplaySurface& surface)
       extend(surface, p);
 }
 
-/** Finite points inside the box. Where there are too many, those of the loops and a fixed share of the
+/** Finite points inside the box. If there are too many: the points of the loops, and a fixed share of the
  * others, spread evenly over the file. */
 std::vector<Eigen::Vector3f>
 shownPoints(const PictureScene& scene, const DisplaySurface& surface)
@@ -87,7 +87,7 @@ shownPoints(const PictureScene& scene, const DisplaySurface& surface)
   std::vector<Eigen::Vector3f> points;
   const double share = std::min(1.0, static_cast<double>(most_points) / static_cast<double>(scene.cloud->size()));
   for (std::size_t i = 0; i < scene.cloud->size(); ++i) {
-    // a low-discrepancy sequence: every stretch of the file keeps the same share of its points
+    // a low-discrepancy sequence: every part of the file keeps the same share of its points
     const double fraction = std::fmod(0.6180339887498949 * static_cast<double>(i), 1.0);
     const Eigen::Vector3f p = (*scene.cloud)[i].getVector3fMap();
     if ((fraction < share || on_loop[i]) && p.allFinite() && (p.array() >= low.array()).all() && (p.array() <= high.array()).all())
@@ -96,7 +96,7 @@ shownPoints(const PictureScene& scene, const DisplaySurface& surface)
   return points;
 }
 
-/** A graph of the surface without the outliers that the path, too, was made without. */
+/** A graph of the surface, without the outliers that were left out for the path. */
 SurfaceGraph
 graphOf(std::vector<Eigen::Vector3f> points, const SpiralSettings& settings)
 {
@@ -111,7 +111,7 @@ graphOf(std::vector<Eigen::Vector3f> points, const SpiralSettings& settings)
   options.flip_normals = settings.flip_normals;
   SurfaceGraph graph;
   GraphSource source;
-  // where it fails the surface stays empty, and the path is drawn alone
+  // if it fails, the surface stays empty and only the path is drawn
   (void)buildCleanGraph(std::move(points), options, graph, source);
   return graph;
 }
@@ -198,11 +198,11 @@ hides(const DisplaySurface& surface, const Eigen::Vector3d& place, const Eigen::
   vtkNew<vtkIdList> corners;
   for (vtkIdType t = 0; t < surface.mesh->GetNumberOfPolys(); ++t) {
     surface.mesh->GetPolys()->GetCellAtId(t, corners);
-    std::array<Eigen::Vector3d, 3> p; // from the ray's start
+    std::array<Eigen::Vector3d, 3> p; // from the start of the ray
     for (int i = 0; i < 3; ++i)
       p[i] = Eigen::Map<const Eigen::Vector3d>(surface.mesh->GetPoint(corners->GetId(i))) - from;
     const double a = towards.dot(p[1].cross(p[2])), b = towards.dot(p[2].cross(p[0])),
-                 c = towards.dot(p[0].cross(p[1])); // of one sign where the ray's line meets the triangle
+                 c = towards.dot(p[0].cross(p[1])); // of one sign if the line of the ray meets the triangle
     const bool met = (a >= 0.0 && b >= 0.0 && c >= 0.0) || (a <= 0.0 && b <= 0.0 && c <= 0.0);
     const double sum = a + b + c;
     if (met && sum != 0.0 && (a * p[0] + b * p[1] + c * p[2]).dot(towards) / sum > 0.0)

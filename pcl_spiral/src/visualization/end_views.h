@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Both ends of a path enlarged.
+ *  Enlarged views of both ends of a path.
  */
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace pcl_spiral {
 
-/** Start and end of the path, each looking along its normal, sixteen times \p pitch across, with everything of the path
- *  there; \p turn: what the words call a part of it, "turn" or "pass". */
+/** Start and end of the path, each seen along its normal, sixteen times \p pitch across, with all of the path
+ *  there; \p turn: the word for a part of it, "turn" or "pass". */
 void addEndViews(Canvas& canvas, const pcl::PointCloud<ToolpathPoint>& path, double pitch, const std::string& turn,
                  vtkScalarsToColors* colors);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  How many ridges have which height, on a picture or in the viewer.
+ *  Histogram of ridge heights, in a picture or in the viewer.
  */
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace pcl_spiral {
 
-/** Whether there are ridges and a limit to judge them by. */
+/** Whether there are ridges and a limit for them. */
 bool hasHistogram(const VerificationScene& scene);
 
-/** The chart of a scene that has one, in a view that fills the page. Returns how far down its words reach,
+/** The chart of a scene that has one, in a view that fills the page. Returns the lower end of its text,
  * pixels. */
 int addHistogram(vtkRenderer* view, const PageSize& page, const VerificationScene& scene);
 

@@ -19,7 +19,7 @@ namespace {
 constexpr int circle_corners = 32;
 constexpr double mark_radius = 8.0, ring_hole = 4.5, square_half = 8.0, circle_radius = 11.0,
                  circle_line = 2.0; ///< pixels
-constexpr double white_edge = 2.0;  ///< about a mark, so that it stands out on lines
+constexpr double white_edge = 2.0;  ///< round a mark, so that it can be seen on lines
 
 void
 addFlat(vtkRenderer* view, vtkPolyData* shape, const Color& color, float line_width)

@@ -16,19 +16,19 @@ constexpr double flatness = 3e-4; ///< of the part's size: a third of a pixel
 constexpr int most_pieces = 8;    ///< along an edge
 constexpr double most_triangles = 1e6;
 
-/** Into how many pieces edges of curved faces are cut: all into as many, so that pieces of neighbours meet. */
+/** Number of pieces of each edge of curved faces: the same for all edges, so that pieces of neighbours meet. */
 int
 piecesOf(const SurfaceMesh& mesh, double size)
 {
   double sag = 0.0;
   for (std::size_t t = 0; t < mesh.faceCount(); ++t)
     sag = std::max(sag, mesh.sag(t));
-  const double round = std::ceil(std::sqrt(sag / (flatness * size))); // n pieces sag 1 / n^2 as much
+  const double round = std::ceil(std::sqrt(sag / (flatness * size))); // with n pieces the sag is 1 / n^2
   const double room = std::floor(std::sqrt(most_triangles / static_cast<double>(mesh.faceCount())));
   return static_cast<int>(std::clamp(std::min(round, room), 1.0, static_cast<double>(most_pieces)));
 }
 
-/** Triangles in the making: corners have their own normals, so that creases stay sharp. */
+/** Builds triangles; corners have their own normals, so that creases stay sharp. */
 class Pieces {
 public:
   explicit Pieces(const Eigen::Vector3d& up) : up_(up)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  How far the published normal of a ridge is off. Private to visualization.
+ *  Error of the published normal of a ridge. Private to visualization.
  */
 #pragma once
 
@@ -13,10 +13,10 @@ namespace pcl_spiral {
 /** Angle between the published normal, RidgeNormals::InNormalPlane, and the true one, degrees. */
 double normalError(const RidgeSurface& ridge, double u, double v);
 
-/** These angles on a grid: at each of equal places of the generator the least and the most along the rail. */
+/** These angles on a grid: for equal places of the generator, the smallest and the largest along the rail. */
 struct NormalErrors {
   std::vector<double> places, least, most; ///< mm, degrees
-  double largest = 0.0, u = 0.0, v = 0.0;  ///< of all, and where
+  double largest = 0.0, u = 0.0, v = 0.0;  ///< of all, and its place
 };
 
 NormalErrors normalErrors(const RidgeSurface& ridge);

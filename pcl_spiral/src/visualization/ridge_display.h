@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A ridge as it is drawn, and arrows on it. Private to visualization.
+ *  A ridge and arrows on it in pictures. Private to visualization.
  */
 #pragma once
 
@@ -14,14 +14,14 @@
 
 namespace pcl_spiral {
 
-/** Triangles over the ridge with true normals; the point data's values are those of \p value at (u, v).
- *  \throw std::invalid_argument without a ridge, or with one that is too slender for triangles */
+/** Triangles over the ridge with true normals; the values of the point data are \p value at (u, v).
+ *  \throw std::invalid_argument without a ridge, or if the ridge is too narrow for triangles */
 DisplaySurface ridgeDisplay(const RidgeSurface::ConstPtr& ridge, const std::function<double(double, double)>& value);
 
-/** The ends of the box that shows \p places, too. */
+/** The corners of the box that also shows \p places. */
 void extend(DisplaySurface& surface, const Polyline& places);
 
-/** An arrow as lines: its shaft, and a head that a viewer in direction \p towards sees. */
+/** An arrow as lines: its shaft, and a head that faces a viewer in direction \p towards. */
 void addArrow(std::vector<Polyline>& lines, const Eigen::Vector3d& from, const Eigen::Vector3d& arrow, const Eigen::Vector3d& towards);
 
 /** \p steps + 1 places along \p line, or \p steps of a closed one. */

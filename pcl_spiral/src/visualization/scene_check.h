@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A scene whose values do not fit its points is refused.
+ *  Refuses a scene whose values do not fit its points.
  */
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace pcl_spiral {
 
-/** \p scene itself. \throw std::invalid_argument where values are given but not one a point, or without a
+/** Returns \p scene. \throw std::invalid_argument if values are given but not one per point, or without a
  * path */
 VerificationScene checkedScene(VerificationScene scene);
 

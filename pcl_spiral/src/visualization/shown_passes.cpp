@@ -12,8 +12,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double free_share = 0.4;         ///< of what is seen of a pass
-constexpr double most_passes = 16777216.0; ///< single precision counts no further
+constexpr double free_share = 0.4;         ///< of the visible part of a pass
+constexpr double most_passes = 16777216.0; ///< largest count in single precision
 
 std::size_t
 numberOf(double turn)
@@ -21,7 +21,7 @@ numberOf(double turn)
   return turn > 0.0 ? static_cast<std::size_t>(std::min(turn, most_passes)) : 0;
 }
 
-/** Pixels near lines that were chosen. */
+/** Pixels near chosen lines. */
 class Taken {
 public:
   explicit Taken(double reach) : reach_(reach), taken_(static_cast<std::size_t>(Canvas::width) * Canvas::height, false) {}
@@ -48,7 +48,7 @@ private:
   std::vector<bool> taken_;
 };
 
-/** A place on the picture every pixel along the points from \p begin to before \p end, where it is seen. */
+/** The visible places in the picture, one per pixel, along the points from \p begin to before \p end. */
 std::vector<Eigen::Vector2d>
 seenPlaces(const pcl::PointCloud<ToolpathPoint>& path, const PassRange& range, const Canvas& canvas, const DepthMap& depth)
 {
@@ -69,7 +69,7 @@ seenPlaces(const pcl::PointCloud<ToolpathPoint>& path, const PassRange& range, c
   return seen;
 }
 
-/** Stretches of points of one pass and one whole number of turns; the point that ends a last turn belongs to it. */
+/** Runs of points of one pass and one whole number of turns; the point that ends the last turn belongs to it. */
 std::vector<PassRange>
 stretches(const pcl::PointCloud<ToolpathPoint>& path)
 {

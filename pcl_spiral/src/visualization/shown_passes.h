@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Which passes of a path a picture can show apart.
+ *  Chooses the passes of a path that a picture can show separately.
  */
 #pragma once
 
@@ -15,18 +15,18 @@
 
 namespace pcl_spiral {
 
-/** The passes shown, by the whole number that their points have as turn. */
+/** The shown passes, by the whole number in the turn of their points. */
 struct ShownPasses {
   std::vector<bool> shown;
-  std::size_t seen = 0; ///< passes of which the part does not hide everything
+  std::size_t seen = 0; ///< passes that the part does not hide completely
 
   bool shows(double turn) const;
   /** "every pass shown", "31 of 120 passes shown"; \p turn: "turn" or "pass". */
   std::string caption(const std::string& turn) const;
 };
 
-/** In the path's order each pass of which two fifths of what is seen keep \p least pixels from those chosen before. Passes may
- *  follow one another in any order, lie beside several others, and end anywhere. */
+/** Chooses, in the order of the path, each pass of which two fifths of the visible part are \p least pixels from the passes chosen
+ *  before. Passes may be in any order, beside several others, and end anywhere. */
 ShownPasses choosePasses(const pcl::PointCloud<ToolpathPoint>& path, const Canvas& canvas, const DepthMap& depth, double least);
 
 } // namespace pcl_spiral

@@ -23,14 +23,14 @@ distanceFromLine(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen
   return length > 1e-9 ? std::abs(along.x() * off.y() - along.y() * off.x()) / length : off.norm();
 }
 
-/** The distance in the view that a share of the path's length stays below. */
+/** The distance in the view such that a share of the path's length is below it. */
 double
 crowdedPitch(const pcl::PointCloud<ToolpathPoint>& path, const ParallelView& view)
 {
   const Eigen::Vector3d towards = view.towards();
   const auto place = [&](std::size_t i) { return view.project(path[i].getVector3fMap().cast<double>()); };
   const auto faces = [&](std::size_t i) { return path[i].getNormalVector3fMap().cast<double>().dot(towards) > least_facing; };
-  std::vector<std::pair<double, double>> pitches; // distance to the next turn, length it stands for; pixels
+  std::vector<std::pair<double, double>> pitches; // distance to the next turn, length of path with it; pixels
   const std::size_t stride = path.size() / most_samples + 1;
   std::size_t next = 1;
   double all = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Which turns of a spiral a picture can show apart.
+ *  Chooses the turns of a spiral that a picture can show separately.
  */
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace pcl_spiral {
 
-/** Every so manyth turn, counted back from the last one, and the first. */
+/** Every n-th turn, counted back from the last one, and the first. */
 struct ShownTurns {
   int every = 1;
   int turns = 1; ///< of the whole path
@@ -29,8 +29,8 @@ struct ShownTurns {
   std::string caption() const;
 };
 
-/** Every turn where turns appear apart; else every so manyth, so that in the view nine tenths of what faces
- * the viewer stands \p least_pixels apart or more. At least six turns are shown where there are six: a part
+/** Every turn if turns appear apart; otherwise every n-th, so that in the view nine tenths of the turns that
+ * face the viewer are at least \p least_pixels apart. At least six turns are shown if there are six, so that a part
  * seen on edge keeps some. */
 ShownTurns chooseTurns(const pcl::PointCloud<ToolpathPoint>& path, const ParallelView& view, double least_pixels);
 

@@ -44,7 +44,7 @@ addColor(vtkUnsignedCharArray* colors, const Color& color)
     colors->InsertNextValue(static_cast<unsigned char>(std::lround(255.0 * part)));
 }
 
-/** A vertex a point. */
+/** One vertex per point. */
 vtkSmartPointer<vtkPolyData>
 vertices(vtkPoints* points)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  How deviations and heights of stock are drawn, on a picture or in the viewer.
+ *  Styles for deviations and heights of stock, in a picture or in the viewer.
  */
 #pragma once
 
@@ -12,11 +12,11 @@
 
 namespace pcl_spiral {
 
-/** How a value is drawn. */
+/** Style of a value. */
 struct ValueStyle {
-  std::function<float(float)> rank; ///< of two on one place that of the higher rank is seen
+  std::function<float(float)> rank; ///< of two values at one place, the one of the higher rank is visible
   std::function<Color(float)> color;
-  std::function<bool(float)> outstanding; ///< drawn larger, to be seen even alone
+  std::function<bool(float)> outstanding; ///< drawn larger, so that even a single one is visible
 };
 
 /** The two lines above a view. */
@@ -24,7 +24,7 @@ struct Title {
   std::string first, second;
 };
 
-/** How the deviations of a scene are drawn. */
+/** Style of the deviations of a scene. */
 class DeviationScale {
 public:
   explicit DeviationScale(const DeviationFigures& figures);
@@ -35,20 +35,20 @@ public:
   std::vector<LegendEntry> legend(const VerificationScene& scene, bool hidden) const;
 
 private:
-  double reach_; ///< half the range of the colours, mm
+  double reach_; ///< half the range of the colour scale, mm
   vtkSmartPointer<vtkScalarsToColors> colors_;
 };
 
 Title deviationTitle(const VerificationScene& scene);
 
-/** How the heights of stock of a scene are drawn. */
+/** Style of the heights of stock of a scene. */
 class StockScale {
 public:
   explicit StockScale(const VerificationScene& scene);
 
   vtkScalarsToColors* colors() const { return colors_; }
   ValueStyle style() const;
-  /** Per point the ridge next to it, the stock itself where there is none, or a gouge. */
+  /** For each point: the ridge next to it, the stock if there is no ridge, or a gouge. */
   std::vector<float> heights(const VerificationScene& scene) const;
   std::vector<LegendEntry> legend(const std::vector<float>& heights) const;
 
@@ -56,21 +56,21 @@ private:
   bool isGouge(float v) const;
   bool isUncut(float v) const;
   bool isAbove(float v) const;
-  double gouge_; ///< depth that counts as one
+  double gouge_; ///< least depth of a gouge
   double limit_, reach_;
   vtkSmartPointer<vtkScalarsToColors> colors_;
 };
 
-/** A place that a map of the stock points out. */
+/** A place marked in a map of the stock. */
 struct WorstStock {
-  int slot; ///< of two: 0 what is too deep, 1 what is too high
+  int slot; ///< of two: 0 too deep, 1 too high
   PlacedValue value;
   std::string name;
 
   LegendEntry legend(bool hidden) const;
 };
 
-/** The deepest gouge, and an uncut place or else the highest ridge, as far as there are any. */
+/** The deepest gouge, and an uncut place or otherwise the highest ridge, if there are any. */
 std::vector<WorstStock> worstStock(const RemovalFigures& figures);
 
 Title stockTitle(const VerificationScene& scene);

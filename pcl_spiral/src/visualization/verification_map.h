@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What the maps of a verification share. Private to visualization.
+ *  Shared parts of the maps of a verification. Private to visualization.
  */
 #pragma once
 
@@ -12,14 +12,14 @@
 
 namespace pcl_spiral {
 
-/** A place that a map shows enlarged, too. */
+/** A place that a map also shows enlarged. */
 struct WorstPlace {
   Eigen::Vector3d position, normal;
   double across = 0.0; ///< of the enlarged view, mm
   std::string caption;
 };
 
-/** The moves of the path, each half coloured by the value of its end, on \p canvas where nothing hides them.
+/** The moves of the path, each half coloured by the value of its end, on \p canvas if nothing hides them.
  */
 void addPathMap(Canvas& canvas, const DepthMap& depth, const DisplaySurface& surface, const pcl::PointCloud<ToolpathPoint>& path,
                 const std::vector<float>& values, const ValueStyle& style);
@@ -28,7 +28,7 @@ void addPathMap(Canvas& canvas, const DepthMap& depth, const DisplaySurface& sur
 void addPathInset(Canvas& canvas, int slot, const DisplaySurface& surface, const WorstPlace& worst,
                   const pcl::PointCloud<ToolpathPoint>& path, const std::vector<float>& values, const ValueStyle& style);
 
-/** Points, each in a disc of \p radius pixels, on \p canvas where nothing hides them; none for NaN. */
+/** Points, each in a disc of \p radius pixels, on \p canvas if nothing hides them; none for NaN. */
 void addPointMap(Canvas& canvas, const DepthMap& depth, const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<float>& values,
                  double radius, const ValueStyle& style);
 
@@ -37,7 +37,7 @@ void addPointInset(Canvas& canvas, int slot, const DisplaySurface& surface, cons
                    const pcl::PointCloud<pcl::PointXYZ>& points, const std::vector<float>& values, double radius, const ValueStyle& style,
                    const pcl::PointCloud<ToolpathPoint>& path);
 
-/** Radius of a disc a point, mm, of \p points spread like those of the drawn surface, that leaves no gaps. */
+/** Radius of one disc per point, mm, without gaps, for \p points spread like those of the drawn surface. */
 double discRadius(const DisplaySurface& surface, std::size_t points);
 
 constexpr double inset_pitches = 12.0; ///< turns across an enlarged view
@@ -45,7 +45,7 @@ constexpr double inset_pitches = 12.0; ///< turns across an enlarged view
 /** Width of an enlarged view, mm. */
 double insetWidth(const DisplaySurface& surface, const pcl::PointCloud<ToolpathPoint>& path);
 
-/** Point \p index of the path; the nearest to it that there is. */
+/** Point \p index of the path, or the nearest existing index. */
 const ToolpathPoint& pathPoint(const pcl::PointCloud<ToolpathPoint>& path, std::size_t index);
 
 } // namespace pcl_spiral

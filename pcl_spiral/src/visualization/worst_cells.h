@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A map in which the worst value of each place is seen.
+ *  A map that shows the worst value of each place.
  */
 #pragma once
 
@@ -11,17 +11,17 @@
 
 namespace pcl_spiral {
 
-/** Values on a view, in cells of two pixels: of those put on one cell, that of the highest rank stays. */
+/** Values on a view, in cells of two pixels: each cell keeps the value of the highest rank. */
 class WorstCells {
 public:
   /** \p width and \p height of the view, pixels. */
   WorstCells(int width, int height);
 
-  /** Put a value on the cell at \p place and those whose middles lie within \p radius of it; pixels from the
-   * lower left corner. A rank counts from 0; of equal ones the first stays. */
+  /** Puts a value on the cell at \p place and on cells with their middle within \p radius; pixels from the
+   * lower left corner. Ranks count from 0; of equal ranks the first value stays. */
   void put(const Eigen::Vector2d& place, double radius, float value, float rank);
 
-  /** Draw over everything in \p view. */
+  /** Draws over everything in \p view. */
   void addTo(vtkRenderer* view, const std::function<Color(float)>& color) const;
 
 private:

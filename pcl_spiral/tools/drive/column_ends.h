@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Ends of a column, round about.
+ *  Ends of a column, in sectors round its axis.
  */
 #pragma once
 
@@ -11,13 +11,13 @@
 
 #include <vector>
 
-/** Where the points given begin and end along a column, in sectors round it. */
+/** Where the given points begin and end along a column, in sectors round it. */
 class ColumnEnds {
 public:
   explicit ColumnEnds(const pcl_spiral::DriveCylinder& cylinder);
 
   void add(const Eigen::Vector3d& place);
-  /** Largest length, mm, at an end of a sector that \p inner does not come to; a few stray points do not count. */
+  /** Largest length, mm, at an end of a sector that \p inner does not reach; a few outliers do not count. */
   double missedBy(ColumnEnds& inner);
 
 private:
@@ -26,5 +26,5 @@ private:
   std::vector<std::vector<double>> along_; ///< of each sector
 };
 
-/** Says what of a column's ends no contact comes to. */
+/** Warns of the parts of a column's ends that no contact reaches. */
 void warnOfEnds(const Job& job, const std::vector<pcl_spiral::ToolLocations>& located, Result& result);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The report of a drive path.
+ *  The JSON report of pcl_spiral_drive.
  */
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What one run of pcl_spiral_drive is asked to do.
+ *  The user's settings for one run of pcl_spiral_drive.
  */
 #pragma once
 
@@ -12,15 +12,15 @@
 #include <optional>
 #include <string>
 
-/** A run as the user described it. Lengths mm, angles degrees. */
+/** The user's settings for one run. Lengths in mm, angles in degrees. */
 struct Job : PassJob {
-  bool mesh = false; ///< the scan is a mesh, and its faces count
+  bool mesh = false; ///< the scan is a mesh, and its faces are used
   pcl_spiral::MeshSettings mesh_settings;
-  bool no_gouge_check = false; ///< stand the cutter at the contacts of a mesh without a look at the rest of it
+  bool no_gouge_check = false; ///< put the cutter at the contacts of a mesh without checking the rest of it
   pcl_spiral::DriveSettings drive;
   std::string curve_file;
-  std::optional<Eigen::Vector3d> column_axis;              ///< direction; found from the scan where none is given
+  std::optional<Eigen::Vector3d> column_axis;              ///< direction; found from the scan if not given
   Eigen::Vector3d column_centre = Eigen::Vector3d::Zero(); ///< a place on it
-  double scallop = 0.0;                                    ///< in place of a step-over
+  double scallop = 0.0;                                    ///< instead of a step-over
   bool one_way = false;
 };

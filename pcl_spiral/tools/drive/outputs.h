@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The files of a run of pcl_spiral_drive.
+ *  The output files of pcl_spiral_drive.
  */
 #pragma once
 
@@ -8,8 +8,8 @@
 
 #include "io/output_files.h"
 
-/** Writes every file of the job, all or none. \throw pcl_spiral::FileError, Cancelled */
+/** Writes all files of the job, or none. \throw pcl_spiral::FileError, Cancelled */
 void writeOutputs(const Job& job, const Result& result, pcl_spiral::OutputFiles& files);
 
-/** What the run came to, for people. */
+/** Prints a summary of the run. */
 void printSummary(const Job& job, const Result& result, double seconds);

@@ -10,7 +10,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** How often a path has gone round an axis. */
+/** Number of turns of a path round an axis. */
 void
 countTurns(const DriveCylinder& cylinder, pcl::PointCloud<ToolpathPoint>& path)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  From a scan to located passes.
+ *  From a scan to passes of cutter locations.
  */
 #pragma once
 
@@ -9,10 +9,10 @@
 
 #include <pcl_spiral/drive/drive_settings.h>
 
-/** All that a run came to. */
+/** The result of a run. */
 struct Result : PassResult {
   pcl_spiral::DriveReport drive;
 };
 
-/** Reads the scan or the mesh, makes the drive path, locates the cutter. \throw UsageError, pcl_spiral::FileError, Cancelled */
+/** Reads the scan or the mesh, makes the drive path, finds the cutter locations. \throw UsageError, pcl_spiral::FileError, Cancelled */
 Result plan(const Job& job);

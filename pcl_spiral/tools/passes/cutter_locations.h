@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A cutter along drive passes: where it stands without a gouge.
+ *  Gouge-free cutter locations along drive passes.
  */
 #pragma once
 
@@ -14,17 +14,17 @@
 
 #include <vector>
 
-/** Locations on the part of \p result, its mesh or its scan with the surface through it; figures go into \p result. \throw UsageError,
+/** Locations on the part of \p result: its mesh, or its scan with the surface. Sets the figures of \p result. \throw UsageError,
  *  pcl_spiral::FileError, Cancelled */
 std::vector<pcl_spiral::ToolLocations> locateCutter(const PassJob& job, const pcl_spiral::Surface::ConstPtr& surface,
                                                     const pcl_spiral::DrivePasses& passes, ProgressBar& bar, PassResult& result);
 
-/** \throw pcl_spiral::FileError where what holds the cutter would stand in the part, and that is not accepted */
+/** \throw pcl_spiral::FileError if shank or holder would collide with the part and that is not accepted */
 void requireNoCollision(const PassJob& job, const std::vector<pcl_spiral::ToolLocations>& located,
                         const pcl_spiral::LocationFigures& figures);
 
-/** Takes the passes into \p result, without the locations off the part, cut in two there. */
+/** Puts the passes into \p result without the locations off the part; a pass is cut in two there. */
 void takePoses(const pcl_spiral::CutterProfile& cutter, const std::vector<pcl_spiral::ToolLocations>& located, PassResult& result);
 
-/** What a user should know of the locations. */
+/** Adds the warnings about the locations. */
 void warnOfLocations(const PassJob& job, PassResult& result);

@@ -14,7 +14,7 @@ using namespace pcl_spiral;
 void
 sampleMesh(const PassJob& job, PassResult& result)
 {
-  constexpr double share = 0.3; // of the cutter's radius: the sag between points is a hundredth of it
+  constexpr double share = 0.3; // of the cutter's radius: the sag between points is a hundredth of the radius
   MeshSampling sampling;
   sampling.setInputMesh(result.mesh);
   sampling.setNumberOfThreads(job.threads);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Whether tool, motion and outputs can be meant.
+ *  Checks of tool, motion and outputs.
  */
 #pragma once
 
@@ -12,17 +12,17 @@
 
 bool isGiven(const PassJob& job, const std::string& option);
 
-/** A ball has a tip that follows from contact and normal. */
+/** Whether the cutter is a ball: its tip follows from contact and normal. */
 bool isBall(const PassJob& job);
 
-/** Without a corner radius the cutter is a ball, or a tapered one. \throw UsageError for a cutter or a holder that cannot be */
+/** Without a corner radius the cutter is a ball, or a tapered ball. \throw UsageError for an impossible cutter or holder */
 void completeCutter(PassJob& job);
 
-/** Of a cutter: how close its path is kept. \throw UsageError */
+/** Checks the tolerance of a cutter's path. \throw UsageError */
 void checkTool(const PassJob& job);
 
-/** Axes and feed. \throw UsageError */
+/** Checks axes and feed. \throw UsageError */
 void checkMotion(const PassJob& job);
 
-/** \p files: all that the outputs come to, none of which may be an input. \throw UsageError */
+/** \p files: all files of the outputs; none of them may be an input. \throw UsageError */
 void checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vector<InputName> inputs);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Files of passes: paths, programs, lists of poses.
+ *  Output files of passes: paths, programs, lists of poses.
  */
 #pragma once
 
@@ -18,15 +18,15 @@
 /** Whether \p output can be written, by its extension. */
 bool isPassFile(const std::string& output);
 
-/** All passes one after the other, the turn counting them; \p motion holds the tips of a tool of any shape. */
+/** All passes in sequence; the turn is the number of the pass. \p motion holds the tips of a tool of any shape. */
 pcl::PointCloud<pcl_spiral::ToolpathPoint> joinedPasses(const PassJob& job, const PassResult& result, pcl_spiral::ToolpathMotion& motion);
 
-/** All but pictures and reports: \p file in the format of \p output. \throw pcl_spiral::FileError */
+/** Writes \p file in the format of \p output; not for pictures and reports. \throw pcl_spiral::FileError */
 void writePassFile(const PassJob& job, const PassResult& result, const std::string& title, const std::string& output,
                    const std::string& file);
 
-/** Writes every output by \p write, which is given its name and the number of its first file in \p files, and counts that on; then gives
- *  all of them their names. \p one_pass: the remedy where a format holds a single pass. \throw std::runtime_error, Cancelled: then no
- *  output has changed */
+/** Calls \p write for every output, with its name and the number of its first file in \p files, which \p write increases. Then
+ *  renames all files to their final names. \p one_pass: the remedy if a format holds a single pass. \throw std::runtime_error,
+ *  Cancelled: then no output has changed */
 void writeAll(const PassJob& job, const PassResult& result, const std::string& one_pass, pcl_spiral::OutputFiles& files,
               const std::function<void(const std::string& output, std::size_t& next)>& write);

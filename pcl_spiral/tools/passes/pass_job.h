@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What a run of a program is asked to do that makes passes of a tool.
+ *  The user's settings of a program that makes passes of a tool.
  */
 #pragma once
 
@@ -14,23 +14,23 @@
 #include <string>
 #include <vector>
 
-/** What all such programs are asked for: files, tool, machine, run. Lengths mm, angles degrees. */
+/** Settings that all such programs share: files, tool, machine, run. Lengths in mm, angles in degrees. */
 struct PassJob {
   std::set<std::string> given; ///< names of the options that were set, here or in a job file
   std::string command;         ///< the call as typed
-  std::string scan;            ///< empty where there is none
-  std::string part;            ///< the file that messages about the part name
+  std::string scan;            ///< empty if there is none
+  std::string part;            ///< the file named in messages about the part
   std::vector<std::string> outputs;
   pcl_spiral::ReadOptions read;
   bool leave_out_strays = false;
-  bool largest_part = false; ///< of several, take the largest alone
+  bool largest_part = false; ///< of several parts, use only the largest
   double thinning = 0.0;     ///< voxel edge; 0: none
   pcl_spiral::CutterShape cutter;
   std::vector<pcl_spiral::ToolSegment> holder;
   double holder_clearance = 0.0;
   double tolerance = 0.01;     ///< between locations
   double axis_smoothing = 0.0; ///< mm along the path; 0: none
-  double max_axis_rate = 0.0;  ///< degrees a mm; 0: no limit
+  double max_axis_rate = 0.0;  ///< degrees per mm; 0: no limit
   double feed = 1000.0;        ///< mm/min
   ProgramJob program;
   std::string config_file;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Options of every program that makes passes of a tool.
+ *  Options that all programs for passes of a tool share.
  */
 #pragma once
 
@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-/** How files of points are read. */
+/** Options for reading files of points. */
 std::vector<Option> readOptions(PassJob& job);
-/** What of a scan counts. */
+/** Options that select the points of a scan. */
 std::vector<Option> scanOptions(PassJob& job);
 Option configOption(PassJob& job);
-/** \p need: what it means to leave the tool's radius out. */
+/** \p need: help text that explains what happens without the tool's radius. */
 OptionGroup cutterOptions(PassJob& job, const std::string& need);
 Option toleranceOption(PassJob& job);
-/** Of axes along a pass. */
+/** Options for the axes along a pass. */
 std::vector<Option> axisOptions(PassJob& job);
 OptionGroup runOptions(PassJob& job);

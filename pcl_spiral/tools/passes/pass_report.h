@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What reports of passes share.
+ *  Parts that reports of passes share.
  */
 #pragma once
 

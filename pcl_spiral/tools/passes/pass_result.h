@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What a run of a program came to that makes passes of a tool.
+ *  The result of a program that makes passes of a tool.
  */
 #pragma once
 
@@ -14,19 +14,19 @@
 #include <string>
 #include <vector>
 
-/** Passes and what is known of them. */
+/** Passes and their figures. */
 struct PassResult {
-  pcl_spiral::Scan scan;                               ///< of a mesh the points it was sampled at, where they were needed
-  pcl_spiral::SurfaceMesh::ConstPtr mesh;              ///< the part where it is a mesh; null for a scan
-  pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole_scan; ///< with the strays that were left out
+  pcl_spiral::Scan scan;                               ///< of a mesh: its samples, if they were needed
+  pcl_spiral::SurfaceMesh::ConstPtr mesh;              ///< the part if it is a mesh; null for a scan
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole_scan; ///< with the outliers that were left out
   pcl_spiral::LocationFigures locations;
   pcl_spiral::BisectionFigures bisection;
   std::vector<pcl_spiral::ToolPoses> passes; ///< in travel order, without locations off the part
-  std::size_t off_scan = 0;                  ///< locations left out: nothing of the part below the cutter
-  double length = 0.0;                       ///< of the tip's way along all passes, mm
+  std::size_t off_scan = 0;                  ///< locations left out: no part of the surface below the cutter
+  double length = 0.0;                       ///< of the tip's path along all passes, mm
   std::vector<pcl_spiral::StageCost> stages;
   std::vector<std::string> warnings;
-  std::optional<pcl_spiral::MachineProgram> program; ///< where a machine is given
+  std::optional<pcl_spiral::MachineProgram> program; ///< if a machine is given
 
   std::size_t poseCount() const
   {

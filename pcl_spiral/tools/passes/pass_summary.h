@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What passes came to, for people.
+ *  Prints the summary of passes.
  */
 #pragma once
 
@@ -10,5 +10,5 @@
 #include <string>
 #include <vector>
 
-/** Locations, length, program, times, and the files written. */
+/** Prints locations, length, program, times, and the files written. */
 void printPasses(const PassJob& job, const PassResult& result, const std::vector<std::string>& files, double seconds);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  From a scan to the surface that drive paths and locations share.
+ *  The surface of a scan, shared by drive paths and locations.
  */
 #pragma once
 
@@ -11,10 +11,10 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/surface/surface.h>
 
-/** What a stage's failure is to the user; \p file is the one it worked on. \throw UsageError, pcl_spiral::FileError, Cancelled */
+/** Turns a stage's failure into an exception that names \p file. \throw UsageError, pcl_spiral::FileError, Cancelled */
 void require(const std::string& file, const pcl_spiral::Status& status);
 
-/** How the surface is made, whichever stage makes it. */
+/** Settings of the surface for any stage that makes it. */
 template <typename Stage>
 void
 setSurface(const PassJob& job, Stage& stage)
@@ -24,7 +24,7 @@ setSurface(const PassJob& job, Stage& stage)
   stage.setNumberOfThreads(job.threads);
 }
 
-/** The part a stage works on: the mesh, or the scan's points and the surface through them. */
+/** Sets the part of a stage: the mesh, or the scan's points and the surface through them. */
 template <typename Stage>
 void
 setPart(const PassJob& job, const PassResult& result, const pcl_spiral::Surface::ConstPtr& surface, Stage& stage)
@@ -35,10 +35,10 @@ setPart(const PassJob& job, const PassResult& result, const pcl_spiral::Surface:
     return;
   }
   stage.setInputCloud(result.scan.cloud);
-  stage.setInputSurface(surface); // null: it says what is wrong
+  stage.setInputSurface(surface); // null: the stage reports what is wrong
   setSurface(job, stage);
 }
 
-/** Reads the scan, without its strays where that is asked for, and makes the surface through its points; null where they form
+/** Reads the scan, without its outliers if asked for, and makes the surface through its points; null if they form
  *  none. \throw UsageError, pcl_spiral::FileError, Cancelled */
 pcl_spiral::Surface::ConstPtr readScan(const PassJob& job, ProgressBar& bar, PassResult& result, pcl_spiral::StageClock& clock);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Whether a program of a machine can be written as it was asked for.
+ *  Checks of the settings of a machine program.
  */
 #pragma once
 
@@ -15,11 +15,11 @@
 bool isProgram(const std::string& output);
 /** .apt .cls .yaml */
 bool isExchange(const std::string& output);
-/** CLDATA and robot frames know no way from one pass to the next. \p remedy: how to make one pass. \throw FileError */
+/** CLDATA and robot frames have no moves from one pass to the next. \p remedy: how to make one pass. \throw FileError */
 void requireOnePass(std::size_t passes, const std::string& output, const std::string& remedy);
-/** Whether a program is made, to write or to draw. */
+/** Whether a program is made, for a file or a picture. */
 bool hasProgram(const ProgramJob& program, const std::vector<std::string>& outputs);
 
-/** \p given: the options that were set. \throw UsageError for a setting that is missing, out of range or contradicts
+/** \p given: the options that were set. \throw UsageError if a setting is missing, out of range or contradicts
  *  another */
 void checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs, const std::set<std::string>& given);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The program of a machine, as a user describes it.
+ *  The user's settings for a machine program.
  */
 #pragma once
 
@@ -12,7 +12,7 @@
 struct ProgramJob {
   std::string machine_file;
   pcl_spiral::Dialect dialect = pcl_spiral::Dialect::LinuxCNC; ///< of .nc
-  pcl_spiral::ProgramSettings settings;                        ///< feed and ball radius are the path's
+  pcl_spiral::ProgramSettings settings;                        ///< feed and ball radius come from the path
   pcl_spiral::ProgramHeader header;
-  bool accept_collisions = false; ///< of what holds the cutter, and of the tool off its path
+  bool accept_collisions = false; ///< of shank and holder, and of the tool on its leads
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Options for the program of a machine.
+ *  Options for the machine program.
  */
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The pictures of a run as files for a while: drawn once, then copied to outputs and put into reports.
+ *  The pictures of a run as temporary files: drawn once, then copied to outputs and put into reports.
  */
 #pragma once
 
@@ -11,23 +11,23 @@
 #include <string>
 #include <vector>
 
-/** What a picture shows. */
+/** Description of a picture. */
 enum class PictureKind { Spiral, Lines, Deviation, Stock, Histogram, Rotary };
 
-/** A picture and what is put after an output's name for it: part_stock.png of part.png. */
+/** A picture and its suffix after an output's name: part_stock.png of part.png. */
 struct PictureName {
   PictureKind kind;
   std::string suffix;
 };
 
-/** A picture that has been drawn. */
+/** A drawn picture. */
 struct PictureFile {
   PictureKind kind;
   std::string file;
 };
 
-/** Draws into a folder of its own, which goes with the object. Drawing throws Cancelled between two pictures,
- * and pcl_spiral::FileError where the system gives no folder for a while. */
+/** Draws into its own temporary folder, which the destructor removes. Drawing throws Cancelled between two pictures,
+ * and pcl_spiral::FileError if the temporary folder cannot be made. */
 class PictureFiles {
 public:
   PictureFiles() = default;
@@ -35,17 +35,17 @@ public:
   PictureFiles(const PictureFiles&) = delete;
   PictureFiles& operator=(const PictureFiles&) = delete;
 
-  /** The path over the surface and, where \p lines, loops and radial lines. Errors as SpiralPictures has
-   * them. */
+  /** The path on the surface and, if \p lines, loops and radial lines. Errors as in
+   * SpiralPictures. */
   void drawPath(const pcl_spiral::PictureScene& scene, bool lines);
-  /** Rotary axes along a program. Errors as writeRotaryAngles has them. */
+  /** Rotary axes along a program. Errors as in writeRotaryAngles. */
   void drawProgram(const std::string& title, const pcl_spiral::MachineProgram& program);
-  /** Deviation, stock, histogram. Errors as VerificationPictures has them. */
+  /** Deviation, stock, histogram. Errors as in VerificationPictures. */
   void drawJudging(const pcl_spiral::VerificationScene& scene);
 
-  /** The latest picture of a kind as the file \p file. \throw pcl_spiral::FileError */
+  /** Copies the latest picture of a kind to \p file. \throw pcl_spiral::FileError */
   void copy(PictureKind kind, const std::string& file) const;
-  /** The latest pictures of these kinds, those that have been drawn. */
+  /** The latest drawn pictures of these kinds. */
   std::vector<pcl_spiral::ReportPicture> forReport(const std::vector<PictureKind>& kinds) const;
 
 private:
@@ -56,5 +56,5 @@ private:
   std::vector<PictureFile> files_;
 };
 
-/** \throw pcl_spiral::FileError naming \p output where it holds pictures and there is no display */
+/** \throw pcl_spiral::FileError that names \p output if it needs pictures and there is no display */
 void requireDisplay(const std::string& output);

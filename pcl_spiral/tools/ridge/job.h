@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What one run of pcl_spiral_ridge is asked to do.
+ *  The user's settings for one run of pcl_spiral_ridge.
  */
 #pragma once
 
@@ -12,12 +12,12 @@
 
 #include <string>
 
-/** A run as the user described it. Lengths mm, angles degrees. Without a cutter the tool is a beam. */
+/** The user's settings for one run. Lengths in mm, angles in degrees. Without a cutter the tool is a beam. */
 struct Job : PassJob {
-  std::string rail, generator;  ///< files; empty where both are looked for in the scan
+  std::string rail, generator;  ///< files; empty if both are found in the scan
   pcl_spiral::Polyline through; ///< rough points of the ridge in the scan
   bool ring = false;            ///< the ridge in the scan is closed
-  double half_width = 0.0;      ///< of the ridge in the scan, from the crest to either side
+  double half_width = 0.0;      ///< of the ridge in the scan, from the crest to each side
   pcl_spiral::RidgeSettings ridge;
   pcl_spiral::RidgeRowSettings rows;
   double scallop = 0.0;

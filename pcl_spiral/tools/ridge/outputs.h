@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What a run of pcl_spiral_ridge leaves behind.
+ *  The output files of pcl_spiral_ridge.
  */
 #pragma once
 
@@ -8,8 +8,8 @@
 
 #include "io/output_files.h"
 
-/** Writes all outputs, or none. \throw std::runtime_error, Cancelled */
+/** Writes all outputs or none. \throw std::runtime_error, Cancelled */
 void writeOutputs(const Job& job, const Result& result, pcl_spiral::OutputFiles& files);
 
-/** What came of it, for people. */
+/** Prints a summary of the run. */
 void printSummary(const Job& job, const Result& result, double seconds);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  From two measured lines, or a scan, to rows of a tool.
+ *  Makes rows of a tool from two measured lines or a scan.
  */
 #pragma once
 
@@ -13,13 +13,13 @@
 
 #include <optional>
 
-/** All that a run came to. Without a cutter the mesh is of the ridge, and made for pictures alone. */
+/** The result of a run. Without a cutter the mesh is of the ridge, and only for pictures. */
 struct Result : PassResult {
   pcl_spiral::Polyline rail, generator; ///< measured points, or those found in the scan
   pcl_spiral::RidgeSurface::ConstPtr ridge;
-  std::optional<pcl_spiral::ScanRidgeReport> found; ///< where both lines were found in a scan
+  std::optional<pcl_spiral::ScanRidgeReport> found; ///< if both lines were found in a scan
   pcl_spiral::RidgeRowReport rows;
 };
 
-/** Reads the lines or finds them, makes the rows, locates the cutter. \throw UsageError, pcl_spiral::FileError, Cancelled */
+/** Reads or finds the lines, makes the rows, finds the cutter locations. \throw UsageError, pcl_spiral::FileError, Cancelled */
 Result plan(const Job& job);

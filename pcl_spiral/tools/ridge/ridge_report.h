@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A run of pcl_spiral_ridge for programs to read.
+ *  The JSON report of pcl_spiral_ridge.
  */
 #pragma once
 

@@ -42,7 +42,7 @@ alongGenerator(double w)
   return {0.0, 24.0, 20.0 * (1.5 - 5.0 * w + 3.0 * w * w)};
 }
 
-/** What the scanner adds to places. */
+/** The scanner's errors, added to places. */
 class Sensor {
 public:
   explicit Sensor(const RidgeScanSettings& settings) : settings_(settings), random_(settings.seed) {}
@@ -56,7 +56,7 @@ public:
     return {p.x(), p.y(), p.z()};
   }
 
-  /** Of the full scan: a share of the points is false, off along \p normal. */
+  /** For the full scan: a share of the points are outliers, moved along \p normal. */
   pcl::PointXYZ scanned(const Vector3d& place, const Vector3d& normal)
   {
     const bool stray = share() < settings_.outliers;
@@ -97,7 +97,7 @@ simulateRidge(const RidgeScanSettings& settings)
   Sensor sensor(settings);
   for (double t = 0.0; t <= 1.0; t += settings.line_spacing / alongRail(t).norm()) {
     const pcl_spiral::RidgeFrame frame = frameAt(t);
-    double w = sensor.share() * settings.point_spacing / alongGenerator(0.0).norm(); // the sensor's clock is not that of the gantry
+    double w = sensor.share() * settings.point_spacing / alongGenerator(0.0).norm(); // sensor and gantry have separate clocks
     for (; w <= 1.0; w += settings.point_spacing / alongGenerator(w).norm()) {
       const Vector3d normal = frame.turned(Vector3d::UnitX().cross(alongGenerator(w)).normalized());
       result.scan.push_back(sensor.scanned(rail(t) + frame.turned(generator(w)), normal));

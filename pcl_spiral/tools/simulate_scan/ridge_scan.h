@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A simulated scan of the ridge of a press die, and the two lines that are measured of it.
+ *  A simulated scan of the ridge of a press die, and its two measured lines.
  */
 #pragma once
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
-/** How the ridge is scanned; lengths in mm. */
+/** Settings of the scan of the ridge; lengths in mm. */
 struct RidgeScanSettings {
   double line_spacing = 0.5;  ///< of scan lines across the ridge, along its rail
   double point_spacing = 0.5; ///< of the points on a line
   double noise = 0.02;        ///< standard deviation of each coordinate
-  double outliers = 0.0005;   ///< share of false points, 5 to 20 mm off
+  double outliers = 0.0005;   ///< share of outliers, 5 to 20 mm off the surface
   unsigned seed = 1;
 };
 
@@ -25,5 +25,5 @@ struct RidgeScan {
  *  -15 degrees with the horizontal plane; the generator is measured at t = 0.37. */
 RidgeScan simulateRidge(const RidgeScanSettings& settings);
 
-/** A false echo lies 5 to 20 mm before or behind the surface; \p share is uniform in 0 to 1. */
+/** An outlier is 5 to 20 mm in front of or behind the surface; \p share is uniform in 0 to 1. */
 double strayDistance(double share);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  From the command line and a job file to options set.
+ *  Sets options from the command line and a job file.
  */
 #pragma once
 
@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/** Sets the options of \p table as called; words without a name are the options \p files in that order, and what --config names is
- *  read as a job file, which the command line wins over. \return the names that were set. \throw UsageError,
+/** Sets the options of \p table from the command line; words without a name are the options \p files in that order. The file of
+ *  --config is read as a job file; the command line has priority. \return the names that were set. \throw UsageError,
  *  pcl_spiral::FileError (job file) */
 std::set<std::string> setOptions(const OptionTable& table, int argc, const char* const* argv,
                                  const std::vector<std::string>& files = {"scan"});

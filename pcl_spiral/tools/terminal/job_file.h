@@ -14,6 +14,6 @@
 using NamedValues = std::vector<std::pair<std::string, std::string>>;
 
 /** The options in a YAML map of names and values. Lists become comma-separated words; a list under output
- * stands for several outputs. \throw UsageError for a name that is not in \p table, pcl_spiral::FileError for a
- * file that is no map */
+ * gives several outputs. \throw UsageError for a name that is not in \p table, pcl_spiral::FileError for a
+ * file that is not a map */
 NamedValues readJobFile(const std::string& file, const OptionTable& table);

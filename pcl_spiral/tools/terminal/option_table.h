@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Options of a program: their words, their help, and what they set.
+ *  Options of a program: their names, their help, and what they set.
  */
 #pragma once
 
@@ -13,7 +13,7 @@
 /** One option, on the command line and in a job file alike. */
 struct Option {
   std::string name;
-  std::string argument; ///< its name in the help; empty: a switch without a value
+  std::string argument; ///< name of the value in the help; empty: a switch without a value
   std::string help;
   std::function<void(const std::string& value)> set; ///< throws UsageError
 };
@@ -24,16 +24,16 @@ struct OptionGroup {
   std::vector<Option> options;
 };
 
-/** All options of a program, bound to what they set, which must outlive them. */
+/** All options of a program. The variables they set must outlive them. */
 using OptionTable = std::vector<OptionGroup>;
 
-/** Puts \p more behind the options of \p group. */
+/** Adds \p more after the options of \p group. */
 void addOptions(OptionGroup& group, const std::vector<Option>& more);
 
-/** The option of that name; null where there is none. */
+/** The option of that name; null if there is none. */
 const Option* findOption(const OptionTable& table, const std::string& name);
 
-/** "; did you mean 'scallop'?" where an option's name is near; else empty. */
+/** "; did you mean 'scallop'?" if an option's name is similar; otherwise empty. */
 std::string suggestion(const OptionTable& table, const std::string& name);
 
 /** An option for a number. */
@@ -42,10 +42,10 @@ Option numberOption(const std::string& name, const std::string& argument, const 
 /** An option for a whole number. */
 Option wholeNumberOption(const std::string& name, const std::string& argument, const std::string& help, int& target);
 
-/** The option --threads; \p why says what does not depend on it. */
+/** The option --threads; \p why: help text on what does not depend on it. */
 Option threadsOption(const std::string& why, unsigned int& target);
 
-/** An option for words, as they are. */
+/** An option for text, taken unchanged. */
 Option textOption(const std::string& name, const std::string& argument, const std::string& help, std::string& target);
 
 /** An option for a place or a direction, X,Y,Z; \p target is a vector or an optional one. */
@@ -56,7 +56,7 @@ placeOption(const std::string& name, const std::string& help, Place& target)
   return {name, "X,Y,Z", help, [name, &target](const std::string& value) { target = placeValue(name, value); }};
 }
 
-/** An option for a choice, by its words. */
+/** An option for a choice, by its name. */
 template <typename Enum>
 Option
 choiceOption(const std::string& name, const std::string& help, Enum& target)

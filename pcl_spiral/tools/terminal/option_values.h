@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What the words behind an option mean. A value that means nothing is a UsageError naming option, value and
+ *  Reads the values of options. A wrong value is a UsageError that names option, value and
  * remedy.
  */
 #pragma once

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  How a program begins and ends.
+ *  Start and end of a program.
  */
 #pragma once
 
 #include <functional>
 #include <string>
 
-/** Runs \p body, which gives the program's exit code, and says on stderr what went wrong. \return that code; 1 where data or a file
- *  failed, 2 for a wrong call */
+/** Runs \p body, which returns the program's exit code, and reports errors on stderr. \return that code; 1 if data or a file
+ *  failed, 2 for a wrong command line */
 int runProgram(const std::string& name, const std::function<int()>& body);

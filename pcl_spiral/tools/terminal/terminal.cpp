@@ -28,11 +28,11 @@ catchSignals()
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before = {};
-    if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) // as nohup leaves it
+    if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) // ignored already, as under nohup
       sigaction(signal, &action, nullptr);
   }
   action.sa_handler = SIG_IGN;
-  sigaction(SIGXFSZ, &action, nullptr); // writing past the largest file allowed then fails like a full disk
+  sigaction(SIGXFSZ, &action, nullptr); // writing beyond the file size limit then fails like a full disk
 }
 
 bool

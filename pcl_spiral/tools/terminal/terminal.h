@@ -1,39 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Wrong calls, progress, cancelling and times on a terminal.
+ *  Usage errors, progress, cancelling and times on a terminal.
  */
 #pragma once
 
 #include <stdexcept>
 #include <string>
 
-/** A call that cannot be meant; the message names the option, the value and the remedy. */
+/** A wrong command line; the message names the option, the value and the remedy. */
 class UsageError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/** The user has ended the run. */
+/** The user has cancelled the run. */
 class Cancelled : public std::runtime_error {
 public:
   Cancelled() : std::runtime_error("cancelled; no output has been written") {}
 };
 
-/** From here on ctrl-C, a request to end and a closed terminal (SIGINT, SIGTERM, SIGHUP) only set what cancelled tells,
- * and a file grown past the limit of the shell (SIGXFSZ) is an error of writing. */
+/** From now on ctrl-C, a request to end and a closed terminal (SIGINT, SIGTERM, SIGHUP) only set what cancelled returns,
+ * and a file beyond the size limit of the shell (SIGXFSZ) is a write error. */
 void catchSignals();
 
 bool cancelled();
 
-/** A bar on stderr, where that is a terminal; nothing where it is piped. */
+/** A progress bar on stderr if that is a terminal; nothing if it is piped. */
 class ProgressBar {
 public:
   explicit ProgressBar(bool quiet);
   ~ProgressBar();
 
-  /** Draw, and tell whether to go on. */
+  /** Draws the bar. \return whether to go on */
   bool update(double share, const std::string& stage);
-  /** Take the bar away. */
+  /** Removes the bar. */
   void clear();
 
 private:

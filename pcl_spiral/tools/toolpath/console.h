@@ -6,5 +6,5 @@
 
 #include "outputs.h"
 
-/** What was made, for people; a verbose job is told what each stage of the \p seconds cost. */
+/** Prints the summary; for a verbose job also the time of each stage of the \p seconds. */
 void printSummary(const Job& job, const Result& result, double seconds);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What one run of pcl_spiral_toolpath is asked to do.
+ *  The user's settings for one run of pcl_spiral_toolpath.
  */
 #pragma once
 
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-/** A run as the user described it. */
+/** The user's settings for one run. */
 struct Job {
   std::set<std::string> given; ///< names of the options that were set, here or in a job file
   std::string command;         ///< the call as typed
@@ -23,9 +23,9 @@ struct Job {
   pcl_spiral::ReadOptions read;
   pcl_spiral::SpiralSettings settings;
   ProgramJob program;
-  bool mesh = false;           ///< the scan is a mesh, and its faces count
-  double sample_spacing = 0.0; ///< of the points the mesh is sampled at, mm; 0: found
-  bool verify = false;         ///< judge the path by the scan or the mesh
+  bool mesh = false;           ///< the scan is a mesh, and its faces are used
+  double sample_spacing = 0.0; ///< of the samples of the mesh, mm; 0: found from the mesh
+  bool verify = false;         ///< check the path against the scan or the mesh
   bool verbose = false;
   bool quiet = false;
   bool help = false;

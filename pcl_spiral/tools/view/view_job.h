@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What one run of pcl_spiral_view is asked to do.
+ *  The user's settings for one run of pcl_spiral_view.
  */
 #pragma once
 
@@ -12,12 +12,12 @@
 #include <ostream>
 #include <string>
 
-/** A run as the user described it. */
+/** The user's settings for one run. */
 struct ViewJob {
   std::string scan, path;
   pcl_spiral::ReadOptions read;
   std::optional<MeshChoice> mesh; ///< absent: the first file is a scan
-  JudgeSettings settings;         ///< tool radius 0: none is given
+  JudgeSettings settings;         ///< tool radius 0: not given
   bool quiet = false;
   bool help = false;
   bool version = false;

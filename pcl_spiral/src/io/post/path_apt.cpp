@@ -33,7 +33,7 @@ writeGoto(PostText& out, const Eigen::Vector3d& tip, const Eigen::Vector3d& axis
   out.endLine();
 }
 
-/** The tip's speed from \p a to \p b that has the contact keep \p feed. */
+/** Speed of the tip from \p a to \p b for which the contact moves at \p feed. */
 double
 tipFeed(const ToolPose& a, const ToolPose& b, double feed)
 {

@@ -15,7 +15,7 @@ writeRetract(PostText& out, const Machine& machine)
   out.endLine();
 }
 
-/** X Y Z and the tool's direction: both always whole. */
+/** X Y Z and the tool direction, always all of them. */
 void
 writePlace(PostText& out, const MachineProgram& program, const ProgramBlock& block, bool vectors)
 {
@@ -37,7 +37,7 @@ writeStart(PostText& out, const MachineProgram& program, const ProgramHeader& he
   writeTool(out, header);
   writeRetract(out, program.machine);
   out.text("G0 ");
-  writeAngles(out, program, program.blocks.front()); // before the tip is held in place
+  writeAngles(out, program, program.blocks.front()); // before the control keeps the tip in place
   out.endLine();
   out.text((!program.machine.rtcp ? "G43 H" : vectors ? "G43.5 H" : "G43.4 H") + std::to_string(std::max(1, header.tool)) + " ");
   writePlace(out, program, program.blocks.front(), vectors);

@@ -9,7 +9,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** The file's name as a program may be called: letters, digits, _ and -. */
+/** Program name from the file name: letters, digits, _ and -. */
 std::string
 programName(const std::string& title)
 {
@@ -20,7 +20,7 @@ programName(const std::string& title)
   return name.empty() ? "SPIRAL" : name;
 }
 
-/** Lines that count. */
+/** Numbered lines. */
 class NumberedLines {
 public:
   explicit NumberedLines(PostText& out) : out_(out) {}
@@ -47,7 +47,7 @@ writeRetract(NumberedLines& lines, const Machine& machine)
   out.endLine(" R0 FMAX M91\n");
 }
 
-/** mm/min of the tip that give the block its time; where the tip stands the least there is. */
+/** Feed of the tip, mm/min, that gives the block its time; the least feed if the tip does not move. */
 double
 tipFeed(const ProgramBlock& before, const ProgramBlock& block)
 {

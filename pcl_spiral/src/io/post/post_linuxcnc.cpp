@@ -23,9 +23,9 @@ writeStart(PostText& out, const MachineProgram& program, const ProgramHeader& he
     out.endLine();
   }
   else
-    out.text("G61\n"); // P0 would let corners be rounded without limit
+    out.text("G61\n"); // P0 would round corners without limit
   if (header.tool == 0)
-    out.text("G43\n"); // the length of the tool that is loaded
+    out.text("G43\n"); // the length of the loaded tool
   writeTool(out, header, "G43\n");
   writeRetract(out, program.machine);
   out.text("G0 ");

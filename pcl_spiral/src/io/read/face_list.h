@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Faces as they stand in a file: polygons over numbered vertices.
+ *  Faces of a file: polygons over numbered vertices.
  */
 #pragma once
 
@@ -10,18 +10,18 @@
 
 namespace pcl_spiral {
 
-/** Corners of all faces one after the other, each face with its place in the file. */
+/** Corners of all faces in sequence, each face with its place in the file. */
 struct FaceList {
-  std::vector<std::int64_t> corners; ///< vertices counted from 0; not yet known to be there
+  std::vector<std::int64_t> corners; ///< vertices counted from 0; not yet checked
   std::vector<std::size_t> ends;     ///< for each face, the end of its corners
   std::vector<std::size_t> places;   ///< for each face, its line or byte
   const char* place_word = "line";
-  std::int64_t first_vertex = 0; ///< how the file counts: its first vertex is this number
+  std::int64_t first_vertex = 0; ///< number of the first vertex in the file
 
   std::size_t begin(std::size_t face) const { return face == 0 ? 0 : ends[face - 1]; }
   /** Corners added since the last close. */
   std::size_t open() const { return corners.size() - begin(ends.size()); }
-  /** The corners added since the last close are a face. */
+  /** Makes a face of the corners added since the last close. */
   void close(std::size_t place)
   {
     ends.push_back(corners.size());
@@ -34,14 +34,14 @@ struct FaceList {
   }
 };
 
-/** What a file of a mesh holds. */
+/** Content of a mesh file. */
 struct MeshTable {
   PointTable vertices;
   FaceList faces;
 };
 
-/** Vertices, the same as those of the tables of points, and faces. \throw FileError as readers of tables do, and where
- * a face cannot be made out
+/** Vertices, the same as in the tables of points, and faces. \throw FileError as the readers of tables, and if
+ * a face cannot be read
  *  @{ */
 MeshTable readStlMesh(const std::string& file, std::string_view bytes);
 MeshTable readObjMesh(const std::string& file, std::string_view bytes);

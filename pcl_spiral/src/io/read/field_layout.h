@@ -11,7 +11,7 @@
 
 namespace pcl_spiral {
 
-/** A scalar in a record. */
+/** A number in a record. */
 struct FieldType {
   char kind = 'F'; ///< F real, I signed, U unsigned
   int size = 4;    ///< bytes
@@ -26,7 +26,7 @@ loadAs(const char* at)
   return static_cast<double>(value);
 }
 
-/** The scalar at \p at, in this machine's byte order unless \p swapped. */
+/** The number at \p at, in this computer's byte order unless \p swapped. */
 inline double
 loadField(const char* at, FieldType type, bool swapped = false)
 {

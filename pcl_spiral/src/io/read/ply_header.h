@@ -33,7 +33,7 @@ struct PlyHeader {
   bool swapped = false; ///< binary in the other byte order
 };
 
-/** Reads up to end_header; \p lines stands behind it then. \throw FileError */
+/** Reads up to end_header; \p lines is then at the next line. \throw FileError */
 PlyHeader readPlyHeader(const std::string& file, LineScanner& lines);
 
 } // namespace pcl_spiral

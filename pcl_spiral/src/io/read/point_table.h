@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Named columns of numbers out of point files.
+ *  Named columns of numbers from point files.
  */
 #pragma once
 
@@ -10,30 +10,30 @@
 
 namespace pcl_spiral {
 
-/** One column of values for each wanted name, in the order wanted; all of one length. */
+/** One column of values for each wanted name, in that order; all of the same length. */
 using PointTable = std::vector<std::vector<double>>;
 
 using Names = std::vector<std::string>;
 
-/** \p bytes is the content of \p file; the name serves the messages. Each reader throws FileError where a
- * wanted column is missing, a value is no number, or the file ends early.
+/** \p bytes is the content of \p file; the name is for messages. Each reader throws FileError if a
+ * wanted column is missing, a value is not a number, or the file ends too early.
  *  @{ */
 PointTable readPcdTable(const std::string& file, std::string_view bytes, const Names& wanted);
 PointTable readPlyTable(const std::string& file, std::string_view bytes, const Names& wanted);
-/** \p columns names the columns from the left; empty: by the file's header, else the first columns are the
- * wanted. */
+/** \p columns names the columns from the left; empty: the file's header names them, otherwise the first columns are
+ * the wanted ones. */
 PointTable readTextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns = {});
 /** Vertices x y z. */
 PointTable readObjTable(const std::string& file, std::string_view bytes);
 /** Corners x y z of the triangles, each point once. */
 PointTable readStlTable(const std::string& file, std::string_view bytes);
-/** Points, Normals, ToolAxis, ArcLength, Turn, and Feed where there is one, of a polyline as our writer makes it. */
+/** Points, Normals, ToolAxis, ArcLength, Turn and, if present, Feed of a polyline written by this library. */
 PointTable readVtpTable(const std::string& file, std::string_view bytes);
-/** Points at which its second polyline begins, and each further one; each goes on in the order of the points. */
+/** First points of its second and of each further polyline; the points of all polylines are in order. */
 std::vector<std::size_t> readVtpPasses(const std::string& file, std::string_view bytes);
 /** @} */
 
-/** Where each wanted name stands in \p names, upper or lower case. \throw FileError with the names there are
+/** Position of each wanted name in \p names, upper or lower case. \throw FileError with the names of the file
  */
 std::vector<std::size_t> columnsOf(const std::string& file, const Names& names, const Names& wanted);
 

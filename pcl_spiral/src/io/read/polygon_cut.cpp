@@ -9,7 +9,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** Shares of the polygon's size within which a corner lies on a line: coordinates in single precision are no better. */
+/** Shares of the polygon's size within which a corner is on a line: the precision of single-precision coordinates. */
 constexpr double flat = 1e-7;
 
 double
@@ -18,7 +18,7 @@ cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/** Whether \p c and \p d lie on either side of the line from \p a to \p b. */
+/** Whether \p c and \p d are on different sides of the line from \p a to \p b. */
 bool
 parts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c, const Eigen::Vector2d& d)
 {
@@ -27,7 +27,7 @@ parts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d&
   return (one > least && other < -least) || (one < -least && other > least);
 }
 
-/** Newell's normal, of any length; zero where the polygon has no area. */
+/** Newell's normal, of any length; zero if the polygon has no area. */
 Eigen::Vector3d
 normalOf(const std::vector<Eigen::Vector3d>& corners)
 {
@@ -65,7 +65,7 @@ PolygonCut::convex() const
   for (std::size_t i = 0; i < n; ++i)
     if (shape((i + n - 1) % n, i, (i + 1) % n) <= flat)
       return false;
-  for (std::size_t i = 2; i < n; ++i) // more than once round, some fall behind the first side or the fan turns back
+  for (std::size_t i = 2; i < n; ++i) // more than once round, some are behind the first side or the fan turns back
     if (cross(corners_[1] - corners_[0], corners_[i] - corners_[0]) <= 0.0 || shape(0, i - 1, i) <= flat)
       return false;
   return true;
@@ -93,7 +93,7 @@ PolygonCut::ears()
   return triangles;
 }
 
-/** Whether two sides cross, not only touch. */
+/** Whether two sides cross and do not only touch. */
 bool
 PolygonCut::crossesItself() const
 {
@@ -107,7 +107,7 @@ PolygonCut::crossesItself() const
   return false;
 }
 
-/** Twice the area over the sum of the squared sides: 0.29 for equal sides, 0 for a flat one, below for one that turns
+/** Twice the area over the sum of the squared sides: 0.29 for equal sides, 0 for a flat triangle, negative for one that turns
  * the other way. */
 double
 PolygonCut::shape(std::size_t before, std::size_t at, std::size_t after) const
@@ -117,8 +117,8 @@ PolygonCut::shape(std::size_t before, std::size_t at, std::size_t after) const
   return sides > 0.0 ? cross(a, b) / sides : 0.0;
 }
 
-/** No other corner that is left lies in the triangle or on its sides. Corners at the same place as one of its own do
- * not count: a hole joined to the outline by a double side has such. */
+/** No other remaining corner is in the triangle or on its sides. Corners at the same place as its own corners do
+ * not count: a hole joined to the outline by a double side has such corners. */
 bool
 PolygonCut::empty(std::size_t before, std::size_t at, std::size_t after) const
 {
@@ -135,7 +135,7 @@ PolygonCut::empty(std::size_t before, std::size_t at, std::size_t after) const
   });
 }
 
-/** Its shape where the corner is an ear; else below 0, those that turn the right way before the others. */
+/** The shape if the corner is an ear; otherwise below 0, corners that turn the right way before the others. */
 double
 PolygonCut::valueOf(std::size_t place) const
 {

@@ -12,7 +12,7 @@
 
 namespace pcl_spiral {
 
-/** Three places among the corners of a polygon. */
+/** Indices of three corners of a polygon. */
 using CutTriangle = std::array<std::size_t, 3>;
 
 /** A polygon of three or more corners, seen along its normal. */
@@ -20,12 +20,12 @@ class PolygonCut {
 public:
   explicit PolygonCut(const std::vector<Eigen::Vector3d>& corners);
 
-  /** Whether every corner turns the same way, by more than rounding, once round. */
+  /** Whether every corner turns the same way, by more than rounding errors, and all together once round. */
   bool convex() const;
-  /** From the first corner. */
+  /** Triangles from the first corner. */
   std::vector<CutTriangle> fan() const;
-  /** Ears cut off one after the other, the one nearest to equal sides first (Meisters 1975, two ears theorem). All go
-   * round as the polygon does. Time grows with the square of the corners. */
+  /** Cuts off ears in sequence, the one nearest to equal sides first (Meisters 1975, two ears theorem). All go
+   * round in the sense of the polygon. Time grows with the square of the corners. */
   std::vector<CutTriangle> ears();
   /** Whether the ears may overlap or be flat: the polygon crosses itself, or has no area. */
   bool faulty() const { return faulty_; }
@@ -37,9 +37,9 @@ private:
   double valueOf(std::size_t place) const;
   void cutOff(std::size_t place, std::vector<CutTriangle>& triangles);
 
-  std::vector<Eigen::Vector2d> corners_; ///< in shares of the polygon's size
+  std::vector<Eigen::Vector2d> corners_; ///< as shares of the polygon's size
   std::vector<std::size_t> left_;        ///< corners not cut off, in order
-  std::vector<double> values_;           ///< for each of them, the shape of its ear; below 0 where it is none
+  std::vector<double> values_;           ///< for each of them, the shape of its ear; below 0 if it is no ear
   bool faulty_ = false;
 };
 

@@ -13,7 +13,7 @@ namespace pcl_spiral {
 /** The columns x y z as points: scaled and shifted in double precision, then rounded to float. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr scaledPoints(const PointTable& table, const ReadOptions& options);
 
-/** Says where rounding to float costs more than 0.001 mm, and where the size hints at another unit. */
+/** Warnings if rounding to float changes points by more than 0.001 mm, or if the size suggests another unit. */
 std::vector<std::string> scaleWarnings(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& cloud);
 
 } // namespace pcl_spiral

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Lines, words and numbers of a text held in memory.
+ *  Lines, words and numbers of a text in memory.
  */
 #pragma once
 
@@ -12,16 +12,16 @@
 
 namespace pcl_spiral {
 
-/** Goes through a text line by line; ends of lines may be LF, CR LF or CR. */
+/** Reads a text line by line; lines may end in LF, CR LF or CR. */
 class LineScanner {
 public:
   explicit LineScanner(std::string_view text) : text_(text) {}
 
-  /** The next line without its end and without blanks around it; false at the end of the text. */
+  /** The next line without its end and without spaces around it; false at the end of the text. */
   bool next(std::string_view& line);
-  /** Number of the line that next gave last, from 1. */
+  /** Number of the last line from next, from 1. */
   std::size_t number() const { return number_; }
-  /** Byte at which the next line begins. */
+  /** Byte where the next line begins. */
   std::size_t position() const { return position_; }
 
 private:
@@ -30,29 +30,29 @@ private:
   std::size_t number_ = 0;
 };
 
-/** Without blanks at either end. */
+/** Removes spaces at both ends. */
 std::string_view trimmed(std::string_view text);
 
-/** Words parted by blanks (separator ' ') or by a character; blanks around a word are dropped, empty words
- * kept. */
+/** Words separated by spaces (separator ' ') or by a character; spaces around a word are removed, empty words
+ * are kept. */
 void splitWords(std::string_view line, char separator, std::vector<std::string_view>& words);
 
-/** Whether \p word is \p lower, in whatever mixture of upper and lower case. */
+/** Whether \p word is \p lower in any mixture of upper and lower case. */
 bool sameWord(std::string_view word, std::string_view lower);
 
 /** The whole word as a number; nan and inf are numbers too. */
 std::optional<double> toNumber(std::string_view word);
 
-/** The whole word as a number of things: whole, not negative, below 1e15. */
+/** The whole word as a count: whole, not negative, below 1e15. */
 std::optional<std::size_t> toCount(std::string_view word);
 
 /** "line 7: what" */
 std::string atLine(std::size_t number, const std::string& what);
 
-/** A number of things for a message, without decimals. */
+/** A count for a message, without decimals. */
 std::string wholeNumber(double value);
 
-/** A word for a message: in quotes, cut at 40 characters, without control characters. */
+/** A word for a message: in quotes, cut after 40 characters, without control characters. */
 std::string quoted(std::string_view word);
 
 } // namespace pcl_spiral

@@ -8,7 +8,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** Columns of a path: x y z, normal, axis, arc length, turn, the feed and the tip where they are. */
+/** Columns of a path: x y z, normal, axis, arc length, turn, and feed and tip if present. */
 ToolpathFile
 fromColumns(const PointTable& table)
 {
@@ -32,7 +32,7 @@ fromColumns(const PointTable& table)
   return file;
 }
 
-/** Arc lengths that stand still on the way to each of \p passes, whatever they did: a polyline of its own is a pass of its own. */
+/** Keeps the arc length unchanged on the way to each of \p passes: each polyline is a separate pass. */
 void
 liftBetween(const std::vector<std::size_t>& passes, pcl::PointCloud<ToolpathPoint>& path)
 {

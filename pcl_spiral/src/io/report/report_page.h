@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What a report for people shows beside figures.
+ *  Texts and pictures of a readable report.
  */
 #pragma once
 
@@ -11,8 +11,8 @@ namespace pcl_spiral {
 /** Head and foot of a report. */
 struct ReportPage {
   std::string title;   ///< such as the scan's name
-  std::string made;    ///< by what and when: "pcl_spiral_toolpath 0.1.0, 2025-03-01 14:05 UTC"
-  std::string command; ///< the call that made it; empty: not shown
+  std::string made;    ///< program and time: "pcl_spiral_toolpath 0.1.0, 2025-03-01 14:05 UTC"
+  std::string command; ///< the command line that made it; empty: not shown
 };
 
 /** A picture of a report. */

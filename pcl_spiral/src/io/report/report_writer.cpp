@@ -87,7 +87,7 @@ holesJson(const SpiralReport& report)
   return holes;
 }
 
-/** What the path at constant scallop height is made of. */
+/** Figures of the path at constant scallop height. */
 Json
 scallopJson(const SpiralReport& report)
 {
@@ -160,7 +160,7 @@ pathJson(const SpiralReport& report, double feed)
           {"deviating_points", report.deviating_points}};
 }
 
-/** MB; null where it is not known. */
+/** MB; null if it is not known. */
 Json
 megabytes(std::size_t bytes)
 {
@@ -179,7 +179,7 @@ secondsJson(const std::vector<StageCost>& costs)
   return {{"total", total}, {"stages", stages}};
 }
 
-/** At the end of each stage: in main memory, and the most there has been up to then. */
+/** At the end of each stage: memory in use, and the peak up to then. */
 Json
 memoryJson(const std::vector<StageCost>& costs)
 {

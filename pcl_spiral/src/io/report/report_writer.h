@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The report of a run, as JSON and as a page for people.
+ *  The report of a run, as JSON and as a readable page.
  */
 #pragma once
 
@@ -16,28 +16,28 @@
 
 namespace pcl_spiral {
 
-/** A mesh whose samples are a run's points. */
+/** A mesh; its samples are the points of a run. */
 struct RunMesh {
   MeshCounts counts;
   double sample_spacing = 0.0; ///< mm
 };
 
-/** Where a run's points came from and where its path went. */
+/** The input and output files of a run. */
 struct RunFiles {
   std::string scan;
   LengthUnit unit = LengthUnit::Millimetre;         ///< of the numbers in the scan
   Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< subtracted from the scan, mm
   std::vector<std::string> outputs;
   std::vector<std::string> warnings; ///< from reading
-  std::optional<RunMesh> mesh;       ///< where the points are samples of one
+  std::optional<RunMesh> mesh;       ///< if the points are samples of a mesh
 };
 
-/** Input, settings, loops, counts, time and memory of each stage and warnings of a run, and the path's figures where it was
- * judged (null: not). Lengths mm, angles degrees, seconds, MB (10^6 bytes; see MemoryUse). \throw FileError */
+/** Input, settings, loops, counts, time and memory of each stage and warnings of a run, and the figures of the path if it was
+ * judged (null: not judged). Units: mm, degrees, seconds, MB (10^6 bytes; see MemoryUse). \throw FileError */
 void writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings, const SpiralReport& report,
                      const Verification* verification = nullptr);
 
-/** The same as one HTML file that needs no other, with \p pictures of the path and \p judged of how it was judged.
+/** The same as one HTML file that needs no other file, with \p pictures of the path and the pictures \p judged of its verification.
  *  \throw FileError */
 void writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files, const SpiralSettings& settings,
                      const SpiralReport& report, const std::vector<ReportPicture>& pictures, const Verification* verification = nullptr,

@@ -27,7 +27,7 @@ writeField(char* out, double value)
   return out;
 }
 
-/** Comment lines where the path comes over a gap of the scan that was bridged, and where it leaves it. */
+/** Comment lines where the path begins to run over a bridged gap of the scan, and where it ends. */
 char*
 writeGapMark(char* out, const pcl::PointCloud<ToolpathPoint>& path, std::size_t i)
 {

@@ -9,8 +9,8 @@
 
 namespace pcl_spiral {
 
-// The header is PCL's; the points are written here, because on a full disk PCL's writer says something on the console
-// and nothing that a user understands.
+// PCL makes the header; the points are written here, because on a full disk PCL's writer prints only a message on the
+// console that a user cannot understand.
 
 void
 writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path)

@@ -12,7 +12,7 @@
 
 namespace pcl_spiral {
 
-/** For every point float x y z, normal, axis, double arc_length, float turn, uchar over_gap, little-endian. */
+/** For every point: float x y z, normal, axis, double arc_length, float turn, uchar over_gap, little-endian. */
 std::string toolpathRows(const pcl::PointCloud<ToolpathPoint>& path);
 
 } // namespace pcl_spiral

@@ -23,7 +23,7 @@ constexpr double shank_length = 5.0, ///< ball radii
     opacity = 0.6;
 constexpr Color cutter_color{0.95, 0.70, 0.25};
 
-/** A half profile turned about the axis \p up through \p centre; its points are radius and height. */
+/** A half profile turned round the axis \p up through \p centre; its points are radius and height. */
 vtkSmartPointer<vtkPolyData>
 revolved(const std::vector<Eigen::Vector2d>& profile, const Eigen::Vector3d& centre, const Eigen::Vector3d& up)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The cutter as it stands at a point of the path.
+ *  The cutter at a point of the path.
  */
 #pragma once
 

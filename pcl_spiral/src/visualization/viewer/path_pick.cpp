@@ -11,7 +11,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double reach = 12.0; ///< pixels
-constexpr int most_tries = 20; ///< of each side: points behind the part lie among those before it
+constexpr int most_tries = 20; ///< of each side: points behind the part are among those in front of it
 
 } // namespace
 
@@ -20,7 +20,7 @@ pickPoint(const PartView& view, const pcl::PointCloud<ToolpathPoint>& path, cons
           const Eigen::Vector2d& pixel)
 {
   const Eigen::Vector3d towards = view.projection().towards();
-  std::array<std::vector<std::pair<double, std::size_t>>, 2> found; // that face the viewer, and the others
+  std::array<std::vector<std::pair<double, std::size_t>>, 2> found; // points that face the viewer, and the others
   for (std::size_t i = 0; i < path.size(); ++i) {
     const double off = (view.onScreen(placeOf(path[i])) - pixel).norm();
     if (off <= reach && shown(path[i]))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Which point of the path the user points at.
+ *  Finds the point of the path under the mouse.
  */
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace pcl_spiral {
 
-/** The path's point that is seen nearest to \p pixel, of those for which \p shown is true; none within 12
- * pixels: nothing. */
+/** The visible path point nearest to \p pixel, of those for which \p shown is true; nothing if none is within 12
+ * pixels. */
 std::optional<std::size_t> pickPoint(const PartView& view, const pcl::PointCloud<ToolpathPoint>& path,
                                      const std::function<bool(const ToolpathPoint&)>& shown, const Eigen::Vector2d& pixel);
 

@@ -11,7 +11,7 @@
 
 namespace pcl_spiral {
 
-/** What a key asks for. */
+/** The command of a key. */
 enum class ViewerCommand {
   ShowBoundaries,
   ShowPath,
@@ -33,10 +33,10 @@ enum class ViewerCommand {
   Close
 };
 
-/** The command of a key, by X's name for it; nothing for a key without one. */
+/** The command of a key, by the X name of the key; nothing for other keys. */
 std::optional<ViewerCommand> commandOf(const std::string& key);
 
-/** List the keys in the column at the right, from \p below down; without \p all only the one that lists them.
+/** Lists the keys in the right column, from \p below down; without \p all only the key of the list.
  */
 void addKeys(vtkRenderer* words, const PageSize& page, int below, bool all);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What each view of the viewer shows.
+ *  Content of each view of the viewer.
  */
 #pragma once
 
@@ -14,10 +14,10 @@
 
 namespace pcl_spiral {
 
-/** What the user has chosen to see. */
+/** The user's choices. */
 struct ViewerChoice {
   ViewerPage page = ViewerPage::Boundaries;
-  bool every_turn = false;          ///< else those that stand apart
+  bool every_turn = false;          ///< otherwise only turns that appear apart
   bool cutter = false;              ///< at the chosen point
   std::optional<std::size_t> point; ///< of the path
 };
@@ -28,9 +28,9 @@ public:
   ViewerPages(const VerificationScene& scene, ViewerWindow& window);
 
   void setRemedy(const std::string& remedy) { remedy_ = remedy; }
-  /** Replace what the window shows. Returns how far down the column at the right is filled, pixels. */
+  /** Replaces the content of the window. Returns the lower end of the right column, pixels. */
   int fill(const ViewerChoice& choice);
-  /** The turns that a page shows from where the camera stands. */
+  /** The turns that a page shows for the position of the camera. */
   ShownTurns turns(const ViewerChoice& choice) const;
   /** Width of a view of one place, mm. */
   double nearWidth() const { return near_width_; }
@@ -51,7 +51,7 @@ private:
   ViewerWindow& window_;
   double near_width_, disc_radius_; ///< mm
   std::string remedy_;
-  std::vector<float> heights_; ///< of stock, a reference point
+  std::vector<float> heights_; ///< of stock, one per reference point
   std::vector<vtkSmartPointer<vtkActor>> stock_outstanding_, deviation_outstanding_;
 };
 

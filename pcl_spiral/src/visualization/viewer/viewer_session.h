@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A viewer's window with what it shows, and what its keys and clicks do. Private to visualization.
+ *  A viewer's window, its content, and the effect of its keys and clicks. Private to visualization.
  */
 #pragma once
 
@@ -32,7 +32,7 @@ public:
 
   void press(const std::string& key);
   void click(int x, int y);
-  /** Fill the page anew and draw it. */
+  /** Fills the page again and draws it. */
   void show();
   void run();
 
@@ -42,11 +42,11 @@ public:
   ViewerPages pages;
   ViewerChoice choice;
   bool keys_listed = true, closed = false;
-  bool stale = false; ///< the page was filled for another distance of the camera
+  bool stale = false; ///< the page is for another distance of the camera
   std::string message, picture_stem = "view";
   std::function<bool()> close_wanted;
   vtkNew<ViewerStyle> style;
-  vtkSmartPointer<vtkRenderWindowInteractor> interactor; ///< goes first: it works on all the others
+  vtkSmartPointer<vtkRenderWindowInteractor> interactor; ///< destroyed first: it uses all the others
 
 private:
   void fill();

@@ -9,7 +9,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int still = 3; ///< pixels that a click may move
+constexpr int still = 3; ///< pixels the mouse may move during a click
 
 } // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What keys and mouse do in the viewer.
+ *  Effect of keys and mouse in the viewer.
  */
 #pragma once
 
@@ -11,16 +11,16 @@
 
 namespace pcl_spiral {
 
-/** Turns, moves and enlarges as a trackball does, and tells of the rest. VTK's own keys are off. */
+/** Rotates, moves and zooms like a trackball, and reports other events. VTK's own keys are off. */
 class ViewerStyle : public vtkInteractorStyleTrackballCamera {
 public:
   static ViewerStyle* New();
   vtkTypeMacro(ViewerStyle, vtkInteractorStyleTrackballCamera);
 
-  std::function<void(const std::string& key)> pressed; ///< by X's name of the key
+  std::function<void(const std::string& key)> pressed; ///< by the X name of the key
   std::function<void(int x, int y)> clicked;           ///< without a drag; pixels from the lower left corner
-  std::function<void()> moved;                         ///< the camera has come to rest
-  std::function<void()> zoomed;                        ///< by the wheel; more may follow at once
+  std::function<void()> moved;                         ///< the camera has stopped
+  std::function<void()> zoomed;                        ///< by the wheel; more events may follow at once
 
   void OnChar() override {}
   void OnKeyPress() override;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The viewer's window: the part, words at its right, axes and marks that follow it.
+ *  The window of the viewer: the part, text on the right, axes and marks that follow the part.
  */
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace pcl_spiral {
 
-/** A window with a view of the part on the left and words in a column at the right. */
+/** A window with a view of the part on the left and a text column on the right. */
 class ViewerWindow : public PartView {
 public:
   /** \throw std::runtime_error without a display */
@@ -21,31 +21,31 @@ public:
 
   vtkRenderWindow* window() const { return window_; }
   const PageSize& page() const { return page_; }
-  /** For words; it fills the window. */
+  /** The layer for text; it fills the window. */
   vtkRenderer* words() const { return words_; }
-  /** Called before a frame of another size than the last. */
+  /** Called before a frame with another size than the last frame. */
   void setResized(std::function<void()> resized) { resized_ = std::move(resized); }
 
-  /** Take off everything. What is added again before the next frame stays in the graphics memory. */
+  /** Removes everything. Objects added again before the next frame stay in the graphics memory. */
   void clear();
   void add(vtkActor* actor) override;
   void addOver(vtkActor* actor) override;
   void addInFront(vtkActor* actor) override;
-  /** \p layers times as near to the viewer as addOver. */
+  /** \p layers times nearer to the viewer than addOver. */
   void addOver(vtkActor* actor, int layers);
-  /** Axes about the part, and a bar that tells the scale. */
+  /** Axes round the part, and a scale bar. */
   void addMeasures();
 
-  /** Show the whole part, as the pictures do. */
+  /** Shows the whole part, as in the pictures. */
   void reset();
-  /** Show \p across mm about a place, along \p normal. */
+  /** Shows \p across mm round a place, along \p normal. */
   void lookAt(const Eigen::Vector3d& place, const Eigen::Vector3d& normal, double across);
-  /** Within half a view beside it. */
+  /** Whether a place is in the view or within half a view beside it. */
   bool isNear(const Eigen::Vector3d& place) const override;
   void render();
 
 private:
-  /** What is drawn nearer to the viewer than it stands. */
+  /** Objects drawn nearer to the viewer than their true place. */
   struct Lifted {
     vtkActor* actor;
     double by; ///< mm
@@ -67,7 +67,7 @@ private:
   vtkNew<vtkRenderer> view_, side_, overlay_, words_;
   PageSize page_;
   std::function<void()> resized_;
-  std::vector<vtkSmartPointer<vtkActor>> actors_, before_; ///< before_: since clear no longer wanted
+  std::vector<vtkSmartPointer<vtkActor>> actors_, before_; ///< before_: removed by clear
   std::vector<Lifted> lifted_;
   std::vector<Mark> marks_;
   bool measures_ = false;
