@@ -36,6 +36,7 @@ plant $headers/surface/impl/planted.hpp '#include <pcl_spiral/geodesic/geodesic_
 plant pcl_spiral/src/cutter/planted.cpp '#include <pcl_spiral/io/toolpath_writer.h>'
 plant $headers/utils/planted.h '#pragma once'
 plant $headers/core/planted.h '#pragma once'
+plant $headers/toolpath/tool_axis.h 'struct Planted {};'
 plant pcl_spiral/src/mesh/planted.cpp '#include "drive/line_gaps.h"'
 plant pcl_spiral/src/spiral/lines/segment_set.h '#include "spiral/loops/loop_finder.h"'
 plant pcl_spiral/src/io/read/text_scan.h '#include "io/post/post_text.h"'

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Documented headers at their former paths: each forwards to its present path.
+#include <pcl_spiral/spiral/spiral_turns.h>
+#include <pcl_spiral/surface/stray_removal.h>
+#include <pcl_spiral/toolpath/cutter_location.h>
+#include <pcl_spiral/toolpath/drive_path.h>
 #include <pcl_spiral/toolpath/radial_lines.h>
 #include <pcl_spiral/toolpath/spiral_toolpath_generator.h>
+#include <pcl_spiral/toolpath/tool_axis.h>
 
 #include <gtest/gtest.h>
 
@@ -11,5 +16,10 @@ TEST(FormerHeaders, BringTheirClasses)
 {
   using Point = pcl::PointXYZ;
   EXPECT_FALSE(SpiralToolpathGenerator<Point>().getStatus().message().size() > 1000);
+  EXPECT_GT(sizeof(StrayRemoval<Point>), 0U);
+  EXPECT_GT(sizeof(CutterLocation<Point>), 0U);
+  EXPECT_GT(sizeof(DrivePath<Point>), 0U);
   EXPECT_GT(sizeof(RadialLines<Point>), 0U);
+  EXPECT_GT(sizeof(ToolAxis), 0U);
+  EXPECT_GT(sizeof(SpiralTurns), 0U);
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/radial_lines_engine.h>
 
+#include "line_rounds.h"
 #include "surface_centre.h"
-#include <pcl_spiral/common/impl/message.h>
 
-#include "line_gaps.h"
-#include "line_source.h"
+#include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +13,9 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int most_rounds = 7;               // of halving the gaps between lines
-constexpr double closest_in_spacings = 0.75; // lines at the rim
-constexpr double largest_jump = 1.0;         // spacings between a line and what its neighbours foretell
-constexpr double clear_of_rim = 3.0;         // spacings: a centre closer to it is to blame where no lines are found
-constexpr double narrowest = 1.5;            // spacings from the middle of a surface to its rim: three points across or fewer
-constexpr double foreseeable = 0.5;          // spacings it may have been off in a gap twice as wide to start from that
+constexpr double largest_jump = 1.0; // spacings between a line and what its neighbours predict
+constexpr double clear_of_rim = 3.0; // spacings: if no lines are found, a centre closer to the rim is the cause
+constexpr double narrowest = 1.5;    // spacings from the middle of a surface to its rim: at most three points across
 
 /** Where line 0 ends: nearest to the user's point; else the corner, else the rim point, farthest from \p centre. */
 Eigen::Vector3d
@@ -74,109 +70,49 @@ shareOutTurns(const RadialLineRequest& request, std::vector<RadialLine>& lines)
     lines[i].turn_share = request.inner ? lines[i].rim_share : 0.5 * (lines[i].rim_share + angle[i] / angle.back());
 }
 
-/** Coarse lines, then halved gaps, by one method. */
+/** The inner loop as the lines meet it: it begins at the first line and runs as the rim does. */
+void
+setInner(const BoundaryLoop& given, RadialLineSet& set)
+{
+  BoundaryLoop inner = given;
+  const Eigen::Vector3d first = set.lines[0].feet.front().position;
+  // The inner loop has the surface on its left too, so it runs against the rim: turn it round.
+  std::reverse(inner.curve.begin(), inner.curve.end());
+  for (std::size_t& k : inner.corners)
+    k = inner.curve.size() - 1 - k;
+  const RimCurve curve(inner, first);
+  set.inner = curve.points();
+  set.inner_corners = curve.corners();
+  set.inner.front() = first;
+}
+
+/** Lines by one method, checked. */
 Status
 linesByMethod(const RadialLineRequest& request, const SurfaceCentre& found, bool harmonic, RadialLineSet& set)
 {
-  const Eigen::Vector3d& centre = found.position;
   const double spacing = request.surface.graph().spacing();
-  const RimCurve rim(request.rim, startOnRim(request, centre));
+  const RimCurve rim(request.rim, startOnRim(request, found.position));
   LineSource source(request, found, harmonic);
   if (const Status status = source.prepare(); !status.ok())
     return status;
-  std::vector<Place> places = coarsePlaces(rim);
-  const auto make = [&](const std::vector<Place>& wanted, std::vector<Polyline> guesses, std::vector<RadialLine>& lines) {
-    Polyline ends;
-    for (const Place& place : wanted)
-      ends.push_back(rim.at(place.s));
-    const Status status = source.make(ends, std::move(guesses), lines);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      lines[i].rim_share = wanted[i].s / rim.length();
-      lines[i].corner = wanted[i].corner;
-      lines[i].level = wanted[i].level;
-    }
+  LineRounds rounds(request, rim, source);
+  if (const Status status = rounds.run(); !status.ok())
     return status;
-  };
-  std::vector<RadialLine> lines;
-  if (const Status status = make(places, {}, lines); !status.ok())
-    return status;
-
-  // Halved, a gap of smooth lines is foretold at least four times better.
-  const double settled = (source.takesGuesses() ? 4.0 : 1.0) * request.tolerance;
-  double worst = 0.0, jump = 0.0;
-  Eigen::Vector3d jump_place = centre;
-  for (int round = 1;; ++round) {
-    if (request.progress && !request.progress(static_cast<double>(round) / (most_rounds + 1)))
-      return {StatusCode::Cancelled, "cancelled"};
-    std::vector<Place> wanted;
-    std::vector<Polyline> guesses;
-    std::vector<std::size_t> gaps;
-    worst = 0.0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const LineGap gap(places, rim, i);
-      const double rim_error = gap.rimError(rim);
-      worst = std::max({worst, rim_error, places[i].misfit / 16.0});
-      if ((places[i].misfit <= settled && rim_error <= request.tolerance) || gap.width() < 2.0 * closest_in_spacings * spacing)
-        continue;
-      wanted.push_back({gap.middle(), false, round});
-      gaps.push_back(i);
-      guesses.emplace_back();
-      if (source.takesGuesses() && places[i].surprise < foreseeable * spacing)
-        guesses.back() = gap.foretold(lines, rim);
-    }
-    if (wanted.empty() || round > most_rounds)
-      break;
-    std::vector<RadialLine> added;
-    if (const Status status = make(wanted, std::move(guesses), added); !status.ok())
-      return status;
-    jump = 0.0;
-    for (std::size_t a = 0; a < wanted.size(); ++a) {
-      wanted[a].surprise = LineGap(places, rim, gaps[a]).surprise(lines, added[a], wanted[a].misfit);
-      if (wanted[a].surprise > jump) {
-        jump = wanted[a].surprise;
-        jump_place = added[a].feet[added[a].feet.size() / 2].position;
-      }
-    }
-    std::vector<Place> all_places;
-    std::vector<RadialLine> all_lines;
-    for (std::size_t i = 0, a = 0; i < places.size(); ++i) {
-      all_places.push_back(places[i]);
-      all_lines.push_back(std::move(lines[i]));
-      if (a == gaps.size() || gaps[a] != i)
-        continue;
-      all_places.back().misfit = wanted[a].misfit;
-      all_places.back().surprise = wanted[a].surprise;
-      all_places.push_back(wanted[a]);
-      all_lines.push_back(std::move(added[a++]));
-    }
-    places.swap(all_places);
-    lines.swap(all_lines);
-  }
-  if (!harmonic && jump > largest_jump * spacing) // behind a hill the shortest way jumps from one side to the other
-    return {StatusCode::Failed, textOf("neighbouring radial lines jump by ", jump, " mm about ", placeText(jump_place))};
+  if (!harmonic && rounds.jump() > largest_jump * spacing) // behind a hill the shortest way jumps from one side to the other
+    return {StatusCode::Failed, textOf("neighbouring radial lines jump by ", rounds.jump(), " mm near ", placeText(rounds.jumpPlace()))};
   // Harmonic lines converge into narrow tips, closer than they are known; turns there leave most of them out.
-  if (const auto place = crossing(lines, (harmonic ? 0.5 : 0.05) * spacing))
+  if (const auto place = crossing(rounds.lines(), (harmonic ? 0.5 : 0.05) * spacing))
     return {StatusCode::Failed, textOf("radial lines cross at ", placeText(*place))};
-  shareOutTurns(request, lines);
-  set.lines = std::move(lines);
-  set.centre = centre;
+  shareOutTurns(request, rounds.lines());
+  set.lines = std::move(rounds.lines());
+  set.centre = found.position;
   set.centre_settled = found.settled;
   set.harmonic = harmonic;
   set.rim = rim.points();
   set.rim_corners = rim.corners();
-  set.largest_interpolation_error = worst;
-  if (request.inner) {
-    BoundaryLoop inner = *request.inner;
-    const Eigen::Vector3d first = set.lines[0].feet.front().position;
-    // The inner loop has the surface on its left too, so it runs against the rim: turn it round.
-    std::reverse(inner.curve.begin(), inner.curve.end());
-    for (std::size_t& k : inner.corners)
-      k = inner.curve.size() - 1 - k;
-    const RimCurve curve(inner, first);
-    set.inner = curve.points();
-    set.inner_corners = curve.corners();
-    set.inner.front() = first;
-  }
+  set.largest_interpolation_error = rounds.largestError();
+  if (request.inner)
+    setInner(*request.inner, set);
   return Status::success();
 }
 
@@ -189,14 +125,14 @@ meanOf(const Polyline& line)
   return sum / static_cast<double>(line.size());
 }
 
-/** A setting is only to blame where the centre is one. */
+/** A setting is only the cause if the centre was given. */
 StatusCode
 blame(const RadialLineRequest& request, StatusCode code)
 {
   return code == StatusCode::InvalidArgument && !request.centre ? StatusCode::Failed : code;
 }
 
-/** Geodesics, whose starts are refined where coarse ones fail. */
+/** Geodesics; if coarse starts fail, finer starts are used. */
 Status
 geodesicLines(const RadialLineRequest& request, SurfaceCentre& centre, RadialLineSet& set)
 {
@@ -215,7 +151,7 @@ geodesicLines(const RadialLineRequest& request, SurfaceCentre& centre, RadialLin
   }
 }
 
-/** The centre given is off the surface. */
+/** The error for a given centre that is not on the surface. */
 Status
 offSurface(const RadialLineRequest& request)
 {
@@ -223,11 +159,11 @@ offSurface(const RadialLineRequest& request)
   const Eigen::Vector3d nearest = graph.position(graph.blocks().nearest(*request.centre));
   return {StatusCode::InvalidArgument,
           textOf("the centre ", placeText(*request.centre), " does not lie on the surface, whose nearest point is ", placeText(nearest),
-                 ", ", (nearest - *request.centre).norm(), " mm off: give a point within three spacings (", 3.0 * graph.spacing(),
-                 " mm) of the cloud, inside its rim and out of its holes, or none")};
+                 ", ", (nearest - *request.centre).norm(), " mm away: give a point within three spacings (", 3.0 * graph.spacing(),
+                 " mm) of the cloud, inside its rim and outside its holes, or no centre")};
 }
 
-/** Refuse a centre less than \p least spacings from the rim, or the surface too narrow for one clear of it. */
+/** Refuse a given centre less than \p least spacings from the rim; without one, the surface is too narrow for a centre. */
 Status
 checkClearance(const RadialLineRequest& request, const Eigen::Vector3d& centre, double least)
 {
@@ -240,11 +176,11 @@ checkClearance(const RadialLineRequest& request, const Eigen::Vector3d& centre, 
   if (request.centre)
     return {StatusCode::InvalidArgument,
             textOf("the centre ", placeText(*request.centre), " lies ", clear, " mm from the rim, less than three spacings (",
-                   least * spacing, " mm): radial lines cannot lead round it; move it inwards, or leave it out")};
+                   least * spacing, " mm): radial lines cannot run all round it; move it inwards, or give no centre")};
   return {StatusCode::InvalidInput,
-          textOf("the surface is too narrow for its points: its middle ", placeText(centre), " lies only ", clear,
-                 " mm from the rim, and points lie ", spacing,
-                 " mm apart: scan more densely, for at least seven points across, or machine the part by other means")};
+          textOf("the surface is too narrow for the spacing of its points: its middle ", placeText(centre), " lies only ", clear,
+                 " mm from the rim, and the points lie ", spacing,
+                 " mm apart: scan more densely, with at least seven points across, or machine the part in another way")};
 }
 
 } // namespace
@@ -273,7 +209,7 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
       return status;
     set.why_harmonic = status.message();
     if (request.method == LineMethod::Geodesic)
-      return {blame(request, status.code()), status.message() + "; harmonic lines cope with such outlines"};
+      return {blame(request, status.code()), status.message() + "; harmonic lines work on such outlines"};
   }
   if (!centre)
     return {StatusCode::Failed, "no centre was found on the surface: give one"};

@@ -24,13 +24,13 @@ struct HermiteSegment {
   }
 };
 
-/** A stretch of knots between corners. */
+/** A run of knots between corners. */
 struct Stretch {
   std::size_t begin, end;
-  double needed; ///< steps
+  double needed; ///< number of steps
 };
 
-/** The next count on a ladder whose rungs are five percent apart. */
+/** The next larger count of a series with steps of five percent. */
 double
 wholeSteps(double needed)
 {
@@ -40,7 +40,7 @@ wholeSteps(double needed)
   return rung;
 }
 
-/** Turns with the same number take as many steps: up to six percent of the turns below. */
+/** Turns with the same group number get the same number of steps: a group spans up to six percent of the turns below. */
 int
 turnGroup(double turn)
 {
@@ -55,6 +55,45 @@ angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+/** Knots from one corner or anchor to the next. */
+template <typename Knot>
+std::vector<Stretch>
+stretchesOf(const std::vector<Knot>& knots, const std::vector<double>& steps)
+{
+  std::vector<Stretch> stretches;
+  for (std::size_t begin = 0; begin < steps.size();) {
+    Stretch stretch{begin, begin + 1, steps[begin]};
+    while (stretch.end < steps.size() && !knots[stretch.end].corner && !knots[stretch.end].anchor)
+      stretch.needed += steps[stretch.end++];
+    stretches.push_back(stretch);
+    begin = stretch.end;
+  }
+  return stretches;
+}
+
+/** Number of steps of each stretch. Rounding of the input almost never changes counts that come from few decisions and
+ *  coarse steps, so similar stretches of neighbouring turns take the same. */
+template <typename Knot>
+std::vector<double>
+stepCounts(const std::vector<Knot>& knots, const std::vector<Stretch>& stretches)
+{
+  std::map<std::pair<int, int>, double> counts;
+  std::vector<std::pair<int, int>> alike; // group of turns, place in the turn
+  double last_turn = -1.0;
+  for (const Stretch& stretch : stretches) {
+    const int group = turnGroup(knots[stretch.begin].turn);
+    const bool same_turn = !alike.empty() && std::floor(knots[stretch.begin].turn) == last_turn;
+    alike.emplace_back(group, same_turn ? alike.back().second + 1 : 0);
+    last_turn = std::floor(knots[stretch.begin].turn);
+    double& count = counts[alike.back()];
+    count = std::max(count, wholeSteps(stretch.needed));
+  }
+  std::vector<double> result;
+  for (const std::pair<int, int>& kind : alike)
+    result.push_back(counts.at(kind));
+  return result;
+}
+
 } // namespace
 
 std::vector<Eigen::Vector3d>
@@ -62,7 +101,7 @@ SpiralCurve::tangents(const std::vector<Knot>& knots, bool after_corner) const
 {
   const auto n = static_cast<std::int64_t>(knots.size());
   std::vector<Eigen::Vector3d> result(n);
-  // Parabolas over chord length: through both neighbours, or through the two on the side asked for at a corner.
+  // Parabolas over chord length: through both neighbours, or, at a corner, through the two on the given side.
   const auto oneSided = [&](std::int64_t p, std::int64_t direction) -> Eigen::Vector3d {
     const std::int64_t q = p + direction, r = p + 2 * direction;
     const Eigen::Vector3d first = knots[q].position - knots[p].position;
@@ -91,13 +130,11 @@ SpiralCurve::tangents(const std::vector<Knot>& knots, bool after_corner) const
   return result;
 }
 
-std::vector<SpiralPoint>
-SpiralCurve::sample() const
+std::vector<double>
+SpiralCurve::stepsNeeded(const std::vector<Knot>& knots, const std::vector<Eigen::Vector3d>& leaving,
+                         const std::vector<Eigen::Vector3d>& arriving) const
 {
-  const std::vector<Knot> knots = this->knots();
-  const std::vector<Eigen::Vector3d> leaving = tangents(knots, true), arriving = tangents(knots, false);
   const std::size_t segments = knots.size() - 1;
-  // Steps each segment needs, then equal shares of them between corners.
   std::vector<double> steps(segments);
 #pragma omp parallel for schedule(static)
   for (std::int64_t k = 0; k < static_cast<std::int64_t>(segments); ++k) {
@@ -108,31 +145,21 @@ SpiralCurve::sample() const
     const double step = std::min({knots[k].step, knots[k + 1].step, bend, max_step_});
     steps[k] = length / (step_reserve * step);
   }
-  std::vector<Stretch> stretches;
-  for (std::size_t begin = 0; begin < segments;) {
-    Stretch stretch{begin, begin + 1, steps[begin]};
-    while (stretch.end < segments && !knots[stretch.end].corner && !knots[stretch.end].anchor)
-      stretch.needed += steps[stretch.end++];
-    stretches.push_back(stretch);
-    begin = stretch.end;
-  }
-  // Counts that few decisions settle, and rungs, hardly ever change with rounding in the input: alike stretches of
-  // neighbouring turns take the same.
-  std::map<std::pair<int, int>, double> counts;
-  std::vector<std::pair<int, int>> alike; // group of turns, place in the turn
-  double last_turn = -1.0;
-  for (const Stretch& stretch : stretches) {
-    const int group = turnGroup(knots[stretch.begin].turn);
-    const bool same_turn = !alike.empty() && std::floor(knots[stretch.begin].turn) == last_turn;
-    alike.emplace_back(group, same_turn ? alike.back().second + 1 : 0);
-    last_turn = std::floor(knots[stretch.begin].turn);
-    double& count = counts[alike.back()];
-    count = std::max(count, wholeSteps(stretch.needed));
-  }
-  // A stretch's points, by their place in it: the one before its end stands at least half a step off.
+  return steps;
+}
+
+std::vector<SpiralPoint>
+SpiralCurve::sample() const
+{
+  const std::vector<Knot> knots = this->knots();
+  const std::vector<Eigen::Vector3d> leaving = tangents(knots, true), arriving = tangents(knots, false);
+  const std::vector<double> steps = stepsNeeded(knots, leaving, arriving);
+  const std::vector<Stretch> stretches = stretchesOf(knots, steps);
+  const std::vector<double> counts = stepCounts(knots, stretches);
+  // Points of a stretch, by their place in it: the last one lies at least half a step before the end.
   const auto forEachPoint = [&](std::size_t i, auto visit) {
     const auto [begin, end, needed] = stretches[i];
-    const double each = needed / counts.at(alike[i]);
+    const double each = needed / counts[i];
     double before = 0.0, next = 0.0;
     for (std::size_t k = begin; k < end; ++k) {
       for (; next < before + steps[k] && next < needed - 0.5 * each; next += each)

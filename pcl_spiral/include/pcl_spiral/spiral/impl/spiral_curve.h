@@ -55,6 +55,9 @@ private:
   std::vector<Knot> loopKnots(const ClosedLoop& loop, double turn) const;
   std::vector<Knot> turnBesideLoop(const ClosedLoop& loop, std::size_t turn) const;
   std::vector<Eigen::Vector3d> tangents(const std::vector<Knot>& knots, bool after_corner) const;
+  /** Steps that each segment needs; \p leaving and \p arriving: its tangents. */
+  std::vector<double> stepsNeeded(const std::vector<Knot>& knots, const std::vector<Eigen::Vector3d>& leaving,
+                                  const std::vector<Eigen::Vector3d>& arriving) const;
 
   const std::vector<RadialLine>& lines_;
   const TurnFunction& turns_;
