@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/machine/impl/tool_pose.h>
+
 #include "support/parsed_place.h"
 
 #include <gtest/gtest.h>
