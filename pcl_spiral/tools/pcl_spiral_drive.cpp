@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a scan to gouge-free locations of any cutter along a drive path: planes, helix, rings, curve, offsets.
+// Makes gouge-free locations of any cutter along a drive path over a scan: planes, helix, rings, curve, offsets.
 #include "drive/command_line.h"
 #include "drive/job_check.h"
 #include "drive/outputs.h"
 #include "drive/planning.h"
-#include "passes/pass_main.h"
+#include "passes/pass_program.h"
+#include "program/machining_main.h"
 
 int
 main(int argc, char** argv)
 {
-  return passMain("pcl_spiral_drive", argc, argv, parseCommandLine, printHelp);
+  return machiningMain("pcl_spiral_drive", argc, argv, parseCommandLine, printHelp);
 }

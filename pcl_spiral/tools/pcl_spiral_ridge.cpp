@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From two measured lines of a ridge, or a scan of it, to rows of a beam or a cutter over it.
-#include "passes/pass_main.h"
+// Makes rows of a beam or a cutter over a ridge from two measured lines of it, or from a scan.
+#include "passes/pass_program.h"
+#include "program/machining_main.h"
 #include "ridge/command_line.h"
 #include "ridge/job_check.h"
 #include "ridge/outputs.h"
@@ -9,5 +10,5 @@
 int
 main(int argc, char** argv)
 {
-  return passMain("pcl_spiral_ridge", argc, argv, parseCommandLine, printHelp);
+  return machiningMain("pcl_spiral_ridge", argc, argv, parseCommandLine, printHelp);
 }

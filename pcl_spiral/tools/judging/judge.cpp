@@ -3,6 +3,7 @@
 
 #include "terminal/setter_names.h"
 
+#include "verify/path_ridges.h"
 #include <pcl_spiral/verify/material_removal.h>
 
 #include <pcl/kdtree/kdtree_flann.h>
@@ -59,27 +60,6 @@ judgedPoints(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const Referen
   return samples;
 }
 
-/** For every path point the ridge next to the nearest point of the surface. */
-std::vector<float>
-ridgesAlong(const pcl::PointCloud<ToolpathPoint>& path, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const Heights& heights)
-{
-  const auto on_surface = pcl::make_shared<pcl::Indices>();
-  for (std::size_t i = 0; i < heights.stock.size(); ++i)
-    if (!std::isnan(heights.stock[i]))
-      on_surface->push_back(static_cast<pcl::index_t>(i));
-  std::vector<float> ridges(path.size(), std::numeric_limits<float>::quiet_NaN());
-  if (on_surface->empty())
-    return ridges;
-  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
-  tree.setInputCloud(scan, on_surface);
-  pcl::Indices nearest(1);
-  std::vector<float> squared(1);
-  for (std::size_t i = 0; i < path.size(); ++i)
-    if (tree.nearestKSearch(pcl::PointXYZ(path[i].x, path[i].y, path[i].z), 1, nearest, squared) == 1)
-      ridges[i] = heights.ridges[static_cast<std::size_t>(nearest[0])];
-  return ridges;
-}
-
 } // namespace
 
 Status
@@ -127,7 +107,7 @@ judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::Point
   verification.removal = removal.getFigures();
   verification.removal.warnings = inOptions(verification.removal.warnings);
   if (removal.getStatus().ok())
-    heights.scallop = ridgesAlong(*path, heights.points, heights);
+    heights.scallop = ridgesAlong(*path, values, heights.ridges);
   verification.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return removal.getStatus();
 }

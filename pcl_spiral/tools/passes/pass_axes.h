@@ -8,9 +8,11 @@
 
 #include <pcl_spiral/common/drive_pass.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
-/** Smooths the axes of each pass along it and holds them to the rate, where the job asks for that. \throw UsageError where axes
- *  would lean too far off those asked for */
-void smoothPasses(const PassJob& job, pcl_spiral::DrivePasses& passes, std::vector<std::string>& warnings);
+/** Smooths the axes of each pass along it and limits their turn, if the job asks for that. With the \p stand_off of a beam its spots stay
+ *  where they are. \throw UsageError if an axis would be too far from the one asked for */
+void smoothPasses(const PassJob& job, pcl_spiral::DrivePasses& passes, std::vector<std::string>& warnings,
+                  const std::optional<double>& stand_off = std::nullopt);

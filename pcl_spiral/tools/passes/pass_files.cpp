@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pass_files.h"
 
+#include "program/machine_moves.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
 #include "terminal/terminal.h"
@@ -53,10 +54,8 @@ void
 writePassFile(const PassJob& job, const PassResult& result, const std::string& title, const std::string& output, const std::string& file)
 {
   const std::string extension = extensionOf(output);
-  ProgramHeader header = job.program.header;
-  header.title = title;
   if (isProgram(output))
-    return writeProgram(file, *result.program, extension == ".ngc" ? Dialect::LinuxCNC : job.program.dialect, header);
+    return writeProgramFile(job.program, *result.program, title, output, file);
   if (extension == ".6d")
     return writePoseVectors(file, result.passes);
   if (extension == ".5d")
@@ -69,7 +68,7 @@ writePassFile(const PassJob& job, const PassResult& result, const std::string& t
     ToolPoses poses;
     for (const ToolPoses& pass : result.passes)
       poses.insert(poses.end(), pass.begin(), pass.end());
-    return writeAPT(file, poses, {title, aptCutter(CutterProfile(job.cutter)), header.spindle_speed, job.feed});
+    return writeAPT(file, poses, {title, aptCutter(CutterProfile(job.cutter)), job.program.header.spindle_speed, job.feed});
   }
   writeToolpath(file, path, motion);
 }

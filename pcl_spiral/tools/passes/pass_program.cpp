@@ -4,7 +4,6 @@
 #include "pass_check.h"
 #include "program/free_leads.h"
 #include "program/machine_moves.h"
-#include "program/program_check.h"
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
@@ -35,12 +34,6 @@ requireSteadyBeam(const PassJob& job, const MachineProgram& program)
 }
 
 } // namespace
-
-std::optional<Machine>
-machineOf(const PassJob& job)
-{
-  return hasProgram(job.program, job.outputs) ? std::optional(machineOf(job.program)) : std::nullopt;
-}
 
 void
 addProgram(const PassJob& job, const Machine& machine, PassResult& result)

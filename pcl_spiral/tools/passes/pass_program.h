@@ -7,11 +7,20 @@
 #include "pass_job.h"
 #include "pass_result.h"
 
-#include <optional>
-
-/** The machine where a program is asked for. \throw pcl_spiral::FileError */
-std::optional<pcl_spiral::Machine> machineOf(const PassJob& job);
+#include <string>
+#include <vector>
 
 /** Lays the passes on \p machine; the way of a cutter to them is kept free of the scan in \p result.
  *  \throw pcl_spiral::FileError, Cancelled */
 void addProgram(const PassJob& job, const pcl_spiral::Machine& machine, PassResult& result);
+
+/** Nothing: passes are judged by a run of pcl_spiral_verify. */
+inline void
+judge(const PassJob&, PassResult&)
+{}
+
+inline const std::vector<std::string>&
+warningsOf(const PassResult& result)
+{
+  return result.warnings;
+}

@@ -6,6 +6,7 @@
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/surface/scanned_surface.h>
+#include <pcl_spiral/verify/impl/false_echoes.h>
 
 using namespace pcl_spiral;
 
@@ -27,7 +28,7 @@ leaveOutStrays(const PassJob& job, PassResult& result)
                                      " points, off the scanned surface, were left out (--leave-out-strays), the largest "
                                      "group of them ",
                                      f.largest_group, " at ", placeText(f.largest_group_place),
-                                     f.largest_group > 3 ? ": so many together are no false echo; see what stands there" : ""));
+                                     f.largest_group > largest_echo ? ": so many together are no false echo; see what stands there" : ""));
   result.scan.cloud = kept;
 }
 

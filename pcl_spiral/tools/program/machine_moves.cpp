@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "machine_moves.h"
+#include "program_check.h"
+#include "terminal/file_names.h"
 #include "terminal/terminal.h"
 
 #include "io/setting_names.h"
@@ -48,6 +50,12 @@ machineOf(const ProgramJob& program)
   return machine;
 }
 
+std::optional<Machine>
+machineOf(const ProgramJob& program, const std::vector<std::string>& outputs)
+{
+  return hasProgram(program, outputs) ? std::optional(machineOf(program)) : std::nullopt;
+}
+
 MachineProgram
 makeProgram(const ProgramJob& job, const Machine& machine, double feed, double ball_radius, const std::vector<ToolPoses>& passes,
             std::vector<std::string>& warnings)
@@ -72,6 +80,15 @@ makeProgram(const ProgramJob& job, const Machine& machine, double feed, double b
   for (const std::string& warning : warningsOf(program))
     warnings.push_back(warning);
   return program;
+}
+
+void
+writeProgramFile(const ProgramJob& job, const MachineProgram& program, const std::string& title, const std::string& output,
+                 const std::string& file)
+{
+  ProgramHeader header = job.header;
+  header.title = title;
+  writeProgram(file, program, extensionOf(output) == ".ngc" ? Dialect::LinuxCNC : job.dialect, header);
 }
 
 void

@@ -6,16 +6,25 @@
 
 #include "program_job.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 /** The machine of a job that has a program. \throw pcl_spiral::FileError */
 pcl_spiral::Machine machineOf(const ProgramJob& program);
 
+/** The same, if one of the \p outputs needs it. \throw pcl_spiral::FileError */
+std::optional<pcl_spiral::Machine> machineOf(const ProgramJob& program, const std::vector<std::string>& outputs);
+
 /** Lays the passes on \p machine; what a user should know of it goes to \p warnings. \p ball_radius: 0 for other
  *  cutters. \throw pcl_spiral::FileError where the machine cannot make it */
 pcl_spiral::MachineProgram makeProgram(const ProgramJob& job, const pcl_spiral::Machine& machine, double feed, double ball_radius,
                                        const std::vector<pcl_spiral::ToolPoses>& passes, std::vector<std::string>& warnings);
+
+/** Writes \p program for \p output as the file \p file: a .ngc in the language of LinuxCNC, others in that of the job. \throw
+ *  pcl_spiral::FileError */
+void writeProgramFile(const ProgramJob& job, const pcl_spiral::MachineProgram& program, const std::string& title, const std::string& output,
+                      const std::string& file);
 
 /** What the program came to, for people. */
 void printProgram(const pcl_spiral::MachineProgram& program);

@@ -9,6 +9,7 @@
 #include "terminal/file_names.h"
 #include "terminal/setter_names.h"
 
+#include "drive/pass_axes.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/core/impl/angles.h>
@@ -69,34 +70,6 @@ findLines(const Job& job, ProgressBar& bar, Result& result)
   result.warnings.insert(result.warnings.end(), result.found->warnings.begin(), result.found->warnings.end());
 }
 
-/** Distance of a beam's spot from its tip, along its axis. */
-double
-reachOf(const Job& job, const DrivePoint& p)
-{
-  constexpr double least = 1e-3; // cosine: a beam along the surface has no spot
-  return job.rows.stand_off / std::max(least, p.axis.normalized().dot(p.normal));
-}
-
-/** Axes smoothed about the spot, which stays where it is. */
-void
-smoothBeam(const Job& job, DrivePasses& rows, std::vector<std::string>& warnings)
-{
-  std::vector<Polyline> spots;
-  std::vector<std::vector<double>> reaches;
-  for (const DrivePass& row : rows) {
-    spots.emplace_back();
-    reaches.emplace_back();
-    for (const DrivePoint& p : row.points) {
-      reaches.back().push_back(reachOf(job, p));
-      spots.back().push_back(p.position - reaches.back().back() * p.axis.normalized());
-    }
-  }
-  smoothPasses(job, rows, warnings);
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    for (std::size_t i = 0; i < rows[k].points.size(); ++i)
-      rows[k].points[i].position = spots[k][i] + reaches[k][i] * rows[k].points[i].axis.normalized();
-}
-
 DrivePasses
 makeRows(const Job& job, Result& result)
 {
@@ -104,10 +77,7 @@ makeRows(const Job& job, Result& result)
   const ThreadLimit limit(job.threads);
   require(job.part, planRidgeRows(*result.ridge, job.rows, rows, result.rows));
   result.warnings.insert(result.warnings.end(), result.rows.warnings.begin(), result.rows.warnings.end());
-  if (job.hasCutter())
-    smoothPasses(job, rows, result.warnings);
-  else
-    smoothBeam(job, rows, result.warnings);
+  smoothPasses(job, rows, result.warnings, job.hasCutter() ? std::nullopt : std::optional(job.rows.stand_off));
   return rows;
 }
 
@@ -120,7 +90,7 @@ takeBeam(const Job& job, const DrivePasses& rows, Result& result)
     const auto add = [&](const DrivePoint& p) {
       if (!poses.empty())
         result.length += (p.position - poses.back().tip).norm();
-      poses.push_back({p.position, p.axis.normalized(), p.position - reachOf(job, p) * p.axis.normalized(), p.normal});
+      poses.push_back({p.position, p.axis.normalized(), p.position - beamReach(p, job.rows.stand_off) * p.axis.normalized(), p.normal});
     };
     std::for_each(row.points.begin(), row.points.end(), add);
     if (row.closed)

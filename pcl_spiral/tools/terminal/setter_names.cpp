@@ -8,7 +8,7 @@
 namespace {
 
 /** Each is replaced where the program has the first option that the second names. */
-constexpr std::array<std::pair<const char*, const char*>, 52> words{{
+constexpr std::array<std::pair<const char*, const char*>, 54> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
@@ -36,6 +36,8 @@ constexpr std::array<std::pair<const char*, const char*>, 52> words{{
     {"setPointSpacing", "--point-spacing"},
     {"setAxis", "--axis"},
     {"setAxisMode", "--axis-mode"},
+    {"setAxisSmoothing", "--axis-smoothing"},
+    {"setMaxAxisRate", "--max-axis-rate"},
     {"setRows", "--rows"},
     {"setChordError", "--chord-error"},
     {"setReferenceNormal", "--reference"},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
+#include "job_check.h"
 #include "option_table.h"
 #include "terminal/command_line.h"
 #include "terminal/file_names.h"
@@ -11,6 +12,8 @@ parseCommandLine(int argc, const char* const* argv)
   Job job;
   job.command = commandLine(argc, argv);
   job.given = setOptions(optionTable(job), argc, argv);
+  if (!job.help && !job.version)
+    checkJob(job);
   return job;
 }
 

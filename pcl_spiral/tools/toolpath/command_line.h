@@ -8,7 +8,7 @@
 
 #include <ostream>
 
-/** The job as called, with what its job file says; not checked. \throw UsageError, pcl_spiral::FileError (job file)
+/** The job as called, with what its job file says; checked. \throw UsageError, pcl_spiral::FileError (job file)
  */
 Job parseCommandLine(int argc, const char* const* argv);
 

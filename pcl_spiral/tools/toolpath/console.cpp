@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "console.h"
 #include "job_check.h"
+#include "judging/figures_table.h"
 #include "program/machine_moves.h"
 #include "terminal/terminal.h"
 
@@ -162,4 +163,6 @@ printSummary(const Job& job, const Result& result, double seconds)
   for (const std::string& file : filesOf(job))
     std::printf(" %s", file.c_str());
   std::printf("\n");
+  if (result.verification)
+    printFigures(*result.verification);
 }

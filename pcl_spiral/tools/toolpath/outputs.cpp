@@ -2,6 +2,8 @@
 #include "outputs.h"
 
 #include "job_check.h"
+#include "judging/figures_table.h"
+#include "program/machine_moves.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
 #include "terminal/terminal.h"
@@ -73,18 +75,27 @@ writeReport(const Job& job, const Result& result, const std::string& title, Pict
 void
 writeMoves(const Job& job, const Result& result, const std::string& title, const std::string& output, const std::string& file)
 {
-  const std::string extension = extensionOf(output);
-  ProgramHeader header = job.program.header;
-  header.title = title;
-  if (extension == ".yaml")
+  if (extensionOf(output) == ".yaml")
     return writeRobotFrames(file, *result.path);
   if (isProgram(output))
-    return writeProgram(file, *result.program, extension == ".ngc" ? Dialect::LinuxCNC : job.program.dialect, header);
+    return writeProgramFile(job.program, *result.program, title, output, file);
   writeAPT(file, ballPoses(*result.path, job.settings.tool_radius),
-           {title, ballCutter(job.settings.tool_radius), header.spindle_speed, job.settings.feed});
+           {title, ballCutter(job.settings.tool_radius), job.program.header.spindle_speed, job.settings.feed});
 }
 
 } // namespace
+
+std::vector<std::string>
+warningsOf(const Result& result)
+{
+  std::vector<std::string> warnings = result.scan.warnings;
+  warnings.insert(warnings.end(), result.report.warnings.begin(), result.report.warnings.end());
+  if (!result.verification)
+    return warnings;
+  const std::vector<std::string> judged = warningsOf(*result.verification);
+  warnings.insert(warnings.end(), judged.begin(), judged.end());
+  return warnings;
+}
 
 void
 writeOutputs(const Job& job, Result& result, OutputFiles& files)

@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 /** A mesh, and the samples that the path was planned on. */
@@ -38,6 +39,9 @@ struct Result {
   Heights heights;                                      ///< the values behind it
   std::optional<pcl_spiral::MachineProgram> program;    ///< where a machine is given
 };
+
+/** Warnings of reading, planning and judging. */
+std::vector<std::string> warningsOf(const Result& result);
 
 /** Writes every file of the job, all or none; reports last, so that they tell what drawing and writing cost, which is
  * added to the stages of \p result. \throw pcl_spiral::FileError, Cancelled */

@@ -92,7 +92,7 @@ requireOk(const Job& job, const Status& status)
 }
 
 Result
-computePath(const Job& job)
+plan(const Job& job)
 {
   ProgressBar bar(job.quiet);
   Result result;

@@ -10,4 +10,4 @@
 void requireOk(const Job& job, const pcl_spiral::Status& status);
 
 /** Read the scan or the mesh and make the path. \throw as requireOk */
-Result computePath(const Job& job);
+Result plan(const Job& job);

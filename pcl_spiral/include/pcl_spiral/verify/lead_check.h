@@ -6,11 +6,13 @@
 
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/verify/figures.h>
+#include <pcl_spiral/verify/impl/false_echoes.h>
 #include <pcl_spiral/verify/impl/lead_check_engine.h>
 
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,8 +23,9 @@ namespace pcl_spiral {
  *  To check the path itself, use CutterLocation, or DeviationEstimation and MaterialRemoval.
  *
  *  setInputCloud takes the scan, in the workpiece frame of the program. Every point counts,
- *  also outliers (\see StrayRemoval), so add whatever else stands on the table. Lengths in
- *  mm. The result does not depend on the order of the points or on the number of threads.
+ *  also outliers, so add whatever else stands on the table. With setLargestEcho the check
+ *  also tells false echoes from the part and from clamps. Lengths in mm. The result does
+ *  not depend on the order of the points or on the number of threads.
  *  \code
  *  LeadCheck<pcl::PointXYZ> check;
  *  check.setInputCloud(scan);
@@ -54,17 +57,26 @@ public:
   void setTolerance(double tolerance) { tolerance_ = tolerance; }
   double getTolerance() const { return tolerance_; } ///< The value of setTolerance.
 
-  /** Called with the completed share; return false to cancel. */
+  /** Outliers in groups of at most this many points count as false echoes, which are no obstacles: after a collision the check is
+   *  repeated without them, see getObstacleFigures. largest_echo suits scans. 0, the default: the check is not repeated. */
+  void setLargestEcho(std::size_t points) { largest_echo_ = points; }
+  std::size_t getLargestEcho() const { return largest_echo_; } ///< The value of setLargestEcho.
+
+  /** Called with the completed share; return false to cancel. If the check is repeated, the share starts at 0 again. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
   /** Checks \p program. Fails without a cloud or a cutter, on invalid settings, or when cancelled. */
   void compute(const MachineProgram& program);
 
   const Status& getStatus() const { return status_; }        ///< Result of the last compute.
-  const LeadFigures& getFigures() const { return figures_; } ///< Figures of the last compute.
+  const LeadFigures& getFigures() const { return figures_; } ///< Figures of the last compute, against every point.
+  /** Figures of the last compute without false echoes, if setLargestEcho was called: if no move collides here, all collisions of
+   *  getFigures are with echoes. The same as getFigures if the scan has no echoes, or if its points form no surface. */
+  const LeadFigures& getObstacleFigures() const { return obstacle_figures_; }
 
 private:
   Status check() const;
+  Status findCollisions(const MachineProgram& program);
 
   using pcl::PCLBase<PointT>::input_;
   using pcl::PCLBase<PointT>::indices_;
@@ -73,9 +85,10 @@ private:
   std::vector<ToolSegment> holder_;
   double holder_clearance_ = 0.0;
   double tolerance_ = 0.05;
+  std::size_t largest_echo_ = 0;
   ProgressCallback progress_;
   Status status_;
-  LeadFigures figures_;
+  LeadFigures figures_, obstacle_figures_;
 };
 
 } // namespace pcl_spiral

@@ -33,19 +33,37 @@ LeadCheck<PointT>::check() const
 }
 
 template <typename PointT>
+Status
+LeadCheck<PointT>::findCollisions(const MachineProgram& program)
+{
+  const ThreadLimit limit(thread_count_);
+  const PointBlocks points(usablePoints(*input_, indices_.get()).positions);
+  if (points.size() == 0)
+    return {StatusCode::InvalidInput, "no point of the cloud is finite; check the scan"};
+  const CutterProfile cutter(cutter_);
+  const HolderProfile holder(holder_, cutter.topHeight(), cutter.radius(), holder_clearance_);
+  const auto find = [&](const PointBlocks& some, LeadFigures& figures) {
+    return findLeadCollisions(some, cutter, holder, program, tolerance_, progress_, figures);
+  };
+  if (const Status status = find(points, figures_); !status.ok())
+    return status;
+  obstacle_figures_ = figures_;
+  if (figures_.collided == 0 || largest_echo_ == 0)
+    return Status::success();
+  std::vector<Eigen::Vector3f> obstacles = withoutEchoes(points.points(), largest_echo_);
+  return obstacles.size() < points.size() ? find(PointBlocks(std::move(obstacles)), obstacle_figures_) : Status::success();
+}
+
+template <typename PointT>
 void
 LeadCheck<PointT>::compute(const MachineProgram& program)
 {
-  figures_ = LeadFigures();
+  figures_ = obstacle_figures_ = LeadFigures();
   status_ = check();
-  if (status_.ok()) {
-    const ThreadLimit limit(thread_count_);
-    std::vector<Eigen::Vector3f> points = usablePoints(*input_, indices_.get()).positions;
-    const CutterProfile cutter(cutter_);
-    const HolderProfile holder(holder_, cutter.topHeight(), cutter.radius(), holder_clearance_);
-    status_ = points.empty() ? Status(StatusCode::InvalidInput, "no point of the cloud is finite; check the scan")
-                             : findLeadCollisions(PointBlocks(std::move(points)), cutter, holder, program, tolerance_, progress_, figures_);
-  }
+  if (status_.ok())
+    status_ = findCollisions(program);
+  if (!status_.ok())
+    figures_ = obstacle_figures_ = LeadFigures();
   if (!status_.ok() && status_.code() != StatusCode::Cancelled)
     PCL_ERROR("[pcl_spiral::LeadCheck::compute] %s\n", status_.message().c_str());
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A whole run of a program that makes passes of a tool.
+ *  main of the programs that make paths for a machine.
  */
 #pragma once
 
-#include "pass_program.h"
+#include "machine_moves.h"
 #include "report/picture_files.h"
 #include "terminal/program_main.h"
 
@@ -17,23 +17,25 @@
 #include <optional>
 #include <string>
 
-/** From a job to files: the program's own filesOf, plan, writeOutputs and printSummary, found by the type of its job. */
+/** Turns a job into files with the program's own filesOf, plan, addProgram, judge, warningsOf, writeOutputs and printSummary, found by the
+ *  type of its job. */
 template <typename Job>
 void
-runPasses(const std::string& name, const Job& job)
+runMachining(const std::string& name, const Job& job)
 {
   const auto start = std::chrono::steady_clock::now();
   pcl_spiral::OutputFiles files(filesOf(job));
   for (const std::string& output : job.outputs)
     requireDisplay(output);
   if (!job.verbose)
-    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is reported below, once
-  const std::optional<pcl_spiral::Machine> machine = machineOf(job);
+    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // errors are reported below, once
+  const std::optional<pcl_spiral::Machine> machine = machineOf(job.program, job.outputs);
   auto result = plan(job);
   if (machine)
     addProgram(job, *machine, result);
+  judge(job, result);
   if (!job.quiet)
-    for (const std::string& warning : result.warnings)
+    for (const std::string& warning : warningsOf(result))
       std::cerr << name << ": warning: " << warning << '\n';
   writeOutputs(job, result, files);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -41,10 +43,11 @@ runPasses(const std::string& name, const Job& job)
     printSummary(job, result, seconds.count());
 }
 
-/** main of the program \p name; \p parse and \p help are its own. */
+/** main of the program \p name, with its own \p parse and \p help. */
 template <typename Job>
 int
-passMain(const std::string& name, int argc, const char* const* argv, Job (*parse)(int, const char* const*), void (*help)(std::ostream&))
+machiningMain(const std::string& name, int argc, const char* const* argv, Job (*parse)(int, const char* const*),
+              void (*help)(std::ostream&))
 {
   return runProgram(name, [&] {
     const Job job = parse(argc, argv);
@@ -53,7 +56,7 @@ passMain(const std::string& name, int argc, const char* const* argv, Job (*parse
     else if (job.version)
       std::cout << name << " " PCL_SPIRAL_VERSION "\n";
     else
-      runPasses(name, job);
+      runMachining(name, job);
     return 0;
   });
 }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "path_judging.h"
+#include "terminal/setter_names.h"
+#include "terminal/terminal.h"
+
+#include <pcl_spiral/io/file_error.h>
+
+using namespace pcl_spiral;
+
+void
+judge(const Job& job, Result& result)
+{
+  if (!job.verify)
+    return;
+  ProgressBar bar(job.quiet);
+  const SpiralSettings& s = job.settings;
+  JudgeSettings settings;
+  settings.tool_radius = s.tool_radius;
+  settings.scallop_height = s.scallop_height;
+  settings.chord_error = s.chord_error;
+  settings.view_point = s.view_point;
+  settings.flip_normals = s.flip_normals;
+  settings.threads = s.threads;
+  settings.sample_spacing = job.sample_spacing;
+  if (result.mesh)
+    settings.mesh = result.mesh->mesh;
+  else
+    settings.surface = result.surface;
+  std::shared_ptr<const ReferenceSurface> reference;
+  Verification verification;
+  const Status status = judgePath(
+      result.scan.cloud, result.path, settings, [&bar](double share, const std::string& stage) { return bar.update(share, stage); },
+      reference, verification, result.heights);
+  bar.clear();
+  if (cancelled())
+    throw Cancelled();
+  if (!status.ok())
+    throw FileError(job.scan, "the path was made but could not be judged: " + inOptions(status.message()));
+  if (!settings.surface)
+    result.report.passes += reference->scanned().counts().passes;
+  result.verification = std::move(verification);
+}
