@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ridges foretold at corners, and the remedy, against the material that moves of a ball leave on the exact plate.
+// Predicted ridges at corners, and the remedy, against the material that moves of a ball leave on the exact plate.
 #include "support/removed_material.h"
 #include "support/sampling.h"
 
@@ -51,11 +51,11 @@ highestRidge(const test::SurfacePtr& plate, const Made& made, double scallop_hei
   return test::removedMaterial(*plate, test::fromToolpath(made.path), settings).ridge.max.value;
 }
 
-/** The scallop height that a warning of corners advises; 0 when there is none. */
+/** The scallop height that a warning of corners advises; 0 if there is no warning. */
 double
 remedyOf(const SpiralReport& report)
 {
-  const std::string before = "a path for a scallop height of ";
+  const std::string before = "with a scallop height of ";
   for (const std::string& warning : report.warnings)
     if (const std::size_t at = warning.find(before); at != std::string::npos)
       return std::strtod(warning.c_str() + at + before.size(), nullptr);
@@ -68,7 +68,7 @@ polygon(int corners, double size = 45.0)
   return test::flat(test::Region({test::circle({0, 0}, size, static_cast<std::size_t>(corners))}));
 }
 
-/** What is foretold is what is left, as far as turns are not the highest themselves; it is warned of, and the remedy helps. */
+/** The predicted height is left, if turns do not leave more; a warning reports it, and its remedy helps. */
 void
 expectForetold(const std::string& what, const test::SurfacePtr& plate, const std::optional<Eigen::Vector3d>& centre = {})
 {
@@ -87,7 +87,7 @@ TEST(CornerRidge, OfRegularPolygons)
 {
   for (const int corners : {3, 4, 5, 6}) {
     expectForetold(std::to_string(corners) + " corners", polygon(corners));
-    // Sides l apart, half angle alpha: as high as where turns are 2 l / (1 + sin alpha) apart.
+    // Sides l apart, half angle alpha: the height of turns 2 l / (1 + sin alpha) apart.
     const double sine = std::cos(M_PI / corners), most = 4.0 * height / std::pow(1.0 + sine, 2);
     const SpiralReport report = spiralOn(polygon(corners), height).report;
     EXPECT_LT(report.corner_ridge, 1.01 * most);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the stages at constant scallop height refuse, each with its remedy, and that they can be cancelled.
+// Refusals of the stages at constant scallop height, each with its remedy; the stages can be cancelled.
 #include "support/given_loops.h"
 #include "support/sampling.h"
 #include "support/surfaces.h"
@@ -101,7 +101,7 @@ TEST(RefusedScallopStages, FieldsThatAreNone)
   closed.setQuiet(true);
   ScallopLoopSet set;
   DrivePasses passes;
-  expectRefused(closed, set, "tool radius is 0"); // no field: it is to be made
+  expectRefused(closed, set, "tool radius is 0"); // no field: it must be made
   closed.setInputField(std::make_shared<StepOverDistance>());
   expectRefused(closed, set, "the field is empty");
   const auto broken = std::make_shared<StepOverDistance>(*field());
@@ -139,11 +139,11 @@ TEST(RefusedScallopStages, LoopsThatCannotBeLinked)
     EXPECT_TRUE(path.points.empty());
   };
   using Loops = std::vector<ScallopLoop>;
-  refused("put it first", [](Loops& loops) { std::swap(loops.front(), loops.back()); });
+  refused("put the rim first", [](Loops& loops) { std::swap(loops.front(), loops.back()); });
   refused("loop 1 has", [](Loops& loops) { loops[1].metric.pop_back(); });
   refused("call measure", [](Loops& loops) { loops[1].arcs.clear(); });
   refused("at point 2", [](Loops& loops) { loops[1].points[2].x() = NAN; });
-  refused("three or more", [](Loops& loops) { loops[2].points.resize(2); });
+  refused("at least three", [](Loops& loops) { loops[2].points.resize(2); });
   linking.setNumberOfThreads(100000);
   refused("setNumberOfThreads", [](Loops&) {});
   linking.setNumberOfThreads(0);

@@ -20,7 +20,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double held_rim = 0.97; // share of the rim's pass that coverPath leaves where it is
+constexpr double held_rim = 0.97; // share of the pass along the rim that coverPath does not move
 
 double
 lengthOf(const LinkedPath& path, bool reversed_alone)
@@ -32,7 +32,7 @@ lengthOf(const LinkedPath& path, bool reversed_alone)
   return sum;
 }
 
-/** Of the largest step-overs that the height allows along \p path, the smallest and the largest, mm. */
+/** The largest step-over that the height allows varies along \p path: its smallest and largest value, mm. */
 std::pair<double, double>
 stepOverRange(const LinkedPath& path)
 {
@@ -45,7 +45,7 @@ stepOverRange(const LinkedPath& path)
   return {least, most};
 }
 
-/** Loops with the surface on their right in place of their left; they begin where they did. */
+/** Reverse the loops: the surface is on their right instead of their left. Each keeps its first point. */
 void
 turnRound(std::vector<ScallopLoop>& loops)
 {
@@ -56,7 +56,7 @@ turnRound(std::vector<ScallopLoop>& loops)
   }
 }
 
-/** The tool's ways from pass to pass. */
+/** Length of all lifts from pass to pass, mm. */
 double
 liftsOf(const LinkedPath& path)
 {
@@ -66,7 +66,7 @@ liftsOf(const LinkedPath& path)
   return sum;
 }
 
-/** Every pass the other way, and the last first: what was uncut on one side of each stays so, and the pass along the rim comes
+/** Reverse every pass and the order of the passes: the uncut side of each pass stays the same, and the pass along the rim comes
  *  last. */
 void
 reversePath(LinkedPath& path)
@@ -83,7 +83,7 @@ reversePath(LinkedPath& path)
     begin = path.points.size() - begin;
 }
 
-/** The loops with so few points that a picture shows them all the same. */
+/** The loops with fewer points, enough to look the same in a picture. */
 std::vector<Polyline>
 forPictures(const std::vector<ScallopLoop>& loops)
 {

@@ -17,18 +17,18 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t most_points = 20000; // looked at
+constexpr std::size_t most_points = 20000; // used for the prediction
 constexpr std::size_t curvature_samples = 1000;
 constexpr std::size_t rim_samples = 256;
-constexpr double scallop_rims = 0.6;   // of the rims' length, beside the turns: half of it is least, a little begins and ends the path
-constexpr double radial_rims = 1.1;    // the last turn runs on the rim, where half of it would be least, and the first about the centre
+constexpr double scallop_rims = 0.6;   // of the rims' length, added to the turns: at least half, and a little to begin and end the path
+constexpr double radial_rims = 1.1;    // the same: the last turn runs on the rim, where half is the least, and the first about the centre
 constexpr double beside_points = 0.33; // spacings from the outermost points to the outline
-constexpr double turn_radius = 0.25;   // step-overs: of ConstantScallop's sharp turns
-constexpr double tie = 1.02;           // foreseen no better than this; then Radial is taken, which has no sharp turns at all
-constexpr double fine_turns = 0.25;    // spacings: where turns lie closer, loops follow the mesh's triangles, and Radial is taken
-constexpr double fine_tie = 1.1;       // up to this
+constexpr double turn_radius = 0.25;   // step-overs: of the sharp bends of ConstantScallop
+constexpr double tie = 1.02;           // ratio of predicted times up to which Radial is chosen: it has no sharp bends
+constexpr double fine_turns = 0.25;    // spacings: if turns lie closer, loops follow the triangles of the mesh, and Radial is chosen
+constexpr double fine_tie = 1.1;       // up to this ratio
 
-/** \p surface with a part of its points, to be looked at as a whole. */
+/** The whole of \p surface with fewer points. */
 SurfaceGraph
 coarseGraph(const Surface& surface, double area)
 {
@@ -48,7 +48,7 @@ coarseGraph(const Surface& surface, double area)
   return coarse;
 }
 
-/** Of the triangles. */
+/** Area of the triangles, mm2. */
 double
 areaOf(const SurfaceGraph& graph)
 {
@@ -71,7 +71,7 @@ meanStepOver(const MlsSurface& surface, const SpiralSettings& settings)
   std::vector<SurfaceFoot> feet;
   surface.project(queries, feet);
   const double flat = stepOver(settings.tool_radius, 0.0, settings.scallop_height).value_or(0.0);
-  double inverse = 0.0; // turns are counted
+  double inverse = 0.0; // a mean of 1 / step-over, because the number of turns follows from it
   for (const SurfaceFoot& foot : feet) {
     const double least = foot.valid ? std::min(foot.curvature1, foot.curvature2) : 0.0;
     inverse += 1.0 / std::min(4.0 * flat, stepOver(settings.tool_radius, least, settings.scallop_height).value_or(4.0 * flat));
@@ -79,7 +79,7 @@ meanStepOver(const MlsSurface& surface, const SpiralSettings& settings)
   return static_cast<double>(feet.size()) / inverse;
 }
 
-/** Distances that turns have to cover from the source to points evenly along \p rim: d cos(psi). */
+/** Distances that turns must cover from the source to points at even steps along \p rim: d cos(psi). */
 std::vector<double>
 heightsAlong(const Polyline& rim, const DistanceField& field)
 {
@@ -87,7 +87,7 @@ heightsAlong(const Polyline& rim, const DistanceField& field)
   std::vector<double> d(points.size()), heights(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     d[i] = field.distanceAt(points[i]);
-  constexpr std::size_t reach = 2; // samples on either side for the change along the rim
+  constexpr std::size_t reach = 2; // samples on either side, for the slope along the rim
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::size_t next = (i + reach) % points.size(), before = (i + points.size() - reach) % points.size();
     double way = 0.0;
@@ -99,7 +99,7 @@ heightsAlong(const Polyline& rim, const DistanceField& field)
   return heights;
 }
 
-/** The most turns that a line asks for, over the mean along the rim; nothing where distances cannot be told. */
+/** The largest number of turns that a line needs, over the mean along the rim; nothing if distances are not known. */
 std::optional<double>
 unevenness(const SurfaceGraph& graph, const MlsSurface& surface, const BoundaryLoop& rim, const BoundaryLoop* hole)
 {
@@ -109,7 +109,7 @@ unevenness(const SurfaceGraph& graph, const MlsSurface& surface, const BoundaryL
       return std::nullopt;
   }
   else {
-    const auto centre = deepestPoint(surface, rim.curve); // hardly another than the balanced one where Radial is worth it
+    const auto centre = deepestPoint(surface, rim.curve); // close to the balanced one where Radial is suitable
     if (!centre || !field.compute(graph, *centre))
       return std::nullopt;
   }
@@ -124,12 +124,12 @@ unevenness(const SurfaceGraph& graph, const MlsSurface& surface, const BoundaryL
   return sum > 0.0 ? std::optional<double>(largest * static_cast<double>(heights.size()) / sum) : std::nullopt;
 }
 
-/** Why turns that are shares of lines do not do; empty where they may. */
+/** Why turns at equal shares of radial lines are not suitable; empty if they are. */
 std::string
 whyNotRadial(const BoundaryLoop& rim, const std::vector<const BoundaryLoop*>& holes, const SpiralSettings& settings)
 {
   if (!holes.empty() && settings.hole_margin > 0.0)
-    return "turns about a hole begin at its edge, and a margin is asked for";
+    return "a radial path about a hole begins at the hole, but a hole margin is set";
   if (holes.size() > 1)
     return textOf("the surface has ", holes.size(), " holes");
   if (!rim.corners.empty())
@@ -185,7 +185,7 @@ foreseeMethods(const Surface& surface, const std::vector<BoundaryLoop>& loops, c
   if (foresight.why_not_radial.empty())
     uneven = unevenness(graph, fit, *rim, holes.empty() ? nullptr : holes.front());
   if (!uneven && foresight.why_not_radial.empty())
-    foresight.why_not_radial = "no lines lead from a centre to the rim";
+    foresight.why_not_radial = "no radial lines lead from a centre to the rim";
   const double ridge_turns = uneven.value_or(2.0) > 1.02 ? 2.0 * turns : 0.0;
   foresight.scallop_time = machineTime(foresight.scallop_length, ridge_turns, turn_radius * step_over, feed, settings.acceleration);
   if (uneven)

@@ -15,13 +15,14 @@ scanWarnings(const SurfaceGraph& graph, const SpiralSettings& settings)
   if (across < smallest || across > largest)
     warnings.push_back(textOf("the scan is ", across, " mm across: is it in another unit? Scale it to mm"));
   if (const auto step = stepOver(settings.tool_radius, 0.0, settings.scallop_height); step && *step > 0.5 * across)
-    warnings.push_back(textOf("turns would lie ", *step, " mm apart on a scan only ", across,
-                              " mm across, so that it is one turn or two: check the scan's unit, the tool radius (", settings.tool_radius,
-                              " mm) and the scallop height (", settings.scallop_height, " mm)"));
+    warnings.push_back(textOf("turns would lie ", *step, " mm apart, but the scan is only ", across,
+                              " mm across: the path would have only one or two turns; check the unit of the scan, the tool radius (",
+                              settings.tool_radius, " mm) and the scallop height (", settings.scallop_height, " mm)"));
   if (spacing > 2.0 * settings.tool_radius)
-    warnings.push_back(textOf("the scan's points lie ", spacing, " mm apart, farther than the cutter is wide (", 2.0 * settings.tool_radius,
-                              " mm): hollows between them that it would gouge are not seen; check the scan's unit, scan more "
-                              "densely or take a larger tool"));
+    warnings.push_back(textOf("the points of the scan lie ", spacing, " mm apart, more than the cutter's width (",
+                              2.0 * settings.tool_radius,
+                              " mm): the scan does not show hollows between them, and the cutter may gouge there; check the unit of the "
+                              "scan, scan more densely or use a larger tool"));
   return warnings;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What looks wrong about a scan and may yet be meant.
+ *  What looks wrong about a scan but may be intended.
  */
 #pragma once
 

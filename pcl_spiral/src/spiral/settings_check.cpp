@@ -23,18 +23,18 @@ Status
 checkMethod(const SpiralSettings& s)
 {
   if (s.holes == HoleHandling::Over && (s.boundary_mode == BoundaryMode::TwoBoundaries || s.boundary_mode == BoundaryMode::AllBoundaries))
-    return {StatusCode::InvalidArgument, "the path is to run over holes (setHoleHandling), but holes are to be boundaries "
-                                         "(setBoundaryMode): leave one of the two out"};
+    return {StatusCode::InvalidArgument, "the path is set to run over holes (setHoleHandling), but holes are set to be boundaries "
+                                         "(setBoundaryMode): remove one of the two settings"};
   if (s.method != SpiralMethod::ConstantScallop)
     return Status::success();
   const char* setting = s.centre                           ? "a centre was given (setCenter)"
-                        : s.lines != LineMethod::Automatic ? "a way to find radial lines was chosen (setLineMethod)"
+                        : s.lines != LineMethod::Automatic ? "a method for radial lines was chosen (setLineMethod)"
                         : s.pitch == Pitch::AlongLine      ? "the pitch along radial lines was chosen (setPitch)"
                                                            : nullptr;
   if (!setting)
     return Status::success();
   return {StatusCode::InvalidArgument, textOf(setting, ", but a path at constant scallop height has no centre and no radial "
-                                                       "lines: leave it out, or choose the radial method (setMethod)")};
+                                                       "lines: remove this setting, or choose the radial method (setMethod)")};
 }
 
 } // namespace
@@ -47,7 +47,8 @@ checkSettings(const SpiralSettings& s)
   if (!(s.scallop_height > 0.0) || !std::isfinite(s.scallop_height))
     return refused("the scallop height", s.scallop_height, "set the ridge allowed between turns, above 0 mm");
   if (s.scallop_height >= s.tool_radius)
-    return refused("the scallop height", s.scallop_height, "it must be smaller than the tool radius; usual is a hundredth of it or less");
+    return refused("the scallop height", s.scallop_height,
+                   "it must be smaller than the tool radius; a hundredth of the radius or less is usual");
   if (!(s.chord_error > 0.0) || s.chord_error >= s.tool_radius)
     return refused("the chord error", s.chord_error, "it must be above 0 mm and below the tool radius");
   if (!(s.max_step >= 0.0) || !std::isfinite(s.max_step))
@@ -67,7 +68,7 @@ checkSettings(const SpiralSettings& s)
   if (!(s.thinning >= 0.0) || !std::isfinite(s.thinning))
     return refused("the thinning edge", s.thinning, "give a length above 0 mm, or 0 for none");
   if (s.outlier_neighbours < 0 || !(s.outlier_deviations > 0.0))
-    return refused("the outlier filter's neighbours", s.outlier_neighbours,
+    return refused("the number of neighbours of the outlier filter", s.outlier_neighbours,
                    "give a count of 0 (none) or more, and a threshold above 0 standard deviations");
   if (s.threads > most_threads)
     return refused("the number of threads", s.threads, "give 0 for all, or a count up to 256");
@@ -92,7 +93,7 @@ checkSettings(const SpiralSettings& s)
 Status
 checkScale(const Surface& surface, const SpiralSettings& settings, std::vector<std::string>& warnings)
 {
-  constexpr double hopeless = 10.0; // times the most path points that the area alone may ask for
+  constexpr double hopeless = 10.0; // times most_path_points: if the area alone needs more, the path is refused at once
   const SurfaceGraph& graph = surface.graph();
   const double across = graph.blocks().box().diagonal();
   if (across < settings.tool_radius)

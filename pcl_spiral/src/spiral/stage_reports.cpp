@@ -11,7 +11,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double far_start = 0.05; // of the rim's length: a path that begins so far from the place asked for is told
+constexpr double far_start = 0.05; // of the rim's length: a path that begins farther from the given place is reported
 
 void
 markGaps(const Surface& surface, const Polyline& contacts, std::vector<std::uint8_t>& over_gap)
@@ -36,7 +36,7 @@ holeOf(const BoundaryLoop& loop)
   return hole;
 }
 
-/** Holes the path runs round, gaps it runs over, and voids, which are too narrow to be loops. */
+/** Report holes that the path runs round, gaps that it runs over, and voids, which are too narrow to be loops. */
 void
 reportHoles(const BridgedSurface& bridged, SpiralReport& report)
 {
@@ -58,9 +58,9 @@ reportHoles(const BridgedSurface& bridged, SpiralReport& report)
       widest = &report.holes[i];
   if (widest)
     report.warnings.push_back(textOf("the scan has ", report.holes.size() - before, " narrow place(s) without points, up to ",
-                                     widest->width, " mm wide, as at ", placeText(widest->place),
-                                     ": the path runs over them and is marked there; if they are holes of the part, give the "
-                                     "least width of a hole (setHoleSize)"));
+                                     widest->width, " mm wide, for example at ", placeText(widest->place),
+                                     ": the path runs over them and its points there are marked; if they are holes of the part, set "
+                                     "the smallest width of a hole (setHoleSize)"));
 }
 
 } // namespace
@@ -109,9 +109,9 @@ reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, Spira
   report.loops = bridged.loops;
   reportHoles(bridged, report);
   for (const BridgedGap& gap : bridged.gaps)
-    if (gap.points > 0) // those that were not filled are among the loops
+    if (gap.points > 0) // gaps that were not filled are among the loops
       report.loops.push_back(gap.loop);
-  report.passes += report.loops.size() > bridged.loops.size(); // the surface was made again, with the points put in
+  report.passes += report.loops.size() > bridged.loops.size(); // the surface was made again with the added points
   report.boundaries = 1;
   for (const BoundaryLoop& loop : bridged.loops)
     report.boundaries += loop.type == LoopType::Inner;
@@ -143,19 +143,20 @@ reportLines(const RadialLineSet& lines, const SpiralSettings& settings, SpiralRe
   if (lines.harmonic && settings.lines == LineMethod::Automatic && !lines.why_harmonic.empty())
     report.warnings.push_back("harmonic radial lines were used: " + lines.why_harmonic);
   if (!lines.centre_settled)
-    report.warnings.push_back(textOf("the search for the centre did not come to rest; it is taken at ", placeText(lines.centre),
-                                     ": look whether turns close round it well, or give a centre "
+    report.warnings.push_back(textOf("the search for the centre did not converge; the centre is now at ", placeText(lines.centre),
+                                     ": check that the turns around it look good, or give a centre "
                                      "(setCenter)"));
-  // A line that is a little off still lies on the surface and in order: turns are as far apart there as elsewhere.
+  // A slightly wrong line still lies on the surface and in order, so turns there have the same distance as elsewhere.
   if (report.largest_unsettled > report.line_tolerance)
     report.warnings.push_back(textOf(report.unsettled_lines, " of ", lines.lines.size(),
-                                     " radial lines did not settle: the last step still moved one by ", report.largest_unsettled,
-                                     " mm sideways, where ", report.line_tolerance,
-                                     " mm are allowed; harmonic lines need no settling (setLineMethod)"));
+                                     " radial lines did not converge: the last step still moved one of them by ", report.largest_unsettled,
+                                     " mm sideways, but only ", report.line_tolerance,
+                                     " mm are allowed; choose harmonic lines, which need no such steps (setLineMethod)"));
   if (report.line_error > report.line_tolerance)
-    report.warnings.push_back(textOf("turns between radial lines are known to ", report.line_error, " mm, where ", report.line_tolerance,
-                                     " mm are allowed: lines cannot stand closer than the points of "
-                                     "the scan let them; scan more densely, or check the scallops (MaterialRemoval)"));
+    report.warnings.push_back(textOf("turns between radial lines may be wrong by ", report.line_error, " mm, but only ",
+                                     report.line_tolerance,
+                                     " mm are allowed: the points of the scan are too far apart for "
+                                     "closer lines; scan more densely, or check the ridge heights (MaterialRemoval)"));
 }
 
 void
@@ -175,19 +176,19 @@ reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, Spi
   report.turn_radius = figures.turn_radius;
   report.sharpest_place = figures.sharpest_place;
   if (figures.start_off > far_start * figures.rim_length)
-    report.warnings.push_back(textOf("the path meets the rim ", figures.start_off,
-                                     " mm from the start point asked for: the loops "
-                                     "inside lead to no nearer place; leave the start point out, or give one there (setStartPoint)"));
+    report.warnings.push_back(textOf("the path reaches the rim ", figures.start_off,
+                                     " mm from the given start point: the inner loops "
+                                     "lead to no closer place; give no start point, or give one where the path is now (setStartPoint)"));
   if (figures.turn_radius < settings.least_turn_radius)
-    report.warnings.push_back(textOf("the path turns more sharply than the radius of ", settings.least_turn_radius,
-                                     " step-overs asked for: a thousandth of it with less than ", figures.turn_radius, ", at most with ",
-                                     figures.least_radius, " at ", placeText(figures.sharpest_place),
-                                     ": slow down there; a smaller radius (setLeastTurnRadius) leaves the warning out"));
+    report.warnings.push_back(textOf("the path has bends sharper than the given radius of ", settings.least_turn_radius,
+                                     " step-overs: 0.1 % of its length has a radius below ", figures.turn_radius,
+                                     ", the sharpest bend has ", figures.least_radius, " at ", placeText(figures.sharpest_place),
+                                     ": reduce the feed there; a smaller radius (setLeastTurnRadius) removes this warning"));
   const double ridge = 4.0 * figures.farthest * figures.farthest * settings.scallop_height;
   if (figures.farthest > 0.52)
     report.warnings.push_back(textOf("a ridge of about ", ridge, " mm is left at ", placeText(figures.farthest_place),
                                      ", above the scallop height of ", settings.scallop_height,
-                                     " mm: ask for a lower scallop height if that is too much"));
+                                     " mm: set a lower scallop height if that is too much"));
 }
 
 void
@@ -207,8 +208,8 @@ reportGaps(const GapFigures& gaps, SpiralReport& report)
   report.gap_length = gaps.length;
   if (gaps.points > 0)
     report.warnings.push_back(textOf(gaps.points, " path points, ", gaps.length,
-                                     " mm, lie over gaps of the scan or beyond its rim, where the surface is a guess; they are "
-                                     "marked"));
+                                     " mm of path, lie over gaps of the scan or beyond its rim, where the surface is only "
+                                     "estimated; they are marked"));
 }
 
 void

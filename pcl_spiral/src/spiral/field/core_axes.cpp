@@ -80,7 +80,7 @@ private:
           line.nearest(field_.mesh.positions[nodes_[i]], field_.mesh.metric[nodes_[i]], trim + 0.02).segment != NearestSegment::none)
         open_[i] = 0;
   }
-  /** The node nearest to each point of the axes there are. */
+  /** The node nearest to each point of the axes found so far. */
   std::vector<std::size_t> nodesAtAxes() const
   {
     std::vector<std::size_t> found;
@@ -94,7 +94,7 @@ private:
       }
     return found;
   }
-  /** Shortest ways from \p sources; an edge costs length (0.6 / E)^4, so that they keep far from the loops. */
+  /** Shortest ways from \p sources. An edge costs length (0.6 / E)^4, so the ways stay far from the loops. */
   void walk(const std::vector<std::size_t>& sources)
   {
     using Entry = std::pair<double, std::size_t>;

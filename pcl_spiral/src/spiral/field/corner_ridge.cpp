@@ -8,7 +8,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** Largest distance from two turns whose tips lie 1 apart, at a corner with these angles between its line and its sides:
+/** Largest distance from two turns whose tips lie 1 apart, at a corner with these angles between its radial line and its sides:
  *  the smaller root t of t^2 (1 - sin^2 a) - 2 t cos b + 1 = 0, times sin a. */
 double
 farthestFromTurns(double alpha1, double alpha2)

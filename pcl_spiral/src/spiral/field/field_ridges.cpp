@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A field from elsewhere, and where its ridges run.
+// Check a given field, and find where its ridges run.
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
@@ -16,13 +16,13 @@ checkField(const StepOverDistance& field)
 {
   const std::size_t nodes = field.mesh.size(), triangles = field.mesh.triangles.triangleCount();
   if (nodes == 0 || triangles == 0)
-    return {StatusCode::InvalidInput, "the field is empty: give one that StepOverField has made, or a null pointer and a cloud "
+    return {StatusCode::InvalidInput, "the field is empty: give a field made by StepOverField, or a null pointer and a cloud "
                                       "(setInputField)"};
   if (field.mesh.rims.empty() || field.mesh.metric.size() != nodes || field.mesh.normals.size() != nodes ||
       field.distance.size() != nodes || field.is_fine.size() != nodes || field.is_weak.size() != triangles)
     return {StatusCode::InvalidInput, textOf("the field has ", nodes, " nodes and ", triangles, " triangles, but ", field.distance.size(),
                                              " distances, ", field.is_weak.size(), " marks of triangles and ", field.mesh.rims.size(),
-                                             " rims: give one that StepOverField has made (setInputField)")};
+                                             " rims: give a field made by StepOverField (setInputField)")};
   return Status::success();
 }
 

@@ -9,12 +9,12 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double tip_gap = 0.42;                 // a finger ends this far before what it must reach
-constexpr double trim = finger_radius + tip_gap; // of an axis at its lower end
+constexpr double tip_gap = 0.42;                 // a finger ends this far before the place it must reach
+constexpr double trim = finger_radius + tip_gap; // cut off an axis at its lower end
 constexpr double covered_by_axis = trim + 0.02;
-constexpr double neck_step = 0.2;       // axes in necks begin so far apart
-constexpr double worth_an_axis = 0.525; // what lies nearer is reached by moving the path (coverPath)
-constexpr double same_ridge = 1.6;      // two axes that start as near as this may be one over a saddle
+constexpr double neck_step = 0.2;       // distance between the starts of axes in necks
+constexpr double worth_an_axis = 0.525; // nearer places are reached by moving the path (coverPath)
+constexpr double same_ridge = 1.6;      // two axes that start this near may be one axis over a saddle
 constexpr std::size_t most_axes = 40;   // in one uncovered part
 
 void
@@ -36,7 +36,7 @@ public:
   : field_(field), climb_(climb), gap_(gap), axes_(axes)
   {}
 
-  /** Axes so long that all of \p nodes are within \p covered of one; \p is_neck: they lie within the next loop, so that none is
+  /** Add axes until all of \p nodes are within \p covered of one. \p is_neck: the axes lie within the next loop, so none is
    *  trimmed. */
   void run(const std::vector<std::uint32_t>& nodes, double covered, bool is_neck)
   {
@@ -55,14 +55,14 @@ public:
 
 private:
   struct End {
-    std::size_t loop; ///< it leads into
+    std::size_t loop; ///< the loop it leads into
     std::uint32_t start;
     FingerAxis way;   ///< untrimmed
     std::size_t axis; ///< in axes_
   };
 
   bool isWide(std::uint32_t v) const { return field_.distance[v] >= gap_.level + 1.0 + finger_radius; }
-  /** From \p start, within the next loop, up the ridge until that is as wide as a finger. */
+  /** From \p start, within the next loop, up the ridge until the loop is as wide as a finger. */
   FingerAxis addNeck(std::uint32_t start)
   {
     std::vector<std::uint32_t> way{start};
@@ -71,7 +71,7 @@ private:
     axes_.push_back(axisOver(field_.mesh, way, 6));
     return axes_.back();
   }
-  /** From \p start up the ridge until it is inside the next loop, where that is as wide as a finger. */
+  /** From \p start up the ridge until it is inside the next loop and the loop is as wide as a finger. */
   FingerAxis addFinger(std::uint32_t start)
   {
     std::vector<std::uint32_t> way{start};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Lines along which loops must reach further to leave nothing uncovered.
+ *  Lines along which loops must reach further, so that nothing stays uncovered.
  */
 #pragma once
 
@@ -25,13 +25,13 @@ struct FingerAxis {
   std::vector<StepOverMetric> metric;
 };
 
-/** What lies between the loops of one level and the next. */
+/** The space between the loops of one level and the next. */
 struct LevelGap {
   int level = 0;                    ///< of the lower loops
   std::vector<std::uint32_t> nodes; ///< of the band, between the two levels; ascending
   std::vector<std::uint32_t> necks; ///< on ridges within a loop of the next level that is narrower there than a finger; ascending
   std::vector<double> distances;    ///< of each from the loops of both levels
-  std::function<bool(std::uint32_t)> is_ridge;         ///< whether gradients part about a node
+  std::function<bool(std::uint32_t)> is_ridge;         ///< whether gradients point apart about a node
   std::function<bool(std::uint32_t)> is_above;         ///< whether a node lies within a loop of the next level
   std::function<std::size_t(std::uint32_t)> loop_near; ///< the loop of the next level nearest to a node
 };
@@ -40,12 +40,12 @@ struct LevelGap {
 void findFingers(const StepOverDistance& field, const RidgeClimb& climb, const LevelGap& gap, std::vector<std::uint32_t>& scratch,
                  std::vector<FingerAxis>& axes);
 
-/** Axes in cores, parts that no loop of the next level lies in: \p nodes of one core, connected, with their \p distances from
- *  the loops about it. The longest way through what is uncovered, and branches of it. */
+/** Axes in cores. A core is a part without a loop of the next level. \p nodes: of one core, connected, with their \p distances from
+ *  the loops about it. The axes are the longest way through the uncovered part, and its branches. */
 void findCoreAxes(const StepOverDistance& field, const std::vector<std::uint32_t>& nodes, const std::vector<double>& distances,
                   std::vector<std::uint32_t>& scratch, std::vector<FingerAxis>& axes);
 
-/** \p nodes in connected groups, each ascending. \p scratch: a 0 for each node of the mesh, and so again afterwards. */
+/** \p nodes in connected groups, each ascending. \p scratch: a 0 for each node of the mesh, before and after the call. */
 std::vector<std::vector<std::uint32_t>> connectedGroups(const Triangulation& triangles, const std::vector<std::uint32_t>& nodes,
                                                         std::vector<std::uint32_t>& scratch);
 

@@ -18,10 +18,10 @@ namespace {
 
 constexpr double corner_turn = 40.0 * pi / 180.0;
 constexpr double curve_step = 0.5;   // spacings between points of a curve
-constexpr int corner_reach = 3;      // points of a curve on either side, over which it turns
+constexpr int corner_reach = 3;      // points of a curve on either side, over which its bend is measured
 constexpr double piece_share = 0.01; // of the nodes inside: a smaller piece is a splinter of the triangles
 
-/** Points at which a closed curve turns most sharply over a few of its points. */
+/** Points at which a closed curve bends most sharply, measured over a few points. */
 std::vector<std::size_t>
 sharpTurns(const Polyline& curve)
 {
@@ -42,7 +42,7 @@ sharpTurns(const Polyline& curve)
   return corners;
 }
 
-/** The part of each node above 0, by triangles whose corners all are; none below. The largest part has the number 0. */
+/** The connected part of each node above 0, by triangles with all corners above 0. The largest part has the number 0. */
 std::vector<std::uint32_t>
 partsAbove(const StepOverMesh& mesh, const std::vector<double>& height, std::vector<std::size_t>& sizes)
 {
@@ -71,14 +71,14 @@ partsAbove(const StepOverMesh& mesh, const std::vector<double>& height, std::vec
   return part;
 }
 
-/** Ok, or where what is left of the surface falls into pieces. */
+/** Ok, or an error with the place if the rest of the surface falls into pieces. */
 Status
 checkWhole(const StepOverMesh& mesh, const std::vector<double>& height)
 {
   std::vector<std::size_t> sizes;
   const std::vector<std::uint32_t> part = partsAbove(mesh, height, sizes);
   if (sizes.empty())
-    return {StatusCode::InvalidInput, "nothing is left of the surface so far inside its rims: make the distance smaller "
+    return {StatusCode::InvalidInput, "at this distance inside its rims nothing is left of the surface: make the distance smaller "
                                       "(setRimOverhang, setHoleMargin)"};
   const auto largest = static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
   const std::size_t all = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
@@ -86,9 +86,9 @@ checkWhole(const StepOverMesh& mesh, const std::vector<double>& height)
     if (p != largest && static_cast<double>(sizes[p]) > piece_share * static_cast<double>(all)) {
       const std::size_t v = static_cast<std::size_t>(std::find(part.begin(), part.end(), p) - part.begin());
       return {StatusCode::InvalidInput,
-              textOf("so far inside its rims the surface falls into pieces, one of them about ", placeText(mesh.positions[v]),
-                     ": it is narrower there than twice the distance; make "
-                     "it smaller (setRimOverhang, setHoleMargin)")};
+              textOf("at this distance inside its rims the surface falls into pieces, one of them near ", placeText(mesh.positions[v]),
+                     ": the surface is narrower than twice the distance; make "
+                     "the distance smaller (setRimOverhang, setHoleMargin)")};
     }
   return Status::success();
 }
@@ -113,7 +113,7 @@ distanceTo(const Polyline& curve, const Eigen::Vector3d& place)
   return least;
 }
 
-/** Whether some of \p curve was \p margin from \p rim. */
+/** Whether a part of \p curve lies \p margin from \p rim. */
 bool
 cameFrom(const Polyline& curve, const Polyline& rim, double margin, double spacing)
 {
@@ -154,7 +154,7 @@ moveInside(const Surface& surface, const std::vector<double>& margins, std::vect
       outlines.push_back(loops[i]);
       starts.push_back(margins[i] > 0.0 ? -margins[i] : std::numeric_limits<double>::infinity());
     }
-  StepOverOptions options; // lengths become mm: any cutter does
+  StepOverOptions options; // lengths are in mm here, so the cutter does not matter
   options.tool_radius = surface.spacing();
   options.scallop_height = 0.1 * surface.spacing();
   StepOverMesh mesh;
@@ -170,8 +170,8 @@ moveInside(const Surface& surface, const std::vector<double>& margins, std::vect
   for (const LevelLine& line : lines.front()) {
     if (!line.closed)
       return {StatusCode::InvalidInput,
-              textOf("the outline moved inside meets another at ", placeText(mesh.positions[line.crossings.front().below]),
-                     ": make the distance smaller (setRimOverhang), or keep off holes too (setHoleMargin)")};
+              textOf("the outline moved inside meets another outline at ", placeText(mesh.positions[line.crossings.front().below]),
+                     ": make the distance smaller (setRimOverhang), or keep away from holes too (setHoleMargin)")};
     Polyline curve = curveOf(mesh, line, curve_step * spacing);
     if (length(curve, true) < 8.0 * spacing)
       continue;
@@ -188,7 +188,7 @@ moveInside(const Surface& surface, const std::vector<double>& margins, std::vect
       result.push_back(loops[i]);
     }
   if (outer != 1)
-    return {StatusCode::InvalidInput, textOf("so far inside its rims the surface has ", outer,
+    return {StatusCode::InvalidInput, textOf("at this distance inside its rims the surface has ", outer,
                                              " outer outlines: make the distance smaller (setRimOverhang, setHoleMargin)")};
   std::stable_partition(result.begin(), result.end(), [](const BoundaryLoop& loop) { return loop.type == LoopType::Outer; });
   loops = std::move(result);

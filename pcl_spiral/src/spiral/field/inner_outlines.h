@@ -12,10 +12,10 @@
 
 namespace pcl_spiral {
 
-/** In place of each of \p loops of type Outer or Inner the line \p margins[i] mm inside it along \p surface; 0: the loop as it is. */
+/** Replace each loop of type Outer or Inner by the line \p margins[i] mm inside it along \p surface; 0 keeps the loop. */
 Status moveInside(const Surface& surface, const std::vector<double>& margins, std::vector<BoundaryLoop>& loops);
 
-/** A loop along \p curve, which lies on \p surface: its points are the nearest of the scan. Corners are where it turns sharply. */
+/** A loop along \p curve, which lies on \p surface: its points are the nearest of the scan. Corners are its sharp bends. */
 BoundaryLoop loopAlong(const Surface& surface, Polyline curve, LoopType type);
 
 } // namespace pcl_spiral

@@ -87,7 +87,7 @@ private:
   {
     const Triangle corners = triangulation_.triangle(t);
     const auto h = static_cast<std::uint32_t>(3 * t);
-    // Row i from corner 0 on, place j in it: weights 1 - i/n, (i - j)/n, j/n.
+    // Row i from corner 0, place j in it: weights 1 - i/n, (i - j)/n, j/n.
     std::vector<std::vector<std::uint32_t>> rows(parts_ + 1);
     for (int i = 0; i <= parts_; ++i)
       for (int j = 0; j <= i; ++j) {
@@ -148,7 +148,7 @@ private:
   std::size_t nodes_; ///< of the coarse mesh, which come first in the fine one
   const std::vector<std::uint8_t>& chosen_;
   int parts_;
-  std::vector<std::uint32_t> on_edge_; ///< first node inside each half-edge that stands for its edge
+  std::vector<std::uint32_t> on_edge_; ///< first node inside each half-edge that represents its edge
   StepOverMesh fine_;
   std::vector<Triangle> triangles_;
 };

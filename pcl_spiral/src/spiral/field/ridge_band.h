@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The refined nodes of a field, by distance and by place.
+ *  The refined nodes of a field, found by distance and by position.
  */
 #pragma once
 
@@ -22,7 +22,7 @@ public:
   /** Whether a node is within 1.5 step-overs of the band: loops there may be the nearest to its nodes. */
   bool isNear(std::uint32_t v) const { return is_near_[v] != 0; }
 
-  /** Call \p visit(node) for the nodes of the band, and those about it, within \p reach mm of \p p. */
+  /** Call \p visit(node) for the nodes of the band and their neighbours within \p reach mm of \p p. */
   template <typename Visit>
   void forNodesNear(const Eigen::Vector3d& p, double reach, Visit visit) const
   {

@@ -9,7 +9,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double noise_reach = 0.8; // step-overs over which a summit may be one of noise
+constexpr double noise_reach = 0.8; // step-overs within which a summit may come from noise
 
 } // namespace
 

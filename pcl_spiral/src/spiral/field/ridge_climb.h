@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The way uphill over a field, from node to node.
+ *  The way uphill over a field from node to node.
  */
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace pcl_spiral {
 
-/** For every node of a field the neighbour that D rises to most steeply, and the summit one gets to. Local summits of noise,
- *  with a higher node within 0.8 step-overs, lead on to that. */
+/** For every node of a field: the neighbour in the direction of steepest rise of D, and the summit at the end of that way. A local
+ *  summit that comes from noise, with a higher node within 0.8 step-overs, leads on to that node. */
 class RidgeClimb {
 public:
   static constexpr std::uint32_t none = 0xffffffffu;
@@ -29,7 +29,7 @@ private:
   std::vector<std::uint32_t> up_, summit_;
 };
 
-/** Call \p visit(neighbour) for the nodes that share an edge with \p v; those of two triangles come twice. */
+/** Call \p visit(neighbour) for the nodes that share an edge with \p v; neighbours in two triangles come twice. */
 template <typename Visit>
 void
 forNeighbours(const Triangulation& triangles, std::uint32_t v, Visit visit)

@@ -14,7 +14,7 @@ namespace {
 constexpr double ray_step = 0.5;     // spacings between rays along the outline
 constexpr double fan_step = 0.2;     // radians between rays
 constexpr double first_row = 0.7;    // spacings from the outline
-constexpr double least_share = 0.98; // of the distance asked for, of what is kept
+constexpr double least_share = 0.98; // of the given distance: points nearer to the outline are dropped
 constexpr double least_apart = 0.6;  // spacings between points of the band
 
 double

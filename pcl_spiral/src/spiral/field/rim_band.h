@@ -17,7 +17,7 @@ public:
   /** \p curve lies on \p surface, which is on its left. */
   RimBand(const Surface& surface, const Polyline& curve);
 
-  /** The closed line \p distance mm beyond the outline: where the rays end, less what comes closer to the outline elsewhere, as in
+  /** The closed line \p distance mm beyond the outline: the ends of the rays without those closer to the outline elsewhere, as in
    *  its bays. Points are at most \p step apart. */
   Polyline line(double distance, double step) const;
   /** Points of the band out to \p distance, in rows one spacing apart. */

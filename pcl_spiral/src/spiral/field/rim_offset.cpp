@@ -12,15 +12,15 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double beyond_outline = 2.5; // spacings that the surface goes on beyond the outline: fits need points all about
+constexpr double beyond_outline = 2.5; // spacings that the surface extends beyond the outline: fits need points on all sides
 
-/** Continue \p surface beyond its rim and move the outline there. */
+/** Extend \p surface beyond its rim and move the outline there. */
 Status
 moveBeyond(Surface::ConstPtr& surface, double overhang, std::vector<BoundaryLoop>& loops)
 {
   const auto rim = std::find_if(loops.begin(), loops.end(), [](const auto& loop) { return loop.type == LoopType::Outer; });
   if (rim == loops.end())
-    return {StatusCode::InvalidInput, "none of the loops is an outer one: there is no rim to go beyond"};
+    return {StatusCode::InvalidInput, "none of the loops is an outer one, so there is no rim to go beyond: give the outer loop"};
   const RimBand band(*surface, rim->curve);
   Polyline curve = band.line(overhang, 0.5 * surface->spacing());
   if (curve.size() < 8)

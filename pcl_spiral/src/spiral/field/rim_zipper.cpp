@@ -13,7 +13,7 @@ namespace {
 constexpr double flip_cost = 10.0;   // spacings
 constexpr double largest_lag = 12.0; // spacings of arc length
 
-/** The problem, turned so that both sides begin at their closest pair of points. */
+/** The problem, with both sides rotated to begin at their closest pair of points. */
 class Zipper {
 public:
   Zipper(const ZipperSide& edge, const ZipperSide& outline, double length, double spacing)
@@ -49,7 +49,7 @@ private:
   std::uint32_t edgeId(std::size_t a) const { return edge_.ids[edgeAt(a)]; }
   std::uint32_t outlineId(std::size_t c) const { return outline_.ids[outlineAt(c)]; }
 
-  /** Signed difference of arc lengths once round, at most half the length. */
+  /** Signed difference of arc lengths on the closed line, at most half its length. */
   double wrapped(double d) const { return d - length_ * std::round(d / length_); }
 
   void findBegin()
@@ -151,7 +151,7 @@ private:
   const ZipperSide &edge_, &outline_;
   double length_, spacing_;
   std::size_t first_edge_ = 0, first_outline_ = 0;
-  std::vector<double> edge_arcs_, outline_arcs_; ///< from the begin on, one more at the end
+  std::vector<double> edge_arcs_, outline_arcs_; ///< from the begin, with one more at the end
   std::vector<std::size_t> low_, high_;          ///< window of outline points for each of the edge's
   std::vector<std::vector<std::uint8_t>> from_edge_;
 };

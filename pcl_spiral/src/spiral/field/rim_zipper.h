@@ -11,17 +11,17 @@
 
 namespace pcl_spiral {
 
-/** One side of the strip to be closed: a closed run of points with the arc length along the outline at each. */
+/** One side of the strip to fill: a closed run of points with the arc length along the outline at each. */
 struct ZipperSide {
   std::vector<std::uint32_t> ids;
   Polyline points;
   std::vector<double> arcs;             ///< mm; of the outline's points ascending
-  std::vector<Eigen::Vector3d> normals; ///< of the edge's points; not looked at for the outline's
+  std::vector<Eigen::Vector3d> normals; ///< of the edge's points; not used for the outline's
 };
 
 /** The cheapest closed strip of triangles between \p edge (free half-edges, surface on their left) and \p outline, of
- *  \p length: least sum of new edges' lengths, ten spacings more for each triangle that faces down; arc lengths of the two ends
- *  of an edge differ by at most twelve spacings. By dynamic programming within that band: near-linear. Empty where there is
+ *  \p length: the least sum of the lengths of new edges, plus ten spacings for each triangle that faces down. Arc lengths of the two
+ *  ends of an edge differ by at most twelve spacings. Dynamic programming within that band, in near-linear time. Empty if there is
  *  none. */
 std::vector<Triangulation::Triangle> zipped(const ZipperSide& edge, const ZipperSide& outline, double length, double spacing);
 

@@ -13,7 +13,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t samples = 1000;
-constexpr double bytes_a_node = 400.0; // of a mesh with its distances, while it is cut
+constexpr double bytes_a_node = 400.0; // for a mesh with its distances, while it is cut
 constexpr double most_nodes = 3e8;     // indices have 32 bits, and a node has six half-edges
 
 /** Mean number of moves per millimetre, over the surface and both principal directions. */
@@ -30,7 +30,7 @@ movesPerMillimetre(const Surface& surface, const SpiralSettings& settings)
   double sum = 0.0, count = 0.0;
   for (const SurfaceFoot& foot : feet)
     for (const double curvature : {foot.valid ? foot.curvature1 : 0.0, foot.valid ? foot.curvature2 : 0.0})
-      if (cutterFits(settings.tool_radius, curvature)) { // where it does not, there will be no path
+      if (cutterFits(settings.tool_radius, curvature)) { // if it does not fit, there will be no path
         sum += 1.0 / stepFromChordErrorAtCentre(settings.tool_radius, curvature, settings.chord_error, longest);
         count += 1.0;
       }
@@ -47,9 +47,9 @@ checkMeshSize(const StepOverMesh& mesh, const std::vector<std::uint8_t>& chosen,
   const auto memory = availableMemory();
   if (nodes <= most_nodes && !(memory && bytes_a_node * nodes > *memory))
     return Status::success();
-  return {StatusCode::Failed, textOf("turns of a scallop height of ", options.scallop_height,
-                                     " mm lie far closer than the points of the scan: ", std::ceil(1e-6 * nodes),
-                                     " million places would be needed between these, and ", std::ceil(1e-9 * bytes_a_node * nodes),
+  return {StatusCode::Failed, textOf("at a scallop height of ", options.scallop_height,
+                                     " mm turns lie much closer together than the points of the scan: ", std::ceil(1e-6 * nodes),
+                                     " million nodes between these points would be needed, and ", std::ceil(1e-9 * bytes_a_node * nodes),
                                      " GB of memory; raise the scallop height, or scan more densely")};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  How large a path at constant scallop would become, foretold before it is made.
+ *  Predicts how large a path at constant scallop would become, before it is made.
  */
 #pragma once
 
@@ -15,11 +15,11 @@
 
 namespace pcl_spiral {
 
-/** Refuse a \p mesh whose \p chosen triangles are each to be cut into \p parts * \p parts where there is no memory for it. */
+/** Each of the \p chosen triangles of \p mesh is to be cut into \p parts * \p parts: refuse if there is not enough memory. */
 Status checkMeshSize(const StepOverMesh& mesh, const std::vector<std::uint8_t>& chosen, int parts, const StepOverOptions& options);
 
-/** What the path over \p field will ask for: points by its least length and the moves that the chord error of \p settings allows
- *  in either principal direction, knots by the edges of the mesh that its loops cross. */
+/** Size of the path over \p field: points from its least length and the moves that the chord error of \p settings allows in either
+ *  principal direction, knots from the edges of the mesh that its loops cross. */
 PathSize scallopPathSize(const StepOverDistance& field, const Surface& surface, const SpiralSettings& settings);
 
 } // namespace pcl_spiral

@@ -54,7 +54,7 @@ grow(const Triangulation& triangles, std::vector<std::uint8_t>& chosen, std::siz
       chosen[t] |= node[v];
 }
 
-/** Triangles about the ridges of \p distance, and those in which it is no distance. */
+/** Triangles about the ridges of \p distance, and triangles in which it is not a true distance. */
 std::vector<std::uint8_t>
 ridgeBand(const StepOverMesh& mesh, const std::vector<double>& distance, double usual_edge)
 {
@@ -76,13 +76,13 @@ ridgeBand(const StepOverMesh& mesh, const std::vector<double>& distance, double 
   return chosen;
 }
 
-/** Refuse a surface whose points lie too far apart for a rim, and feet, to be known: its place farthest from the rims lies less
- *  than two and a half spacings from them. */
+/** Refuse a surface with points too far apart to know its rim and feet: the place farthest from the rims lies less than two and a
+ *  half spacings from them. */
 Status
 checkWidth(const StepOverMesh& mesh, const std::vector<double>& distance, double spacing)
 {
   std::size_t middle = 0;
-  for (std::size_t v = 0; v < distance.size(); ++v) // what no way leads to is refused later
+  for (std::size_t v = 0; v < distance.size(); ++v) // nodes that no way leads to are refused later
     if (std::isfinite(distance[v]) && distance[v] > distance[middle])
       middle = v;
   double clear = std::numeric_limits<double>::max();
@@ -91,12 +91,13 @@ checkWidth(const StepOverMesh& mesh, const std::vector<double>& distance, double
       clear = std::min(clear, (mesh.positions[v] - mesh.positions[middle]).norm());
   if (clear >= least_clear * spacing)
     return Status::success();
-  return {StatusCode::Failed, textOf("the surface is too narrow for its points: its middle ", placeText(mesh.positions[middle]),
-                                     " lies only ", clear, " mm from the rim, and points lie ", spacing,
-                                     " mm apart: scan more densely, for at least seven points across, or machine the part by other means")};
+  return {StatusCode::Failed,
+          textOf("the surface is too narrow for the spacing of its points: its middle ", placeText(mesh.positions[middle]), " lies only ",
+                 clear, " mm from the rim, and the points lie ", spacing,
+                 " mm apart: scan more densely, with at least seven points across, or machine the part in another way")};
 }
 
-/** Integral of dA over the largest step-over, and half the rims, which are travelled on their edge. The reserve is no part of it. */
+/** Integral of dA over the largest step-over, plus half the rims, because the path runs on them. Without the reserve. */
 double
 leastLength(const StepOverMesh& mesh, double reserve)
 {
@@ -136,8 +137,9 @@ measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlin
   field.distance = distancesFromRims(field.mesh);
   for (std::size_t v = 0; v < field.mesh.size(); ++v) {
     if (!std::isfinite(field.distance[v]))
-      return {StatusCode::Failed, textOf("no way leads over the surface from its rim to ", placeText(field.mesh.positions[v]),
-                                         ": parts of the scan hang together at a point alone; scan it again, more densely")};
+      return {StatusCode::Failed,
+              textOf("the surface is disconnected: no way leads over it from the rim to ", placeText(field.mesh.positions[v]),
+                     ", because parts of the scan touch at a single point; scan it again, more densely")};
     field.largest = std::max(field.largest, field.distance[v]);
   }
   const std::vector<float> lengths = gradientLengths(field.mesh, field.distance);

@@ -12,7 +12,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double worth_a_step = 1e-7; // a gain below this is no shorter way
+constexpr double worth_a_step = 1e-7; // a smaller gain does not count as a shorter way
 
 using Sides = std::array<float, 3>;
 
@@ -29,7 +29,7 @@ allSides(const StepOverMesh& mesh)
   return sides;
 }
 
-/** Least distance at a corner over the side that faces it: from its ends, with distances \p di and \p dq, or by a straight
+/** Least distance at a corner over the side that faces it: from the ends of the side, with distances \p di and \p dq, or by a straight
  *  front between them. \p ij, \p qj: from the ends to the corner; \p iq: the side. */
 double
 acrossTriangle(double di, double dq, double ij, double qj, double iq)

@@ -11,16 +11,16 @@
 
 namespace pcl_spiral {
 
-/** Lengths of a triangle's sides, each opposite its corner, by the mean of the metrics of its three corners: lengths of the
- *  sides of a flat triangle always, which means taken edge by edge are not. */
+/** Lengths of a triangle's sides, each opposite its corner, in the mean of the metrics of its three corners. These are always the
+ *  sides of a flat triangle; means taken edge by edge would not be. */
 std::array<double, 3> stepOverSides(const StepOverMesh& mesh, std::size_t triangle);
 
-/** Distance of every node from the rims, in step-overs. Fast marching over the triangles (Kimmel, Sethian 1998), values
- *  corrected as often as a shorter way is found, so that obtuse triangles do no harm. Unreached nodes stay infinite. \p starts: the
- *  value along each rim, infinite for a rim to be left out; empty: 0. */
+/** Distance of every node from the rims, in step-overs. Fast marching over the triangles (Kimmel, Sethian 1998). A value
+ *  is corrected whenever a shorter way is found, so obtuse triangles do no harm. Unreached nodes stay infinite. \p starts: the
+ *  value along each rim, infinite to leave a rim out; empty: 0. */
 std::vector<double> distancesFromRims(const StepOverMesh& mesh, const std::vector<double>& starts = {});
 
-/** |grad D| in the metric, one a triangle: 1 where \p distance is one. */
+/** |grad D| in the metric, one a triangle: 1 where \p distance is a true distance. */
 std::vector<float> gradientLengths(const StepOverMesh& mesh, const std::vector<double>& distance);
 
 /** Length of the mean of the unit gradients of \p distance in the triangles about each node: 1 where all run the same way. */

@@ -17,13 +17,13 @@ namespace {
 
 using Triangle = Triangulation::Triangle;
 
-constexpr std::size_t chunk = 1u << 16; // points whose feet are looked at together
+constexpr std::size_t chunk = 1u << 16; // points whose feet are computed together
 constexpr double outline_step = 0.8;    // spacings between nodes on an outline
-constexpr double matched_reach = 12.0;  // spacings within which an edge's points are looked for
+constexpr double matched_reach = 12.0;  // spacings within which points of an edge are searched
 constexpr double matched_edge = 2.5;    // spacings: median distance of an edge from its outline
-constexpr double least_zipped = 0.7;    // share of an outline its edge must run along
+constexpr double least_zipped = 0.7;    // share of an outline that its edge must follow
 
-/** The mesh while it is made. */
+/** Makes the mesh. */
 class MeshMaker {
 public:
   MeshMaker(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options, StepOverMesh& mesh)
@@ -44,7 +44,7 @@ public:
   }
 
 private:
-  /** Feet and metric of the surface's points; the metric is the mean over the points about each, as curvatures waver. */
+  /** Feet and metric of the surface's points. The metric is the mean over the points about each, because curvatures are noisy. */
   void placeNodes();
   Status keepWithin();
   ZipperSide sideOf(std::size_t free_edge, std::size_t outline, double& distance) const;
@@ -167,7 +167,7 @@ MeshMaker::addOutline(std::size_t outline, ZipperSide& side)
   side.points.assign(mesh_.positions.begin() + static_cast<std::ptrdiff_t>(first), mesh_.positions.end());
 }
 
-/** The free edge's nodes with their arc lengths along \p outline; \p distance: their median distance from it, mm. */
+/** Nodes of the free edge with their arc lengths along \p outline. \p distance: their median distance from it, mm. */
 ZipperSide
 MeshMaker::sideOf(std::size_t free_edge, std::size_t outline, double& distance) const
 {
@@ -189,7 +189,7 @@ MeshMaker::sideOf(std::size_t free_edge, std::size_t outline, double& distance) 
   return side;
 }
 
-/** The longest free edge that runs along \p outline; their number where none does. */
+/** The longest free edge that runs along \p outline; the number of free edges if none does. */
 std::size_t
 MeshMaker::edgeAlong(std::size_t outline, ZipperSide& side) const
 {
@@ -212,20 +212,19 @@ MeshMaker::zip(std::size_t outline)
 {
   ZipperSide edge;
   const std::size_t best = edgeAlong(outline, edge);
-  const std::string remedy = "; the scan is too thin or ragged there for a path at constant scallop: scan it again, more "
+  const std::string remedy = "; the scan is too sparse or ragged there for a path at constant scallop: scan it again, more "
                              "densely, or choose the radial method (setMethod)";
   if (best == edges_.size())
     return {StatusCode::Failed,
-            textOf("no edge of the surface runs along the outline through ", placeText(outlines_[outline].curve.front()), remedy)};
+            textOf("no edge of the mesh runs along the outline through ", placeText(outlines_[outline].curve.front()), remedy)};
   edge_used_[best] = 1;
   ZipperSide rim;
   addOutline(outline, rim);
   const double whole = length(outlines_[outline].curve, true);
   const std::vector<Triangle> strip = zipped(edge, rim, whole, spacing_);
   if (strip.empty())
-    return {StatusCode::Failed,
-            textOf("the edge of the surface does not follow the outline through ", placeText(outlines_[outline].curve.front()), " over ",
-                   100.0 * least_zipped, " % of its length", remedy)};
+    return {StatusCode::Failed, textOf("the edge of the mesh follows the outline through ", placeText(outlines_[outline].curve.front()),
+                                       " over less than ", 100.0 * least_zipped, " % of its length", remedy)};
   triangles_.insert(triangles_.end(), strip.begin(), strip.end());
   return Status::success();
 }
@@ -294,8 +293,8 @@ MeshMaker::checkGenus() const
                      static_cast<std::int64_t>(mesh_.triangles.boundaryLoops().size());
   if (euler != 2)
     return {StatusCode::Failed, textOf("the surface about ", placeText(mesh_.positions.front()),
-                                       " has a handle or touches itself: a path at constant scallop needs a sheet with rim and "
-                                       "holes alone; cut the part in pieces")};
+                                       " has a handle or touches itself: a path at constant scallop needs a sheet with only a rim "
+                                       "and holes; cut the part into pieces")};
   return Status::success();
 }
 

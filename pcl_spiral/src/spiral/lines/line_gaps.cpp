@@ -63,7 +63,7 @@ LineGap::weights(double s) const
 }
 
 Eigen::Vector3d
-LineGap::foretoldAt(const std::vector<RadialLine>& lines, const std::vector<double>& weights, std::size_t station) const
+LineGap::predictedAt(const std::vector<RadialLine>& lines, const std::vector<double>& weights, std::size_t station) const
 {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t a = 0; a < lines_.size(); ++a)
@@ -87,13 +87,13 @@ LineGap::rimError(const RimCurve& rim) const
 }
 
 Polyline
-LineGap::foretold(const std::vector<RadialLine>& lines, const RimCurve& rim) const
+LineGap::predicted(const std::vector<RadialLine>& lines, const RimCurve& rim) const
 {
   const std::vector<double> weight = weights(middle_);
   const auto& first = lines[lines_[0]].feet;
   Polyline line;
   for (std::size_t station = 0; station < first.size(); ++station)
-    line.push_back(foretoldAt(lines, weight, station));
+    line.push_back(predictedAt(lines, weight, station));
   line.front() = first.front().position;
   const Eigen::Vector3d amiss = rim.at(middle_) - line.back();
   for (std::size_t station = 1; station < line.size(); ++station)
@@ -107,7 +107,7 @@ LineGap::surprise(const std::vector<RadialLine>& lines, const RadialLine& found,
   const std::vector<double> weight = weights(middle_);
   const std::size_t last = found.feet.size() - 1;
   const auto error = [&](std::size_t station) {
-    return Eigen::Vector3d(foretoldAt(lines, weight, station) - found.feet[station].position);
+    return Eigen::Vector3d(predictedAt(lines, weight, station) - found.feet[station].position);
   };
   const Eigen::Vector3d of_rim = error(last);
   double largest = of_rim.norm();

@@ -12,12 +12,12 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::ptrdiff_t fewest_beside = 2; // points of a fit on either side of the segment it is for
-constexpr double largest_variance = 4.0;    // of a fitted point, over that of a mean
+constexpr std::ptrdiff_t fewest_beside = 2; // points of a fit on either side of its segment
+constexpr double largest_variance = 4.0;    // of a fitted point, divided by that of a mean
 constexpr std::size_t fewest_points = 12;
-constexpr std::size_t most_between = 16; // points that one line may pass
+constexpr std::size_t most_between = 16; // points that one straight line may skip
 
-/** Places of the new points: steps apart, evenly closed. */
+/** Places of the new points, the steps apart and even over the closed loop. */
 std::vector<double>
 newPlaces(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size_t>& after)
 {
@@ -40,9 +40,9 @@ newPlaces(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size
   return places;
 }
 
-/** Value at t = 0 of the parabola with the normal equations \p a x = \p b, or of the straight line where points stand in clumps
- *  that do not tell a parabola there; \p known where they do not tell that. The variance of the value, over that of a mean of the
- *  same points, is 1.6 on evenly spread ones. */
+/** Value at t = 0 of the parabola with the normal equations \p a x = \p b. If the points stand in groups that do not determine a
+ *  parabola, the value of the straight line; if they do not determine that, \p known. The variance of the value, divided by that of
+ *  a mean of the same points, is 1.6 on evenly spread points. */
 Eigen::Vector3d
 valueAtMiddle(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b, const Eigen::Vector3d& known)
 {
@@ -84,7 +84,7 @@ fitted(const ScallopLoop& loop, double u, std::size_t i, double width)
   return origin + valueAtMiddle(a, b, loop.at(u) - origin);
 }
 
-/** Whether a straight line from point \p first to point \p last, counted round, passes those between within \p tolerance. */
+/** Whether the points between \p first and \p last, counted round the loop, lie within \p tolerance of a straight line. */
 bool
 isStraight(const ScallopLoop& loop, std::size_t first, std::size_t last, double tolerance)
 {

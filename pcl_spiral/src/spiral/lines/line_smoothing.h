@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Lines without the jaggedness of the mesh they were drawn on.
+ *  Lines smoothed to remove the zigzag of their mesh.
  */
 #pragma once
 
@@ -10,19 +10,19 @@
 
 namespace pcl_spiral {
 
-/** How a line is drawn anew, one entry a point; step-overs. */
+/** How a line is drawn again, one entry a point; step-overs. */
 struct LineGrain {
   std::vector<double> steps;  ///< distance of the new points
   std::vector<double> widths; ///< half the length over which a parabola is fitted
 };
 
-/** \p loop drawn anew: each new point is the middle of a parabola in arc length fitted to the old ones about it, by least
+/** \p loop drawn again: each new point is the middle of a parabola in arc length, fitted to the old points about it by least
  *  squares with weights (1 - |t|^3)^3. Circles keep their radius to the fourth order of width / radius. \p from: the
  *  old point before each new one. */
 ScallopLoop smoothed(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size_t>& from);
 
-/** Points of \p loop to keep, ascending, the first among them: straight lines between them pass the others within \p tolerance and
- *  are no longer than \p longest, both in step-overs. */
+/** Points of \p loop to keep, ascending, with the first one. The others lie within \p tolerance of the straight lines between them,
+ *  which are no longer than \p longest; both in step-overs. */
 std::vector<std::size_t> pointsKept(const ScallopLoop& loop, double tolerance, double longest);
 
 } // namespace pcl_spiral

@@ -83,9 +83,9 @@ LineSource::refine(const Polyline& rim_places, std::vector<Polyline>& starts, co
 {
   RefinementOptions options;
   options.max_iterations = 8;
-  options.probe_normals = false; // a hundredth of a millimetre sideways is nothing to a radial line
+  options.probe_normals = false; // a hundredth of a millimetre sideways does not matter to a radial line
   options.tolerance = 0.02 * request_.tolerance;
-  // What is foretold is close: the finest level alone. A guess that leads off the surface gives way to a traced line.
+  // The predicted line is close, so only the finest level is used. A guess that leads off the surface is replaced by a traced line.
   for (const bool from_guess : {true, false}) {
     std::vector<GeodesicLine> geodesics;
     std::vector<std::size_t> which;

@@ -25,8 +25,8 @@ public:
   /** Whether a line may start from a guess. */
   bool takesGuesses() const { return !harmonic_ && !request_.inner; }
 
-  /** A line to each place on the rim, from its guess of what the lines about it foretell where it has one (none or empty:
-   *  no guess). On failure the message says where. */
+  /** A line to each place on the rim, started from its guess, the line predicted from its neighbours (none or empty:
+   *  no guess). On failure the message names the place. */
   Status make(const Polyline& rim_places, std::vector<Polyline> guesses, std::vector<RadialLine>& lines) const;
 
 private:

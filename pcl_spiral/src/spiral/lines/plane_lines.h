@@ -20,7 +20,7 @@ public:
 
   /** An open line that must not be crossed. */
   void add(const Polyline& line);
-  /** Whether a move of \p line crosses one of the lines; where they only meet at an end they do not. */
+  /** Whether a move of \p line crosses one of the lines; lines that only meet at an end do not cross. */
   bool crossedBy(const Polyline& line) const;
 
 private:

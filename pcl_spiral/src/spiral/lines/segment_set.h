@@ -33,19 +33,19 @@ distanceFromSegment(const Eigen::Vector3d& p, const StepOverMetric& metric, cons
   return metric.length(p - a - share * d);
 }
 
-/** Runs of points, to be searched together. */
+/** Runs of points that are searched together. */
 class SegmentSet {
 public:
-  /** Add a run, with a label of the caller's. A single point stands for itself. */
+  /** Add a run with a label that the caller chooses. A run may be a single point. */
   void add(const Polyline& run, bool closed, std::size_t label = 0);
-  /** After the last add. */
+  /** Call this after the last add. */
   void build();
 
   bool empty() const { return points_.empty(); }
   const Eigen::Vector3d& point(std::size_t i) const { return points_[i]; }
-  /** Of the run a segment belongs to. */
+  /** Label of the run that a segment belongs to. */
   std::size_t label(std::size_t segment) const { return labels_[segment]; }
-  /** Which point of its run a segment begins at. */
+  /** Index, in its run, of the point at which a segment begins. */
   std::size_t place(std::size_t segment) const { return places_[segment]; }
 
   /** The segment nearest to \p p when it is nearer than \p within step-overs; else the distance is \p within. Runs with the
@@ -67,7 +67,7 @@ public:
 
 private:
   Polyline points_;
-  std::vector<std::uint8_t> is_joint_; ///< of the segment that begins here: it joins two runs, and is none
+  std::vector<std::uint8_t> is_joint_; ///< of the segment that begins here: it joins two runs and is no real segment
   std::vector<std::size_t> labels_, places_;
   std::unique_ptr<MoveIndex> index_;
 };

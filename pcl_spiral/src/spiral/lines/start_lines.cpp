@@ -6,9 +6,9 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t fewest_points = 20000; // of a coarse graph: finer than the lines' stations
+constexpr std::size_t fewest_points = 20000; // of a coarse graph, so that it is finer than the stations of the lines
 
-/** The graph of the point nearest to the middle of each block, with the normals of \p graph; null where it is not made. */
+/** The graph of the point nearest to the middle of each block, with the normals of \p graph; null if none is made. */
 std::shared_ptr<const SurfaceGraph>
 coarseGraph(const SurfaceGraph& graph)
 {
@@ -69,7 +69,7 @@ StartLines::between(const Eigen::Vector3d& from, const Eigen::Vector3d& place) c
   Polyline line = field_.trace(place);
   if (line.size() < 2)
     return {};
-  // Straight from the start to where the line has left the field's centre well behind.
+  // Straight from the start to a place well away from the field's centre.
   const double clear = 2.0 * (from - centre_).norm();
   std::size_t first = 1;
   while (first + 1 < line.size() && (line[first] - centre_).norm() < clear)

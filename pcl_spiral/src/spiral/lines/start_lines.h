@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Rough shortest lines from a centre: where geodesics are refined from.
+ *  Rough shortest lines from a centre: the start of geodesics.
  */
 #pragma once
 
@@ -11,19 +11,19 @@
 
 namespace pcl_spiral {
 
-/** Lines down the distance field of a centre. They need but lead the right way, so that of a large cloud one point in 32,
+/** Lines down the distance field of a centre. They only need the right direction, so in a large cloud one point in 32,
  *  evenly spread, carries the field: a thirtieth of the time. The graph must outlive the object. */
 class StartLines {
 public:
-  /** Lines about \p graph; the field is yet to be computed. */
+  /** Lines about \p graph; the field is not computed yet. */
   explicit StartLines(const SurfaceGraph& graph);
 
   /** Compute the field of \p centre; false when it is farther than three spacings from the cloud. */
   bool setCentre(const Eigen::Vector3d& centre);
-  /** Let every point carry the field from now on: where the coarse one has led off the surface. */
+  /** Let every point carry the field from now on: for lines that left the surface with the coarse field. */
   void useEveryPoint();
   bool usesEveryPoint() const { return !coarse_; }
-  /** Of the points that carry the field, mm. */
+  /** Spacing of the points that carry the field, mm. */
   double spacing() const;
 
   /** Line from \p from, at most a few spacings from the centre, to \p place. Empty when no way leads there. */

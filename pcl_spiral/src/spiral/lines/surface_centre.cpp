@@ -17,20 +17,20 @@ namespace {
 
 constexpr std::size_t rim_samples = 96;
 constexpr int most_rounds = 12;
-constexpr double farthest_drift = 3.0; // spacings from where the field was computed that starts lines
-constexpr double lasting_drift = 0.5;  // the same where lines that no geodesic follows are taken from the field as they are
-constexpr double settled = 5e-3;       // spacings: the next move would be a hundred times smaller
+constexpr double farthest_drift = 3.0; // spacings: largest distance of the centre from the source of the field that starts lines
+constexpr double lasting_drift = 0.5;  // the same if some lines come from the field itself, because no geodesic leads there
+constexpr double settled = 5e-3;       // spacings: a smaller move ends the search, for the next would be a hundred times smaller
 
 /** Lines from a centre under way to the samples of the rim. */
 struct Fan {
   std::vector<Polyline> lines;
-  std::vector<std::uint8_t> geodesic; ///< 0: no geodesic leads there, as behind a re-entrant rim, and the field's line must do
+  std::vector<std::uint8_t> geodesic; ///< 0: no geodesic leads there, as behind a re-entrant rim, and the line of the field is used
 
   bool isGeodesic() const { return std::count(geodesic.begin(), geodesic.end(), 0) == 0; }
 };
 
-/** Make geodesics from \p centre of the fan's lines, those it had about a centre close by where it has them, else those of
- *  \p start. */
+/** Make geodesics from \p centre. They start from the fan's lines about a nearby centre, or from the lines of \p start if the fan
+ *  has none. */
 void
 refineFan(const MlsSurface& surface, const StartLines& start, const Eigen::Vector3d& centre, const Polyline& rim, Fan& fan)
 {
@@ -63,7 +63,7 @@ refineFan(const MlsSurface& surface, const StartLines& start, const Eigen::Vecto
   }
 }
 
-/** Where the fan's lines end in the tangent plane of \p foot, by distance and direction. */
+/** The ends of the fan's lines in the tangent plane of \p foot, by distance and direction. */
 std::vector<Eigen::Vector2d>
 logMap(const Fan& fan, const SurfaceFoot& foot, double spacing)
 {
@@ -87,8 +87,8 @@ logMap(const Fan& fan, const SurfaceFoot& foot, double spacing)
   return plane;
 }
 
-/** log ((sum d^p)^(1/p) (sum d^-p)^(b/p)) of the distances d from \p x to the points: smooth stand-ins for the largest
- *  distance, times the smallest to the power -b. With its gradient and second derivatives. */
+/** log ((sum d^p)^(1/p) (sum d^-p)^(b/p)) of the distances d from \p x to the points: a smooth form of the largest
+ *  distance times the smallest to the power -b. With its gradient and second derivatives. */
 double
 unevenness(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& x, Eigen::Vector2d& gradient, Eigen::Matrix2d& hessian)
 {
@@ -157,7 +157,7 @@ isInside(const std::vector<Eigen::Vector2d>& line, const Eigen::Vector2d& x)
   return inside;
 }
 
-/** The even centre of the rim as seen along the mean normal, put on the surface: a start close to the goal. */
+/** The even centre of the rim as seen along the mean normal, projected onto the surface: a start close to the result. */
 SurfaceFoot
 startInPlan(const MlsSurface& surface, const Polyline& rim)
 {
@@ -207,7 +207,7 @@ startInPlan(const MlsSurface& surface, const Polyline& rim)
   return surface.project(best->x() * e1 + best->y() * e2 + graph.position(nearest).dot(up) * up);
 }
 
-/** \p step from \p foot over the surface, in short tangent steps; not valid where they leave it. */
+/** \p step from \p foot over the surface, in short tangent steps; invalid if they leave it. */
 SurfaceFoot
 walked(const MlsSurface& surface, const SurfaceFoot& foot, const Eigen::Vector3d& step)
 {
@@ -223,8 +223,8 @@ walked(const MlsSurface& surface, const SurfaceFoot& foot, const Eigen::Vector3d
   return next;
 }
 
-/** Lines for the next round of a centre that has come \p drift from where \p start has its field. Where no geodesic leads to
- *  part of the rim the field itself counts: then every point carries it, and it stays close by. */
+/** Lines for the next round of a centre that has moved \p drift from the source of the field of \p start. If no geodesic leads to
+ *  a part of the rim, lines of the field are used: then every point carries the field, and its source stays close to the centre. */
 bool
 followCentre(const MlsSurface& surface, const Eigen::Vector3d& centre, const Polyline& rim, StartLines& start, Fan& fan, double& drift)
 {
@@ -265,7 +265,7 @@ balancedCentre(const MlsSurface& surface, const Polyline& rim)
   }
   StartLines start(surface.graph());
   Fan fan;
-  double share = 1.0, last_step = std::numeric_limits<double>::max(); // of the way, less where rounds go to and fro
+  double share = 1.0, last_step = std::numeric_limits<double>::max(); // of the step, less if rounds go back and forth
   double drift = std::numeric_limits<double>::max();                  // of the centre since the field was computed
   bool at_rest = false;
   for (int round = 0; round < most_rounds; ++round) {

@@ -9,8 +9,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double whole_strip = 0.92;  // of a strip with a loop beside it: travelled so far, it leaves no ridge
-constexpr double closed_strip = 0.98; // of a loop that is a pass by itself
+constexpr double whole_strip = 0.92;  // of a strip with a loop beside it: this share of it leaves no ridge
+constexpr double closed_strip = 0.98; // the same of a loop that is a pass by itself
 constexpr double neighbour = 1.35;    // step-overs
 constexpr int probes = 4;             // along a strip
 
@@ -27,7 +27,7 @@ hasInner(const LoopFinder& finder, const CutLoops& loops, const RampStrip& s)
   return false;
 }
 
-/** Of the loops longer than \p shortest that are not joined the deepest, of several the longest; their number where there is none. */
+/** The deepest loop longer than \p shortest that is not joined, the longest of several; the number of loops if there is none. */
 std::size_t
 deepestLeft(const CutLoops& loops, const std::vector<std::uint8_t>& joined, double shortest)
 {
@@ -43,7 +43,7 @@ deepestLeft(const CutLoops& loops, const std::vector<std::uint8_t>& joined, doub
   return deepest;
 }
 
-/** Add chains until no loop longer than \p shortest is left. */
+/** Add chains until every loop longer than \p shortest is joined. */
 void
 addChains(const LoopFinder& finder, double shortest, std::vector<std::uint8_t>& joined, CutLoops& loops, LinkedPath& path,
           std::vector<SpiralPass>& passes)

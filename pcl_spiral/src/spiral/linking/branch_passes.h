@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Loops beside a spiral's chain, travelled as spirals of their own.
+ *  Loops beside the chain of a spiral become spirals of their own.
  */
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace pcl_spiral {
 
-/** A spiral along one chain of loops, and how much of the strips at its ends it travels. */
+/** A spiral along one chain of loops, with the share that it covers of the strips at its ends. */
 struct SpiralPass {
   std::vector<RampStrip> chain;         ///< the outermost loop first
   std::vector<std::size_t> cuts;        ///< of the strips
@@ -23,9 +23,9 @@ struct SpiralPass {
   double endArc() const { return last().u + (lead_out - 1.0) * last().length; }
 };
 
-/** Chains over all loops whose entry in \p joined is 0, with their ramps in \p loops: each from the deepest loop left outwards until a
- *  rim or a loop that is travelled already. Dots become fingers of their neighbours, or chains where none is near. The order is that in
- *  which the tool goes from \p end, where the path ends so far, to the nearest pass left. */
+/** Chains over all loops whose entry in \p joined is 0, with their ramps in \p loops. Each leads from the deepest remaining loop out to
+ *  a rim or a loop in the path. Dots become fingers of their neighbours, or chains if none is near. The order: from \p end, where the
+ *  path ends so far, the tool always goes to the nearest remaining pass. */
 std::vector<SpiralPass> findBranches(const LoopFinder& finder, const Eigen::Vector3d& end, std::vector<std::uint8_t>& joined,
                                      CutLoops& loops, LinkedPath& path);
 

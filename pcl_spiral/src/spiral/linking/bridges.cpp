@@ -15,13 +15,13 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double turn_radius = 0.25;                            // of a bridge's corners, step-overs
+constexpr double turn_radius = 0.25;                            // of the corners of a bridge, step-overs
 constexpr double half_gap = 0.04;                               // between its two lines
-constexpr double beside_reach = 0.6;                            // two loops run side by side so far to either side
+constexpr double beside_reach = 0.6;                            // two loops must run side by side this far to either side
 constexpr double least_distance = 0.12, largest_distance = 1.5; // of two loops; those of a narrow core lie close to its rim
-constexpr double between_share = 0.45;                          // of their distance: another loop as near to the middle lies between
+constexpr double between_share = 0.45;                          // of their distance: another loop this near to the middle lies between
 constexpr double least_chord = 0.93;                            // of their length within that reach
-constexpr double sample_step = 0.4, finer_step = 0.05;          // where no place was found
+constexpr double sample_step = 0.4, finer_step = 0.05;          // the finer step if no place was found
 constexpr std::size_t most_samples = 400;                       // a loop
 constexpr double crossing_reach = 3.0, crossing_grain = 0.1;    // of lines that a bridge might cross
 
@@ -76,7 +76,7 @@ private:
         places.push_back(place);
   }
 
-  /** How well two loops run side by side about a place; a score below 0 where they do not. */
+  /** How well two loops run side by side about a place; a score below 0 if they do not. */
   Beside compare(std::size_t a, double ua, const LoopPlace& other, bool strict) const
   {
     const ScallopLoop &la = loops_.loop(a), &lb = loops_.loop(other.loop);
@@ -111,7 +111,7 @@ private:
     return true;
   }
 
-  /** Prim's tree: always the best place between a loop that is joined and one that is not. */
+  /** Prim's tree: always take the best place between a joined loop and one that is not joined. */
   void join(const std::vector<Beside>& places)
   {
     std::vector<std::vector<std::size_t>> of(loops_.size());
@@ -146,7 +146,7 @@ private:
     }
   }
 
-  /** The two turns of a bridge, back to back: on the side where the arc lengths of a fall, and where they rise. */
+  /** The two bends of a bridge, back to back: on the side where arc lengths of a fall, and on the side where they rise. */
   std::array<PathPiece, 2> turnsOf(const Beside& place) const
   {
     const ScallopLoop &a = loops_.loop(place.a), &b = loops_.loop(place.b);
@@ -180,10 +180,10 @@ private:
     return half_gap + radiusOf(place) + 0.1;
   }
 
-  /** Whether some of \p piece lies where a bridge might cross it. */
+  /** Whether a part of \p piece lies where a bridge may cross it. */
   static bool isNear(const PathPiece& piece, const Eigen::Vector3d& place, const StepOverMetric& metric)
   {
-    constexpr std::size_t every = 8; // points, of some 0.1 step-overs each
+    constexpr std::size_t every = 8; // points, about 0.1 step-overs apart
     for (std::size_t k = 0; k < piece.points.size(); k += every)
       if (metric.length(piece.points[k] - place) < crossing_reach)
         return true;
@@ -219,7 +219,7 @@ private:
     lines.add(whole[0]);
     return lines.crossedBy(whole[1]);
   }
-  /** Add what lies near of a loop, but for a cut of twice \p half about \p u. */
+  /** Add the near parts of a loop, without a cut of twice \p half about \p u. */
   void addLoop(std::size_t i, double u, double half, PlaneLines& lines) const
   {
     const ScallopLoop& loop = loops_.loop(i);
@@ -239,7 +239,7 @@ private:
     }
   }
 
-  /** Both loops are cut, and their ends joined by two turns. */
+  /** Cut both loops and join their ends by two bends. */
   void bridge(const Beside& place, std::array<PathPiece, 2> turns)
   {
     const ScallopLoop &a = loops_.loop(place.a), &b = loops_.loop(place.b);
@@ -247,7 +247,7 @@ private:
     const std::size_t cut_a = loops_.addCut({place.a, place.ua - half, 2.0 * half});
     const std::size_t cut_b = loops_.addCut({place.b, place.ub - half, 2.0 * half});
     for (const bool rising : {false, true}) {
-      // Of b the side that faces: its begin where b runs like a and this is the left, else its end.
+      // The facing end of b: its begin if b runs like a and this is the left side, else its end.
       loops_.connect({cut_a, rising}, {cut_b, rising == (place.sense > 0.0)}, std::move(turns[rising]));
     }
     addTests(place);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Loops beside a spiral's chain, joined to their neighbours.
+ *  Loops beside the chain of a spiral, joined to their neighbours.
  */
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace pcl_spiral {
 
-/** Join every loop whose entry in \p joined is 0 to the others by a bridge or, where it is a dot, as a finger of a neighbour.
- *  \return the first loop that no neighbour runs beside, or loops.size(). */
+/** Join every loop whose entry in \p joined is 0 to the others by a bridge; a dot is joined as a finger of a neighbour.
+ *  \return the first loop without a neighbour beside it, or loops.size(). */
 std::size_t joinLoops(const LoopFinder& finder, std::vector<std::uint8_t>& joined, CutLoops& loops, LinkedPath& path);
 
 } // namespace pcl_spiral

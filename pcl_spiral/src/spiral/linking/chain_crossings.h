@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Whether the ramps of a chain keep clear of each other and of its loops.
+ *  Whether the ramps of a chain cross each other or its loops.
  */
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace pcl_spiral {
 
-/** How often ramps of \p chain, from the rim inward, cross the next ramp, or what is left of the two loops they join beside the
- *  strips. */
+/** How often ramps of \p chain, from the rim inward, cross the next ramp or the parts that remain of the two loops they join, beside
+ *  the strips. */
 std::size_t chainCrossings(const CutLoops& loops, const std::vector<RampStrip>& chain);
 
 } // namespace pcl_spiral

@@ -9,14 +9,14 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double suspect = 0.42;       // a node's distance above which the triangles about it are looked at
+constexpr double suspect = 0.42;       // a node's distance above which the triangles about it get test points
 constexpr double least_watched = 0.36; // test points nearer than this to the path stay covered
-constexpr double deep_place = 0.55;    // but about a place so far off, which moves the path by more
-constexpr double watch_reach = 1.6;    // of a place that is not covered: test points within it are watched
+constexpr double deep_place = 0.55;    // but not about a place this far from the path, which moves the path by more
+constexpr double watch_reach = 1.6;    // test points this near to an uncovered place are watched
 constexpr double search_within = 1.5;  // step-overs
 constexpr std::uint32_t none = 0xffffffffu;
 
-/** Add the middles of the \p parts * \p parts triangles that a triangle is cut into. */
+/** Cut a triangle into \p parts * \p parts and add the middle of each. */
 void
 addTriangle(const StepOverMesh& mesh, std::size_t triangle, int parts, CoverTests& tests)
 {

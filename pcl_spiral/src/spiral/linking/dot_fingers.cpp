@@ -11,11 +11,11 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double farthest_dot = 1.7; // of its middle from the loop that reaches out
+constexpr double farthest_dot = 1.7; // distance of its middle from the loop that reaches out
 constexpr double finger_gap = 0.56;  // cut out of that loop
 constexpr double finger_cap = 0.25;
-constexpr double crossing_reach = 3.0, crossing_grain = 0.1; // of the loop to either side, that a finger must not cross
-constexpr double along_reach = 1.0;                          // to either side of the nearest place a better one is looked for
+constexpr double crossing_reach = 3.0, crossing_grain = 0.1; // part of the loop on either side that a finger must not cross
+constexpr double along_reach = 1.0;                          // to either side of the nearest place, to find a better one
 
 /** Mean of the places along \p loop. */
 Eigen::Vector3d
@@ -53,7 +53,7 @@ private:
       const LoopPlace near = finder_.nearest(small.level + step, centre, metric, farthest_dot, dot);
       if (near.loop == LoopPlace::none || loops_.loop(near.loop).length() <= longest_dot)
         continue;
-      // The nearest place, or a little to either side where it is taken or bent.
+      // The nearest place, or one a little to either side if it is taken or bent.
       for (double x = -along_reach; x <= along_reach + 0.05; x += 0.1) {
         const ScallopLoop& loop = loops_.loop(near.loop);
         const double u = near.u + x, d = metric.length(loop.at(u) - centre);
@@ -68,7 +68,7 @@ private:
     if (best.loop != LoopPlace::none)
       finger(dot, best, centre);
   }
-  /** Whether a finger from \p u to \p centre crosses its loop, as about a sharp bend. */
+  /** Whether a finger from \p u to \p centre crosses its loop, as at a sharp bend. */
   static bool crosses(const ScallopLoop& loop, double u, const Eigen::Vector3d& centre)
   {
     const double reach = std::min(crossing_reach, 0.5 * loop.length());

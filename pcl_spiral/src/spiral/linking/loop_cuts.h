@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Loops with places cut out, and what is put in there.
+ *  Loops with parts cut out, and the pieces that replace them.
  */
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace pcl_spiral {
 
-/** Part of a loop that is left out, from begin over length in its direction. */
+/** Part of a loop that is left out: it starts at begin and has this length, in the loop's direction. */
 struct LoopCut {
   std::size_t loop = 0;
   double begin = 0.0, length = 0.0; ///< step-overs
@@ -40,19 +40,19 @@ public:
   const ScallopLoop& loop(std::size_t i) const { return loops_[i]; }
   std::size_t size() const { return loops_.size(); }
   const LoopCut& cut(std::size_t c) const { return cuts_[c]; }
-  /** What was put in so far. */
+  /** The pieces added so far. */
   const std::vector<PathPiece>& pieces() const { return pieces_; }
 
   std::size_t addCut(const LoopCut& cut);
   void connect(const CutEnd& from, const CutEnd& to, PathPiece piece);
-  /** Whether a stretch of a loop about \p u, \p reach to either side, holds no part of a cut. */
+  /** Whether the stretch of a loop \p reach to either side of \p u holds no part of a cut. */
   bool isFree(std::size_t loop, double u, double reach) const;
   /** The way back from \p u to the next cut, at most \p limit. */
   double freeBehind(std::size_t loop, double u, double limit) const;
 
   std::size_t cuts() const { return cuts_.size(); }
-  /** Append the path from the end \p start of a cut on, until an end without a connector, to \p path. \return how many arcs
-   *  between cuts it travels: all walks together as many as there are cuts, or parts of loops are left over. */
+  /** Append to \p path the path from the end \p start of a cut to an end without a connector. \return the number of arcs
+   *  between cuts on it. If all walks together have fewer arcs than there are cuts, parts of loops are missing. */
   std::size_t walk(const CutEnd& start, LinkedPath& path) const;
 
 private:

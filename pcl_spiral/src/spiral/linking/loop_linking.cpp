@@ -33,7 +33,7 @@ addPart(const ScallopLoop& loop, double from, double length, LinkedPath& path)
   }
 }
 
-/** Points that fall together with the one before are left out. */
+/** Remove points that coincide with the one before. */
 void
 dropRepeats(LinkedPath& path)
 {
@@ -66,8 +66,8 @@ innermostOf(const std::vector<ScallopLoop>& loops)
   return innermost;
 }
 
-/** Of the chains from the innermost loop and from those that no loop lies in the one that meets the outer rim nearest to
- *  \p start. */
+/** The chain that meets the outer rim nearest to \p start. Chains begin at the innermost loop and at every loop without a loop
+ *  inside. */
 std::vector<RampStrip>
 chainNear(const std::vector<ScallopLoop>& loops, const LoopFinder& finder, const CutLoops& cuts, const Eigen::Vector3d& start)
 {
@@ -99,7 +99,7 @@ chainNear(const std::vector<ScallopLoop>& loops, const LoopFinder& finder, const
   return best;
 }
 
-/** Note how the loops of a chain hang on each other. */
+/** Record how the loops of a chain are joined. */
 void
 addJoints(const std::vector<RampStrip>& chain, const CutLoops& loops, std::vector<std::uint8_t>& joined, LinkedPath& path)
 {
@@ -111,7 +111,7 @@ addJoints(const std::vector<RampStrip>& chain, const CutLoops& loops, std::vecto
   }
 }
 
-/** Append a pass to \p path. \return the arcs between cuts that it travels. */
+/** Append a pass to \p path. \return the number of arcs between cuts on it. */
 std::size_t
 addPass(const SpiralPass& pass, const CutLoops& loops, LinkedPath& path)
 {
@@ -159,7 +159,7 @@ linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::op
   std::vector<SpiralPass> passes(1);
   passes[0].chain = start ? chainNear(loops, finder, cuts, *start) : findMainChain(cuts, finder, innermost, 0, start);
   if (passes[0].chain.empty())
-    return {StatusCode::Failed, textOf("no way leads from the innermost loop at ", placeText(loops[innermost].points.front()),
+    return {StatusCode::Failed, textOf("no chain of loops leads from the innermost loop at ", placeText(loops[innermost].points.front()),
                                        " out to the rim: the surface is too rough there for loops at constant scallop; smooth "
                                        "the scan, or choose the radial method (setMethod)")};
   passes[0].cuts = addRamps(passes[0].chain, cuts, path);
@@ -172,15 +172,15 @@ linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::op
     addBranches(finder, joined, cuts, path, passes);
   else if (const std::size_t left = joinLoops(finder, joined, cuts, path); left < loops.size())
     return {StatusCode::Failed,
-            textOf("no loop runs beside the one at ", placeText(loops[left].points.front()), " of ", loops[left].length(),
-                   " step-overs: the path cannot be made in one piece there; choose "
-                   "the radial method (setMethod), or cut the part in pieces")};
+            textOf("no loop runs beside the one at ", placeText(loops[left].points.front()), ", which is ", loops[left].length(),
+                   " step-overs long: the path cannot be made in one piece there; choose "
+                   "the radial method (setMethod), or cut the part into pieces")};
   std::size_t arcs = 0;
   for (const SpiralPass& pass : passes)
     arcs += addPass(pass, cuts, path);
   if (arcs != cuts.cuts())
     return {StatusCode::Failed, textOf("the loops about ", placeText(loops[passes[0].last().loop].points.front()),
-                                       " could not be made into one path; choose the radial method (setMethod)")};
+                                       " could not be joined into one path; choose the radial method (setMethod)")};
   return Status::success();
 }
 

@@ -22,11 +22,11 @@ constexpr double farthest_step = 1.35; // to the next loop
 constexpr std::size_t most_candidates = 90;
 constexpr std::size_t ramp_points = 60;
 constexpr int ramp_probes = 24;
-constexpr double ramp_clearance = 0.2; // of a ramp from loops it does not lead to
+constexpr double ramp_clearance = 0.2; // between a ramp and loops that it does not join
 constexpr double cost_of_crossing = 50.0;
-constexpr double cost_of_loop = 30.0; // that a branch leaves to another pass
+constexpr double cost_of_loop = 30.0; // cost of each loop that a branch leaves to another pass
 
-/** How far a ramp has come from one loop to the next at the share \p t of its strip. */
+/** The share of the way from one loop to the next that a ramp has done at the share \p t of its strip. */
 double
 rampShare(double t)
 {
@@ -54,7 +54,7 @@ nearestTo(const ScallopLoop& loop, const Eigen::Vector3d& point)
 /** Chains from one loop outwards. */
 class ChainFinder {
 public:
-  /** \p joined: null, or loops that chains end before. */
+  /** \p joined: null, or marks of the loops before which chains end. */
   ChainFinder(const CutLoops& loops, const LoopFinder& finder, const std::optional<Eigen::Vector3d>& start,
               const std::vector<std::uint8_t>* joined = nullptr)
   : loops_(loops), finder_(finder), start_(start), joined_(joined), bends_(loops.size())
@@ -92,7 +92,7 @@ private:
   {
     return joined_ && (*joined_)[i] != 0;
   }
-  /** Chains over fewer loops leave more to other passes. */
+  /** Prefer chains over many loops: shorter ones leave more to other passes. */
   static void preferLong(const std::vector<std::vector<RampStrip>>& chains, std::vector<double>& scores)
   {
     std::size_t most = 0;
@@ -101,7 +101,7 @@ private:
     for (std::size_t c = 0; c < chains.size(); ++c)
       scores[c] += cost_of_loop * static_cast<double>(most - chains[c].size());
   }
-  /** Of \p chains the one of the least score whose ramps cross nothing; the one that crosses least where all do. */
+  /** The chain of least score whose ramps cross nothing; if all cross something, the one with the fewest crossings. */
   std::size_t clearest(const std::vector<std::vector<RampStrip>>& chains, const std::vector<double>& scores) const
   {
     std::vector<std::size_t> order(chains.size());
@@ -121,7 +121,7 @@ private:
     }
     return best;
   }
-  /** Places where a loop turns too sharply for a strip, ascending. */
+  /** Find places where a loop bends too sharply for a strip, ascending. */
   void findBends(std::size_t i)
   {
     const ScallopLoop& loop = loops_.loop(i);
@@ -171,7 +171,7 @@ private:
       if (wide > 0.6 * next.length())
         wide = 0.0;
       double length = longest(left.loop, left.u);
-      // Going in, both ends of a strip move forward alone, or turns would part.
+      // On the way in, both ends of a strip may only move forward, or turns would spread apart.
       double u = wide >= length ? left.u - wide + length : left.u;
       u -= drift * 0.1 * length;
       length = std::min(length, longest(left.loop, u));
@@ -180,7 +180,7 @@ private:
     return chain;
   }
 
-  /** How far from the place asked for a chain meets the rim: it weighs more than how even the chain is. */
+  /** Distance between the given place and the place where a chain meets the rim: it counts more than how even the chain is. */
   double farness(const std::vector<RampStrip>& chain) const
   {
     if (!start_)
@@ -207,7 +207,7 @@ private:
     }
     return sum;
   }
-  /** Whether the ramp from \p a in to \p b keeps off the other loops of their levels. */
+  /** Whether the ramp from \p a in to \p b stays clear of the other loops of their levels. */
   bool isClear(const RampStrip& a, const RampStrip& b) const
   {
     for (const std::size_t own : {a.loop, b.loop}) {
@@ -223,7 +223,7 @@ private:
     }
     return true;
   }
-  /** Strips of neighbouring loops run side by side, about a step-over apart. */
+  /** How much two strips differ from the ideal: side by side, about one step-over apart. */
   double unevenness(const RampStrip& a, const RampStrip& b) const
   {
     double least = 1e30, most = 0.0;

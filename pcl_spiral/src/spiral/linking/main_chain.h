@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The loops a spiral runs over from the rim to the innermost, and where it goes from one to the next.
+ *  The loops of a spiral from the rim to the innermost one, and the places where it goes from one to the next.
  */
 #pragma once
 
@@ -13,9 +13,9 @@
 
 namespace pcl_spiral {
 
-/** Share of the rim's strip that is travelled at the start: the path begins there. */
+/** Share of the rim's strip that the path covers at its start. */
 constexpr double rim_overlap = 0.8;
-/** Share of the innermost strip that is travelled at the end. */
+/** Share of the innermost strip that the path covers at its end. */
 constexpr double core_overlap = 0.6;
 
 /** A strip of a loop in which a spiral leaves it for the next: from u - length to u. */
@@ -28,17 +28,17 @@ struct RampStrip {
 /** The ramp from strip \p a in to strip \p b of the next loop, at the share \p t of them. */
 Eigen::Vector3d onRamp(const CutLoops& loops, const RampStrip& a, const RampStrip& b, double t);
 
-/** Strips of a chain of loops from \p innermost out to a rim, the rim's first: the most even of many, or of those that meet the rim
- *  near \p start. Empty where no way leads out. */
+/** Strips of a chain of loops from \p innermost out to a rim, the rim's first: the most even of many chains, or of those that meet the
+ *  rim near \p start. Empty if no chain leads out. */
 std::vector<RampStrip> findMainChain(const CutLoops& loops, const LoopFinder& finder, std::size_t innermost, std::size_t outer_rim,
                                      const std::optional<Eigen::Vector3d>& start);
 
-/** The same from \p innermost out to a rim, or to the last loop before one whose entry in \p joined is not 0: of many chains one of
- *  those over most loops. It holds \p innermost at least. */
+/** The same from \p innermost out to a rim, or to the last loop before one whose entry in \p joined is not 0. It is one of the chains
+ *  over most loops, and holds at least \p innermost. */
 std::vector<RampStrip> findBranch(const CutLoops& loops, const LoopFinder& finder, std::size_t innermost,
                                   const std::vector<std::uint8_t>& joined);
 
-/** Cut the strips out and put ramps in. \return the cuts, one a strip. */
+/** Cut the strips out and add ramps. \return the cuts, one a strip. */
 std::vector<std::size_t> addRamps(const std::vector<RampStrip>& chain, CutLoops& loops, LinkedPath& path);
 
 } // namespace pcl_spiral

@@ -15,9 +15,9 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double aim = 0.49;        // to which it is brought
-constexpr double moved_reach = 2.2; // and the path within this may move
-constexpr double looked_at = 1.0;   // of a test point: its nearest segment is one of those within
+constexpr double aim = 0.49;        // distance to which an uncovered place is brought
+constexpr double moved_reach = 2.2; // the path this near to it may move
+constexpr double looked_at = 1.0;   // the nearest segment of a test point is one of those within this
 constexpr double bell = 0.8;        // half the length of path that one place moves
 constexpr double grain = 0.05;      // of the path where it moves
 constexpr auto bell_points = static_cast<std::size_t>(bell / grain);
@@ -36,7 +36,7 @@ struct Watched {
   std::vector<PathRun> runs; ///< of the path near it
   std::size_t segment = 0;   ///< the nearest, from its point of the path to the next
   double share = 0.0;        ///< along it
-  double distance = 0.0;     ///< no more than this: what the nearest segment has moved since is in it
+  double distance = 0.0;     ///< an upper limit: it includes how far the nearest segment has moved since
 };
 
 class Mover {
@@ -77,15 +77,15 @@ private:
   const StepOverDistance& field_;
   LinkedPath& path_;
   std::vector<Watched> watched_;
-  std::vector<std::uint8_t> near_;     ///< one a point of the path: 1 within reach of a place that was not covered
-  std::vector<std::uint8_t> moves_;    ///< the same, but for those held
+  std::vector<std::uint8_t> near_;     ///< one a point of the path: 1 within reach of an uncovered place
+  std::vector<std::uint8_t> moves_;    ///< the same without the held points
   std::vector<Eigen::Vector3d> shift_; ///< one a point of the path, zero between rounds
   std::vector<std::uint8_t> taken_;    ///< the same: middles of this round's bells
   std::vector<std::size_t> pulled_;    ///< points with a shift, some twice
   std::vector<std::size_t> centres_;   ///< points taken
 };
 
-/** Find the places that are not covered, the path that may move towards them, and the test points it may uncover. */
+/** Find the uncovered places, the parts of the path that may move towards them, and the test points these may uncover. */
 void
 Mover::watch(double held, CoverFigures& figures)
 {
@@ -192,7 +192,7 @@ Mover::measure(Watched& at) const
   at.distance = least;
 }
 
-/** Of the watched points those that are not covered, the farthest first. */
+/** The uncovered watched points, the farthest first. */
 std::vector<std::size_t>
 Mover::openPlaces()
 {
@@ -220,7 +220,7 @@ Mover::isTaken(std::size_t centre) const
                      [](std::uint8_t t) { return t != 0; });
 }
 
-/** What is to be moved towards \p open places, as bells along the path. */
+/** Set the shifts towards \p open places, as bells along the path. */
 void
 Mover::pull(const std::vector<std::size_t>& open)
 {
@@ -245,7 +245,7 @@ Mover::pull(const std::vector<std::size_t>& open)
   }
 }
 
-/** Move what was pulled; false where nothing was. */
+/** Move the pulled points; false if there are none. */
 bool
 Mover::move()
 {

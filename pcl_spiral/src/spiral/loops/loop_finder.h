@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Which loops lie beside a place.
+ *  Finds the loops beside a place.
  */
 #pragma once
 
@@ -17,10 +17,10 @@ struct LoopPlace {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::size_t loop = none;
   double u = 0.0;        ///< along it, step-overs
-  double distance = 0.0; ///< from what was asked about, step-overs
+  double distance = 0.0; ///< from the given point, step-overs
 };
 
-/** The loops of each level, for searching. */
+/** Searches the loops of each level. */
 class LoopFinder {
 public:
   explicit LoopFinder(const std::vector<ScallopLoop>& loops);

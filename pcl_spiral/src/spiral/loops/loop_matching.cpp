@@ -10,7 +10,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double widest_way = 4.0; // to the next partner, in even ones
+constexpr double widest_way = 4.0; // to the next partner, in units of the even one
 
 /** The cost of pairs, and the cheapest ones for a given first partner. */
 class Matching {
@@ -34,14 +34,14 @@ public:
     return off * off;
   }
 
-  /** Least cost with seed 0 at candidate \p first; the ways from one partner to the next into \p ways, unless
-   * null. */
+  /** Least cost with seed 0 at candidate \p first. \p ways, unless null, gets the ways from one partner to
+   *  the next. */
   double best(std::size_t first, std::vector<std::size_t>* ways) const
   {
     std::vector<double> cost(m_ + 1, infinite), next;
     std::vector<std::size_t> came((ways ? n_ : 0) * (m_ + 1)); // the way that led to each seed and advance
     cost[0] = length(0, first);
-    for (std::size_t i = 1; i <= n_; ++i) { // the last one is seed 0 again, once round
+    for (std::size_t i = 1; i <= n_; ++i) { // the last one is seed 0 again
       next.assign(m_ + 1, infinite);
       for (std::size_t a = i < n_ ? 0 : m_; a <= m_; ++a) {
         for (std::size_t way = 0; way <= std::min(a, widest_); ++way)

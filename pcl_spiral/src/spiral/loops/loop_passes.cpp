@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Closed loops as they are: what may be wrong with them, and as a toolpath.
+// Checks closed loops and makes a toolpath of them as they are.
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
 
@@ -34,7 +34,7 @@ pathOf(const ScallopLoop& loop, std::size_t number, bool clockwise)
   return path;
 }
 
-/** The pass of a path whose last contact is its first; the feed directions there look past the joint. */
+/** The pass of a path whose last contact is its first; feed directions at the joint use points on both sides of it. */
 DrivePass
 passOf(SpiralPath path, const SpiralSettings& settings)
 {
@@ -64,25 +64,24 @@ checkScallopLoops(const std::vector<ScallopLoop>& loops)
     return {StatusCode::InvalidInput, textOf("loop ", i, " ", what, " (setInputLoops)")};
   };
   if (loops.empty())
-    return {StatusCode::InvalidInput, "there are no loops: give those of ScallopLoops (setInputLoops)"};
+    return {StatusCode::InvalidInput, "there are no loops: give loops made by ScallopLoops (setInputLoops)"};
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const ScallopLoop& loop = loops[i];
     if (loop.points.size() < 3)
-      return wrong(i, textOf("has ", loop.points.size(), " points: give three or more"));
+      return wrong(i, textOf("has ", loop.points.size(), " points: give at least three"));
     if (loop.metric.size() != loop.points.size() || loop.arcs.size() != loop.points.size() + 1)
       return wrong(i, textOf("has ", loop.points.size(), " points, ", loop.metric.size(), " metrics and ", loop.arcs.size(),
-                             " arc lengths: give a metric a point, and call measure"));
+                             " arc lengths: give one metric per point, and call measure"));
     for (std::size_t k = 0; k < loop.points.size(); ++k)
       if (!loop.points[k].allFinite() || !loop.metric[k].matrix().allFinite() || !(loop.metric[k].matrix().trace() > 0.0))
-        return wrong(i,
-                     textOf("has a place or metric that cannot be at point ", k, ", ", placeText(loop.points[k]), ": leave the point out"));
+        return wrong(i, textOf("has an impossible position or metric at point ", k, ", ", placeText(loop.points[k]), ": remove the point"));
     if (!(loop.length() > 0.0) || !std::isfinite(loop.length()))
       return wrong(i, textOf("at ", placeText(loop.points.front()), " has the length ", loop.length(),
-                             " step-overs: leave it out, or call measure"));
+                             " step-overs: remove the loop, or call measure"));
   }
   if (loops.front().level != 0)
     return wrong(0, textOf("at ", placeText(loops.front().points.front()), " has the level ", loops.front().level,
-                           ", but the first is the outer rim, of level 0: put it first"));
+                           ", but the first loop must be the outer rim, of level 0: put the rim first"));
   return Status::success();
 }
 

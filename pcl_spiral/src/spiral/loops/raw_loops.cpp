@@ -14,16 +14,16 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double fine_step = 0.08;  // of a loop's points in the band, step-overs
-constexpr double fine_width = 0.3;  // half the length its jaggedness is smoothed over there
+constexpr double fine_width = 0.3;  // half the length over which its zigzag is smoothed there
 constexpr double coarse_step = 0.4; // the same elsewhere, in edges of the mesh
 constexpr double coarse_width = 1.2;
-constexpr double straight_within = 0.002; // points that a straight line passes so near are left out, step-overs
+constexpr double straight_within = 0.002; // points this near to a straight line are left out, step-overs
 constexpr double longest_straight = 4.0;
 constexpr double shortest_loop = 0.5; // step-overs
-constexpr double off_nodes = 1e-6;    // share of an edge that loops keep off its ends
+constexpr double off_nodes = 1e-6;    // share of an edge: loops stay this far from its ends
 
-/** The loop's places farthest from their mean come first: where a line of the mesh begins depends on the order of its points, and
- *  what is made of the loop would follow. */
+/** Let the loop begin at the place farthest from its mean. Otherwise its begin, and all that is made of it, would depend on the order
+ *  of the points of the mesh. */
 std::vector<LevelCrossing>
 fromFarthest(const StepOverMesh& mesh, std::vector<LevelCrossing> crossings)
 {

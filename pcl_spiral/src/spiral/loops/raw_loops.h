@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Loops as they are drawn on a mesh.
+ *  Loops as drawn on a mesh.
  */
 #pragma once
 
@@ -16,27 +16,27 @@
 
 namespace pcl_spiral {
 
-/** A loop as it was drawn on the mesh, with what is to be known of its points. */
+/** A loop as drawn on the mesh, with facts about its points. */
 struct RawLoop {
   ScallopLoop line;
-  Polyline uphill;                    ///< one a point: a direction to larger distances, mm
+  Polyline uphill;                    ///< one a point: direction to larger distances, mm
   std::vector<std::uint8_t> is_fine;  ///< one a point: within the refined band
-  std::vector<std::uint8_t> is_near;  ///< one a point: so near to the band that its nodes may be nearest to it
+  std::vector<std::uint8_t> is_near;  ///< one a point: so near to the band that nodes of the band may be nearest to this point
   std::vector<std::uint32_t> summits; ///< that the nodes within it lead to
-  bool is_thin = false;               ///< goes round summits alone that a finger reaches
+  bool is_thin = false;               ///< goes only round summits that a finger reaches
 };
 
-/** The closed lines of \p values at \p level through \p triangles, ascending; those shorter than half a step-over are left out. */
+/** The closed lines of \p values at \p level through \p triangles, ascending; without those shorter than half a step-over. */
 std::vector<RawLoop> traceLoops(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& climb,
                                 const std::vector<double>& values, int level, const std::vector<std::uint32_t>& triangles);
 
-/** Summits that no loop of the next level goes round alone: those of \p loops that are thin, and of no other. */
+/** Summits that lie only in thin loops of \p loops. */
 std::unordered_set<std::uint32_t> thinSummits(const std::vector<RawLoop>& loops);
 
-/** A loop without the jaggedness of the mesh. */
+/** A loop without the zigzag of the mesh. */
 struct FinishedLoop {
   ScallopLoop line;
-  std::vector<std::uint8_t> is_near; ///< one a point: as of the loop it was made of
+  std::vector<std::uint8_t> is_near; ///< one a point: from the loop it was made of
 };
 
 FinishedLoop finishedLoop(const StepOverDistance& field, const RawLoop& loop);

@@ -19,14 +19,14 @@ namespace {
 
 constexpr double blend = 0.25;                         // of smax
 constexpr double neck_depth = 0.25;                    // how far D rises above a loop's level in a neck that is widened
-constexpr double neck_agreement = 0.5;                 // gradients on its ridge agree no more than this
-constexpr double ridge_agreement = 0.97;               // of gradients about a node of any ridge: cos 14 degrees
-constexpr double tight_neck = 0.25;                    // width of necks between nodes of the mesh that are widened
-constexpr int most_redrawings = 3;                     // of one level: widened necks may meet others
-constexpr double axis_reach = 1.2;                     // a finger changes the field so far from its axis
-constexpr double search_within = 1.2;                  // distances are not told beyond
+constexpr double neck_agreement = 0.5;                 // gradients on its ridge agree at most this much
+constexpr double ridge_agreement = 0.97;               // agreement of gradients about a node of any ridge: cos 14 degrees
+constexpr double tight_neck = 0.25;                    // necks between nodes of the mesh that are narrower than this are widened
+constexpr int most_redrawings = 3;                     // of one level: widened necks may meet other necks
+constexpr double axis_reach = 1.2;                     // a finger changes the field up to this distance from its axis
+constexpr double search_within = 1.2;                  // larger distances are not measured
 constexpr int levels_together = 64;                    // drawn side by side
-constexpr double core_below = 0.38, core_above = 1.31; // levels between which a core is looked at
+constexpr double core_below = 0.38, core_above = 1.31; // a core is examined between these levels
 
 /** max(a, b) with a rounded corner. */
 double
@@ -42,7 +42,7 @@ struct DrawnLevel {
   std::vector<FinishedLoop> finished;
 };
 
-/** Loops level by level, each with its fingers before the next is looked at. */
+/** Makes loops level by level; fingers are added to a level before the next is drawn. */
 class LoopMaker {
 public:
   LoopMaker(const StepOverDistance& field, const ProgressCallback& progress, ScallopLoopSet& set)
@@ -67,12 +67,12 @@ public:
   }
 
 private:
-  /** What is known while the loops between one level and the next are looked at. */
+  /** Data of the space between the loops of one level and the next. */
   struct Between {
     int level = 0;           ///< of the lower loops
-    SegmentSet lines, upper; ///< loops of both levels; of the upper one alone
+    SegmentSet lines, upper; ///< loops of both levels; loops of the upper level
     std::unordered_set<std::uint32_t> thin_summits;
-    std::vector<std::uint32_t> thin, done; ///< nodes that a finger reaches; nodes of cores, ascending
+    std::vector<std::uint32_t> thin, done; ///< nodes that a finger reaches; nodes of finished cores, ascending
   };
 
   void sortTriangles(int levels);
@@ -95,7 +95,7 @@ private:
   std::vector<double> values_;                        ///< D, changed about fingers while their level is drawn
   std::vector<std::vector<std::uint32_t>> triangles_; ///< crossed by each level
   std::vector<std::uint32_t> scratch_;                ///< one a node, 0 between uses
-  std::vector<float> agreement_;                      ///< of the gradients about each node: small on ridges between sides that face
+  std::vector<float> agreement_;                      ///< of the gradients about each node: small on ridges between facing sides
   std::vector<FinishedLoop> below_;                   ///< loops of the level before
 };
 
@@ -181,7 +181,7 @@ LoopMaker::findCores(Between& at, std::vector<FingerAxis>& axes)
   std::sort(at.done.begin(), at.done.end());
 }
 
-/** Axes where the lower loops and the next ones leave a gap, and in necks of the next ones. */
+/** Axes in places that the lower and the next loops leave uncovered, and in necks of the next loops. */
 void
 LoopMaker::findFingersOf(const Between& at, std::vector<FingerAxis>& axes)
 {
@@ -255,7 +255,7 @@ LoopMaker::redrawn(int level, const std::vector<FingerAxis>& axes, const std::ve
   return loops;
 }
 
-/** The loops above levels \p first to \p end: most have no fingers, so these are drawn side by side. */
+/** The loops above levels \p first to \p end: most have no fingers, so they are drawn in parallel. */
 std::vector<DrawnLevel>
 LoopMaker::draw(int first, int end) const
 {

@@ -11,8 +11,8 @@
 
 namespace pcl_spiral {
 
-/** Short axes in the necks of \p loops, and between loops that nearly meet: narrower there than \p width step-overs, from inside to
- *  inside. Smoothing would make such lines cross. */
+/** Short axes in the necks of \p loops, and between loops that nearly meet, where the width from inside to inside is below \p width
+ *  step-overs. Smoothing would make such lines cross. */
 std::vector<FingerAxis> tightNecks(const std::vector<RawLoop>& loops, double width);
 
 } // namespace pcl_spiral

@@ -19,17 +19,16 @@ chooseBoundaries(const std::vector<BoundaryLoop>& loops, BoundaryMode mode, Boun
       holes.push_back(&loop);
   }
   if (!choice.rim)
-    return {StatusCode::InvalidInput, "none of the loops is an outer one: a spiral ends on the outer rim, so give it"};
+    return {StatusCode::InvalidInput, "none of the loops is an outer one: a spiral ends on the outer rim, so give that loop"};
   if (mode == BoundaryMode::TwoBoundaries && holes.empty())
-    return {StatusCode::InvalidArgument,
-            "two boundaries were asked for, but the surface has one: ask for one, or leave the choice to be made "
-            "(setBoundaryMode)"};
+    return {StatusCode::InvalidArgument, "two boundaries were set, but the surface has only one: set one, or let the library choose "
+                                         "(setBoundaryMode)"};
   if (mode == BoundaryMode::Automatic && holes.size() > 1) {
     std::string message = textOf("the surface has ", holes.size(), " holes:");
     for (const BoundaryLoop* hole : holes)
       message += textOf(" ", placeText(hole->curve.front()), " length ", hole->length, " mm;");
-    message += " a spiral runs between two boundaries at most: ask for one boundary to bridge them all, or for two to "
-               "keep the longest and bridge the rest (setBoundaryMode)";
+    message += " a spiral runs between at most two boundaries: set one boundary to bridge all holes, or two to "
+               "keep the longest hole and bridge the others (setBoundaryMode)";
     return {StatusCode::InvalidInput, message};
   }
   if (mode == BoundaryMode::AllBoundaries)

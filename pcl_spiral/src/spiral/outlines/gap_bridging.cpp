@@ -25,10 +25,10 @@ warningOf(const BridgedGap& gap)
 {
   if (gap.points == 0)
     return textOf("a gap in the scan at ", placeText(gap.loop.points.front()), ", ", gap.loop.length,
-                  " mm round, is too narrow to be filled: the path runs over it as it is");
+                  " mm round, is too narrow to be filled: the path runs over it without filling");
   return textOf("a gap in the scan at ", placeText(gap.centre), ", ", gap.width,
-                " mm wide, was bridged by a smooth patch; the points about it lie ", gap.residual,
-                " mm (rms) from it; a real hole there is ridden over like the rest");
+                " mm wide, was bridged by a smooth patch; the points around it lie ", gap.residual,
+                " mm (rms) from the patch; if it is a real hole, the path still runs over it");
 }
 
 Eigen::Vector3d
@@ -40,7 +40,7 @@ middleOf(const BoundaryLoop& loop)
   return sum / static_cast<double>(loop.points.size());
 }
 
-/** Of \p loops the rim is Outer, the holes whose middles are nearest to those \p kept are Inner, all others are gaps. */
+/** Set the types of \p loops: the rim is Outer, the holes with middles nearest to the points of \p kept are Inner, others are gaps. */
 void
 nameLoops(const Polyline& kept, std::vector<BoundaryLoop>& loops)
 {
@@ -60,7 +60,7 @@ nameLoops(const Polyline& kept, std::vector<BoundaryLoop>& loops)
   }
 }
 
-/** One run: what was given, and what of it is the user's own. */
+/** One run: the input, and which loops are the user's own. */
 class Bridging {
 public:
   Bridging(const std::vector<BoundaryLoop>& loops, const HoleOptions& options, BridgedSurface& bridged)
@@ -74,7 +74,7 @@ public:
     for (std::size_t i = 0; i < loops_.size(); ++i)
       if (const Status status = checkLoopShape(loops_[i], i); !status.ok())
         return status;
-    if (loops_.size() < 2) // nothing to bridge, nothing to find again
+    if (loops_.size() < 2) // nothing to bridge or to find again
       return Status::success();
     BoundaryOptions options;
     options.min_hole_width = options_.hole_size;
@@ -88,7 +88,7 @@ public:
     return Status::success();
   }
 
-  /** Points for each loop that bounds a gap. */
+  /** Make points for each loop that bounds a gap. */
   Status fill(const Surface& surface, std::vector<Eigen::Vector3f>& bridges)
   {
     if (const Status status = choose(); !status.ok())
@@ -111,14 +111,14 @@ public:
     return Status::success();
   }
 
-  /** Nothing was put into the surface. */
+  /** No points were added to the surface. */
   void keepAll()
   {
     bridged_.loops = loops_;
     nameLoops(keptMiddles(), bridged_.loops);
   }
 
-  /** Loops of the surface with what was put into it: the user's own as they are, others found again. */
+  /** Loops of the surface with the added points: the user's own as they are, others found again. */
   Status findAgain(const std::function<bool(double)>& progress)
   {
     const bool own_rim = isOwn(choice_.rim);
@@ -137,7 +137,7 @@ public:
       for (const BridgedGap& gap : bridged_.gaps)
         if (gap.points == 0)
           loops.push_back(gap.loop);
-    if (own_rim) { // takes the place of the one found
+    if (own_rim) { // replaces the rim that was found
       loops.erase(std::remove_if(loops.begin(), loops.end(), [](const auto& l) { return l.type == LoopType::Outer; }), loops.end());
       loops.insert(loops.begin(), *choice_.rim);
     }
@@ -149,7 +149,7 @@ public:
     return Status::success();
   }
 
-  /** The boundaries that are the user's own, on the surface as it is bridged: they may lead over a gap. */
+  /** Check the user's own boundaries on the bridged surface: they may lead over a gap. */
   Status checkBoundaries() const
   {
     std::vector<const BoundaryLoop*> boundaries = choice_.kept;
@@ -162,7 +162,7 @@ public:
   }
 
 private:
-  /** Which holes stay. */
+  /** Choose the holes that stay. */
   Status choose()
   {
     const bool over = options_.holes == HoleHandling::Over && options_.mode == BoundaryMode::Automatic;
@@ -171,7 +171,7 @@ private:
     for (const BoundaryLoop& loop : loops_)
       if (loop.type == LoopType::Inner && options_.holes == HoleHandling::Refuse)
         return {StatusCode::InvalidInput, textOf("the part has a hole at ", placeText(middleOf(loop)), ", ", loop.length,
-                                                 " mm round, and holes are refused: let the path run round holes or over them "
+                                                 " mm round, but holes are refused: let the path run round holes or over them "
                                                  "(setHoleHandling)")};
     return Status::success();
   }
@@ -185,7 +185,7 @@ private:
       middles.push_back(middleOf(*hole));
     return middles;
   }
-  /** Names of the loops found again; those of the user's own holes are left out, for these take their place. */
+  /** Set the types of the loops found again. Those at the user's own holes are left out, because the own ones replace them. */
   Status nameFound()
   {
     std::vector<BoundaryLoop>& loops = bridged_.loops;
@@ -207,7 +207,7 @@ private:
     return Status::success();
   }
 
-  /** Ok, or loop \p i is the user's own and no gap of this surface. */
+  /** Refuse loop \p i if it is the user's own and not a gap of this surface. */
   Status checkGap(const SurfaceGraph& graph, std::size_t i) const
   {
     if (!own_[i])
@@ -217,7 +217,7 @@ private:
     if (const std::size_t inside = pointsInside(graph, loops_[i].points); inside > 0)
       return {StatusCode::InvalidInput,
               textOf("loop ", i, " at ", placeText(loops_[i].points.front()), " is to be bridged, but ", inside,
-                     " points of the surface lie inside it: give loops of this very cloud, or none to have them found")};
+                     " points of the surface lie inside it: give loops of the same cloud, or none to have them found")};
     return Status::success();
   }
 

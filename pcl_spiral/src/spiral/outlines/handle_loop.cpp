@@ -11,14 +11,14 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int rounds = 3;
-constexpr double rim_cost = 10.0; // of a way along a boundary, which is to stay whole
+constexpr double rim_cost = 10.0; // of a way along a boundary, which should stay whole
 
 /** Sets of faces, joined one by one. */
 class FaceSets {
 public:
   explicit FaceSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
 
-  /** Join the sets of two faces; false where they were one. */
+  /** Join the sets of two faces; false if they were one already. */
   bool join(std::size_t a, std::size_t b)
   {
     a = root(a);
@@ -38,7 +38,7 @@ private:
   std::vector<std::size_t> parent_;
 };
 
-/** Ways from one node, and the edges that close one over a handle. */
+/** Ways from one node, and the edges that close them over a handle. */
 class HandleSearch {
 public:
   HandleSearch(const Polyline& positions, const Triangulation& triangles)
@@ -119,7 +119,7 @@ private:
     const auto is = [&](std::uint32_t v) { return from_[v] == h || (other != Triangulation::none && from_[v] == other); };
     return is(a) || is(b);
   }
-  /** The edge of the shortest way back that neither tree holds; none where there is no handle. */
+  /** The edge of the shortest closed way that is in neither tree; none if there is no handle. */
   std::uint32_t closingEdge() const
   {
     std::vector<std::pair<double, std::uint32_t>> edges;
@@ -145,7 +145,7 @@ private:
     std::reverse(way.begin(), way.end());
     return way;
   }
-  /** From where the ways to both ends of \p edge part, out and back. */
+  /** Out to one end of \p edge and back from the other, from the node at which their ways separate. */
   std::vector<std::uint32_t> wayOver(std::uint32_t edge) const
   {
     const std::vector<std::uint32_t> out = wayTo(triangles_.origin(edge)), back = wayTo(triangles_.target(edge));
@@ -160,10 +160,10 @@ private:
   const Polyline& positions_;
   const Triangulation& triangles_;
   std::vector<std::size_t> face_;                               ///< of each half-edge
-  std::vector<std::pair<std::uint32_t, std::size_t>> rim_face_; ///< of each free half-edge: the face its loop is closed by
+  std::vector<std::pair<std::uint32_t, std::size_t>> rim_face_; ///< of each free half-edge: the face that closes its loop
   std::vector<std::uint8_t> is_rim_;
   std::size_t faces_ = 0;
-  std::vector<std::uint32_t> from_; ///< of each node: the half-edge that leads to it, or away
+  std::vector<std::uint32_t> from_; ///< of each node: the half-edge that leads to it or away from it
   std::vector<double> cost_;
 };
 

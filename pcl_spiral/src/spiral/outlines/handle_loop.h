@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Where a triangulation has a handle.
+ *  Finds a handle of a triangulation.
  */
 #pragma once
 
@@ -12,14 +12,14 @@
 
 namespace pcl_spiral {
 
-/** Twice the number of handles of a connected triangulation of \p positions no node of which has two fans: what V - E + F and
- *  the number of its boundary loops lack of 2. */
+/** Twice the number of handles of a connected triangulation of \p positions without nodes that have two fans: 2 minus V - E + F
+ *  minus the number of boundary loops. */
 std::size_t missingEuler(const Polyline& positions, const Triangulation& triangles);
 
-/** Nodes of a short closed way that does not part the triangles, in its order: along it a handle can be cut through. Empty where
- *  there is no handle. Way back to itself by the shortest ways from a node and a maximum spanning tree of the triangles, boundary
- *  loops closed (Erickson, Whittlesey, Greedy optimal homotopy and homology generators, 2005, section 3); the node is then moved
- *  onto the way found, three times. */
+/** Nodes, in order, of a short closed way that does not separate the triangles: a cut along it opens a handle. Empty if there is
+ *  no handle. The way comes from the shortest ways from a node and a maximum spanning tree of the triangles, with boundary loops
+ *  closed (Erickson, Whittlesey, Greedy optimal homotopy and homology generators, 2005, section 3). The node is then moved onto
+ *  the way found, three times. */
 std::vector<std::uint32_t> handleLoop(const Polyline& positions, const Triangulation& triangles);
 
 } // namespace pcl_spiral

@@ -11,10 +11,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double farthest = 4.0; // spacings from a loop to the cloud, those of the points there
-constexpr double aside = 1.5;    // spacings to either side at which the surface is looked for
-constexpr double covered = 0.9;  // spacings from there to the cloud, in the mean: half of one within it, above one beyond its rim
-constexpr double flattest = 0.5; // mean normal of a loop that has a plane
+constexpr double farthest = 4.0; // from a loop to the cloud, in spacings of the points there
+constexpr double aside = 1.5;    // spacings to either side at which the surface is searched
+constexpr double covered = 0.9;  // spacings from there to the cloud, mean: a half within it, above one beyond its rim
+constexpr double flattest = 0.5; // length of the mean normal of a loop with a plane
 
 template <typename... Parts>
 Status
@@ -29,7 +29,7 @@ distanceToCloud(const SurfaceGraph& graph, const Eigen::Vector3d& p)
   return (graph.position(graph.blocks().nearest(p)) - p).norm();
 }
 
-/** Whether \p p belongs to another cloud: spacings count as they are there, where a scan is sparser too. */
+/** Whether \p p belongs to another cloud. It compares with the local spacing, so sparser parts of a scan pass too. */
 bool
 isAway(const SurfaceGraph& graph, const Eigen::Vector3d& p)
 {
@@ -37,7 +37,7 @@ isAway(const SurfaceGraph& graph, const Eigen::Vector3d& p)
   return (graph.position(near) - p).norm() > farthest * std::max(graph.spacing(), graph.spacing(near));
 }
 
-/** The first point that is not finite or away from the cloud; their number where there is none. */
+/** The first point that is not finite or is away from the cloud; the number of points if there is none. */
 std::size_t
 firstAway(const SurfaceGraph& graph, const Polyline& line)
 {
@@ -50,7 +50,7 @@ firstAway(const SurfaceGraph& graph, const Polyline& line)
   return static_cast<std::size_t>(first);
 }
 
-/** What lies beside a loop. */
+/** The cloud on both sides of a loop. */
 struct Sides {
   double left_length = 0.0, right_length = 0.0;     ///< of segments that have more of the cloud on that side, mm
   double left_distance = 0.0, right_distance = 0.0; ///< to the cloud, mean, in spacings
@@ -60,7 +60,7 @@ struct Sides {
 Sides
 sidesOf(const SurfaceGraph& graph, const Polyline& curve)
 {
-  constexpr std::size_t votes = 256; // of a curve: plenty to tell
+  constexpr std::size_t votes = 256; // places of a curve: enough to decide
   const std::size_t stride = std::max<std::size_t>(1, curve.size() / votes);
   Sides sides;
   double whole = 0.0;
@@ -96,8 +96,8 @@ areaOf(const Polyline& curve)
   return area;
 }
 
-/** Whether most of the loop's segments have more of the cloud on their left than on their right. Where both sides have points
- *  all along, the way round tells, if there is a plane to see it in. */
+/** Whether most of the loop's segments have more of the cloud on their left than on their right. If both sides have points
+ *  everywhere, the direction of the loop decides, if the loop has a plane. */
 bool
 surfaceOnLeft(const SurfaceGraph& graph, const BoundaryLoop& loop)
 {
@@ -115,10 +115,10 @@ checkLoopShape(const BoundaryLoop& loop, std::size_t index)
 {
   if (loop.curve.size() < 3 || loop.points.empty())
     return refused(index, " has ", loop.curve.size(), " curve points and ", loop.points.size(),
-                   " of the cloud's: both are needed, as BoundaryLoops gives them");
+                   " cloud points: it needs both, as BoundaryLoops gives them");
   for (const std::size_t corner : loop.corners)
     if (corner >= loop.curve.size())
-      return refused(index, " names corner ", corner, " of a curve of ", loop.curve.size(), " points");
+      return refused(index, " names corner ", corner, ", but its curve has ", loop.curve.size(), " points");
   return Status::success();
 }
 
@@ -132,13 +132,13 @@ checkLoop(const SurfaceGraph& graph, const BoundaryLoop& loop, std::size_t index
       const Eigen::Vector3d& p = (*line)[at];
       const double distance = p.allFinite() ? distanceToCloud(graph, p) : 0.0;
       return refused(index, " has a point ", placeText(p), " that is not finite or ", distance,
-                     " mm from the cloud: give loops of this very cloud, or none to have them found");
+                     " mm from the cloud: give loops of the same cloud, or none to have them found");
     }
   if (!surfaceOnLeft(graph, loop))
     return refused(
         index, " at ", placeText(loop.curve.front()),
-        " has the surface on its right. Where it was found, the scan scatters in depth: clean it, or thin it (setThinning). A loop "
-        "of your own: turn it round, or find it with the same normals");
+        " has the surface on its right. If the library found it, the scan is noisy in depth: clean it, or thin it (setThinning). If "
+        "it is your own loop: reverse it, or find it with the same normals");
   return Status::success();
 }
 

@@ -13,10 +13,10 @@ namespace {
 
 using Triangle = Triangulation::Triangle;
 
-constexpr double clear_of_rim = 0.45;         // spacings; nearer points give way to the outline
-constexpr double beside_rim = 3.0;            // spacings within which points are looked at
+constexpr double clear_of_rim = 0.45;         // spacings; points nearer to the outline are removed
+constexpr double beside_rim = 3.0;            // spacings within which points are tested
 constexpr double across_reach = 6.0;          // the same for triangles
-constexpr double longest_noise_handle = 12.0; // spacings round; longer ones are the part's
+constexpr double longest_noise_handle = 12.0; // spacings round; longer handles belong to the part
 constexpr double across_depth = 0.15;         // spacings a triangle may reach beyond an outline
 
 /** Places on the sides of a triangle, by the weights of its corners. */
@@ -46,7 +46,7 @@ reachesAcross(const StepOverMesh& mesh, const Triangle& t, const OutlineSide& si
   return false;
 }
 
-/** Which nodes give way, and which triangles. */
+/** The nodes and triangles to remove. */
 struct Cut {
   std::vector<std::uint8_t> dead;   ///< one a node
   std::vector<std::uint8_t> across; ///< one a triangle
@@ -119,7 +119,7 @@ fansAt(const Triangulation& triangles, std::uint32_t v)
   return passed == count ? 1 : 2;
 }
 
-/** Nodes at which free edges touch, or whose triangles touch at them alone, are dead from now on. \return whether there were
+/** Mark as dead the nodes at which free edges touch, or at which triangles touch only at that node. \return whether there were
  *  any. */
 bool
 dropPinches(const Triangulation& rest, std::vector<std::uint8_t>& dead)
@@ -133,7 +133,7 @@ dropPinches(const Triangulation& rest, std::vector<std::uint8_t>& dead)
   return pinched;
 }
 
-/** The nodes of a way round a handle are dead from now on, where it is no longer than noise makes them. */
+/** Mark as dead the nodes of a way round a handle, if it is short enough to come from noise. */
 Status
 dropHandle(const StepOverMesh& mesh, const Triangulation& rest, double spacing, std::vector<std::uint8_t>& dead, bool& dropped)
 {
@@ -147,8 +147,8 @@ dropHandle(const StepOverMesh& mesh, const Triangulation& rest, double spacing, 
   if (way.empty() || length(points, true) > longest_noise_handle * spacing)
     return {StatusCode::Failed, textOf("the surface has a handle at ", placeText(points.empty() ? mesh.positions.front() : points.front()),
                                        ", ", points.empty() ? 0.0 : length(points, true),
-                                       " mm round: a path at constant scallop needs a sheet with rim and holes alone; cut the part "
-                                       "in pieces")};
+                                       " mm round: a path at constant scallop needs a sheet with only a rim and holes; cut the part "
+                                       "into pieces")};
   for (const std::uint32_t v : way)
     dead[v] = 1;
   dropped = true;

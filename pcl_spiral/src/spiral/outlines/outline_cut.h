@@ -12,9 +12,9 @@
 
 namespace pcl_spiral {
 
-/** Of \p triangles over the nodes of \p mesh the largest part that lies within the outlines, clear of them by 0.45 spacings, its
- *  free edges closed loops that touch nowhere. Handles up to twelve spacings round, as noise makes them, are cut through; fails
- *  on longer ones. */
+/** The largest part of \p triangles over the nodes of \p mesh that lies within the outlines, at least 0.45 spacings from them. Its
+ *  free edges are closed loops that never touch. Handles up to twelve spacings round, which come from noise, are cut through; it
+ *  fails on longer ones. */
 Status trianglesWithin(const StepOverMesh& mesh, const Triangulation& triangles, const OutlineSide& side, double spacing,
                        Triangulation& kept);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Which side of a surface's outlines a point lies on.
+ *  On which side of the outlines of a surface a point lies.
  */
 #pragma once
 
@@ -20,13 +20,13 @@ struct OutlinePlace {
   double arc = 0.0; ///< along that outline, mm
 };
 
-/** The fitted outlines of a surface, for searching. */
+/** Searches the fitted outlines of a surface. */
 class OutlineSide {
 public:
   explicit OutlineSide(const std::vector<BoundaryLoop>& outlines);
 
-  /** Where the point \p p of the surface, with the unit \p normal there, lies beside the nearest outline; false when that is
-   *  farther than \p within. At a corner both sides of it tell. */
+  /** Where the point \p p of the surface, with the unit \p normal there, lies beside the nearest outline; false if that is
+   *  farther than \p within. At a corner both of its sides count. */
   bool find(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, double within, OutlinePlace& place) const;
 
 private:

@@ -21,8 +21,8 @@ RimCurve::at(double s) const
   return (1.0 - f) * points_[k] + f * points_[(k + 1) % points_.size()];
 }
 
-/** Turn the loop so that it starts at its place nearest to \p start: with a corner close by, another vertex moved there, or a
- *  new one. */
+/** Reorder the loop to start at its place nearest to \p start: at a close corner, at another vertex moved there, or at a new
+ *  vertex. */
 void
 RimCurve::startAt(const BoundaryLoop& loop, const Eigen::Vector3d& start)
 {

@@ -59,8 +59,8 @@ AxisField::smooth(Path& output)
     largest_lean_ = lean.angle / degree;
     if (liesInSurface(lean, normals, wanted))
       return {StatusCode::Failed,
-              textOf("the axis would lean ", largest_lean_, " degrees off the normal at path point ", lean.point,
-                     " so as to turn no faster than ", max_axis_rate_, " degrees per mm: raise the axis rate or round the path there")};
+              textOf("the axis would lean ", largest_lean_, " degrees from the normal at path point ", lean.point,
+                     " to keep the axis rate of ", max_axis_rate_, " degrees per mm: raise the axis rate, or round the path there")};
   }
   if (&output != path_.get())
     output = *path_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  More points on parts of a path.
+ *  Adds points to parts of a path.
  */
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace pcl_spiral {
 
-/** Points at most \p grain step-overs apart beside the points of \p path marked in \p near. \p dense_near: the marks of the new
+/** Add points, at most \p grain step-overs apart, beside the points of \p path marked in \p near. \p dense_near: the marks of the new
  *  points; \p moves: the same without the first \p held step-overs. */
 void densify(const std::vector<std::uint8_t>& near, double held, double grain, LinkedPath& path, std::vector<std::uint8_t>& dense_near,
              std::vector<std::uint8_t>& moves);

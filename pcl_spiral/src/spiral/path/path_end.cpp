@@ -11,13 +11,13 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double tail = 5.0;           // step-overs
-constexpr double searched = 60.0;      // of the path before
-constexpr double searched_turns = 1.5; // at least
+constexpr double tail = 5.0;           // step-overs at an end that may be cut
+constexpr double searched = 60.0;      // step-overs of the path before it that are searched
+constexpr double searched_turns = 1.5; // and at least this many turns
 constexpr double clear = 0.12;
 constexpr std::size_t fewest = 3; // points left
 
-/** How many points at one end of a pass are to go: from where one of the last moves crosses another of the pass. */
+/** The number of points to remove at one end of a pass: from the place where one of the last moves crosses another of the pass. */
 std::size_t
 surplusPoints(const LinkedPath& path, const PassRange& pass, bool at_end)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The ends of a path's passes, where they must not cross themselves.
+ *  Trims the ends of passes that cross themselves.
  */
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace pcl_spiral {
 
-/** Where one of the last moves of a pass of \p path, within five step-overs of its end, crosses another of the pass, this ends 0.12
- *  step-overs before that. Further passes are cut likewise where they begin; the first begins on the rim. */
+/** If one of the last moves of a pass of \p path, within five step-overs of its end, crosses another move of the pass, the pass ends
+ *  0.12 step-overs before the crossing. Later passes are cut in the same way at their begin; the first begins on the rim. */
 void trimEnd(LinkedPath& path);
 
 } // namespace pcl_spiral

@@ -8,7 +8,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int widest = 4;
-constexpr double largest_overhang = 1.25; // spacings: as the fit's own
+constexpr double largest_overhang = 1.25; // spacings: the same as in the fit
 constexpr double farthest = 4.0;          // spacings from the nearest point
 
 } // namespace

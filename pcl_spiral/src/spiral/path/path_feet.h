@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Where the points of a path stand on the surface.
+ *  The feet of the points of a path on the surface.
  */
 #pragma once
 
@@ -11,9 +11,9 @@
 
 namespace pcl_spiral {
 
-/** Feet of \p points, which lie within the rim of \p surface. Beside gaps fits are up to four times as wide. In creases that no fit
- *  follows, a point stands where it is, its normal that of the points about it, and its nearest point counts as far away, so
- *  that it is told as one over a gap. Invalid where a point lies beyond the rim all the same. */
+/** Feet of \p points, which lie within the rim of \p surface. Beside gaps the fits are up to four times as wide. In creases that
+ *  no fit follows, a point keeps its position, gets the normal of the points about it, and counts as far from the cloud, so that it
+ *  is reported like a point over a gap. A foot is invalid if its point still lies beyond the rim. */
 void pathFeet(const Surface& surface, const Polyline& points, std::vector<SurfaceFoot>& feet);
 
 } // namespace pcl_spiral

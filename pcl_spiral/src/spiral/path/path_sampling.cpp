@@ -16,13 +16,13 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double step_reserve = 0.95;   // feet move apart a little
-constexpr double least_step = 1e-6;     // of the longest: where the ball hardly fits its centre stands, and any step will do
+constexpr double step_reserve = 0.95;   // feet spread apart a little
+constexpr double least_step = 1e-6;     // of the longest: where the ball hardly fits, its centre does not move and any step is allowed
 constexpr double straight_share = 0.2;  // of the chord error
-constexpr std::size_t chunk = 1u << 16; // points whose feet are looked at together
+constexpr std::size_t chunk = 1u << 16; // points whose feet are computed together
 
-/** Longest move that starts at each point of the path along it; chunk by chunk, as feet take much room. Fails where the path leaves
- *  the surface. */
+/** Longest move that starts at each point of the path along it; chunk by chunk, because feet need much memory. Fails if the path
+ *  leaves the surface. */
 Status
 allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<double>& steps)
 {
@@ -49,7 +49,7 @@ allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSetting
       const Eigen::Vector3d along = path.points[after] - path.points[before];
       const Eigen::Vector3d tangent = (along - feet[k].normal * feet[k].normal.dot(along)).normalized();
       const double curvature = feet[k].normalCurvature(tangent);
-      const bool fits = cutterFits(settings.tool_radius, curvature); // where not, the path is refused on the surface
+      const bool fits = cutterFits(settings.tool_radius, curvature); // if not, the path is refused later, on the surface
       const double step = fits ? stepFromChordErrorAtCentre(settings.tool_radius, curvature, settings.chord_error, longest) : longest;
       steps[i] = step_reserve * std::max(step, least_step * longest);
     }
@@ -57,7 +57,7 @@ allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSetting
   return Status::success();
 }
 
-/** The last point that a straight move from \p first may go to: no point between is farther from it than \p tolerance, and it is
+/** The last point that a straight move from \p first may go to: no point between is farther than \p tolerance from it, and it is
  *  no longer than the points allow. */
 std::size_t
 straightTo(const LinkedPath& path, const std::vector<double>& steps, std::size_t first, double tolerance)

@@ -39,7 +39,7 @@ TurnFunction::pathSize() const
   PathSize size;
   size.turns = static_cast<double>(turns_);
   size.knots = size.turns * static_cast<double>(lines_.size());
-  double travelled = 0.0, across = 0.0; // by the turns between two stations; of the longest line
+  double travelled = 0.0, across = 0.0; // length of the turns between two stations; length of the longest line
   for (const RadialLine& line : lines_)
     across = std::max(across, line.length());
   for (std::size_t k = 0; k + 1 < stations_.front().size(); ++k) {
@@ -68,11 +68,10 @@ checkPathSize(const PathSize& size, double area, const SpiralSettings& settings,
   const bool too_many = !(size.points <= most) || !(size.knots <= most);
   if (!too_many && !(memory && size.bytes() > *memory))
     return Status::success();
-  const std::string asked =
-      textOf("the path asked for is too large: about ", size.points, " points (", area, " mm2, ", size.turns, " turns ", size.step_over,
-             " mm apart, moves of ", size.step, " mm) and ", size.bytes() / 1e9, " GB of memory");
+  const std::string asked = textOf("this path would be too large: about ", size.points, " points (", area, " mm2, ", size.turns, " turns ",
+                                   size.step_over, " mm apart, moves of ", size.step, " mm) and ", size.bytes() / 1e9, " GB of memory");
   const std::string limit =
-      too_many ? textOf(", where ", most_path_points, " points are the most") : textOf(", of which ", *memory / 1e9, " GB are free");
+      too_many ? textOf(", but at most ", most_path_points, " points are possible") : textOf(", but only ", *memory / 1e9, " GB are free");
   return {StatusCode::InvalidArgument,
           asked + limit +
               textOf("; is the scan in another unit than mm? Otherwise raise the scallop height (", settings.scallop_height,

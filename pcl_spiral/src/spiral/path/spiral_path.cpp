@@ -18,9 +18,9 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double gap_in_spacings = 2.7; // on random points one in 10^9 lies so far from the next
-constexpr double slack = 1.05;          // steps stretch a little when put on the surface
-constexpr double stretched = 2.0;       // on rough ones more, and are halved again and again
+constexpr double gap_in_spacings = 2.7; // one in 10^9 random points lies this far from the next
+constexpr double slack = 1.05;          // steps stretch a little when they are projected onto the surface
+constexpr double stretched = 2.0;       // on rough surfaces they stretch more, and are halved again and again
 constexpr int most_halvings = 3;
 constexpr std::size_t chunk = 1u << 16; // path points between progress reports
 
@@ -42,8 +42,8 @@ isOverGap(const SurfaceFoot& foot, const Surface& surface)
   return isOverGap(surface, foot.position, foot.nearest, foot.nearest_distance);
 }
 
-/** Steps that projection stretched beyond the longest one get a point in their middle. Those of more than twice that are jumps,
- *  left for checkPath to refuse, as are those that are as long when halved. \return whether there were any. */
+/** Steps that projection stretched beyond the longest step get a point in their middle. Steps of more than twice that are jumps:
+ *  checkPath refuses them, and steps that stay as long when halved. \return whether there were any. */
 bool
 halveStretchedSteps(const Surface& surface, double longest, SpiralPath& path)
 {
@@ -107,7 +107,7 @@ forPasses(const SpiralPath& path, Visit visit)
   }
 }
 
-/** Axes of all passes, each tilted and smoothed by itself; \p wanted: before they were smoothed. */
+/** Axes of all passes, tilted and smoothed pass by pass; \p wanted: before smoothing. */
 SmoothAxes
 axesOf(const SpiralPath& path, const SpiralSettings& settings, std::vector<Eigen::Vector3d>& wanted)
 {
@@ -126,7 +126,7 @@ axesOf(const SpiralPath& path, const SpiralSettings& settings, std::vector<Eigen
   return all;
 }
 
-/** Moves, but for lifts, on which the surface turns faster than \p rate. */
+/** Number of moves, without lifts, on which the normal turns faster than \p rate. */
 std::size_t
 fastMoves(const SpiralPath& path, double rate)
 {
@@ -156,7 +156,7 @@ measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& 
       figures.length += path.arc_lengths[i] - path.arc_lengths[i - 1];
     if (path.over_gap[i] && settings.gaps == GapHandling::Refuse && settings.rim_overhang <= 0.0) // beyond the rim there is none
       return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(path.contacts[i]),
-                                               ": no point of it lies near the path there; scan it again, or allow gaps to "
+                                               ": no point of the scan lies near the path there; scan it again, or allow gaps to "
                                                "be bridged (setGapHandling)")};
   }
   return Status::success();
@@ -222,8 +222,8 @@ setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figur
   const AxisLean lean = largestLean(path.normals, field.axes);
   if (liesInSurface(lean, path.normals, wanted))
     return {StatusCode::Failed,
-            textOf("the tool axis would lean ", degrees(lean.angle), " degrees off the surface at ", placeText(path.contacts[lean.point]),
-                   " so as to turn no faster than the largest axis rate of ", settings.max_axis_rate, " degrees per mm: raise the rate")};
+            textOf("the tool axis would lean ", degrees(lean.angle), " degrees from the normal at ", placeText(path.contacts[lean.point]),
+                   " to keep the largest axis rate of ", settings.max_axis_rate, " degrees per mm: raise the axis rate")};
   const auto count = static_cast<std::int64_t>(field.axes.size());
   path.axes.resize(field.axes.size());
 #pragma omp parallel for schedule(static)
@@ -235,10 +235,10 @@ setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figur
   figures.largest_lean = degrees(lean.angle);
   figures.deviating_points = field.deviating_points;
   if (const std::size_t moves = fastMoves(path, radians(settings.max_axis_rate)); moves > 0)
-    warnings.push_back(textOf("on ", moves, " of ", count - 1, " moves the surface alone turns faster than the largest axis rate of ",
+    warnings.push_back(textOf("on ", moves, " of ", count - 1, " moves the surface normal turns faster than the largest axis rate of ",
                               settings.max_axis_rate,
-                              " degrees per mm: the tool axis cannot follow it there and leaves the tilt "
-                              "asked for by up to ",
+                              " degrees per mm: the tool axis cannot follow it there and differs from the set "
+                              "tilt by up to ",
                               figures.largest_deviation, " degrees; allow a higher rate, or smooth the scan"));
   return Status::success();
 }
@@ -255,13 +255,13 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
     figures.largest_gap = std::max(figures.largest_gap, gap);
     if (!(gap <= slack * longest_step))
       return {StatusCode::Failed, textOf("the path jumps by ", gap, " mm at ", placeText(path.contacts[i]), " in turn ", path.turns[i],
-                                         ", above the longest step ", longest_step,
+                                         ", more than the longest step of ", longest_step,
                                          " mm: the surface is too rough or too sparse there; scan more densely or raise the longest step")};
   }
   figures.turns = static_cast<std::size_t>(std::lround(std::abs(path.turns.back() - path.turns.front())));
   figures.points = path.contacts.size();
   figures.length = path.arc_lengths.back();
-  // Turns that are not in order cross somewhere: each goes once round.
+  // Each turn goes once round, so turns that are not in order cross somewhere.
   bool cancelled = false;
   const auto go_on = [&](double share) {
     cancelled = progress && !progress(share, "crossings");
@@ -271,13 +271,12 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
   if (cancelled)
     return {StatusCode::Cancelled, "cancelled"};
   if (crossing)
-    return {
-        StatusCode::Failed,
-        textOf("the path crosses itself at ", placeText(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
-               settings.method == SpiralMethod::ConstantScallop
-                   ? ": ask for the other sense (setSense), for passes with lifts between (setOneWay) or for another scallop height, or "
-                     "choose the radial method (setMethod)"
-                   : ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
+    return {StatusCode::Failed,
+            textOf("the path crosses itself at ", placeText(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
+                   settings.method == SpiralMethod::ConstantScallop
+                       ? ": choose the other sense (setSense), passes with lifts between them (setOneWay), another scallop height or "
+                         "the radial method (setMethod)"
+                       : ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
   return Status::success();
 }
 

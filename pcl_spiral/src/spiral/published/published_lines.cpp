@@ -22,17 +22,17 @@ namespace {
 
 constexpr std::size_t segments = 128; // of a line
 constexpr std::size_t matched_seeds = 64,
-                      matched_candidates = 256; // of rim and inner loop; lines between follow
+                      matched_candidates = 256; // of rim and inner loop; lines between them follow
 constexpr double wave_in_spacings = 8.0;        // that Taubin smoothing halves
 constexpr double wave_in_segments = 4.0;        // the same, at least
-constexpr double fit_share = 0.2;               // of the chord error: the B-spline's tolerance
+constexpr double fit_share = 0.2;               // of the chord error: tolerance of the B-spline
 
 /** Where a line begins and ends, in order along the rim. */
 struct Ends {
   Polyline starts, ends;
 };
 
-/** A loop that has the surface on its right, from \p start. */
+/** A loop reversed to have the surface on its right, from \p start. */
 RimCurve
 againstItsWay(const BoundaryLoop& loop, const Eigen::Vector3d& start)
 {
@@ -93,11 +93,11 @@ shortestWays(const PublishedLineRequest& request, const NeighbourLists& edges, c
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (lines[i].points.size() < 2)
       return {StatusCode::Failed, textOf("no way over the edges of the elliptic Gabriel graph leads from ", placeText(ends.starts[i]),
-                                         " to the rim at ", placeText(ends.ends[i]), ": the scan falls apart between them")};
+                                         " to the rim at ", placeText(ends.ends[i]), ": the scan is disconnected between them")};
   return Status::success();
 }
 
-/** Geodesics of the ways: (2)-(7), with (8)-(11) between the steps. */
+/** Make geodesics of the ways: (2)-(7), with (8)-(11) between the steps. */
 Status
 refine(const PublishedLineRequest& request, std::vector<GeodesicLine>& lines, PublishedLineFigures& figures)
 {
@@ -110,14 +110,14 @@ refine(const PublishedLineRequest& request, std::vector<GeodesicLine>& lines, Pu
     if (line.left_surface)
       return {StatusCode::Failed,
               textOf("the shortest line from ", placeText(line.points.front()), " to the rim at ", placeText(line.points.back()),
-                     " leaves the surface at ", placeText(line.left_at), ": a re-entrant outline or a gap in the scan")};
+                     " leaves the surface at ", placeText(line.left_at), ": the outline is re-entrant, or the scan has a gap")};
     figures.unsettled += !line.converged;
     figures.largest_move = std::max(figures.largest_move, line.largest_move);
   }
   return Status::success();
 }
 
-/** Taubin smoothing, ends held, then (8)-(11) again. */
+/** Taubin smoothing with fixed ends, then (8)-(11) again. */
 Status
 smooth(const PublishedLineRequest& request, std::vector<GeodesicLine>& lines)
 {
@@ -150,8 +150,8 @@ smooth(const PublishedLineRequest& request, std::vector<GeodesicLine>& lines)
   return Status::success();
 }
 
-/** Equation (12) at the point of the cloud nearest to a foot; flat where that has fewer than three
- * neighbours. */
+/** Equation (12) at the point of the cloud nearest to a foot; flat if that point has fewer than three
+ *  neighbours. */
 void
 setCurvatures(const SurfaceGraph& graph, const NeighbourLists& edges, SurfaceFoot& foot)
 {
@@ -161,8 +161,8 @@ setCurvatures(const SurfaceGraph& graph, const NeighbourLists& edges, SurfaceFoo
   foot.direction1 = k.direction;
 }
 
-/** Lines 0, 2^k, 2 2^k, ... come first, then those half-way between, and so on: the spiral leaves the later
- * ones out near the centre, where lines stand closer together than they are known. */
+/** Lines 0, 2^k, 2 2^k, ... come first, then those half-way between, and so on. The spiral leaves the later
+ *  ones out near the centre, where the distance of lines is below their error. */
 int
 levelOf(std::size_t line, std::size_t count)
 {

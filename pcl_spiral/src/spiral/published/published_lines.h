@@ -14,9 +14,9 @@
 
 namespace pcl_spiral {
 
-/** What published lines are made of. */
+/** The input of published lines. */
 struct PublishedLineRequest {
-  const MlsSurface& surface; ///< of ProjectionMethod::DirectionalCentroid: (8)-(11)
+  const MlsSurface& surface; ///< with ProjectionMethod::DirectionalCentroid: (8)-(11)
   const BoundaryLoop& rim;
   const BoundaryLoop* inner = nullptr;              ///< second boundary, if any
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< on the surface; one boundary only
@@ -25,28 +25,28 @@ struct PublishedLineRequest {
   std::function<bool(double)> progress;             ///< share done; false cancels
 };
 
-/** What came of the lines besides themselves. */
+/** Figures about the lines. */
 struct PublishedLineFigures {
-  std::size_t unsettled = 0; ///< geodesics that still moved sideways by more than the chord error at the end
+  std::size_t unsettled = 0; ///< geodesics whose last step was still more than the chord error sideways
   double largest_move = 0.0; ///< mm: the most any of them still moved
 };
 
-/** So many lines that chords between their ends leave a circle as long as the rim by the chord error at most;
- * none closer there than half a spacing. */
+/** Number of lines for which chords between their ends lie within the chord error of a circle as long as the rim;
+ *  ends are at least half a spacing apart. */
 std::size_t publishedLineCount(double rim_length, double chord_error, double spacing);
 
 /** Lines as Wu et al. 2025 make them, each stage with its equations there:
- *  seeds at equal distances on the rim, and their partners on the inner loop where there is one (matchLoops);
- * shortest ways over the elliptic Gabriel graph (one tree from the centre; with two boundaries one from each
- * partner); the conjugate-gradient Newton step on the geodesic curvature, (2)-(7); projection, (8)-(11);
- * Taubin smoothing, ends held; projection again; B-spline; Taubin's curvatures at the cloud's point nearest
- * to each station, (12).
+ *  seeds at equal distances on the rim, and their partners on the inner loop if there is one (matchLoops);
+ *  shortest ways over the elliptic Gabriel graph (one tree from the centre; with two boundaries one from each
+ *  partner); the conjugate-gradient Newton step on the geodesic curvature, (2)-(7); projection, (8)-(11);
+ *  Taubin smoothing with fixed ends; projection again; B-spline; Taubin's curvatures at the cloud's point
+ *  nearest to each station, (12).
  *
- *  Corrected where it cannot work as printed: the Newton step holds the ends, and goes from coarse to fine
- *  (refineGeodesics); lines have levels, by which turns leave most of them out near the centre. Feet carry
- * (12) as their curvatures; normals and positions are those of the projection. Fails where the graph does not
- * lead to the rim and where a line leaves the surface, with the place. That lines cross is not looked for
- * here. */
+ *  Corrected where it cannot work as printed: the Newton step keeps the ends fixed, and goes from coarse to fine
+ *  (refineGeodesics); lines have levels, by which turns leave most of them out near the centre. Feet have the
+ *  curvatures of (12); normals and positions are those of the projection. If the graph does not lead to the rim,
+ *  or if a line leaves the surface, it fails and names the place. Crossing lines are not searched for
+ *  here. */
 Status publishedLines(const PublishedLineRequest& request, RadialLineSet& set, PublishedLineFigures& figures);
 
 } // namespace pcl_spiral

@@ -13,7 +13,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** Evidence about one point after the other; one a thread. */
+/** Tests one point after the other; one object a thread. */
 class CentroidTest {
 public:
   explicit CentroidTest(const SurfaceGraph& graph) : graph_(graph) {}
@@ -29,7 +29,7 @@ public:
     }
     const double radius = std::sqrt(static_cast<double>(near.squared_distance[near.size - 1]));
     const BoundaryEvidence evidence = boundaryEvidence(offsets_, radius, angles_);
-    // The gap does not count with this criterion.
+    // This criterion does not use the gap.
     return isBoundary(evidence, BoundaryCriterion::Centroid, offset_threshold, pi); // (1)
   }
 

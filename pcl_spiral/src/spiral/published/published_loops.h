@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Boundaries as published: flags by the centroid of the neighbours, walked over. Private to spiral.
+ *  Boundaries as published: a walk over points flagged by the centroid of their neighbours. Private to spiral.
  */
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace pcl_spiral {
 
-/** What makes a boundary point, and how far a walk over them may turn. */
+/** The criterion of boundary points, and the largest turn of a walk over them. */
 struct PublishedLoopOptions {
   int neighbours = 32;                  ///< in a neighbourhood, the point itself not counted
   double offset_threshold = 0.31;       ///< of BoundaryEvidence::offset
@@ -22,14 +22,14 @@ struct PublishedLoopOptions {
   std::function<bool(double)> progress; ///< called with the share done; false cancels
 };
 
-/** A flag a point, of those \p graph was built from, in their order: 1 where the score of Wu et al. 2025,
- * equation (1), kappa = exp(mu lambda), is above its threshold. exp grows with lambda, so lambda alone is
- * compared, made dimensionless by the radius of the neighbourhood; mu then only names the threshold. */
+/** One flag a point of \p graph, in the order of its input: 1 where the score of Wu et al. 2025,
+ *  equation (1), kappa = exp(mu lambda), is above its threshold. exp grows with lambda, so only lambda is
+ *  compared, divided by the radius of the neighbourhood to have no unit; mu then only scales the threshold. */
 std::vector<std::uint8_t> centroidFlags(const SurfaceGraph& graph, int neighbours, double offset_threshold);
 
-/** Walk over the flagged points to closed loops (Wu et al. 2025, section 1). Fails, and names the place,
- * where the walk ends before it comes back: at corners sharper than the largest turn, at gaps, in bands of
- * several rows, and at false flags inside that lie close together. Nothing is mended. */
+/** Walk over the flagged points to closed loops (Wu et al. 2025, section 1). If the walk ends before it comes
+ *  back, it fails and names the place: at corners sharper than the largest turn, at gaps, in bands of
+ *  several rows, and at wrong flags inside that lie close together. Nothing is repaired. */
 Status publishedLoops(const SurfaceGraph& graph, const PublishedLoopOptions& options, std::vector<BoundaryLoop>& loops);
 
 } // namespace pcl_spiral

@@ -75,7 +75,7 @@ publishedContacts(const MlsSurface& surface, const SpiralSettings& settings, con
       if (!foot.valid)
         return {StatusCode::Failed,
                 textOf("the path leaves the scanned surface at ", placeText(curve[i].position), " in turn ", curve[i].turn,
-                       ": a gap, or a rim more ragged than the projection ", "to the directional centroid bears")};
+                       ": there is a gap, or the rim is too ragged for the projection ", "to the directional centroid")};
       result.contacts[i] = foot.position;
       result.normals[i] = graph.normal(foot.nearest);
       result.turns[i] = static_cast<float>(curve[i].turn);
@@ -87,8 +87,8 @@ publishedContacts(const MlsSurface& surface, const SpiralSettings& settings, con
   }
   if (too_hollow > 0)
     result.warnings.push_back(textOf("at ", too_hollow, " path points, first at ", placeText(result.contacts[first_hollow]),
-                                     ", the surface is hollow with a radius under the tool's, ", settings.tool_radius,
-                                     " mm: the cutter gouges there; the published step-over does not look at the surface"));
+                                     ", the surface is hollow with a radius below the tool radius of ", settings.tool_radius,
+                                     " mm: the cutter gouges there; the published step-over does not use the curvature"));
   result.arc_lengths = arcLengths(result.contacts);
   return Status::success();
 }

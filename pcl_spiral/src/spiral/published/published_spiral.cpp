@@ -16,7 +16,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** One run: the stages of the chain, each from what the ones before left in the result. */
+/** One run: the stages of the chain; each uses what earlier stages left in the result. */
 class PublishedRun {
 public:
   PublishedRun(const SurfaceGraph& graph, const SpiralSettings& settings, const ProgressCallback& progress, PublishedResult& result)
@@ -57,7 +57,7 @@ public:
 private:
   static Status cancelled() { return {StatusCode::Cancelled, "cancelled"}; }
   bool goOn(double share, const std::string& stage) const { return !progress_ || progress_(share, stage); }
-  /** Progress of a stage that goes from one share of the whole to another. */
+  /** Progress of a stage, mapped from one share of the whole to another. */
   std::function<bool(double)> from(double begin, double end, const std::string& stage) const
   {
     return [=](double share) { return goOn(begin + share * (end - begin), stage); };
@@ -80,7 +80,7 @@ private:
     return Status::success();
   }
 
-  /** Warn of holes that are no boundary, or refuse them. */
+  /** Warn of holes that are not boundaries, or refuse them. */
   Status lookAtHoles(const BoundaryChoice& choice)
   {
     for (const BoundaryLoop& loop : result_.loops) {
@@ -90,7 +90,7 @@ private:
         return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(loop.points.front()), ", ", loop.length,
                                                  " mm round: scan it again, or allow the path to run over it (setGapHandling)")};
       result_.warnings.push_back(textOf("the hole at ", placeText(loop.points.front()), ", ", loop.length,
-                                        " mm round, is not bridged: the published method has no means for it"));
+                                        " mm round, is not bridged: the published method cannot bridge holes"));
     }
     return Status::success();
   }
@@ -106,7 +106,7 @@ private:
     request.progress = from(0.15, 0.5, "radial lines");
     if (choice.inner && settings_.centre)
       return {StatusCode::InvalidArgument,
-              textOf("a centre was given, ", placeText(*settings_.centre), ", but the surface has two boundaries: leave it out")};
+              textOf("a centre was given, ", placeText(*settings_.centre), ", but the surface has two boundaries: give no centre")};
     if (!choice.inner)
       if (const Status status = findCentre(surface, *choice.rim, request.centre); !status.ok())
         return status;
@@ -119,7 +119,7 @@ private:
     for (const RadialLine& line : result_.lines.lines)
       figures.largest_line_deviation = std::max(figures.largest_line_deviation, line.deviation);
     if (found.unsettled > 0)
-      result_.warnings.push_back(textOf(found.unsettled, " of ", figures.lines, " radial lines did not settle: they still ",
+      result_.warnings.push_back(textOf(found.unsettled, " of ", figures.lines, " radial lines did not converge: they still ",
                                         "moved sideways by up to ", found.largest_move, " mm"));
     return status;
   }

@@ -10,9 +10,9 @@
 
 namespace pcl_spiral {
 
-/** Distance of points along the path, mm, everywhere the same: Wu et al. 2025, equations (13)-(15), 2 sqrt(2
- * rho e - e^2) with rho the smallest radius of curvature, hollow or not, at any station of any line, and e
- * the \p chord_error; at most \p largest_step. Their D is the radius of the section here. */
+/** Distance of points along the path, mm, the same everywhere: Wu et al. 2025, equations (13)-(15), 2 sqrt(2
+ *  rho e - e^2). Here rho is the smallest radius of curvature, hollow or not, at any station of any line, and e
+ *  the \p chord_error; at most \p largest_step. Their D is the radius of the section here. */
 double publishedStep(const std::vector<RadialLine>& lines, double chord_error, double largest_step);
 
 } // namespace pcl_spiral

@@ -17,7 +17,7 @@ struct Section {
 };
 
 /** The area of the triangle between each section and the next counts for both. \return the sum of the
- * weights. */
+ *  weights. */
 double
 weigh(std::vector<Section>& sections)
 {

@@ -12,8 +12,8 @@ namespace {
 constexpr double closest_in_spacings = 0.4; // neighbouring lines on a turn
 constexpr double widest_angle = 0.35;       // rad between neighbouring lines near the centre
 
-/** How the curve winds from the inside out. An inward spiral is drawn so too and then run from its end, which turns its
- *  winding round. */
+/** The sense of the curve from the inside out. An inward spiral is drawn in this way too and then run from its end, which
+ *  reverses its sense. */
 bool
 drawnClockwise(const SpiralSettings& settings)
 {
@@ -52,7 +52,7 @@ SpiralCurve::meetLines(ClosedLoop& loop) const
     loop.line_shares.push_back(1.0);
     return;
   }
-  // Lines start on the inner loop in order: go round it once, to the place nearest to each line's start in turn.
+  // Lines start on the inner loop in order: go round it once, from line to line, to the place nearest to each start.
   const std::size_t m = loop.points.size();
   const std::vector<double> s = arcLengths(loop.points, true);
   loop.line_shares.assign(1, 0.0);
@@ -90,7 +90,7 @@ SpiralCurve::findActiveShares()
     for (std::size_t i = 0; i < n; ++i) {
       if (lines_[i].level != level || lines_[i].corner)
         continue;
-      // Its neighbours among the coarser lines, between which it stands.
+      // Its neighbours among the coarser lines, on both sides.
       std::size_t left = (i + n - 1) % n, right = (i + 1) % n;
       while (lines_[left].level >= level)
         left = (left + n - 1) % n;
@@ -98,7 +98,7 @@ SpiralCurve::findActiveShares()
         right = (right + 1) % n;
       const std::size_t last = lines_[i].feet.size() - 1;
       std::size_t k = 1;
-      for (; k < last; ++k) { // the first station, from the centre, at which it is needed
+      for (; k < last; ++k) { // the first station from the centre at which the line is needed
         const auto at = [&](std::size_t line) { return lines_[line].feet[k * (lines_[line].feet.size() - 1) / last].position; };
         const double apart = (at(left) - at(i)).norm() + (at(right) - at(i)).norm();
         const double s = lines_[i].length() * static_cast<double>(k) / static_cast<double>(last);
@@ -140,11 +140,11 @@ SpiralCurve::loopKnots(const ClosedLoop& loop, double turn) const
   const auto feedStep = [&](std::size_t line) { return turns_.feedStepAt(line % n, loop.at_rim ? lines_[line % n].length() : 0.0); };
   std::vector<Knot> knots;
   for (std::size_t step = 0; step <= m; ++step) {
-    const std::size_t k = clockwise ? m - step : step; // m is the first point again, a whole lap on
+    const std::size_t k = clockwise ? m - step : step; // m is the first point again, one lap later
     const double share = s[k] / s[m];
     const auto after = std::upper_bound(loop.line_shares.begin() + 1, loop.line_shares.end() - 1, share);
     const auto line = static_cast<std::size_t>(after - loop.line_shares.begin()) - 1;
-    // Turns are counted by the lines' own shares, on loops too.
+    // Turns are counted by the shares of the lines, on loops too.
     const double next = line + 1 < n ? lines_[line + 1].turn_share : 1.0;
     const double width = loop.line_shares[line + 1] - loop.line_shares[line];
     const double f = width > 0.0 ? (share - loop.line_shares[line]) / width : 0.0;
@@ -158,9 +158,9 @@ SpiralCurve::loopKnots(const ClosedLoop& loop, double turn) const
 std::vector<SpiralCurve::Knot>
 SpiralCurve::turnBesideLoop(const ClosedLoop& loop, std::size_t turn) const
 {
-  // Where each line, and line 0 again at the turn's end, stands off the loop.
+  // The distance of each line from the loop, and of line 0 again at the end of the turn.
   struct Offset {
-    double gone; ///< share of the turn
+    double gone; ///< share of the turn done so far
     Eigen::Vector3d by;
   };
   const std::size_t n = lines_.size();

@@ -8,7 +8,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** Of ridges that rise higher at corners than asked for; empty where they do not. */
+/** Warning of ridges at corners above the scallop height; empty if there are none. */
 std::string
 cornerWarning(const CornerRidge& ridge, const SpiralSettings& settings)
 {
@@ -19,8 +19,8 @@ cornerWarning(const CornerRidge& ridge, const SpiralSettings& settings)
   const std::string left = ridge.height < settings.tool_radius
                                ? textOf("ridges rise to ", ridge.height, " mm, above the scallop height of ", height, " mm")
                                : "material is left uncut";
-  return textOf("towards the corner of the outline at ", placeText(ridge.corner), " turns lie farther apart than along its sides: ", left,
-                "; a path for a scallop height of ", ridge.remedy, " mm, longer, leaves about ", height, " mm there");
+  return textOf("near the corner of the outline at ", placeText(ridge.corner), " turns lie farther apart than along its sides: ", left,
+                "; with a scallop height of ", ridge.remedy, " mm a longer path leaves about ", height, " mm there");
 }
 
 } // namespace

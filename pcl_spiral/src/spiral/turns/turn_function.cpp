@@ -12,9 +12,9 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double smoothing_share = 1.0 / 64.0; // of the rim: standard deviation of what smooths rates across lines
-constexpr double steepest_cosine = 0.05;       // of psi: a line nearly along its contour tells nothing
-constexpr double most_turns = 1e15;            // that are counted: no path has as many
-constexpr double reserve = 0.997;              // of the step-over, for what interpolation between lines adds
+constexpr double steepest_cosine = 0.05;       // of psi: a line nearly along its contour gives no information
+constexpr double most_turns = 1e15;            // upper limit of the count: no path has so many
+constexpr double reserve = 0.997;              // of the step-over: leaves room for the error of interpolation between lines
 
 /** Derivative at u[at] of Lagrange's polynomial through points p at u. */
 Eigen::Vector3d
@@ -111,7 +111,7 @@ TurnFunction::contourDirection(std::size_t line, std::size_t station, int side) 
   const std::size_t n = lines_.size();
   const double share = shareAt(line, lines_[line].stationSpacing() * static_cast<double>(station));
   const Eigen::Vector3d p = positionOn(line, share);
-  // A line some steps away, as a place along the rim too; no farther than the next corner.
+  // A line some steps away, with its place along the rim; at most to the next corner.
   const auto reach = [&](int direction, std::size_t steps, double& u) {
     std::size_t i = line;
     u = lines_[line].rim_share;

@@ -14,7 +14,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double reach = 0.12; // step-overs on either side
-constexpr double share = 1e-3; // of the path that may turn more sharply
+constexpr double share = 1e-3; // of the path that may bend more sharply
 
 /** Radius of the circle through the corners of a triangle with these sides; infinite on a line. */
 double
@@ -41,7 +41,7 @@ sharpTurns(const LinkedPath& path, double rim)
     const auto next = static_cast<std::size_t>(std::upper_bound(arcs.begin() + 1, arcs.end() - 1, s) - arcs.begin());
     return path.points[next - 1] + (s - arcs[next - 1]) / (arcs[next] - arcs[next - 1]) * (path.points[next] - path.points[next - 1]);
   };
-  std::vector<std::pair<double, std::size_t>> radii(n, {std::numeric_limits<double>::infinity(), 0}); // between points moves are straight
+  std::vector<std::pair<double, std::size_t>> radii(n, {std::numeric_limits<double>::infinity(), 0}); // moves between points are straight
   const auto count = static_cast<std::int64_t>(n);
 #pragma omp parallel for schedule(static, 1024)
   for (std::int64_t i = 1; i < count - 1; ++i) {
