@@ -75,7 +75,7 @@ TEST(MachineKinematics, ThePoleHasNoFirstAngle)
 
 TEST(MachineKinematics, NutatingHeadsReachOnlySoFar)
 {
-  const Kinematics kinematics(testMachines()[4]); // 45 degrees: a right angle is the most
+  const Kinematics kinematics(testMachines()[4]); // 45 degrees: at most a right angle
   EXPECT_TRUE(kinematics.anglesOf(Eigen::Vector3d(1.0, 0.0, 0.01).normalized(), Branch::Larger).has_value());
   EXPECT_FALSE(kinematics.anglesOf(Eigen::Vector3d(1.0, 0.0, -0.01).normalized(), Branch::Larger).has_value());
 }
@@ -92,7 +92,7 @@ TEST(MachineKinematics, MachinesThatCannotBeAreNamed)
   };
   const auto has = [](const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text; };
   has(said([](Machine& m) { m.rotary[1].letter = 'C'; }), "both rotary axes are called C");
-  has(said([](Machine& m) { m.rotary[1].letter = 'Q'; }), "A, B and C are known");
+  has(said([](Machine& m) { m.rotary[1].letter = 'Q'; }), "use A, B or C");
   has(said([](Machine& m) { m.rotary[1].direction.setZero(); }), "direction of A is (0, 0, 0)");
   has(said([](Machine& m) { m.rotary[1].direction = {0, 0, -2}; }), "same direction");
   has(said([](Machine& m) { std::swap(m.rotary[0], m.rotary[1]); }), "from the workpiece to the tool");

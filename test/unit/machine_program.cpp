@@ -60,8 +60,8 @@ expectHas(const std::string& text, const std::string& part)
   EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' in: " << text;
 }
 
-/** The largest share of the tolerances by which the machine leaves the poses: over dense samples of the path
- * in order, the least over the machine's way over the next \p ahead blocks. */
+/** Largest distance of the machine from the poses, as a share of the tolerances: over dense samples of the path
+ * in order, the least over the machine's motion in the next \p ahead blocks. */
 double
 leaving(const Machine& machine, const MachineProgram& program, const ToolPoses& poses, double tip, double axis, std::size_t ahead)
 {
@@ -80,7 +80,7 @@ leaving(const Machine& machine, const MachineProgram& program, const ToolPoses& 
       double least = 1e9;
       std::size_t best = at;
       for (std::size_t k = at; k + 1 < way.size() && k < at + ahead; ++k)
-        for (double centre = 0.5, reach = 0.5; reach > 1e-4; reach *= 0.1) { // nearer and nearer to the nearest
+        for (double centre = 0.5, reach = 0.5; reach > 1e-4; reach *= 0.1) { // in finer steps round the nearest
           const double begin = std::max(0.0, centre - reach), end = std::min(1.0, centre + reach);
           for (int j = 0; j <= 20; ++j) {
             const double t = begin + (end - begin) * j / 20.0;
@@ -146,7 +146,7 @@ TEST(MachineProgram, OfTwoBranchesTheOneWithinTheLimitsIsTaken)
   EXPECT_LT(program.report.highest_second, 1e-9);
   machine.rotary[1].range.lower = -10.0 / degrees;
   const std::string message = refusal(machine, poses, ballSettings(6.0));
-  for (const char* part : {"block ", " mm of the path: A would stand at ", " degrees above its upper limit of 10 degrees", "turn the part"})
+  for (const char* part : {"block ", " mm of the path: A would be at ", " degrees above its upper limit of 10 degrees", "turn the part"})
     expectHas(message, part);
 }
 
@@ -195,14 +195,14 @@ TEST(MachineProgram, NearThePoleTheAxisIsBlendedAndTheBallStays)
       ProgramSettings settings = ballSettings(ball);
       settings.feed = 1000.0;
       const MachineProgram program = made(machine, poses, settings);
-      const double rho_min = settings.feed / machine.rotary[0].range.largest_rate; // of a turn about the pole
+      const double rho_min = settings.feed / machine.rotary[0].range.largest_rate; // radius of a turn round the pole
       ASSERT_EQ(program.report.poles.size(), 1U) << machine.name << offset;
       const PoleZone& zone = program.report.poles[0];
       EXPECT_NEAR(0.5 * (zone.begin + zone.end), 50.0, 1.1);
       EXPECT_LT(zone.end - zone.begin, 4.0 * rho_min + 1.1);
       EXPECT_LT(zone.largest_change, 2.0 * (rho_min + 1.0) / 200.0 + 1e-3) << "twice the pole angle at the zone's end";
       std::size_t i = 0;
-      for (const ProgramBlock& block : program.blocks) { // ball centres run straight on in order
+      for (const ProgramBlock& block : program.blocks) { // ball centres run on a straight line in order
         if (block.section != BlockSection::Cut)
           continue;
         const Eigen::Vector3d centre = block.tip + ball * block.axis;
@@ -272,7 +272,7 @@ TEST(MachineProgram, AnAxisThatCannotComeRoundIsRefused)
   machine.rotary[0].range.lower = -80.0 / degrees;
   machine.rotary[0].range.upper = 80.0 / degrees;
   const std::string message = refusal(machine, domeSpiral(300.0, 2.0, 12, 60, 6.0, 12.0), ballSettings(6.0));
-  for (const char* part : {" mm of the path C stands at ", "limits of -80 to 80 degrees", "turn the part"})
+  for (const char* part : {" mm of the path C is at ", "limits of -80 to 80 degrees", "turn the part"})
     expectHas(message, part);
 }
 
@@ -282,7 +282,7 @@ TEST(MachineProgram, LimitsOfLinearAxesAreCheckedInMachineCoordinates)
   const ToolPoses poses = domeSpiral(300.0, 2.0, 12, 60, 6.0, 12.0);
   const MachineProgram program = made(machine, poses, ballSettings(6.0));
   double lowest = 1e9;
-  for (const ProgramBlock& block : program.blocks) { // the spindle's gauge point, by the oracle's chain
+  for (const ProgramBlock& block : program.blocks) { // the gauge point of the spindle, by the chain of the oracle
     const AxisValues values{block.machine, block.angles.first * degrees, block.angles.second * degrees};
     ASSERT_LT((forward(chainOf(machine), values).tip - block.tip).norm(), 1e-9);
     lowest = std::min(lowest, block.machine.z() + machine.work_zero.z() + machine.tool_length);
@@ -291,7 +291,7 @@ TEST(MachineProgram, LimitsOfLinearAxesAreCheckedInMachineCoordinates)
   EXPECT_FALSE(made(machine, poses, ballSettings(6.0)).blocks.empty());
   machine.linear[2].lower = lowest + 0.01;
   const std::string message = refusal(machine, poses, ballSettings(6.0));
-  for (const char* part : {"block ", ": Z would stand at ", " mm below its lower limit of ", "work_zero"})
+  for (const char* part : {"block ", ": Z would be at ", " mm below its lower limit of ", "work_zero"})
     expectHas(message, part);
 }
 
@@ -349,7 +349,7 @@ TEST(MachineProgram, LeadsComeFromAboveAndArcsAreTangent)
       if (block.section == BlockSection::LeadIn) {
         before = &program.blocks[i - 1];
         last = &block;
-        // Above the surface all along the lead: the ball's centre is off the contact by its radius or more.
+        // Above the surface along the whole lead: the ball's centre is at least its radius from the contact.
         const Eigen::Vector3d centre = block.tip + 6.0 * block.axis;
         EXPECT_GE((centre + Eigen::Vector3d(0, 0, 150.0)).norm(), 156.0 - 1e-3);
         EXPECT_FALSE(block.rapid);

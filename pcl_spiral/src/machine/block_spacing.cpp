@@ -60,7 +60,7 @@ split(const Kinematics& kinematics, Branch branch, const MachineLocation& a, con
   out.push_back(b);
 }
 
-/** The way up to each location in units of the tolerance: of tip and axis together. */
+/** Length of the way to each location in units of the tolerance, tip and axis together. */
 std::vector<double>
 measuredWay(const MachineLocations& path, const BlockTolerance& tolerance)
 {
@@ -71,15 +71,15 @@ measuredWay(const MachineLocations& path, const BlockTolerance& tolerance)
   return way;
 }
 
-/** An upper bound of the angle between tool axes at angles within \p tilt: a rotary axis moves the tool axis
- * by its own angle times the sine of the angle between the two, which for the first is the pole angle. */
+/** An upper bound of the angle between tool axes at two rotary angles: a rotary axis moves the tool axis by
+ *  its own angle times the sine of the angle between the two, which for the first axis is the pole angle. */
 double
 axisBound(const RotaryAngles& a, const RotaryAngles& b, double sine)
 {
   return std::abs(a.second - b.second) + std::abs(a.first - b.first) * sine;
 }
 
-/** Whether one block from \p i to \p j passes every location between within \p tolerance. */
+/** Whether one block from \p i to \p j keeps every location between them within \p tolerance. */
 bool
 canSkip(const Kinematics& kinematics, const MachineLocations& path, const std::vector<double>& way, std::size_t i, std::size_t j,
         const BlockTolerance& tolerance)
@@ -87,7 +87,7 @@ canSkip(const Kinematics& kinematics, const MachineLocations& path, const std::v
   const MachineLocation &a = path[i], &b = path[j];
   if (std::max(std::abs(b.angles.first - a.angles.first), std::abs(b.angles.second - a.angles.second)) > largest_turn)
     return false;
-  double sine = 0.0; // the pole angle is largest at a location or changes by less than the second angle on the way
+  double sine = 0.0; // the pole angle is largest at a location, or changes by less than the second angle on the way
   for (std::size_t k = i; k <= j; ++k)
     sine = std::max(sine, std::sin(std::min(largest_turn, kinematics.poleAngle(path[k].pose.axis) + tolerance.axis)));
   for (std::size_t k = i + 1; k < j; ++k) {
@@ -135,7 +135,7 @@ thinnedBlocks(const Kinematics& kinematics, const MachineLocations& path, const 
   MachineLocations out;
   for (std::size_t i = 0; i < path.size();) {
     out.push_back(path[i]);
-    std::size_t reach = i + 1, step = 1; // farthest that is known to do; then steps that halve
+    std::size_t reach = i + 1, step = 1; // the farthest location known to be allowed; then steps that halve
     for (; reach + step < path.size() && canSkip(kinematics, path, way, i, reach + step, least); step *= 2)
       reach += step;
     for (; step > 0; step /= 2)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  How long every block takes.
+ *  The time of every block.
  */
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace pcl_spiral {
 
-/** Sets minutes of every feed block, at \p feed along the contacts (along the tip where the contact stands)
- * or as long as the slowest axis needs, and what that came to in the report. */
+/** Sets the minutes of every feed block and the totals in the report. A block runs at \p feed along the contacts,
+ *  or along the tip if the contact does not move, or takes as long as its slowest axis needs. */
 void setBlockTimes(const Kinematics& kinematics, double feed, MachineProgram& program);
 
 } // namespace pcl_spiral

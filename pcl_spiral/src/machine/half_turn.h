@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Angles that stand for the same direction.
+ *  Angles of the same direction.
  */
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace pcl_spiral {
 
-/** The angle nearest to \p near among \p angle and whole turns more or less. */
+/** The angle nearest to \p near among \p angle plus or minus whole turns. */
 inline double
 nearestTurn(double angle, double near)
 {

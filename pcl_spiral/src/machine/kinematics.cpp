@@ -13,8 +13,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double pole = 1e-6;      ///< radians: nearer to it the first angle is noise
-constexpr double rounding = 1e-12; ///< of a cosine just beyond reach
+constexpr double pole = 1e-6;      ///< radians: closer to the pole the first angle is meaningless
+constexpr double rounding = 1e-12; ///< tolerance of a cosine just above 1
 
 Eigen::Matrix3d
 rotation(const RotaryAxis& axis, double angle)
@@ -54,7 +54,7 @@ Kinematics::anglesOf(const Eigen::Vector3d& axis, Branch branch) const
   const Eigen::Vector3d& d1 = machine_.rotary[0].direction;
   const Eigen::Vector3d& d2 = machine_.rotary[1].direction;
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  // d1.u = k + p cos q + s sin q holds for the second angle q whatever the first is (Rodrigues).
+  // d1.u = k + p cos q + s sin q holds for the second angle q and any first angle (Rodrigues).
   const double k = d1.dot(d2) * d2.z(), p = d1.z() - k, s = d1.dot(d2.cross(z));
   const double amplitude = std::hypot(p, s), middle = std::atan2(s, p);
   const double cosine = (d1.dot(axis) - k) / amplitude;

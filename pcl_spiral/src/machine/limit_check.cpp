@@ -14,7 +14,7 @@ namespace {
 
 constexpr double rounding = 1e-6;
 
-/** How the blocks of one axis break its limits. */
+/** Blocks in which one axis is beyond a limit. */
 struct Breach {
   std::size_t count = 0, first = 0;
   double first_value = 0.0, worst = 0.0, excess = 0.0;
@@ -44,7 +44,7 @@ textOfBreach(const std::vector<ProgramBlock>& blocks, const std::string& name, c
   const char* const word = rotary != nullptr ? " degrees" : " mm";
   const double limit = (breach.below ? range.lower : range.upper) * unit;
   const ProgramBlock& block = blocks[breach.first];
-  std::string all = textOf("block ", breach.first + 1, " at ", block.arc_length, " mm of the path: ", name, " would stand at ",
+  std::string all = textOf("block ", breach.first + 1, " at ", block.arc_length, " mm of the path: ", name, " would be at ",
                            breach.first_value * unit, word, ", ", std::abs(breach.first_value * unit - limit), word,
                            breach.below ? " below its lower" : " above its upper", " limit of ", limit, word);
   if (breach.count > 1)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Whether every axis stays within its limits.
+ *  Checks that every axis stays within its limits.
  */
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace pcl_spiral {
 
-/** Failed where an axis goes beyond a limit: the first block that does so, axis, value, limit and remedy, and
- * the worst. */
+/** Fails if an axis goes beyond a limit. The message names the first such block, the axis, value, limit and
+ *  remedy, and the worst value. */
 Status checkLimits(const Kinematics& kinematics, const std::vector<ProgramBlock>& blocks);
 
 } // namespace pcl_spiral

@@ -27,7 +27,7 @@ std::string
 rotaryFault(const RotaryAxis& axis)
 {
   if (axis.letter != 'A' && axis.letter != 'B' && axis.letter != 'C')
-    return textOf("a rotary axis is called ", axis.letter, "; A, B and C are known");
+    return textOf("a rotary axis is called ", axis.letter, "; use A, B or C");
   if (!axis.direction.allFinite() || !(axis.direction.norm() > 1e-9))
     return textOf("the direction of ", axis.letter, " is ", placeText(axis.direction), "; give one such as [1, 0, 0]");
   if (!axis.point.allFinite())
@@ -37,7 +37,7 @@ rotaryFault(const RotaryAxis& axis)
   if (const std::string what = rangeFault(std::string(1, axis.letter), axis.range); !what.empty())
     return what;
   if (!(axis.home >= axis.range.lower && axis.home <= axis.range.upper))
-    return textOf("home of ", axis.letter, " lies beyond its limits; give a place within them");
+    return textOf("home of ", axis.letter, " lies beyond its limits; give a value within them");
   return {};
 }
 
@@ -70,11 +70,11 @@ checkMachine(const Machine& machine)
   if (first.letter == second.letter)
     return fault(machine, textOf("both rotary axes are called ", first.letter, "; give each its own letter"));
   if (first.mount == RotaryMount::Head && second.mount == RotaryMount::Table)
-    return fault(machine, textOf("the table ", second.letter, " stands behind the head ", first.letter,
+    return fault(machine, textOf("the table ", second.letter, " comes after the head ", first.letter,
                                  "; list rotary axes in the order from the workpiece to the tool, tables first"));
   if (!(first.direction.normalized().cross(second.direction.normalized()).norm() > 1e-3))
-    return fault(machine,
-                 textOf(first.letter, " and ", second.letter, " turn about the same direction; two that differ are needed to tilt a tool"));
+    return fault(machine, textOf(first.letter, " and ", second.letter,
+                                 " turn about the same direction; tilting a tool needs two different directions"));
   if (!(second.direction.normalized().cross(Eigen::Vector3d::UnitZ()).norm() > 1e-3))
     return fault(machine, textOf(second.letter, ", the axis nearer to the tool, turns about the tool itself; list rotary "
                                                 "axes in the order from the workpiece to the tool"));
@@ -84,7 +84,7 @@ checkMachine(const Machine& machine)
   const AxisRange& z = machine.linear[2];
   if (machine.retract_z && !(*machine.retract_z >= z.lower && *machine.retract_z <= z.upper))
     return fault(machine, textOf("retract_z is ", *machine.retract_z, ", beyond the limits of Z, ", z.lower, " to ", z.upper,
-                                 "; give a place within them that is clear of everything"));
+                                 "; give a height within them that is clear of everything"));
   if (!(machine.path_tolerance >= 0.0) || !std::isfinite(machine.path_tolerance))
     return fault(machine, textOf("path_tolerance is ", machine.path_tolerance, "; it must be 0 mm or above"));
   return Status::success();

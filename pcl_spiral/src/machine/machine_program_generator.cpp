@@ -23,7 +23,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** The direction, fixed in the workpiece, that the tool stands along at the pole. */
+/** The tool direction at the pole, fixed in the workpiece. */
 Eigen::Vector3d
 upOf(const Machine& machine)
 {
@@ -31,13 +31,13 @@ upOf(const Machine& machine)
   return std::abs(d.z()) > 0.5 ? Eigen::Vector3d(std::copysign(1.0, d.z()) * d) : Eigen::Vector3d::UnitZ();
 }
 
-/** A pass on the machine, in runs that the first axis can make. */
+/** A pass on the machine, in runs within the range of the first axis. */
 struct MachinePass {
   MachineLocations path;
   std::vector<TurnPass> turns;
 };
 
-/** The direction of travel at location \p i of a pass; zero where there is none. */
+/** The direction of travel at location \p i of a pass; zero if there is none. */
 Eigen::Vector3d
 travelAt(const MachineLocations& path, std::size_t i, bool ahead)
 {
@@ -77,7 +77,7 @@ addPass(const Kinematics& kinematics, const ToolLeads& leads, const MachineLocat
   blocks.insert(blocks.end(), exit.begin(), exit.end());
 }
 
-/** Angles, blocks and runs of the pass that comes after \p before; its arc lengths and turns go on from there. */
+/** Angles, blocks and runs of the pass after \p before; its arc lengths and turns continue from there. */
 Status
 layPass(const Kinematics& kinematics, const ProgramSettings& settings, const ToolPoses& poses, const std::vector<MachinePass>& before,
         MachinePass& pass, ProgramReport& report)
@@ -111,10 +111,10 @@ layPass(const Kinematics& kinematics, const ProgramSettings& settings, const Too
   pass.turns = turnPasses(pass.path, first, failed);
   if (pass.turns.empty())
     return {StatusCode::Failed,
-            textOf("at ", pass.path[failed].arc_length, " mm of the path ", first.letter, " stands at ",
-                   pass.path[failed].angles.first / degree, " degrees or whole turns from it, and cannot go on within its limits of ",
-                   first.range.lower / degree, " to ", first.range.upper / degree, " degrees; turn the part, or use a machine whose ",
-                   first.letter, " turns further")};
+            textOf("at ", pass.path[failed].arc_length, " mm of the path ", first.letter, " is at ",
+                   pass.path[failed].angles.first / degree, " degrees, or whole turns from it, and cannot go on within its limits of ",
+                   first.range.lower / degree, " to ", first.range.upper / degree,
+                   " degrees; turn the part, or use a machine with a larger range of ", first.letter)};
   return Status::success();
 }
 

@@ -25,11 +25,11 @@ checkPoses(const ToolPoses& poses)
     return {StatusCode::InvalidInput, textOf("the path has ", poses.size(), " poses; a program needs at least 2")};
   for (std::size_t i = 0; i < poses.size(); ++i)
     if (!poses[i].tip.allFinite() || !poses[i].contact.allFinite() || !(std::abs(poses[i].axis.norm() - 1.0) < 1e-6))
-      return {StatusCode::InvalidInput, textOf("pose ", i, " is not finite or its axis is no unit vector; leave it out")};
+      return {StatusCode::InvalidInput, textOf("pose ", i, " is not finite or its axis is not a unit vector; remove it")};
   return Status::success();
 }
 
-/** The angle of the second axis nearest to the middle of its limits that stands for the same place. */
+/** The equal angle of the second axis that is nearest to the middle of its limits. */
 double
 withinLimits(double angle, const AxisRange& range)
 {
@@ -38,7 +38,7 @@ withinLimits(double angle, const AxisRange& range)
   return nearestTurn(angle, 0.5 * (range.lower + range.upper));
 }
 
-/** Angles on one branch; the index of the first pose that cannot be reached where there is one. */
+/** Angles on one branch; the index of the first pose that cannot be reached, if there is one. */
 std::optional<std::size_t>
 branchPath(const Kinematics& kinematics, const ToolPoses& poses, Branch branch, BranchPath& path)
 {
@@ -55,8 +55,8 @@ branchPath(const Kinematics& kinematics, const ToolPoses& poses, Branch branch, 
   return std::nullopt;
 }
 
-/** The first angles the shorter way from one to the next, evenly over poses at the pole, where there are
- * none. */
+/** Makes first angles go the shorter way from one to the next, evenly over poses at the pole, which have
+ *  none. */
 void
 unwind(std::vector<RotaryAngles>& angles, double home)
 {
@@ -157,7 +157,7 @@ rotaryPath(const Kinematics& kinematics, const ToolPoses& poses, const RotaryPat
   }
   blendPoles(kinematics, settings, path);
   const double begin = path.locations.front().angles.first, shift = nearestTurn(begin, kinematics.machine().rotary[0].home) - begin;
-  for (MachineLocation& location : path.locations) // where the pole's zone came first, it took turns away
+  for (MachineLocation& location : path.locations) // a pole zone at the start took whole turns away
     location.angles.first += shift;
   return Status::success();
 }

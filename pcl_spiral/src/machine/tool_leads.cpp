@@ -28,8 +28,8 @@ blockTo(const Kinematics& kinematics, const Eigen::Vector3d& tip, const MachineL
   return block;
 }
 
-/** From the far end of the lead to the path; \p inward is the direction of travel into the material's side of
- * the lead. */
+/** From the far end of the lead to the path; \p inward is the direction of travel onto
+ *  the path. */
 std::vector<Eigen::Vector3d>
 ToolLeads::leadTips(const MachineLocation& at, const Eigen::Vector3d& inward) const
 {
@@ -96,7 +96,7 @@ ToolLeads::exit(const MachineLocation& at, const Eigen::Vector3d& travel) const
 std::vector<ProgramBlock>
 ToolLeads::unwinding(const ProgramBlock& at, double to) const
 {
-  // Without RTCP the machine cuts the circle of the turning work short by distance (1 - cos(step / 2)).
+  // Without RTCP the machine moves on a chord, not on the circle of the turning work: off by distance (1 - cos(step / 2)).
   const RotaryAxis& table = kinematics_.machine().rotary[0];
   const double distance = (at.tip + kinematics_.machine().work_zero - table.point).cross(table.direction).norm();
   const double share = std::min(1.0, 0.25 * settings_.rapid_height / std::max(distance, 1e-9));

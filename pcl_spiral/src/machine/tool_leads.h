@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  How the tool comes to a path and leaves it.
+ *  The ways of the tool to a path and away from it.
  */
 #pragma once
 
@@ -9,19 +9,19 @@
 
 namespace pcl_spiral {
 
-/** Blocks before and after a run of cutting, at the angles of its end. */
+/** Blocks before and after a cutting run, at the rotary angles of its ends. */
 class ToolLeads {
 public:
-  /** \p top: height over the workpiece's zero along \p up that is clear of everything. */
+  /** \p top: height above the workpiece zero along \p up that is clear of everything. */
   ToolLeads(const Kinematics& kinematics, const ProgramSettings& settings, const Eigen::Vector3d& up, double top)
   : kinematics_(kinematics), settings_(settings), up_(up), top_(top)
   {}
 
-  /** From the top down to the path at \p at, which goes on along \p travel; the blocks end there. */
+  /** From the top down to the path at \p at, which continues along \p travel; the blocks end there. */
   std::vector<ProgramBlock> entry(const MachineLocation& at, const Eigen::Vector3d& travel) const;
-  /** From the path at \p at, which came along \p travel, up to the top. */
+  /** From the path at \p at, which ends along \p travel, up to the top. */
   std::vector<ProgramBlock> exit(const MachineLocation& at, const Eigen::Vector3d& travel) const;
-  /** At the top over \p at, in steps, until the first angle is \p to. */
+  /** At the top above \p at: turns the first angle to \p to in steps. */
   std::vector<ProgramBlock> unwinding(const ProgramBlock& at, double to) const;
 
 private:

@@ -26,7 +26,7 @@ reach(const MachineLocations& path, std::size_t first, double shift, const AxisR
   return last;
 }
 
-/** Shifts that bring \p angle into the range, the one nearest to home first. */
+/** Shifts by whole turns that bring \p angle into the range, the one nearest to home first. */
 std::vector<double>
 shifts(double angle, const RotaryAxis& axis)
 {
