@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Toolpath files judged by the raw scan, or by a mesh.
+// Checks toolpath files against the raw scan or a mesh.
 #include "judging/figures_table.h"
 #include "judging/tip_check.h"
 #include "terminal/program_main.h"
@@ -8,6 +8,7 @@
 #include "verify/outputs.h"
 #include "verify/verify_job.h"
 
+#include "verify/limit_verdicts.h"
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/toolpath_reader.h>
 
@@ -44,7 +45,7 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, std
   JudgeSettings settings = job.settings;
   settings.mesh = part.mesh;
   settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
-  if (part.mesh && part.mesh->counts().closed) // the faces that are judged are those the path touches
+  if (part.mesh && part.mesh->counts().closed) // only the faces that the path touches are judged
     reference.reset();
   const Status status = judgePath(
       part.cloud, judged.path, settings, [&](double share, const std::string& stage) { return bar.update(share, stage); }, reference,
@@ -54,17 +55,17 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, std
     throw Cancelled();
   if (!status.ok())
     throw FileError(file, inOptions(status.message()));
-  judged.verification.broken = brokenLimits(job.limits, judged.verification);
-  judged.verification.unproven = unprovenLimits(job.limits, judged.verification);
+  judged.verification.broken = inOptions(brokenLimits(job.limits, judged.verification));
+  judged.verification.unproven = inOptions(unprovenLimits(job.limits, judged.verification));
   return judged;
 }
 
-/** Judge every path. \return whether all limits hold */
+/** Judges every path. \return whether all limits hold */
 bool
 run(const VerifyJob& job)
 {
   VerifyOutputs outputs(job);
-  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // errors are reported below, once
   const JudgedPart part = readPart(job.scan, job.read, job.mesh);
   warn(job, part.warnings);
   std::shared_ptr<const ReferenceSurface> reference;

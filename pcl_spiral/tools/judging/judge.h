@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A toolpath judged by a scan.
+ *  Judges a toolpath by a scan or a mesh.
  */
 #pragma once
 
-#include "io/report/verification_writer.h"
+#include "verify/verification.h"
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/verify/deviation_estimation.h>
 
-/** How a path is judged. */
+/** Settings for judging a path. */
 struct JudgeSettings {
   double tool_radius = 0.0, scallop_height = 0.0, chord_error = 0.0; ///< mm
   std::optional<Eigen::Vector3d> view_point;
   bool flip_normals = false;
   unsigned int threads = 0;
-  pcl_spiral::Surface::ConstPtr surface;            ///< of the scan, where one was made already; null: it is made
-  pcl_spiral::SurfaceMesh::ConstPtr mesh = nullptr; ///< to judge by in place of a scan; null: there is none
-  double sample_spacing = 0.0;                      ///< of its samples, mm; 0: as they are chosen
+  pcl_spiral::Surface::ConstPtr surface;            ///< of the scan, if it exists already; null: it is made
+  pcl_spiral::SurfaceMesh::ConstPtr mesh = nullptr; ///< to judge by instead of a scan; null: by the scan
+  double sample_spacing = 0.0;                      ///< of its samples, mm; 0: chosen automatically
 };
 
 /** Values behind the figures, mm; see DeviationEstimation and MaterialRemoval. */
@@ -27,16 +27,16 @@ struct Heights {
   std::vector<float> stock, ridges;                ///< one a point of the scan, or a sample of the mesh
 };
 
-/** How far \p path stands off \p scan, without a cutter: the figures of deviation alone. \p reference is
- * the fit to the scan, made where it is null. Fails as DeviationEstimation does. */
+/** The distance of \p path from \p scan, without a cutter: only the figures of deviation. \p reference is
+ * the fit to the scan; it is made if it is null. Fails as DeviationEstimation does. */
 pcl_spiral::Status judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
                                   const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
                                   const pcl_spiral::ProgressCallback& progress,
                                   std::shared_ptr<const pcl_spiral::ReferenceSurface>& reference, pcl_spiral::Verification& verification,
                                   Heights& heights);
 
-/** The figures of \p path against \p scan. \p reference is the fit to the scan, made where it is null and
- * kept for the next path. Fails as DeviationEstimation and MaterialRemoval do. */
+/** The figures of \p path against \p scan. \p reference is the fit to the scan; it is made if it is null,
+ * and kept for the next path. Fails as DeviationEstimation and MaterialRemoval do. */
 pcl_spiral::Status judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
                              const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
                              const pcl_spiral::ProgressCallback& progress, std::shared_ptr<const pcl_spiral::ReferenceSurface>& reference,

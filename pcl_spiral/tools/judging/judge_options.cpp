@@ -40,19 +40,20 @@ readArguments(int argc, const char* const* argv, const po::options_description& 
 void
 addScanOptions(po::options_description& options)
 {
-  options.add_options()("units", value("mm|m|inch"), "unit of the numbers in the scan; mm by default: --units m")(
-      "origin", value("X,Y,Z"), "subtracted from the scan, in its own unit, as for the path: --origin 393775,3689071,0")(
-      "columns", value("NAMES"), "columns of a text scan from the left: --columns id,x,y,z");
+  options.add_options()("units", value("mm|m|inch"), "unit of the numbers in the scan; default mm: --units m")(
+      "origin", value("X,Y,Z"),
+      "point to subtract from the scan, in the unit of the scan, the same as for the path: --origin 393775,3689071,0")(
+      "columns", value("NAMES"), "names of the columns of a text scan, from the left: --columns id,x,y,z");
 }
 
 void
 addCutterOptions(po::options_description& options, const char* radius_meaning)
 {
-  options.add_options()("tool-radius", value("R"), radius_meaning)("scallop", value("H"),
-                                                                   "scallop height asked of the path; 0.05: --scallop 0.02")(
-      "chord-error", value("E"), "chord error asked of the path; 0.005: --chord-error 0.002")(
-      "view-point", value("X,Y,Z"),
-      "where the scanner stood, mm; normals face it: --view-point 0,0,3000")("flip-normals", "the cutter is on the other side");
+  options.add_options()("tool-radius", value("R"),
+                        radius_meaning)("scallop", value("H"), "scallop height that the path was made for; default 0.05: --scallop 0.02")(
+      "chord-error", value("E"), "chord error that the path was made for; default 0.005: --chord-error 0.002")(
+      "view-point", value("X,Y,Z"), "position of the scanner, mm; normals point to it: --view-point 0,0,3000")(
+      "flip-normals", "the cutter is on the other side of the scan or mesh");
 }
 
 pcl_spiral::ReadOptions
@@ -99,10 +100,13 @@ cutterOptions(const po::variables_map& given)
 void
 addMeshOptions(po::options_description& options)
 {
-  options.add_options()("mesh", "the first file is a mesh, .stl .obj .ply: judge by the surface behind its faces; without it their "
-                                "corners are taken for a scan")(
-      "crease-angle", value("A"), "edges of the mesh bent by more are creases, and kept apart, degrees; 30: --crease-angle 20")(
-      "sample-spacing", value("S"), "of the points that the mesh is judged at, mm; found from area and curvature: --sample-spacing 0.2");
+  options.add_options()("mesh",
+                        "the first file is a mesh, .stl .obj .ply: judge by the curved surface behind its faces; without --mesh its "
+                        "vertices are a scan")(
+      "crease-angle", value("A"),
+      "mesh edges bent by more than this are creases, with figures of their own, degrees; default 30: --crease-angle 20")(
+      "sample-spacing", value("S"),
+      "spacing of the points where the mesh is judged, mm; default found from area and curvature: --sample-spacing 0.2");
 }
 
 std::optional<MeshChoice>
@@ -113,8 +117,8 @@ meshOptions(const po::variables_map& given)
     require(mesh || given.count(name) == 0, "--" + std::string(name) + " belongs to meshes; add --mesh, or leave it out");
   for (const char* name : {"columns", "view-point"})
     require(!mesh || given.count(name) == 0, "--" + std::string(name) +
-                                                 " belongs to scans, and the side of a mesh is that of its "
-                                                 "faces; leave it out, or turn the mesh over (--flip-normals)");
+                                                 " belongs to scans; the faces of a mesh define its side: leave "
+                                                 "it out, or turn the mesh over (--flip-normals)");
   if (!mesh)
     return std::nullopt;
   MeshChoice choice;
@@ -125,7 +129,7 @@ meshOptions(const po::variables_map& given)
     choice.sample_spacing = numberValue("sample-spacing", given["sample-spacing"].as<std::string>());
   require(choice.settings.crease_angle > 0.0 && choice.settings.crease_angle <= 180.0,
           "--crease-angle must be above 0, up to 180 degrees, such as 30");
-  require(choice.sample_spacing >= 0.0, "--sample-spacing must be above 0 mm, or 0 to have it chosen");
+  require(choice.sample_spacing >= 0.0, "--sample-spacing must be above 0 mm, or 0 for the default");
   return choice;
 }
 

@@ -15,5 +15,5 @@ struct JudgedPart {
   std::vector<std::string> warnings; ///< from reading
 };
 
-/** The scan, or the mesh made ready. \throw pcl_spiral::FileError */
+/** Reads the scan or the mesh. \throw pcl_spiral::FileError */
 JudgedPart readPart(const std::string& file, const pcl_spiral::ReadOptions& read, const std::optional<MeshChoice>& mesh);

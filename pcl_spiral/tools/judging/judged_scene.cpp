@@ -9,7 +9,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** Of the planner's report what the pictures need, from the path and the scan's surface. */
+/** The values of a planner's report that the pictures need, from the path and the surface of the scan. */
 SpiralReport
 reportOf(const pcl::PointCloud<ToolpathPoint>& path, const JudgeSettings& settings, const ReferenceSurface& surface,
          const RemovalFigures& removal)

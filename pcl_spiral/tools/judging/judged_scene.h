@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A judged path as pictures and the viewer show it.
+ *  The scene of a judged path, for pictures and the viewer.
  */
 #pragma once
 

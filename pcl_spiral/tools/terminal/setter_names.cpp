@@ -7,8 +7,8 @@
 
 namespace {
 
-/** Each is replaced where the program has the first option that the second names. */
-constexpr std::array<std::pair<const char*, const char*>, 54> words{{
+/** Each first text is replaced by the second if the program has the first option in it. */
+constexpr std::array<std::pair<const char*, const char*>, 58> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
@@ -52,12 +52,16 @@ constexpr std::array<std::pair<const char*, const char*>, 54> words{{
     {"setCylinder", "--column-axis and --column-centre"},
     {"MaterialRemoval", "--verify"},
     {"StrayRemoval", "--leave-out-strays"},
-    {"Scale it to mm", "Say its unit (--units m), or scale it to mm"},
+    {"Scale it to mm", "Give its unit (--units m), or scale it to mm"},
     {"in another unit than mm?", "in another unit than mm (--units)?"},
     {"setSampleSpacing", "--sample-spacing"},
     {"setCreaseAngle", "--crease-angle"},
     {"setMeshSettings, flip", "--flip-normals"},
     {"setNumberOfThreads", "--threads"},
+    {"Limits::gouge", "--max-gouge"},
+    {"Limits::scallop", "--max-scallop"},
+    {"Limits::deviation", "--max-deviation"},
+    {"Limits::uncut", "--max-uncut"},
     {"ReadOptions::columns", "--columns"},
     {"ReadOptions::origin", "--origin X,Y,Z"},
     {"ReadOptions::unit", "--units m, --units inch"},
@@ -79,7 +83,7 @@ isNamePart(char c)
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '/' || c == '\\';
 }
 
-/** Whether what stands at \p at is a word of its own, and no part of a longer one, a path or a file name. */
+/** Whether the text at \p at is a whole word, not part of a longer word, a path or a file name. */
 bool
 isWord(const std::string& message, std::size_t at, std::size_t size)
 {
@@ -90,7 +94,7 @@ isWord(const std::string& message, std::size_t at, std::size_t size)
   return !name_before && !name_behind;
 }
 
-/** Take the brackets about \p at out, with the blank before them, where there are such; otherwise the end of the name. */
+/** Removes the brackets round \p at and the space before them. \return where to go on; without brackets the end of the name. */
 std::size_t
 dropBrackets(std::string& message, std::size_t at, std::size_t size)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What a run of pcl_spiral_verify came to, and its files.
+ *  Results and output files of a run of pcl_spiral_verify.
  */
 #pragma once
 
@@ -8,26 +8,27 @@
 #include "verify_job.h"
 
 #include "io/output_files.h"
+#include "io/report/verification_writer.h"
 #include <pcl_spiral/io/toolpath_reader.h>
 
-/** A path and how it was judged. */
+/** A path and its judgement. */
 struct JudgedPath {
   pcl::PointCloud<pcl_spiral::ToolpathPoint>::Ptr path = pcl::make_shared<pcl::PointCloud<pcl_spiral::ToolpathPoint>>();
-  std::vector<double> feed; ///< mm/min; empty where its file has none
+  std::vector<double> feed; ///< mm/min; empty if its file has none
   pcl_spiral::Verification verification;
   Heights heights;
 };
 
-/** Collects what is told of each path, then writes. */
+/** Collects the results of each path, then writes the files. */
 class VerifyOutputs {
 public:
-  /** Checks that every file can be written and that there is a display where one is needed.
+  /** Checks that every file can be written and that there is a display if one is needed.
    *  \throw pcl_spiral::FileError */
   explicit VerifyOutputs(const VerifyJob& job);
 
-  /** Draws its pictures, where any are asked for, and writes it where it is asked for as .vtp. */
+  /** Draws the pictures and writes the .vtp file of a path, if they were asked for. */
   void take(const JudgedPart& part, const pcl_spiral::ReferenceSurface& surface, const JudgedPath& judged);
-  /** Writes the rest and puts all files in their places. \throw pcl_spiral::FileError, Cancelled */
+  /** Writes the other files and moves all files to their places. \throw pcl_spiral::FileError, Cancelled */
   void finish(const JudgedPart& part);
 
 private:

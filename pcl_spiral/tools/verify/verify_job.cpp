@@ -22,25 +22,25 @@ allOptions()
   const auto value = [](const char* name) { return po::value<std::string>()->value_name(name); };
   const auto values = [](const char* name) { return po::value<std::vector<std::string>>()->value_name(name); };
   po::options_description files("Files", width, width / 2), cutter("Cutter and finish (mm)", width, width / 2),
-      limits("Limits: one that is broken ends the program with 1", width, width / 2), run("Run", width, width / 2);
+      limits("Limits: if one is broken, the exit code is 1", width, width / 2), run("Run", width, width / 2);
   files.add_options()("file", values("FILE"),
-                      "the scan, or with --mesh the mesh, then the paths: .csv .pcd .ply .vtp; the names alone are enough")(
+                      "the scan, or with --mesh the mesh, then the paths: .csv .pcd .ply .vtp; --file itself can be left out")(
       "output,o", values("FILE"),
-      "what to write, by extension; give it once a file: -o verified.json -o verified.html\n"
+      "output file, its kind by extension; repeat it for each file: -o verified.json -o verified.html\n"
       ".json  the figures\n"
       ".html  report to read and print, with the pictures, in one file\n"
-      ".png  of one path: its deviation; NAME_stock.png beside it shows what is left where, "
-      "NAME_histogram.png how high "
-      "the scallops are\n"
-      ".vtp  of one path: the path with the point data Deviation and Scallop, mm");
+      ".png  picture of the deviation, of a single path; also NAME_stock.png: stock map, and NAME_histogram.png: heights of "
+      "the scallops\n"
+      ".vtp  a single path with the point data Deviation and Scallop, mm");
   addScanOptions(files);
   addMeshOptions(files);
-  addCutterOptions(cutter, "radius of the ball cutter; needed: --tool-radius 10");
-  limits.add_options()("max-gouge", value("G"), "mm: --max-gouge 0.01")("max-scallop", value("S"), "mm: --max-scallop 0.06")(
-      "max-deviation", value("D"), "of the contacts from the scanned surface, mm: --max-deviation 0.02")(
-      "max-uncut", value("P"), "percent of the scan's points: --max-uncut 0");
-  run.add_options()("threads", value("N"), "0, the default, means all: --threads 4")("quiet", "say nothing but errors")(
-      "help,h", "this text")("version", "print the version");
+  addCutterOptions(cutter, "radius of the ball cutter; required: --tool-radius 10");
+  limits.add_options()("max-gouge", value("G"), "depth of gouges, mm: --max-gouge 0.01")(
+      "max-scallop", value("S"), "height of ridges and of stock at the rim, mm: --max-scallop 0.06")(
+      "max-deviation", value("D"), "distance of the contacts from the surface, mm: --max-deviation 0.02")(
+      "max-uncut", value("P"), "points of the surface that are not cut, percent: --max-uncut 0");
+  run.add_options()("threads", value("N"), "number of threads; default 0, all: --threads 4")("quiet", "print only errors")(
+      "help,h", "print this text")("version", "print the version");
   po::options_description all;
   all.add(files).add(cutter).add(limits).add(run);
   return all;
@@ -62,8 +62,8 @@ refuseInputs(const VerifyJob& job)
 void
 check(const VerifyJob& job, bool radius_given)
 {
-  require(!job.scan.empty(), "no scan is named; give the scan and then the paths, such as part.pcd part.csv");
-  require(!job.paths.empty(), "no path is named after the scan; give at least one, such as part.csv");
+  require(!job.scan.empty(), "no scan is given; give the scan and then the paths, such as part.pcd part.csv");
+  require(!job.paths.empty(), "no path is given after the scan; give at least one, such as part.csv");
   require(radius_given, "no --tool-radius is given; give the radius of the ball cutter in mm, such as --tool-radius 10");
   for (const std::string& output : job.outputs) {
     const std::string extension = extensionOf(output);
@@ -151,13 +151,12 @@ hasOption(const std::string& name)
 void
 printVerifyHelp(std::ostream& out)
 {
-  out << "Judge toolpaths by the raw scan, or by a mesh: deviation, scallop, gouge, uncut places, efficiency.\n\n"
+  out << "Checks toolpaths against the raw scan or a mesh: deviation, scallop, gouge, uncut places, efficiency.\n\n"
          "  pcl_spiral_verify SCAN PATH... --tool-radius R [options]\n\n"
          "  pcl_spiral_verify part.stl part.csv --mesh --tool-radius 10\n"
          "  pcl_spiral_verify part.pcd part.csv --tool-radius 10 --scallop 0.05 --max-gouge 0.01 -o "
          "verified.json\n\n"
-         "Lengths are millimetres and angles degrees. Ends with 0 when every limit holds, 1 when a limit is "
-         "broken\n"
-         "or the data or a file fails, 2 when the call is wrong.\n"
+         "Lengths are in millimetres, angles in degrees. Exit code: 0 if every limit holds, 1 if a limit is broken\n"
+         "or the data or a file fails, 2 if the command line is wrong.\n"
       << allOptions();
 }

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What one run of pcl_spiral_verify is asked to do.
+ *  The user's settings for one run of pcl_spiral_verify.
  */
 #pragma once
 
-#include "judging/figures_table.h"
 #include "judging/judge.h"
 #include "judging/judge_options.h"
 #include "report/picture_files.h"
 
+#include "verify/verification.h"
 #include <pcl_spiral/io/cloud_reader.h>
 
 #include <ostream>
 #include <string>
 #include <vector>
 
-/** A run as the user described it. */
+/** The user's settings for one run. */
 struct VerifyJob {
   std::string command; ///< the call as typed
   std::string scan;
@@ -36,7 +36,7 @@ VerifyJob parseVerifyCommandLine(int argc, const char* const* argv);
 /** The pictures of an output NAME.png, itself first. */
 const std::vector<PictureName>& verifyPictures();
 
-/** Every file the job makes: the outputs, and the pictures beside each NAME.png. */
+/** Every file that the job writes: the outputs, and the pictures beside each NAME.png. */
 std::vector<std::string> filesOf(const VerifyJob& job);
 
 void printVerifyHelp(std::ostream& out);

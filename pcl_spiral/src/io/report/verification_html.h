@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A path's figures on a page for people. Private to io.
+ *  The figures of a path on an HTML page. Private to io.
  */
 #pragma once
 
 #include "html_page.h"
-
 #include "verification_writer.h"
 
 namespace pcl_spiral {
 
-/** Limits held or broken, figures, what the scan can show of them, pictures. Warnings go elsewhere. */
+/** Limits held or broken, figures, what the scan can show of them, pictures; no warnings. */
 void addVerification(HtmlPage& page, const VerificationRun& run, const Verification& verification,
                      const std::vector<ReportPicture>& pictures);
 
 /** How long the steps of judging took: rows of name and seconds. */
 HtmlRows judgingTimes(const Verification& verification);
 
-/** Warnings under a heading of their own; a sentence where there are none. */
+/** Warnings under a heading of their own; "None." if there are none. */
 void addWarnings(HtmlPage& page, const std::vector<std::string>& warnings);
 
 } // namespace pcl_spiral

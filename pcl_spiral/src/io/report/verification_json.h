@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A toolpath's figures as a JSON object, for the reports. Private to io.
+ *  The figures of a toolpath as a JSON object. Private to io.
  */
 #pragma once
 
-#include "verification_writer.h"
+#include "verify/verification.h"
 
 #include <nlohmann/json.hpp>
 
 namespace pcl_spiral {
 
-/** Keys in the order of writing. */
+/** The figures of figuresOf in their order, then limits, time and warnings. */
 nlohmann::ordered_json verificationJson(const Verification& verification);
 
 } // namespace pcl_spiral

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verification_json.h"
+
+#include "verify/verification_figures.h"
+
+namespace pcl_spiral {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json
+figureJson(const Figure& figure)
+{
+  switch (figure.kind) {
+  case FigureKind::Count:
+    return static_cast<std::size_t>(figure.value);
+  case FigureKind::Number:
+    return figure.value;
+  case FigureKind::Placed:
+    break;
+  }
+  if (!figure.place)
+    return nullptr;
+  const Eigen::Vector3d& at = figure.place->position;
+  return {{"value", figure.value}, {"position", {at.x(), at.y(), at.z()}}, {"index", figure.place->index}};
+}
+
+} // namespace
+
+nlohmann::ordered_json
+verificationJson(const Verification& v)
+{
+  Json json;
+  const FigureTable table = figuresOf(v);
+  for (const Figure& figure : table.figures())
+    if (figure.in_json)
+      json[Json::json_pointer("/" + figure.key)] = figureJson(figure);
+  json["broken_limits"] = v.broken;
+  json["unproven_limits"] = v.unproven;
+  json["seconds"] = v.seconds;
+  json["warnings"] = warningsOf(v);
+  return json;
+}
+
+} // namespace pcl_spiral

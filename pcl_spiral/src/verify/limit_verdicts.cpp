@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verify/limit_verdicts.h"
+
+#include "verify/figure_text.h"
+#include "verify/verification_figures.h"
+
+#include <iomanip>
+#include <sstream>
+
+namespace pcl_spiral {
+namespace {
+
+/** "Limits::gouge 0.01 is broken: 0.02 mm at (1, 2, 3), path point 4" */
+std::string
+brokenText(const Figure& figure)
+{
+  const FigureLimit& limit = *figure.limit;
+  std::ostringstream text;
+  text << limit.name << " " << limit.most << " is broken: " << limit.found
+       << (figure.style.unit == FigureUnit::Percent ? " percent" : " mm") << limit.where << placeSuffix(figure);
+  return text.str();
+}
+
+/** Adds a reason why no limit can hold, if there are such points. */
+void
+addFault(std::vector<std::string>& broken, std::size_t count, std::size_t points, const std::string& what)
+{
+  if (count > 0)
+    broken.push_back("no limit can hold: " + std::to_string(count) + " of " + std::to_string(points) + " path points " + what);
+}
+
+} // namespace
+
+std::vector<std::string>
+brokenLimits(const Limits& limits, const Verification& verification)
+{
+  std::vector<std::string> broken;
+  if (!limits.any())
+    return broken;
+  const FigureTable table = figuresOf(verification, limits);
+  for (const Figure& figure : table.figures())
+    if (figure.limit && !figure.limit->holds())
+      broken.push_back(brokenText(figure));
+  const DeviationFigures& d = verification.deviation;
+  addFault(broken, d.unmeasured, d.points, "lie off the surface and were not judged");
+  addFault(broken, d.opposed, d.points, "have a normal that points into the material, first " + pathPlaceText(d.first_opposed));
+  addFault(broken, d.inward_axes, d.points, "have a tool axis that points into the material, first " + pathPlaceText(d.first_inward));
+  addFault(broken, verification.tips_off, d.points,
+           "have a tool tip that is not this cutter's, the farthest " + pathPlaceText(verification.tip_error));
+  return broken;
+}
+
+std::vector<std::string>
+unprovenLimits(const Limits& limits, const Verification& verification)
+{
+  const double least = leastShown(verification.deviation);
+  std::vector<std::string> unproven;
+  const FigureTable table = figuresOf(verification, limits);
+  for (const Figure& figure : table.figures()) {
+    if (!figure.limit || !figure.limit->needs_proof || figure.limit->most >= least || figure.limit->found > figure.limit->most)
+      continue;
+    std::ostringstream text;
+    text << figure.limit->name << " " << figure.limit->most << " mm lies below " << std::setprecision(2) << least
+         << (verification.deviation.by_mesh
+                 ? " mm, three times what the surface fitted to the mesh's samples is off by: these cannot show that it holds; "
+                   "sample more closely (setSampleSpacing)"
+                 : " mm, three times the noise of the scan's surface: this scan cannot show that it holds");
+    unproven.push_back(text.str());
+  }
+  if (limits.any() && verification.deviation.in_gaps > 0)
+    unproven.push_back(std::to_string(verification.deviation.in_gaps) +
+                       " path points lie in gaps of the scan: no limit is shown to hold there");
+  return unproven;
+}
+
+double
+leastShown(const DeviationFigures& deviation)
+{
+  return 3.0 * deviation.fit_noise;
+}
+
+Verdict
+verdictOf(const Limits& limits, const Verification& verification)
+{
+  return !verification.broken.empty()     ? Verdict::Broken
+         : !verification.unproven.empty() ? Verdict::Unproven
+         : limits.any()                   ? Verdict::Kept
+                                          : Verdict::NoLimits;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Which limits a judged path keeps, breaks, or cannot be shown to keep.
+ */
+#pragma once
+
+#include "verify/verification.h"
+
+namespace pcl_spiral {
+
+/** The limits that do not hold, each with the value found and its place. Any limit is broken if points were not judged, or have
+ *  normals, axes or tool tips that are wrong. Messages name limits as Limits::gouge. */
+std::vector<std::string> brokenLimits(const Limits& limits, const Verification& verification);
+
+/** The limits that are kept but lie below leastShown, where noise and deviation cannot be told apart. With any limit: the points
+ *  in gaps, where there is nothing to judge by. */
+std::vector<std::string> unprovenLimits(const Limits& limits, const Verification& verification);
+
+/** The smallest value that the reference can show, mm: three standard deviations of its surface. */
+double leastShown(const DeviationFigures& deviation);
+
+enum class Verdict { NoLimits, Kept, Unproven, Broken };
+
+/** The worst that Verification::broken and Verification::unproven report. */
+Verdict verdictOf(const Limits& limits, const Verification& verification);
+
+} // namespace pcl_spiral

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verify/verification.h"
+
+#include <algorithm>
+
+namespace pcl_spiral {
+
+double
+uncutPercent(const RemovalFigures& removal)
+{
+  const std::size_t samples = removal.stock.samples + removal.rim.samples;
+  const std::size_t uncut = removal.stock.uncut + removal.rim.uncut;
+  return samples > 0 ? 100.0 * static_cast<double>(uncut) / static_cast<double>(samples) : 100.0;
+}
+
+const PlacedValue&
+firstUncut(const RemovalFigures& removal)
+{
+  return removal.stock.uncut > 0 ? removal.stock.first_uncut : removal.rim.first_uncut;
+}
+
+const PlacedValue&
+highestScallop(const RemovalFigures& removal)
+{
+  return removal.scallop.samples > 0 ? removal.scallop.max : removal.stock.max;
+}
+
+std::vector<std::string>
+warningsOf(const Verification& verification)
+{
+  std::vector<std::string> warnings = verification.deviation.warnings;
+  for (const std::string& warning : verification.removal.warnings)
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+      warnings.push_back(warning);
+  return warnings;
+}
+
+} // namespace pcl_spiral

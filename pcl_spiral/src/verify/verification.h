@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  A judged toolpath, and the limits that it must keep.
+ */
+#pragma once
+
+#include <pcl_spiral/verify/figures.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** What a path must keep. Absent: no limit. */
+struct Limits {
+  std::optional<double> gouge;     ///< mm
+  std::optional<double> scallop;   ///< mm
+  std::optional<double> deviation; ///< mm
+  std::optional<double> uncut;     ///< percent of the reference points
+  bool any() const { return gouge || scallop || deviation || uncut; }
+};
+
+/** A toolpath's figures. */
+struct Verification {
+  std::string path; ///< file name; empty for one that has just been made
+  DeviationFigures deviation;
+  RemovalFigures removal;
+  std::size_t tips_off = 0;          ///< points whose tool tip in the file is not that of the cutter at their contact
+  PlacedValue tip_error;             ///< the farthest of them, mm
+  std::vector<std::string> broken;   ///< limits that do not hold, in words; see brokenLimits
+  double seconds = 0.0;              ///< of judging, and of making the reference surface if this path was the first
+  std::vector<std::string> unproven; ///< limits that the noise is too large for, in words; see unprovenLimits
+};
+
+/** Reference points that the cutter leaves untouched, those of the rim band too; percent of all. */
+double uncutPercent(const RemovalFigures& removal);
+
+/** The first of them. */
+const PlacedValue& firstUncut(const RemovalFigures& removal);
+
+/** The figure that the limit on the scallop is compared with: the highest ridge, or the most stock if no ridge was measured. */
+const PlacedValue& highestScallop(const RemovalFigures& removal);
+
+/** Warnings of both measurements, each once. */
+std::vector<std::string> warningsOf(const Verification& verification);
+
+} // namespace pcl_spiral
