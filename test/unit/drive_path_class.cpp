@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The class DrivePath: what must not change its output, and what it refuses.
+// The class DrivePath: changes that must not change its output, and refusals.
 #include "support/driven.h"
 
 #include <Eigen/Geometry>
@@ -141,7 +141,7 @@ TEST(DrivePath, RefusesWhatCannotBe)
         d.setStepOver(1.0);
         d.setPlaneDirection(Vector3d(0, 0, -3));
       },
-      "along the tool axis");
+      "parallel to the tool axis");
   refused(
       plate,
       [&](Drive& d) {
@@ -193,12 +193,12 @@ TEST(DrivePath, RefusesWhatCannotBe)
       d.setAxisMode(mode);
     };
   };
-  refused(plate, kept(0.0, 0.01, DriveKind::Planes, DriveAxisMode::Fixed), "ball of radius 0 mm");
+  refused(plate, kept(0.0, 0.01, DriveKind::Planes, DriveAxisMode::Fixed), "the ball radius is 0 mm");
   refused(plate, kept(nan, 0.01, DriveKind::Planes, DriveAxisMode::Fixed), "setScallop");
   refused(plate, kept(3.0, 3.0, DriveKind::Planes, DriveAxisMode::Fixed), "the height below the radius");
   refused(plate, kept(3.0, nan, DriveKind::Planes, DriveAxisMode::Fixed), "setScallop");
-  refused(plate, kept(3.0, 0.01, DriveKind::BoundaryOffset, DriveAxisMode::Fixed), "by section planes alone");
-  refused(plate, kept(3.0, 0.01, DriveKind::Planes, DriveAxisMode::Cylinder), "not out of a cylinder");
+  refused(plate, kept(3.0, 0.01, DriveKind::BoundaryOffset, DriveAxisMode::Fixed), "only section planes can keep rows");
+  refused(plate, kept(3.0, 0.01, DriveKind::Planes, DriveAxisMode::Cylinder), "not to a cylinder");
   refused(plate, kept(3.0, 1e-15, DriveKind::Planes, DriveAxisMode::Fixed), "raise the scallop height");
   const auto linked = [](DriveKind kind, bool zigzag) {
     return [=](Drive& d) {
@@ -208,7 +208,7 @@ TEST(DrivePath, RefusesWhatCannotBe)
       d.setZigzag(zigzag);
     };
   };
-  refused(plate, linked(DriveKind::BoundaryOffset, true), "planes alone are linked");
+  refused(plate, linked(DriveKind::BoundaryOffset, true), "planes can be linked");
   refused(plate, linked(DriveKind::Planes, false), "to and fro");
   const std::vector<Vector3d> column = someColumn(3000);
   const auto rings = [](const DriveCylinder& cylinder) {
@@ -219,8 +219,8 @@ TEST(DrivePath, RefusesWhatCannotBe)
     };
   };
   refused(column, rings({{0, 0, 0}, {0, 0, 0}, 0.0, 1.0}), "no length");
-  refused(column, rings({{0, 0, 0}, {0, 0, 1}, 5.0, 4.0}), "last beyond the first");
-  refused(column, rings({{0, 0, 0}, {0, 0, 1}, 50.0, 60.0}), "nothing of the part");
+  refused(column, rings({{0, 0, 0}, {0, 0, 1}, 5.0, 4.0}), "last end above the first");
+  refused(column, rings({{0, 0, 0}, {0, 0, 1}, 50.0, 60.0}), "no point of the part");
   Drive empty;
   DrivePasses passes(3);
   empty.compute(passes);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drive paths round columns: constant radius, exact pitch, radial axes, fitted axis; the whole surface
-// covered.
+// is covered.
 #include "support/driven.h"
 
 #include <Eigen/Geometry>
@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/** Points of a column about z from -height / 2 to height / 2, even by area of its cylinder, moved. */
+/** Points of a column about z from -height / 2 to height / 2, evenly over the area of its cylinder, then moved. */
 std::vector<Vector3d>
 column(const std::function<double(double)>& radius, double height, double sector, double noise, const Eigen::Isometry3d& motion,
        std::size_t count, std::uint64_t seed)
@@ -37,7 +37,7 @@ waisted(double z)
   return 20.0 + 0.008 * z * z - 2.0; // 18 in the middle, 23 at the ends: undercut from every side
 }
 
-/** How far points and axes are from a ring about the axis. */
+/** Distance of points and axes from a ring about the axis. */
 struct RingErrors {
   double radius = 0.0, axis = 0.0;
 };
@@ -210,7 +210,7 @@ TEST(DriveRings, AWholeBallIsRefused)
         drive.setStepOver(3.0);
       },
       false);
-  EXPECT_NE(run.status.message().find("do not tell an axis"), std::string::npos) << run.status.message();
+  EXPECT_NE(run.status.message().find("do not define an axis"), std::string::npos) << run.status.message();
 }
 
 TEST(DriveRings, SurfaceAxesAreNormalsAlsoFarOffTheCylinder)
@@ -230,7 +230,7 @@ TEST(DriveRings, SurfaceAxesAreNormalsAlsoFarOffTheCylinder)
       continue;
     double worst = 0.0;
     for (const DrivePoint& p : run.passes[0].points) {
-      // The normal at the foot: the line back along the axis meets the profile square.
+      // The normal at the foot: the line back along the axis is perpendicular to the profile.
       double best = INFINITY, slope = 0.0;
       const double r = p.position.head<2>().norm();
       for (double z = -24.0; z <= 24.0; z += 0.001)

@@ -37,15 +37,15 @@ setRadial(const DriveColumn& column, const Pointers& points)
     p->axis = x - d * d.dot(x);
     if (!(p->axis.norm() > least))
       return {StatusCode::InvalidInput, "the drive point " + placeText(p->position) +
-                                            " lies on the axis of the drive cylinder, where no direction "
-                                            "leads out of it; move the cylinder's "
-                                            "axis, or take another axis mode"};
+                                            " lies on the axis of the drive cylinder, so no direction "
+                                            "leads away from that axis; move the cylinder's "
+                                            "axis, or choose another axis mode"};
     p->axis.normalize();
   }
   return Status::success();
 }
 
-/** Least principal axis of as many of the scan's points next to a place as make one of the graph's normals.
+/** Normals by PCA of the nearest points of the scan, as many as for a normal of the graph.
  */
 void
 setPlaneNormals(const SurfaceGraph& graph, const Pointers& points)
@@ -80,8 +80,8 @@ setPlaneNormals(const SurfaceGraph& graph, const Pointers& points)
   }
 }
 
-/** Feet of the places on the surface. A place far off it first moves to the nearest point, then across the
- * normals until these lead to it. */
+/** Feet of the places on the surface. A place far from it first moves to the nearest point, then across the
+ *  normals until the normal leads to the place. */
 std::vector<SurfaceFoot>
 feetOf(const MlsSurface& surface, const Pointers& points)
 {
@@ -114,7 +114,7 @@ feetOf(const MlsSurface& surface, const Pointers& points)
   return feet;
 }
 
-/** Between the axes before and after, by their distance in points; from one where there is but one. */
+/** Interpolate between the known axes before and after, by their distance in points; copy if there is only one. */
 std::size_t
 fillAxes(DrivePass& pass, const std::uint8_t* known)
 {
@@ -160,13 +160,13 @@ setSurfaceNormals(const SurfaceGraph& graph, const Pointers& points, const Progr
   for (DrivePass& pass : passes) {
     if (std::none_of(of_pass, of_pass + pass.points.size(), [](std::uint8_t k) { return k != 0; }))
       return {StatusCode::InvalidInput, "no surface was found next to the pass that begins at " + placeText(pass.points.front().position) +
-                                            ", for its axes to be normals of; put it on the scan, or take another axis mode"};
+                                            ", so its axes cannot be surface normals; move it onto the scan, or choose another axis mode"};
     report.axes_from_neighbours += fillAxes(pass, of_pass);
     of_pass += pass.points.size();
   }
   if (report.axes_from_neighbours > 0)
     report.warnings.push_back(textOf(report.axes_from_neighbours, " of ", points.size(),
-                                     " drive points have no surface next to them; their axes lie between those before "
+                                     " drive points have no surface next to them; their axes are interpolated from those before "
                                      "and after"));
   return Status::success();
 }

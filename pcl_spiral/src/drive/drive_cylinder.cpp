@@ -14,12 +14,12 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t most_sampled = 20000; // points the axis is fitted to
-constexpr double least_radial = 0.7;        // rms share of normals out of the axis
-constexpr double most_turning = 0.5;        // and round it
+constexpr std::size_t most_sampled = 20000; // points for the fit of the axis
+constexpr double least_radial = 0.7;        // rms share of the normals away from the axis
+constexpr double most_turning = 0.5;        // and around it
 constexpr double most_uncertainty = 0.4;    // radians, of a single point
 constexpr double least_covered = 90.0;      // degrees about the axis
-constexpr double facing_along = 0.25;       // share out of the axis below which a place faces along it
+constexpr double facing_along = 0.25;       // share away from the axis below which a place faces along it
 constexpr double most_facing_along = 0.2;   // of the area
 
 double
@@ -32,11 +32,11 @@ Status
 noColumn(const std::string& why)
 {
   return {StatusCode::InvalidInput, "the part is not shaped like a column: " + why +
-                                        "; leave out what does not belong to the column, give its axis "
-                                        "(setCylinder), or drive it by planes"};
+                                        "; remove what does not belong to the column, give its axis "
+                                        "(setCylinder), or choose section planes"};
 }
 
-/** Share of the area that faces along the axis rather than out of it. */
+/** Share of the area that faces along the axis and not away from it. */
 double
 shareFacingAlong(const SurfaceGraph& graph, const DriveCylinder& cylinder)
 {
@@ -62,16 +62,16 @@ fitCylinder(const SurfaceGraph& graph, DriveColumn& column)
   }
   const auto axis = fitRevolutionAxis(points, normals, weights);
   if (!axis)
-    return noColumn("its normals meet no axis");
+    return noColumn("its normals point to no common axis");
   if (axis->uncertainty > most_uncertainty)
-    return noColumn("its normals do not tell an axis, as on a sphere or a plate");
+    return noColumn("its normals do not define an axis, as on a sphere or a plate");
   if (axis->radial < least_radial)
-    return noColumn(textOf("about the best axis, ", placeText(axis->direction), ", its normals stand out of it by a share of ",
-                           axis->radial, " only, where ", least_radial, " is the least"));
+    return noColumn(textOf("for the best axis, ", placeText(axis->direction), ", the radial share of its normals is only ", axis->radial,
+                           ", but at least ", least_radial, " is needed"));
   if (axis->turning > most_turning)
-    return noColumn(textOf("about the best axis, ", placeText(axis->direction), ", its normals turn aside by ",
-                           std::asin(std::min(1.0, axis->turning)) * in_degrees, " degrees (rms), where ",
-                           std::asin(most_turning) * in_degrees, " are the most"));
+    return noColumn(textOf("for the best axis, ", placeText(axis->direction), ", its normals differ from the radial direction by ",
+                           std::asin(std::min(1.0, axis->turning)) * in_degrees, " degrees (rms), but at most ",
+                           std::asin(most_turning) * in_degrees, " are allowed"));
   column.cylinder.origin = axis->origin;
   column.cylinder.direction = axis->direction;
   double square = 0.0, whole = 0.0;
@@ -85,11 +85,11 @@ fitCylinder(const SurfaceGraph& graph, DriveColumn& column)
   }
   column.normal_miss = std::sqrt(square / whole);
   if (const double share = shareFacingAlong(graph, column.cylinder); share > most_facing_along)
-    return noColumn(textOf(100.0 * share, " % of it faces along the best axis, ", placeText(axis->direction)));
+    return noColumn(textOf(100.0 * share, " % of its area faces along the best axis, ", placeText(axis->direction)));
   return Status::success();
 }
 
-/** Radii and extent, of the points between the ends of a given cylinder. False where there are none. */
+/** Radii and extent of the points between the ends of a given cylinder. False if there are none. */
 bool
 measure(const SurfaceGraph& graph, DriveColumn& column)
 {
@@ -120,7 +120,7 @@ measure(const SurfaceGraph& graph, DriveColumn& column)
   return true;
 }
 
-/** The widest angle without points counts as not covered where it is wider than the scan's own gaps. */
+/** The widest angle without points counts as not covered if it is wider than the gaps of the scan. */
 void
 measureSector(const SurfaceGraph& graph, DriveColumn& column)
 {
@@ -176,7 +176,7 @@ checkCylinder(const DriveCylinder& c)
     return {StatusCode::InvalidArgument, "the axis of the drive cylinder has no length; set its direction"};
   if (c.last < c.first)
     return {StatusCode::InvalidArgument, textOf("the drive cylinder runs from ", c.first, " to ", c.last,
-                                                " mm along its axis; set the last beyond the first, or both to 0 for the whole scan")};
+                                                " mm along its axis; set the last end above the first, or both to 0 for the whole scan")};
   return Status::success();
 }
 
@@ -192,13 +192,13 @@ findColumn(const SurfaceGraph& graph, const std::optional<DriveCylinder>& given,
   else if (const Status status = fitCylinder(graph, column); !status.ok())
     return status;
   if (!measure(graph, column) || !(column.radius > 0.0))
-    return {StatusCode::InvalidInput, textOf("nothing of the part lies between ", column.cylinder.first, " and ", column.cylinder.last,
+    return {StatusCode::InvalidInput, textOf("no point of the part lies between ", column.cylinder.first, " and ", column.cylinder.last,
                                              " mm along the axis of the drive cylinder from ", placeText(column.cylinder.origin),
-                                             "; set its ends to where the surface is")};
+                                             "; set its ends to enclose the surface")};
   measureSector(graph, column);
   if (column.fitted && column.covered_angle < least_covered)
     return noColumn(textOf("it covers only ", column.covered_angle, " degrees about the best axis, ", placeText(column.cylinder.direction),
-                           ", where ", least_covered, " are the least"));
+                           ", but at least ", least_covered, " are needed"));
   return Status::success();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The passes of each kind, without axes yet. Private.
+ *  The passes of each kind, before their axes are set. Private.
  */
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace pcl_spiral {
 
-/** An extent divided into equal steps, none larger than asked for. */
+/** An extent divided into equal steps, none larger than the given one. */
 struct EqualSteps {
   double step = 0.0;
   std::vector<double> middles; ///< of each step
@@ -23,12 +23,12 @@ struct EqualSteps {
 
 EqualSteps equalSteps(double low, double high, double most);
 
-/** Refused where so many \p points, or what is made on the way to them (\p crossings of lines with edges),
- * are too many or take more memory than there is. */
+/** Refuses a path of too many \p points, or one that needs more memory than there is, for the points or for the
+ *  \p crossings of lines with edges. */
 Status checkDriveSize(double points, double crossings, const DriveSettings& settings);
 
-/** Points at equal arc length along a line, no farther apart than \p spacing; the ends of an open one are
- * kept. */
+/** Points at equal arc length along a line, at most \p spacing apart; the ends of an open line are
+ *  kept. */
 DrivePass passAlong(const Polyline& line, bool closed, double spacing);
 
 /** Normal of the section planes: across the tool axis and the direction of the passes; unit. */

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-/** Which line follows which, and which has one before it. */
+/** The line that follows each line, and whether a line has one before it. */
 struct Links {
   std::vector<std::size_t> after;
   std::vector<bool> follows;
@@ -91,7 +91,7 @@ joined(std::vector<DriveLine> lines, double most)
   const Links links = linksOf(lines, most);
   std::vector<DriveLine> whole;
   std::vector<bool> used(lines.size(), false);
-  for (const bool from_begin : {true, false}) // what is left then are circles
+  for (const bool from_begin : {true, false}) // the lines left after that are circles
     for (std::size_t i = 0; i < lines.size(); ++i) {
       if (used[i] || (from_begin && links.follows[i]))
         continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Level lines of a scan made whole. Private.
+ *  Joins pieces of level lines on a scan. Private.
  */
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace pcl_spiral {
 
-/** Gaps up to this are crossed, in spacings of the scan: half as wide as empty circles that still count as
- * surface. */
+/** Lines cross gaps up to this, in spacings of the scan: half the width of empty circles that still count as
+ *  surface. */
 constexpr double widest_gap = 3.0;
 
 /** A line on the surface. */
@@ -21,19 +21,19 @@ struct DriveLine {
   bool closed = false;
 };
 
-/** A triangulation with small flaws closed: its loops no longer than eight spacings, but for the outline of
- * each part.
+/** A triangulation with small gaps closed: those with loops of up to eight spacings, without the outline of
+ *  each part.
  */
 Triangulation withoutFlaws(const SurfaceGraph& graph);
 
 std::vector<DriveLine> driveLines(const std::vector<LevelLine>& lines, const SurfaceGraph& graph);
 
-/** The lines, each led on over a gap of no more than \p most to the one that begins there, nearest pairs
- * first; closed where it leads back to its own begin. Directions are kept. */
+/** The lines, each joined over a gap of at most \p most to the line that begins there, nearest pairs
+ *  first; closed if it leads back to its own begin. Directions are kept. */
 std::vector<DriveLine> joined(std::vector<DriveLine> lines, double most);
 
-/** Take out lines shorter than \p spacing, and those shorter than four whose middle is within two of a longer
- * line: second sheets of a triangulation in noise. Returns how many. */
+/** Remove lines shorter than \p spacing, and lines shorter than four spacings with their middle within two of a
+ *  longer line: they come from second layers of a triangulation in noise. Returns how many. */
 std::size_t dropShort(std::vector<DriveLine>& lines, double spacing);
 
 } // namespace pcl_spiral

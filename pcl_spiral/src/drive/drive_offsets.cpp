@@ -15,14 +15,14 @@
 namespace pcl_spiral {
 namespace {
 
-/** A level, and the island it is for; LevelIslands::none: for all of the surface. */
+/** A level, and its island; LevelIslands::none: the whole surface. */
 struct OffsetLevel {
   double distance;
   std::uint32_t island;
 };
 
-/** Equal steps, and one line more for each island whose peak is more than half a step inside the last of
- * these. */
+/** Equal steps, and one more line for each island with its peak more than half a step inside the last of
+ *  these. */
 std::vector<OffsetLevel>
 levelsOf(const EqualSteps& steps, const LevelIslands& islands)
 {
@@ -41,7 +41,7 @@ levelsOf(const EqualSteps& steps, const LevelIslands& islands)
   return levels;
 }
 
-/** A closed line begun next to \p place. */
+/** Let a closed line begin next to \p place. */
 void
 beginNextTo(const Eigen::Vector3d& place, Polyline& line)
 {
@@ -64,8 +64,8 @@ planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, const Prog
     return status;
   DistanceField field;
   if (!field.compute(graph, loops.front().curve))
-    return {StatusCode::Failed, "the distance from the outer boundary cannot be found: its outline runs farther than "
-                                "three spacings from the points; remove points off the surface, or scan more densely"};
+    return {StatusCode::Failed, "the distance from the outer boundary cannot be computed: its outline runs farther than "
+                                "three spacings from the points; remove points away from the surface, or scan more densely"};
   double deepest = 0.0;
   for (const double distance : field.distances())
     if (std::isfinite(distance))
@@ -101,8 +101,8 @@ planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, const Prog
       static_cast<std::size_t>(std::count_if(passes.begin(), passes.end(), [](const DrivePass& pass) { return !pass.closed; }));
   if (open > 0)
     report.warnings.push_back(textOf(open, " of ", passes.size(),
-                                     " lines are cut: by holes in the scan, or by its rim "
-                                     "where that is more jagged than half a step-over, ",
+                                     " lines are interrupted: by holes in the scan, or by its rim "
+                                     "if that is more ragged than half a step-over, ",
                                      0.5 * steps.step, " mm"));
   return Status::success();
 }

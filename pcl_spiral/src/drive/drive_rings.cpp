@@ -12,7 +12,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** Equal steps of an arc on the column's mean radius that climbs by \p climb. */
+/** Number of equal steps of an arc on the column's mean radius that climbs by \p climb. */
 std::size_t
 stepsOf(const DriveColumn& column, double angle, double climb, double spacing)
 {
@@ -28,8 +28,8 @@ add(const DriveColumn& column, double angle, double along, DrivePass& pass)
   pass.points.push_back(point);
 }
 
-/** One turn on the level of the first ring, as many at the pitch as there are steps between, one on the
- * last's level. */
+/** One turn on the level of the first ring, one turn for each step between rings, and one turn on the level of
+ *  the last ring. */
 DrivePass
 helix(const DriveColumn& column, const EqualSteps& rings, double spacing)
 {
@@ -77,7 +77,7 @@ planRings(const DriveSettings& settings, DrivePasses& passes, DriveReport& repor
   if (sector && settings.kind == DriveKind::Helix)
     return {StatusCode::InvalidInput,
             textOf("the part covers only ", column.covered_angle, " degrees about the axis of the column, from ", column.first_angle,
-                   " on: a helix would leave it in every turn; drive it by rings, which become arcs")};
+                   " on: a helix would leave the part in every turn; choose rings, which become arcs")};
   const double first = column.cylinder.first - settings.overrun, last = column.cylinder.last + settings.overrun;
   const double height = last - first, around = 2.0 * pi * column.radius;
   const double lines = height / settings.step_over + 2.0;

@@ -20,7 +20,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** Directions of the passes and of the steps between planes, and from where their distances count. */
+/** Directions of the passes and of the steps between planes, and the origin of their distances. */
 struct SectionFrame {
   Vector3d along, across, origin;
 };
@@ -35,7 +35,7 @@ frameOf(const DriveSettings& settings, const Vector3d& origin)
   return {along, axis.cross(along), origin};
 }
 
-/** Lines of one plane, each along the passes. */
+/** Let each line of one plane run along the passes. */
 void
 turnAlong(std::vector<DriveLine>& lines, const Vector3d& along)
 {
@@ -44,7 +44,7 @@ turnAlong(std::vector<DriveLine>& lines, const Vector3d& along)
       std::reverse(line.points.begin(), line.points.end());
 }
 
-/** In the order in which they begin; a closed one begins where it does along the passes. */
+/** Sort lines by where they begin along the passes; a closed line begins at its first place along them. */
 void
 sortAlong(std::vector<DriveLine>& lines, const Vector3d& along)
 {
@@ -64,7 +64,7 @@ turnBack(std::vector<DriveLine>& lines)
     std::reverse(line.points.begin(), line.points.end());
 }
 
-/** How far the points of the scan are across the passes, and the extent of those of \p mesh. */
+/** Distance of the scan's points across the passes, and the extent of the points of \p mesh. */
 struct AcrossPasses {
   std::vector<double> distance;
   double low = 1e300, high = -1e300;
@@ -85,7 +85,7 @@ acrossPasses(const SurfaceGraph& graph, const Triangulation& mesh, const Section
   return across;
 }
 
-/** Refused where rows that far apart have too many points. */
+/** Refuse if rows this far apart have too many points. */
 Status
 checkSize(const SurfaceGraph& graph, const DriveSettings& settings, double extent, double step)
 {
@@ -115,7 +115,7 @@ planesOf(const Surface& surface, const DriveSettings& settings, const SectionFra
   return checkSize(surface.graph(), settings, extent, extent / static_cast<double>(planes.size()));
 }
 
-/** With the step-over on a plane where rows are kept. */
+/** The settings; if rows are kept, with the step-over on a plane. */
 DriveSettings
 withStep(DriveSettings settings)
 {

@@ -11,7 +11,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double shortest = 1e-9;      // of a direction
+constexpr double shortest = 1e-9;      // length of a direction
 constexpr double most_parallel = 1e-4; // sine of the angle between axis and passes
 
 Status
@@ -36,8 +36,8 @@ checkDirections(const DriveSettings& s)
   if (!std::isfinite(s.plane_angle) || !s.plane_direction.allFinite())
     return bad("the direction of the section planes is not finite; set an angle in degrees, or a vector");
   if (!s.plane_direction.isZero(0.0) && !(s.axis.normalized().cross(s.plane_direction.normalized()).norm() > most_parallel))
-    return bad("the direction of the passes " + placeText(s.plane_direction) + " runs along the tool axis " + placeText(s.axis) +
-               ": no plane is told by them; set one across the axis");
+    return bad("the direction of the passes " + placeText(s.plane_direction) + " is parallel to the tool axis " + placeText(s.axis) +
+               ": they define no plane; set a direction across the axis");
   return Status::success();
 }
 
@@ -49,11 +49,11 @@ checkCurve(const DriveSettings& s)
       return bad(textOf("point ", i, " of the curve is not finite; remove it"));
   if (s.curve.size() < 2 || !(length(s.curve, s.curve_closed) > 0.0))
     return bad(textOf("the curve has ", s.curve.size(), " points and a length of ", length(s.curve, s.curve_closed),
-                      " mm; call setCurve with two points or more, apart from each other"));
+                      " mm; call setCurve with at least two different points"));
   return Status::success();
 }
 
-/** Whether the step-over is asked for. */
+/** Whether the settings use the step-over. */
 bool
 needsStep(const DriveSettings& s)
 {
@@ -64,21 +64,21 @@ Status
 checkRows(const DriveSettings& s)
 {
   if (s.link_rows && s.kind != DriveKind::Planes)
-    return bad("rows of section planes alone are linked; drive by planes (setKind), or leave links out (setLinkRows)");
+    return bad("only rows of section planes can be linked; choose planes (setKind), or leave links out (setLinkRows)");
   if (s.link_rows && !s.zigzag)
-    return bad("rows run one way begin far from the end of the one before, and are not linked; run them to and fro "
+    return bad("one-way rows begin far from the end of the row before and cannot be linked; run them to and fro "
                "(setZigzag), or leave links out (setLinkRows)");
   if (s.rows == DriveRows::Even)
     return Status::success();
   if (s.kind != DriveKind::Planes)
-    return bad("rows are kept to a scallop height by section planes alone; drive by planes (setKind), or take even rows "
+    return bad("only section planes can keep rows to a scallop height; choose planes (setKind), or even rows "
                "(setRows)");
   if (s.axisMode() == DriveAxisMode::Cylinder)
-    return bad("rows are kept to a scallop height for axes that are fixed or stand on the surface, not out of a cylinder; "
-               "take another axis mode (setAxisMode), or even rows (setRows)");
+    return bad("rows kept to a scallop height need axes that are fixed or normal to the surface, not to a cylinder; "
+               "choose another axis mode (setAxisMode), or even rows (setRows)");
   if (!isPositive(s.tool_radius) || !(s.scallop_height > 0.0 && s.scallop_height < s.tool_radius))
-    return bad(textOf("rows are to be kept for a ball of radius ", s.tool_radius, " mm and a scallop height of ", s.scallop_height,
-                      " mm; set both above 0, the height below the radius (setScallop)"));
+    return bad(textOf("for rows kept to a scallop height the ball radius is ", s.tool_radius, " mm and the scallop height ",
+                      s.scallop_height, " mm; set both above 0, and the height below the radius (setScallop)"));
   return Status::success();
 }
 

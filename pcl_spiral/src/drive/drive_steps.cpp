@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What all kinds of drive paths have in common: equal steps, equal spacing, size.
+// Common to all kinds of drive paths: equal steps, equal spacing, size.
 #include "drive_kinds.h"
 
 #include "common/available_memory.h"
@@ -30,8 +30,8 @@ checkDriveSize(double points, double crossings, const DriveSettings& settings)
   if (!too_many && !(memory && bytes > *memory))
     return Status::success();
   return {StatusCode::InvalidArgument,
-          textOf("the drive path asked for is too large: about ", points, " points and ", bytes / 1e9, " GB of memory, where ",
-                 most_path_points, " points are the most") +
+          textOf("this drive path would be too large: about ", points, " points and ", bytes / 1e9, " GB of memory, but at most ",
+                 most_path_points, " points are possible") +
               (memory ? textOf(" and ", *memory / 1e9, " GB are free") : std::string()) +
               "; is the part in another unit than mm? Otherwise raise " +
               (settings.kind == DriveKind::Curve  ? std::string()

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 constexpr double floor_share = 0.25, cell_share = 0.5; // of the step on a plane
 
-/** The points of the graph; where they are closer than \p edge, the first of each cube of that size. */
+/** The points of the graph; if they are closer than \p edge, the first of each cube of that size. */
 std::vector<Vector3d>
 placesOf(const SurfaceGraph& graph, double edge)
 {
@@ -42,12 +42,12 @@ placesOf(const SurfaceGraph& graph, double edge)
 void
 warnOfFloor(const DriveSettings& settings, double floor, const Vector3d& narrowest, DriveReport& report)
 {
-  report.warnings.push_back(textOf("rows are held ", floor, " mm apart on ", 100.0 * report.held_share,
+  report.warnings.push_back(textOf("rows stay ", floor, " mm apart on ", 100.0 * report.held_share,
                                    " % of the surface, where the scallop height of ", settings.scallop_height,
-                                   " mm asks for less, least at ", placeText(narrowest),
+                                   " mm needs less, the smallest at ", placeText(narrowest),
                                    ": ridges there are higher; turn the planes across steep walls "
-                                   "(setPlaneDirection), or, in a hollow hardly "
-                                   "wider than the ball, take a smaller one"));
+                                   "(setPlaneDirection), or take a smaller ball "
+                                   "if a hollow is hardly wider than the ball"));
 }
 
 } // namespace

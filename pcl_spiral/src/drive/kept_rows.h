@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Section planes of a scan as close as the scallop asks. Private.
+ *  Section planes of a scan as close as the scallop height needs. Private.
  */
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace pcl_spiral {
 
-/** Planes between \p low and \p high, mm along \p across from \p origin. With a fixed tool axis the ball's
- * centres are in the planes; otherwise, dropped along the surface's normal, its contacts. Of a cloud denser
- * than half a step one place a cell of that size is looked at. Steps are held at a quarter of that on a
- * plane, with a warning. */
+/** Planes between \p low and \p high, mm along \p across from \p origin. With a fixed tool axis the centres of
+ *  the ball are in the planes; otherwise the ball drops along the surface normal, and its contacts are in the
+ *  planes. If a cloud is denser than half a step, one point in each cell of that size is used. Steps are at
+ *  least a quarter of the step on a plane, with a warning. */
 RowLevels keptRows(const Surface& surface, const DriveSettings& settings, const Eigen::Vector3d& across, const Eigen::Vector3d& origin,
                    double low, double high, DriveReport& report);
 

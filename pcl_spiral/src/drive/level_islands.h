@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Tops of a function that lie between two of its level lines. Private.
+ *  Peaks of a function between two of its level lines. Private.
  */
 #pragma once
 
@@ -11,11 +11,11 @@
 
 namespace pcl_spiral {
 
-/** Parts of a triangulation above one level that reach no further one. */
+/** Parts of a triangulation above one level that do not reach the next level. */
 struct LevelIslands {
   static constexpr std::uint32_t none = Triangulation::none;
   struct Island {
-    std::size_t level; ///< the one it stands above
+    std::size_t level; ///< the level below the island
     double peak;
   };
   std::vector<Island> islands;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Drive paths over a mesh: its sections; and helix, rings and curves as over a cloud of its points.
+// Drive paths over a mesh: sections of it; helix, rings and curves as over a cloud of its points.
 #include "drive_kinds.h"
 
 #include "mesh/mesh_feet.h"
@@ -18,14 +18,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** As the caller's limit leaves them. */
+/** The number of threads within the caller's limit. */
 unsigned int
 threadsInUse()
 {
   return static_cast<unsigned int>(omp_get_max_threads());
 }
 
-/** A surface through points of the mesh, for what works on clouds. */
+/** A surface through points of the mesh, for code that works on clouds. */
 Status
 sampledSurface(const SurfaceMesh::ConstPtr& mesh, Surface::ConstPtr& surface)
 {
@@ -88,7 +88,7 @@ planMeshSections(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& setting
   takeReport(sections.getReport(), report);
   if (report.facing_away > 0)
     report.warnings.push_back(textOf(report.facing_away, " contacts face away from the tool axis ", placeText(settings.axis),
-                                     ", and were left out; passes are cut there"));
+                                     ", and were left out; passes are interrupted there"));
   return sections.getStatus();
 }
 
@@ -132,7 +132,7 @@ planMeshDrive(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& settings, 
 {
   if (settings.kind == DriveKind::BoundaryOffset)
     return {StatusCode::InvalidArgument,
-            "offsets of the boundary run over a scan's points, not over a mesh: call setKind(DriveKind::Planes), "
+            "offsets of the boundary run over the points of a scan, not over a mesh: call setKind(DriveKind::Planes), "
             "or give the mesh's vertices as a cloud (setInputCloud)"};
   if (settings.kind != DriveKind::Planes) {
     Surface::ConstPtr surface;

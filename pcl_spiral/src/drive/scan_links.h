@@ -9,8 +9,8 @@
 
 namespace pcl_spiral {
 
-/** Places on the fitted surface: over the triangles of \p mesh or within a spacing of them, in no void. Both
- * are referred to. */
+/** Places on the fitted surface: over the triangles of \p mesh or within a spacing of them, not in a void. Keeps
+ *  references to both arguments. */
 PlacesOnSurface onScan(const Surface& surface, const Triangulation& mesh);
 
 } // namespace pcl_spiral

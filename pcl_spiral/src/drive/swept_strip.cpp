@@ -17,9 +17,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double no_way = 1e-12; // mm across the axis: along it
+constexpr double no_way = 1e-12; // mm across the axis: a shorter move runs along it
 
-/** Share of the way from \p a to \p b nearest to the origin; outside of 0 to 1, or not a number, where it has no foot. */
+/** Share of the way from \p a to \p b nearest to the origin; outside of 0 to 1, or not a number, if it has no foot. */
 double
 footShare(const Vector2d& a, const Vector2d& b)
 {
@@ -82,7 +82,7 @@ SweptStrip::toTurnedBox(const Box& box) const
   return toBox(middle - half, middle + half);
 }
 
-/** The strip has no upper end: the upper side of the box is nearest, and of it an end, or the place below or beside a corner. */
+/** The strip has no upper end, so the nearest place is on the upper side of the box: an end, or below or beside a corner. */
 double
 SweptStrip::toBox(const Vector3d& low, const Vector3d& high) const
 {
@@ -111,7 +111,7 @@ SweptStrip::toPlane(const Matrix3d& corners, const Matrix3d& bows) const
   return off > 0.0 ? off * off / normal.squaredNorm() : 0.0;
 }
 
-/** Whether the way between two places of its plane meets the strip: cut by the three lines it lies beside. */
+/** Whether the way between two places of its plane meets the strip: the way is clipped by the three lines that bound the strip. */
 bool
 SweptStrip::meetsInPlane(const Vector2d& from, const Vector2d& to) const
 {
@@ -144,7 +144,7 @@ SweptStrip::meets(const Matrix3d& corners) const
   return found == 2 && meetsInPlane(cuts[0], cuts[1]);
 }
 
-/** Least from the edges of the strip to the way from \p from to \p to, where it is between the ends of both. */
+/** Least squared distance from the edges of the strip to the way from \p from to \p to, if it is between the ends of both. */
 double
 SweptStrip::toEdge(const Vector3d& from, const Vector3d& to) const
 {

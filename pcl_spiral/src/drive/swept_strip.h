@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What the axis of a ball cutter sweeps on a straight move. Private.
+ *  The strip that the axis of a ball cutter sweeps on a straight move. Private.
  */
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace pcl_spiral {
 
-/** The flat strip between the axes at both ends of a move, above the way of the ball's centre, without end upwards. The ball and
- *  the shank of the same radius above it sweep all places within the radius of it. Squared distances, all in the strip's frame:
- *  along the way across the axis, off the strip's plane, and along the axis, from the first centre. */
+/** The flat strip between the axes at both ends of a move, above the way of the ball's centre, without an upper end. The ball and
+ *  the shank of the same radius above it sweep all places within the radius of the strip. Squared distances, all in the strip's
+ *  frame from the first centre: along the way across the axis, out of the strip's plane, and along the axis. */
 class SweptStrip {
 public:
   /** \p axis unit. */
@@ -24,14 +24,14 @@ public:
   Eigen::Vector3d way() const { return {length_, 0.0, rise_}; }
 
   double toPlace(const Eigen::Vector3d& p) const;
-  /** To a box as given, not along the frame: a bound. */
+  /** To a box that is not along the frame: a lower bound. */
   double toTurnedBox(const Box& box) const;
   /** To a box along the frame. */
   double toBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high) const;
-  /** To the side of a curved triangle's plane that it may lead to, by its bows as of PatchCell; 0 where the strip is not above
-   *  all of it: a bound. */
+  /** To the plane of a curved triangle, moved up by its bows (see PatchCell); 0 if the strip is not above
+   *  all of it: a lower bound. */
   double toPlane(const Eigen::Matrix3d& corners, const Eigen::Matrix3d& bows) const;
-  /** To a flat triangle, exactly: strip and triangle are convex, so where they do not meet a corner of one or an edge of each
+  /** To a flat triangle, exactly: strip and triangle are convex, so if they do not meet, a corner of one or an edge of each
    *  is nearest. */
   double toTriangle(const Eigen::Matrix3d& corners) const;
 

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 constexpr WayPart no_part{1.0, 0.0};
 
-/** Keep of \p part where \p start + t \p slope >= 0. */
+/** Keep the stretch of \p part with \p start + t \p slope >= 0. */
 void
 clip(double start, double slope, WayPart& part)
 {
@@ -28,7 +28,7 @@ clip(double start, double slope, WayPart& part)
 
 } // namespace
 
-/** Keep of \p part where t \p way is within \p reach of \p place; false where nothing is left. */
+/** Keep the stretch of \p part with t \p way within \p reach of \p place; false if nothing is left. */
 bool
 WayCover::clipToReach(const Vector3d& place, const Vector3d& way, double reach, WayPart& part) const
 {

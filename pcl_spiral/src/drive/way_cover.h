@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Where on its way a ball touches triangles. Private.
+ *  Where a ball touches triangles on its way. Private.
  */
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace pcl_spiral {
 
-/** Part of a way, by shares of it. */
+/** Part of a way, in shares of its length. */
 struct WayPart {
   double first = 0.0, last = 1.0;
 };
@@ -20,7 +20,7 @@ class WayCover {
 public:
   explicit WayCover(const Eigen::Vector3d& way) : way_(way) {}
 
-  /** The part, one since both are convex, where a flat triangle is within \p reach: of its face, its edges and corners. */
+  /** Add the part where a flat triangle is within \p reach: its face, edges and corners. It is one part, for both are convex. */
   void add(const Eigen::Matrix3d& corners, double reach);
   bool isWhole();
 
