@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rail and generator out of full scans of ridges that are known exactly.
+// Rail and generator from full scans of exact ridges.
 #include <pcl_spiral/ridge/ridge_toolpath.h>
 
 #include "support/found_lines.h"
@@ -43,7 +43,7 @@ ofSurface(const RidgeSurface& surface)
   return off;
 }
 
-/** How far a line wanders across the die from one place of the generator, rms, mm. */
+/** Variation of a line across the die from one place of the generator, rms, mm. */
 double
 wander(const Polyline& line)
 {
@@ -70,11 +70,11 @@ TEST(RidgeLines, OfANoisyScanAreTheDie)
     EXPECT_LE(off.largest, 0.05) << seed;
     const ScanRidgeReport& report = lines.getReport();
     EXPECT_GT(lines.getRidge()->rail().length(), 620.0);
-    EXPECT_GT(report.reach_left + report.reach_right, 25.0); // of 27.1 in all
+    EXPECT_GT(report.reach_left + report.reach_right, 25.0); // of 27.1 in total
     EXPECT_NEAR(report.noise, 0.02, 0.002);
     EXPECT_NEAR(report.misfit, 0.02, 0.002);
     EXPECT_LT(report.largest_misfit, 0.08);
-    EXPECT_GT(wander(report.crest), 5.0 * wander(lines.getRail())) << seed; // the crest alone
+    EXPECT_GT(wander(report.crest), 5.0 * wander(lines.getRail())) << seed; // only the crest
     std::printf("seed %u: off by %.4f rms, %.4f at most; wander %.3f, of the crest alone %.3f; %d rounds\n", static_cast<unsigned>(seed),
                 off.rms, off.largest, wander(lines.getRail()), wander(report.crest), report.rounds);
   }
@@ -97,7 +97,7 @@ TEST(RidgeLines, OfAProfileThatChangesAreSaidWithPlace)
   EXPECT_GT(report.largest_place.x(), 570.0);
   EXPECT_GT(report.misfit, 0.05);
   ASSERT_FALSE(report.warnings.empty());
-  EXPECT_NE(report.warnings.back().find("the part is off the surface that the generator sweeps by 0.0"), std::string::npos)
+  EXPECT_NE(report.warnings.back().find("the part differs from the surface that the generator sweeps by 0.0"), std::string::npos)
       << report.warnings.back();
   Lines same = linesOf(coarseDie(), roughPointsOfDie(die), 20.0);
   find(same);
@@ -147,7 +147,7 @@ TEST(RidgeLines, MoveWithTheScanAndTheReference)
   moved_lines.setReferenceNormal(motion.linear() * Vector3d::UnitZ());
   moved_lines.setViewPoint(motion * Vector3d(300.0, 0.0, 5000.0));
   find(moved_lines);
-  double most = 0.0; // the scan is rounded to single precision after the motion, so that cells of points differ a little
+  double most = 0.0; // the scan is rounded to single precision after the motion, so cells of points differ slightly
   for (int i = 0; i <= 50; ++i)
     for (int j = 0; j <= 10; ++j) {
       double w = 0.0;
@@ -199,7 +199,7 @@ TEST(RidgeLines, OfNarrowBandsAndGapsSettle)
   }
 }
 
-/** Where a rail climbs, a turn of it rolls its frame, which looks like a shift of the sections. */
+/** Where a rail climbs, its turn rolls its frame, which looks like a shift of the sections. */
 TEST(RidgeLines, OfAHelixSettle)
 {
   const auto profile = [](double w) { return Vector3d(0.0, 30.0 * w, 24.0 * w * (1.0 - w)); };

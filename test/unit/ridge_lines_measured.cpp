@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measured lines: any order, any place, and lines that are none.
+// Measured lines: any order, any place, and points that are not lines.
 #include <pcl_spiral/ridge/ridge_surface.h>
 
 #include "support/made_ridge.h"
@@ -38,7 +38,7 @@ refused(const Polyline& rail, const Polyline& generator, const std::string& word
   EXPECT_NE(status.message().find(words), std::string::npos) << "'" << words << "' in: " << status.message();
 }
 
-/** Largest difference of places and normals, \p motion put on the first. */
+/** Largest difference of places and normals, with \p motion applied to the first. */
 double
 difference(const RidgeSurface& a, const RidgeSurface& b, const Eigen::Isometry3d& motion = Eigen::Isometry3d::Identity())
 {
@@ -101,8 +101,8 @@ TEST(RidgeLines, ThatAreNoneAreRefused)
   Polyline bad = rail;
   bad[7].y() = std::numeric_limits<double>::quiet_NaN();
   refused(bad, generator, "point 8 of the rail is not finite");
-  refused({rail[0], rail[1], rail[2]}, generator, "the rail has 3 points that differ");
-  refused(rail, {generator[0], generator[0], generator[1]}, "the generator has 2 points");
+  refused({rail[0], rail[1], rail[2]}, generator, "the rail has 3 different points");
+  refused(rail, {generator[0], generator[0], generator[1]}, "the generator has 2 different points");
   refused(Polyline(20001, rail[0]), generator, "the rail has 20001 points");
   bad = rail;
   bad.erase(bad.begin() + 80, bad.begin() + 100);
@@ -118,7 +118,7 @@ TEST(RidgeLines, ThatAreNoneAreRefused)
   Polyline ring;
   for (int k = 0; k <= 36; ++k)
     ring.push_back(generator[0] + 5.0 * Vector3d(0.0, std::cos(k * M_PI / 18.0) - 1.0, std::sin(k * M_PI / 18.0)));
-  refused(rail, ring, "tells no direction");
+  refused(rail, ring, "defines no direction");
   Polyline far = generator;
   for (Vector3d& p : far)
     p.y() += 100.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scans and rough points that are no ridge, with the remedies that messages name.
+// Scans and rough points that are not a ridge, with the remedies from the messages.
 #include "support/found_lines.h"
 
 #include <gtest/gtest.h>
@@ -33,10 +33,10 @@ TEST(RidgeLines, RefuseWhatIsNoRidge)
   const Polyline rough = roughPointsOfDie(die);
   refused(linesOf({}, rough, 20.0), "the input cloud is missing or empty");
   refused(linesOf(std::vector<Vector3d>(100, Vector3d::Constant(NAN)), rough, 20.0), "none of the 100 points is finite");
-  refused(linesOf(scan, {rough[0]}, 20.0), "there are 1 rough points; a ridge takes two or more");
+  refused(linesOf(scan, {rough[0]}, 20.0), "there are 1 rough points; a ridge needs two or more");
   Lines ring = linesOf(scan, {rough[0], rough[1]}, 20.0);
   ring.setClosed(true);
-  refused(ring, "a closed ridge takes three");
+  refused(ring, "a closed ridge needs three");
   refused(linesOf(scan, {rough[0], rough[0]}, 20.0), "rough points 0 and 1 are both at (");
   refused(linesOf(scan, {rough[0], Vector3d::Constant(NAN)}, 20.0), "rough point 1 is not finite");
   refused(linesOf(scan, rough, 0.0), "the half width is 0 mm");
@@ -45,7 +45,7 @@ TEST(RidgeLines, RefuseWhatIsNoRidge)
   refused(linesOf(scan, off, 20.0), "rough point 4 at ");
   Lines level = linesOf(scan, rough, 20.0);
   level.setReferenceNormal(Vector3d::UnitX());
-  refused(level, "take a reference normal across the ridge (setReferenceNormal)");
+  refused(level, "set a reference normal across the ridge (setReferenceNormal)");
 }
 
 TEST(RidgeLines, OfAHollowAreThoseOfTheOtherSide)
@@ -76,7 +76,7 @@ TEST(RidgeLines, RefuseAFlatScanAndABandBesideIt)
     if (w > 0.3)
       half.push_back(p);
   }
-  refused(linesOf(half, rim, 12.0), "the band of the ridge runs off the scan at (");
+  refused(linesOf(half, rim, 12.0), "the band of the ridge leaves the scan at (");
 }
 
 TEST(RidgeLines, RoundsThatDoNotEndAreSaid)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ridges of measured lines against ridges known exactly.
+// Ridges of measured lines against exact ridges.
 #include <pcl_spiral/ridge/ridge_surface.h>
 
 #include "support/made_ridge.h"
@@ -87,7 +87,7 @@ TEST(RidgeSurface, OfARingIsATorusWithoutASeam)
 {
   const ExactRidge exact = ringRidge(50.0, arch, -15.0 * degree);
   Polyline rail = exact.railPoints(315);
-  rail.pop_back(); // the first comes again
+  rail.pop_back(); // the first point is repeated
   const auto surface = madeRidge(rail, exact.generatorPoints(0.2, 80));
   ASSERT_TRUE(surface);
   EXPECT_TRUE(surface->report().closed);
@@ -113,7 +113,7 @@ TEST(RidgeSurface, FoldsWhereTheGeneratorReachesTheMiddleOfTheBend)
   EXPECT_TRUE(madeRidge(rail, inward(49.0).generatorPoints(0.2, 50)));
   const std::string message = refusal(rail, inward(51.0).generatorPoints(0.2, 50));
   EXPECT_NE(message.find("folds at ("), std::string::npos) << message;
-  EXPECT_NE(message.find("51 mm from the rail, and 50 mm is the most"), std::string::npos) << message;
+  EXPECT_NE(message.find("51 mm from the rail, but at most 50 mm are possible"), std::string::npos) << message;
 }
 
 TEST(RidgeSurface, OfAHelixTwists)
@@ -166,7 +166,7 @@ TEST(RidgeSurface, TheRailMayBeAsSteepAsTheChordLets)
   steep = rising(60.5 * degree);
   steep.rail = [rail = steep.rail](double t) { return rail(std::min(t, 0.999999)); };
   const std::string message = refusal(steep.railPoints(400), rising(59.0 * degree).generatorPoints(0.3, 40));
-  EXPECT_NE(message.find("keeps 30 degrees goes up to 60"), std::string::npos) << message;
+  EXPECT_NE(message.find("at 30 degrees allows at most 60"), std::string::npos) << message;
   EXPECT_NE(message.find("has a slope of 60"), std::string::npos) << message;
 }
 

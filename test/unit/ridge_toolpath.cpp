@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows over ridges: spots that cover all of it, equal steps, scallops of a ball, and what is refused.
+// Rows over ridges: spots that cover the whole ridge, equal steps, scallops of a ball, and refusals.
 #include <pcl_spiral/ridge/ridge_toolpath.h>
 
 #include "support/ridges.h"
@@ -141,7 +141,7 @@ TEST(RidgeToolpath, ABallLeavesNoHigherRidgesThanAsked)
     double largest = 0.0;
     std::size_t above = 0, count = 0;
     for (double t = 0.1; t < 0.9; t += 0.0437)
-      for (double w = 0.05; w < 0.95; w += 0.0031) { // what is left above a place: from the surface out along the normal
+      for (double w = 0.05; w < 0.95; w += 0.0031) { // height left above a place: from the surface out along the normal
         const Vector3d p = die.position(t, w), n = die.normal(t, w);
         double left = 1.0;
         for (const DrivePass& row : rows)
@@ -156,7 +156,7 @@ TEST(RidgeToolpath, ABallLeavesNoHigherRidgesThanAsked)
         ++count;
       }
     EXPECT_LE(above, count / 1000);
-    EXPECT_GT(largest, 0.8 * height); // and hardly closer than that takes
+    EXPECT_GT(largest, 0.8 * height); // and the rows are not much closer than needed
   }
 }
 
@@ -190,7 +190,7 @@ TEST(RidgeToolpath, RingsOfRowsAreClosed)
   ridge.setLead(20.0);
   for (const DrivePass& row : rowsOf(ridge)) {
     EXPECT_TRUE(row.closed);
-    for (std::size_t i = 0; i < row.points.size(); ++i) { // the axis leads alike all round, over the seam, too
+    for (std::size_t i = 0; i < row.points.size(); ++i) { // the axis has the same lead all round, also over the seam
       const DrivePoint &p = row.points[i], &q = row.points[row.points.size() / 2];
       const auto lead = [](const DrivePoint& at) { return at.axis.dot(Vector3d::UnitZ().cross(at.position).normalized()); };
       EXPECT_NEAR(lead(p), lead(q), 1e-4);
@@ -219,8 +219,8 @@ TEST(RidgeToolpath, RefusesWhatCannotBe)
   using Ridge = RidgeToolpath<pcl::PointXYZ>;
   refused([](Ridge& r) { r.setInputCloud(Cloud::Ptr(new Cloud)); }, "the rail is missing or empty");
   refused([](Ridge& r) { r.setInputGenerator(nullptr); }, "the generator is missing or empty");
-  refused([](Ridge& r) { r.setStepOver(0.0); }, "nothing tells how far rows are apart");
-  refused([](Ridge& r) { r.setSpot(4.0, 0.0); }, "more than one setting tells");
+  refused([](Ridge& r) { r.setStepOver(0.0); }, "no setting defines how far rows are apart");
+  refused([](Ridge& r) { r.setSpot(4.0, 0.0); }, "more than one setting defines");
   refused(
       [](Ridge& r) {
         r.setStepOver(0.0);

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 constexpr double none = -1e30;
 
-/** Curvature of each foot, a row a section, weighed so that of two crests the nearer to the middle is taken. */
+/** Curvature of each foot, one row a section, weighted to prefer the crest nearer to the middle. */
 class CrestMap {
 public:
   CrestMap(const Surface& surface, const ScanSections& sections)
@@ -44,7 +44,7 @@ private:
   std::vector<double> values_;
 };
 
-/** The way of the largest sum from row to row; where \p first is within the row, it begins and ends there. */
+/** The way of the largest sum from row to row; if \p first is within the row, it begins and ends there. */
 std::vector<std::size_t>
 bestWay(const CrestMap& map, std::size_t first)
 {
@@ -72,7 +72,7 @@ bestWay(const CrestMap& map, std::size_t first)
   return way;
 }
 
-/** The top of the parabola through \p column and its neighbours, in columns from it. */
+/** The top of the parabola through \p column and its neighbours, in columns from \p column. */
 double
 topBeside(const CrestMap& map, std::size_t row, std::size_t column)
 {

@@ -11,9 +11,9 @@
 
 namespace pcl_spiral {
 
-/** Where the larger curvature of \p sections is largest, a place a section: along the way of the largest sum of curvatures that
- *  moves by no more than a step from section to section, so that noise of one does not leave the crest. Of rings it ends where it begins.
- *  Feet by the scan's rim, whose fits see one side alone, take no part. */
+/** The places where the larger curvature of \p sections is largest, one a section: the way with the largest sum of curvatures that
+ *  moves by at most one step from section to section, so noise of one section does not leave the crest. On rings it ends where it
+ *  begins. Feet near the rim of the scan, whose fits have points on one side only, are not used. */
 Polyline crestOf(const Surface& surface, const ScanSections& sections, bool closed);
 
 /** Degrees by which a section bends within \p steps to either side: the angle of its normals about \p tangent, positive where it is

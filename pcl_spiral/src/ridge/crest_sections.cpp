@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** Straight fits to \p line within \p reach to either side, at each of its points: the crest of a noisy scan wanders from point to point.
+/** Straight fits to \p line within \p reach to either side of each point, because the crest of a noisy scan moves from point to point.
  *  */
 Polyline
 evened(const Polyline& line, double reach, bool closed)
@@ -43,7 +43,7 @@ evened(const Polyline& line, double reach, bool closed)
   return result;
 }
 
-/** Every rough point is near the scan. */
+/** Refuse rough points far from the scan. */
 Status
 checkOnScan(const Surface& surface, const ScanRidgeSettings& settings)
 {
@@ -52,12 +52,12 @@ checkOnScan(const Surface& surface, const ScanRidgeSettings& settings)
   for (std::size_t i = 0; i < settings.rough_points.size(); ++i)
     if (const double off = (found.foot(i, 0).position - settings.rough_points[i]).norm(); !(off <= settings.half_width))
       return {StatusCode::InvalidInput, textOf("rough point ", i, " at ", placeText(settings.rough_points[i]), " is ", off,
-                                               " mm off the scan, more than the half width, ", settings.half_width,
+                                               " mm away from the scan, more than the half width of ", settings.half_width,
                                                " mm: give places on the ridge, in the scan's unit (setRoughPoints)")};
   return Status::success();
 }
 
-/** Walk sections about \p line, no closer than a few spacings. */
+/** Make sections across \p line, at least a few spacings apart. */
 void
 walkAbout(const Surface& surface, const ScanRidgeSettings& settings, const Polyline& line, CrestSections& crest)
 {
@@ -77,7 +77,7 @@ walkAbout(const Surface& surface, const ScanRidgeSettings& settings, const Polyl
   crest.sections = walkSections(surface, places, crest.tangents, step, static_cast<int>(std::ceil(settings.half_width / step)));
 }
 
-/** Wide enough, and bent. */
+/** Refuse sections that are too short or not bent. */
 Status
 checkSections(const ScanRidgeSettings& settings, const CrestSections& crest)
 {
@@ -87,20 +87,20 @@ checkSections(const ScanRidgeSettings& settings, const CrestSections& crest)
   for (const int side : {-1, 1})
     if (const double reach = crest.sections.step * commonReach(crest.sections, side, worst); reach < least_share * settings.half_width)
       return {StatusCode::InvalidInput,
-              textOf("the band of the ridge runs off the scan at ", placeText(crest.places[worst]), ": on one side it ends ",
-                     crest.sections.step * crest.sections.reach(worst, side), " mm from the crest, where ",
-                     least_share * settings.half_width, " mm are the least for a half width of ", settings.half_width,
-                     ": choose rough points farther from the rim, or a smaller half width (setHalfWidth)")};
+              textOf("the band of the ridge leaves the scan at ", placeText(crest.places[worst]), ": on one side it ends ",
+                     crest.sections.step * crest.sections.reach(worst, side), " mm from the crest, but at least ",
+                     least_share * settings.half_width, " mm are needed for a half width of ", settings.half_width,
+                     " mm: choose rough points farther from the rim, or a smaller half width (setHalfWidth)")};
   std::vector<std::pair<double, std::size_t>> bends;
   for (std::size_t i = 0; i < crest.sections.size(); ++i)
     bends.emplace_back(bendOf(crest.sections, i, crest.sections.most, crest.tangents[i]), i);
   std::sort(bends.begin(), bends.end());
   if (const auto& [bend, where] = bends[bends.size() / 3]; bend < least_bend)
     return {StatusCode::InvalidInput,
-            textOf("there is no crest between the rough points at ", placeText(crest.places[where]), ": across it the scan bends by ", bend,
-                   " degrees within the half width, and a ridge bends by ", least_bend,
-                   " or more: move the rough points to the ridge (setRoughPoints), take a larger half width "
-                   "(setHalfWidth), or, where it is a hollow, the other side (setFlipNormals)")};
+            textOf("there is no crest between the rough points at ", placeText(crest.places[where]), ": across the line the scan bends by ",
+                   bend, " degrees within the half width, but a ridge bends by at least ", least_bend,
+                   ": move the rough points to the ridge (setRoughPoints), set a larger half width "
+                   "(setHalfWidth), or flip the normals if it is a hollow (setFlipNormals)")};
   return Status::success();
 }
 
@@ -111,7 +111,7 @@ findCrest(const Surface& surface, const ScanRidgeSettings& settings, CrestSectio
 {
   if (const Status status = checkOnScan(surface, settings); !status.ok())
     return status;
-  constexpr double radii = 3.0; // of a fit, over which the crest's noise hangs together
+  constexpr double radii = 3.0; // of a fit, within which errors of the crest are correlated
   const double even = std::max(settings.half_width, radii * surface.spacing() * std::sqrt(surface.fit().neighbours() / pi));
   const double step = std::max(surface.spacing(), 0.1 * settings.half_width);
   Polyline line = throughPlaces(settings.rough_points, settings.closed, step);
@@ -120,8 +120,8 @@ findCrest(const Surface& surface, const ScanRidgeSettings& settings, CrestSectio
     line = crestOf(surface, crest.sections, settings.closed);
     if (2 * line.size() < crest.places.size())
       return {StatusCode::InvalidInput,
-              textOf("the scan ends within a fit of the rough points at ", placeText(crest.places[crest.places.size() / 2]),
-                     ": no crest can be told; choose rough points where the ridge was scanned (setRoughPoints)")};
+              textOf("the scan ends within the width of a fit at the rough points at ", placeText(crest.places[crest.places.size() / 2]),
+                     ": no crest can be found; choose rough points where the ridge was scanned (setRoughPoints)")};
     crest.line = fitLine({evened(line, even, settings.closed), settings.closed, 0.0}).line;
     line.clear();
     for (std::size_t i = 0; i < crest.places.size(); ++i)

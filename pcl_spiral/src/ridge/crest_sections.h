@@ -18,10 +18,10 @@ struct CrestSections {
   ScanSections sections;
 };
 
-/** The crest near the rough points. InvalidInput, with place: rough points off the scan, no crest, a band that runs off the scan. */
+/** The crest near the rough points. InvalidInput with the place: rough points off the scan, no crest, a band that leaves the scan. */
 Status findCrest(const Surface& surface, const ScanRidgeSettings& settings, CrestSections& crest);
 
-/** Steps to where the scan ends on \p side in all but a tenth of the sections; \p worst: the one that reaches least far. */
+/** Steps that nine sections in ten reach on \p side before the scan ends; \p worst: the section that reaches least far. */
 int commonReach(const ScanSections& sections, int side, std::size_t& worst);
 
 } // namespace pcl_spiral

@@ -20,7 +20,7 @@ constexpr double largest_corner = 30.0;               // degrees
 constexpr double warned_tilt = 2.0, most_tilt = 15.0; // degrees
 constexpr double least_chord = 0.05;                  // of the generator's length
 
-/** Of a ring: twice the area it goes round, along its normal. */
+/** Twice the area inside a ring, along its normal. */
 Vector3d
 areaOf(const SmoothLine& ring)
 {
@@ -32,7 +32,7 @@ areaOf(const SmoothLine& ring)
   return sum;
 }
 
-/** Where both lines come nearest: arc length of the rail, place of the generator. */
+/** The place where both lines are closest: arc length of the rail, place of the generator. */
 double
 meetingOf(const SmoothLine& rail, const SmoothLine& generator, Vector3d& place)
 {
@@ -58,7 +58,7 @@ meetingOf(const SmoothLine& rail, const SmoothLine& generator, Vector3d& place)
   return rail.nearest(place);
 }
 
-/** Angle of the generator's plane with the plane across \p tangent; of one that is nearly straight, of its chord. */
+/** Angle between the generator's plane and the plane across \p tangent; if it is nearly straight, the angle of its chord. */
 double
 tiltOf(const Polyline& points, const Vector3d& tangent)
 {
@@ -77,17 +77,17 @@ tiltOf(const Polyline& points, const Vector3d& tangent)
   return std::atan2(normal.cross(tangent).norm(), std::abs(normal.dot(tangent))) / degree;
 }
 
-/** Where \p generator meets \p rail; refused where it does not, or has no chord. */
+/** Find where \p generator meets \p rail; refused if they do not meet, or if the generator has no chord. */
 Status
 findMeeting(const SmoothLine& generator, const SmoothLine& rail, Vector3d& meeting, GeneratorPlace& place)
 {
   if (!(generator.length() > 0.0))
-    return {StatusCode::InvalidInput, "no curve can be laid through the points of the generator: are they spread along a line?"};
+    return {StatusCode::InvalidInput, "no curve fits the points of the generator: do they lie along a line?"};
   place.chord_length = (generator.position(generator.length()) - generator.position(0.0)).norm();
   if (!(place.chord_length > least_chord * generator.length()))
     return {StatusCode::InvalidInput, textOf("start and end of the generator at ", placeText(generator.position(0.0)), " are ",
-                                             place.chord_length, " mm apart, under a twentieth of its length, ", generator.length(),
-                                             " mm: its chord tells no direction; measure an open profile")};
+                                             place.chord_length, " mm apart, less than a twentieth of its length, ", generator.length(),
+                                             " mm: its chord defines no direction; measure an open profile")};
   place.meeting = meetingOf(rail, generator, meeting);
   const Vector3d foot = rail.position(place.meeting);
   place.distance = (meeting - foot).norm();
@@ -95,15 +95,15 @@ findMeeting(const SmoothLine& generator, const SmoothLine& rail, Vector3d& meeti
   if (!rail.closed() && beyond > 0.5 * place.distance && beyond > least_chord * place.chord_length)
     return {StatusCode::InvalidInput,
             textOf("the generator at ", placeText(meeting), " lies ", beyond, " mm beyond the end of the rail at ", placeText(foot),
-                   ": measure it across the rail, or the rail further")};
+                   ": measure it across the rail, or measure a longer rail")};
   if (place.distance > generator.length())
     return {StatusCode::InvalidInput,
             textOf("the generator at ", placeText(meeting), " is ", place.distance, " mm from the rail, at ", placeText(foot),
-                   ", more than its own length, ", generator.length(), " mm: are both lines of one ridge, and in one unit?")};
+                   ", more than its own length, ", generator.length(), " mm: do both lines belong to the same ridge, in the same unit?")};
   return Status::success();
 }
 
-/** The tilt of \p points against the plane across \p tangent: said, or refused. */
+/** Warn of the tilt of \p points against the plane across \p tangent, or refuse it. */
 Status
 checkTilt(const Polyline& points, const Vector3d& tangent, const Vector3d& meeting, GeneratorPlace& place)
 {
@@ -111,9 +111,9 @@ checkTilt(const Polyline& points, const Vector3d& tangent, const Vector3d& meeti
   const std::string tilted =
       textOf("the generator at ", placeText(meeting), " is tilted by ", place.tilt, " degrees against the normal plane of the rail");
   if (place.tilt > most_tilt)
-    return {StatusCode::InvalidInput, tilted + textOf("; ", most_tilt, " go: measure it square to the rail")};
+    return {StatusCode::InvalidInput, tilted + textOf("; at most ", most_tilt, " are allowed: measure it square to the rail")};
   if (place.tilt > warned_tilt)
-    place.warnings.push_back(tilted + ": its shape is taken as measured");
+    place.warnings.push_back(tilted + ": its shape is used as measured");
   return Status::success();
 }
 
@@ -122,7 +122,7 @@ checkTilt(const Polyline& points, const Vector3d& tangent, const Vector3d& meeti
 Status
 checkCorners(const MeasuredLine& rail, double error)
 {
-  constexpr double steady = 40.0; // times the error of a point: shorter pieces do not tell a direction
+  constexpr double steady = 40.0; // times the error of a point: shorter pieces do not define a direction
   const std::size_t n = rail.points.size();
   const auto reach = static_cast<std::size_t>(std::max(2.0, std::ceil(steady * error / rail.spacing)));
   const auto turnAt = [&](std::size_t i) {
@@ -135,8 +135,8 @@ checkCorners(const MeasuredLine& rail, double error)
     const double turn = turnAt(i), beside = std::max(turnAt((i + 2 * reach) % n), turnAt((i + n - 2 * reach) % n));
     if (turn > largest_corner && beside < 0.5 * turn)
       return {StatusCode::InvalidInput,
-              textOf("the rail has a corner of ", turn, " degrees at ", placeText(rail.points[i]), "; it has to be smooth, with less than ",
-                     largest_corner, " degrees at one place: make a ridge of each side of it")};
+              textOf("the rail has a corner of ", turn, " degrees at ", placeText(rail.points[i]), "; it must be smooth, with less than ",
+                     largest_corner, " degrees at one place: make one ridge of each side of the corner")};
   }
   return Status::success();
 }
@@ -164,15 +164,14 @@ placeGenerator(const MeasuredLine& measured, const SmoothLine& rail, const Ridge
   if (!frame)
     return {StatusCode::InvalidInput,
             textOf("the chord of the generator at ", placeText(meeting),
-                   " stands upright, along the reference normal, so that it may fall to "
-                   "either side of the rail: take another reference normal, across both lines (setReferenceNormal)")};
-  constexpr double sure = 0.1; // of the chord's length, out of the upright plane through the rail
+                   " is parallel to the reference normal, so it is not clear to which "
+                   "side of the rail it falls: set another reference normal, across both lines (setReferenceNormal)")};
+  constexpr double sure = 0.1; // of the chord's length, away from the upright plane through the rail
   if (std::abs(frame->up.dot(settings.reference)) < sure)
-    place.warnings.push_back(
-        textOf("the generator at ", placeText(meeting),
-               " stands nearly upright, so that errors of its points may choose the "
-               "side that is up: look at the normals, and flip them (setFlipNormals) or take a reference normal across "
-               "the generator (setReferenceNormal)"));
+    place.warnings.push_back(textOf("the generator at ", placeText(meeting),
+                                    " is nearly upright, so errors of its points may decide which "
+                                    "side is up: check the normals, and flip them (setFlipNormals) or set a reference normal across "
+                                    "the generator (setReferenceNormal)"));
   place.local.spacing = measured.spacing;
   for (const Vector3d& p : measured.points)
     place.local.points.push_back(frame->localOf(p - foot));

@@ -13,10 +13,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double largest_gap = 5.0;        // spacings, and the longest side way
+constexpr double largest_gap = 5.0;        // spacings, and the longest side branch
 constexpr double largest_join = 2.0;       // spacings between the ends of a closed line
 constexpr std::size_t least_ring = 12;     // points
-constexpr std::size_t most_points = 20000; // of one line: some seconds
+constexpr std::size_t most_points = 20000; // of one line: they take some seconds
 constexpr std::uint32_t none = 0xffffffffu;
 
 /** The tree of least total length over points, from the first (Prim 1957). */
@@ -52,13 +52,13 @@ public:
 
   const std::vector<double>& lengths() const { return lengths_; }
 
-  /** The longest edge: its ends. */
+  /** The ends of the longest edge. */
   std::pair<std::uint32_t, std::uint32_t> longest() const
   {
     return edges_[static_cast<std::size_t>(std::max_element(lengths_.begin(), lengths_.end()) - lengths_.begin())];
   }
 
-  /** The point farthest from \p start along the tree; of all, the way there in \p before, and how far it is. */
+  /** The point farthest from \p start along the tree; \p before and \p ways: for all points, the way there and its length. */
   std::uint32_t farthest(std::uint32_t start, std::vector<std::uint32_t>& before, std::vector<double>& ways) const
   {
     before.assign(points_.size(), none);
@@ -103,7 +103,7 @@ median(std::vector<double> values)
   return *middle;
 }
 
-/** The points that differ, in the order they come in. */
+/** The points without repeats, in their order. */
 Polyline
 withoutRepeats(const Polyline& points)
 {
@@ -125,7 +125,7 @@ withoutRepeats(const Polyline& points)
   return result;
 }
 
-/** The line of \p tree: its longest way, with short side ways at the place they lead off. */
+/** The line of \p tree: its longest way, with short side branches inserted where they begin. */
 Status
 lineOf(const LeastTree& tree, const Polyline& points, const std::string& name, MeasuredLine& line)
 {
@@ -136,7 +136,7 @@ lineOf(const LeastTree& tree, const Polyline& points, const std::string& name, M
   std::vector<std::uint8_t> on_line(points.size(), 0);
   for (std::uint32_t i = end; i != none; i = before[i])
     on_line[i] = 1;
-  // Along the line, of the place where a side way leads off; how far along that; the point itself, so that the order given has no say.
+  // Sort key: place on the line where a branch begins; length along the branch; the point itself, so the given order does not matter.
   std::vector<std::tuple<double, double, double, double, double, std::uint32_t>> stations;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     std::uint32_t foot = i;
@@ -145,7 +145,7 @@ lineOf(const LeastTree& tree, const Polyline& points, const std::string& name, M
     if (ways[i] - ways[foot] > largest_gap * line.spacing)
       return {StatusCode::InvalidInput,
               textOf(name, " has a branch at ", placeText(points[foot]), ", ", ways[i] - ways[foot],
-                     " mm long or more: leave out what does not belong to the line, or thin points that lie closer than they err")};
+                     " mm long or more: remove what does not belong to the line, or thin points that lie closer than their error")};
     const Eigen::Vector3d& p = points[i];
     stations.emplace_back(ways[foot], ways[i] - ways[foot], p.x(), p.y(), p.z(), i);
   }
@@ -165,14 +165,14 @@ orderLine(const Polyline& given, const std::string& name, MeasuredLine& line)
   line = MeasuredLine();
   if (given.size() > most_points)
     return {StatusCode::InvalidInput, textOf(name, " has ", given.size(), " points; a line of more than ", most_points,
-                                             " is not put in order: is it a whole scan? Else thin it")};
+                                             " cannot be put in order: is it a whole scan? If not, thin it")};
   for (std::size_t i = 0; i < given.size(); ++i)
     if (!given[i].allFinite())
-      return {StatusCode::InvalidInput, textOf("point ", i + 1, " of ", name, " is not finite: leave it out")};
+      return {StatusCode::InvalidInput, textOf("point ", i + 1, " of ", name, " is not finite: remove it")};
   const Polyline points = withoutRepeats(given);
   if (points.size() < 4)
     return {StatusCode::InvalidInput,
-            textOf(name, " has ", points.size(), " points that differ; a line takes four or more: measure more of it")};
+            textOf(name, " has ", points.size(), " different points; a line needs at least four: measure more of it")};
   const LeastTree tree(points);
   line.spacing = median(tree.lengths());
   const auto gap = tree.longest();
@@ -180,7 +180,7 @@ orderLine(const Polyline& given, const std::string& name, MeasuredLine& line)
   if (length > largest_gap * line.spacing)
     return {StatusCode::InvalidInput,
             textOf(name, " has a gap of ", length, " mm at ", placeText(points[std::min(gap.first, gap.second)]), ", more than ",
-                   largest_gap, " times the ", line.spacing, " mm between its points: measure that piece, or leave out what stands alone")};
+                   largest_gap, " times the ", line.spacing, " mm between its points: measure that piece, or remove the isolated points")};
   if (const Status status = lineOf(tree, points, name, line); !status.ok())
     return status;
   line.closed = line.points.size() >= least_ring && (line.points.front() - line.points.back()).norm() <= largest_join * line.spacing;

@@ -18,9 +18,9 @@ namespace pcl_spiral {
 /** A point of the band of a ridge. */
 struct BandPoint {
   Eigen::Vector3d place;
-  std::uint32_t station = 0;                       ///< of the rail, near it
-  std::uint32_t profile_station = 0;               ///< of the generator, near it
-  double u = 0.0;                                  ///< of its foot on the rail
+  std::uint32_t station = 0;                       ///< station of the rail near it
+  std::uint32_t profile_station = 0;               ///< station of the generator near it
+  double u = 0.0;                                  ///< arc length of its foot on the rail
   Eigen::Vector3d local = Eigen::Vector3d::Zero(); ///< along tangent, chord and up
   bool inside = false;                             ///< beside the rail, not beyond its ends
 };
@@ -35,10 +35,10 @@ struct RidgeBand {
 /** The points of \p surface within \p reach of the rail, on that side of it. */
 std::vector<BandPoint> bandPoints(const Surface& surface, const StationLine& rail, double reach);
 
-/** Coordinates of all points anew, by the band's rail and chord. */
+/** Compute the coordinates of all points again from the band's rail and chord. */
 void placePoints(const StationLine& rail, RidgeBand& band);
 
-/** Points by sections of \p length about stations of the rail, \p count of them: indices, and where each section begins among them. */
+/** Points sorted into \p count sections of \p length about stations of the rail: indices, and where each section begins among them. */
 struct SectionPoints {
   std::vector<std::uint32_t> order, begin;
 };

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 constexpr double most_faces = 1e6;
 
-/** Stations where the curvature is looked at. */
+/** Number of stations at which the curvature is measured. */
 int
 stationsOf(const SmoothLine& line, double a_mm, double least, double most)
 {
@@ -34,7 +34,7 @@ struct Turn {
 Turn
 turnAt(const RidgeSurface& surface, double u)
 {
-  constexpr double d = 1e-3; // mm, of the differences
+  constexpr double d = 1e-3; // mm, step of the finite differences
   const SmoothLine& rail = surface.rail();
   const auto omega = [&](double at) { return ridgeTurn(surface.frame(at), rail.curvature(at), surface.chord().reference); };
   const double low = rail.closed() ? u - d : std::max(u - d, 0.0), high = rail.closed() ? u + d : std::min(u + d, rail.length());
@@ -46,7 +46,7 @@ struct Bending {
   double along = 0.0, mixed = 0.0, across = 0.0;
 };
 
-/** All in the frame's directions: S_u = e_x + omega x g, S_v = g', and the frame's own turn adds omega x S_u to the derivative. */
+/** All in directions of the frame: S_u = e_x + omega x g, S_v = g'; the turn of the frame adds omega x S_u to the derivative. */
 Bending
 largestBending(const RidgeSurface& surface)
 {
@@ -80,14 +80,14 @@ struct Cells {
   double faces() const { return 2.0 * along * across; }
 };
 
-/** A right-angled face with legs du and dv lies off by (|L| du^2 + 2 |M| du dv + |N| dv^2) / 8 at most, L, M, N the second fundamental
- *  form. Of all such cells those are fewest where both legs sag as far. */
+/** A right-angled face with legs du and dv is off by at most (|L| du^2 + 2 |M| du dv + |N| dv^2) / 8, with L, M, N of the second
+ *  fundamental form. The number of cells is least if both legs have the same sag. */
 Cells
 cellsFor(const RidgeSurface& surface, const Bending& most, double chord_error)
 {
   constexpr double longest = 4.0; // times as long as wide
   constexpr double least_across = 8.0, least_along = 8.0;
-  constexpr double share = 0.95; // the curvature is looked at in stations
+  constexpr double share = 0.95; // reserve, because the curvature is measured only at stations
   const double tiny = 1e-12;     // 1/mm
   const double ratio = std::clamp(std::sqrt((most.along + tiny) / (most.across + tiny)), 1.0 / longest, longest); // dv / du
   const double bending = most.along + 2.0 * most.mixed * ratio + most.across * ratio * ratio + tiny;
@@ -152,13 +152,13 @@ ridgeMesh(const RidgeSurface& surface, double chord_error, RidgeMesh& mesh)
   const Cells cells = cellsFor(surface, bending, chord_error), fewest = cellsFor(surface, bending, std::numeric_limits<double>::infinity());
   if (fewest.faces() > most_faces)
     return {StatusCode::InvalidInput,
-            textOf("a ridge ", surface.rail().length(), " mm long and ", surface.generator().length(), " mm wide takes ", fewest.faces(),
-                   " faces, and ", most_faces, " are the most: make it in pieces")};
-  if (cells.faces() > most_faces) { // they grow as the chord error falls
+            textOf("a ridge ", surface.rail().length(), " mm long and ", surface.generator().length(), " mm wide needs ", fewest.faces(),
+                   " faces, but at most ", most_faces, " are possible: make it in pieces")};
+  if (cells.faces() > most_faces) { // their number is proportional to 1 / chord error
     constexpr double rounded_up = 1.1;
     return {StatusCode::InvalidArgument,
-            textOf("a chord error of ", chord_error, " mm takes ", cells.faces(), " faces, and ", most_faces, " are the most: raise it to ",
-                   rounded_up * chord_error * cells.faces() / most_faces, " mm")};
+            textOf("a chord error of ", chord_error, " mm needs ", cells.faces(), " faces, but at most ", most_faces,
+                   " are possible: raise it to ", rounded_up * chord_error * cells.faces() / most_faces, " mm")};
   }
   mesh.along = static_cast<std::size_t>(cells.along);
   mesh.across = static_cast<std::size_t>(cells.across);

@@ -12,8 +12,8 @@ void
 findMisfit(SectionRounds& rounds, double half_width, ScanRidgeReport& report)
 {
   constexpr std::uint32_t fewest = 4;     // points in a cell whose median counts
-  constexpr double much = 1.5, far = 4.0; // times the noise: of all points, of a cell
-  constexpr double smallest = 1e-3;       // of the half width; less is no misfit of a scan without noise
+  constexpr double much = 1.5, far = 4.0; // times the noise: limit for all points, limit for one cell
+  constexpr double smallest = 1e-3;       // of the half width; less does not count as a misfit on a scan without noise
   const std::vector<SectionShift> lying = rounds.lying();
   const Profile& profile = rounds.profile();
   double squares = 0.0;
@@ -36,10 +36,10 @@ findMisfit(SectionRounds& rounds, double half_width, ScanRidgeReport& report)
     report.largest_place = rounds.rail().position(u) + frame->turned(profile.line.position(worst_cell));
   if (report.misfit > std::max(much * report.noise, smallest * half_width) ||
       report.largest_misfit > std::max(far * report.noise, smallest * half_width))
-    report.warnings.push_back(textOf("the part is off the surface that the generator sweeps by ", report.misfit, " mm rms, and by ",
-                                     report.largest_misfit, " mm at ", placeText(report.largest_place), ", where the scan scatters by ",
+    report.warnings.push_back(textOf("the part differs from the surface that the generator sweeps by ", report.misfit, " mm rms, and by ",
+                                     report.largest_misfit, " mm at ", placeText(report.largest_place), "; the noise of the scan is ",
                                      report.noise,
-                                     " mm: its profile does not keep its shape along the ridge; take the ridge in parts, or a "
+                                     " mm: its profile changes shape along the ridge; make the ridge in pieces, or set a "
                                      "smaller half width (setHalfWidth)"));
 }
 

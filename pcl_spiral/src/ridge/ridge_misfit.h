@@ -10,7 +10,7 @@
 
 namespace pcl_spiral {
 
-/** Misfit of the scan's points to the ridge of \p rounds; with a warning where it is well above the noise. */
+/** Misfit of the scan's points to the ridge of \p rounds; with a warning if it is well above the noise. */
 void findMisfit(SectionRounds& rounds, double half_width, ScanRidgeReport& report);
 
 } // namespace pcl_spiral

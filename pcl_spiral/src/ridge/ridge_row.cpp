@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** Places of the surface as the parameter of a row runs. */
+/** Places of the surface along the parameter of a row. */
 class Row {
 public:
   Row(const RidgeSurface& surface, const RidgeRowSettings& settings, double place)
@@ -31,7 +31,7 @@ public:
     return along_rail_ ? surface_.normal(t, place_, settings_.normals) : surface_.normal(place_, t, settings_.normals);
   }
 
-  /** Of the points, a closed row's last left out: as many as the spacing asks, and the chord error. */
+  /** Parameters of the points, without the last of a closed row: as many as the spacing and the chord error need. */
   std::vector<double> parameters() const
   {
     constexpr int most_rounds = 5;
@@ -51,7 +51,7 @@ public:
   }
 
 private:
-  /** Lengths of the row up to parameters that lie close. */
+  /** Lengths of the row up to closely spaced parameters. */
   struct Ways {
     std::vector<double> parameters, sums;
   };
@@ -60,7 +60,7 @@ private:
 
   Ways measured() const
   {
-    constexpr double parts = 8.0; // of a step: chords stand for the row
+    constexpr double parts = 8.0; // of a step: the row is replaced by chords
     Ways ways{{0.0}, {0.0}};
     const double length = line().length();
     const int pieces = static_cast<int>(std::ceil(parts * length / settings_.point_spacing)) + 8;
@@ -74,7 +74,7 @@ private:
     return ways;
   }
 
-  /** Equal steps of the length. */
+  /** Parameters at equal steps of the length. */
   std::vector<double> spread(const Ways& ways, int count) const
   {
     std::vector<double> result;
@@ -89,7 +89,7 @@ private:
     return result;
   }
 
-  /** Of straight moves of contact and tool from the places that they stand for, half way. */
+  /** Largest distance, half way, of straight moves of contact and tool from the row. */
   double largestError(const std::vector<double>& places) const
   {
     double largest = 0.0;
@@ -115,7 +115,7 @@ private:
   double place_;
 };
 
-/** Axes by the travel of the contacts; of a ring too, whose first and last point are neighbours. */
+/** Axes from the travel of the contacts; on a ring the first and last point are neighbours. */
 std::vector<Vector3d>
 axesOf(Polyline contacts, std::vector<Vector3d> normals, bool closed, const RidgeRowSettings& settings)
 {
@@ -133,7 +133,7 @@ axesOf(Polyline contacts, std::vector<Vector3d> normals, bool closed, const Ridg
   return axes;
 }
 
-/** Straight on behind the last by \p length. */
+/** Continue straight beyond the last contact by \p length. */
 void
 addRun(double length, double spacing, Polyline& contacts, std::vector<Vector3d>& normals)
 {
@@ -163,7 +163,7 @@ ridgeRow(const RidgeSurface& surface, const RidgeRowSettings& settings, double p
     normals.push_back(row.normalAt(t));
   }
   if (!row.closed())
-    for (const double length : {settings.run_out, settings.run_in}) { // twice turned, so that the run-in comes first
+    for (const double length : {settings.run_out, settings.run_in}) { // each reverses the row, so in the end the run-in comes first
       addRun(length, settings.point_spacing, contacts, normals);
       std::reverse(contacts.begin(), contacts.end());
       std::reverse(normals.begin(), normals.end());

@@ -13,10 +13,10 @@ namespace pcl_spiral {
 struct RidgeRow {
   DrivePass pass;
   std::optional<Eigen::Vector3d>
-      backwards; ///< a contact where the tool runs against the travel, its stand-off being beyond the hollow's radius
+      backwards; ///< a contact where the tool runs against the travel, because its stand-off is larger than the radius of the hollow
 };
 
-/** The row at \p place of the generator, or of the rail for rows across it; \p turned: the other way. */
+/** The row at \p place of the generator, or of the rail for rows across it; \p turned: reversed. */
 RidgeRow ridgeRow(const RidgeSurface& surface, const RidgeRowSettings& settings, double place, bool turned);
 
 } // namespace pcl_spiral

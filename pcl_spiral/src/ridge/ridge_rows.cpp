@@ -31,7 +31,7 @@ checkSettings(const RidgeRowSettings& s)
   const int told = (s.step_over != 0.0) + (s.spot_size != 0.0) + (s.tool_radius != 0.0);
   if (told != 1)
     return invalid(
-        textOf(told == 0 ? "nothing tells" : "more than one setting tells",
+        textOf(told == 0 ? "no setting defines" : "more than one setting defines",
                " how far rows are apart: set the step-over (setStepOver), or the spot (setSpot), or ball and scallop height (setScallop)"));
   for (const auto& [name, length] :
        {std::pair("step-over", s.step_over), std::pair("spot", s.spot_size), std::pair("tool radius", s.tool_radius),
@@ -100,7 +100,7 @@ planRidgeRows(const RidgeSurface& surface, const RidgeRowSettings& settings, Dri
     if (made.backwards && report.warnings.empty())
       report.warnings.push_back(textOf("at ", placeText(*made.backwards),
                                        " the ridge is hollow with a smaller radius than the stand-off of ", settings.stand_off,
-                                       " mm: the tool runs backwards there, and comes near the other side; take a smaller "
+                                       " mm: the tool runs backwards there, and comes near the other side; set a smaller "
                                        "stand-off (setStandOff)"));
   }
   report.rows = passes.size();

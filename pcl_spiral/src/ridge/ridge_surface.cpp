@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 constexpr int stations_across = 128; // of the generator
 
-/** Stations along the rail that see how it bends. */
+/** Number of stations along the rail, enough to follow its bends. */
 int
 stationsAlong(const SmoothLine& rail)
 {
@@ -36,7 +36,7 @@ circleCentre(const Vector3d& a, const Vector3d& b, const Vector3d& c)
 
 } // namespace
 
-/** The rail was looked at in stations; where it is a little steeper between them, the chord stands as steeply as it may. */
+/** The rail was checked at stations; if it is a little steeper between them, the chord is as steep as possible. */
 RidgeFrame
 RidgeSurface::frame(double u) const
 {
@@ -53,7 +53,7 @@ RidgeSurface::position(double u, double v) const
   return rail_.position(u) + frame(u).turned(generator_.position(v));
 }
 
-/** By the length of the rail: m1 + omega x (a, b, c), in the frame. */
+/** Derivative by the length of the rail: m1 + omega x (a, b, c), in the frame. */
 Vector3d
 RidgeSurface::alongRail(double u, double v) const
 {
@@ -85,7 +85,7 @@ RidgeSurface::normal(double u, double v, RidgeNormals normals) const
 Status
 RidgeSurface::checkRail()
 {
-  constexpr double upright = 89.0;   // degrees: steeper, the chord's side is chance
+  constexpr double upright = 89.0;   // degrees: if it is steeper, the side of the chord is random
   constexpr double most_turn = 30.0; // degrees, of the chord from station to station
   const double limit = std::acos(std::min(1.0, std::abs(chord_.sin_angle)));
   const int stations = stationsAlong(rail_);
@@ -99,13 +99,13 @@ RidgeSurface::checkRail()
     if (!at)
       return {StatusCode::InvalidInput,
               textOf("the rail has a slope of ", slope / degree, " degrees at ", placeText(rail_.position(u)),
-                     "; a generator whose chord keeps ", std::abs(report_.chord_angle), " degrees goes up to ", limit / degree,
-                     ": take a reference normal across the rail (setReferenceNormal), or make the ridge in pieces")};
+                     "; a generator with its chord at ", std::abs(report_.chord_angle), " degrees allows at most ", limit / degree,
+                     ": set a reference normal across the rail (setReferenceNormal), or make the ridge in pieces")};
     if (slope / degree > upright || (before && std::acos(std::clamp(before->chord.dot(at->chord), -1.0, 1.0)) / degree > most_turn))
       return {StatusCode::InvalidInput,
-              textOf("the rail stands upright, along the reference normal, at ", placeText(rail_.position(u)),
+              textOf("the rail is upright, along the reference normal, at ", placeText(rail_.position(u)),
                      ": the generator would turn over to "
-                     "the other side there; take a reference normal across the rail (setReferenceNormal), or make the ridge in pieces")};
+                     "the other side there; set a reference normal across the rail (setReferenceNormal), or make the ridge in pieces")};
     before = at;
     if (slope / degree > report_.largest_slope) {
       report_.largest_slope = slope / degree;
@@ -123,17 +123,17 @@ RidgeSurface::checkRail()
 void
 RidgeSurface::warnOfSlope(const Vector3d& sensitive)
 {
-  constexpr double much = 5.0; // times, and tan(slope) likewise: how far an error across the slope turns the chord
+  constexpr double much = 5.0; // factor by which an error across the slope turns the chord; the same limit holds for tan(slope)
   if (report_.slope_factor > much)
     report_.warnings.push_back(textOf("at ", placeText(sensitive), " an error of the rail's slope turns the generator ",
                                       report_.slope_factor,
-                                      " times as far: measure the rail closely there, or take a reference normal across the rail "
+                                      " times as far: measure the rail closely there, or set a reference normal across the rail "
                                       "(setReferenceNormal)"));
   else if (std::tan(report_.largest_slope * degree) > much)
-    report_.warnings.push_back(textOf("the rail stands nearly upright at ", placeText(report_.steepest_place), ", with a slope of ",
+    report_.warnings.push_back(textOf("the rail is nearly upright at ", placeText(report_.steepest_place), ", with a slope of ",
                                       report_.largest_slope, " degrees: an error of its direction turns the generator ",
                                       std::tan(report_.largest_slope * degree),
-                                      " times as far; take a reference normal across the rail "
+                                      " times as far; set a reference normal across the rail "
                                       "(setReferenceNormal)"));
 }
 
@@ -160,8 +160,8 @@ RidgeSurface::checkFolds()
     return Status::success();
   const double offset = generator_.position(worst_v).tail<2>().norm();
   return {StatusCode::InvalidInput, textOf("the ridge folds at ", placeText(position(worst_u, worst_v)), ": the generator reaches ", offset,
-                                           " mm from the rail, and ", offset / (1.0 - report_.least_stretch),
-                                           " mm is the most there, where the rail bends: measure a shorter generator")};
+                                           " mm from the rail, but at most ", offset / (1.0 - report_.least_stretch),
+                                           " mm are possible there, where the rail bends: measure a shorter generator")};
 }
 
 Status
@@ -191,20 +191,21 @@ RidgeSurface::place(const MeasuredLine& measured, bool may_turn, bool& turned)
   return Status::success();
 }
 
-/** Rail and generator are of one surface, and nearly meet. */
+/** Warn if rail and generator do not nearly meet, or if a rail is nearly a ring. */
 void
 RidgeSurface::warnOfMeeting(const MeasuredLine& rail, const MeasuredLine& generator)
 {
   constexpr double errors = 5.0, spacings = 6.0;
   const double sure = errors * (report_.rail_error + report_.generator_error) + rail.spacing + generator.spacing;
   if (report_.meeting_distance > sure)
-    report_.warnings.push_back(textOf("rail and generator are ", report_.meeting_distance, " mm apart where they come nearest, at ",
+    report_.warnings.push_back(textOf("rail and generator are ", report_.meeting_distance, " mm apart where they are closest, at ",
                                       placeText(report_.meeting_place),
                                       ": the ridge runs through the generator there; if one of them was measured "
                                       "in another place, measure it again"));
   if (const double open = (rail.points.front() - rail.points.back()).norm(); !rail.closed && open < spacings * rail.spacing)
     report_.warnings.push_back(textOf("the ends of the rail at ", placeText(rail.points.front()), " are only ", open, " mm apart, ",
-                                      open / rail.spacing, " spacings: if it is a ring, measure the rest of it; it is taken as open"));
+                                      open / rail.spacing,
+                                      " spacings: if it is a ring, measure the rest of it; it is used as an open line"));
 }
 
 void
@@ -212,10 +213,11 @@ RidgeSurface::warnOfDirections()
 {
   constexpr double much = 2.0; // degrees
   if (report_.generator_direction > much || report_.rail_direction > much)
-    report_.warnings.push_back(textOf("the direction of the ", report_.generator_direction > much ? "generator" : "rail", " is known to ",
-                                      std::max(report_.generator_direction, report_.rail_direction), " degrees only, as its points err by ",
+    report_.warnings.push_back(textOf("the direction of the ", report_.generator_direction > much ? "generator" : "rail",
+                                      " is known to only ", std::max(report_.generator_direction, report_.rail_direction),
+                                      " degrees, because its points have an error of ",
                                       report_.generator_direction > much ? report_.generator_error : report_.rail_error,
-                                      " mm: normals and tool axes err as far; measure it with more points or a better probe"));
+                                      " mm: normals and tool axes have the same error; measure it with more points or a better probe"));
 }
 
 Status
@@ -228,7 +230,7 @@ RidgeSurface::fit(const Polyline& rail, const Polyline& generator)
     return status;
   const LineFit fit = fitLine(measured_rail, settings_.measuring_error);
   if (!(fit.line.length() > 0.0))
-    return {StatusCode::InvalidInput, "no curve can be laid through the points of the rail: are they spread along a line?"};
+    return {StatusCode::InvalidInput, "no curve fits the points of the rail: do they lie along a line?"};
   if (const Status status = checkCorners(measured_rail, fit.error); !status.ok())
     return status;
   report_.rail_points = measured_rail.points.size();

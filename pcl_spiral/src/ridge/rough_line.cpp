@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** Direction, at \p b, of the circle through three places; by the chords, weighed by the other's length. */
+/** Direction, at \p b, of the circle through three places: the chords, each weighted by the length of the other. */
 Vector3d
 circleTangent(const Vector3d& a, const Vector3d& b, const Vector3d& c)
 {
@@ -56,7 +56,7 @@ throughPlaces(const Polyline& places, bool closed, double step)
     const std::size_t j = (i + 1) % places.size();
     const double chord = (places[j] - places[i]).norm();
     const double turn = std::acos(std::clamp(tangents[i].dot(tangents[j]), -1.0, 1.0));
-    const double pull = turn > 1e-3 ? chord * 2.0 * std::tan(turn / 4.0) / std::sin(turn / 2.0) : chord; // of the arc's cubic
+    const double pull = turn > 1e-3 ? chord * 2.0 * std::tan(turn / 4.0) / std::sin(turn / 2.0) : chord; // of the arc's cubic, at its ends
     const auto pieces = static_cast<int>(std::max(1.0, std::ceil(chord / step)));
     for (int k = 0; k < pieces; ++k) {
       const double t = static_cast<double>(k) / pieces, a = t * t * (3.0 - 2.0 * t);

@@ -8,9 +8,9 @@
 
 namespace pcl_spiral {
 
-/** Points of a curve through \p places, about \p step apart, that is a circle where they lie on one: at each place it runs along the circle
- *  through that and its neighbours, between two it is the cubic of such an arc. Two places give a straight line. Of a \p closed
- *  curve the first point does not come again. */
+/** Points of a curve through \p places, about \p step apart. If the places lie on a circle, so does the curve: at each place it has the
+ *  direction of the circle through that place and its neighbours, and between two places it is the cubic of such an arc. Two places give
+ *  a straight line. The first point of a \p closed curve is not repeated. */
 Polyline throughPlaces(const Polyline& places, bool closed, double step);
 
 } // namespace pcl_spiral

@@ -16,23 +16,23 @@ using Eigen::Vector3d;
 
 constexpr int least_stations = 64, most_stations = 4000;
 
-/** A line's length in stations about a millimetre apart. */
+/** Number of stations about a millimetre apart on a line. */
 int
 stationsOf(const SmoothLine& line)
 {
   return static_cast<int>(std::clamp(line.length(), static_cast<double>(least_stations), static_cast<double>(most_stations)));
 }
 
-/** The surface about a place, seen across a row. */
+/** The surface about a place, in the direction across a row. */
 struct Across {
-  double widening = 0.0;  ///< of neighbouring rows, for each mm of the parameter between them
+  double widening = 0.0;  ///< distance of neighbouring rows for each mm of the parameter between them
   double curvature = 0.0; ///< of the normal section, positive where convex
 };
 
 Across
 acrossAt(const RidgeSurface& surface, bool along_rail, double u, double v)
 {
-  constexpr double d = 1e-3; // mm, of the differences
+  constexpr double d = 1e-3; // mm, step of the finite differences
   const Vector3d r_u = surface.alongRail(u, v), r_v = surface.alongGenerator(u, v), n = surface.normal(u, v);
   const Vector3d w = n.cross(along_rail ? r_u : r_v).normalized();
   Eigen::Matrix<double, 3, 2> directions;
@@ -43,7 +43,7 @@ acrossAt(const RidgeSurface& surface, bool along_rail, double u, double v)
   return {std::abs((along_rail ? r_v : r_u).dot(w)), change.dot(w)};
 }
 
-/** How many rows go to a millimetre of the parameter, for the place of a row where most are needed. */
+/** Number of rows per millimetre of the parameter, at the place of a row where most are needed. */
 class Density {
 public:
   Density(const RidgeSurface& surface, const RidgeRowSettings& settings)
@@ -104,7 +104,8 @@ rowPlaces(const RidgeSurface& surface, const RidgeRowSettings& settings, std::ve
   const double count = std::max(1.0, std::ceil(sums.back() - 1e-9));
   constexpr double most_rows = 1e6;
   if (count > most_rows)
-    return {StatusCode::InvalidArgument, textOf("the ridge takes ", count, " rows, and ", most_rows, " are the most: raise the step-over")};
+    return {StatusCode::InvalidArgument,
+            textOf("the ridge needs ", count, " rows, but at most ", most_rows, " are possible: raise the step-over")};
   const double first = line.closed() ? 0.0 : 0.5; // half a step from the edges
   places.clear();
   std::size_t at = 1;

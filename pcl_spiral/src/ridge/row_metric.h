@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  How close rows over a ridge have to lie. Private to ridge.
+ *  How close together rows over a ridge must lie. Private to ridge.
  */
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace pcl_spiral {
 
-/** Places of the rows, along the generator or the rail, so that neighbours are nowhere farther apart than asked. */
+/** Places of the rows, along the generator or the rail, so that neighbours are nowhere farther apart than set. */
 Status rowPlaces(const RidgeSurface& surface, const RidgeRowSettings& settings, std::vector<double>& places);
 
 } // namespace pcl_spiral

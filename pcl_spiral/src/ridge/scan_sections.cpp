@@ -30,7 +30,7 @@ nearestPoints(const Surface& surface, const Polyline& places)
   return result;
 }
 
-/** One step on from \p foot within the plane through \p place across \p tangent. */
+/** The next step from \p foot in the plane through \p place across \p tangent. */
 Vector3d
 stepFrom(const SurfaceFoot& foot, const Vector3d& place, const Vector3d& tangent, double step)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Sections of a surface by planes, walked foot by foot.
+ *  Sections of a surface by planes, found foot by foot.
  */
 #pragma once
 
@@ -12,12 +12,12 @@
 
 namespace pcl_spiral {
 
-/** The sections by planes across a line, as feet of the fitted surface at steps along it: foot 0 where the walk begins, to the left of
- *  the line's direction as seen from outside positive, to the right negative. */
+/** The sections by planes across a line, as feet of the fitted surface at steps along it: foot 0 where the walk begins, positive to the
+ *  left of the line's direction as seen from outside, negative to the right. */
 struct ScanSections {
   int most = 0;                  ///< steps to either side
   double step = 0.0;             ///< mm
-  std::vector<SurfaceFoot> feet; ///< of each section those from -most to most; not valid where the scan had ended
+  std::vector<SurfaceFoot> feet; ///< of each section from -most to most; not valid beyond the end of the scan
 
   std::size_t size() const { return feet.size() / static_cast<std::size_t>(2 * most + 1); }
   const SurfaceFoot& foot(std::size_t section, int k) const { return feet[slot(section, k)]; }

@@ -18,14 +18,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t extra_cells = 2;   // by which the generator may grow in a round, at each end
-constexpr double section_spacings = 5.0; // of the scan's points in a section's length
-constexpr double section_share = 0.3;    // of the half width, at least: a rail that bends in less would fold the band
-constexpr double section_points = 30.0;  // of the scan to either side, at least
+constexpr std::size_t extra_cells = 2;   // the generator may grow by this many cells a round, at each end
+constexpr double section_spacings = 5.0; // length of a section, in spacings of the scan
+constexpr double section_share = 0.3;    // least length, of the half width: a rail that bends within less would fold the band
+constexpr double section_points = 30.0;  // least number of scan points to either side
 constexpr double cell_spacings = 1.5;
 constexpr std::size_t fewest_sections = 8, most_sections = 4000;
-constexpr int rounds_of_ends = 5;   // after which the generator's ends stand, and the rail is fitted as closely as in the round before
-constexpr double held_share = 1.02; // of the error of that fit, so that no other number of spans is taken for a hair's breadth
+constexpr int rounds_of_ends = 5;   // after these the generator's ends are fixed, and the rail is fitted as closely as in the round before
+constexpr double held_share = 1.02; // of the error of that fit, so that a tiny difference does not change the number of spans
 
 Vector3d
 turnedBy(double angle, const Vector3d& local)
@@ -49,7 +49,7 @@ SectionRounds::SectionRounds(const RoundSettings& settings, RidgeBand band, cons
   setGenerator(points);
 }
 
-/** Through \p points, a cell a point; the chord is turned to it. */
+/** Fit the generator through \p points, one a cell, and turn the chord to it. */
 void
 SectionRounds::setGenerator(const Polyline& points)
 {
@@ -76,9 +76,9 @@ SectionRounds::place()
     if (!ridgeFrame(rail_stations_.tangent(i), band_.chord))
       return {
           StatusCode::InvalidInput,
-          textOf("the ridge is too steep at ", placeText(rail_stations_.position(i)), " for a chord that keeps ",
+          textOf("the ridge is too steep at ", placeText(rail_stations_.position(i)), " for a chord at ",
                  std::asin(std::clamp(band_.chord.sin_angle, -1.0, 1.0)) * 180.0 / pi,
-                 " degrees with the reference plane: take a reference normal across the ridge (setReferenceNormal), or make it in pieces")};
+                 " degrees to the reference plane: set a reference normal across the ridge (setReferenceNormal), or make it in pieces")};
   placePoints(rail_stations_, band_);
   section_points_ = pointsBySection(band_, count_, length_);
   return Status::success();
@@ -101,7 +101,7 @@ SectionRounds::lying()
   return shifts(0);
 }
 
-/** The run of cells about the origin to which nine sections in ten reach. */
+/** The run of cells about the origin that nine sections in ten reach. */
 std::pair<std::size_t, std::size_t>
 SectionRounds::coveredCells(const std::vector<SectionShift>& shifts) const
 {
@@ -130,8 +130,8 @@ SectionRounds::coveredCells(const std::vector<SectionShift>& shifts) const
   return {first, last};
 }
 
-/** Where on the new generator the origin goes: first to its nearest place; then back by what all sections were shifted by, so that the rail
- *  does not slide along a generator that every round smooths a little. */
+/** The place of the origin on the new generator: its nearest place, moved back by the common shift of all sections. Otherwise the rail
+ *  would slide along a generator that every round smooths a little. */
 Vector3d
 SectionRounds::gaugeOf(const std::vector<SectionShift>& shifts, const Polyline& generator) const
 {
@@ -149,7 +149,7 @@ SectionRounds::gaugeOf(const std::vector<SectionShift>& shifts, const Polyline& 
   return found > 0.0 ? Vector3d(sum / found) : sum;
 }
 
-/** The mean of the shifted sections, from the place of it, \p gauge, where the origin goes. */
+/** The mean of the shifted sections, relative to \p gauge, its new origin. */
 bool
 SectionRounds::meanSection(const std::vector<SectionShift>& shifts, Polyline& points, Vector3d& gauge)
 {
@@ -176,8 +176,8 @@ SectionRounds::meanSection(const std::vector<SectionShift>& shifts, Polyline& po
   return true;
 }
 
-/** Rms move of the rail's stations since \p before, in its frames; what all move by together goes into the generator, and is none of the
- *  ridge. */
+/** Rms move of the rail's stations since \p before, in its frames, without the common move of all stations: that belongs to the generator
+ *  and does not change the ridge. */
 double
 SectionRounds::moveSince(const SmoothLine& before) const
 {
@@ -196,7 +196,7 @@ SectionRounds::moveSince(const SmoothLine& before) const
   return std::sqrt(std::max(0.0, squares / n - sum.squaredNorm() / (n * n)));
 }
 
-/** The end stations go half to where those before them lead, in their planes. */
+/** Move the end stations half way to the places extrapolated from the stations before them, in their planes. */
 void
 SectionRounds::carryEndsOn(const std::vector<RidgeFrame>& frames, Polyline& origins) const
 {
@@ -250,18 +250,18 @@ SectionRounds::round()
   Vector3d gauge;
   if (!meanSection(found, generator, gauge))
     return {StatusCode::InvalidInput, textOf("the sections at ", placeText(band_.rail.position(0.5 * band_.rail.length())),
-                                             " have no common part about the crest: is the ridge's band on the scan all the way?")};
+                                             " have no common part about the crest: is the whole band of the ridge on the scan?")};
   if (const Status status = moveRail(found, gauge); !status.ok())
     return status;
   setGenerator(generator);
   return Status::success();
 }
 
-/** What the rail may move by where it stands still. */
+/** A rail that moves by less than this has converged. */
 double
 SectionRounds::stillness(const std::vector<SectionShift>& shifts) const
 {
-  constexpr double of_error = 0.3, of_misfit = 0.2; // of the standard error of a section's shift; of what no shift takes away
+  constexpr double of_error = 0.3, of_misfit = 0.2; // of the standard error of a section's shift; of the misfit that no shift removes
   double squares = 0.0, points = 0.0;
   for (const SectionShift& shift : shifts) {
     squares += shift.squares;
@@ -286,9 +286,9 @@ SectionRounds::run(const ProgressCallback& progress)
   }
   return {StatusCode::InvalidInput,
           textOf("after ", settings_.most_rounds, " rounds the rail at ", placeText(band_.rail.position(0.5 * band_.rail.length())),
-                 " still moves by ", last_move_, " mm a round, and ", still_,
-                 " mm is still: the sections have no common shape; "
-                 "take a smaller half width (setHalfWidth), a part of the ridge, or more rounds (setMaximumIterations)")};
+                 " still moves by ", last_move_, " mm a round, more than the limit of ", still_,
+                 " mm: the sections have no common shape; "
+                 "set a smaller half width (setHalfWidth), use a part of the ridge, or allow more rounds (setMaximumIterations)")};
 }
 
 } // namespace pcl_spiral

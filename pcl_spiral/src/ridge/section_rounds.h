@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Rail and generator aligned to the sections of a scan, until they stand still.
+ *  Aligns rail and generator to the sections of a scan until they converge.
  */
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace pcl_spiral {
 
-/** What rounds go by. Lengths in mm. */
+/** Settings of the rounds. Lengths in mm. */
 struct RoundSettings {
   double noise = 0.0;   ///< of the scan
   double spacing = 0.0; ///< of the scan
@@ -21,16 +21,16 @@ struct RoundSettings {
   int most_rounds = 30;
 };
 
-/** Where along the rail the generator is taken: not the very middle, so that it is clear from which end the rail runs. */
+/** Place of the generator along the rail: not exactly the middle, so that it is clear at which end the rail begins. */
 constexpr double meeting_share = 0.45;
 
-/** A ridge as its sections find it. */
+/** A ridge found from its sections. */
 class SectionRounds {
 public:
-  /** \p band with points, rail and chord to begin with; \p generator in local coordinates. */
+  /** \p band: points, rail and chord to start from; \p generator in local coordinates. */
   SectionRounds(const RoundSettings& settings, RidgeBand band, const SmoothLine& generator);
 
-  /** Rounds until nothing moves. InvalidInput, with place: the rail too steep for the chord, sections without points, no end. */
+  /** Rounds until nothing moves. InvalidInput with the place: rail too steep for the chord, sections without points, no convergence. */
   Status run(const ProgressCallback& progress);
 
   const SmoothLine& rail() const { return band_.rail; }
@@ -39,7 +39,7 @@ public:
   int rounds() const { return rounds_; }
   double lastMove() const { return last_move_; }
   std::size_t sections() const { return count_; }
-  /** How the generator lies on each section where the rail has it, and its cells. */
+  /** The generator as it lies on each section at the rail, and its cells. */
   const Profile& profile() const { return profile_; }
   const RidgeBand& band() const { return band_; }
   std::vector<SectionShift> lying();
@@ -67,9 +67,9 @@ private:
   std::size_t count_ = 0; ///< of sections
   double length_ = 0.0;   ///< of a section
   double last_move_ = 0.0, still_ = 0.0;
-  double held_error_ = 0.0; ///< to which the rail is fitted; 0: found anew
+  double held_error_ = 0.0; ///< error to which the rail is fitted; 0: found again
   int rounds_ = 0;
-  std::size_t first_cell_ = 0, last_cell_ = 0; ///< of the generator, once its ends stand
+  std::size_t first_cell_ = 0, last_cell_ = 0; ///< of the generator, after its ends are fixed
 };
 
 } // namespace pcl_spiral

@@ -12,13 +12,13 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/** A point off the shifted generator. */
+/** A point relative to the shifted generator. */
 struct Residual {
-  double off = 0.0;    ///< to the outer side
+  double off = 0.0;    ///< distance, positive on the outer side
   Vector2d normal;     ///< of the generator, along chord and up
-  double turned = 0.0; ///< what it moves along the normal by where the section turns by one radian
+  double turned = 0.0; ///< its move along the normal if the section turns by one radian
   std::size_t cell = 0;
-  bool within = false; ///< of the generator's own length
+  bool within = false; ///< within the length of the generator
 };
 
 std::vector<Residual>
@@ -52,7 +52,7 @@ medianOf(std::vector<double>& values)
   return *middle;
 }
 
-/** Where Tukey's weights end: 4.685 standard deviations, of the median distance, but no less than the noise. */
+/** Where Tukey's weights end: 4.685 standard deviations, from the median distance, but at least the noise. */
 double
 cutOf(const std::vector<Residual>& residuals, double noise)
 {
@@ -70,7 +70,7 @@ weightOf(double off, double cut)
   return std::abs(share) < 1.0 ? (1.0 - share * share) * (1.0 - share * share) : 0.0;
 }
 
-/** The step of Gauss and Newton, and that for a turn; false where the normals tell one direction alone. */
+/** The Gauss-Newton step, and the step for a roll; false if the normals define only one direction. */
 bool
 stepOf(const std::vector<Residual>& residuals, double cut, Vector2d& step, Vector2d& roll)
 {

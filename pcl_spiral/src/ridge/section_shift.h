@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A generator shifted onto a section.
+ *  Shifts a generator onto a section.
  */
 #pragma once
 
@@ -8,26 +8,26 @@
 
 namespace pcl_spiral {
 
-/** The generator in local coordinates; its stations beyond both ends run straight on. */
+/** The generator in local coordinates; its stations continue straight beyond both ends. */
 struct Profile {
   StationLine line;
-  double length = 0.0; ///< without what runs straight on
+  double length = 0.0; ///< without the straight extensions
 };
 
-/** How the generator lies on one section. Sums and medians by stations of the generator, cells. */
+/** The fit of the generator to one section. Sums and medians are per cell, a station of the generator. */
 struct SectionShift {
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of the origin, along chord and up
-  Eigen::Vector3d roll = Eigen::Vector3d::Zero();  ///< the shift that a section turned by one radian about the tangent asks for
-  bool found = false;                              ///< enough points, whose normals tell both directions
-  std::vector<float> mean, median;                 ///< off the shifted generator, of the points of a cell; mean without what lies far off
+  Eigen::Vector3d roll = Eigen::Vector3d::Zero();  ///< the shift needed if the section turns by one radian about the tangent
+  bool found = false;                              ///< enough points, with normals that define both directions
+  std::vector<float> mean, median;                 ///< distance of a cell's points from the shifted generator; the mean without far points
   std::vector<std::uint32_t> count;                ///< of points in a cell
-  double squares = 0.0;                            ///< of what its points are off, within the generator's length
+  double squares = 0.0;                            ///< sum of squared distances of its points, within the generator's length
   std::size_t points = 0;                          ///< within the generator's length
 };
 
-/** Shift \p profile onto the points of a section, by least squares along its normals (Gauss-Newton; Tukey's weights, for what does not
- *  belong to the section); points farther than \p gate belong to another surface. \p noise is the scan's. Without steps
- *  the generator stays where it is. */
+/** Shift \p profile onto the points of a section by least squares along its normals (Gauss-Newton; Tukey's weights against points that
+ *  do not belong to the section). Points farther than \p gate belong to another surface. \p noise: of the scan. With 0 steps
+ *  the generator does not move. */
 SectionShift shiftOnto(RidgeBand& band, const SectionPoints& sections, std::size_t section, const Profile& profile, double noise,
                        double gate, int most_steps = 10);
 

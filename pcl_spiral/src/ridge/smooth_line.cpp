@@ -100,7 +100,7 @@ namespace {
 /** A fit by a given number of spans. */
 struct Trial {
   BSplineFit fit;
-  double squares = 0.0; ///< of the deviations, added up
+  double squares = 0.0; ///< sum of the squared deviations
   double free = 0.0;    ///< points less control points
 };
 
@@ -119,27 +119,27 @@ tryFit(const Polyline& points, std::size_t spans)
   return Trial{std::move(*fit), squares, free};
 }
 
-/** The error along the line does not show: it goes into the parameter, the chord length. */
+/** The error along the line is not visible: it goes into the parameter, the chord length. */
 double
 coordinateError(const Trial& trial)
 {
   return trial.free > 0.0 ? std::sqrt(trial.squares / (2.0 * trial.free)) : 0.0;
 }
 
-/** Whether a fit leaves no more than the error given, and what chance adds to it. */
+/** Whether the deviations of a fit are at most the given error plus a statistical allowance. */
 bool
 leavesError(const Trial& trial, double error)
 {
-  constexpr double sure = 3.0; // standard deviations of the error as two coordinates of each point show it
+  constexpr double sure = 3.0; // standard deviations of the error, from two coordinates of each point
   return coordinateError(trial) <= error * (1.0 + sure / std::sqrt(4.0 * trial.free));
 }
 
-/** By cross validation; or with fewer spans, where those leave the error given already. */
+/** Choose the fit by cross validation; or the one with fewer spans if it already reaches the given error. */
 std::optional<Trial>
 chooseFit(const Polyline& points, std::size_t repeated, double error)
 {
   constexpr double growth = 1.3, most = 0.6; // spans a point
-  constexpr double fast = 0.5;               // of the score before: without noise it falls with the eighth power of the spans' length
+  constexpr double fast = 0.5;               // of the score before: without noise it falls with the eighth power of the length of the spans
   const std::size_t last = static_cast<std::size_t>(most * static_cast<double>(points.size()));
   std::optional<Trial> best, enough;
   double least = std::numeric_limits<double>::infinity(), before = least;
@@ -161,12 +161,12 @@ chooseFit(const Polyline& points, std::size_t repeated, double error)
   }
   if (enough && (!best || enough->fit.curve.spans() <= best->fit.curve.spans()))
     return enough;
-  if (!best || falls) // to the last, so that no noise is seen: through the points
+  if (!best || falls) // it falls to the end, so there is no visible noise: interpolate the points
     return tryFit(points, points.size() - 3);
   return best;
 }
 
-/** The outermost of \p group as a straight line through it says, from its first point on. */
+/** The first point of \p group, moved onto a straight line fitted to the group. */
 Eigen::Vector3d
 endOf(const Polyline& group)
 {
@@ -182,7 +182,7 @@ endOf(const Polyline& group)
   return mean - slope * (0.5 * last / squares);
 }
 
-/** Means of \p size points each, one after the other; of an open line the ends stay where they are. */
+/** Means of groups of \p size points; the ends of an open line do not move. */
 MeasuredLine
 groupMeans(const MeasuredLine& measured, std::size_t size)
 {
@@ -204,7 +204,7 @@ groupMeans(const MeasuredLine& measured, std::size_t size)
   return result;
 }
 
-/** The fit to all points; a closed line's with half a round more at each end. */
+/** The fit to all points; for a closed line with half a round more at each end. */
 LineFit
 fitPoints(const MeasuredLine& measured, double error)
 {
@@ -226,7 +226,7 @@ fitPoints(const MeasuredLine& measured, double error)
     result.line = SmoothLine(curve, 0.0, curve.length(), false);
     return result;
   }
-  double along = 0.0, round = 0.0; // chord lengths, the curve's parameter: to the first point, once round
+  double along = 0.0, round = 0.0; // chord lengths, the parameter of the curve: to the first point; once round
   for (std::size_t i = 0; i < half; ++i)
     along += (points[i + 1] - points[i]).norm();
   for (std::size_t i = half; i < half + n; ++i)
@@ -237,13 +237,13 @@ fitPoints(const MeasuredLine& measured, double error)
 
 } // namespace
 
-/** Where points lie close, errors along the line make the chord length, the parameter, wander, which looks like a bend of the line. Means
- *  of some points each lie farther apart and err less. */
+/** If points lie close together, errors along the line change the chord length, the parameter, and look like bends of the line. Means of
+ *  several points lie farther apart and have smaller errors. */
 LineFit
 fitLine(const MeasuredLine& measured, double error)
 {
   constexpr double apart = 30.0;    // times the error of a coordinate
-  constexpr std::size_t least = 40; // points that are left
+  constexpr std::size_t least = 40; // points left
   const LineFit first = fitPoints(measured, error);
   if (!(measured.spacing > 0.0) || !(first.error < measured.spacing * static_cast<double>(measured.points.size())))
     return first;

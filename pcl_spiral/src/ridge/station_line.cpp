@@ -59,7 +59,7 @@ StationLine::foot(const Eigen::Vector3d& p, std::uint32_t& station) const
 {
   const std::size_t segments = closed_ ? size() : size() - 1;
   std::size_t i = std::min<std::size_t>(station, segments - 1);
-  int way = 0; // one way only: where the line bends about p there is no end of turning back
+  int way = 0; // one direction only: if the line bends about p, the search could go back and forth for ever
   LineFoot foot;
   for (std::size_t count = 0; count < segments; ++count) {
     const bool behind = ahead(p, i) < 0.0, beyond = !behind && ahead(p, (i + 1) % size()) > 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A line in close stations, on which feet are found fast.
+ *  A line of close stations on which feet are found fast.
  */
 #pragma once
 
@@ -12,18 +12,18 @@
 
 namespace pcl_spiral {
 
-/** Where a point falls on a line, square to it. */
+/** The foot of a point on a line, perpendicular to the line. */
 struct LineFoot {
   double s = 0.0; ///< arc length
   Eigen::Vector3d position, tangent;
   bool inside = false; ///< not beyond an end
 };
 
-/** Stations of a smooth line. Between them cubics join places and tangents: off by the fourth power of the step. */
+/** Stations of a smooth line, joined by cubics through places and tangents: the error is of fourth order in the step. */
 class StationLine {
 public:
   StationLine() = default;
-  /** About \p step apart; \p extra of them straight on beyond each end of an open line, where s is below 0 or above the length. */
+  /** Stations about \p step apart, with \p extra of them straight beyond each end of an open line, where s is below 0 or above length. */
   StationLine(const SmoothLine& line, double step, std::size_t extra = 0);
 
   std::size_t size() const { return positions_.size(); }
@@ -32,9 +32,9 @@ public:
   const Eigen::Vector3d& position(std::size_t station) const { return positions_[station]; }
   const Eigen::Vector3d& tangent(std::size_t station) const { return tangents_[station]; }
 
-  /** The nearest station, none (size()) where all are farther than \p reach. */
+  /** The nearest station; none (size()) if all are farther than \p reach. */
   std::uint32_t nearestStation(const Eigen::Vector3d& p, double reach) const;
-  /** The foot near \p station, which is set to that before it. */
+  /** The foot near \p station, which is set to the station before the foot. */
   LineFoot foot(const Eigen::Vector3d& p, std::uint32_t& station) const;
 
 private:
