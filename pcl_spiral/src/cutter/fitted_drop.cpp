@@ -15,9 +15,9 @@ constexpr int most_starts = 4;
 constexpr int most_rounds = 12;
 constexpr double starts_apart = 2.0;     // in spacings
 constexpr double longest_step = 1.5;     // in spacings: the fit spans about three
-constexpr double still = 1e-4;           // in spacings: a contact that moves less has come to rest
+constexpr double still = 1e-4;           // in spacings: a contact that moves less has converged
 constexpr double steepest = 0.05;        // least cosine between normal and axis: 87 degrees
-constexpr double largest_overhang = 0.5; // in spacings: beyond the outermost points a fit is a guess
+constexpr double largest_overhang = 0.5; // in spacings: farther beyond the outermost points a fit is not reliable
 
 /** The normal on the side of the tool, and the curvatures seen from there. */
 struct FacingFoot {
@@ -53,7 +53,7 @@ modelOf(const AxisFrame& frame, const SurfaceFoot& foot, const FacingFoot& facin
 
 } // namespace
 
-/** A place from which a touch is sought. */
+/** A place at which the search for a touch starts. */
 struct FittedDrop::Start {
   Eigen::Vector3d query = Eigen::Vector3d::Zero();
   FittedContact contact;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A cutter brought down onto the surface fitted to a scan.
+ *  Drops a cutter onto the surface fitted to a scan.
  */
 #pragma once
 
@@ -11,31 +11,31 @@
 
 namespace pcl_spiral {
 
-/** Where a cutter coming down along its axis meets the fitted surface. */
+/** Where a cutter that moves down along its axis meets the fitted surface. */
 struct FittedContact {
-  bool found = false;  ///< false where there is no fit to trust, or the surface is nearly parallel to the axis
+  bool found = false;  ///< false if no fit is reliable, or the surface is nearly parallel to the axis
   double height = 0.0; ///< of the tip along the axis, from the frame's origin
   Eigen::Vector3d contact = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< unit, to the side the tool is on
-  double gap_bound = 0.0;                           ///< how far the points alone may let the cutter sink here, see samplingGap
+  double gap_bound = 0.0;                           ///< how far the cutter may sink here between the points, see samplingGap
   double normal_share = 1.0;                        ///< cosine between normal and axis
 };
 
-/** Refines what a cutter meets among the points to where it touches the moving-least-squares surface.
+/** Refines the contact of a cutter with the points to its contact with the moving-least-squares surface.
  *
- *  From up to four of the points met first, well apart: the surface about each is taken as the quadric of its
- * fit, the touch of that found, the fit renewed there, and so on until the contact stands still. The highest
- * counts. */
+ *  It starts from up to four of the points met first, well apart. The surface about each is the quadric of its
+ *  fit; the contact with the quadric is found, the fit is repeated there, and so on until the contact converges.
+ *  The highest contact counts. */
 class FittedDrop {
 public:
   FittedDrop(const LocationSurface& surface, const CutterProfile& profile)
   : surface_(surface), profile_(profile), drop_(surface.obstacles(), profile)
   {}
 
-  /** One contact a frame. \p drops are those of the same frames on the points alone. */
+  /** One contact a frame. \p drops: the drops of the same frames on the points only. */
   void locate(const std::vector<AxisFrame>& frames, const std::vector<DropContact>& drops, std::vector<FittedContact>& contacts) const;
 
-  /** How far the cutter may sink between the points round \p foot, where it touches, as seen in \p frame. */
+  /** How far the cutter may sink between the points around \p foot, where it touches, along the axis of \p frame. */
   double gapBound(const AxisFrame& frame, const SurfaceFoot& foot) const;
 
 private:

@@ -18,13 +18,13 @@ namespace {
 /** A pass that grows. */
 struct OpenPass {
   ToolLocations locations;
-  std::vector<std::int8_t> halvings; ///< of the move that begins at each location; settled: no more are needed
+  std::vector<std::int8_t> halvings; ///< of the move that begins at each location; the value settled: no more are needed
   std::vector<std::uint8_t> given;
 };
 
 constexpr std::int8_t settled = -1;
 
-/** A move that is to be judged. */
+/** A move to judge. */
 struct OpenMove {
   std::size_t pass = 0, from = 0;
   double error = 0.0;
@@ -87,19 +87,19 @@ public:
   }
 
 private:
-  /** Whether a round with so many middles can be held; each may stay, beside what there is. */
+  /** Whether memory is enough for a round with this many middles, if all of them are kept. */
   Status checkSize(std::size_t moves) const
   {
     std::size_t locations = moves;
     for (const OpenPass& pass : open_)
       locations += pass.locations.size();
-    constexpr double copies = 3.0; // the passes, those that grow out of them, the middles
+    constexpr double copies = 3.0; // the passes, the refined passes, the middles
     const double bytes = copies * static_cast<double>(locations * sizeof(ToolLocation));
     const std::optional<double> free_bytes = availableMemory();
     if (static_cast<double>(locations) <= most_path_points && (!free_bytes || bytes <= *free_bytes))
       return Status::success();
-    return {StatusCode::InvalidArgument, textOf("a tolerance of ", settings_.tolerance, " mm between locations takes more than ", locations,
-                                                " of them, ", bytes / 1e9, " GB: raise the tolerance, or space passes wider")};
+    return {StatusCode::InvalidArgument, textOf("a tolerance of ", settings_.tolerance, " mm between locations needs more than ", locations,
+                                                " locations, ", bytes / 1e9, " GB: raise the tolerance, or set passes farther apart")};
   }
 
   const ToolLocation& from(const OpenMove& move) const { return open_[move.pass].locations[move.from]; }
@@ -124,7 +124,7 @@ private:
     return moves;
   }
 
-  /** Find what \p moves cut, or leave in their middles. */
+  /** Find how deep \p moves cut, or how much they leave in their middles. */
   void judge(std::vector<OpenMove>& moves, const ToolLocations& middles) const
   {
 #pragma omp parallel for schedule(dynamic, 64)
@@ -136,7 +136,7 @@ private:
     }
   }
 
-  /** Halve those of \p moves that err too much. */
+  /** Halve those of \p moves with too large an error. */
   void insert(const std::vector<OpenMove>& moves, const ToolLocations& middles)
   {
     std::vector<OpenPass> next(open_.size());
@@ -174,8 +174,8 @@ private:
     return false;
   }
 
-  /** How far the cutter passes above \p middle: along the axis, or, at a wall, to the place beside where it would
-   *  not. */
+  /** How far the cutter passes above \p middle along the axis, but at most the length of the move across the axis, which is less
+   *  at a wall. */
   double leftAbove(const OpenMove& move, const ToolLocation& middle) const
   {
     const Eigen::Vector3d way = to(move).tip - from(move).tip;
@@ -183,8 +183,8 @@ private:
     return std::min(above, way.cross(middle.axis).norm());
   }
 
-  /** The moves err by half the tolerance; locations put in that move the cutter by no more than the other half
-   *  go again. */
+  /** The moves use half of the tolerance. Remove inserted locations that move the cutter by at most the other
+   *  half. */
   void thin(OpenPass& pass)
   {
     const CutterProfile& cutter = locator_.profile();

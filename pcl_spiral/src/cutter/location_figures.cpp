@@ -50,17 +50,17 @@ CutterLocationEngine::figures(const ToolLocations& locations) const
   warn(f.over_rim,
        textOf("stand partly beyond the rim of the ", ground_->name(), " or over a gap in it, ",
               f.least_rim_clearance < touched ? std::string("down to it") : textOf("at least ", f.least_rim_clearance, " mm above it"),
-              ": what is higher there is not known"));
-  warn(f.unbounded, "rest on single points, and how far the cutter sinks between them has no bound");
+              ": the part may be higher there, which is not known"));
+  warn(f.unbounded, "rest on single points, with no limit on how far the cutter sinks between them");
   warn(f.count(LocationBasis::PointsAndBound), textOf("are raised by up to ", f.largest_gap_bound,
-                                                      " mm above single points, the bound of how far the cutter would "
-                                                      "sink between them: no fitted surface to trust was there"));
-  warn(f.count(LocationState::Unreachable), "ask for a contact that leans over the cutter's flank");
+                                                      " mm above single points, the most that the cutter could "
+                                                      "sink between them: there was no reliable fitted surface"));
+  warn(f.count(LocationState::Unreachable), "have a given contact that overhangs the cutter's flank");
   if (f.collisions > 0) {
     const HolderCollision& worst = locations[f.most_collided].collision;
     const auto segment = static_cast<std::size_t>(worst.segment);
     const std::string& name = options_.holder[segment].name;
-    warn(f.collisions, textOf("put the holder into the ", ground_->name(), ", the deepest ", worst.depth,
+    warn(f.collisions, textOf("let the holder collide with the ", ground_->name(), ", the deepest by ", worst.depth,
                               " mm, clearance included: ", name.empty() ? textOf("segment ", segment + 1) : name, " of location ",
                               f.most_collided, " at ", placeText(worst.place),
                               "; lengthen the tool, lean the axis away, or allow it "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What cutters are located on, as CutterLocationEngine sees it. Private.
+ *  The surface on which CutterLocationEngine locates cutters. Private.
  */
 #pragma once
 
@@ -13,28 +13,28 @@
 
 namespace pcl_spiral {
 
-/** One cutter with what holds it, on one scan or mesh. */
+/** One cutter with its holder, on one scan or mesh. */
 class LocationGround {
 public:
   virtual ~LocationGround() = default;
 
-  /** Whether locations can be found as asked. */
+  /** Whether locations can be found with these settings. */
   virtual Status check() const = 0;
 
   /** One location a drive point; the same for any number of threads. */
   virtual void locate(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const = 0;
 
-  /** Whether the cutter and what holds it can stand at the contact that \p drive asks for: a quick test, by the points or by
-   * the surface alone. */
+  /** Whether the cutter and its holder fit at the contact given by \p drive: a quick test with only the points or only
+   *  the surface. */
   virtual bool clears(const DrivePoint& drive) const = 0;
 
-  /** Bound of how deep a straight move may cut, tip and axis led evenly; \p allowed where it is known to be no more than that. */
+  /** Bound of how deep a straight move may cut, with tip and axis moving evenly; \p allowed if it is known to be at most that. */
   virtual double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const = 0;
 
-  /** What figures and warnings there are besides those of all grounds, which \p figures has. */
+  /** Add the figures and warnings of this kind of ground to \p figures, which has the common ones. */
   virtual void describe(const ToolLocations& locations, LocationFigures& figures) const = 0;
 
-  /** What it is, for messages: "scan"; and of what the cutter meets: "point". */
+  /** For messages: its name, "scan", and the name of the items that the cutter meets, "point". */
   virtual const char* name() const = 0;
   virtual const char* item() const = 0;
 };

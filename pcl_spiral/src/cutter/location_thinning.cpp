@@ -7,9 +7,9 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t longest_run = 256; // of places left out one after the other: time stays linear
+constexpr std::size_t longest_run = 256; // of consecutive places left out, so that the time stays linear
 
-/** Bound of how far a point of the cutter at \p place is from where it comes nearest on the way from \p a to \p b. */
+/** Upper bound of the distance between a point of the cutter at \p place and its nearest position on the way from \p a to \p b. */
 double
 offTheWay(const CutterPlace& a, const CutterPlace& b, const CutterPlace& place, double reach)
 {
@@ -20,7 +20,7 @@ offTheWay(const CutterPlace& a, const CutterPlace& b, const CutterPlace& place, 
   return (tip - t * way).norm() + reach * (axis - t * turn).norm();
 }
 
-/** The largest distance of those between; infinite as soon as it is over \p limit. */
+/** The largest distance of the places between \p from and \p to; infinite as soon as it is over \p limit. */
 double
 largestOff(const std::vector<CutterPlace>& places, std::size_t from, std::size_t to, double reach, double limit)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Locations that a straight move can do without.
+ *  Leaves out locations that a straight move does not need.
  */
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace pcl_spiral {
 
-/** Which of \p places to keep: the ends, those that \p needed says, and as few others as keep every point of the
- *  cutter, no farther than \p reach from the tip, within \p tolerance of where it was. \p largest is widened to the
+/** Marks the \p places to keep: the ends, those marked in \p needed, and as few others as possible. Every point of the
+ *  cutter up to \p reach from the tip stays within \p tolerance of its position. \p largest is raised to the
  *  largest such distance. */
 std::vector<std::uint8_t> keptPlaces(const std::vector<CutterPlace>& places, const std::vector<std::uint8_t>& needed, double reach,
                                      double tolerance, double& largest);

@@ -14,7 +14,7 @@ namespace {
 constexpr int rings = 6, around = 12;
 constexpr int most_rounds = 6; // of axes that clear the points but not the fitted surface
 
-/** Axes about \p axis, the least tilt first, and of those with the same tilt the ones nearest to \p away. */
+/** Axes about \p axis, the least tilt first; axes with the same tilt start with those nearest to \p away. */
 class ConeOfAxes {
 public:
   ConeOfAxes(const Eigen::Vector3d& axis, const Eigen::Vector3d& away, double angle) : axis_(axis), angle_(angle)
@@ -30,7 +30,7 @@ public:
   double tilt(int i) const { return angle_ * (i / around + 1) / rings; }
   Eigen::Vector3d operator[](int i) const
   {
-    const int turn = (i % around + 1) / 2 * (i % 2 == 0 ? 1 : -1); // 0, then to either side by turns
+    const int turn = (i % around + 1) / 2 * (i % 2 == 0 ? 1 : -1); // 0, then alternately to either side
     const double azimuth = 2.0 * pi * turn / around;
     const Eigen::Vector3d side = std::cos(azimuth) * first_ + std::sin(azimuth) * second_;
     return std::cos(tilt(i)) * axis_ + std::sin(tilt(i)) * side;

@@ -12,9 +12,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double precision = 1e-3;        // mm, of the depth
-constexpr std::size_t most_parts = 20000; // cut up for one location; the deepest left is then taken as deep as it may be
+constexpr std::size_t most_parts = 20000; // cut for one location; after that the bound of the deepest part left is used
 
-/** A part of a face that may be deeper than what was found, and how deep it may be. */
+/** A part of a face that may be deeper than the place found, and the bound of its depth. */
 struct DeepPart {
   PatchCell cell;
   double bound = 0.0;
@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  /** Take the deepest of some places of \p cell, and keep it where others may be deeper. */
+  /** Take the deepest of some places of \p cell; keep the cell if other places may be deeper. */
   void look(const PatchCell& cell, std::uint32_t face)
   {
     Matrix3d across = cell.corners;

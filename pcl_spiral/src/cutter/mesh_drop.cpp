@@ -11,19 +11,19 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double slack = 1e-9; // rounding never leaves a face out
+constexpr double slack = 1e-9; // so that rounding never leaves a face out
 constexpr std::uint32_t nothing = 0xffffffffu;
 
-/** What waits in the search: a node of boxes, a part of a face, or a contact. */
+/** An entry of the search queue: a node of boxes, a part of a face, or a contact. */
 struct Waiting {
   enum Kind : std::uint8_t { Boxes, Part, Contact };
-  double height; ///< bound of what is in it; of a contact, its own
+  double height; ///< upper bound of the heights in it; for a contact its height
   Kind kind;
   std::uint32_t face;  ///< the lowest in it
-  std::uint32_t place; ///< of parts and contacts, in the list
+  std::uint32_t place; ///< index of parts and contacts in the list
   BoxTree::Node node;
 
-  /** Whether \p other is to be looked at first: the higher; of all as high contacts last, and by their faces. */
+  /** Whether \p other comes first: the higher one; at the same height contacts come last, ordered by their faces. */
   bool operator<(const Waiting& other) const
   {
     if (height != other.height)
@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  /** Whether what is in it is no higher than a contact found, but for the slack, and on no lower face. */
+  /** Whether all in it is at most as high as a contact found, up to the slack, and not on a lower face. */
   bool isSurpassed(const Waiting& waiting) const { return waiting.height <= best_.height + 2.0 * slack && waiting.face >= best_.face; }
 
   void open(const Waiting& top)
@@ -110,7 +110,7 @@ private:
     parts_.push_back(cell);
     if (flat) {
       floor_ = std::max(floor_, height - slack);
-      parts_.back().corners.col(0) = touched.weights; // the corners have served
+      parts_.back().corners.col(0) = touched.weights; // the corners are not needed any more
       parts_.back().corners.col(1) = std::isfinite(sag_) ? cell.position(touched.weights) : cell.corners * touched.weights;
     }
     const Waiting waiting{flat ? height : height + slack, flat ? Waiting::Contact : Waiting::Part, face, place, {}};
@@ -136,7 +136,7 @@ private:
   double sag_;
   const AxisFrame& frame_;
   AxisView view_;
-  double floor_;                                                                             ///< no contact below it counts any more
+  double floor_;                                                                             ///< contacts below it do not count
   Waiting best_{-std::numeric_limits<double>::infinity(), Waiting::Contact, 0, nothing, {}}; ///< of the contacts found
   Matrix3d axes_;
   std::vector<Waiting> waiting_; ///< a heap

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A cutter brought down along its axis onto a mesh.
+ *  Drops a cutter along its axis onto a mesh.
  */
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace pcl_spiral {
 
-/** What a cutter coming down on a mesh meets first. */
+/** The first contact of a cutter that moves down onto a mesh. */
 struct MeshContact {
   bool found = false; ///< false: no part of the mesh within the cutter's radius of the axis, or above the floor
   double height = -std::numeric_limits<double>::infinity(); ///< of the tip along the axis, from the frame's origin
@@ -24,19 +24,19 @@ struct MeshContact {
 
 /** Finds the highest contact of a cutter with curved triangles, or with the flat ones of their corners, by best first search:
  *  boxes, then curved triangles, then their quarters, by bounds of the tip's height on them. The height on a flat triangle is
- *  exact (\see TriangleTouch). A curved triangle is bounded by the flat one of a cutter that is wider by as much as the bows
- *  lead across the axis, and higher by as much as they lead up it; where it lies within the sag of the flat one it is taken
- *  for that. In hollows, where the bows lead down, a facet's own sag does not lift the cutter. The patches must outlive it. */
+ *  exact (\see TriangleTouch). The bound of a curved triangle is the height on the flat one for a cutter that is wider by the part
+ *  of the bows across the axis, plus the part of the bows up the axis. If the curved one lies within the sag of the flat one, the
+ *  flat one is used. In hollows, where the bows lead down, the sag of a facet does not lift the cutter. The patches must outlive it. */
 class MeshDrop {
 public:
-  /** \p sag: how near to the curved surface, mm; infinite: triangles are flat. */
+  /** \p sag: allowed distance from the curved surface, mm; infinite: triangles are flat. */
   MeshDrop(const PatchTree& patches, const CutterProfile& profile, double sag) : patches_(patches), touch_(profile), sag_(sag) {}
 
   const CutterProfile& profile() const { return touch_.profile(); }
   double sag() const { return sag_; }
 
-  /** The location without gouge; of contacts as high, to 2e-9, that on the face of the lowest index. Only what holds the tip above
-   *  \p floor counts. */
+  /** The contact at which nothing is gouged; of contacts at the same height, within 2e-9, the one on the face of the lowest index.
+   *  Only contacts that hold the tip above \p floor count. */
   MeshContact highest(const AxisFrame& frame, double floor = -std::numeric_limits<double>::infinity()) const;
 
 private:

@@ -13,16 +13,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double coarse_share = 0.25; // of how far off is allowed: what the sag may take of it
+constexpr double coarse_share = 0.25; // share of the allowed error that the sag may use
 
-/** Looks for the place nearest to a strip, the nearer half of the boxes first. */
+/** Searches the place nearest to a strip, the nearer half of the boxes first. */
 class NearestToStrip {
 public:
   NearestToStrip(const PatchTree& patches, double sag, const SweptStrip& strip, double limit)
   : patches_(patches), sag_(sag), strip_(strip), nearest_(limit)
   {}
 
-  /** The distance, or the limit where nothing is nearer. */
+  /** The distance, or the limit if nothing is nearer. */
   double run()
   {
     if (patches_.size() > 0)
@@ -75,7 +75,7 @@ private:
   double nearest_;
 };
 
-/** Add what of \p cell is within \p reach of the way; parts of it are taken for flat when within \p sag of that. */
+/** Add the parts of \p cell within \p reach of the way; parts within \p sag of a flat triangle count as flat. */
 void
 cover(const PatchCell& cell, const SweptStrip& strip, double reach, double sag, WayCover& covered)
 {

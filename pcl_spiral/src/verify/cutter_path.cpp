@@ -20,7 +20,7 @@ degreesBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / pi;
 }
 
-/** Ok, or the arc lengths of a path with lifts, which \p grow by so much in all, do not fit its cuts: they tell no lift then. */
+/** Refuse the arc lengths of a path with lifts if their total growth \p grow does not fit the cuts: then they show no lifts. */
 Status
 checkLifts(const CutterPath& path, double grow)
 {
@@ -29,20 +29,21 @@ checkLifts(const CutterPath& path, double grow)
   if (path.passes.empty() || std::abs(grow - cut) <= rounding * grow)
     return Status::success();
   return {StatusCode::InvalidInput,
-          textOf("the arc lengths of the toolpath stand still at ", path.passes.size(), " moves, as over lifts, first at path point ",
+          textOf("the arc lengths of the toolpath do not grow at ", path.passes.size(), " moves, as at lifts, first at path point ",
                  path.passes.front(), ", but the other moves are ", cut, " mm long and the arc lengths grow by ", grow,
-                 " mm: write arc lengths to a hundredth of a millimetre, or leave them out")};
+                 " mm: write arc lengths to a hundredth of a millimetre, or write none")};
 }
 
-/** Ok, or the passes given do not begin one after the other within a path of \p size points. */
+/** Refuse given passes that do not begin one after the other within a path of \p size points. */
 Status
 checkPasses(const std::vector<std::size_t>& passes, std::size_t size)
 {
   std::size_t before = 0;
   for (const std::size_t begin : passes) {
     if (begin <= before || begin >= size)
-      return {StatusCode::InvalidInput, textOf("a pass begins at path point ", begin, ", after ", before, " of ", size,
-                                               ": give where the second pass begins, and each further one, ascending (setInputToolpath)")};
+      return {StatusCode::InvalidInput,
+              textOf("a pass begins at path point ", begin, ", after ", before, " of ", size,
+                     ": give the first point of the second pass and of each later one, ascending (setInputToolpath)")};
     before = begin;
   }
   return Status::success();
@@ -57,8 +58,7 @@ readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterP
   if (!toolpath)
     return {StatusCode::InvalidInput, "no toolpath: call setInputToolpath"};
   if (toolpath->size() < 2)
-    return {StatusCode::InvalidInput,
-            "the toolpath has " + std::to_string(toolpath->size()) + " points; it takes two to make a move: check the file"};
+    return {StatusCode::InvalidInput, "the toolpath has " + std::to_string(toolpath->size()) + " points; a move needs two: check the file"};
   bool with_axes = true;
   for (std::size_t i = 0; i < toolpath->size(); ++i) {
     const ToolpathPoint& p = (*toolpath)[i];
@@ -69,7 +69,7 @@ readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterP
       return {StatusCode::InvalidInput, "toolpath point " + std::to_string(i) + " is not finite: check the file"};
     if (!(normal.norm() > 1e-6) || !normal.allFinite())
       return {StatusCode::InvalidInput,
-              "toolpath point " + std::to_string(i) + " has no normal: without it nobody knows where the cutter stands"};
+              "toolpath point " + std::to_string(i) + " has no normal: without it the place of the cutter is not known"};
     path.contacts.push_back(contact);
     path.normals.push_back(normal.normalized());
     path.turns.push_back(p.turn);
@@ -101,7 +101,7 @@ PathMotion
 pathMotion(const CutterPath& path)
 {
   PathMotion motion;
-  Eigen::Vector3d before = Eigen::Vector3d::Zero(); // the last move that is one
+  Eigen::Vector3d before = Eigen::Vector3d::Zero(); // the last move longer than zero
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if (beginsPass(path.passes, i + 1)) {
       before.setZero();

@@ -40,14 +40,14 @@ entersBall(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double radius, do
   return true;
 }
 
-/** Where the line x + t n enters the capsule between the origin and \p d. The side of its cylinder, or where
- * that is met beyond an end, the ball there: a convex body is entered once. */
+/** Where the line x + t n enters the capsule between the origin and \p d: at the side of its cylinder, or, if that is
+ *  met beyond an end, at the ball there. A convex body is entered once. */
 bool
 entersCapsule(const Eigen::Vector3d& x, const Eigen::Vector3d& n, const Eigen::Vector3d& d, double radius, double& t)
 {
   const double dd = d.squaredNorm(), nd = n.dot(d), md = x.dot(d);
   const double a = dd - nd * nd;
-  if (a <= 1e-14 * dd) // along the line, or no move at all: the end met first
+  if (a <= 1e-14 * dd) // along the line, or a move of no length: the end met first
     return entersBall(nd > 0.0 ? x : Eigen::Vector3d(x - d), n, radius, t);
   const double half = dd * x.dot(n) - nd * md;
   const double c = dd * (x.squaredNorm() - radius * radius) - md * md;
@@ -89,7 +89,7 @@ heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p, double reach)
   u *= a < 0.0 ? -inside : inside;
   v *= b < 0.0 ? -inside : inside;
   const Eigen::Vector3d place = u * foot.direction1 + v * e2 - 0.5 * (k1 * u * u + k2 * v * v) * foot.normal;
-  // Farther off than the reach, the side is told by the tangent plane at the place.
+  // Farther away than the reach, the tangent plane at the place decides the side.
   const Eigen::Vector3d across = k1 * u * foot.direction1 + k2 * v * e2 + foot.normal;
   const double distance =
       inside < 1.0 ? std::copysign((d - place).norm(), (d - place).dot(across)) : l * std::sqrt(1.0 + k1 * k1 * u * u + k2 * k2 * v * v);

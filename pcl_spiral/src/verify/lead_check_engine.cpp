@@ -14,8 +14,8 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int most_halvings = 16;
-constexpr double most_turn = 0.5;         // radians of a rotary axis, which may come back to where it was
-constexpr double least_holder_step = 0.1; // mm between two looks at a holder
+constexpr double most_turn = 0.5;         // radians of a rotary axis: after more it may be back where it was
+constexpr double least_holder_step = 0.1; // mm between two tests of a holder
 constexpr std::size_t chunk = 256;        // moves between two reports of progress
 
 /** The machine where a block ends. */
@@ -31,7 +31,7 @@ endOf(const ProgramBlock& block)
   return location;
 }
 
-/** How far two shanks of \p radius, side by side, may stand apart to leave a wedge no deeper than \p depth between them. */
+/** Distance of two shanks of \p radius, side by side, that leave a wedge of depth \p depth between them. */
 double
 stepForWedge(double radius, double depth)
 {
@@ -76,8 +76,8 @@ private:
     lookAt(at_b, deepest);
   }
 
-  /** Whether nothing that is too deep between two places is free at both. Along the axis the cutter and its shank cover
-   *  all between them; a place of the holder must be near one where it was looked at. */
+  /** Whether a test at both places finds everything that is too deep between them. Along the axis the cutter and its shank
+   *  cover all between them; a place of the holder must be near a tested one. */
   bool isNear(const ToolPose& a, const ToolPose& b) const
   {
     const Eigen::Vector3d way = b.tip - a.tip;
@@ -87,7 +87,7 @@ private:
     return holder_.empty() || way.norm() + turn * holder_.top() <= holder_step_;
   }
 
-  /** Distance of the scan's farthest corner, up to where the shank matters. */
+  /** Distance of the scan's farthest corner, limited to the length of shank that matters. */
   double farthestFrom(const Eigen::Vector3d& place) const
   {
     const Box& box = points_.box();

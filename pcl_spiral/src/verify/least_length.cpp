@@ -17,7 +17,7 @@ leastLength(const ReferenceSurface& reference, const std::vector<float>& steps, 
   std::size_t count = 0;
   area = 0.0;
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-    if (parts[t] != 0 && !reference.mesh()) // of a scan they may be specks
+    if (parts[t] != 0 && !reference.mesh()) // in a scan they may be clusters of outliers
       continue;
     const auto& [i, j, k] = mesh.triangle(t);
     if (!(steps[i] > 0.0f && steps[j] > 0.0f && steps[k] > 0.0f))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ReferenceSurface of a mesh.
+// The ReferenceSurface of a mesh.
 #include <pcl_spiral/verify/impl/reference_surface.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -15,7 +15,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double band_width = 1.25; // radii of a fit: the farthest of the nearest points
+constexpr double band_width = 1.25; // radii of a fit: distance of the farthest of the nearest points
 
 } // namespace
 
@@ -48,7 +48,7 @@ ReferenceSurface::ReferenceSurface(Surface::ConstPtr surface, ReferenceMesh::Con
   const SurfaceCounts& counts = scanned_->counts();
   if (const std::size_t out = mesh_->samples()->size() - counts.used - counts.duplicate; out > 0)
     warnings_.push_back(textOf(out, " of ", mesh_->samples()->size(), " samples of the mesh, ", mesh_->spacing(),
-                               " mm apart, were left out: in parts too small for so few, or where faces lie on one another; sample "
+                               " mm apart, were left out: they are in parts too small for so few, or where faces overlap; sample "
                                "more closely (setSampleSpacing)"));
   if (!mesh_->creases().empty())
     crease_band_ = band_width * fitRadius();
@@ -89,7 +89,7 @@ ReferenceSurface::meshPlace(std::size_t i) const
 void
 ReferenceSurface::measureMisfit()
 {
-  constexpr std::size_t most = 20000; // samples looked at
+  constexpr std::size_t most = 20000; // samples used
   std::vector<Eigen::Vector3d> places;
   for (std::size_t i = 0; i < graph().size(); i += std::max<std::size_t>(1, graph().size() / most))
     if (!inCreaseBand(graph().position(i)))

@@ -11,7 +11,7 @@
 
 namespace pcl_spiral {
 
-/** Nearest rank; reorders \p values. 0 when there are none. */
+/** Nearest rank; reorders \p values. 0 if there are none. */
 inline double
 quantile(std::vector<float>& values, double share)
 {

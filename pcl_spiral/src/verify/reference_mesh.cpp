@@ -22,7 +22,7 @@ constexpr double least_agreement = 0.85; // cosine of the angle between a contac
 constexpr double farthest = 4.0;         // spacings from a contact to the sample it touches
 constexpr double away = 0.1;             // cosine
 
-/** Number of the smooth area each face belongs to: faces joined by edges that are no creases. */
+/** Number of the smooth area of each face: an area is faces joined by edges that are not creases. */
 std::vector<std::uint32_t>
 smoothAreas(const SurfaceMesh& mesh)
 {
@@ -58,7 +58,7 @@ touchedFaces(const SurfaceMesh& mesh, const CutterPath& path, const MeshSampling
     points.push_back(sample.getVector3fMap());
   const PointBlocks blocks(std::move(points));
   const std::vector<std::uint32_t> areas = smoothAreas(mesh);
-  std::vector<std::uint8_t> touched(mesh.faceCount(), 0); // by the number of the area, of which there are no more
+  std::vector<std::uint8_t> touched(mesh.faceCount(), 0); // by the number of the area; there are at most as many areas as faces
   nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < path.size(); ++i) {
     const std::uint32_t at = blocks.nearest(path.contacts[i]), sample = blocks.originalIndex(at);
@@ -74,7 +74,7 @@ touchedFaces(const SurfaceMesh& mesh, const CutterPath& path, const MeshSampling
   return faces;
 }
 
-/** Leave faces out that look away from the cutter, where it comes from one side at all. */
+/** Leave out faces that face away from the cutter, if the cutter comes from one side. */
 void
 dropAway(const SurfaceMesh& mesh, const CutterPath& path, std::vector<std::uint8_t>& faces)
 {
@@ -124,13 +124,13 @@ ReferenceMesh::chooseFaces(const CutterPath& path)
   if (faceCount() == 0)
     return {StatusCode::InvalidInput,
             textOf("no contact of the toolpath lies on the closed mesh on the side of its normal, the nearest is ", nearest,
-                   " mm off: is it another part, another unit, or the mesh's other side?")};
+                   " mm away: is it another part, another unit, or the other side of the mesh?")};
   if (faceCount() == mesh_->faceCount())
     faces_.clear();
   else
     warnings_.push_back(textOf("the mesh is closed: ", faceCount(), " of its ", mesh_->faceCount(), " faces are judged, ", area(),
-                               " mm2, the smooth areas that the path touches; cut the mesh down to what is to be machined to have "
-                               "all of it judged"));
+                               " mm2, the smooth areas that the path touches; to judge all faces, keep only the machined part of "
+                               "the mesh"));
   return Status::success();
 }
 

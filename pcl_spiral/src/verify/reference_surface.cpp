@@ -14,7 +14,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** Area between the outermost points and the outline: at each point, how far the outline runs outside it. */
+/** Area between the outermost points and the outline, from the distance of the outline outside each point. */
 double
 stripOutside(const BoundaryLoop& loop, const MoveIndex& outline, const SurfaceGraph& graph)
 {
@@ -38,9 +38,9 @@ ReferenceSurface::ReferenceSurface(Surface::ConstPtr surface)
 : scanned_(std::move(surface)), surface_(scanned_->graph(), 0, ProjectionMethod::RobustQuartic)
 {
   if (strayPoints() > 0)
-    warnings_.push_back(textOf(strayPoints(), " points of the reference stand alone off its surface and were left out"));
+    warnings_.push_back(textOf(strayPoints(), " isolated outliers of the reference were left out"));
   if (!scanned_->sideIsClear())
-    warnings_.push_back("the outer side of the reference could not be told from +z; the convex side was taken: give a "
+    warnings_.push_back("the outer side of the reference could not be found from +z; the convex side was used: give a "
                         "view point (setViewPoint) or flip the normals (setFlipNormals) if the cutter comes from the other side");
   findRim();
 }
@@ -49,7 +49,7 @@ void
 ReferenceSurface::findRim()
 {
   if (const Status status = findBoundaryLoops(*scanned_, BoundaryOptions(), loops_); !status.ok()) {
-    warnings_.push_back("the rim of the reference was not found, so no band is set apart there: " + status.message());
+    warnings_.push_back("the rim of the reference was not found, so the band along it is not judged separately: " + status.message());
     return;
   }
   for (const BoundaryLoop& loop : loops_) {
@@ -71,7 +71,7 @@ ReferenceSurface::findRim()
 void
 ReferenceSurface::indexRims()
 {
-  for (const Polyline& rim : rims_) // in place for good
+  for (const Polyline& rim : rims_) // the rims do not move any more
     rim_index_.push_back(std::make_unique<MoveIndex>(rim));
 }
 
@@ -136,8 +136,8 @@ noiseWarnings(const ReferenceSurface& reference, double scallop_height, double c
     for (const auto& [what, asked] : {std::pair{"scallop height", scallop_height}, std::pair{"chord error", chord_error}})
       if (asked > 0.0 && asked < least)
         warnings.push_back(textOf("the ", what, " asked for, ", asked, " mm, lies below ", least,
-                                  " mm, three times the distance of the "
-                                  "mesh from the surface fitted to its samples every ",
+                                  " mm, three times the distance between the "
+                                  "mesh and the surface fitted to its samples every ",
                                   mesh->spacing(), " mm: sample more closely (setSampleSpacing ", 0.5 * mesh->spacing(), ")"));
     return warnings;
   }

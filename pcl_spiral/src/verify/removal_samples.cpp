@@ -11,9 +11,9 @@ namespace pcl_spiral {
 namespace {
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
-constexpr double hollowest = -0.9;     // of 1/R: beyond, the ball hardly fits and step-overs mean nothing
-constexpr double farthest_ridge = 2.0; // in step-overs: a turn left out is one away
-constexpr double walk = 0.7;           // in step-overs: past the ridge of a pass at its place
+constexpr double hollowest = -0.9;     // of 1/R: beyond it the ball hardly fits and step-overs have no meaning
+constexpr double farthest_ridge = 2.0; // in step-overs: a missing turn is one step-over away
+constexpr double walk = 0.7;           // in step-overs: goes beyond the ridge of a pass at its place
 constexpr double shallow_start = 0.2;  // in scallop heights, at least: where a short ray starts below the surface
 
 } // namespace
@@ -101,7 +101,7 @@ void
 RemovalSampler::beside(const SurfaceFoot& foot, std::size_t move, double side, RemovalExtremes& extremes) const
 {
   const double largest = largestStep(foot);
-  if (fit_radius_ < 0.6 * largest) // the points are denser than the ridges, and see them
+  if (fit_radius_ < 0.6 * largest) // the points are denser than the ridges and show them
     return;
   if (!foot.valid || zoneOf(foot, foot.position, largest) != Zone::Main || reference_.inGap(foot.position))
     return;
@@ -142,11 +142,11 @@ RemovalSampler::takeGouge(std::size_t move, double f, const SurfaceFoot& nearest
 {
   std::vector<SurfaceFoot> feet;
   reference_.surface().project({place}, feet);
-  // A quadric carried on tells where to look; how deep the cutter stands there, the surface itself.
+  // The extended quadric gives the place to test; the surface itself gives how deep the cutter is there.
   const SurfaceFoot& foot = feet.front().valid ? feet.front() : nearest;
   const SurfaceHeight lowest = sweep_.lowest(move, f, foot, 0.0);
   if (lowest.height < -sweep_.boundingRadius() || reference_.inGap(foot.position))
-    return; // its middle behind the foot: another side of the part, or so deep that the reference points tell it
+    return; // its middle is behind the foot: another side of the part, or so deep that the reference points show it
   PlacedValue& gouge = reference_.inCreaseBand(foot.position) ? extremes.crease_gouge
                        : foot.overhang > 0.0                  ? extremes.rim_gouge
                                                               : extremes.gouge;

@@ -13,10 +13,10 @@
 
 namespace pcl_spiral {
 
-/** Where a sample counts. */
+/** The zone in which a sample counts. */
 enum class Zone : std::uint8_t { None, Main, Rim, Crease };
 
-/** The extremes met, in a fixed order. */
+/** The extremes found, in a fixed order. */
 struct RemovalExtremes {
   static constexpr double none = -1e300; ///< below every height
   PlacedValue stock{none, Eigen::Vector3d::Zero(), 0}, scallop = stock, rim = stock, crease = stock;
@@ -24,7 +24,7 @@ struct RemovalExtremes {
   void merge(const RemovalExtremes& later);
 };
 
-/** What stands over one reference point. */
+/** Stock and ridge over one reference point. */
 struct SampleResult {
   Zone zone = Zone::None;
   bool met = false;
@@ -33,24 +33,24 @@ struct SampleResult {
   std::size_t move = 0;
 };
 
-/** Measures places, each by itself. */
+/** Measures places one by one. */
 class RemovalSampler {
 public:
   RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index, const RemovalSettings& settings,
                  double reach);
 
-  /** Over the foot of a reference point; of one in the crease band over its place in the mesh. \p guess is a move tried first, and becomes
-   *  the one met. */
+  /** Over the foot of a reference point; for one in the crease band over its place in the mesh. \p guess: the move tried first; it becomes
+   *  the move found. */
   SampleResult at(const SurfaceFoot& foot, std::size_t& guess, RemovalExtremes& extremes) const;
   /** The ridge on one side, 1 or -1, of a place on the path. */
   void beside(const SurfaceFoot& foot, std::size_t move, double side, RemovalExtremes& extremes) const;
-  /** The deepest gouge on a move between the shares \p f0 and \p f1, sought by the fits at both ends. */
+  /** The deepest gouge on a move between the shares \p f0 and \p f1, searched with the fits at both ends. */
   void along(std::size_t move, double f0, double f1, const SurfaceFoot& foot0, const SurfaceFoot& foot1, RemovalExtremes& extremes) const;
 
 private:
   double largestStep(const SurfaceFoot& foot) const;
   double stepAcross(const SurfaceFoot& foot, const Eigen::Vector3d& w) const;
-  /** What the cutter cuts off the surface next to \p place; of \p nearest where there is none. */
+  /** The depth that the cutter cuts off the surface next to \p place; off \p nearest if there is no surface. */
   void takeGouge(std::size_t move, double f, const SurfaceFoot& nearest, const Eigen::Vector3d& place, RemovalExtremes& extremes) const;
   Zone zoneOf(const SurfaceFoot& foot, const Eigen::Vector3d& position, double step) const;
   void takeRidge(const SurfaceFoot& foot, const Ridge& ridge, double step, RemovalExtremes& extremes, float* height) const;

@@ -48,7 +48,7 @@ StockField::cast(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double star
   };
   if (guess < sweep_.moves())
     test(guess);
-  // A cutter whose middle is farther off than this does not touch what is left of the ray.
+  // A cutter with its middle farther away than this does not touch the rest of the ray.
   index_.search(
       x, [&] { return sweep_.boundingRadius() + std::max(stock.height, start); }, test);
   return stock;
@@ -135,7 +135,7 @@ StockField::climbed(const SurfaceFoot& foot, const Stock& from, const Eigen::Vec
         return ridge;
       lower = other.move != current && other.height < under(current, place) - same_height;
     }
-    // Come back to where the current one ends.
+    // Go back to the place where the current one ends.
     double d = high;
     SurfacePlace place;
     for (int i = 0; i < most_cells; ++i) {
@@ -149,7 +149,7 @@ StockField::climbed(const SurfaceFoot& foot, const Stock& from, const Eigen::Vec
       other = least;
       high = d;
     }
-    // A top, or the same slope goes on under the next move of the pass.
+    // A top, or the same slope continues under the next move of the pass.
     const double beyond = 0.01 * step;
     if (under(other.move, placeAt(foot, (d + beyond) * w)) <= ridge.height) {
       ridge.position = place.position;

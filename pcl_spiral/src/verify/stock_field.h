@@ -11,9 +11,9 @@
 
 namespace pcl_spiral {
 
-/** What stands over a place. */
+/** The stock over a place. */
 struct Stock {
-  double height = 0.0;  ///< negative: gouge; the reach where nothing is met
+  double height = 0.0;  ///< negative: gouge; the reach if nothing is met
   std::size_t move = 0; ///< that cuts there
   bool met = false;
 };
@@ -26,7 +26,7 @@ struct Ridge {
   bool found = false;
 };
 
-/** Where the surface stands and faces. */
+/** Position and normal of the surface. */
 struct SurfacePlace {
   Eigen::Vector3d position, normal;
 };
@@ -34,35 +34,35 @@ struct SurfacePlace {
 /** The quadric about \p foot, at \p d in its tangent plane. */
 SurfacePlace placeAt(const SurfaceFoot& foot, const Eigen::Vector3d& d);
 
-/** A foot there, with the same curvatures. */
+/** A foot at that place, with the same curvatures. */
 SurfaceFoot shifted(const SurfaceFoot& foot, const Eigen::Vector3d& d);
 
 class StockField {
 public:
-  /** Rays reach \p reach above the surface; they start \p shallow below it, and deep inside the cutter where
-   * that is not deep enough. */
+  /** Rays reach \p reach above the surface. They start \p shallow below it, or deep inside the cutter if
+   *  that is not deep enough. */
   StockField(const CutterSweep& sweep, const MoveIndex& index, double shallow, double reach)
   : sweep_(sweep), index_(index), shallow_(shallow), reach_(reach)
   {}
 
-  /** Stock over a place: the smallest t at which x + t n lies in the swept solid. \p guess is a move tried first. */
+  /** Stock over a place: the smallest t at which x + t n lies in the swept solid. \p guess: the move tried first. */
   Stock at(const Eigen::Vector3d& x, const Eigen::Vector3d& n, std::size_t guess) const;
 
-  /** Unit direction across the feed of \p move at \p foot; zero where the move stands on the surface's normal. */
+  /** Unit direction across the feed of \p move at \p foot; zero where the move is along the surface normal. */
   Eigen::Vector3d across(const SurfaceFoot& foot, std::size_t move) const;
 
-  /** The top of the ridge met first from \p foot in the direction \p w, across the feed, within \p limit, in
-   *  strides of \p step. The stock is the least over the moves, each of which leaves a hollow: the ridge is where
-   *  two of them meet, found on the moves themselves and confirmed against all. */
+  /** The top of the first ridge from \p foot in the direction \p w, across the feed, within \p limit, in
+   *  steps of \p step. The stock is the least over the moves, each of which leaves a hollow. The ridge is where
+   *  two hollows meet; it is found on these moves and confirmed against all moves. */
   Ridge climbed(const SurfaceFoot& foot, const Stock& from, const Eigen::Vector3d& w, double step, double limit) const;
   /** The same, on the side that rises. */
   Ridge climbed(const SurfaceFoot& foot, const Stock& from, double step, double limit) const;
 
 private:
   Stock cast(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, std::size_t guess) const;
-  /** Height of what \p move alone leaves. */
+  /** Height of the stock that \p move leaves by itself. */
   double under(std::size_t move, const SurfacePlace& place) const;
-  /** Where in [low, high] what two moves leave is of equal height. */
+  /** The place in [low, high] at which the stock of two moves has the same height. */
   double meeting(const SurfaceFoot& foot, const Eigen::Vector3d& w, std::size_t first, std::size_t second, double low, double high) const;
 
   const CutterSweep& sweep_;

@@ -8,7 +8,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** Deviation where the path has made \p turn turns; NaN beyond its ends. */
+/** Deviation at the place where the path has made \p turn turns; NaN beyond its ends. */
 double
 deviationAt(double turn, const std::vector<float>& turns, const std::vector<float>& deviation)
 {
@@ -19,7 +19,7 @@ deviationAt(double turn, const std::vector<float>& turns, const std::vector<floa
   return share == 0.0 ? deviation[next - 1] : (1.0 - share) * deviation[next - 1] + share * deviation[next];
 }
 
-/** Whether the turns of most moves do not grow: they count rows, and tell no place beside. */
+/** Whether the turns of most moves do not grow: then they count rows and give no neighbouring place. */
 bool
 countRows(const CutterPath& path)
 {
