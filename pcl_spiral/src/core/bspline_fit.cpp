@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/bspline_fit.h>
 
+#include "band_system.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -81,47 +83,6 @@ everySpanHolds(const std::vector<double>& t, const std::vector<double>& u)
   return true;
 }
 
-/** Symmetric positive definite matrix with three diagonals on either side, and its solution for points. */
-class BandedSystem {
-public:
-  explicit BandedSystem(std::size_t n) : rows_(n, {0.0, 0.0, 0.0, 0.0}), right_(n, Eigen::Vector3d::Zero()) {}
-
-  /** Entry (row, row - back). */
-  double& at(std::size_t row, std::size_t back) { return rows_[row][back]; }
-  Eigen::Vector3d& right(std::size_t row) { return right_[row]; }
-
-  /** Cholesky; false when the matrix is not well positive definite. The solution replaces right(). */
-  bool solve()
-  {
-    const std::size_t n = rows_.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const double diagonal = rows_[i][0];
-      for (std::size_t back = std::min<std::size_t>(3, i) + 1; back-- > 0;) {
-        double sum = rows_[i][back];
-        for (std::size_t m = back + 1; m <= std::min<std::size_t>(3, i); ++m)
-          sum -= rows_[i][m] * rows_[i - back][m - back];
-        rows_[i][back] = back ? sum / rows_[i - back][0] : sum;
-      }
-      if (!(rows_[i][0] > 1e-8 * diagonal))
-        return false;
-      rows_[i][0] = std::sqrt(rows_[i][0]);
-      for (std::size_t m = 1; m <= std::min<std::size_t>(3, i); ++m)
-        right_[i] -= rows_[i][m] * right_[i - m];
-      right_[i] /= rows_[i][0];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-      right_[i] /= rows_[i][0];
-      for (std::size_t m = 1; m <= std::min<std::size_t>(3, i); ++m)
-        right_[i - m] -= rows_[i][m] * right_[i];
-    }
-    return true;
-  }
-
-private:
-  std::vector<std::array<double, 4>> rows_;
-  Polyline right_;
-};
-
 /** Least-squares curve over given knots, before it is made a curve. */
 struct Trial {
   std::vector<double> knots;
@@ -136,7 +97,8 @@ leastSquares(std::vector<double> t, const std::vector<double>& u, const Polyline
   const std::size_t controls = t.size() - 4, last = controls - 1, n = points.size();
   std::vector<std::size_t> first(n, 0); // control point of the first basis function at each point
   std::vector<std::array<double, 4>> weights(n);
-  BandedSystem system(controls - 2); // the ends are known: control 1 is row 0
+  BandSystem system(controls - 2, 3, false); // the ends are known: control 1 is row 0
+  Polyline inner(controls - 2, Eigen::Vector3d::Zero());
   for (std::size_t i = 1, k = 3; i + 1 < n; ++i) {
     while (k < last && u[i] >= t[k + 1])
       ++k;
@@ -151,17 +113,16 @@ leastSquares(std::vector<double> t, const std::vector<double>& u, const Polyline
       const std::size_t c = first[i] + a;
       if (c == 0 || c == last)
         continue;
-      system.right(c - 1) += weights[i][a] * rest;
+      inner[c - 1] += weights[i][a] * rest;
       for (std::size_t b = first[i] == 0 ? 1 : 0; b <= a; ++b)
-        system.at(c - 1, a - b) += weights[i][a] * weights[i][b];
+        system.add(c - 1, c - 1 - (a - b), weights[i][a] * weights[i][b]);
     }
   }
   Trial trial;
-  if (!system.solve())
+  if (!system.solveIfIndependent(inner, 1e-8))
     return trial;
   trial.control.push_back(points.front());
-  for (std::size_t c = 1; c < last; ++c)
-    trial.control.push_back(system.right(c - 1));
+  trial.control.insert(trial.control.end(), inner.begin(), inner.end());
   trial.control.push_back(points.back());
   trial.knots = std::move(t);
   double sum = 0.0, worst = 0.0;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edge_fit.h"
 
-#include "band_system.h"
-
+#include "core/band_system.h"
 #include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
@@ -195,7 +194,8 @@ public:
       hessian.add(gap.after, gap.before, weight * f * e);
       hessian.add(gap.after, gap.after, weight * f * f);
     }
-    return hessian.solve(descent);
+    hessian.solve(descent);
+    return descent;
   }
 
   EdgeFit result(std::vector<double> d)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "side_fit.h"
 
-#include "band_system.h"
-
+#include "core/band_system.h"
 #include <pcl_spiral/core/impl/angles.h>
 
 #include <Eigen/Geometry>
@@ -153,7 +152,7 @@ smoothSide(const Polyline& line, bool closed, double spacing)
   side.closed = closed;
   const double whole = length(line, closed);
   const double steps = std::max(closed ? 8.0 : 4.0, std::round(whole / (node_step * spacing)));
-  const Polyline even = resampled(line, static_cast<std::size_t>(steps) + (closed ? 0 : 1), closed);
+  Polyline even = resampled(line, static_cast<std::size_t>(steps) + (closed ? 0 : 1), closed);
   const std::size_t m = even.size();
   const double weight = std::pow(wavelength * spacing * steps / (2.0 * pi * whole), 6);
   BandSystem system(m, 3, closed);
@@ -163,16 +162,8 @@ smoothSide(const Polyline& line, bool closed, double spacing)
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j <= i; ++j)
         system.add((r + i) % m, (r + j) % m, weight * binomial[i] * binomial[j]);
-  side.nodes.resize(m);
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<double> right(m);
-    for (std::size_t i = 0; i < m; ++i)
-      right[i] = even[i][axis];
-    BandSystem copy = system;
-    const std::vector<double> x = copy.solve(right);
-    for (std::size_t i = 0; i < m; ++i)
-      side.nodes[i][axis] = x[i];
-  }
+  system.solve(even);
+  side.nodes = std::move(even);
   return side;
 }
 

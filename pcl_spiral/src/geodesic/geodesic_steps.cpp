@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geodesic_steps.h"
 
+#include "core/tridiagonal.h"
 #include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
@@ -26,6 +27,9 @@ public:
   {
     for (std::size_t i = 1; i < points.size(); ++i)
       inverse_.push_back(1.0 / (points[i] - points[i - 1]).norm());
+    difference_.resize(points.size());
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)
+      difference_[i] = {inverse_[i - 1], -inverse_[i - 1] - inverse_[i], inverse_[i]};
   }
   Polyline apply(const Polyline& x) const
   {
@@ -47,27 +51,12 @@ public:
   }
 
   /** (K K)^-1 x: without it the condition of M^T M grows with the fourth power of the number of points. */
-  Polyline precondition(const Polyline& x) const { return solveDifference(solveDifference(x)); }
+  Polyline precondition(const Polyline& x) const { return solveInnerPoints(difference_, solveInnerPoints(difference_, x)); }
 
 private:
-  /** K^-1 x, all three coordinates at once. */
-  Polyline solveDifference(const Polyline& x) const
-  {
-    const std::size_t n = x.size();
-    Polyline y(n, Vector3d::Zero());
-    std::vector<double> upper(n, 0.0);
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      const double pivot = -inverse_[i - 1] - inverse_[i] - inverse_[i - 1] * upper[i - 1];
-      upper[i] = inverse_[i] / pivot;
-      y[i] = (x[i] - inverse_[i - 1] * y[i - 1]) / pivot;
-    }
-    for (std::size_t i = n - 2; i-- > 1;)
-      y[i] -= upper[i] * y[i + 1];
-    return y;
-  }
-
   const std::vector<SurfaceFoot>& feet_;
-  std::vector<double> inverse_; ///< of the segments' lengths
+  std::vector<double> inverse_;            ///< of the segments' lengths
+  std::vector<TridiagonalRow> difference_; ///< K
 };
 
 double

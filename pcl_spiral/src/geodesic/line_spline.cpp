@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "line_spline.h"
 
+#include "core/tridiagonal.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,32 +15,29 @@ Polyline
 secondDerivatives(const Polyline& points, const std::vector<double>& chords)
 {
   const std::size_t n = points.size();
-  Polyline m(n, Eigen::Vector3d::Zero());
   if (n < 3)
-    return m;
-  std::vector<double> upper(n, 0.0);
+    return Polyline(n, Eigen::Vector3d::Zero());
+  std::vector<TridiagonalRow> rows(n);
+  Polyline right(n, Eigen::Vector3d::Zero());
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const double a = chords[i - 1], b = chords[i];
-    double lower = a, diagonal = 2.0 * (a + b), above = b;
+    TridiagonalRow& row = rows[i];
+    row = {a, 2.0 * (a + b), b};
     if (n == 3)
-      diagonal += a + b; // one parabola
+      row.diagonal += a + b; // one parabola
     else if (i == 1) {
-      diagonal += a + a * a / b;
-      above -= a * a / b;
-      lower = 0.0;
+      row.diagonal += a + a * a / b;
+      row.after -= a * a / b;
+      row.before = 0.0;
     }
     else if (i + 2 == n) {
-      diagonal += b + b * b / a;
-      lower -= b * b / a;
-      above = 0.0;
+      row.diagonal += b + b * b / a;
+      row.before -= b * b / a;
+      row.after = 0.0;
     }
-    const Eigen::Vector3d right = 6.0 * ((points[i + 1] - points[i]) / b - (points[i] - points[i - 1]) / a);
-    const double pivot = diagonal - lower * upper[i - 1];
-    upper[i] = above / pivot;
-    m[i] = (right - lower * m[i - 1]) / pivot;
+    right[i] = 6.0 * ((points[i + 1] - points[i]) / b - (points[i] - points[i - 1]) / a);
   }
-  for (std::size_t i = n - 2; i-- > 1;)
-    m[i] -= upper[i] * m[i + 1];
+  Polyline m = solveInnerPoints(rows, right);
   m[0] = n == 3 ? m[1] : Eigen::Vector3d(m[1] + (m[1] - m[2]) * chords[0] / chords[1]);
   m[n - 1] = n == 3 ? m[1] : Eigen::Vector3d(m[n - 2] + (m[n - 2] - m[n - 3]) * chords[n - 2] / chords[n - 3]);
   return m;
