@@ -54,21 +54,7 @@ HolderProfile::HolderProfile(const std::vector<ToolSegment>& segments, double ba
 int
 HolderProfile::inside(double l, double height, double& depth) const
 {
-  int found = -1;
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const Part& part = parts_[i];
-    if (height <= part.bottom || height > part.top)
-      continue;
-    const double radius = part.radius + part.slope * std::max(0.0, height - part.start);
-    const double sideways = (radius - l) * part.cosine;
-    const double down = l > part.below ? height - part.bottom : std::numeric_limits<double>::infinity();
-    const double out = std::min(sideways, down);
-    if (out > 0.0 && (found < 0 || out > depth)) {
-      depth = out;
-      found = static_cast<int>(i);
-    }
-  }
-  return found;
+  return mayBeInside(l, height, height, depth);
 }
 
 int

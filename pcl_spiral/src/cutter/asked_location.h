@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A drive point as a drop needs it. Private.
+ *  A drive point, prepared for a drop. Private.
  */
 #pragma once
 
@@ -12,10 +12,10 @@
 
 namespace pcl_spiral {
 
-constexpr double rim_reach = 2.0;    ///< in radii: what lies lower beyond a rim would have to rise at 45 degrees
+constexpr double rim_reach = 2.0;    ///< in radii: lower material beyond a rim would have to rise at 45 degrees to touch the cutter
 constexpr double steep_share = 0.35; ///< of the normal along the axis: 70 degrees
 
-/** The axis of a drive point, from the tip where the cutter touches the contact, if one is asked for. */
+/** The axis of a drive point. It starts at the tip that touches the contact, if a contact is given. */
 struct AskedLocation {
   AskedLocation(const DrivePoint& drive, const CutterProfile& profile)
   : asks(drive.asksForContact()), position(drive.position), normal(asks ? drive.normal.normalized() : drive.normal),
@@ -27,11 +27,28 @@ struct AskedLocation {
   CutterContact contact;
   AxisFrame frame;
 
-  /** Whether it asks for a contact on a surface so steep that heights along the axis say little. */
+  /** Whether the given contact is on a surface too steep for heights along the axis. */
   bool isSteep() const { return asks && frame.axis.dot(normal) < steep_share; }
 
-  /** Set state and lift of \p location where the cutter touches at \p height above the tip asked for; returns the height to
-   * stand at. */
+  /** Whether the given contact is steep, and the cutter of \p inner, smaller by \p near all round, meets nothing there deeper
+   *  than that. */
+  template <typename Drop>
+  bool holds(const Drop& inner, double near) const
+  {
+    return isSteep() && contact.touches && !inner.highest(frame, near).found;
+  }
+
+  /** Set how high \p location stands above the rim, by a drop on it; the cutter is at \p height. */
+  template <typename Drop>
+  void findRim(const Drop& rim_drop, double radius, double height, ToolLocation& location) const
+  {
+    const auto rim = rim_drop.highest(frame, height - rim_reach * radius);
+    location.over_rim = rim.found;
+    location.rim_clearance = rim.found ? std::max(0.0, height - rim.height) : 0.0;
+  }
+
+  /** Set state and lift of \p location for a cutter that touches at \p height above the given tip; returns the height of
+   *  the cutter. */
   double settle(double height, double tolerance, ToolLocation& location) const
   {
     location.state = LocationState::Touching;
@@ -46,7 +63,7 @@ struct AskedLocation {
       location.state = LocationState::Clear;
     else
       location.state = LocationState::Reached;
-    return contact.touches ? std::max(0.0, height) : height; // never below the contact asked for
+    return contact.touches ? std::max(0.0, height) : height; // never below the given contact
   }
 };
 

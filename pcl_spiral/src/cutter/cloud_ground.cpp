@@ -10,7 +10,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double least_share = 0.2; // of the normal along the axis, when noise along the normal is taken along it
+constexpr double least_share = 0.2; // of the normal along the axis: lower limit when noise along the normal is converted to the axis
 
 } // namespace
 
@@ -36,17 +36,9 @@ CloudGround::settle(const AskedLocation& asked, double height, ToolLocation& loc
 {
   height = asked.settle(height, options_.tolerance, location);
   location.tip = asked.frame.place(Eigen::Vector2d::Zero(), height);
-  const DropContact rim = rim_drop_.highest(asked.frame, height - rim_reach * profile_.radius());
-  location.over_rim = rim.found;
-  location.rim_clearance = rim.found ? std::max(0.0, height - rim.height) : 0.0;
+  asked.findRim(rim_drop_, profile_.radius(), height, location);
   location.collision = findCollision(surface_.obstacles(), holder_, asked.frame, height, options_.tolerance);
   location.collision.cloud_index = surface_.cloudIndex(location.collision.cloud_index);
-}
-
-bool
-CloudGround::holds(const AskedLocation& asked) const
-{
-  return asked.isSteep() && asked.contact.touches && !inner_drop_.highest(asked.frame, near()).found;
 }
 
 void
@@ -94,7 +86,7 @@ CloudGround::resolve(const AskedLocation& asked, const DropContact& drop, const 
       height += location.gap_bound;
     }
   }
-  if (height > options_.tolerance && holds(asked)) {
+  if (height > options_.tolerance && asked.holds(inner_drop_, near())) {
     location.basis = LocationBasis::AskedContact;
     location.contact = asked.position;
     location.gap = height = 0.0;
@@ -120,7 +112,7 @@ CloudGround::locate(const DrivePoint* drive, std::size_t count, ToolLocation* lo
   if (options_.evaluation == LocationEvaluation::FittedSurface)
     fitted_drop_.locate(frames, drops, fitted);
   std::vector<SurfaceFoot> feet(count);
-  if (surface_.hasSurface()) { // where the points decide, the surface about them tells how far a cutter may sink
+  if (surface_.hasSurface()) { // if the points decide, the surface about them limits how far a cutter may sink
     std::vector<std::uint32_t> which;
     std::vector<Eigen::Vector3d> queries;
     std::vector<SurfaceFoot> found;
@@ -142,7 +134,7 @@ bool
 CloudGround::clears(const DrivePoint& drive) const
 {
   const AskedLocation asked(drive, profile_);
-  const bool clear = !drop_.highest(asked.frame, options_.tolerance).found || holds(asked);
+  const bool clear = !drop_.highest(asked.frame, options_.tolerance).found || asked.holds(inner_drop_, near());
   return asked.contact.touches && clear && !findCollision(surface_.obstacles(), holder_, asked.frame, 0.0, options_.tolerance).found();
 }
 
@@ -151,8 +143,8 @@ CloudGround::check() const
 {
   if (options_.evaluation != LocationEvaluation::Points && !surface_.hasSurface())
     return {surface_.whyNone().code(), surface_.whyNone().message() +
-                                           "; without a surface cutters can be located on the points alone (as "
-                                           "LocationEvaluation::Points), with no bound of how far they sink between them"};
+                                           "; without a surface, cutters can be located only on the points (as "
+                                           "LocationEvaluation::Points), with no limit on how far they sink between the points"};
   return Status::success();
 }
 
@@ -169,13 +161,13 @@ CloudGround::describe(const ToolLocations&, LocationFigures& f) const
   f.stray_points = surface_.hasSurface() ? surface_.strayPoints() : 0;
   const std::size_t asked = f.count(LocationState::Reached) + f.count(LocationState::Lifted) + f.count(LocationState::Clear);
   if (asked > 0 && surface_.hasSurface() && surface_.surface().fitNoise() > options_.tolerance)
-    f.warnings.push_back(textOf("the scan's noise leaves its surface known to ", surface_.surface().fitNoise(),
+    f.warnings.push_back(textOf("because of noise the surface of the scan is known to only ", surface_.surface().fitNoise(),
                                 " mm, more than the contact tolerance of ", options_.tolerance,
-                                " mm: contacts count as lifted or clear by chance; raise the tolerance to three times "
-                                "that"));
+                                " mm: contacts may count as lifted or clear by chance; raise the tolerance to three times "
+                                "this error"));
   if (f.stray_points > 0)
-    f.warnings.push_back(textOf(f.stray_points, " points of the scan stand alone off its surface; the cutter stays off "
-                                                "them as well: remove them before if they are false echoes (StrayRemoval)"));
+    f.warnings.push_back(textOf(f.stray_points, " points of the scan are isolated outliers; the cutter stays clear of "
+                                                "them too: remove them first if they are false echoes (StrayRemoval)"));
   if (!surface_.hasSurface())
     f.warnings.push_back("the points form no surface, so the rim of the scan is not known: " + surface_.whyNone().message());
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Cutters located on a scan. Private.
+ *  Locates cutters on a scan. Private.
  */
 #pragma once
 
@@ -20,7 +20,7 @@ public:
   Status check() const override;
   void locate(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const override;
   bool clears(const DrivePoint& drive) const override;
-  /** sweptError: between points nothing is known. */
+  /** The bound of sweptError, because nothing is known between points. */
   double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const override;
   void describe(const ToolLocations& locations, LocationFigures& figures) const override;
   const char* name() const override { return "scan"; }
@@ -29,10 +29,7 @@ public:
 private:
   ToolLocation resolve(const AskedLocation& asked, const DropContact& drop, const FittedContact& fitted, const SurfaceFoot& foot) const;
   void settle(const AskedLocation& asked, double height, ToolLocation& location) const;
-  /** Whether the contact asked for is steep, and no point is deeper in the cutter there than near(), along
-   * the cutter's normal. */
-  bool holds(const AskedLocation& asked) const;
-  /** How near, along a normal, the scan is where it is touched. */
+  /** Largest distance, along a normal, between the cutter and a scan that it touches. */
   double near() const { return options_.tolerance + surface_.noiseAllowance(); }
   void standOn(const AskedLocation& asked, const SurfaceFoot& foot, ToolLocation& location) const;
   bool trusted(const FittedContact& fitted, const DropContact& drop) const;
@@ -40,7 +37,7 @@ private:
   const LocationSurface& surface_;
   LocationOptions options_;
   CutterProfile profile_;
-  CutterDrop drop_, rim_drop_, inner_drop_; ///< the last with a cutter smaller by near() all round
+  CutterDrop drop_, rim_drop_, inner_drop_; ///< inner_drop_ has a cutter smaller by near() all round
   FittedDrop fitted_drop_;
   HolderProfile holder_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/cutter/impl/location_surface.h>
 
+#include "coordinate_rounding.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -12,7 +14,6 @@ namespace {
 
 constexpr double shortest_rim = 8.0; // in spacings: a shorter loop is a flaw of the triangulation
 constexpr double standard_deviations = 5.0;
-constexpr double rounding = 2.4e-7; // of the largest coordinate: two steps of single precision
 
 double
 circumradius(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
@@ -21,7 +22,7 @@ circumradius(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
   const double twice_area = u.cross(v).norm();
   const double longest = std::sqrt(std::max({u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()}));
   if (u.dot(v) <= 0.0 || u.dot(u - v) <= 0.0 || v.dot(v - u) <= 0.0)
-    return 0.5 * longest; // blunt: its own places are nearer to a corner than the circle's middle
+    return 0.5 * longest; // obtuse: all its places are nearer to a corner than the middle of the circle
   return u.norm() * v.norm() * (u - v).norm() / (2.0 * twice_area);
 }
 
@@ -54,7 +55,7 @@ LocationSurface::measure()
   double magnitude = 0.0;
   for (int d = 0; d < 3; ++d)
     magnitude = std::max<double>({magnitude, std::abs(obstacles_.box().low[d]), std::abs(obstacles_.box().high[d])});
-  noise_allowance_ = standard_deviations * surface_->noise() + rounding * magnitude;
+  noise_allowance_ = standard_deviations * surface_->noise() + coordinate_rounding * magnitude;
   findRim();
   findCoveringRadii();
   dropTriangulation(surface_);

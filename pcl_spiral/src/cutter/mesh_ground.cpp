@@ -12,7 +12,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double finest = 5e-4;        // mm: faces are taken for the curved surface when nearer to it
+constexpr double finest = 5e-4;        // mm: faces this near to the curved surface are used instead of it
 constexpr double fine_share = 0.05;    // the same, of the tolerance
 constexpr double same_axis = 1e-9;     // between unit axes
 constexpr double expected_share = 2.0; // of the tolerance, below the drive point
@@ -38,7 +38,7 @@ MeshGround::check() const
 {
   if (options_.evaluation == LocationEvaluation::PointsAndBound)
     return {StatusCode::InvalidArgument,
-            "locations by points and bound were asked for on a mesh, which has no gaps between points: set the evaluation to "
+            "locations by points and bound were set for a mesh, which has no gaps between points: set the evaluation to "
             "LocationEvaluation::FittedSurface, for the curved surface, or to Points, for the faces as they are (setEvaluation)"};
   return Status::success();
 }
@@ -59,14 +59,8 @@ MeshGround::findAsked(const AskedLocation& asked, PatchPlace& place) const
   return asked.asks && asked.contact.touches && mesh_.faces().nearest(asked.position, near(), sag_, place);
 }
 
-bool
-MeshGround::holds(const AskedLocation& asked) const
-{
-  return asked.isSteep() && asked.contact.touches && !inner_drop_.highest(asked.frame, near()).found;
-}
-
-/** The contact asked for where it is reached, raised with the cutter by what the tolerance lets it; else a ball's normal is the way
- *  from its contact to its middle, which a contact known to the sag of a face, or on an edge, tells better than the face. */
+/** If the given contact is reached, use it, raised with the cutter within the tolerance. Otherwise the normal of a ball is the way from
+ *  its contact to its middle: for a contact known to the sag of a face, or on an edge, this is better than the normal of the face. */
 void
 MeshGround::settleContact(const AskedLocation& asked, double height, ToolLocation& location) const
 {
@@ -88,13 +82,11 @@ MeshGround::settle(const AskedLocation& asked, double height, ToolLocation& loca
   height = asked.settle(height, options_.tolerance, location);
   location.tip = asked.frame.place(Eigen::Vector2d::Zero(), height);
   settleContact(asked, height, location);
-  const MeshContact rim = rim_drop_.highest(asked.frame, height - rim_reach * profile_.radius());
-  location.over_rim = rim.found;
-  location.rim_clearance = rim.found ? std::max(0.0, height - rim.height) : 0.0;
+  asked.findRim(rim_drop_, profile_.radius(), height, location);
   location.collision = findCollision(mesh_.faces(), holder_, asked.frame, height, options_.tolerance, sag_);
 }
 
-/** Drive points lie on the surface, or between locations on it: what is lower is looked at only where nothing is met. */
+/** Drive points lie on the surface, or between locations on it: lower parts are searched only if nothing is met. */
 MeshContact
 MeshGround::highest(const AxisFrame& frame) const
 {
@@ -111,7 +103,7 @@ MeshGround::resolve(const AskedLocation& asked) const
   if (drop.found)
     touch(drop.face, drop.weights, drop.contact, location);
   double height = drop.height;
-  const bool missed = !drop.found || (asked.isSteep() && height < -options_.tolerance); // a flank beside it, by rounding
+  const bool missed = !drop.found || (asked.isSteep() && height < -options_.tolerance); // it touches a flank beside it, by rounding
   PatchPlace place;
   if (missed && findAsked(asked, place)) {
     touch(place.patch, place.weights, place.position, location);
@@ -120,7 +112,7 @@ MeshGround::resolve(const AskedLocation& asked) const
   }
   else if (!drop.found)
     return location;
-  else if (height > options_.tolerance && holds(asked)) {
+  else if (height > options_.tolerance && asked.holds(inner_drop_, near())) {
     if (findAsked(asked, place))
       touch(place.patch, place.weights, place.position, location);
     location.basis = LocationBasis::AskedContact;
@@ -143,7 +135,7 @@ bool
 MeshGround::clears(const DrivePoint& drive) const
 {
   const AskedLocation asked(drive, profile_);
-  const bool clear = !drop_.highest(asked.frame, options_.tolerance).found || holds(asked);
+  const bool clear = !drop_.highest(asked.frame, options_.tolerance).found || asked.holds(inner_drop_, near());
   return asked.contact.touches && clear && !findCollision(mesh_.faces(), holder_, asked.frame, 0.0, options_.tolerance, sag_).found();
 }
 
@@ -168,7 +160,7 @@ MeshGround::describe(const ToolLocations& locations, LocationFigures& f) const
   const auto most =
       std::max_element(locations.begin(), locations.end(), [&](const ToolLocation& a, const ToolLocation& b) { return lift(a) < lift(b); });
   if (const std::size_t lifted = f.count(LocationState::Lifted); lifted > 0)
-    f.warnings.push_back(textOf(lifted, " of ", locations.size(), " locations are lifted off the contact asked for, the most ", most->lift,
+    f.warnings.push_back(textOf(lifted, " of ", locations.size(), " locations are lifted off their given contact, the most by ", most->lift,
                                 " mm: location ", most - locations.begin(), ", held at ", placeText(most->contact),
                                 "; material is left there: use a smaller cutter, or allow the axis to be tilted"));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Cutters located on a mesh. Private.
+ *  Locates cutters on a mesh. Private.
  */
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace pcl_spiral {
 
-/** The faces of a mesh, or the curved surface they stand for. */
+/** The faces of a mesh, or the curved surface behind them. */
 class MeshGround : public LocationGround {
 public:
   MeshGround(const LocationMesh& mesh, const CutterProfile& profile, const LocationOptions& options);
@@ -21,8 +21,8 @@ public:
   Status check() const override;
   void locate(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const override;
   bool clears(const DrivePoint& drive) const override;
-  /** Of balls whose axis does not turn what they cut into the mesh, where that is less than sweptError, if they
-   * touch the mesh all the way. */
+  /** For balls whose axis does not turn, if they touch the mesh all the way: how deep they cut into the mesh, if that is
+   *  less than sweptError. */
   double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const override;
   void describe(const ToolLocations& locations, LocationFigures& figures) const override;
   const char* name() const override { return "mesh"; }
@@ -33,20 +33,17 @@ private:
   ToolLocation resolve(const AskedLocation& asked) const;
   void settleContact(const AskedLocation& asked, double height, ToolLocation& location) const;
   void settle(const AskedLocation& asked, double height, ToolLocation& location) const;
-  /** Set what the cutter touches. */
+  /** Set the face and place that the cutter touches. */
   void touch(std::uint32_t face, const Eigen::Vector3d& weights, const Eigen::Vector3d& contact, ToolLocation& location) const;
-  /** The mesh where it passes the contact asked for within near(). */
+  /** Find the place of the mesh within near() of the given contact. */
   bool findAsked(const AskedLocation& asked, PatchPlace& place) const;
-  /** Whether the contact asked for is steep, and nothing is deeper in the cutter there than near(), along the cutter's
-   * normal. */
-  bool holds(const AskedLocation& asked) const;
   double near() const { return options_.tolerance + mesh_.rounding(); }
 
   const LocationMesh& mesh_;
   LocationOptions options_;
   CutterProfile profile_;
   double sag_;
-  MeshDrop drop_, rim_drop_, inner_drop_; ///< the last with a cutter smaller by near() all round
+  MeshDrop drop_, rim_drop_, inner_drop_; ///< inner_drop_ has a cutter smaller by near() all round
   MeshSweep sweep_;
   HolderProfile holder_;
 };

@@ -51,7 +51,7 @@ planPasses(const Surface* surface, const DriveSettings& settings, const Progress
   return Status::success();
 }
 
-/** Lines on the triangulation are ragged, and cut, where points scatter by much of their spacing. */
+/** Warn if the noise is large against the spacing: lines on the triangulation are ragged and interrupted then. */
 void
 warnOfScatter(const Surface& surface, const DriveSettings& settings, DriveReport& report)
 {
@@ -59,8 +59,8 @@ warnOfScatter(const Surface& surface, const DriveSettings& settings, DriveReport
   if (settings.kind != DriveKind::Planes && settings.kind != DriveKind::BoundaryOffset)
     return;
   if (const double noise = surface.noise(); noise > much * surface.spacing())
-    report.warnings.push_back(textOf("the points scatter by ", noise, " mm about the surface, against a spacing of ", surface.spacing(),
-                                     " mm: passes are ragged, and cut where sheets overlap; thin the "
+    report.warnings.push_back(textOf("the noise of the points is ", noise, " mm (standard deviation), at a spacing of ", surface.spacing(),
+                                     " mm: passes are ragged, and interrupted where layers overlap; thin the "
                                      "cloud to a spacing of ",
                                      4.0 * noise, " mm (setThinning)"));
 }
@@ -94,7 +94,7 @@ planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const
   const SurfaceGraph none;
   const SurfaceGraph& graph = surface ? surface->graph() : none;
   if (surface)
-    report.stray_points = surface->counts().isolated + surface->counts().speck;
+    report.stray_points = surface->counts().strays();
   if (!told(0.0, "passes"))
     return cancelled();
   const bool round = settings.goesRound() || settings.axisMode() == DriveAxisMode::Cylinder;
@@ -108,8 +108,8 @@ planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const
   if (const Status status = planPasses(surface.get(), settings, partOf(progress, 0.0, 0.5), passes, report); !status.ok())
     return status;
   if (passes.empty())
-    return {StatusCode::Failed, textOf("no line of the scan is longer than its spacing, ", graph.spacing(), " mm; lower the step-over, ",
-                                       report.step_over, " mm, or scan more densely")};
+    return {StatusCode::Failed, textOf("no line on the scan is longer than the spacing of its points, ", graph.spacing(),
+                                       " mm; lower the step-over, ", report.step_over, " mm, or scan more densely")};
   if (!told(0.5, "axes"))
     return cancelled();
   if (const Status status = setAxes(graph, settings, partOf(progress, 0.5, 1.0), passes, report); !status.ok())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gap_filling.h"
 
+#include "core/cubic_terms.h"
 #include <pcl_spiral/core/impl/frame.h>
 
 #include <Eigen/QR>
@@ -12,16 +13,6 @@
 
 namespace pcl_spiral {
 namespace {
-
-constexpr int terms = 10; // of a bivariate cubic
-
-Eigen::Matrix<double, 1, terms>
-cubicTerms(double u, double v)
-{
-  Eigen::Matrix<double, 1, terms> row;
-  row << 1, u, v, u * u, u * v, v * v, u * u * u, u * u * v, u * v * v, v * v * v;
-  return row;
-}
 
 /** A gap's own frame: origin at its centre, third axis along the mean normal of its rim. */
 struct GapFrame {
@@ -42,7 +33,7 @@ frameOf(const SurfaceGraph& graph, const Polyline& loop)
   frame.origin.setZero();
   const double around = length(loop, true);
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < loop.size(); ++k) { // by length: the loop's points are not evenly spread
+  for (std::size_t k = 0; k < loop.size(); ++k) { // by length, because the points of the loop are not evenly spread
     const Eigen::Vector3d &p = loop[k], &next = loop[(k + 1) % loop.size()];
     frame.origin += 0.5 * (p + next) * ((next - p).norm() / around);
     normal += graph.normal(graph.blocks().nearest(p));
@@ -55,7 +46,7 @@ frameOf(const SurfaceGraph& graph, const Polyline& loop)
   return frame;
 }
 
-/** The cloud about the gap, in its frame. */
+/** The cloud around the gap, in the gap's frame. */
 std::vector<Eigen::Vector3d>
 pointsAbout(const SurfaceGraph& graph, const GapFrame& frame)
 {
@@ -126,9 +117,9 @@ fillGap(const SurfaceGraph& graph, const Polyline& loop)
     for (const Eigen::Vector3d& q : loop)
       fill.width = std::max(fill.width, (p - q).norm());
   const std::vector<Eigen::Vector3d> about = pointsAbout(graph, frame);
-  if (about.size() < 3 * terms)
+  if (about.size() < 3 * cubic_term_count)
     return fill;
-  Eigen::MatrixXd matrix(about.size(), terms);
+  Eigen::MatrixXd matrix(about.size(), cubic_term_count);
   Eigen::VectorXd height(about.size());
   for (std::size_t i = 0; i < about.size(); ++i) {
     matrix.row(i) = cubicTerms(about[i].x() / frame.radius, about[i].y() / frame.radius);
@@ -140,7 +131,7 @@ fillGap(const SurfaceGraph& graph, const Polyline& loop)
   std::vector<Eigen::Vector3d> polygon;
   for (const Eigen::Vector3d& p : loop)
     polygon.push_back(frame.local(p));
-  // An equilateral lattice of the cloud's density, clear of the gap's own points.
+  // An equilateral lattice with the density of the cloud, away from the points of the gap.
   const double pitch = graph.spacing() * std::sqrt(2.0 / std::sqrt(3.0)), row = pitch * std::sqrt(3.0) / 2.0;
   const int rows = static_cast<int>(std::ceil(frame.radius / row));
   const int columns = static_cast<int>(std::ceil(frame.radius / pitch)) + 1;

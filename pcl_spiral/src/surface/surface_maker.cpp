@@ -13,7 +13,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double most_isolated = 0.1; // of all points: more are no outliers
+constexpr double most_isolated = 0.1; // of all points: more are not outliers
 
 SurfaceGraphOptions
 graphOptions(const SurfaceSettings& settings)
@@ -39,7 +39,7 @@ plural(std::size_t count, const char* one, const char* more)
   return count == 1 ? one : more;
 }
 
-/** What makeSurface works on. */
+/** The work of makeSurface. */
 class SurfaceMaker {
 public:
   SurfaceMaker(const SurfaceSettings& settings, Surface::Parts& parts, std::vector<std::int8_t>& why)
@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  /** Build the graph of points whose place among those given is place_. */
+  /** Build the graph of points whose indices among those given are place_. */
   Status build(std::vector<Eigen::Vector3f> points)
   {
     SurfaceGraphOptions options = graphOptions(settings_);
@@ -76,7 +76,7 @@ private:
     parts_.counts.isolated += source.strays.size();
     parts_.counts.surplus += source.surplus;
     if (settings_.strict && static_cast<double>(source.strays.size()) > most_isolated * static_cast<double>(given))
-      return doesNotHangTogether(source.strays.size(), given);
+      return disconnected(source.strays.size(), given);
     if (source.indices.size() == given)
       return Status::success();
     for (std::uint32_t i = 0; i < given; ++i)
@@ -89,7 +89,7 @@ private:
     return Status::success();
   }
 
-  /** Where point \p i of those in use stands among those given. */
+  /** Index of point \p i of those in use among those given. */
   std::uint32_t placeOf(std::uint32_t i) const { return place_.empty() ? i : place_[i]; }
 
   void mark(std::uint32_t i, LeftOut reason)
@@ -98,7 +98,7 @@ private:
     why_[placeOf(i)] = static_cast<std::int8_t>(reason);
   }
 
-  /** Of the points in use those of \p kept alone, in that order. */
+  /** Keep only \p kept of the points in use, in that order. */
   void keepOf(const std::vector<std::uint32_t>& kept)
   {
     const auto select = [&](auto& values) {
@@ -115,13 +115,13 @@ private:
       select(normals_);
   }
 
-  Status doesNotHangTogether(std::size_t alone, std::size_t given) const
+  Status disconnected(std::size_t isolated, std::size_t given) const
   {
     const Box box = parts_.graph.blocks().box();
     return {StatusCode::InvalidInput,
-            textOf(alone, " of ", given, " points stand alone, far off the densest part of the cloud, which lies about ",
+            textOf(isolated, " of ", given, " points are isolated, far from the densest part of the cloud, which lies around ",
                    placeText(middleOf(box)), ", is ", box.diagonal(), " mm across and has a point every ", parts_.graph.spacing(),
-                   " mm: the scan does not hang together; leave that part out, or thin the cloud to "
+                   " mm: the scan is disconnected; leave that part out, or thin the cloud to "
                    "an even spacing (setThinning)")};
   }
 
@@ -138,8 +138,8 @@ private:
     found.parts.erase(largest);
     parts_.counts.separate_parts = found.parts.size();
     parts_.counts.other_part = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
-    parts_.warnings.push_back(textOf("of ", found.parts.size() + 1, " separate parts the largest was kept, ", partsText({part}),
-                                     "; left out with ", parts_.counts.other_part, " points: ", partsText(found.parts)));
+    parts_.warnings.push_back(textOf("kept only the largest of ", found.parts.size() + 1, " separate parts, ", partsText({part}),
+                                     "; left out the others, with ", parts_.counts.other_part, " points: ", partsText(found.parts)));
     return keepPart(apart, LeftOut::OtherPart);
   }
 
@@ -157,7 +157,7 @@ private:
     return parts_.counts.speck > 0 ? keepPart(apart, LeftOut::Speck) : Status::success();
   }
 
-  /** Build again of the points that are not \p apart, one of the graph each. */
+  /** Build again from the points of the graph that are not \p apart, one flag each. */
   Status keepPart(const std::vector<std::uint8_t>& apart, LeftOut reason)
   {
     const SurfaceGraph& graph = parts_.graph;
@@ -184,19 +184,19 @@ private:
     parts_.side_is_clear = parts_.graph.orientationIsClear();
     if (counts.surplus > 0)
       parts_.warnings.push_back(textOf(counts.surplus,
-                                       " points were left out where they lie much closer together than to "
-                                       "the next scan line or the sparser part beside them: the path follows the others, ",
+                                       " surplus points were left out: they lie much closer to each other than to "
+                                       "the next scan line, or than points in the sparser part beside them; the path follows the others, ",
                                        parts_.graph.spacing(), " mm apart"));
-    if (const std::size_t off = counts.isolated + counts.speck; off > 0) {
-      std::string message = textOf(off, plural(off, " point", " points"), " off the surface ", plural(off, "was", "were"), " left out: ");
+    if (const std::size_t off = counts.strays(); off > 0) {
+      std::string message = textOf(off, plural(off, " outlier ", " outliers "), plural(off, "was", "were"), " left out: ");
       if (counts.isolated > 0)
-        message += textOf(counts.isolated, plural(counts.isolated, " that stands alone", " that stand alone"));
+        message += textOf(counts.isolated, " isolated");
       if (counts.speck > 0)
-        message += textOf(counts.isolated > 0 ? ", " : "", counts.speck, " in specks apart from it");
+        message += textOf(counts.isolated > 0 ? ", " : "", counts.speck, " in clusters apart from the surface");
       parts_.warnings.push_back(message);
     }
     if (!parts_.side_is_clear)
-      parts_.warnings.push_back("the outer side could not be told from +z; the convex side was taken: give a view point "
+      parts_.warnings.push_back("+z does not show the outer side, so the convex side was taken: give a view point "
                                 "(setViewPoint) or flip the normals (setFlipNormals) if the cutter comes from the other side");
   }
 
@@ -204,7 +204,7 @@ private:
   Surface::Parts& parts_;
   std::vector<std::int8_t>& why_;
   std::size_t given_ = 0;
-  std::vector<std::uint32_t> place_; ///< of the points in use, among those given; empty: all of them, in order
+  std::vector<std::uint32_t> place_; ///< indices of the points in use among those given; empty: all of them, in order
   std::vector<Eigen::Vector3f> normals_;
 };
 
@@ -231,14 +231,14 @@ addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges
   parts.side_is_clear = surface->sideIsClear();
   parts.warnings = surface->warnings();
   SurfaceGraphOptions options = graphOptions(parts.settings);
-  options.flip_normals = false; // the side is that of the surface given
+  options.flip_normals = false; // the outer side is that of the surface given
   options.given_normals = surface->graph().normals();
   options.given_normals.resize(surface->size() + bridges.size(), Eigen::Vector3f::Zero());
   std::vector<Eigen::Vector3f> points = surface->graph().blocks().points();
   for (std::size_t i = 0; i < surface->size(); ++i)
     parts.source.push_back(surface->sourceIndex(i));
   surface.reset();
-  // Nothing more is left out: what was counted before stays true.
+  // Nothing more is left out: the counts stay valid.
   points.insert(points.end(), bridges.begin(), bridges.end());
   parts.source.resize(points.size(), Surface::no_source);
   parts.counts.guessed += bridges.size();

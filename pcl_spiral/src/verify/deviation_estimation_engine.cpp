@@ -3,6 +3,7 @@
 #include <pcl_spiral/verify/impl/deviation_estimation_engine.h>
 
 #include "quantile.h"
+#include "reference_figures.h"
 
 #include <Eigen/Geometry>
 
@@ -61,7 +62,7 @@ public:
   }
 
 private:
-  /** Of a contact in the band about a crease: apart, for the fit rounds it. */
+  /** A contact in the band about a crease is counted separately, because the fit rounds the crease. */
   float takeCrease(std::size_t i, const SurfaceFoot& foot)
   {
     ++figures_.in_crease_band;
@@ -107,15 +108,15 @@ warn(const ReferenceSurface& reference, DeviationFigures& figures)
   if (reversed)
     figures.warnings.push_back("the normals of " + of(figures.opposed) +
                                " point into the material: they are reversed, or the reference is seen from its other "
-                               "side; flip the reference's normals if so");
+                               "side; in that case flip the normals of the reference");
   else if (figures.opposed > 0)
     figures.warnings.push_back("the normals of " + of(figures.opposed) + " point into the material, the first at " +
                                std::to_string(figures.first_opposed.index));
   if (figures.inward_axes > 0 && !reversed)
     figures.warnings.push_back("the tool axes of " + of(figures.inward_axes) + " point into the material, the first at " +
-                               std::to_string(figures.first_inward.index) + ": the shank would stand in the part");
+                               std::to_string(figures.first_inward.index) + ": the shank would be inside the part");
   if (figures.in_gaps > 0)
-    figures.warnings.push_back(of(figures.in_gaps) + " lie in gaps of the scan: nothing there to judge them by");
+    figures.warnings.push_back(of(figures.in_gaps) + " lie in gaps of the scan: they cannot be judged there");
 }
 
 } // namespace
@@ -128,14 +129,8 @@ measureDeviation(const ReferenceSurface& reference, const CutterPath& path, doub
   deviation.clear();
   figures = DeviationFigures();
   figures.points = path.size();
-  figures.reference_points = reference.graph().size();
-  figures.noise = reference.noise();
-  figures.fit_noise = reference.fitNoise();
-  figures.crease_band = reference.creaseBand();
   figures.by_mesh = reference.mesh() != nullptr;
-  figures.warnings = reference.warnings();
-  for (std::string& warning : noiseWarnings(reference, 0.0, chord_error))
-    figures.warnings.push_back(std::move(warning));
+  describeReference(reference, 0.0, chord_error, figures);
   figures.motion = pathMotion(path);
   deviation.reserve(path.size());
   Tally tally(reference, path, figures);

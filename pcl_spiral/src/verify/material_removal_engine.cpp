@@ -2,6 +2,7 @@
 #include <pcl_spiral/verify/impl/material_removal_engine.h>
 
 #include "quantile.h"
+#include "reference_figures.h"
 #include "removal_samples.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t chunk = 1u << 16; // places between progress reports
-constexpr std::size_t block = 32;       // places that follow one another: one's move is tried first at the next
+constexpr std::size_t block = 32;       // consecutive places: the move found at one is tried first at the next
 
 /** One measurement, step by step. */
 class Measurement {
@@ -149,7 +150,7 @@ Measurement::alongPath()
         sampler_.along(station.move, station.f, ends ? 1.0 : stations[k + 1].f, feet[k], feet[k + 1], met);
         if (!feet[k].valid)
           continue;
-        // Every ridge has a pass on either side: one sees it at its points, the other between them.
+        // Every ridge has a pass on either side: one finds it at its points, the other between them.
         sampler_.beside(feet[k], station.move, 1.0, met);
         sampler_.beside(shifted(feet[k], 0.5 * (queries[k + 1] - queries[k])), station.move, -1.0, met);
       }
@@ -194,8 +195,7 @@ Measurement::finish()
   if (figures_.path_length > 0.0)
     figures_.efficiency = figures_.least_length / figures_.path_length;
   if (figures_.gouge.value > settings_.tool_radius)
-    figures_.warnings.push_back("the middle of the cutter stands inside the material at path point " +
-                                std::to_string(figures_.gouge.index) +
+    figures_.warnings.push_back("the middle of the cutter is inside the material at path point " + std::to_string(figures_.gouge.index) +
                                 ": the path's normals are reversed there, or the reference is seen from its other side");
 }
 
@@ -215,7 +215,8 @@ check(const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& s
     return bad("the reach", settings.reach, "set it above the scallop height, or to 0 to have it chosen");
   if (path.size() < 2 || sweep.centres().size() != path.size())
     return {StatusCode::InvalidArgument, "the path has " + std::to_string(path.size()) + " points and the cutter " +
-                                             std::to_string(sweep.centres().size()) + " places: give two points or more, one place each"};
+                                             std::to_string(sweep.centres().size()) +
+                                             " places: give at least two points, with one place each"};
   return Status::success();
 }
 
@@ -230,13 +231,7 @@ measureRemovedMaterial(const ReferenceSurface& reference, const CutterPath& path
   figures = RemovalFigures();
   if (const Status status = check(path, sweep, settings); !status.ok())
     return status;
-  figures.reference_points = reference.graph().size();
-  figures.noise = reference.noise();
-  figures.fit_noise = reference.fitNoise();
-  figures.warnings = reference.warnings();
-  for (std::string& warning : noiseWarnings(reference, settings.scallop_height, settings.chord_error))
-    figures.warnings.push_back(std::move(warning));
-  figures.crease_band = reference.creaseBand();
+  describeReference(reference, settings.scallop_height, settings.chord_error, figures);
   figures.limit = 1.02 * settings.scallop_height + settings.chord_error;
   figures.reach = settings.reach > 0.0 ? settings.reach : std::max(20.0 * settings.scallop_height, 10.0 * figures.noise);
   Measurement measurement(reference, path, sweep, settings, progress, heights, figures);

@@ -12,10 +12,8 @@
 #include <pcl_spiral/cutter/impl/location_bisection.h>
 #include <pcl_spiral/cutter/impl/location_mesh.h>
 #include <pcl_spiral/cutter/tool_location.h>
-#include <pcl_spiral/surface/surface_input.h>
+#include <pcl_spiral/mesh/impl/mesh_input.h>
 
-#include <pcl/PolygonMesh.h>
-#include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -36,7 +34,7 @@ namespace pcl_spiral {
  *  Source: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. Lengths
  *  in mm. The output does not depend on the order of the cloud or on the number of threads. */
 template <typename PointT>
-class CutterLocation : public SurfaceInput<pcl::PCLBase<PointT>, PointT> {
+class CutterLocation : public MeshInput<PointT> {
 public:
   CutterLocation() { this->scanned_.setStrict(false); }   // a rough surface is accepted
   using Ptr = pcl::shared_ptr<CutterLocation>;            ///< A shared pointer.
@@ -97,36 +95,14 @@ public:
   void setLocationSurface(const std::shared_ptr<const LocationSurface>& surface) { given_location_ = surface; }
   /** The surface used by the last compute; null before, and on a mesh. */
   std::shared_ptr<const LocationSurface> getLocationSurface() const { return location_surface_; }
-  /** The scan. Clears a surface, a mesh, and a reused location surface. */
-  void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
-  {
-    SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputCloud(cloud);
-    forgetInputs();
-  }
-  /** \see SurfaceInput::setInputSurface */
-  void setInputSurface(const Surface::ConstPtr& surface)
-  {
-    SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputSurface(surface);
-    forgetInputs();
-  }
   /** Locates on a mesh. A SurfaceMesh is made of it with default settings. The last input set counts: cloud,
    *  surface or mesh. Settings for clouds (normals, view point, indices, thinning and so on) must be at their
    *  defaults. Evaluation::FittedSurface uses the curved surface behind the faces: lower than the faces in
    *  hollows and higher on ridges, by the sag of the facets. Evaluation::Points uses the faces as they are.
    *  Cutters stay off both sides of a face. The first compute prepares the mesh and keeps it for further ones. */
-  void setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
-  {
-    useMesh();
-    polygons_ = mesh;
-  }
-  /** The same with a mesh made with your own settings. */
-  void setInputMesh(const SurfaceMesh::ConstPtr& mesh)
-  {
-    useMesh();
-    mesh_ = mesh;
-  }
+  using MeshInput<PointT>::setInputMesh;
   /** The mesh given, or made by the last compute from the polygons given; null before, and for clouds. */
-  SurfaceMesh::ConstPtr getInputMesh() const { return mesh_; }
+  SurfaceMesh::ConstPtr getInputMesh() const { return this->mesh_; }
   /** Computes the locations. \p locations has one per drive point, in their order; a path tolerance adds more between
    *  them. cloud_index is the index in the input cloud, or of the face of getInputMesh. Empty on failure: no cloud, no
    *  finite point, no drive point, a drive point that is not finite or has no axis, a setting out of range, no surface
@@ -148,19 +124,10 @@ private:
   Status run(std::vector<ToolLocations>& passes);
   Status locate(const CutterLocationEngine& locator, std::vector<ToolLocations>& passes);
   std::vector<ToolLocations> inPasses(const ToolLocations& locations) const;
-  void forgetInputs()
+  void forgetMade() override
   {
     given_location_.reset();
-    on_mesh_ = false;
-    polygons_.reset();
-    mesh_.reset();
     location_mesh_.reset();
-  }
-  void useMesh()
-  {
-    this->given_surface_.reset();
-    forgetInputs();
-    on_mesh_ = true;
   }
 
   DrivePoints drive_points_; ///< of all passes
@@ -170,9 +137,6 @@ private:
   LocationOptions options_;
   ProgressCallback progress_;
   std::shared_ptr<const LocationSurface> given_location_, location_surface_;
-  bool on_mesh_ = false; ///< the mesh is the last input set
-  pcl::PolygonMesh::ConstPtr polygons_;
-  SurfaceMesh::ConstPtr mesh_;
   std::shared_ptr<const LocationMesh> location_mesh_;
   LocationFigures figures_;
   BisectionFigures bisection_figures_;

@@ -8,8 +8,8 @@
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/drive/drive_settings.h>
+#include <pcl_spiral/mesh/impl/mesh_input.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
-#include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/PolygonMesh.h>
 #include <pcl/pcl_base.h>
@@ -44,7 +44,7 @@ namespace pcl_spiral {
  *  and cylinder: Sun, Cui, Kang, Wang, five-axis NC toolpath generation from scattered points. Lengths in
  *  mm, angles in degrees. The output does not depend on the order of the cloud or on the number of threads. */
 template <typename PointT>
-class DrivePath : public SurfaceInput<pcl::PCLBase<PointT>, PointT> {
+class DrivePath : public MeshInput<PointT> {
 public:
   DrivePath() { this->scanned_.setStrict(false); } // a rough surface is accepted, with a warning
 
@@ -53,31 +53,9 @@ public:
    *  the curved surface behind the faces; AxisMode::Fixed leaves out what faces away from the axis. Helix,
    *  rings and curves are as on a cloud, made of points of the mesh (MeshSampling). Kind::BoundaryOffset is
    *  refused. Settings for clouds (normals, view point, thinning and so on) must be at their defaults. */
-  void setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
-  {
-    useMesh();
-    polygons_ = mesh;
-  }
-  /** The same with a mesh made with your own settings. */
-  void setInputMesh(const SurfaceMesh::ConstPtr& mesh)
-  {
-    useMesh();
-    mesh_ = mesh;
-  }
+  using MeshInput<PointT>::setInputMesh;
   /** The mesh given, or made by the last compute from the polygons given; null before, and for clouds. */
-  SurfaceMesh::ConstPtr getInputMesh() const { return mesh_; }
-  /** The scan. Clears a surface and a mesh. */
-  void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
-  {
-    SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputCloud(cloud);
-    forgetMesh();
-  }
-  /** \see SurfaceInput::setInputSurface */
-  void setInputSurface(const Surface::ConstPtr& surface)
-  {
-    SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputSurface(surface);
-    forgetMesh();
-  }
+  SurfaceMesh::ConstPtr getInputMesh() const { return this->mesh_; }
 
   using Ptr = pcl::shared_ptr<DrivePath>;            ///< A shared pointer.
   using ConstPtr = pcl::shared_ptr<const DrivePath>; ///< A shared pointer to a constant one.
@@ -181,22 +159,7 @@ public:
 private:
   Status run(DrivePasses& passes);
   Status runOnMesh(DrivePasses& passes);
-  void forgetMesh()
-  {
-    on_mesh_ = false;
-    polygons_.reset();
-    mesh_.reset();
-  }
-  void useMesh()
-  {
-    this->given_surface_.reset();
-    forgetMesh();
-    on_mesh_ = true;
-  }
 
-  bool on_mesh_ = false; ///< the mesh is the last input set
-  pcl::PolygonMesh::ConstPtr polygons_;
-  SurfaceMesh::ConstPtr mesh_;
   DriveSettings settings_;
   ProgressCallback progress_;
   DriveReport report_;

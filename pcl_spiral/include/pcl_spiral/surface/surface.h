@@ -52,6 +52,9 @@ struct SurfaceCounts {
   std::size_t separate_parts = 0; ///< left out on request
   std::size_t guessed = 0;        ///< points put into gaps, in addition to those used
   int passes = 0;                 ///< over all neighbourhoods, to make the surface
+
+  /** Outliers: single points and clusters off the surface. */
+  std::size_t strays() const { return isolated + speck; }
 };
 
 /** Why a point is not part of the surface. */

@@ -4,7 +4,6 @@
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/cutter/cutter_location.h>
-#include <pcl_spiral/mesh/impl/mesh_input.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 
 #include <algorithm>
@@ -78,10 +77,9 @@ CutterLocation<PointT>::makeLocationSurface()
   const Status made = this->prepareSurface(surface);
   if (made.code() == StatusCode::InvalidArgument || made.code() == StatusCode::Cancelled)
     return made; // a setting is wrong; if only the points form no surface, cutters still stay off them
-  if (surface && surface->counts().guessed > 0)
-    return {StatusCode::InvalidInput, textOf("the surface has ", surface->counts().guessed,
-                                             " points that were put into gaps, where nothing is known: give "
-                                             "the surface as it was before GapBridging")};
+  if (surface)
+    if (const Status status = this->checkMeasured(*surface, "where nothing is known"); !status.ok())
+      return status;
   if (this->given_surface_) {
     if (made.ok())
       location_surface_ = std::make_shared<LocationSurface>(surface);
@@ -117,12 +115,9 @@ CutterLocation<PointT>::makeLocationMesh()
     return Status::success();
   if (progress_ && !progress_(0.0, "surface"))
     return {StatusCode::Cancelled, "cancelled"};
-  if (polygons_)
-    if (const Status status = SurfaceMesh::make(*polygons_, MeshSettings(), mesh_); !status.ok())
-      return status;
-  if (!mesh_)
-    return {StatusCode::InvalidInput, "the input mesh is missing: call setInputMesh with a mesh that has faces"};
-  location_mesh_ = std::make_shared<LocationMesh>(mesh_);
+  if (const Status status = this->prepareMesh(MeshSettings()); !status.ok())
+    return status;
+  location_mesh_ = std::make_shared<LocationMesh>(this->mesh_);
   return Status::success();
 }
 
@@ -133,11 +128,11 @@ CutterLocation<PointT>::run(std::vector<ToolLocations>& passes)
   const ThreadLimit limit(this->getNumberOfThreads());
   if (const Status status = check(); !status.ok())
     return status;
-  if (const Status status = on_mesh_ ? makeLocationMesh() : makeLocationSurface(); !status.ok())
+  if (const Status status = this->on_mesh_ ? makeLocationMesh() : makeLocationSurface(); !status.ok())
     return status;
   const CutterProfile profile(cutter_);
-  return locate(on_mesh_ ? CutterLocationEngine(*location_mesh_, profile, options_)
-                         : CutterLocationEngine(*location_surface_, profile, options_),
+  return locate(this->on_mesh_ ? CutterLocationEngine(*location_mesh_, profile, options_)
+                               : CutterLocationEngine(*location_surface_, profile, options_),
                 passes);
 }
 

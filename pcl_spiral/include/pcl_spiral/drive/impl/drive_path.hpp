@@ -4,7 +4,6 @@
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/drive/drive_path.h>
 #include <pcl_spiral/drive/impl/drive_path_engine.h>
-#include <pcl_spiral/mesh/impl/mesh_input.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 
 namespace pcl_spiral {
@@ -19,12 +18,9 @@ DrivePath<PointT>::runOnMesh(DrivePasses& passes)
     return status;
   if (const Status status = checkSettings(settings_); !status.ok())
     return status;
-  if (polygons_)
-    if (const Status status = SurfaceMesh::make(*polygons_, MeshSettings(), mesh_); !status.ok())
-      return status;
-  if (!mesh_)
-    return {StatusCode::InvalidInput, "the input mesh is missing: call setInputMesh with a mesh that has faces"};
-  return planMeshDrive(mesh_, settings_, progress_, passes, report_);
+  if (const Status status = this->prepareMesh(MeshSettings()); !status.ok())
+    return status;
+  return planMeshDrive(this->mesh_, settings_, progress_, passes, report_);
 }
 
 template <typename PointT>
@@ -34,7 +30,7 @@ DrivePath<PointT>::run(DrivePasses& passes)
   if (const Status status = checkThreads(this->getNumberOfThreads()); !status.ok())
     return status;
   const ThreadLimit limit(this->getNumberOfThreads());
-  if (on_mesh_)
+  if (this->on_mesh_)
     return runOnMesh(passes);
   if (settings_.needsSurface())
     if (const Status status = this->checkInput(); !status.ok())

@@ -5,11 +5,10 @@
 #pragma once
 
 #include <pcl_spiral/common/impl/progress.h>
-#include <pcl_spiral/surface/surface_input.h>
+#include <pcl_spiral/mesh/impl/mesh_input.h>
 #include <pcl_spiral/verify/impl/cutter_path.h>
 #include <pcl_spiral/verify/impl/reference_surface.h>
 
-#include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -22,7 +21,7 @@ namespace pcl_spiral {
  *  You may give the planner's own surface (setInputSurface); then none has to be made. Its points are cleaned
  *  and oriented as for the planner, but the fit that judges is a different one, see ReferenceSurface. */
 template <typename PointT>
-class ReferenceInput : public SurfaceInput<pcl::PCLBase<PointT>, PointT> {
+class ReferenceInput : public MeshInput<PointT> {
 public:
   using ToolpathConstPtr = pcl::PointCloud<ToolpathPoint>::ConstPtr; ///< A toolpath, shared.
 
@@ -30,18 +29,9 @@ public:
 
   /** Judges by samples of the curved surface of this mesh; see ReferenceMesh and ReferenceSurface. Its faces give the
    *  side: a view point or another setting for scans is refused. The last input set counts: cloud, surface or mesh. */
-  void setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
-  {
-    forget();
-    polygons_ = mesh;
-  }
-  void setInputMesh(const SurfaceMesh::ConstPtr& mesh)
-  {
-    forget();
-    mesh_ = mesh;
-  } ///< The same with a prepared mesh.
+  using MeshInput<PointT>::setInputMesh;
   /** The prepared mesh, as given or after compute; null without one. */
-  SurfaceMesh::ConstPtr getSurfaceMesh() const { return mesh_; }
+  SurfaceMesh::ConstPtr getSurfaceMesh() const { return this->mesh_; }
 
   /** How a PolygonMesh is prepared: creases, normals, side. */
   void setMeshSettings(const MeshSettings& settings) { mesh_settings_ = settings; }
@@ -76,39 +66,20 @@ public:
   /** The fit of the last compute; null before. */
   std::shared_ptr<const ReferenceSurface> getReferenceSurface() const { return reference_; }
 
-  /** The reference scan. Clears a surface, a mesh and a reused fit. */
-  void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
-  {
-    forget();
-    SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputCloud(cloud);
-  }
-  /** \see SurfaceInput::setInputSurface */
-  void setInputSurface(const Surface::ConstPtr& surface)
-  {
-    SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputSurface(surface);
-    given_reference_.reset();
-    polygons_.reset();
-    mesh_.reset();
-  }
-
 protected:
   /** Reads the path and makes the surface. */
   Status prepare(CutterPath& path);
-  Status prepareMesh(const CutterPath& path); ///< Makes the reference of the mesh, near the contacts of \p path.
-  /** Clears any reference that was given. */
-  void forget()
+  Status prepareMeshReference(const CutterPath& path); ///< Makes the reference of the mesh, near the contacts of \p path.
+  /** A mesh takes the place of a cloud, whose points would be judged. */
+  void forgetMade() override
   {
-    this->input_.reset();
-    this->given_surface_.reset();
     given_reference_.reset();
-    polygons_.reset();
-    mesh_.reset();
+    if (this->on_mesh_)
+      this->input_.reset();
   }
 
   ToolpathConstPtr toolpath_;                               ///< of setInputToolpath
   std::vector<std::size_t> passes_;                         ///< of setInputToolpath
-  pcl::PolygonMesh::ConstPtr polygons_;                     ///< of setInputMesh
-  SurfaceMesh::ConstPtr mesh_;                              ///< of setInputMesh, or made of the polygons
   MeshSettings mesh_settings_;                              ///< of setMeshSettings
   double sample_spacing_ = 0.0;                             ///< of setSampleSpacing
   double chord_error_ = 0.005;                              ///< of setChordError

@@ -25,22 +25,20 @@ ReferenceInput<PointT>::prepare(CutterPath& path)
   }
   if (progress_ && !progress_(0.0, "reference"))
     return {StatusCode::Cancelled, "cancelled"};
-  if (polygons_ || mesh_)
-    return prepareMesh(path);
+  if (this->on_mesh_)
+    return prepareMeshReference(path);
   Surface::ConstPtr surface;
   if (const Status status = this->prepareSurface(surface); !status.ok())
     return status;
-  if (surface->counts().guessed > 0)
-    return {StatusCode::InvalidInput, textOf("the surface has ", surface->counts().guessed,
-                                             " points that were put into gaps, and a guess is no reference: "
-                                             "give the surface as it was before GapBridging")};
+  if (const Status status = this->checkMeasured(*surface, "and a guess is no reference"); !status.ok())
+    return status;
   reference_ = std::make_shared<ReferenceSurface>(surface);
   return Status::success();
 }
 
 template <typename PointT>
 Status
-ReferenceInput<PointT>::prepareMesh(const CutterPath& path)
+ReferenceInput<PointT>::prepareMeshReference(const CutterPath& path)
 {
   if (const std::string setter = disagreement(this->scanned_.getSettings(), SurfaceSettings()); !setter.empty() || this->getInputNormals())
     return {StatusCode::InvalidArgument, (setter.empty() ? "setInputNormals" : setter) +
@@ -49,11 +47,10 @@ ReferenceInput<PointT>::prepareMesh(const CutterPath& path)
   if (!(sample_spacing_ >= 0.0) || !std::isfinite(sample_spacing_))
     return {StatusCode::InvalidArgument,
             textOf("the sample spacing is ", sample_spacing_, " mm; set it above 0, or to 0 to have it chosen (setSampleSpacing)")};
-  if (polygons_)
-    if (const Status status = SurfaceMesh::make(*polygons_, mesh_settings_, mesh_); !status.ok())
-      return status;
+  if (const Status status = this->prepareMesh(mesh_settings_); !status.ok())
+    return status;
   ReferenceMesh::ConstPtr samples;
-  if (const Status status = ReferenceMesh::make(mesh_, path, sample_spacing_, samples); !status.ok())
+  if (const Status status = ReferenceMesh::make(this->mesh_, path, sample_spacing_, samples); !status.ok())
     return status;
   return ReferenceSurface::make(samples, progress_, reference_);
 }
