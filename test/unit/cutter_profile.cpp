@@ -26,7 +26,7 @@ unitVector(Random& random)
   return Vector3d(random.normal(), random.normal(), random.normal()).normalized();
 }
 
-/** Points of the profile, (distance from the axis, height), evenly along each part and at every edge. */
+/** Points of the profile, (distance from the axis, height), at equal steps along each part and at every edge. */
 std::vector<Eigen::Vector2d>
 profilePoints(const CutterShape& s, int each)
 {
@@ -52,7 +52,7 @@ TEST(CutterProfile, IsContinuousAtBothJointsAndConvex)
     const double R = c.radius(), step = 1e-9 * R;
     for (const double joint : {c.flatRadius(), c.flankRadius()})
       if (joint > step && joint + step < R && (c.cornerRadius() > 0.0 || joint == c.flatRadius())) {
-        // The profile is at most as steep as the flank, or as a corner of any radius this far past the flat.
+        // The profile is at most as steep as the flank, or as a corner of any radius this far beyond the flat.
         const double steepest = c.flankAngle() > 0.0 ? 1.0 / std::tan(c.flankAngle()) : 1e5;
         ASSERT_NEAR(c.height(joint - step), c.height(joint + step), 2.0 * step * steepest + 1e-12 * R) << i;
       }
@@ -77,7 +77,7 @@ TEST(CutterProfile, LiesOnThePointsOfItsParametricForm)
     const CutterShape shape = randomCutter(random);
     const CutterProfile c(shape);
     for (const Eigen::Vector2d& p : profilePoints(shape, 4)) {
-      // Steep places tell the radius well, level ones the height.
+      // Steep places define the radius well, level places the height.
       const double radius_off = std::abs(c.radiusAt(p.y()) - p.x());
       const double height_off = std::abs(c.height(std::min(p.x(), c.radius())) - p.y());
       ASSERT_LT(std::min(radius_off, height_off), 1e-9 * (shape.radius + shape.flank_length)) << i;
@@ -232,10 +232,10 @@ TEST(CutterProfile, BadMeasuresAreNamedWithTheirValueAndARemedy)
       {CutterShape::bullNose(5.0, nan), "corner radius is nan mm"},
       {CutterShape::taper(5.0, 10.0, 90.0), "flank angle is 90 degrees"},
       {CutterShape::taper(5.0, 10.0, -5.0), "flank angle is -5 degrees"},
-      {CutterShape::taper(5.0, 11.0, 30.0), "flank meets the axis before its lower end: its length is 11 mm; set it to 10 mm"},
+      {CutterShape::taper(5.0, 11.0, 30.0), "it meets the axis above its lower end: its length is 11 mm; set it to 10 mm"},
       {CutterShape::taper(5.0, -1.0, 30.0), "flank length is -1 mm"},
       {CutterShape::taper(5.0, nan, 30.0), "flank length is nan mm"},
-      {CutterShape::taperedBall(5.0, 60.0, 10.0), "flank meets the axis before its lower end"},
+      {CutterShape::taperedBall(5.0, 60.0, 10.0), "it meets the axis above its lower end"},
       {CutterShape::taperedBullNose(5.0, 4.0, 10.0, 10.0), "corner reaches across the axis: its radius is 4 mm"},
   };
   for (const auto& one : cases) {

@@ -9,8 +9,8 @@
 
 namespace pcl_spiral {
 
-/** Bytes: the least of what the system has to give (MemAvailable of Linux) and what the process's own limits leave it
- *  (RLIMIT_AS). Nothing where that is not known. */
+/** Bytes: the smaller of what the system can give (MemAvailable of Linux) and what the limits of the process leave
+ *  (RLIMIT_AS). Nothing if that is not known. */
 std::optional<double> availableMemory();
 
 } // namespace pcl_spiral

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Memory that was freed, given back to the system.
+ *  Gives freed memory back to the system.
  */
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace pcl_spiral {
 
-/** Call after much small working memory was freed: the C library keeps it otherwise, beside the large arrays that come
- *  next. Does nothing where the C library has no such call. */
+/** Call after much small working memory was freed. Otherwise the C library keeps it beside the large arrays that come
+ *  next. Does nothing if the C library has no such call. */
 inline void
 returnFreedMemory()
 {

@@ -7,7 +7,7 @@ namespace pcl_spiral {
 namespace {
 
 /** Length in bytes of the character that begins at \p at: well-formed UTF-8 (RFC 3629) of a character that
- * XML allows; 0: none begins there. */
+ * XML allows; 0 if none begins there. */
 std::size_t
 characterLength(const std::string& text, std::size_t at)
 {

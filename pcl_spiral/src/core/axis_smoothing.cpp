@@ -12,15 +12,15 @@ namespace {
 using Eigen::Vector3d;
 using Vectors = std::vector<Vector3d>;
 
-constexpr double closest_knots = 1.0 / 300.0; // of the smoothing length: keeps the system's condition below 10^10
+constexpr double closest_knots = 1.0 / 300.0; // of the smoothing length; keeps the condition number of the system below 10^10
 constexpr int most_rounds = 20;               // of weighting
 constexpr double near_enough = 1.05;          // of the deviation allowed
 
-/** The points of a path as knots, those very near to each other as one. */
+/** The points of a path as knots. Points very near to each other make one knot. */
 struct Knots {
   std::vector<double> at; ///< arc length
   Vectors wanted;
-  std::vector<double> weight; ///< length of path that each stands for
+  std::vector<double> weight; ///< length of path that each one represents
 
   Knots(const std::vector<double>& s, const Vectors& axes, double closest)
   {
@@ -45,7 +45,7 @@ struct Knots {
 struct Spline {
   Vectors value, second;
 
-  /** Values at \p s between the knots \p at; straight on beyond them. */
+  /** Values at \p s between the knots \p at; beyond them the spline continues straight. */
   Vectors values(const std::vector<double>& at, const std::vector<double>& s) const
   {
     if (at.size() == 1)
@@ -66,7 +66,7 @@ struct Spline {
   }
 };
 
-/** The smoothing spline for weights of the knots: (R + Q^T W^-1 Q) second = Q^T wanted, five diagonals, by L D L^T. */
+/** The smoothing spline for given weights of the knots: (R + Q^T W^-1 Q) second = Q^T wanted, five diagonals, by L D L^T. */
 class SmoothingSpline {
 public:
   SmoothingSpline(const Knots& knots, double length)
@@ -78,7 +78,7 @@ public:
     spline.value = knots_.wanted;
     Vectors& z = spline.second;
     z.assign(n_, Vector3d::Zero());
-    // Row k stands for knot k: 1 to n - 2.
+    // Row k belongs to knot k: 1 to n - 2.
     for (std::size_t k = 1; k + 1 < n_; ++k) {
       const double a = inverse(k - 1), c = inverse(k), b = -a - c;
       const double p = penalty(weights[k - 1]), q = penalty(weights[k]), r = penalty(weights[k + 1]);
@@ -130,7 +130,7 @@ private:
   std::vector<double> d_, l1_, l2_;
 };
 
-/** Means along a path, of what lies at distance d weighted with exp(-d / length). */
+/** Means along a path: a value at distance d has the weight exp(-d / length). */
 class MeanAlong {
 public:
   MeanAlong(const Knots& knots, double length) : weight_(knots.weight), fade_(knots.at.size() - 1)
@@ -187,7 +187,7 @@ splineOfAxes(const std::vector<double>& s, const Vectors& wanted, double length,
     bool kept = true;
     const std::vector<double> mean = meanOf(deviations);
     for (std::size_t k = 0; k < mean.size(); ++k)
-      if (mean[k] > max_deviation) { // by as much as it takes, or the axis steps where this begins
+      if (mean[k] > max_deviation) { // by as much as needed; otherwise the axis would make a step where this begins
         kept = kept && mean[k] < near_enough * max_deviation;
         const double excess = mean[k] / max_deviation;
         weights[k] *= excess * excess;

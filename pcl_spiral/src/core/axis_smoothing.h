@@ -8,7 +8,7 @@
 
 namespace pcl_spiral {
 
-/** Axes at \p arc_lengths (not falling), the same smoothed; see smoothAxes in core/smooth_axes.h. */
+/** Axes at \p arc_lengths (which must not fall), smoothed; see smoothAxes in core/smooth_axes.h. */
 std::vector<Eigen::Vector3d> splineOfAxes(const std::vector<double>& arc_lengths, const std::vector<Eigen::Vector3d>& wanted, double length,
                                           double max_deviation);
 

@@ -9,7 +9,7 @@ namespace pcl_spiral {
 
 namespace {
 
-/** Blossom of the cubic on the span that ends at knot \p k + 1, at (a, b, c); control points k-3 .. k. */
+/** Blossom of the cubic at (a, b, c), on the span that ends at knot \p k + 1; control points k-3 .. k. */
 Eigen::Vector3d
 blossom(const std::vector<double>& t, const Polyline& p, std::size_t k, double a, double b, double c)
 {
@@ -28,11 +28,11 @@ void
 checkKnots(const std::vector<double>& t, std::size_t controls)
 {
   if (controls < 4 || t.size() != controls + 4)
-    throw std::invalid_argument("BSplineCurve: needs at least 4 control points and 4 more knots than these");
+    throw std::invalid_argument("BSplineCurve: give at least 4 control points, and 4 more knots than control points");
   for (std::size_t i = 1; i < t.size(); ++i) {
     const bool end = i <= 3 || i > controls;
     if (end ? t[i] != t[i - 1] : !(t[i] > t[i - 1]))
-      throw std::invalid_argument("BSplineCurve: knots must ascend, with the first and the last four equal");
+      throw std::invalid_argument("BSplineCurve: knots must ascend; the first four must be equal, and the last four");
   }
 }
 
@@ -119,7 +119,7 @@ BSplineCurve::lengthBetween(std::size_t span, double u0, double u1) const
 void
 BSplineCurve::addLengths(std::size_t span, double u0, double u1, double whole, int depth)
 {
-  constexpr int deepest = 20; // a cusp is as good as reached
+  constexpr int deepest = 20; // enough even at a cusp
   const double middle = 0.5 * (u0 + u1);
   const double first = lengthBetween(span, u0, middle), second = lengthBetween(span, middle, u1);
   if (std::abs(first + second - whole) > 1e-12 * whole && depth < deepest) {
@@ -159,7 +159,7 @@ BSplineCurve::parameterAt(double s) const
   const std::size_t i = span(middle);
   const double rest = s - lengths_[piece], whole = lengths_[piece + 1] - lengths_[piece];
   double u = low + (high - low) * (whole > 0.0 ? rest / whole : 0.0);
-  for (int iteration = 0; iteration < 60; ++iteration) { // Newton, bisection where it leaves the bracket
+  for (int iteration = 0; iteration < 60; ++iteration) { // Newton; bisection if it leaves the bracket
     const double error = lengthBetween(i, start, u) - rest;
     if (std::abs(error) <= 1e-13 * length())
       break;

@@ -13,13 +13,13 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double rounding = 1e-9;       // of R: a flat smaller than this, either way, is none
+constexpr double rounding = 1e-9;       // of R: a flat radius smaller than this, of either sign, counts as 0
 constexpr double angle_rounding = 1e-6; // radians: axes and normals often come in single precision
 constexpr double steepest_angle = 89.9; // degrees, of a flank
 constexpr double largest_radius = 1e6;  // mm
 
 std::string
-said(const std::string& what, double value, const std::string& remedy)
+faultText(const std::string& what, double value, const std::string& remedy)
 {
   std::ostringstream text;
   text.precision(6);
@@ -82,20 +82,20 @@ std::string
 faultOf(const CutterShape& s)
 {
   if (!(s.radius > 0.0) || !(s.radius <= largest_radius))
-    return said("the cutter's radius is", s.radius, " mm; set it above 0");
+    return faultText("the cutter's radius is", s.radius, " mm; set it above 0");
   if (!(s.flank_angle >= 0.0) || !(s.flank_angle <= steepest_angle))
-    return said("the cutter's flank angle is", s.flank_angle, " degrees; set it between 0 and 89.9");
+    return faultText("the cutter's flank angle is", s.flank_angle, " degrees; set it between 0 and 89.9");
   if (!(s.flank_length >= 0.0) || !(s.flank_length <= largest_radius))
-    return said("the cutter's flank length is", s.flank_length, " mm; set it to 0 or more");
+    return faultText("the cutter's flank length is", s.flank_length, " mm; set it to 0 or more");
   const double sine = std::sin(s.flank_angle * degree), cosine = std::cos(s.flank_angle * degree);
   if (flankRadiusOf(s) < -rounding * s.radius)
-    return said("the flank meets the axis before its lower end: its length is", s.flank_length, " mm") +
-           said("; set it to", s.radius / sine, " mm or less, or the flank angle or radius otherwise");
+    return faultText("the flank is too long, it meets the axis above its lower end: its length is", s.flank_length, " mm") +
+           faultText("; set it to", s.radius / sine, " mm or less, or change the flank angle or the radius");
   if (!(s.corner_radius >= 0.0) || !(s.corner_radius <= largest_radius))
-    return said("the cutter's corner radius is", s.corner_radius, " mm; set it to 0 or more (a tapered ball needs R > L sin alpha)");
+    return faultText("the cutter's corner radius is", s.corner_radius, " mm; set it to 0 or more (a tapered ball needs R > L sin alpha)");
   if (flatRadiusOf(s) < -rounding * s.radius)
-    return said("the corner reaches across the axis: its radius is", s.corner_radius, " mm") +
-           said("; set it to", std::max(0.0, flankRadiusOf(s) / cosine), " mm (a ball end) or less");
+    return faultText("the corner reaches across the axis: its radius is", s.corner_radius, " mm") +
+           faultText("; set it to", std::max(0.0, flankRadiusOf(s) / cosine), " mm (a ball end) or less");
   return std::string();
 }
 

@@ -8,20 +8,20 @@
 
 namespace pcl_spiral {
 
-/** Two SSE registers or one of AVX: sums over lanes have the same order, and the same bits, on either. */
+/** Two SSE registers, or one of AVX. Sums over lanes have the same order on both, and the same bits. */
 using Lanes = float __attribute__((vector_size(32)));
 using LaneCounts = int __attribute__((vector_size(32)));
 
 constexpr int lane_count = 8;
 
-/** Entries that fill up the last lanes. */
+/** Number of entries when the last lanes are filled up. */
 constexpr int
 padded(int size)
 {
   return (size + lane_count - 1) / lane_count * lane_count;
 }
 
-// By reference: passed by value, such types draw a note on the ABI.
+// Passed by reference: the compiler prints a note on the ABI if such types are passed by value.
 inline __attribute__((always_inline)) void
 load(Lanes& lanes, const float* from)
 {

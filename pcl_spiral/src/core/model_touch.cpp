@@ -9,7 +9,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** Tangent t of the angle at which R2 + r sin + c tan = q, by Newton's method: from below, the function being
+/** Tangent t of the angle at which R2 + r sin + c tan = q, by Newton's method from below: the function is
  * concave. */
 double
 cornerTangent(double past_flat, double r, double c)

@@ -33,7 +33,7 @@ Vector3d
 publishedBow(const Vector3d& d, const Vector3d& n0, const Vector3d& n1)
 {
   constexpr double same = 1e-12;                                   // squared sine between the projections
-  const Vector3d t0 = d - n0.dot(d) * n0, t1 = d - n1.dot(d) * n1; // from P0 on, and back from P1
+  const Vector3d t0 = d - n0.dot(d) * n0, t1 = d - n1.dot(d) * n1; // forward from P0, and back from P1
   const double a = t0.squaredNorm(), b = t0.dot(t1), c = t1.squaredNorm();
   const double det = a * c - b * b;
   if (!(det > same * a * c))
@@ -41,7 +41,7 @@ publishedBow(const Vector3d& d, const Vector3d& n0, const Vector3d& n1)
   // Nearest points P0 + s t0 and P1 - r t1.
   const double e = t0.dot(d), f = t1.dot(d);
   const double s = (c * e - b * f) / det, r = (a * f - b * e) / det;
-  const Vector3d control = 0.5 * (s * t0 + d - r * t1); // less P0
+  const Vector3d control = 0.5 * (s * t0 + d - r * t1); // relative to P0
   return d - 2.0 * control;
 }
 
@@ -56,7 +56,7 @@ creaseBow(const Vector3d& d, const Vector3d& n0, const Vector3d& n1, const Vecto
   const double cosine = n.dot(m), sine2 = 1.0 - cosine * cosine;
   if (!along_n || !along_m || !(sine2 > least_sine * least_sine))
     return Vector3d::Zero();
-  // The bow in the plane of n and m whose share along each is that surface's own.
+  // The bow in the plane of n and m whose component along each is that of its surface.
   return (*along_n - cosine * *along_m) / sine2 * n + (*along_m - cosine * *along_n) / sine2 * m;
 }
 
@@ -66,7 +66,7 @@ parabolaCrossing(double v0, double v1, double bow, double level)
   // v0 - level + (v1 - v0 - bow) u + bow u^2 = 0; the root between two ends of different sign, without cancellation.
   const double a = bow, b = v1 - v0 - bow, c = v0 - level;
   const double root = std::sqrt(std::max(0.0, b * b - 4.0 * a * c));
-  const double q = v1 > v0 ? b + root : b - root; // of the sign of v1 - v0
+  const double q = v1 > v0 ? b + root : b - root; // has the sign of v1 - v0
   const double u = q != 0.0 ? -2.0 * c / q : (level - v0) / (v1 - v0);
   return std::min(1.0, std::max(0.0, u));
 }

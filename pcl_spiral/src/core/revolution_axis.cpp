@@ -19,10 +19,10 @@ using Vector8 = Eigen::Matrix<double, 8, 1>; // two turns and two shifts of the 
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
 constexpr std::size_t fewest_points = 10;
-constexpr std::size_t few_points = 2000; // enough to tell which way the axis runs
+constexpr std::size_t few_points = 2000; // enough to find the direction of the axis
 constexpr int most_steps = 40;
 
-/** Points about their mean, of mean square distance 1. */
+/** Points relative to their mean, scaled to mean square distance 1. */
 struct Sample {
   std::vector<Vector3d> points, normals;
   std::vector<double> weights;
@@ -51,7 +51,7 @@ struct Axis {
   }
 };
 
-/** Share of a normal round the axis; 0 on the axis. */
+/** Component of a normal round the axis; 0 on the axis. */
 double
 turningOf(const Axis& axis, const Vector3d& x, const Vector3d& n)
 {
@@ -66,7 +66,7 @@ cubicAt(const Eigen::Vector4d& cubic, double z)
   return cubic[0] + z * (cubic[1] + z * (cubic[2] + z * cubic[3]));
 }
 
-/** One linearised problem: normal equations, and the weighted mean square that is left. */
+/** One linearised problem: normal equations, and the weighted mean square of the residuals. */
 struct Equations {
   Matrix8 normal = Matrix8::Zero();
   Vector8 right = Vector8::Zero();
@@ -92,7 +92,7 @@ equationsAt(const Sample& sample, const Axis& axis, const Eigen::Vector4d& cubic
     const Eigen::Vector4d powers(1.0, z, z * z, z * z * z);
     const double leaning = n.dot(axis.direction) - cubic.dot(powers);
     const double slope = cubic[1] + 2.0 * cubic[2] * z + 3.0 * cubic[3] * z * z;
-    const Vector3d change = (n - round * (turning / r)) / r; // of the turning with the place's way round
+    const Vector3d change = (n - round * (turning / r)) / r; // derivative of the turning
     Vector8 turning_row = Vector8::Zero(), leaning_row = Vector8::Zero();
     for (int j = 0; j < 2; ++j) {
       turning_row[j] = change.dot(e[j].cross(y));
@@ -110,7 +110,7 @@ equationsAt(const Sample& sample, const Axis& axis, const Eigen::Vector4d& cubic
   return equations;
 }
 
-/** Where Cauchy's weight is a half: twice the median of what is left, but no less than some 3 degrees. */
+/** Residual at which Cauchy's weight is a half: twice the median residual, but at least about 3 degrees. */
 double
 scaleAt(const Sample& sample, const Axis& axis, const Eigen::Vector4d& cubic)
 {
@@ -124,7 +124,7 @@ scaleAt(const Sample& sample, const Axis& axis, const Eigen::Vector4d& cubic)
   return std::max(0.05, 2.0 * left[left.size() / 2]);
 }
 
-/** Place across \p direction that the normals pass closest to: they are straight lines there. */
+/** Place across \p direction that the normals pass closest to. Seen along \p direction they are straight lines. */
 Vector3d
 placeBetweenNormals(const Sample& sample, const Vector3d& direction)
 {
@@ -142,7 +142,7 @@ placeBetweenNormals(const Sample& sample, const Vector3d& direction)
 struct Fit {
   RevolutionAxis axis;
   Axis end;
-  double left = 0.0; ///< mean square of what the normals have round the axis, and along it beside the cubic
+  double left = 0.0; ///< mean square of the normals' components round the axis, and of those along it less the cubic
 };
 
 Fit
@@ -164,7 +164,7 @@ judged(const Sample& sample, const Axis& axis, const Eigen::Vector4d& cubic, con
   fit.axis.turning = std::sqrt(fit.axis.turning / weights);
   fit.axis.radial = std::sqrt(fit.axis.radial / weights);
   fit.left /= weights;
-  // What the turns determine that shift and cubic cannot make up for.
+  // What the data determine of the turns after shift and cubic are eliminated.
   const Eigen::Matrix<double, 6, 6> others =
       equations.normal.bottomRightCorner<6, 6>() + 1e-12 * equations.weight * Eigen::Matrix<double, 6, 6>::Identity();
   const Eigen::Matrix<double, 6, 2> coupling = equations.normal.bottomLeftCorner<6, 2>();
@@ -196,8 +196,8 @@ fitFrom(const Sample& sample, Axis axis)
   return judged(sample, axis, cubic, equationsAt(sample, axis, cubic, scaleAt(sample, axis, cubic)));
 }
 
-/** That which leaves least. A cylinder goes round any far axis across its own as well, as a piece of a huge ring: of fits
- *  that leave about as much, that which tells its direction best. */
+/** The fit with the smallest residual. A cylinder also goes round any distant axis across its own, as a piece of a huge ring: of fits
+ *  with nearly equal residuals, the one with the most certain direction. */
 std::optional<Fit>
 bestOf(const std::vector<Fit>& fits)
 {

@@ -15,20 +15,20 @@ namespace pcl_spiral {
 struct RevolutionAxis {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();     ///< foot of the points' mean on the axis
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); ///< unit; its largest component is positive
-  double turning = 0.0;                                 ///< rms share of the normals round the axis: 0 for a surface of revolution
-  double radial = 0.0;                                  ///< rms share of the normals out of the axis, or towards it: 1 for a cylinder
-  double uncertainty = 0.0;                             ///< of the direction, as if each point were by itself; a sphere's is about 1
+  double turning = 0.0;                                 ///< rms component of the normals round the axis: 0 for a surface of revolution
+  double radial = 0.0;                                  ///< rms component of the normals towards or away from the axis: 1 for a cylinder
+  double uncertainty = 0.0;                             ///< of the direction, with independent errors of the points; about 1 for a sphere
 };
 
-/** Axis that the normals of a column pass closest to. \p weights count the points; not negative.
+/** Axis that the normals of a column pass closest to. \p weights count the points; they must not be negative.
  *
- *  Least squares of two shares of each normal n at x, for the axis through c along d: of n (d x (x - c)) / |d
+ *  Least squares of two components of each normal n at x, for the axis through c along d: of n (d x (x - c)) / |d
  * x (x - c)|, 0 on any surface of revolution (Pottmann, Randrup, Rotational and helical surface approximation
- * for reverse engineering, Computing 60, 1998), and of n d less a cubic of the height along d, which holds
- * short wide columns and leaves waists free. Points far off, as on a boss, count less (Cauchy). Begun from
- * each principal axis of the normals; that which leaves least wins, and of some that leave about as much (a cylinder is a
- * piece of a huge ring, too) that with the least uncertainty. Empty where there are fewer than 10 points, or no end is
- * found. */
+ * for reverse engineering, Computing 60, 1998), and of n d less a cubic of the height along d. The cubic holds
+ * short wide columns and allows waists. Points far from the fit, as on a boss, count less (Cauchy). The search
+ * starts from each principal axis of the normals; the smallest residual wins. Of several nearly equal ones (a cylinder is also a
+ * piece of a huge ring) the one with the least uncertainty wins. Empty if there are fewer than 10 points, or if no search
+ * converges. */
 std::optional<RevolutionAxis> fitRevolutionAxis(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals,
                                                 const std::vector<double>& weights);
 

@@ -13,7 +13,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** Chord of an arc of that length and curvature, up to the diameter. */
+/** Chord of an arc of the given length and curvature, at most the diameter. */
 double
 chordOf(double arc, double curvature)
 {

@@ -13,7 +13,7 @@ namespace {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double most_bins = 1 << 24;
 
-/** What may lie between two rows, in equal bins across them. */
+/** The distance allowed between two rows, in equal bins across them. */
 class AllowedDistance {
 public:
   AllowedDistance(const std::vector<RowPatch>& patches, double low, double high, double floor) : low_(low), high_(high)
@@ -24,8 +24,8 @@ public:
     enter(patches, floor);
   }
 
-  /** The farthest row from one at \p from such that all between allow their distance, times \p share; the end
-   * at the most. It does not come closer as \p from goes on, so that going as far as can be makes the fewest
+  /** The farthest row from one at \p from such that all bins between allow their distance, times \p share; at most
+   * the end. It does not come closer as \p from grows, so going as far as possible each time makes the fewest
    * rows. */
   double farthest(double from, double share) const
   {
@@ -41,8 +41,8 @@ public:
     return high_;
   }
 
-  /** The rows where all take up that \p share of what is allowed; one more than \p limit where these do not
-   * do. */
+  /** The rows if each takes up the \p share of what is allowed; one more than \p limit if these are not
+   * enough. */
   std::vector<double> rows(double share, std::size_t limit) const
   {
     const double end = high_ - 1e-9 * (high_ - low_);
@@ -58,7 +58,7 @@ private:
     return static_cast<std::size_t>(std::clamp((x - low_) / width_, 0.0, static_cast<double>(most_.size() - 1)));
   }
 
-  /** Narrowest first, so that each bin is entered once. */
+  /** Narrowest first, so that each bin is set only once. */
   void enter(const std::vector<RowPatch>& patches, double floor)
   {
     std::vector<std::size_t> order, open(most_.size() + 1);
@@ -68,7 +68,7 @@ private:
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return patches[a].most < patches[b].most || (patches[a].most == patches[b].most && a < b);
     });
-    std::iota(open.begin(), open.end(), std::size_t{0}); // the next bin from each on that is empty
+    std::iota(open.begin(), open.end(), std::size_t{0}); // for each bin, the next empty one
     const auto nextOpen = [&](std::size_t bin) {
       for (; open[bin] != bin; bin = open[bin])
         open[bin] = open[open[bin]];
@@ -85,7 +85,7 @@ private:
   std::vector<double> most_;
 };
 
-/** As many rows as needed, sharing out what is left over. */
+/** As many rows as needed. The distance left over is shared among them. */
 std::vector<double>
 evenRows(const AllowedDistance& allowed)
 {

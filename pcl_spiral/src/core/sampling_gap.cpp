@@ -17,7 +17,7 @@ samplingGap(const CutterProfile& profile, const SampledContact& contact)
     return unbounded;
   const double D = contact.distance + d <= R ? d : 2.0 * d;
   const double convex = std::max(0.0, contact.curvature);
-  // The surface falls from the contact, at the distance x across the axis, by no more than this.
+  // At the distance x across the axis, the surface falls from the contact by at most this.
   const auto fall = [&](double x) { return x * tangent + 0.5 * convex * x * x * (1.0 + tangent * tangent) / cosine; };
   double bound = unbounded;
   if (r > 0.0) {

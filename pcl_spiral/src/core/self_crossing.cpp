@@ -13,14 +13,14 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double width_in_mean = 1.5; // of a cell, in mean segments: smaller ones cost more to look up than they leave out
+constexpr double width_in_mean = 1.5; // of a cell, in mean segments: smaller cells take more time to look up than they save
 constexpr double most_cells_along = 16.0;
-constexpr double margin_in_width = 0.1; // segments that cross may lie so far over each other
+constexpr double margin_in_width = 0.1; // segments that cross may lie this far above each other
 constexpr double margin_in_slack = 4.0;
-constexpr std::int64_t chunk = 1 << 16; // segments between two questions whether to go on
+constexpr std::int64_t chunk = 1 << 16; // segments between two calls of go_on
 
-/** The segments of a path by the cells that their boxes touch. Cells share buckets, by a hash; a segment of
- * another cell in a bucket does no harm. About eighteen bytes a segment. */
+/** The segments of a path, by the cells that their boxes touch. Cells share buckets through a hash; a segment of
+ * another cell in a bucket does no harm. About eighteen bytes per segment. */
 class SegmentCells {
 public:
   using Cell = Eigen::Matrix<std::int64_t, 3, 1>;
@@ -33,7 +33,7 @@ public:
       buckets *= 2;
     mask_ = buckets - 1;
     begin_.assign(buckets + 1, 0);
-    // Each segment's place depends on those before it: serial.
+    // Serial: the place of each segment depends on those before it.
     for (std::size_t i = 0; i < segments; ++i)
       if (!beginsPass(passes, i + 1))
         forBuckets(i, 0.0, [&](std::size_t bucket) { ++begin_[bucket]; });
@@ -46,7 +46,7 @@ public:
         forBuckets(i, 0.0, [&](std::size_t bucket) { segments_[--begin_[bucket]] = static_cast<std::uint32_t>(i); });
   }
 
-  /** Call \p visit with the segments after the next one that may come within \p margin of a segment. */
+  /** Call \p visit with those segments after the next one that may come within \p margin of a segment. */
   template <typename Visit>
   void visitNear(std::size_t segment, double margin, Visit visit) const
   {
@@ -76,7 +76,7 @@ private:
   std::vector<std::uint32_t> begin_, segments_;
 };
 
-/** Twice the area of a b c as seen along \p n, over the length of a b: how far c lies to its left. */
+/** Twice the area of a b c as seen along \p n, over the length of a b: how far c lies to the left of a b. */
 double
 sideOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& n)
 {
@@ -109,7 +109,7 @@ firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& norm
     return std::nullopt;
   const auto segments = static_cast<std::int64_t>(path.size()) - 1;
   double longest = 0.0, sum = 0.0;
-  for (std::int64_t i = 0; i < segments; ++i) { // serial: a sum whose rounding depends on its order
+  for (std::int64_t i = 0; i < segments; ++i) { // serial: the rounding of a sum depends on its order
     const double length = beginsPass(passes, static_cast<std::size_t>(i) + 1) ? 0.0 : (path[i + 1] - path[i]).norm();
     longest = std::max(longest, length);
     sum += length;
@@ -130,7 +130,7 @@ firstSelfCrossing(const Polyline& path, const std::vector<Eigen::Vector3d>& norm
         continue;
       const Eigen::Vector3d start = path[i], along = path[i + 1] - start, left = normals[i].cross(along);
       cells.visitNear(i, margin, [&](std::size_t j) {
-        // Hardly any has its ends on either side.
+        // Few segments have their ends on different sides.
         if (left.dot(path[j] - start) * left.dot(path[j + 1] - start) < 0.0 && cross(path, i, j, normals[i], slack))
           first = i;
       });

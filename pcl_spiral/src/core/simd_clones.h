@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Hot loops twice in the library: for AVX2, and for any machine.
+ *  Hot loops compiled twice: for AVX2, and for any processor.
  */
 #pragma once
 
-/** Before a function over plain arrays: the loader takes the AVX2 version where the processor has it. Without fused
+/** Put before a function over plain arrays: the loader takes the AVX2 version if the processor has it. Without fused
  *  multiply-add, so that both give the same bits. Not for functions that hold Eigen or PCL types: their alignment must
  *  not depend on the version. */
 #if defined(__has_feature)
-#if __has_feature(thread_sanitizer) // the loader chooses before the sanitizer stands
+#if __has_feature(thread_sanitizer) // the loader chooses before the sanitizer is ready
 #define PCL_SPIRAL_SIMD_CLONES
 #endif
 #endif

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using Vectors = std::vector<Vector3d>;
 
-constexpr int most_rounds = 20; // of a pass either way: each leaves next to nothing to the next
+constexpr int most_rounds = 20; // of a pass either way: each leaves almost nothing to the next
 constexpr double flattest_lean = 89.0 * pi / 180.0;
 constexpr double rounding = 1e-9; // of a limit
 
@@ -33,7 +33,7 @@ Vector3d
 turnedTowards(const Vector3d& from, const Vector3d& to, double angle)
 {
   Vector3d side = to - from.dot(to) * from;
-  side = side.norm() > 1e-12 ? Vector3d(side.normalized()) : Vector3d(from.unitOrthogonal()); // opposite: any way round
+  side = side.norm() > 1e-12 ? Vector3d(side.normalized()) : Vector3d(from.unitOrthogonal()); // opposite: in any direction
   return (std::cos(angle) * from + std::sin(angle) * side).normalized();
 }
 
@@ -69,7 +69,7 @@ public:
       forward(axes);
       backward(back);
       if (round + 1 == most_rounds)
-        return; // the forward pass keeps the limit by itself
+        return; // the forward pass alone keeps the limit
       const auto n = static_cast<std::int64_t>(axes.size());
 #pragma omp parallel for schedule(static)
       for (std::int64_t i = 0; i < n; ++i)
@@ -105,7 +105,7 @@ void
 check(const Polyline& points, const Vectors& wanted, const AxisFieldOptions& options)
 {
   if (points.size() != wanted.size())
-    throw std::invalid_argument("smoothAxes: needs one axis a point");
+    throw std::invalid_argument("smoothAxes: give one axis per point");
   for (const double option : {options.smoothing_length, options.max_rate})
     if (!(option >= 0.0) || !std::isfinite(option))
       throw std::invalid_argument("smoothAxes: smoothing length and rate must not be negative");

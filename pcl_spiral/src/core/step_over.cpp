@@ -91,7 +91,7 @@ stepFromChordError(double curvature, double chord_error, double max_step)
   const double k = std::abs(curvature);
   if (k * chord_error >= 1.0)
     return std::min(max_step, 2.0 / k);
-  // Multiplied out, so that a flat curve divides by nothing.
+  // Multiplied out, so that a flat curve causes no division by zero.
   const double error_at_max = 0.25 * k * (max_step * max_step) + k * chord_error * chord_error;
   return error_at_max <= 2.0 * chord_error ? max_step : 2.0 * std::sqrt(chord_error * (2.0 / k - chord_error));
 }

@@ -10,7 +10,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** Depth of the wedge between two circles of \p radius, their middles \p distance apart, below their common
+/** Depth of the wedge between two circles of \p radius, with centres \p distance apart, below their common
  *  tangent. */
 double
 wedge(double radius, double distance)
@@ -19,9 +19,9 @@ wedge(double radius, double distance)
   return radius > half ? radius - std::sqrt(radius * radius - half * half) : half;
 }
 
-/** Height of the largest step of the edge between a flank at \p angle and the shank above it, over all sides of the
- *  cutter: across a side that sees the share x of the move, the step is a triangle over the move with an angle
- *  between \p angle and none, x (h - x cot angle) / sqrt(x^2 + h^2). */
+/** Largest height of the step at the edge between a flank at \p angle and the shank above it, over all sides of the
+ *  cutter. On a side that sees the share x of the move, the step is a triangle over the move with an angle
+ *  between \p angle and 0, x (h - x cot angle) / sqrt(x^2 + h^2). */
 double
 stepOfUpperEdge(double angle, double h, double l)
 {

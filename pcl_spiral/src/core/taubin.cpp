@@ -22,10 +22,10 @@ check(const TaubinOptions& o)
   if (!(o.wavelength > 0.0) || !std::isfinite(o.wavelength))
     throw std::invalid_argument("taubinSmoothed: the wavelength must be above 0");
   if (!(o.lambda > 0.0 && o.lambda <= 1.0) || !(o.mu <= -o.lambda && o.mu >= -1.2))
-    throw std::invalid_argument("taubinSmoothed: needs 0 < lambda <= 1 and -1.2 <= mu <= -lambda");
+    throw std::invalid_argument("taubinSmoothed: set 0 < lambda <= 1 and -1.2 <= mu <= -lambda");
   const double k = 1.0 - std::cos(1.0);
   if ((1.0 - o.lambda * k) * (1.0 - o.mu * k) >= 0.995)
-    throw std::invalid_argument("taubinSmoothed: lambda and mu let the wavelength pass; bring mu nearer to -lambda");
+    throw std::invalid_argument("taubinSmoothed: lambda and mu do not smooth this wavelength away; bring mu nearer to -lambda");
 }
 
 /** Sampling, stride and passes for a stretch of line. */
@@ -64,11 +64,11 @@ plan(double length, double mean_spacing, const TaubinOptions& o)
   return p;
 }
 
-/** Piecewise cubic through values at ascending parameters, tangents of the parabola through three neighbours.
+/** Piecewise cubic through values at ascending parameters; tangents from the parabola through three neighbours.
  */
 class Interpolant {
 public:
-  /** \param s one parameter a value; when closed one more, the period. */
+  /** \param s one parameter per value; when closed one more, the period. */
   Interpolant(const std::vector<double>& s, const Polyline& values, bool closed) : s_(s), values_(values)
   {
     const std::size_t n = values.size(), pieces = s.size() - 1;
@@ -83,7 +83,7 @@ public:
       const double f = s[before + 1] - s[before], g = s[after + 1] - s[after];
       tangents_[i] = f + g > 0.0 ? Vector3d((g * slope[before] + f * slope[after]) / (f + g)) : slope[before];
     }
-    if (!closed && pieces > 1) { // the parabola's end slopes
+    if (!closed && pieces > 1) { // the slopes at the ends of the parabola
       tangents_.front() = 2.0 * slope.front() - tangents_[1];
       tangents_.back() = 2.0 * slope.back() - tangents_[n - 2];
     }
@@ -109,7 +109,7 @@ private:
   std::vector<Vector3d> tangents_;
 };
 
-/** One step p += factor L p with the neighbours \p stride samples away. Open lines: n + 1 samples, closed: n.
+/** One step p += factor L p with the neighbours \p stride samples away. Open lines have n + 1 samples, closed ones n.
  */
 void
 step(Polyline& p, Polyline& next, Index stride, double factor, bool closed, int threads)
@@ -188,7 +188,7 @@ taubinSmoothed(const Polyline& line, const TaubinOptions& options)
   std::sort(pins.begin(), pins.end());
   pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
   if (!pins.empty() && n > 0 && pins.back() >= n)
-    throw std::invalid_argument("taubinSmoothed: a pinned point is not of the line");
+    throw std::invalid_argument("taubinSmoothed: a pinned point is not on the line");
   if (n < 3)
     return line;
   if (pins.empty())

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using Vectors = std::vector<Vector3d>;
 
-/** Feed direction of the points \p first to \p end, all at one place. */
+/** Feed direction of the points \p first to \p end, which all lie at one place. */
 Vector3d
 chordAt(const Polyline& points, std::size_t first, std::size_t end)
 {
@@ -40,7 +40,7 @@ forEachFeed(const Polyline& points, const Vectors& normals, Visit visit)
 #pragma omp parallel for schedule(static)
   for (std::int64_t first = 0; first < n; ++first) {
     if (first > 0 && points[first] == points[first - 1])
-      continue; // served with the first of its run
+      continue; // done with the first point of its run
     std::int64_t end = first + 1;
     while (end < n && points[end] == points[first])
       ++end;
@@ -50,7 +50,7 @@ forEachFeed(const Polyline& points, const Vectors& normals, Visit visit)
   }
 }
 
-/** Two angles, ready to be set at many points. */
+/** Two angles, ready to be applied at many points. */
 struct Tilt {
   Tilt(double side_tilt, double lead)
   : side_cos(std::cos(side_tilt)), side_sin(std::sin(side_tilt)), lead_cos(std::cos(lead)), lead_sin(std::sin(lead))
@@ -71,7 +71,7 @@ void
 checkSizes(const Polyline& points, const Vectors& normals)
 {
   if (points.size() != normals.size())
-    throw std::invalid_argument("feedDirections: needs one normal a point");
+    throw std::invalid_argument("feedDirections: give one normal per point");
 }
 
 } // namespace

@@ -8,9 +8,9 @@
 
 namespace pcl_spiral {
 
-/** Unit feed direction at each point: of the parabola through the point and its distinct neighbours (central
+/** Unit feed direction at each point: that of the parabola through the point and its distinct neighbours (central
  *  difference at equal spacing), made tangential to \p normals. Repeated points share one direction. Zero
- * where there is none (all points the same, or the path runs along the normal). \throws std::invalid_argument
+ * if there is none (all points the same, or the path runs along the normal). \throws std::invalid_argument
  * when points and normals differ in number. */
 std::vector<Eigen::Vector3d> feedDirections(const Polyline& points, const std::vector<Eigen::Vector3d>& normals);
 
@@ -21,7 +21,7 @@ std::vector<Eigen::Vector3d> feedDirections(const Polyline& points, const std::v
 Eigen::Vector3d tiltedAxis(const Eigen::Vector3d& normal, const Eigen::Vector3d& feed, double side_tilt, double lead);
 
 /** tiltedAxis at every point of a path, with its feed directions. The angle between axis and normal is
- *  acos(cos \p side_tilt cos \p lead). \p normals unit, one a point. smoothAxes in core/smooth_axes.h makes axes of them
+ *  acos(cos \p side_tilt cos \p lead). \p normals unit, one per point. smoothAxes in core/smooth_axes.h turns them into axes
  *  that a machine can follow.
  *  \throws std::invalid_argument when points and normals differ in number, or an angle is not under 90 degrees */
 std::vector<Eigen::Vector3d> tiltedAxes(const Polyline& points, const std::vector<Eigen::Vector3d>& normals, double side_tilt, double lead);

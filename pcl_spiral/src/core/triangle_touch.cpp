@@ -9,9 +9,9 @@ namespace pcl_spiral {
 namespace {
 
 // Twice the projected area over squared length:
-constexpr double sliver = 1e-12; // less has edges alone
-constexpr double thin = 1e-6;    // less has all its edges looked at, for rounding
-constexpr double full = 1e-3;    // more, and not steep, is known well enough by its plane
+constexpr double sliver = 1e-12; // below this only the edges count
+constexpr double thin = 1e-6;    // below this all edges are checked, because of rounding
+constexpr double full = 1e-3;    // above this, and not steep, the plane is accurate enough
 constexpr double steep = 100.0;
 
 double
@@ -20,7 +20,7 @@ cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/** Half the length of the chord that a line at the distance \p p from a circle's middle cuts out of it. */
+/** Half the length of the chord that a circle cuts out of a line at the distance \p p from its centre. */
 double
 halfChord(double radius, double p)
 {
@@ -40,7 +40,7 @@ TriangleTouch::heightAt(double l, double wider) const
   return profile_.height(std::clamp(l - wider, 0.0, profile_.radius()));
 }
 
-/** Distance from the axis at which a plane of \p slope across the axis is touched. */
+/** Distance from the axis at which the cutter touches a plane of \p slope across the axis. */
 double
 TriangleTouch::steepRadius(double slope, double wider) const
 {
@@ -49,7 +49,7 @@ TriangleTouch::steepRadius(double slope, double wider) const
   return profile_.flatRadius() + wider + profile_.cornerRadius() * slope / std::sqrt(1.0 + slope * slope);
 }
 
-/** Along a line at the distance \p p from the axis that rises by \p slope >= 0: how far from its foot the touch is. */
+/** For a line at the distance \p p from the axis that rises by \p slope >= 0: distance of the touch from its foot. */
 double
 TriangleTouch::alongEdge(double p, double slope, double wider) const
 {
@@ -68,14 +68,14 @@ TriangleTouch::alongEdge(double p, double slope, double wider) const
   return alongCorner(p, slope, wider);
 }
 
-/** The same on the corner: by v, the sine of the corner's lean, v s = slope l sqrt(1 - v^2) with l = R2 + r v. Newton's
- *  method, kept between two places of different sign by halving. */
+/** The same on the corner, by v, the sine of the lean of the corner: v s = slope l sqrt(1 - v^2) with l = R2 + r v. Newton's
+ *  method, kept between two places of different sign by bisection. */
 double
 TriangleTouch::alongCorner(double p, double slope, double wider) const
 {
   const double R2 = profile_.flatRadius() + wider, r = profile_.cornerRadius();
   double low = std::max(0.0, (p - R2) / r), high = cos_angle_;
-  const double lean = slope / std::sqrt(1.0 + slope * slope); // sine; of the touch, where p is 0
+  const double lean = slope / std::sqrt(1.0 + slope * slope); // sine of the lean; at the touch p is 0
   const double on_ball =
       (std::sqrt(p * p + lean * lean * (R2 + r - p) * (R2 + r + p)) - R2) / r; // of the touch on a ball of the radius R2 + r
   double v = std::clamp(R2 < r ? on_ball : lean, low, high);
@@ -88,7 +88,7 @@ TriangleTouch::alongCorner(double p, double slope, double wider) const
     const bool inside = next > low && next < high;
     const double step = inside ? next - v : 0.5 * (low + high) - v;
     v += step;
-    if (std::abs(step) < 1e-8) // the next would be its square
+    if (std::abs(step) < 1e-8) // the error of the next would be about its square
       break;
   }
   return halfChord(R2 + r * v, p);
@@ -110,7 +110,7 @@ TriangleTouch::touchEdge(const Eigen::Matrix3d& corners, int from, double wider,
     best.weights[from] = 1.0 - t;
     best.weights[to] = t;
   };
-  if (length <= 1e-15 * (std::abs(a.x()) + std::abs(a.y()) + std::abs(d.z()))) { // along the axis: its upper end
+  if (length <= 1e-15 * (std::abs(a.x()) + std::abs(a.y()) + std::abs(d.z()))) { // along the axis: take the upper end
     if (const double l = a.head<2>().norm(); l <= R)
       take(d.z() > 0.0 ? 1.0 : 0.0, l);
     return;
@@ -124,8 +124,8 @@ TriangleTouch::touchEdge(const Eigen::Matrix3d& corners, int from, double wider,
   take(std::clamp((s - start) / length, 0.0, 1.0), std::sqrt(p * p + s * s));
 }
 
-/** The touch of the plane if it lies in the triangle; otherwise the best of the edges it is outside of. False where all edges
- *  are to be looked at. */
+/** The touch of the plane if it lies in the triangle; otherwise the best touch of the edges that it is outside of. False if all edges
+ *  must be checked. */
 bool
 TriangleTouch::touchFace(const Eigen::Matrix3d& corners, double wider, double floor, TouchedTriangle& best) const
 {
