@@ -2,8 +2,8 @@
 #include <pcl_spiral/cleaning/impl/clean_graph.h>
 
 #include "even_spread.h"
-#include "false_points.h"
-#include "lone_points.h"
+#include "isolated_outliers.h"
+#include "spike_outliers.h"
 
 #include <algorithm>
 #include <iterator>
@@ -22,7 +22,7 @@ selected(const Indices& indices, const std::vector<T>& values)
   return some;
 }
 
-/** The values less those at ascending \p indices; the last take their places. */
+/** Remove the values at ascending \p indices; the last values take their places. */
 template <typename T>
 void
 removeAll(const Indices& indices, std::vector<T>& values)
@@ -33,7 +33,7 @@ removeAll(const Indices& indices, std::vector<T>& values)
   }
 }
 
-/** The points that blocks were made from, in their first order. */
+/** The points that blocks were made from, in their original order. */
 std::vector<Eigen::Vector3f>
 firstOrder(const PointBlocks& blocks)
 {
@@ -51,7 +51,7 @@ unionOf(const Indices& a, const Indices& b)
   return both;
 }
 
-/** What buildCleanGraph works on. */
+/** The work of buildCleanGraph. */
 class CleanGraph {
 public:
   CleanGraph(const SurfaceGraphOptions& options, SurfaceGraph& graph, GraphSource& source)
@@ -70,8 +70,8 @@ public:
       if (status.ok())
         status = leaveOutliersOut();
     }
-    for (const std::uint32_t loner : loners_)
-      left_out_[loner] = 1;
+    for (const std::uint32_t i : isolated_)
+      left_out_[i] = 1;
     source_.strays.clear();
     for (std::uint32_t i = 0; i < left_out_.size(); ++i)
       if (left_out_[i])
@@ -80,7 +80,7 @@ public:
   }
 
 private:
-  /** Build of an even choice of the points that were not left out; \p points are kept where it is not all of them. */
+  /** Build from an even choice of the points that were not left out. \p points are kept if the choice is not all of them. */
   Status buildEvenly(std::vector<Eigen::Vector3f>& points)
   {
     source_.indices.clear();
@@ -89,10 +89,10 @@ private:
         source_.indices.push_back(i);
     PointBlocks blocks(selected(source_.indices, points));
     EvenSpread spread = evenSpread(blocks);
-    if (spread.kept.size() < SurfaceGraph::fewest_points) // a strip two or three points wide is a line all along
+    if (spread.kept.size() < SurfaceGraph::fewest_points) // a strip two or three points wide is a line everywhere
       spread = EvenSpread();
     source_.surplus = spread.surplus;
-    loners_ = selected(spread.loners, source_.indices);
+    isolated_ = selected(spread.isolated, source_.indices);
     if (!spread.kept.empty()) {
       source_.indices = selected(spread.kept, source_.indices);
       blocks = PointBlocks(selected(source_.indices, points));
@@ -108,32 +108,32 @@ private:
     constexpr int rounds = 5;
     constexpr double some = 0.001; // of the points
     for (int round = 0; round < rounds; ++round) {
-      Indices off = unionOf(unionOf(graph_.strayPoints(), sparseSpecks(graph_)), falsePoints(graph_));
-      const std::size_t used = source_.indices.size(), outliers = left_out_.size() - source_.surplus - used + off.size();
+      Indices found = unionOf(unionOf(graph_.strayPoints(), sparseClusters(graph_)), spikeOutliers(graph_));
+      const std::size_t used = source_.indices.size(), outliers = left_out_.size() - source_.surplus - used + found.size();
       if (static_cast<double>(outliers) > some * static_cast<double>(used))
-        off = unionOf(off, lonePoints(graph_));
-      if (off.empty())
+        found = unionOf(found, isolatedOutliers(graph_));
+      if (found.empty())
         break;
-      if (const Status status = buildWithout(off); !status.ok())
+      if (const Status status = buildWithout(found); !status.ok())
         return status;
     }
     return Status::success();
   }
 
-  /** Build again less some points, by their original indices in the graph. */
-  Status buildWithout(const Indices& off)
+  /** Build again without some points, given by their original indices in the graph. */
+  Status buildWithout(const Indices& outliers)
   {
-    for (const std::uint32_t i : off)
+    for (const std::uint32_t i : outliers)
       left_out_[source_.indices[i]] = 1;
     any_left_out_ = true;
     std::vector<Eigen::Vector3f> points = firstOrder(graph_.blocks());
-    removeAll(off, points);
-    removeAll(off, source_.indices);
+    removeAll(outliers, points);
+    removeAll(outliers, source_.indices);
     ++source_.passes;
     return graph_.build(std::move(points), ownOptions());
   }
 
-  /** The options with the normals of the points in use alone. */
+  /** The options, with only the normals of the points in use. */
   SurfaceGraphOptions ownOptions() const
   {
     SurfaceGraphOptions own = options_;
@@ -146,7 +146,7 @@ private:
   SurfaceGraph& graph_;
   GraphSource& source_;
   std::vector<std::uint8_t> left_out_; ///< of the points given
-  Indices loners_;                     ///< of the last even choice: off it, but not for good
+  Indices isolated_;                   ///< not in the last even choice, but possibly in the next
   bool any_left_out_ = false;
 };
 

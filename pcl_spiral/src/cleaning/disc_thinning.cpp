@@ -7,7 +7,7 @@ std::vector<std::uint8_t>
 thinToDistance(const PointBlocks& blocks, const std::vector<float>& distance)
 {
   std::vector<std::uint8_t> kept(blocks.size(), 0);
-  std::vector<std::uint32_t> kept_of_block(blocks.size()); // in each block's own range
+  std::vector<std::uint32_t> kept_of_block(blocks.size()); // in the range of each block
   std::vector<std::uint32_t> kept_count(blocks.blockCount(), 0);
   for (std::size_t b = 0; b < blocks.blockCount(); ++b)
     for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); ++i) {

@@ -11,7 +11,7 @@
 
 namespace pcl_spiral {
 
-/** By point in the order of the blocks: 1 for those kept. One after the other, a point goes when one kept before lies closer
+/** For each point in the order of the blocks: 1 if it is kept. One after the other, a point is dropped if one kept before lies closer
  *  to it than its own \p distance; a distance of 0 keeps it. */
 std::vector<std::uint8_t> thinToDistance(const PointBlocks& blocks, const std::vector<float>& distance);
 

@@ -18,17 +18,17 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double most_points = 0.5;    // of a block, for what they show to hold for all of it
-constexpr float line_growth = 1.5f;    // of the step along a line, in one round
-constexpr float double_growth = 0.25f; // of the spacing: distance that points nearly at one place are thinned to
-constexpr float steepest = 0.12f;      // change of the spacing along the way
-constexpr float uneven = 1.75f;        // times the spacing: less is left as it is
-constexpr float even_fill = 0.8f;      // distance of thinned points over the spacing they come to
+constexpr double most_points = 0.5;    // of a block: if as many show something, it holds for the whole block
+constexpr float line_growth = 1.5f;    // of the step along a line, per round
+constexpr float double_growth = 0.25f; // of the spacing: points nearly at one place are thinned to this distance
+constexpr float steepest = 0.12f;      // change of the spacing per distance
+constexpr float uneven = 1.75f;        // times the spacing: a smaller difference is left as it is
+constexpr float even_fill = 0.8f;      // distance of thinned points over the spacing that results
 
 /** Points in the order of their blocks, and what is known of each. */
 struct Spread {
   PointBlocks blocks;
-  std::vector<std::uint32_t> source; ///< of each point, in the first cloud
+  std::vector<std::uint32_t> source; ///< index of each point in the first cloud
   std::vector<SpreadShape> shapes;
 
   void measure()
@@ -38,7 +38,7 @@ struct Spread {
                       [&](std::size_t i, const Neighbourhood& near) { shapes[i] = spreadShape(near); });
   }
 
-  /** Go on with some of the points. */
+  /** Go on with only some of the points. */
   void keep(const std::vector<std::uint8_t>& kept)
   {
     std::vector<Eigen::Vector3f> points;
@@ -56,8 +56,8 @@ struct Spread {
   }
 };
 
-/** Distance that the points of a block should keep from each other by what its shapes say, 0 for any: of most of them
- *  when they lie along lines, or nearly at one place. */
+/** Distance that the points of a block should keep from each other, from their shapes; 0 for any. It is above 0 if most of them
+ *  lie along lines, or nearly at one place. */
 float
 distanceAsked(const SpreadShape* shape, std::size_t count)
 {
@@ -78,7 +78,7 @@ distanceAsked(const SpreadShape* shape, std::size_t count)
   return distance;
 }
 
-/** Whether some blocks show lines, or the blocks' sizes differ as those of one density do not. */
+/** Whether some blocks show lines, or the sizes of the blocks differ more than they do at one density. */
 bool
 looksUneven(const PointBlocks& blocks)
 {
@@ -106,7 +106,7 @@ looksUneven(const PointBlocks& blocks)
   return false;
 }
 
-/** How far the query lies off the plane of those of its neighbours that \p counts. */
+/** Distance of the query from the plane of those of its neighbours that \p counts accepts. */
 template <typename Counts>
 double
 heightOver(const Neighbourhood& near, Counts counts)
@@ -138,18 +138,18 @@ medianOfNear(const std::vector<SpreadShape>& shapes)
   return *middle;
 }
 
-/** Points alone off the surface: their neighbours lie much farther from them than those about them from each other, and
+/** Isolated points off the surface: their neighbours lie much farther from them than the points nearby lie from each other, and
  *  not around them. */
 std::vector<std::uint8_t>
-withoutLoners(const Spread& spread)
+withoutIsolated(const Spread& spread)
 {
   constexpr int many = 256;
-  constexpr float far = 3.0f, high = 0.3f; // times the usual distance about; of the own
+  constexpr float far = 3.0f, high = 0.3f; // times the usual distance nearby; share of the own distance
   const float usually_far = 4.0f * medianOfNear(spread.shapes);
-  std::vector<std::uint8_t> doubtful(spread.blocks.size());
+  std::vector<std::uint8_t> suspect(spread.blocks.size());
   forNeighbourhoods(spread.blocks, 9, omp_get_max_threads(), [&](std::size_t i, const Neighbourhood& near) {
     const float farthest = far * spread.shapes[near.index[near.size / 2]].near;
-    doubtful[i] = spread.shapes[i].is_off || spread.shapes[i].near > std::min(farthest, usually_far);
+    suspect[i] = spread.shapes[i].is_off || spread.shapes[i].near > std::min(farthest, usually_far);
   });
   std::vector<std::uint8_t> kept(spread.blocks.size(), 1);
 #pragma omp parallel
@@ -158,7 +158,7 @@ withoutLoners(const Spread& spread)
     std::vector<float> about;
 #pragma omp for schedule(dynamic, 256)
     for (std::int64_t i = 0; i < static_cast<std::int64_t>(kept.size()); ++i) {
-      if (!doubtful[i])
+      if (!suspect[i])
         continue;
       Box place;
       place.extend(spread.blocks.point(i).data());
@@ -176,12 +176,12 @@ withoutLoners(const Spread& spread)
   return kept;
 }
 
-/** Thin points along lines and at one place, a little more in each round; whether any went. */
+/** Thin points along lines and at one place, a little more in each round. Returns whether any were removed. */
 bool
 thinLines(Spread& spread)
 {
   constexpr int most_rounds = 24;
-  constexpr double little = 0.95; // kept of all: lines side by side are a wider step each than they look
+  constexpr double little = 0.95; // share kept: lines side by side are a wider step apart than they look
   float widened = 1.0f;
   bool thinned = false;
   for (int round = 0; round < most_rounds; ++round) {
@@ -203,7 +203,7 @@ thinLines(Spread& spread)
   return thinned;
 }
 
-/** Spacing about each point, raised so that it falls by no more than a share of the way from where it is larger. */
+/** Spacing at each point, raised so that it falls by no more than a share of the distance from where it is larger. */
 std::vector<float>
 gradedSpacing(const Spread& spread)
 {
@@ -213,7 +213,7 @@ gradedSpacing(const Spread& spread)
   std::vector<float> graded(n), way(n * reach);
   std::vector<std::uint8_t> counts(n, 1);
   forNeighbourhoods(spread.blocks, reach + 1, omp_get_max_threads(), [&](std::size_t i, const Neighbourhood& near) {
-    int like = 0; // a point off the surface is far from it, and its neighbours are not from each other
+    int like = 0; // a point off the surface is far from it, but its neighbours are close to each other
     for (int j = 0; j < reach; ++j) {
       const int k = std::min(j + 1, near.size - 1);
       to[i * reach + j] = near.index[k];
@@ -244,7 +244,7 @@ gradedSpacing(const Spread& spread)
   return graded;
 }
 
-/** Thin beside sparser parts; whether any went. */
+/** Thin beside sparser parts. Returns whether any were removed. */
 bool
 thinSteps(Spread& spread)
 {
@@ -267,24 +267,24 @@ evenSpread(const PointBlocks& blocks)
 {
   if (blocks.size() <= SpreadShape::neighbours || !(blocks.usualDiagonal() > 0.0f) || !looksUneven(blocks))
     return {};
-  // Blocks, and the order in which points are thinned, go with the part, not with the axes it happens to lie along.
+  // Blocks, and the order in which points are thinned, follow the part, not the axes along which it happens to lie.
   Spread spread{PointBlocks(inOwnFrame(blocks.points())), {}, {}};
   for (std::size_t i = 0; i < blocks.size(); ++i)
     spread.source.push_back(blocks.originalIndex(spread.blocks.originalIndex(i)));
   spread.measure();
-  const std::vector<std::uint8_t> on_surface = withoutLoners(spread);
+  const std::vector<std::uint8_t> on_surface = withoutIsolated(spread);
   EvenSpread even;
   for (std::size_t i = 0; i < on_surface.size(); ++i)
     if (!on_surface[i])
-      even.loners.push_back(spread.source[i]);
+      even.isolated.push_back(spread.source[i]);
   spread.keep(on_surface);
   const bool lines = thinLines(spread), steps = thinSteps(spread);
   if (!lines && !steps)
     return {};
   even.kept = std::move(spread.source);
   std::sort(even.kept.begin(), even.kept.end());
-  std::sort(even.loners.begin(), even.loners.end());
-  even.surplus = blocks.size() - even.kept.size() - even.loners.size();
+  std::sort(even.isolated.begin(), even.isolated.end());
+  even.surplus = blocks.size() - even.kept.size() - even.isolated.size();
   return even;
 }
 

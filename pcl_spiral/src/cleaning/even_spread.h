@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A subset of points that is spread evenly enough for neighbourhoods to be round.
+ *  A subset of points that is spread evenly enough for round neighbourhoods.
  */
 #pragma once
 
@@ -11,20 +11,20 @@
 
 namespace pcl_spiral {
 
-/** What is left of a cloud when its points are spread evenly. */
+/** What remains of a cloud when its points are spread evenly. */
 struct EvenSpread {
-  std::vector<std::uint32_t> kept;   ///< ascending indices of what the blocks were made from; empty: all
-  std::vector<std::uint32_t> loners; ///< left out because they stand alone off the others; ascending
-  std::size_t surplus = 0;           ///< left out because others lie close by
+  std::vector<std::uint32_t> kept;     ///< ascending indices in the points of the blocks; empty: all
+  std::vector<std::uint32_t> isolated; ///< left out because they are isolated; ascending
+  std::size_t surplus = 0;             ///< left out because others lie close by
 };
 
-/** Points to keep so that neighbours lie all about each point: of points much closer along scan lines than the lines stand
- *  apart, and of points nearly at one place, some are left out until they lie about as far apart as the lines; beside a
- *  sparser part, so many that the spacing changes by no more than a share of the way gone. Points alone off the others, which
- *  all this would make more important, go too.
+/** Points to keep so that each point has neighbours all round. If points are much closer along scan lines than the lines are to each
+ *  other, or nearly at one place, some are left out until they are about as far apart as the lines. Beside a sparser part, so many
+ *  are left out that the spacing changes by no more than a share of the distance. Isolated points, which all this would make more
+ *  important, are left out too.
  *
- *  All are kept when spread well enough as they are: a look at some neighbourhoods and at the sizes of the blocks
- *  tells. The result depends on the set of points alone, not on their order nor on the number of threads. */
+ *  All are kept if they are spread well enough. Some neighbourhoods and the sizes of the blocks show this.
+ *  The result depends only on the set of points, not on their order or the number of threads. */
 EvenSpread evenSpread(const PointBlocks& blocks);
 
 } // namespace pcl_spiral

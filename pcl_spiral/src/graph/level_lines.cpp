@@ -7,7 +7,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** For each level the triangles it crosses, ascending, one level after the other. */
+/** For each level, the triangles it crosses, ascending. */
 struct CrossedTriangles {
   std::vector<std::size_t> begin; ///< of each level, and the end
   std::vector<std::uint32_t> triangles;
@@ -71,8 +71,8 @@ private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   bool isAbove(std::uint32_t point) const { return values_[point] >= level_; }
-  /** The half-edge of a crossed triangle that runs up through the level, or down. The line enters where it
-   * runs down. */
+  /** The half-edge of a crossed triangle that runs up through the level, or down. The line enters through the one
+   * that runs down. */
   std::uint32_t sideOf(std::uint32_t triangle, bool up) const
   {
     std::uint32_t h = 3 * triangle;
@@ -88,7 +88,7 @@ private:
     c.share = (level_ - values_[c.below]) / (values_[c.above] - values_[c.below]);
     return c;
   }
-  /** Where the triangle of half-edge \p h stands among those crossed, if it is one. */
+  /** Index of the triangle of half-edge \p h among those crossed, if it is one of them. */
   std::size_t indexOf(std::uint32_t h) const
   {
     if (h == Triangulation::none)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Lines along which a function of a triangulation's points has one value.
+ *  Lines along which a function of a triangulation's points is constant.
  */
 #pragma once
 
@@ -17,27 +17,27 @@ namespace pcl_spiral {
 struct LevelCrossing {
   std::uint32_t below = 0, above = 0;
   double share = 0.0; ///< above 0, up to 1
-  /** Half-edge of the triangle that the line leaves there; at the begin of a line, of the triangle that it enters. */
+  /** Half-edge of the triangle that the line leaves there; at the start of a line, of the triangle that it enters. */
   std::uint32_t half_edge = Triangulation::none;
 };
 
-/** A level line from triangle to triangle, the points above the level on its left, seen from outside the
+/** A level line from triangle to triangle. The points above the level are on its left, seen from outside the
  * material. */
 struct LevelLine {
-  std::vector<LevelCrossing> crossings; ///< one an edge; a closed line does not repeat its first
-  bool closed = false;                  ///< open lines end at the edge of the triangulation
+  std::vector<LevelCrossing> crossings; ///< one per edge; a closed line does not repeat its first
+  bool closed = false;                  ///< open lines end at the boundary of the triangulation
 };
 
 /** The lines of each of ascending \p levels of a function that is linear over the triangles and has one of \p
- * values at each point. Triangles with a value that is not finite are left out, as if they were not there.
+ * values at each point. Triangles with a value that is not finite are ignored.
  *
- *  A point with the value of a level counts as above it: no line runs through a point or along an edge, each
- * triangle is crossed once or not at all, and each edge once. In the order of their first triangles, open
+ *  A point with the value of a level counts as above it: no line runs through a point or along an edge, and each
+ * triangle and each edge is crossed at most once. In the order of their first triangles, open
  * lines before closed ones; the same for any number of threads. */
 std::vector<std::vector<LevelLine>> levelLines(const Triangulation& mesh, const std::vector<double>& values,
                                                const std::vector<double>& levels);
 
-/** The lines of one \p level through some of the \p triangles alone, given ascending; lines that leave them are open there. */
+/** The lines of one \p level through only the given \p triangles (ascending); lines that leave them are open there. */
 std::vector<LevelLine> levelLines(const Triangulation& mesh, const std::vector<double>& values, double level,
                                   const std::vector<std::uint32_t>& triangles);
 

@@ -13,8 +13,8 @@
 namespace pcl_spiral {
 namespace {
 
-/** Unit eigenvector of a covariance's smallest eigenvalue. Newton's method finds that root of the characteristic polynomial
- *  from zero on, where it falls towards it; then the adjugate's columns are multiples of the vector. */
+/** Unit eigenvector of a covariance's smallest eigenvalue. Newton's method finds that root of the characteristic polynomial,
+ *  starting from zero, where it falls towards the root; then the columns of the adjugate are multiples of the vector. */
 Eigen::Vector3d
 leastAxis(const Eigen::Matrix3d& c)
 {
@@ -39,7 +39,7 @@ leastAxis(const Eigen::Matrix3d& c)
   const double norm = largest->norm();
   if (norm > 1e-6 * trace * trace)
     return *largest / norm;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver; // points on a line, or all about
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver; // points on a line, or in all directions
   solver.computeDirect(c);
   return solver.eigenvectors().col(0);
 }

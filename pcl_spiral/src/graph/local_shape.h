@@ -14,7 +14,7 @@
 
 namespace pcl_spiral {
 
-/** What one neighbourhood tells about its point. */
+/** What one neighbourhood shows about its point. */
 struct LocalShape {
   Eigen::Vector3d normal; ///< least principal axis of the neighbours (Hoppe et al. 1992), sign arbitrary
   double radius;          ///< distance to the k-th neighbour

@@ -25,8 +25,8 @@ struct Cell {
   double* cut;                       ///< as many
 };
 
-/** Of the sites that cut at nearly the least place of the edge of site \p own: the one that comes first along
- * the turn, if it does cut the next one's corner off; and \p start among them ends the walk. */
+/** Among the sites that cut at nearly the least place of the edge of site \p own: the first one along the
+ * turn, if it does cut off the corner of the next one. If \p start is among them, it ends the walk. */
 int
 chosen(const Cell& cell, int own, int start, double perhaps)
 {
@@ -49,9 +49,9 @@ chosen(const Cell& cell, int own, int start, double perhaps)
   return next;
 }
 
-/** Walk round the cell from site \p start: writes the sites of its edges, and where each edge ends, in
+/** Walk round the cell from site \p start: writes the sites of its edges and where each edge ends, in
  * multiples of
- *  (-v, u) from the middle of the way to its site. Returns how many. */
+ *  (-v, u) from the midpoint to its site. Returns their number. */
 PCL_SPIRAL_SIMD_CLONES int
 walkRound(const Cell& cell, int start, int* edges, double* ends)
 {
@@ -81,7 +81,7 @@ walkRound(const Cell& cell, int start, int* edges, double* ends)
     for (int j = 0; j < count; j += lane_sites) {
       Sites cut;
       std::memcpy(&cut, cuts + j, sizeof cut);
-      const SiteCounts hit = cut <= perhaps; // -1 where so
+      const SiteCounts hit = cut <= perhaps; // -1 where true
       hits -= hit;
       places += hit & (lane + j);
     }

@@ -11,7 +11,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** Union-find whose members also know whether they are turned against their root. */
+/** Union-find whose members also know whether they are flipped against their root. */
 class ParityForest {
 public:
   explicit ParityForest(std::size_t n) : parent_(n), parity_(n, 0) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -67,7 +67,7 @@ consistentSigns(const std::vector<Eigen::Vector3f>& normals, const StarSet& star
   const auto weightOf = [&](const Edge& e) {
     return std::min(classes - 1, static_cast<int>((1.0f - std::abs(normals[e.a].dot(normals[e.b]))) * classes));
   };
-  // Edges of the least weight within a piece of the points are joined at once: no other piece knows these points.
+  // Edges of the least weight within a piece of the points are joined at once: no other piece uses these points.
   ParityForest forest(normals.size());
   std::vector<std::vector<Edge>> waiting(pieceCount(normals.size()));
   forPieces(normals.size(), [&](std::size_t piece, std::uint32_t begin, std::uint32_t end) {

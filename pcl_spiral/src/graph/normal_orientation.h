@@ -17,9 +17,9 @@ namespace pcl_spiral {
  *  how far the two normals are from parallel (Hoppe et al. 1992), by union-find with parity. */
 std::vector<std::uint8_t> consistentSigns(const std::vector<Eigen::Vector3f>& normals, const StarSet& stars);
 
-/** Turn \p flipped over as a whole where needed, so that normals leave the material: as given, or towards the view
- *  point, or towards +z, or, where z does not tell, to the convex side. False in that last case. Points whose
- *  neighbourhood is wider than \p farthest count nothing: they belong to no surface. */
+/** Flip all normals together (\p flipped) if needed, so that they leave the material: as given, or towards the view
+ *  point, or towards +z, or, if +z does not decide, to the convex side. False in that last case. Points whose
+ *  neighbourhood is wider than \p farthest are ignored: they belong to no surface. */
 bool chooseOuterSide(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& normals, const std::vector<float>& radii,
                      double farthest, const SurfaceGraphOptions& options, std::vector<std::uint8_t>& flipped);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double thin = 0.1; // second principal moment of a line, over the first
 
 /** Whether the point and its \p count nearest neighbours lie along a line: the second principal moment is far below the
- *  first. Evenly spread points at random do in one case of ten or fewer. */
+ *  first. This holds for at most one in ten of evenly spread random points. */
 bool
 isLine(const Neighbourhood& near, int count)
 {
@@ -30,7 +30,7 @@ isLine(const Neighbourhood& near, int count)
   return solver.eigenvalues()[1] < thin * solver.eigenvalues()[2];
 }
 
-/** Whether the neighbours are no plane piece, nor a piece of a line, or the point stands off their plane or line. */
+/** Whether the neighbours lie neither in a plane nor on a line, or the point lies off their plane or line. */
 bool
 isOff(const Neighbourhood& near, double spacing)
 {
@@ -56,7 +56,7 @@ isOff(const Neighbourhood& near, double spacing)
 SpreadShape
 spreadShape(const Neighbourhood& near)
 {
-  // More tell a line where noise scatters its points as far as they lie apart, or where two lines run side by side.
+  // More neighbours show a line if noise moves points as far as they lie apart, or if two lines run side by side.
   constexpr int counts[] = {6, 12, 24};
   constexpr float nearly_one_place = 0.1f;
   const auto distance = [&](int j) { return std::sqrt(near.squared_distance[std::min(j, near.size - 1)]); };

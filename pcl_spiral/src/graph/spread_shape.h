@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  How the nearest few neighbours of a point are spread. Private.
+ *  How the nearest neighbours of a point are spread. Private.
  */
 #pragma once
 
@@ -13,11 +13,11 @@ struct SpreadShape {
   static constexpr int neighbours = 32;
 
   float spacing;   ///< as if they were spread evenly
-  float fine;      ///< the same of the nearest half of them
+  float fine;      ///< the same, of the nearest half of them
   float near;      ///< distance of the 8th nearest
-  float line_step; ///< distance between neighbours along a line, when the nearest few lie on one; else 0
+  float line_step; ///< distance between neighbours along a line, if the nearest few lie on one; otherwise 0
   bool is_double;  ///< another point lies nearly at the same place
-  bool is_off;     ///< the neighbours lie in no plane, or the point off theirs
+  bool is_off;     ///< the neighbours lie in no plane, or the point lies off their plane
 };
 
 SpreadShape spreadShape(const Neighbourhood& near);

@@ -22,7 +22,7 @@ StarSet::reverse(std::size_t i)
   if (first == last)
     return;
   std::reverse(first, last);
-  // A triangle that stood after a spoke now stands before it: after the one that has become its predecessor.
+  // A triangle after a spoke is now before it: after the spoke that has become its predecessor.
   const std::uint32_t first_flag = *first & triangle_flag;
   for (auto spoke = first; spoke + 1 != last; ++spoke)
     *spoke = neighbour(*spoke) | (spoke[1] & triangle_flag);

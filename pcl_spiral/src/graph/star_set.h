@@ -9,9 +9,9 @@
 
 namespace pcl_spiral {
 
-/** Stars in one array: the spokes of point i stand in slots begin[i] to begin[i + 1], counter-clockwise about its normal. */
+/** Stars in one array: the spokes of point i are in slots begin[i] to begin[i + 1], counter-clockwise about its normal. */
 struct StarSet {
-  static constexpr std::uint32_t triangle_flag = 0x80000000u; ///< a triangle stands between this spoke and the next
+  static constexpr std::uint32_t triangle_flag = 0x80000000u; ///< there is a triangle between this spoke and the next
   static constexpr std::uint32_t none = 0xffffffffu;
 
   std::vector<std::uint32_t> begin;
@@ -28,7 +28,7 @@ struct StarSet {
   /** The slot of \p v at which its star has the triangle (v, a, b), or none. */
   std::uint32_t slotOf(std::uint32_t v, std::uint32_t a, std::uint32_t b) const;
 
-  /** Turn the star of point \p i round, for a normal that was flipped. */
+  /** Reverse the star of point \p i, after its normal was flipped. */
   void reverse(std::size_t i);
 };
 

@@ -13,15 +13,15 @@ namespace {
 using Triangle = Triangulation::Triangle;
 constexpr std::uint32_t none = Triangulation::none;
 
-/** Which corner \p v is of the triangle (v, a, b), whose first is the smallest. */
+/** Which corner of the triangle (v, a, b) \p v is; the first corner is the smallest. */
 std::uint32_t
 cornerOf(std::uint32_t v, std::uint32_t a, std::uint32_t b)
 {
   return v < a && v < b ? 0 : a < b ? 2 : 1;
 }
 
-/** By slot, the half-edge that leaves the star's point along the spoke in the triangle all agree on; none where they do not.
- *  Triangles are numbered by their smallest corner, so that those of one place lie together. */
+/** For each slot, the half-edge that leaves the star's point along the spoke, in the triangle all corners agree on; none if there is
+ *  none. Triangles are numbered by their smallest corner, so that those of one place lie together. */
 std::vector<std::uint32_t>
 agreedHalfEdges(const StarSet& stars, std::size_t& triangle_count)
 {
@@ -52,7 +52,7 @@ agreedHalfEdges(const StarSet& stars, std::size_t& triangle_count)
   return half_edge;
 }
 
-/** The triangles all agree on, and what each of their half-edges faces: neighbours in a star are neighbours in the mesh. */
+/** The triangles all corners agree on, and the opposite of each half-edge: neighbours in a star are neighbours in the mesh. */
 void
 joinAgreed(const StarSet& stars, const std::vector<std::uint32_t>& half_edge, std::vector<Triangle>& triangles,
            std::vector<std::uint32_t>& opposite)
@@ -71,7 +71,7 @@ joinAgreed(const StarSet& stars, const std::vector<std::uint32_t>& half_edge, st
   });
 }
 
-/** Closes the gaps of slots without a triangle; \p begin is where the half-edges of each point then start. */
+/** Closes the gaps of slots without a triangle. After this, \p begin is where the half-edges of each point start. */
 void
 compact(const StarSet& stars, std::vector<std::uint32_t>& half_edge, std::vector<std::uint32_t>& begin)
 {
@@ -92,7 +92,7 @@ struct Candidate {
   float size; ///< its sides, squared
 };
 
-/** Triangles that not all agree on, each named by the smallest corner that has it; those with most votes first, then the
+/** Triangles that not all corners agree on, each named by the smallest corner that has it; most votes first, then the
  *  smallest. */
 std::vector<Candidate>
 disputedTriangles(const std::vector<Eigen::Vector3f>& points, const StarSet& stars, const std::vector<std::uint32_t>& half_edge)
@@ -117,7 +117,7 @@ disputedTriangles(const std::vector<Eigen::Vector3f>& points, const StarSet& sta
   return disputed;
 }
 
-/** Of the candidates, in their order, those whose half-edges are still free. */
+/** Those candidates, in their order, whose half-edges are still free. */
 std::vector<Triangle>
 settle(const std::vector<Candidate>& candidates, const Triangulation& mesh)
 {
@@ -140,7 +140,7 @@ settle(const std::vector<Candidate>& candidates, const Triangulation& mesh)
   return accepted;
 }
 
-/** The entry of a closed loop from which the others are nearest, all in all. */
+/** The entry of a closed loop with the smallest sum of distances to the others. */
 std::size_t
 mostCentral(const std::vector<Eigen::Vector3f>& points, const Triangulation& mesh, const std::vector<std::uint32_t>& loop)
 {
@@ -158,7 +158,7 @@ mostCentral(const std::vector<Eigen::Vector3f>& points, const Triangulation& mes
   return best;
 }
 
-/** Triangles for the short closed loops of free half-edges that disagreement leaves behind. */
+/** Triangles for the short closed loops of free half-edges that remain where stars disagree. */
 std::vector<Triangle>
 pinholeTriangles(const std::vector<Eigen::Vector3f>& points, const Triangulation& mesh, int pinhole_edges)
 {
@@ -182,7 +182,7 @@ triangulate(const std::vector<Eigen::Vector3f>& points, const StarSet& stars, in
 {
   std::size_t count = 0;
   std::vector<std::uint32_t> half_edge = agreedHalfEdges(stars, count);
-  const std::size_t room = count + count / 64; // for those that come later
+  const std::size_t room = count + count / 64; // for those added later
   std::vector<Triangle> triangles;
   triangles.reserve(room);
   triangles.resize(count);

@@ -14,9 +14,9 @@
 
 namespace pcl_spiral {
 
-/** Triangles all three of whose corners have them in their stars; then, where half-edges are still free, those that two
- *  corners have and those that one has, the smallest first; then the pinholes left by disagreement, of at
- *  most \p pinhole_edges edges, closed. The order of the \p points decides only between triangles of equal size. */
+/** Triangles that are in the stars of all three corners. Then, where half-edges are still free, those in the stars of two corners,
+ *  and those in one, the smallest first. Then the pinholes that disagreement leaves, of at
+ *  most \p pinhole_edges edges, are closed. The order of the \p points decides only between triangles of equal size. */
 Triangulation triangulate(const std::vector<Eigen::Vector3f>& points, const StarSet& stars, int pinhole_edges);
 
 } // namespace pcl_spiral

@@ -8,7 +8,7 @@
 
 #include "local_shape.h"
 #include "normal_orientation.h"
-#include "off_points.h"
+#include "outlier_candidates.h"
 #include "search/pieces.h"
 #include "star_triangles.h"
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr int most_neighbours = 256;
 constexpr int pinhole_edges = 6;
-constexpr double far_off = 32.0; // times the usual radius of a neighbourhood: no part of the surface
+constexpr double far_off = 32.0; // times the usual radius of a neighbourhood: not part of the surface
 
 /** Tangent-plane coordinates of a neighbourhood, and its star. */
 class StarWorker {
@@ -38,7 +38,7 @@ public:
     wide_ready_ = false;
   }
 
-  /** Shape and star of point \p i; true when the first k neighbours were enough to settle the star. */
+  /** Shape and star of point \p i; true if the first k neighbours were enough to settle the star. */
   bool visit(std::size_t i, LocalShape& shape)
   {
     near_ = &search_.find(blocks_.position(i));
@@ -91,7 +91,7 @@ private:
   std::vector<double> u_, v_;
 };
 
-/** Enough neighbours that most stars are settled by them; scan lines far apart need more than an even cloud. */
+/** Enough neighbours to settle most stars; scan lines far apart need more than an even cloud. */
 int
 enoughNeighbours(const PointBlocks& blocks, const SurfaceGraphOptions& options)
 {

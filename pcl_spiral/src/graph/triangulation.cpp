@@ -49,7 +49,7 @@ Triangulation::insertOutgoing(std::uint32_t first_half_edge)
   for (std::size_t h = halfEdgeCount(); h-- > first_half_edge;)
     added[--end_of[origin(static_cast<std::uint32_t>(h))]] = static_cast<std::uint32_t>(h);
   outgoing_.resize(halfEdgeCount());
-  // From the last point backwards, each list moves up by as many as are added before it.
+  // From the last point backwards, each list moves up by the number of entries added before it.
   for (std::size_t v = outgoing_begin_.size() - 1, left = added.size(); v-- > 0 && left > 0;) {
     const std::uint32_t begin = outgoing_begin_[v], end = outgoing_begin_[v + 1];
     const auto after = static_cast<std::uint32_t>(left);
@@ -87,7 +87,7 @@ Triangulation::boundaryLoops() const
 std::vector<std::uint32_t>
 Triangulation::parts(std::vector<std::size_t>& sizes) const
 {
-  // Union of sets by their first triangle: runs of triangles in parallel, each by itself, then the edges between runs.
+  // Union of sets by their first triangle: first runs of triangles in parallel, then the edges between runs.
   const std::size_t n = triangleCount();
   constexpr std::size_t runs = 64;
   std::vector<std::uint32_t> first(n);

@@ -8,7 +8,7 @@
 
 namespace pcl_spiral {
 
-/** Calls \p visit(i, neighbourhood) for every point: its \p k nearest, itself among them; points of a block one after the
+/** Calls \p visit(i, neighbourhood) for every point: its \p k nearest, including itself; points of a block one after the
  *  other, blocks on as many threads as given. */
 template <typename Visit>
 void

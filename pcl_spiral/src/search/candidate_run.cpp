@@ -17,7 +17,7 @@ namespace pcl_spiral {
 namespace {
 
 /** Write the places of those of four values that are at most \p limit, counted from \p first; returns how many. Always
- *  writes four: no branch depends on the values, which are as likely in as out. */
+ *  writes four: no branch depends on the values, which cannot be predicted. */
 inline __attribute__((always_inline)) int
 pickFour(const float* values, float limit, std::uint32_t first, std::uint32_t* picked)
 {
@@ -64,7 +64,7 @@ pickWithin(const float* x, const float* y, const float* z, int size, const float
 
 constexpr int block_coordinates = 3 * PointBlocks::block_size; // x y z x y z ...
 
-/** Box and origin as often as a block has points, so that all its coordinates are looked at alike. */
+/** Box and origin repeated for every point of a block, so that all its coordinates are handled alike. */
 struct BoxPattern {
   std::array<float, block_coordinates> low, high, origin;
 };
@@ -91,7 +91,7 @@ CandidateRun::CandidateRun(const PointBlocks& blocks, int k, float max_radius)
 float
 CandidateRun::firstRadius(const Box& box) const
 {
-  // Without experience: a block holds 32 points on a patch about as wide as its diagonal.
+  // Without experience: assume that a block holds 32 points on a patch about as wide as its diagonal.
   const float guess =
       usual_radius_ > 0.0f ? 1.1f * usual_radius_ : 0.12f * std::sqrt(static_cast<float>(k_)) * std::max(box.diagonal(), 1e-12f);
   return std::min(guess, max_radius_);
@@ -104,7 +104,7 @@ CandidateRun::setRun(const Box& box)
   if (largest_radius_ > 0.0f)
     usual_radius_ = largest_radius_;
   largest_radius_ = 0.0f;
-  loners_ = 0;
+  wide_queries_ = 0;
   stretched_ = box.diagonal() > widest * blocks_.usualDiagonal() && blocks_.usualDiagonal() > 0.0f;
   for (int d = 0; d < 3; ++d)
     origin_[d] = 0.5f * (box.low[d] + box.high[d]);
@@ -127,7 +127,7 @@ CandidateRun::gather(Candidates& into, const Box& box, float radius)
 {
   into.box = box;
   into.radius = radius;
-  // Somewhat more than asked for: rounding must not leave out what the radius holds.
+  // Slightly more than asked for: rounding must not leave out what the radius holds.
   const float largest = std::max(std::max({std::abs(box.low[0]), std::abs(box.low[1]), std::abs(box.low[2])}),
                                  std::max({std::abs(box.high[0]), std::abs(box.high[1]), std::abs(box.high[2])}));
   const float generous = 1.0001f * radius + 1e-6f * largest, limit = generous * generous;
@@ -199,7 +199,7 @@ int
 CandidateRun::find(const Eigen::Vector3d& query)
 {
   constexpr float much_farther = 2.0f;
-  constexpr int most_loners = 4; // more: the points lie farther apart here
+  constexpr int most_wide = 4; // more: the points lie farther apart here
   if (stretched_)
     return findAlone(query);
   query_ = (query - origin_.cast<double>()).cast<float>();
@@ -207,8 +207,8 @@ CandidateRun::find(const Eigen::Vector3d& query)
   if (count >= k_ || run_.radius >= max_radius_)
     return count;
   const int found = findAlone(query);
-  if (usual_radius_ == 0.0f || alone_.radius <= much_farther * run_.radius || ++loners_ > most_loners) {
-    gather(run_, run_.box, alone_.radius); // the others will have to look so far, too
+  if (usual_radius_ == 0.0f || alone_.radius <= much_farther * run_.radius || ++wide_queries_ > most_wide) {
+    gather(run_, run_.box, alone_.radius); // the others will have to look as far
     return pick(run_);
   }
   return found;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What could be a neighbour of any of several queries.
+ *  Points that may be neighbours of any of several queries.
  */
 #pragma once
 
@@ -11,12 +11,12 @@
 
 namespace pcl_spiral {
 
-/** Points about a run of queries that lie close together, gathered once as a structure of arrays relative to the run's
- *  centre, so that each query scans them in whole lanes. It learns how far it has to look. One object a thread: what it
- *  has learnt changes the time taken, not what is found.
+/** Points around a run of queries that lie close together. They are gathered once, as a structure of arrays relative to the centre
+ *  of the run, so that each query scans them in whole lanes. The run learns how far it has to look. One object per thread: what it
+ *  has learnt changes the time taken, not the result.
  *
- *  A query that has to look much farther than the others, a point off the surface, gathers for itself alone. So do all in
- *  a box stretched so far that single precision would not do for offsets from its centre. */
+ *  A query that has to look much farther than the others, such as a point off the surface, gathers only for itself. So do all
+ *  queries in a box stretched so far that single precision is not enough for offsets from its centre. */
 class CandidateRun {
 public:
   CandidateRun(const CandidateRun&) = delete;
@@ -32,17 +32,17 @@ public:
 
   /** What find picked: candidates in ascending order of their points. */
   const std::uint32_t* picked() const { return picked_.data(); }
-  /** By candidate: squared distance from the query, offset from it, the point in the spatial order of the blocks. */
+  /** For each candidate: squared distance from the query, offset from it, the point in the spatial order of the blocks. */
   const float* squaredDistances() const { return distance_.data(); }
   float offsetX(std::uint32_t candidate) const { return looked_at_->x[candidate] - query_.x(); }
   float offsetY(std::uint32_t candidate) const { return looked_at_->y[candidate] - query_.y(); }
   float offsetZ(std::uint32_t candidate) const { return looked_at_->z[candidate] - query_.z(); }
   std::uint32_t point(std::uint32_t candidate) const { return looked_at_->point[candidate]; }
-  /** Room enough for whatever find picks, filled up to whole lanes. */
+  /** Room for everything that find may pick, filled up to whole lanes. */
   std::size_t room() const { return picked_.size(); }
   int k() const { return k_; }
 
-  /** Tell it the squared distance of the farthest neighbour of the last query. */
+  /** Pass the squared distance of the farthest neighbour of the last query. */
   void learn(float squared_distance);
 
 private:
@@ -64,10 +64,10 @@ private:
   const PointBlocks& blocks_;
   int k_;
   float max_radius_;
-  bool stretched_ = false; ///< the run's box
-  int loners_ = 0;         ///< queries of the run that looked much farther than it
+  bool stretched_ = false; ///< whether the box of the run is
+  int wide_queries_ = 0;   ///< queries of the run that looked much farther than the run
   Eigen::Vector3f origin_ = Eigen::Vector3f::Zero(), query_ = Eigen::Vector3f::Zero();
-  float largest_radius_ = 0.0f; ///< distance of a farthest neighbour in this run, but for queries that look alone
+  float largest_radius_ = 0.0f; ///< distance of the farthest neighbour in this run, except for queries that look alone
   float usual_radius_ = 0.0f;   ///< the same in the last run that had any
   float threshold_ = 0.0f;      ///< squared distance within which the next query's neighbours are expected
 

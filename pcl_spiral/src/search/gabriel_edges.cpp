@@ -21,7 +21,7 @@ blocks(double a, double b, double l, double alpha2)
   return 2.0 * l * (a + b) - l * l - (1.0 - alpha2) * (a - b) * (a - b) < alpha2 * l * l * (1.0 - 1e-12);
 }
 
-/** Finds the edges that start in the points of one block after the other; one a thread. */
+/** Finds the edges that start in the points of one block after the other; one object per thread. */
 class EdgeFinder {
 public:
   EdgeFinder(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& normals, const std::vector<float>& spacing,
@@ -86,7 +86,7 @@ private:
   std::vector<Nearer> nearer_;
 };
 
-/** Spacing about each point, in the order of the blocks: its candidates spread evenly over a disc. */
+/** Spacing at each point, in the order of the blocks, as if its candidates were spread evenly over a disc. */
 std::vector<float>
 localSpacings(const PointBlocks& blocks, int candidates, int threads)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Points grouped by a hash, so that what is equal can be sought in small parts, in parallel. Private.
+ *  Points grouped by a hash, so that equal ones can be found in small parts, in parallel. Private.
  */
 #pragma once
 
@@ -21,8 +21,8 @@ mixed(std::uint64_t key)
   return key ^ key >> 31;
 }
 
-/** Points in parts by the upper bits of a hash of their position, in their order in each part: what has equal keys shares a
- *  part, small enough to stay in the cache. Independent of the number of threads. */
+/** Points in parts by the upper bits of a hash of their position, in their order within each part. Equal keys share a
+ *  part, which is small enough to stay in the cache. Independent of the number of threads. */
 class HashParts {
 public:
   template <typename Hash>
@@ -74,7 +74,7 @@ private:
   std::vector<std::size_t> begin_;
 };
 
-/** Numbers of the different keys of one part, in the order they are met: open addressing. */
+/** Numbers of the different keys of one part, in the order of their first appearance: open addressing. */
 class KeyTable {
 public:
   static constexpr std::uint32_t none = 0xffffffffu;
@@ -87,7 +87,7 @@ public:
     slots_.assign(size, 0);
     keys_ = 0;
   }
-  /** The number of the key with \p hash for which isSame(number) holds; a new one, the count so far, if there is none. */
+  /** The number of the key with \p hash for which isSame(number) holds. If there is none, a new one: the count so far. */
   template <typename IsSame>
   std::uint32_t number(std::uint64_t hash, IsSame isSame)
   {

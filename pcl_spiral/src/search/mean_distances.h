@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  How far the nearest neighbours of every point are. Private.
+ *  Mean distance of every point to its nearest neighbours. Private.
  */
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace pcl_spiral {
 
-/** Mean distance of each of \p points to its \p neighbours nearest (to all others, if they are fewer). Exact; as fast where
+/** Mean distance of each of \p points to its \p neighbours nearest (to all others, if they are fewer). Exact, and as fast if
  *  many points lie off the surface. */
 std::vector<float> meanDistances(const std::vector<Eigen::Vector3f>& points, int neighbours);
 

@@ -11,7 +11,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int bucket_count = 32;
-constexpr int few = 96; // values are ranked by comparing all pairs: no branch to be guessed wrongly
+constexpr int few = 96; // values are ranked by comparing all pairs: no branch to predict
 
 std::uint32_t
 bitsOf(float value)
@@ -30,7 +30,7 @@ distanceOf(std::uint64_t key)
   return value;
 }
 
-/** How many values come before each one in ascending order, equal ones in the order they stand in. Both arrays are filled up
+/** How many values come before each one in ascending order; equal ones keep their order. Both arrays are filled up
  *  to whole lanes, \p value with anything. */
 PCL_SPIRAL_SIMD_CLONES void
 rank(const float* value, int count, std::int32_t* ranks)

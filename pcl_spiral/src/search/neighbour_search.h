@@ -22,8 +22,8 @@ struct Neighbourhood {
   const std::uint32_t* index = nullptr; ///< in the spatial order of the blocks
 };
 
-/** Exact k-nearest-neighbour search in PointBlocks, for queries that lie close together; see CandidateRun. One object a
- *  thread: it holds the working memory. */
+/** Exact k-nearest-neighbour search in PointBlocks, for queries that lie close together; see CandidateRun. One object
+ *  per thread: it holds the working memory. */
 class NeighbourSearch {
 public:
   /** \p k neighbours (all points, if there are fewer), none farther than \p max_radius. */

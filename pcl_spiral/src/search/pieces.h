@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Loops over all points in pieces of fixed size: what they find depends on no thread. Private.
+ *  Loops over all points in pieces of fixed size: the result does not depend on the threads. Private.
  */
 #pragma once
 

@@ -8,7 +8,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** A total order on positions by one axis after the other, so that equal coordinates never leave it to chance. */
+/** A total order on positions, one axis after the other, so that equal coordinates never leave the order to chance. */
 struct AxisOrder {
   std::array<int, 3> axes;
   bool operator()(const IndexedPosition& a, const IndexedPosition& b) const
@@ -22,8 +22,8 @@ struct AxisOrder {
   }
 };
 
-/** The axes by falling length of the box's sides. A scan line along which one coordinate is equal is cut along its length
- *  then, never by height, which would put all that noise has lowered into one block. */
+/** The axes, longest side of the box first. A scan line along which one coordinate is constant is then cut along its length,
+ *  never by height, which would put all points lowered by noise into one block. */
 std::array<int, 3>
 axesBySide(const Box& box)
 {
@@ -33,7 +33,7 @@ axesBySide(const Box& box)
 }
 
 /** Puts the \p smaller first positions in the order of one axis before the others. Slices of equal width across the
- *  axis are counted; only the one in which the cut lies has to be looked at in order. */
+ *  axis are counted; only the slice that contains the cut has to be put in order. */
 class AxisCut {
 public:
   AxisCut(const Box& box, std::size_t count) : axes_(axesBySide(box)), axis_(axes_[0])
@@ -67,7 +67,7 @@ private:
   }
 
   /** Positions whose slices \p belong come first; returns where the others begin. Every step does the same, so that there
-   *  is no branch to be guessed wrongly. */
+   *  is no branch to predict. */
   template <typename Belongs>
   IndexedPosition* split(IndexedPosition* begin, IndexedPosition* end, Belongs belong) const
   {

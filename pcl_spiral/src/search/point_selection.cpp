@@ -21,7 +21,7 @@ allIndices(std::size_t n)
   return indices;
 }
 
-/** Indices of what is not 0, ascending. */
+/** Ascending indices of the values that are not 0. */
 std::vector<std::uint32_t>
 indicesOf(const std::vector<std::uint8_t>& kept)
 {
@@ -33,7 +33,7 @@ indicesOf(const std::vector<std::uint8_t>& kept)
   return indices;
 }
 
-/** Of a place: 0 and -0 are the same. */
+/** Hash of a place: 0 and -0 are the same. */
 std::uint64_t
 hashOf(const Eigen::Vector3f& p)
 {
@@ -54,7 +54,7 @@ class VoxelGrid {
 public:
   explicit VoxelGrid(double edge) : edge_(edge) {}
 
-  /** Whether every point has a voxel: no more than 2^20 from the origin. */
+  /** Whether every point has a voxel: at most 2^20 from the origin. */
   bool holds(const std::vector<Eigen::Vector3f>& points) const
   {
     Box box;
@@ -83,7 +83,7 @@ private:
 /** The voxels of one part of the points. */
 class PartVoxels {
 public:
-  /** Mark in \p kept the point nearest to the centroid of each voxel; of equally near ones the first. */
+  /** Mark in \p kept the point nearest to the centroid of each voxel; of equally near points the first. */
   void mark(const VoxelGrid& grid, const IndexedPosition* begin, const IndexedPosition* end, std::vector<std::uint8_t>& kept)
   {
     table_.reset(static_cast<std::size_t>(end - begin));
@@ -122,7 +122,7 @@ private:
 
   KeyTable table_;
   std::vector<Voxel> voxels_;
-  std::vector<std::uint32_t> voxel_of_; ///< each point of the part
+  std::vector<std::uint32_t> voxel_of_; ///< voxel of each point of the part
 };
 
 } // namespace

@@ -20,12 +20,12 @@ struct GraphSource {
 };
 
 /** Build \p graph from \p points without outliers: isolated points, sparse clusters, spikes, and if these are more than one in a
- *  thousand, those of lonePoints. The search is repeated after each removal, up to five times, because an outlier may hide another.
+ *  thousand, those of isolatedOutliers. The search is repeated after each removal, up to five times, because an outlier may hide another.
  *  Before that, some points are left out until every point has neighbours all round: where points lie much closer along scan lines
  *  than the lines are apart, nearly at one place, or beside a much sparser part. This is done once more if outliers were found,
  *  because they had others left out in their favour.
  *  Fails where SurfaceGraph::build fails.
- *  \sa evenSpread, SurfaceGraph::strayPoints, sparseSpecks, falsePoints, lonePoints */
+ *  \sa evenSpread, SurfaceGraph::strayPoints, sparseClusters, spikeOutliers, isolatedOutliers */
 Status buildCleanGraph(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options, SurfaceGraph& graph, GraphSource& source);
 
 } // namespace pcl_spiral

@@ -51,7 +51,7 @@ public:
   double spacing(std::size_t i) const;
   /** Isolated points off the surface, as indices of the points given to build: outliers to leave out. Ascending. */
   const std::vector<std::uint32_t>& strayPoints() const { return stray_points_; }
-  /** Points, in the graph's order, that may be spikes or lie where the surface bends. falsePoints() checks them. */
+  /** Points, in the graph's order, that may be spikes or lie where the surface bends. spikeOutliers() checks them. */
   const std::vector<std::uint32_t>& doubtfulPoints() const { return doubtful_points_; }
   const Triangulation& triangulation() const { return triangulation_; }
   /** Free the triangles, the larger half of the graph's memory, if only neighbourhoods are needed from now on. */

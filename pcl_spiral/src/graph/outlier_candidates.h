@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Points that their neighbours' planes say lie off the surface. Private.
+ *  Points that lie off the planes of their neighbours. Private.
  */
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace pcl_spiral {
 
-/** What one pass over all neighbourhoods found of every point. */
+/** What one pass over all neighbourhoods found for every point. */
 struct PointShapes {
   std::vector<Eigen::Vector3f> normals; ///< of their neighbours' planes
   std::vector<float> radii;             ///< distance to the k-th neighbour
@@ -26,13 +26,13 @@ struct PointShapes {
   double spacing(std::size_t i) const { return evenSpacing(radii[i], neighbours); }
 };
 
-/** Points that stand alone off the surface: high over their neighbours' plane, which none of these is nearly as much.
- *  Along a crease points are high too, but in company. Those farther than \p far from their neighbours lie in the plane
- *  that they make with the rest. Original indices, ascending. */
+/** Isolated points off the surface: high over the plane of their neighbours, none of which is nearly as high. Along a
+ *  crease points are high too, but not alone. Points farther than \p far from their neighbours count as well: they lie in
+ *  the plane that they make with the rest. Original indices, ascending. */
 std::vector<std::uint32_t> strayPoints(const PointBlocks& blocks, const StarSet& stars, const PointShapes& shapes, double far);
 
-/** Points whose height differs from their neighbours' mean by more than noise does: on the surface where its curvature
- *  changes, or false. In the order of the blocks, ascending. */
+/** Points whose height differs from the mean of their neighbours by more than noise: where the curvature of the surface
+ *  changes, or spikes. In the order of the blocks, ascending. */
 std::vector<std::uint32_t> doubtfulPoints(const StarSet& stars, const PointShapes& shapes);
 
 } // namespace pcl_spiral

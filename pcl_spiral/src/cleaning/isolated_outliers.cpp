@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lone_points.h"
+#include "isolated_outliers.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,13 +7,13 @@
 namespace pcl_spiral {
 namespace {
 
-/** Mark the points that belong to a part of no less than the share \p speck of the triangles. */
+/** Mark the points that belong to a part with at least the share \p least_share of the triangles. */
 void
-markLargeParts(const Triangulation& mesh, double speck, std::vector<std::uint8_t>& in)
+markLargeParts(const Triangulation& mesh, double least_share, std::vector<std::uint8_t>& in)
 {
   std::vector<std::size_t> sizes;
   const std::vector<std::uint32_t> part = mesh.parts(sizes);
-  const double least = speck * static_cast<double>(mesh.triangleCount());
+  const double least = least_share * static_cast<double>(mesh.triangleCount());
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
     if (static_cast<double>(sizes[part[t]]) >= least)
       for (const std::uint32_t v : mesh.triangle(t))
@@ -31,9 +31,9 @@ originalIndices(const SurfaceGraph& graph, const std::vector<std::uint8_t>& kept
   return out;
 }
 
-/** Whether the point where boundary half-edge \p h begins is \p far times their spacing from all that it shares a triangle
- *  with. Its own spacing does not count, nor that of another like it: the least one about does; and where the largest is
- *  above \p sparse, none does. */
+/** Whether the point where boundary half-edge \p h begins is farther than \p far spacings from all points that it shares a triangle
+ *  with. The spacing is the least of these points': its own, and that of another tip, are too large. False if one of them is above
+ *  \p sparse. */
 bool
 isTip(const SurfaceGraph& graph, std::uint32_t h, double far, double sparse = std::numeric_limits<double>::max())
 {
@@ -53,13 +53,13 @@ isTip(const SurfaceGraph& graph, std::uint32_t h, double far, double sparse = st
 } // namespace
 
 std::vector<std::uint32_t>
-lonePoints(const SurfaceGraph& graph)
+isolatedOutliers(const SurfaceGraph& graph)
 {
-  constexpr double speck = 0.005; // of all triangles
-  constexpr double far = 1.25;    // times the spacing
+  constexpr double least_share = 0.005; // of all triangles
+  constexpr double far = 1.25;          // times the spacing
   const Triangulation& mesh = graph.triangulation();
   std::vector<std::uint8_t> kept(graph.size(), 0);
-  markLargeParts(mesh, speck, kept);
+  markLargeParts(mesh, least_share, kept);
   for (std::uint32_t h = 0; h < mesh.halfEdgeCount(); ++h)
     if (mesh.opposite(h) == Triangulation::none && isTip(graph, h, far))
       kept[mesh.origin(h)] = 0;
@@ -67,11 +67,11 @@ lonePoints(const SurfaceGraph& graph)
 }
 
 std::vector<std::uint32_t>
-sparseSpecks(const SurfaceGraph& graph)
+sparseClusters(const SurfaceGraph& graph)
 {
-  constexpr double sparse = 2.5; // times the usual spacing
-  constexpr double speck = 0.02; // of all triangles
-  constexpr double spike = 5.0;  // times the spacing
+  constexpr double sparse = 2.5;       // times the usual spacing
+  constexpr double least_share = 0.02; // of all triangles
+  constexpr double spike = 5.0;        // times the spacing
   const double far = sparse * graph.spacing();
   std::vector<std::uint8_t> kept(graph.size());
   for (std::size_t i = 0; i < graph.size(); ++i)
@@ -80,7 +80,7 @@ sparseSpecks(const SurfaceGraph& graph)
     return {};
   const std::vector<std::uint8_t> dense = kept;
   const Triangulation& mesh = graph.triangulation();
-  markLargeParts(mesh, speck, kept);
+  markLargeParts(mesh, least_share, kept);
   for (std::uint32_t h = 0; h < mesh.halfEdgeCount(); ++h)
     if (!dense[mesh.origin(h)] && mesh.opposite(h) == Triangulation::none && isTip(graph, h, spike, far))
       kept[mesh.origin(h)] = 0;

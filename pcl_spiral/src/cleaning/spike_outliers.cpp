@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "false_points.h"
+#include "spike_outliers.h"
 
 #include "core/lanes.h"
 #include "search/neighbour_search.h"
@@ -15,18 +15,18 @@ namespace {
 
 constexpr int fit_neighbours = 48; // without the point itself
 constexpr int fewest_for_fit = 24;
-constexpr int company = 8; // nearest neighbours that may be off as well
+constexpr int company = 8; // nearest neighbours that may be outliers as well
 constexpr int nearest_for_normal = 12;
 constexpr double over_scatter = 6.0, over_spacing = 0.03, half = 0.5;
 
-/** Fits to the neighbours of a point that are beyond doubt, without the point. One object a thread. */
+/** Fits to the neighbours of a point that are no candidates, without the point. One object per thread. */
 class DeletedResidual {
 public:
-  DeletedResidual(const SurfaceGraph& graph, const std::vector<std::uint8_t>& is_doubtful)
-  : graph_(graph), is_doubtful_(is_doubtful), search_(graph.blocks(), std::min<int>(fit_neighbours + 1, static_cast<int>(graph.size())))
+  DeletedResidual(const SurfaceGraph& graph, const std::vector<std::uint8_t>& is_candidate)
+  : graph_(graph), is_candidate_(is_candidate), search_(graph.blocks(), std::min<int>(fit_neighbours + 1, static_cast<int>(graph.size())))
   {}
 
-  /** How far point \p i lies off the surface of the others; 0 where that is not determined or they scatter as much. */
+  /** Distance of point \p i from the surface of the others; 0 if that is not determined, or if their noise is as large. */
   double operator()(std::uint32_t i)
   {
     Box place;
@@ -40,16 +40,16 @@ public:
     return foot.valid && off > std::max(over_scatter * foot.residual, over_spacing * graph_.spacing(i)) ? off : 0.0;
   }
 
-  /** The nearest neighbours of the point that was asked for last. */
+  /** The nearest neighbours of the last point asked for. */
   std::vector<std::uint32_t> nearest() const { return {near_.index + 1, near_.index + 1 + std::min(company, near_.size - 1)}; }
 
 private:
-  /** The neighbours beyond doubt, or all where those are few: two false points side by side vouch for each other. */
+  /** The neighbours that are no candidates (two outliers side by side support each other), or all if those are few. */
   Neighbourhood chosen()
   {
     places_.clear();
     for (int j = 1; j < near_.size; ++j)
-      if (!is_doubtful_[near_.index[j]])
+      if (!is_candidate_[near_.index[j]])
         places_.push_back(j);
     if (static_cast<int>(places_.size()) < fewest_for_fit) {
       places_.resize(near_.size - 1);
@@ -70,7 +70,7 @@ private:
   }
 
   const SurfaceGraph& graph_;
-  const std::vector<std::uint8_t>& is_doubtful_;
+  const std::vector<std::uint8_t>& is_candidate_;
   NeighbourSearch search_;
   Neighbourhood near_;
   std::vector<int> places_;
@@ -79,7 +79,7 @@ private:
 };
 
 bool
-isFalse(std::uint32_t i, DeletedResidual& residual)
+isSpike(std::uint32_t i, DeletedResidual& residual)
 {
   const double off = residual(i);
   if (!(off > 0.0))
@@ -94,23 +94,23 @@ isFalse(std::uint32_t i, DeletedResidual& residual)
 } // namespace
 
 std::vector<std::uint32_t>
-falsePoints(const SurfaceGraph& graph)
+spikeOutliers(const SurfaceGraph& graph)
 {
-  const std::vector<std::uint32_t>& doubtful = graph.doubtfulPoints();
-  std::vector<std::uint8_t> found(doubtful.size(), 0), is_doubtful(graph.size(), 0);
-  for (const std::uint32_t i : doubtful)
-    is_doubtful[i] = 1;
+  const std::vector<std::uint32_t>& candidates = graph.doubtfulPoints();
+  std::vector<std::uint8_t> found(candidates.size(), 0), is_candidate(graph.size(), 0);
+  for (const std::uint32_t i : candidates)
+    is_candidate[i] = 1;
 #pragma omp parallel
   {
-    DeletedResidual residual(graph, is_doubtful);
+    DeletedResidual residual(graph, is_candidate);
 #pragma omp for schedule(dynamic, 16)
-    for (std::int64_t d = 0; d < static_cast<std::int64_t>(doubtful.size()); ++d)
-      found[d] = isFalse(doubtful[d], residual);
+    for (std::int64_t d = 0; d < static_cast<std::int64_t>(candidates.size()); ++d)
+      found[d] = isSpike(candidates[d], residual);
   }
   std::vector<std::uint32_t> indices;
-  for (std::size_t d = 0; d < doubtful.size(); ++d)
+  for (std::size_t d = 0; d < candidates.size(); ++d)
     if (found[d])
-      indices.push_back(graph.blocks().originalIndex(doubtful[d]));
+      indices.push_back(graph.blocks().originalIndex(candidates[d]));
   std::sort(indices.begin(), indices.end());
   return indices;
 }

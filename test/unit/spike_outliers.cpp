@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// False points close to surfaces known exactly are found, and no others.
-#include "cleaning/false_points.h"
+// Outliers close to exact surfaces are found, and no other points.
+#include "cleaning/spike_outliers.h"
 #include <pcl_spiral/cleaning/impl/clean_graph.h>
 
 #include "support/sampling.h"
@@ -38,18 +38,18 @@ scanOf(const test::AnalyticSurface& surface, double noise, std::uint64_t seed)
 }
 
 std::vector<std::uint32_t>
-falseOf(const std::vector<Eigen::Vector3f>& points)
+outliersOf(const std::vector<Eigen::Vector3f>& points)
 {
   SurfaceGraph graph;
   EXPECT_TRUE(graph.build(points, {}).ok());
-  std::vector<std::uint32_t> found = falsePoints(graph);
+  std::vector<std::uint32_t> found = spikeOutliers(graph);
   found.insert(found.end(), graph.strayPoints().begin(), graph.strayPoints().end());
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 
-/** How many of the first are among the others, both ascending. */
+/** Number of elements of the first list in the second, both ascending. */
 std::size_t
 countOf(const std::vector<std::uint32_t>& some, const std::vector<std::uint32_t>& all)
 {
@@ -64,16 +64,16 @@ surfaces()
           test::flat(test::Region({test::rectangle(110.0, 90.0), test::circle({10.0, 5.0}, 18.0)}))};
 }
 
-TEST(FalsePoints, NextToNoneOnTrueSurfaces)
+TEST(SpikeOutliers, NextToNoneOnTrueSurfaces)
 {
   for (const test::SurfacePtr& surface : surfaces())
     for (const double noise : {0.0, 0.02 * spacing, 0.1 * spacing}) {
       const auto points = single(scanOf(*surface, noise, 7).points);
-      EXPECT_LE(falseOf(points).size(), noise > 0.0 ? 2 + points.size() / 20000 : 0u) << surface->area() << " mm^2, noise " << noise;
+      EXPECT_LE(outliersOf(points).size(), noise > 0.0 ? 2 + points.size() / 20000 : 0u) << surface->area() << " mm^2, noise " << noise;
     }
 }
 
-TEST(FalsePoints, ThoseThatWereMovedOffAreFoundAndHardlyAnother)
+TEST(SpikeOutliers, ThoseThatWereMovedOffAreFoundAndHardlyAnother)
 {
   for (const test::SurfacePtr& surface : surfaces()) {
     test::Sampled scan = scanOf(*surface, 0.0, 11);
@@ -84,15 +84,15 @@ TEST(FalsePoints, ThoseThatWereMovedOffAreFoundAndHardlyAnother)
       (k % 5 ? clearly : slightly).push_back(i);
       both.push_back(i);
     }
-    const std::vector<std::uint32_t> found = falseOf(single(scan.points));
-    EXPECT_GE(countOf(clearly, found), clearly.size() - clearly.size() / 50 - 1) << // the rest hide each other, once
+    const std::vector<std::uint32_t> found = outliersOf(single(scan.points));
+    EXPECT_GE(countOf(clearly, found), clearly.size() - clearly.size() / 50 - 1) << // the rest hide each other
         surface->area() << " mm^2";
     EXPECT_GE(countOf(slightly, found), slightly.size() - slightly.size() / 15 - 1) << surface->area() << " mm^2";
     EXPECT_LE(found.size() - countOf(both, found), both.size() / 50 + 1) << surface->area() << " mm^2";
   }
 }
 
-TEST(FalsePoints, EdgesAndCornersKeepTheirPoints)
+TEST(SpikeOutliers, EdgesAndCornersKeepTheirPoints)
 {
   const test::SurfacePtr square = test::flat(test::Region({test::rectangle(200.0, 200.0)}));
   std::vector<Eigen::Vector3f> roof = single(scanOf(*square, 0.0, 5).points), corner = roof;
@@ -100,11 +100,11 @@ TEST(FalsePoints, EdgesAndCornersKeepTheirPoints)
     roof[i].z() = -std::abs(roof[i].x());                                        // a right angle
     corner[i].z() = -std::max(std::abs(corner[i].x()), std::abs(corner[i].y())); // a pyramid
   }
-  EXPECT_LE(falseOf(roof).size(), roof.size() / 1000);
-  EXPECT_LE(falseOf(corner).size(), corner.size() / 1000);
+  EXPECT_LE(outliersOf(roof).size(), roof.size() / 1000);
+  EXPECT_LE(outliersOf(corner).size(), corner.size() / 1000);
 }
 
-TEST(FalsePoints, TheGraphIsOfTheOthersWithTheirIndicesAndNormalsForAnyNumberOfThreads)
+TEST(SpikeOutliers, TheGraphIsOfTheOthersWithTheirIndicesAndNormalsForAnyNumberOfThreads)
 {
   test::Sampled scan = scanOf(*test::spheroidCap(90.0, 50.0), 0.0, 13);
   for (std::size_t i = 5; i < scan.points.size(); i += 50)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "off_points.h"
+#include "outlier_candidates.h"
 
 #include "search/pieces.h"
 
@@ -17,7 +17,7 @@ medianSize(std::vector<float> values)
   return std::abs(*middle);
 }
 
-/** What \p name(i) gives of the points that \p counts, ascending. */
+/** \p name(i) of all points i that \p counts accepts, ascending. */
 template <typename Counts, typename Name>
 std::vector<std::uint32_t>
 pointsThat(std::size_t points, Counts counts, Name name)
