@@ -279,7 +279,7 @@ TEST(Drive, MessagesNameOptionsThatThereAre)
   };
   const RunResult parts = driven({"two.xyz", "--drive", "offset"}, {});
   EXPECT_EQ(parts.code, 1);
-  expectHas(parts.err, "keep the largest one alone (--largest)");
+  expectHas(parts.err, "keep only the largest one (--largest)");
   const RunResult largest = driven({"two.xyz", "--drive", "offset"}, {"--largest"});
   EXPECT_EQ(largest.code, 0) << largest.err;
   for (const auto& row : rows(readText(folder.path("a.csv"))))

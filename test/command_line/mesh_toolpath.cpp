@@ -216,10 +216,10 @@ TEST_F(MeshToolpath, CreasesInsideAreWarnedOf)
 TEST_F(MeshToolpath, SeveralParts)
 {
   const TriangleMesh two = together(hills(), gridMesh(*landform(20.0), {20, 20}, 10), {80.0, 0.0, 0.0});
-  expectRefused(run(two, {}), 1, {"the mesh has 2 separate parts", "mm2 about (", "--largest"});
+  expectRefused(run(two, {}), 1, {"the mesh has 2 separate parts", "mm2 at (", "--largest"});
   const RunResult result = run(two, {"--largest", "--verify"});
   ASSERT_EQ(result.code, 0) << result.err;
-  EXPECT_NE(result.err.find("of 2 separate parts the largest was kept"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("kept only the largest of 2 separate parts"), std::string::npos) << result.err;
   EXPECT_NE(result.out.find("uncut           0 %"), std::string::npos) << "the part left out is not asked for: " << result.out;
 }
 

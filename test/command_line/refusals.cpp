@@ -116,20 +116,20 @@ TEST_F(Refusals, SurfacesWithoutABoundary)
     if (ball.back()[2] < 48.5)
       opened.push_back(ball.back());
   }
-  expectRefused(ball, {}, 1, {"is closed", "no boundary", "from (-", "to (", "cut the cloud down"});
-  expectRefused(opened, {}, 1, {"is closed", "largest opening", "mm across at (", "gap in the scan"});
+  expectRefused(ball, {}, 1, {"is closed", "no boundary", "from (-", "to (", "keep only the side"});
+  expectRefused(opened, {}, 1, {"is closed", "longest loop", "mm across at (", "gap in the scan"});
 }
 
 TEST_F(Refusals, SeveralParts)
 {
   const Points part = cap(6000), other = moved(cap(2000, 25.0, 6), 150.0, 0.0, 20.0);
-  expectRefused(part + other, {}, 1, {"2 separate parts", "mm2 about (0", "mm2 about (1", "--largest"});
+  expectRefused(part + other, {}, 1, {"2 separate parts", "mm2 at (0", "mm2 at (1", "--largest"});
   ASSERT_EQ(run(part, {}).code, 0);
   const std::string alone = readText(folder_.path("a.csv"));
   const RunResult result = run(part + other, {"--largest"});
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(readText(folder_.path("a.csv")), alone) << "the other part leaves no trace";
-  EXPECT_NE(result.err.find("of 2 separate parts the largest was kept"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("kept only the largest of 2 separate parts"), std::string::npos) << result.err;
   EXPECT_NE(result.out.find("2000 in other parts, 6000 used"), std::string::npos) << result.out;
   EXPECT_EQ(report().at("surface").at("left_out_parts"), 1);
   EXPECT_EQ(report().at("surface").at("left_out_points"), 2000);
@@ -146,18 +146,18 @@ TEST_F(Refusals, ScansThatDoNotHangTogether)
   Points islands;
   for (int i = 0; i < 100; ++i)
     islands = islands + moved(cap(80, 5.0, 10 + i), 30.0 * (i % 10), 30.0 * (i / 10), 0.0);
-  expectRefused(islands, {}, 1, {"separate parts", "mm2 about (", "does not hang together", "--largest"});
+  expectRefused(islands, {}, 1, {"separate parts", "mm2 at (", "is disconnected", "--largest"});
   // Half of it a thousand times denser: not outliers, to be left out with a word.
   expectRefused(cap(3000) + moved(cap(6000), 300.0, 0.0, 0.0, 1e-4),
                 {"--tool-radius", "0.001", "--scallop", "0.0001", "--chord-error", "0.0005"}, 1,
-                {"of 9000 points stand alone", "points stand alone", "about (300, ", "--thin"});
+                {"of 9000 points are isolated", "lies around (300, ", "--thin"});
 }
 
 TEST_F(Refusals, ThinDoubleWalls)
 {
   for (const double apart : {1.0, 3.0})
     expectRefused(cap(6000) + moved(cap(6000, 40.0, 6), 0.0, 0.0, -apart), {}, 1,
-                  {"no single sheet", "thin double wall", "mm at (", "leave one side", "--thin"});
+                  {"no single sheet", "thin double wall", "mm at (", "keep only one side", "--thin"});
 }
 
 TEST_F(Refusals, CentresOffThePart)
@@ -280,11 +280,11 @@ TEST_F(Refusals, WarningsAboutUnitsAndNoise)
   Points noisy = part;
   for (Point& p : noisy)
     p[2] += normal(random);
-  EXPECT_TRUE(has(warnings(noisy, {}), "scallop height asked for, 0.02 mm, lies below the scan's own noise of 0.0"));
+  EXPECT_TRUE(has(warnings(noisy, {}), "scallop height asked for, 0.02 mm, is below the noise of the scan, 0.0"));
   EXPECT_FALSE(has(warnings(noisy, {"--scallop", "0.1"}), "noise"));
   // Strays and specks are one message.
   const Points speck = moved(cap(90, 4.0), 0.0, 0.0, 60.0);
   const std::string stray = warnings(part + speck + Points{{0.0, 0.0, 500.0}}, {});
-  EXPECT_TRUE(has(stray, "91 points off the surface were left out: 1 that stand")) << stray;
-  EXPECT_TRUE(has(stray, "90 in specks apart from it")) << stray;
+  EXPECT_TRUE(has(stray, "91 outliers were left out: 1 isolated")) << stray;
+  EXPECT_TRUE(has(stray, "90 in clusters apart from the surface")) << stray;
 }

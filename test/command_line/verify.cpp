@@ -341,7 +341,7 @@ TEST_F(Verify, MessagesNameNoOptionThatThereIsNot)
     two << 0.5 * x + 120.0 << ' ' << 0.5 * y << ' ' << z + 5.0 << '\n';
   writeText(folder_.path("cap.xyz"), two.str());
   last_ = verify({"cap.csv"});
-  EXPECT_NE(last_.err.find("keep the largest one alone, or the one"), std::string::npos) << last_.err;
+  EXPECT_NE(last_.err.find("keep only the largest one, or only the one"), std::string::npos) << last_.err;
   for (const char* word : {"--largest", "setLargestPart"})
     EXPECT_EQ((last_.err + last_.out).find(word), std::string::npos) << last_.err;
 }

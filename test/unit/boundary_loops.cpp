@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Boundary loops against outlines known exactly: loop count, distance both ways, corners, invariance, given boundary
+// Boundary loops against exact outlines: number of loops, distance both ways, corners, invariance, given boundary
 // points, the published walk, refusals.
 #include "core/self_crossing.h"
 #include <pcl_spiral/features/boundary_loops.h>
@@ -57,7 +57,7 @@ farthest(const Polyline& from, const Polyline& to)
   return largest;
 }
 
-/** Largest distance between the curves and the true outlines, either way. */
+/** Largest distance between the curves and the true outlines, both ways. */
 double
 hausdorff(const std::vector<BoundaryLoop>& loops, const AnalyticSurface& surface, double step)
 {
@@ -99,7 +99,7 @@ struct Shape {
   PlaneLoop outline;
   std::vector<PlaneLoop> holes;
   std::size_t points;
-  std::size_t corners;           ///< 0: not asked for
+  std::size_t corners;           ///< 0: not checked
   std::uint64_t seeds;           ///< 1 to this
   double corner_tolerance = 1.5; ///< of the distance from each true corner to one found, spacings
 };
@@ -213,7 +213,7 @@ TEST(BoundaryLoops, LatticeEdgeIsItsOutermostRow)
 
 TEST(BoundaryLoops, DiscsCutFromALatticeNeverCrossThemselves)
 {
-  // A ragged rim once got one corner, whose side ran past it at both ends.
+  // An earlier fault: a ragged rim got one corner, and its side ran beyond it at both ends.
   constexpr double radius = 66.0;
   for (int k = 0; k < 12; ++k) {
     SCOPED_TRACE(k);
@@ -251,7 +251,7 @@ TEST(BoundaryLoops, SameForAnyOrderAndMoved)
     ASSERT_EQ(first.loops[0].curve[i], second.loops[0].curve[i]);
   EXPECT_EQ(first.loops[0].indices[3], order[second.loops[0].indices[3]]);
 
-  const double angle = 0.7; // about an axis that leaves the outer side up
+  const double angle = 0.7; // about an axis that keeps the outer side up
   const Eigen::AngleAxisd turn(angle, Vector3d(0.2, -0.3, 1.0).normalized());
   const Vector3d shift(12, -30, 45);
   std::vector<Vector3d> moved;
@@ -347,7 +347,7 @@ TEST(BoundaryLoops, BoundaryPointsFromEstimations)
       EXPECT_EQ(loops[i].curve, own.loops[i].curve);
     EXPECT_EQ(boundary.getCounts().unmarked_loops, 0u);
   }
-  // A user who takes back the marks about the smaller hole, at (25, 5), has it closed.
+  // If a user removes the marks round the smaller hole, at (25, 5), the hole is closed.
   Flags::Ptr fewer(new Flags(*combined));
   for (std::size_t i = 0; i < cloud->size(); ++i)
     if (std::hypot((*cloud)[i].x - 25.0f, (*cloud)[i].y - 5.0f) < 14.0f)
@@ -357,7 +357,7 @@ TEST(BoundaryLoops, BoundaryPointsFromEstimations)
   ASSERT_EQ(loops.size(), 2u);
   EXPECT_EQ(loops[1].curve, own.loops[1].curve);
   EXPECT_EQ(boundary.getCounts().unmarked_loops, 1u);
-  // Without the rim's marks there is no outer loop.
+  // Without the marks of the rim there is no outer loop.
   boundary.setBoundaryPoints(flagsWhere(*cloud, [](const auto& p) { return std::hypot(p.x + 20.0f, p.y) < 14.0f; }));
   boundary.compute(loops);
   EXPECT_TRUE(loops.empty());
@@ -388,7 +388,7 @@ TEST(BoundaryLoops, RefusesFlagsThatDoNotFit)
   EXPECT_EQ(boundary.getStatus().code(), StatusCode::InvalidArgument);
 }
 
-/** Whether \p loop visits \p expected, a closed run, in order: from any point on, the same way round. */
+/** Whether \p loop visits \p expected, a closed run, in order: from any start point, in the same sense. */
 bool
 isRotationOf(const std::vector<std::uint32_t>& loop, const std::vector<std::uint32_t>& expected)
 {
@@ -400,7 +400,7 @@ isRotationOf(const std::vector<std::uint32_t>& loop, const std::vector<std::uint
 
 TEST(BoundaryLoops, WalkVisitsRingsInOrder)
 {
-  // A washer: rings of points on two circles about a sunflower, in a shuffled cloud; the order round is known.
+  // A washer: rings of points on two circles round a sunflower pattern, in a shuffled cloud; the order of the rings is known.
   Random random(21);
   constexpr int outer = 300, inner = 90;
   std::vector<Vector3d> points;
@@ -422,7 +422,7 @@ TEST(BoundaryLoops, WalkVisitsRingsInOrder)
     place[order[i]] = static_cast<std::uint32_t>(i);
   }
   const std::vector<std::uint32_t> rim(place.begin(), place.begin() + outer);
-  const std::vector<std::uint32_t> hole(place.rend() - outer - inner, place.rend() - outer); // clockwise: surface left
+  const std::vector<std::uint32_t> hole(place.rend() - outer - inner, place.rend() - outer); // clockwise: the surface is on the left
   Flags::Ptr flags(new Flags(static_cast<unsigned>(cloud->size()), 1));
   for (Flags::iterator flag = flags->begin(); flag != flags->end(); ++flag)
     flag->boundary_point = order[static_cast<std::size_t>(flag - flags->begin())] < outer + inner;
@@ -438,7 +438,7 @@ TEST(BoundaryLoops, WalkVisitsRingsInOrder)
     ASSERT_EQ(loops.size(), 2u);
     EXPECT_TRUE(isRotationOf(loops[0].indices, rim));
     EXPECT_TRUE(isRotationOf(loops[1].indices, hole));
-    EXPECT_NEAR(loops[0].length, 100.0 * M_PI, 2.0); // the outline may lie a third of a spacing off
+    EXPECT_NEAR(loops[0].length, 100.0 * M_PI, 2.0); // the outline may be a third of a spacing off
   }
 }
 
@@ -490,7 +490,7 @@ TEST(BoundaryLoops, RefusesWithAReason)
 
 TEST(BoundaryLoops, RefusesARimOfFarSparserPoints)
 {
-  // Rings of a hundred points, each wider than the last: the spacing grows as the radius does.
+  // Rings of a hundred points, each larger than the one before: the spacing grows with the radius.
   const auto graded = [](double growth) {
     Random random(12);
     std::vector<Vector3d> points;
@@ -504,10 +504,10 @@ TEST(BoundaryLoops, RefusesARimOfFarSparserPoints)
   const auto cloud = graded(1.06);
   const Loops result = loopsOf(cloud);
   EXPECT_EQ(result.status.code(), StatusCode::InvalidInput);
-  for (const char* words : {"stand alone", "does not hang together", "setThinning"})
+  for (const char* words : {"are isolated", "is disconnected", "setThinning"})
     EXPECT_NE(result.status.message().find(words), std::string::npos) << result.status.message();
   EXPECT_TRUE(result.loops.empty());
-  // The same of a graph that nothing was left out of.
+  // The same for a graph without points left out.
   std::vector<Eigen::Vector3f> points;
   for (const auto& p : *cloud)
     points.push_back(p.getVector3fMap());

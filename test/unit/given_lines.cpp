@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Radial lines of the user's own: what cannot be drawn on is refused, and the scan's noise is told as ever.
+// Radial lines given by the user: unsuitable lines are refused, and the noise of the scan is reported as always.
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
@@ -79,7 +79,7 @@ TEST(GivenLines, ThatCannotBeDrawnOnAreRefused)
   refused("line 3: foot 20 is not finite", [](RadialLineSet& set) { set.lines[3].feet[20].direction1.x() = nan; });
   refused("line 2 has the level -1", [](RadialLineSet& set) { set.lines[2].level = -1; });
   refused("line 2 has the level 2147483647", [](RadialLineSet& set) { set.lines[2].level = std::numeric_limits<int>::max(); });
-  refused("clockwise along the rim", [](RadialLineSet& set) { // a path the other way round before
+  refused("clockwise along the rim", [](RadialLineSet& set) { // an earlier fault: a path in the opposite sense
     std::reverse(set.lines.begin() + 1, set.lines.end());
     std::reverse(set.rim.begin() + 1, set.rim.end());
     for (std::size_t i = 1; i < set.lines.size(); ++i) {
@@ -87,7 +87,7 @@ TEST(GivenLines, ThatCannotBeDrawnOnAreRefused)
       set.lines[i].turn_share = 1.0 - set.lines[i].turn_share;
     }
   });
-  refused("level 0", [](RadialLineSet& set) { // without a word before, for ever
+  refused("level 0", [](RadialLineSet& set) { // an earlier fault: an endless run without a message
     for (RadialLine& line : set.lines)
       line.level = 1;
   });
@@ -105,7 +105,7 @@ TEST(GivenLines, NoiseIsToldAsWithoutThem)
     spiral.compute(path);
     const std::vector<std::string>& warnings = spiral.getReport().warnings;
     EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
-                            [](const std::string& w) { return w.find("lies below the scan's own noise") != std::string::npos; }),
+                            [](const std::string& w) { return w.find("is below the noise of the scan") != std::string::npos; }),
               1)
         << given;
   }

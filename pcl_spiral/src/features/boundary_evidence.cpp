@@ -38,7 +38,7 @@ isBoundary(const BoundaryEvidence& evidence, BoundaryCriterion criterion, double
   case BoundaryCriterion::Combined:
     break;
   }
-  return offset + gap > 1.7 || gap > 0.9; // the second for re-entrant corners, whose offset is small
+  return offset + gap > 1.7 || gap > 0.9; // the second one is for re-entrant corners, whose offset is small
 }
 
 } // namespace pcl_spiral

@@ -34,35 +34,35 @@ Status
 checkOptions(const SurfaceGraph& graph, const BoundaryOptions& options)
 {
   if (!(options.min_hole_length >= 0.0) || !std::isfinite(options.min_hole_length))
-    return {StatusCode::InvalidArgument, formatted("the shortest length of a hole is %g; set it above 0, or 0 for "
+    return {StatusCode::InvalidArgument, formatted("the shortest length of a hole is %g; set it above 0, or to 0 for "
                                                    "an eighth of the outer boundary",
                                                    options.min_hole_length)};
   if (!(options.min_hole_width >= 0.0) || !std::isfinite(options.min_hole_width))
     return {StatusCode::InvalidArgument,
-            formatted("the least width of a hole is %g; set it above 0, or 0 to have it found", options.min_hole_width)};
+            formatted("the least width of a hole is %g; set it above 0, or to 0 to have it found", options.min_hole_width)};
   if (!(options.largest_gap >= 0.0) || !(options.shortest_loop >= 0.0))
-    return {StatusCode::InvalidArgument, formatted("the largest gap is %g spacings, the shortest loop %g; neither "
-                                                   "may be negative",
+    return {StatusCode::InvalidArgument, formatted("the largest gap is %g spacings, the shortest loop %g; set both "
+                                                   "to 0 or more",
                                                    options.largest_gap, options.shortest_loop)};
   if (!(options.largest_left_out >= 0.0 && options.largest_left_out <= 1.0))
     return {StatusCode::InvalidArgument,
             formatted("the share of a part that may be left out is %g; set it between 0 and 1", options.largest_left_out)};
   if (!(options.max_turn > 0.0 && options.max_turn <= 180.0))
     return {StatusCode::InvalidArgument,
-            formatted("the largest turn of the walk is %g degrees; set it above 0 and not above 180", options.max_turn)};
+            formatted("the largest turn of the walk is %g degrees; set it above 0, at most to 180", options.max_turn)};
   if (options.marked.empty())
     return Status::success();
   if (options.marked.size() != graph.size())
     return {StatusCode::InvalidInput,
-            formatted("there are %.0f boundary flags for %.0f points; give one a point, or none to have them found",
+            formatted("there are %.0f boundary flags for %.0f points; give one flag per point, or none to have the boundary found",
                       static_cast<double>(options.marked.size()), static_cast<double>(graph.size()))};
   if (std::count(options.marked.begin(), options.marked.end(), 0) == static_cast<std::ptrdiff_t>(graph.size()))
-    return {StatusCode::InvalidInput, "no point is marked as boundary; lower the threshold that marked them, or give no "
-                                      "flags to have them found"};
+    return {StatusCode::InvalidInput, "no point is marked as boundary; lower the threshold that marks points, or give no "
+                                      "flags to have the boundary found"};
   return Status::success();
 }
 
-/** Largest distance between two points of a curve, to a factor of two: twice the distance from its mean. */
+/** Largest distance between two points of a curve, within a factor of two: twice the distance from its mean. */
 double
 width(const Polyline& curve)
 {
@@ -90,7 +90,7 @@ classify(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<
     loops.front().type = LoopType::Outer;
 }
 
-/** Refuse a surface that is all boundary: a ring left out for the little it encloses is as long as the cloud. */
+/** Refuse a surface that is only boundary: a ring encloses too little to be a loop, but is as long as the cloud. */
 Status
 checkWidth(const SurfaceGraph& graph, const std::vector<Ring>& rings)
 {
@@ -98,30 +98,30 @@ checkWidth(const SurfaceGraph& graph, const std::vector<Ring>& rings)
     if (const double length = ringLength(graph, ring); length > graph.blocks().box().diagonal())
       return {StatusCode::InvalidInput,
               textOf("the surface is too narrow for its points: its boundary at ", placeText(graph.position(ring.front())), ", ", length,
-                     " mm long, encloses but ", ringArea(graph, ring), " mm2, and points lie ", graph.spacing(),
-                     " mm apart: scan more densely, for at least seven points across")};
+                     " mm long, encloses only ", ringArea(graph, ring), " mm2, and points lie ", graph.spacing(),
+                     " mm apart: scan more densely, with at least seven points across it")};
   return Status::success();
 }
 
-/** Refuse a surface whose longest loop, if it has one at all, is but a gap in the data. */
+/** Refuse a surface whose longest loop, if it has one, is only a gap in the data. */
 Status
 checkOpen(const SurfaceGraph& graph, const BoundaryOptions& options, const std::vector<BoundaryLoop>& loops)
 {
-  std::string opening;
+  std::string only_gap;
   if (!loops.empty()) {
     const BoundaryLoop& longest = loops.front();
     const double area = static_cast<double>(graph.size()) * graph.spacing() * graph.spacing();
     const double across = width(longest.curve);
     if (across > options.largest_gap * graph.spacing() || longest.length * longest.length >= 0.1 * 4.0 * pi * area)
       return Status::success();
-    opening = textOf(" (its largest opening, ", across, " mm across at ", placeText(longest.curve.front()), ", is but a gap in the scan)");
+    only_gap = textOf(" (its longest loop, ", across, " mm across at ", placeText(longest.curve.front()), ", is only a gap in the scan)");
   }
   const Box box = graph.blocks().box();
   const Eigen::Vector3d low = Eigen::Map<const Eigen::Vector3f>(box.low.data()).cast<double>();
   const Eigen::Vector3d high = Eigen::Map<const Eigen::Vector3f>(box.high.data()).cast<double>();
-  return {StatusCode::InvalidInput, textOf("the surface from ", placeText(low), " to ", placeText(high),
-                                           " is closed: it has no boundary for a path to begin or end at", opening,
-                                           "; cut the cloud down to the side to be machined")};
+  return {StatusCode::InvalidInput,
+          textOf("the surface from ", placeText(low), " to ", placeText(high),
+                 " is closed: it has no boundary where a path can begin or end", only_gap, "; keep only the side to be machined")};
 }
 
 bool
@@ -168,8 +168,8 @@ loopOf(const SurfaceGraph& graph, const MlsSurface& surface, const Ring& ring, c
   return loop;
 }
 
-/** Fit a loop to every ring that is no flaw. Curves have two nodes a spacing: rings of points far sparser than the rest of
- *  the cloud, which would have no end of them, are refused. */
+/** Fit a loop to every ring that is no flaw. Curves have two nodes per spacing. A ring with points far sparser than the rest of the
+ *  cloud is refused: its curve would need far too many nodes. */
 Status
 fitLoops(const MlsSurface& surface, const BoundaryOptions& options, const std::vector<Ring>& rings, std::vector<BoundaryLoop>& loops,
          BoundaryCounts& found)
@@ -193,9 +193,9 @@ fitLoops(const MlsSurface& surface, const BoundaryOptions& options, const std::v
       ++found.left_out_loops;
     else if (apart > sparsest * graph.spacing())
       return {StatusCode::InvalidInput,
-              textOf("the points of the boundary at ", placeText(graph.position(ring.front())), " lie ", apart, " mm apart, ",
-                     apart / graph.spacing(), " times as far as points of the scan usually do (", graph.spacing(),
-                     " mm): the scan is far denser elsewhere; thin it to an even spacing (setThinning ", apart,
+              textOf("the points of the boundary at ", placeText(graph.position(ring.front())), " are ", apart, " mm apart, ",
+                     apart / graph.spacing(), " times as far as usual in the scan (", graph.spacing(),
+                     " mm): the scan is much denser elsewhere; thin it to an even spacing (setThinning ", apart,
                      "), or leave the dense part out")};
     else
       loops.push_back(loopOf(graph, surface, ring, goOn));
@@ -219,7 +219,7 @@ keepMarked(const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, std
   constexpr double least = 0.5;
   if (share(loops.front()) < least)
     return {StatusCode::InvalidInput,
-            formatted("of the %.0f points of the outer boundary only %.0f %% are marked as boundary; mark them, or give "
+            formatted("of the %.0f points of the outer boundary only %.0f %% are marked as boundary; mark all of them, or give "
                       "no flags to have the boundaries found",
                       static_cast<double>(loops.front().indices.size()), 100.0 * share(loops.front()))};
   const auto kept = std::remove_if(loops.begin() + 1, loops.end(), [&](const BoundaryLoop& loop) { return share(loop) < least; });

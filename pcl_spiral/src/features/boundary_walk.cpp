@@ -15,10 +15,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int looked_at = 64;  // nearest boundary points, visited ones among them
+constexpr int looked_at = 64;  // nearest boundary points, including visited ones
 constexpr double beside = 2.0; // spacings from a closed walk: points of the same band
 
-/** Boundary points and which of them have been passed. */
+/** Boundary points, and which of them were passed. */
 class BoundaryWalk {
 public:
   BoundaryWalk(const SurfaceGraph& graph, const std::vector<std::uint32_t>& marked, const WalkOptions& options)
@@ -26,7 +26,7 @@ public:
     search_(blocks_, looked_at, static_cast<float>(options.reach * spacing_))
   {}
 
-  /** The free point farthest from the mean of all free ones: on the outermost boundary, wherever the cloud lies. */
+  /** The free point farthest from the mean of all free points: on the outermost boundary, wherever the cloud lies. */
   std::optional<std::uint32_t> start() const
   {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -47,7 +47,7 @@ public:
     return best;
   }
 
-  /** Walk from \p first; true when it came back. Points of \p path are of the blocks, all taken. */
+  /** Walk from \p first; true if it came back. Points of \p path are of the blocks, all taken. */
   bool walkFrom(std::uint32_t first, std::vector<std::uint32_t>& path, double& walked)
   {
     path.assign(1, first);
@@ -124,7 +124,7 @@ private:
   NeighbourSearch search_;
 };
 
-/** Whether the surface about a ring lies on its left rather than on its right. */
+/** Whether the surface at a ring lies on its left, not on its right. */
 bool
 surfaceOnLeft(const SurfaceGraph& graph, const Ring& ring)
 {
@@ -147,8 +147,8 @@ Status
 stopped(const Eigen::Vector3d& place, double walked, double reach, double max_turn)
 {
   std::ostringstream message;
-  message << "the walk along the boundary ends at (" << place.transpose() << ") after " << walked
-          << " mm: no further boundary point within " << reach << " mm lies ahead by a turn of " << max_turn * 180.0 / pi
+  message << "the walk along the boundary ends at (" << place.transpose() << ") after " << walked << " mm: no other boundary point within "
+          << reach << " mm lies ahead with a turn of " << max_turn * 180.0 / pi
           << " degrees or less (a corner, a gap, or a band of several rows); raise the largest turn, or link half-edges";
   return {StatusCode::Failed, message.str()};
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double least_corner = 20.0 * pi / 180.0; // turn
 constexpr double sure_corner = 75.0 * pi / 180.0;
 constexpr double corner_cost = 8.0;  // what a corner must save, in units of EdgeFit::cost
-constexpr double freedom_cost = 6.0; // of one wave more
+constexpr double freedom_cost = 6.0; // of one more wave
 
 /** Cost that does not depend on where the fit started from. */
 double
@@ -24,7 +24,7 @@ ownCost(const FittedSide& fitted, double spacing)
   return fitted.outside + fitted.roughness + freedom_cost * length(fitted.side.nodes, fitted.side.closed) / spacing / fitted.wavelength;
 }
 
-/** Squared spacings by which the run of sides \p now encloses more than the run \p was between the same ends. */
+/** Squared spacings by which the run of sides \p now encloses more than the run \p was, between the same ends. */
 double
 extraArea(const std::vector<OutlineSide>& was, const std::vector<OutlineSide>& now, double spacing)
 {
@@ -57,7 +57,7 @@ isSmooth(const OutlineDraft& draft, std::size_t c, const FittedSide& through)
   return ownCost(through, draft.spacing()) + more < apart + corner_cost;
 }
 
-/** Merge sides at corners that turn too little or that a smooth side explains as well, the flattest first. */
+/** Merge sides at corners that turn too little, or that a smooth side explains as well; the flattest first. */
 void
 dropSmoothCorners(OutlineDraft& draft)
 {
@@ -77,7 +77,7 @@ dropSmoothCorners(OutlineDraft& draft)
   }
 }
 
-/** The node of a side about which it turns most, and by how much. */
+/** The node where a side turns most, and by how much. */
 std::pair<std::size_t, double>
 sharpestBend(const OutlineSide& side)
 {
@@ -85,7 +85,7 @@ sharpestBend(const OutlineSide& side)
   std::pair<std::size_t, double> sharpest{0, 0.0};
   for (std::size_t i = arm; i + arm < side.nodes.size(); ++i) {
     const Eigen::Vector3d in = side.nodes[i] - side.nodes[i - arm], out = side.nodes[i + arm] - side.nodes[i];
-    // Chords over a round bend turn by half of what its ends do.
+    // Chords over a round bend turn by half as much as its ends.
     const double turn = std::atan2(in.cross(out).dot(side.normals[i]), in.dot(out));
     if (std::abs(turn) > std::abs(sharpest.second))
       sharpest = {i, turn};
@@ -93,7 +93,7 @@ sharpestBend(const OutlineSide& side)
   return sharpest;
 }
 
-/** Whether corner \p c, new, turns as the side did there by \p turn, and its neighbours are as clear as they were. */
+/** Whether the new corner \p c turns as the side did there by \p turn, and its neighbours are as clear as before. */
 bool
 isSound(const OutlineDraft& draft, std::size_t c, double turn, const Corner& was_before, const Corner& was_after)
 {
@@ -102,7 +102,7 @@ isSound(const OutlineDraft& draft, std::size_t c, double turn, const Corner& was
          kept(was_after, draft.corners[draft.following(c)]);
 }
 
-/** Whether the corner between the new sides \p s and the next is better placed than that between the two in \p was. */
+/** Whether the corner between the new sides \p s and the next is better placed than the one between the two in \p was. */
 bool
 isBetterPlace(const OutlineDraft& was, std::size_t was_first, const OutlineDraft& now, std::size_t first)
 {
@@ -125,7 +125,7 @@ moveCorner(const OutlineDraft& was, OutlineDraft& split, std::size_t s)
       continue;
     OutlineDraft moved = split;
     moved.merge(old, moved.merged(old));
-    // In either run the corner in question is the one between its two sides.
+    // In both runs the corner in question is the one between the two sides.
     const bool earlier = old == s;
     const std::size_t was_first = earlier ? was.preceding(s) : s;
     const std::size_t now_corner = old < c ? c - 1 : c;
@@ -138,7 +138,7 @@ moveCorner(const OutlineDraft& was, OutlineDraft& split, std::size_t s)
   return false;
 }
 
-/** Put a corner at a bend of side \p s where it explains the points better, or move one there; whether one was. */
+/** Put a corner at a bend of side \p s if it explains the points better, or move one there. Returns whether it did. */
 bool
 addMissedCorner(OutlineDraft& draft, std::size_t s, std::size_t node, double turn)
 {
@@ -153,7 +153,7 @@ addMissedCorner(OutlineDraft& draft, std::size_t s, std::size_t node, double tur
   return true;
 }
 
-/** Add corners where sides bend, the sharpest bend first: side by side, they would be others on a mirrored part. */
+/** Add corners where sides bend, the sharpest bend first. In the order of the sides, a mirrored part would get other corners. */
 bool
 addMissedCorners(OutlineDraft& draft)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The most likely edge of a scatter of points along a smooth line. Private to features.
+ *  The most likely edge of points along a smooth line. Private to features.
  */
 #pragma once
 
@@ -31,11 +31,11 @@ struct SidePoint {
 /** How an edge is fitted. Lengths in spacings. */
 struct EdgeOptions {
   double spacing = 1.0;     ///< mm
-  double blur = 0.1;        ///< how far points scatter across the edge
-  double wavelength = 30.0; ///< shorter waves are taken for the jaggedness of sampling
+  double blur = 0.1;        ///< standard deviation of the points across the edge
+  double wavelength = 30.0; ///< shorter waves count as the jaggedness of sampling
 };
 
-/** Offsets of a side's nodes and what speaks against them. */
+/** Offsets of a side's nodes, and their costs. */
 struct EdgeFit {
   std::vector<double> offsets; ///< outward, in spacings
   double area = 0.0;           ///< between the side and the edge, squared spacings, positive outward
@@ -47,7 +47,7 @@ struct EdgeFit {
 
 /** The edge, as offsets of a side's nodes.
  *
- *  Points are taken for a Poisson process of one point per squared spacing within the edge, none outside, blurred: the
+ *  Points are modelled as a Poisson process of one point per squared spacing inside the edge and none outside, blurred. The
  *  edge is drawn in by its length, and held out by each point it would leave outside. The rate of change of geodesic
  *  curvature along the side is penalised. The problem is convex.
  */

@@ -18,10 +18,10 @@ namespace {
 constexpr double depth = 4.5; // of the strip along the ring, spacings
 constexpr double reach = 7.0; // spacings along the triangles from a point of the ring: its edges are up to six long
 
-/** A point of the cloud, and the entry of the ring it was reached from. */
+/** A point of the cloud, and the entry of the ring from which it was reached. */
 using Reached = std::pair<std::uint32_t, std::size_t>;
 
-/** Points about the ring, each from the entry to which the way along the triangles is shortest, nearest first. */
+/** Points near the ring, each with the entry to which the way along the triangles is shortest; nearest first. */
 std::vector<Reached>
 reachedFrom(const SurfaceGraph& graph, const Ring& ring)
 {
@@ -53,12 +53,12 @@ reachedFrom(const SurfaceGraph& graph, const Ring& ring)
   return reached;
 }
 
-/** A closed line on which feet are sought about a given entry. */
+/** A closed line on which feet are searched near a given entry. */
 class RingLine {
 public:
   explicit RingLine(Polyline line) : line_(std::move(line)), at_(arcLengths(line_, true)) {}
 
-  /** Place of the foot of \p p among the edges up to \p window from entry \p about either way; its distance. */
+  /** Place of the foot of \p p on the edges up to \p window from entry \p about in both directions; its distance. */
   std::pair<double, double> foot(const Eigen::Vector3d& p, std::size_t about, double window) const
   {
     const std::size_t n = line_.size();

@@ -14,15 +14,15 @@
 
 namespace pcl_spiral {
 
-/** A point by a ring. */
+/** A point near a ring. */
 struct EdgePoint {
   Eigen::Vector3d position;
   double place; ///< of its foot on the ring, mm from the ring's first point
 };
 
-/** All points of the cloud by \p ring, its own among them, in the order of their places.
+/** All points of the cloud near \p ring, including its own, in the order of their places.
  *
- *  The ring alone does not tell the edge: at a re-entrant corner its edges span the notch, and the points of the true
+ *  The ring alone does not show the edge: at a re-entrant corner its edges span the notch, and the points of the true
  *  edge lie behind them.
  */
 std::vector<EdgePoint> edgePoints(const SurfaceGraph& graph, const Ring& ring);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Points about a place. Private to features.
+ *  Points near a place. Private to features.
  */
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace pcl_spiral {
 
-/** Points to be asked for what lies about a place, a few at a time instead of all. */
+/** Checks the points near a place, a few at a time instead of all. */
 class NearPoints {
 public:
   explicit NearPoints(const Polyline& points) : points_(points)
@@ -24,7 +24,7 @@ public:
       blocks_ = PointBlocks(rounded);
   }
 
-  /** Whether any point within \p reach of \p place, or a little farther, passes the \p test(point, its number). */
+  /** Whether any point within \p reach of \p place, or slightly farther, passes the \p test(point, its number). */
   template <typename Test>
   bool any(const Eigen::Vector3d& place, double reach, Test test) const
   {

@@ -14,10 +14,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int most_draws = 12;     // a node beyond what is known of the surface is drawn back
+constexpr int most_draws = 12;     // steps by which a node outside the known surface is drawn back
 constexpr double draw_step = 0.25; // spacings
 
-/** Whether the surface is known at \p foot and some way round it, so that it is between such places too: fits reach 1.25
+/** Whether the surface is known at \p foot and around it, so that it is known between such places too: fits reach 1.25
  *  spacings beyond the outermost points. */
 bool
 isWellKnown(const SurfaceGraph& graph, const SurfaceFoot& foot)
@@ -26,7 +26,7 @@ isWellKnown(const SurfaceGraph& graph, const SurfaceFoot& foot)
   return foot.valid && foot.overhang <= farthest * graph.spacing(graph.blocks().nearest(foot.position));
 }
 
-/** Draw a corner in to \p position and leave out the nodes of its sides that now lie beyond it. */
+/** Move a corner in to \p position and leave out the nodes of its sides that now lie beyond it. */
 void
 drawIn(OutlineDraft& draft, std::size_t c, const Eigen::Vector3d& position, const Eigen::Vector3d& outward)
 {
@@ -70,8 +70,8 @@ drawInCorners(OutlineDraft& draft)
   }
 }
 
-/** Lay nodes on the surface; draw back those that lie beyond what is known of it: inwards, and where that does not lead
- *  back to it (a side that runs off), towards the nearest point of the cloud. */
+/** Put nodes on the surface. Draw back those outside the known surface: inwards, or, if that does not lead back to it
+ *  (a side that runs off), towards the nearest point of the cloud. */
 void
 fallBack(const MlsSurface& surface, OutlineSide& side)
 {
@@ -79,7 +79,7 @@ fallBack(const MlsSurface& surface, OutlineSide& side)
   const double step = draw_step * graph.spacing();
   std::vector<std::size_t> open(side.nodes.size());
   std::iota(open.begin(), open.end(), std::size_t{0});
-  const auto draw = [&](const auto& place) { // by up to most_draws steps, to the first place that is known
+  const auto draw = [&](const auto& place) { // in up to most_draws steps, to the first place that is known
     for (int k = 0; k <= most_draws && !open.empty(); ++k) {
       Polyline queries;
       for (const std::size_t i : open)
@@ -106,7 +106,7 @@ fallBack(const MlsSurface& surface, OutlineSide& side)
   });
 }
 
-/** The side after the corner nearest to where the ring begins: the next along the ring would be another on a mirrored part. */
+/** The side after the corner nearest to the start of the ring. The next one along the ring would differ on a mirrored part. */
 std::size_t
 firstSide(const OutlineDraft& draft)
 {
@@ -132,7 +132,7 @@ assembled(const OutlineDraft& draft)
   return outline;
 }
 
-/** Whether \p holds is true of every point. */
+/** Whether \p holds is true for every point. */
 template <typename Holds>
 bool
 allOf(const Polyline& points, Holds holds)
@@ -144,17 +144,17 @@ allOf(const Polyline& points, Holds holds)
   return all;
 }
 
-/** Whether there is no point of the cloud between two places, in their middle. */
+/** Whether there is no point of the cloud in the middle between two places. */
 bool
 isOpenBetween(const SurfaceGraph& graph, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
-  constexpr double open = 1.2; // spacings; among points the nearest is hardly ever farther than one
+  constexpr double open = 1.2; // spacings; among points the nearest one is rarely farther than one
   const Eigen::Vector3d middle = 0.5 * (a + b);
   return (graph.position(graph.blocks().nearest(middle)) - middle).norm() > open * graph.spacing();
 }
 
-/** Whether the outline follows the ring it was fitted to, and stays by it or, where the ring spans a notch, by the points
- *  in that: the longest edge of the ring is six spacings, and may span a notch as deep. */
+/** Whether the outline follows the ring it was fitted to and stays near it, or, if the ring spans a notch, near the points
+ *  in the notch: the longest edge of the ring is six spacings, and may span a notch of that depth. */
 bool
 staysByRing(const OutlineDraft& draft, const Outline& outline)
 {
@@ -195,7 +195,7 @@ staysByRing(const OutlineDraft& draft, const Outline& outline)
          outline.curve.size() * node_step * spacing < 1.3 * length(ring, true);
 }
 
-/** Whether the outline crosses itself nowhere. */
+/** Whether the outline does not cross itself. */
 bool
 isSimple(const SurfaceGraph& graph, const Outline& outline)
 {
@@ -208,7 +208,7 @@ isSimple(const SurfaceGraph& graph, const Outline& outline)
   return !firstSelfCrossing(closed, normals, 1e-3 * graph.spacing());
 }
 
-/** The outline as the corners of the draft suggest; empty when \p goOn is false on the way. */
+/** The outline as the corners of the draft suggest; empty if \p goOn returns false on the way. */
 Outline
 withCorners(OutlineDraft& draft, const std::function<bool()>& goOn)
 {
@@ -234,11 +234,11 @@ withCorners(OutlineDraft& draft, const std::function<bool()>& goOn)
 
 } // namespace
 
-/** A fit that runs away from the ring (few points, or a very ragged rim) or crosses itself gives way to a plainer one. */
+/** If a fit runs away from the ring (few points, or a very ragged rim) or crosses itself, a plainer one is used. */
 Outline
 fitOutline(const MlsSurface& surface, const Ring& ring, const std::function<bool()>& goOn)
 {
-  constexpr std::size_t fewest_points = 24; // in which corners can be told from chance
+  constexpr std::size_t fewest_points = 24; // with fewer, corners and chance look alike
   OutlineDraft draft(surface, ring);
   if (!goOn())
     return {};

@@ -21,7 +21,7 @@ struct Outline {
   std::vector<std::size_t> corners; ///< entries of curve
 };
 
-/** Outline of \p ring. Between the fits it takes, \p goOn is asked; what comes of a false is not worth having. */
+/** Outline of \p ring. \p goOn is called between the fits; if it returns false, the result must not be used. */
 Outline fitOutline(const MlsSurface& surface, const Ring& ring, const std::function<bool()>& goOn);
 
 } // namespace pcl_spiral

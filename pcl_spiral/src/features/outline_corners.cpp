@@ -15,9 +15,9 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double longest_piece = 40.0; // spacings
-constexpr double shortest_piece = 8.0; // that shows a direction, spacings
-constexpr double scatter = 0.3;        // of the ring about the edge, spacings
-constexpr double break_cost = 16.0;    // in squared scatters: what a further piece must save
+constexpr double shortest_piece = 8.0; // spacings; a shorter piece shows no direction
+constexpr double noise = 0.3;          // standard deviation of the ring about the edge, spacings
+constexpr double break_cost = 16.0;    // in squared noise: what one more piece must save
 constexpr double least_turn = 15.0 * pi / 180.0;
 
 /** A parabola through a run of points, in the frame of its chord. */
@@ -45,19 +45,19 @@ fitPiece(const std::vector<Eigen::Vector2d>& line, std::size_t from, std::size_t
   }
   const auto n = static_cast<double>(to - from + 1);
   const double l2 = 0.25 * length * length / (spacing * spacing);
-  // A whiff of weight on the bend, so that three points do not make any parabola.
+  // A very small weight on the bend, so that three points do not give any parabola.
   Eigen::Matrix3d a;
   a << n, s1, s2, s1, s2, s3, s2, s3, s4 + 0.1 * l2 * l2;
   const Eigen::Vector3d right(y0, y1, y2);
   const Eigen::Vector3d c = a.ldlt().solve(right);
-  piece.cost = std::max(0.0, yy - c.dot(right)) / (scatter * scatter);
+  piece.cost = std::max(0.0, yy - c.dot(right)) / (noise * noise);
   const double heading = std::atan2(e.y(), e.x()), half = 0.5 * length / spacing;
   piece.first_heading = heading + std::atan(c[1] - 2.0 * c[2] * half);
   piece.last_heading = heading + std::atan(c[1] + 2.0 * c[2] * half);
   return piece;
 }
 
-/** Places where the cheapest chain of pieces over [begin, end] of the line breaks, both ends among them. */
+/** Places where the cheapest chain of pieces over [begin, end] of the line breaks, including both ends. */
 std::vector<std::size_t>
 cheapestBreaks(const std::vector<Eigen::Vector2d>& line, const std::vector<double>& at, std::size_t begin, std::size_t end, double spacing)
 {
@@ -93,13 +93,13 @@ turn(double from, double to)
   return std::remainder(to - from, 2.0 * pi);
 }
 
-/** Move sharp corners to the point of the ring that sticks out most nearby: breaks between pieces fall beside a tip. */
+/** Move sharp corners to the point nearby that sticks out most: breaks between pieces are often beside a tip. */
 void
 moveToTips(const std::vector<Eigen::Vector3d>& points, double spacing, std::vector<CornerCandidate>& corners)
 {
   constexpr double least_turn_of_tip = 60.0 * pi / 180.0, arm = 8.0; // spacings
   const std::size_t n = points.size(), count = corners.size();
-  // Entry of the ring up to an arm's length from a corner, at most half-way to the next corner that way.
+  // Entry of the ring up to an arm's length from a corner, at most half-way to the next corner in that direction.
   const auto armsEnd = [&](std::size_t c, bool forward) {
     const std::size_t from = corners[c].point, other = corners[forward ? (c + 1) % count : (c + count - 1) % count].point;
     const std::size_t apart = forward ? (other + n - from) % n : (from + n - other) % n;
@@ -166,7 +166,7 @@ farthestOut(const std::vector<Eigen::Vector2d>& line, std::size_t from, std::siz
   return farthest;
 }
 
-/** Corners among all of the points given. */
+/** Corners, found among all of the points given. */
 std::vector<CornerCandidate>
 cornersAmong(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals, double spacing)
 {
@@ -175,12 +175,12 @@ cornersAmong(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen
   std::vector<double> at(line.size(), 0.0);
   for (std::size_t i = 1; i < line.size(); ++i)
     at[i] = at[i - 1] + (line[i] - line[i - 1]).norm();
-  // A first chain begins at an arbitrary point; a second one at a break of the first, as far from its ends as there is one.
+  // A first chain begins at an arbitrary point. A second one begins at a break of the first, as far from its ends as possible.
   const std::vector<std::size_t> first = cheapestBreaks(line, at, 0, 2 * n, spacing);
   const auto nearer = [&](std::size_t a, std::size_t b) { return std::abs(at[a] - at[n]) < std::abs(at[b] - at[n]); };
   const std::size_t begin = first.size() > 2 ? *std::min_element(first.begin() + 1, first.end() - 1, nearer) : n;
   const std::vector<std::size_t> breaks = cheapestBreaks(line, at, begin, begin + n, spacing);
-  // Pieces too short to have a direction are passed over: what counts is how their neighbours meet.
+  // Pieces too short to have a direction are skipped: what counts is how their neighbours meet.
   struct Run {
     std::size_t from, to;
     Piece piece;
@@ -189,7 +189,7 @@ cornersAmong(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen
   for (std::size_t b = 0; b + 1 < breaks.size(); ++b)
     if (at[breaks[b + 1]] - at[breaks[b]] >= shortest_piece * spacing)
       runs.push_back({breaks[b], breaks[b + 1], fitPiece(line, breaks[b], breaks[b + 1], spacing)});
-  const double round = headingOf(line, begin) - headingOf(line, begin + n); // by which a round turns the line, and back
+  const double round = headingOf(line, begin) - headingOf(line, begin + n); // heading before one round less that after it
   std::vector<CornerCandidate> corners;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const Run &before = runs[r == 0 ? runs.size() - 1 : r - 1], &after = runs[r];
@@ -206,16 +206,16 @@ cornersAmong(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen
   return corners;
 }
 
-/** Points of a closed line among which corners are sought: all of them, or of a line far denser than the cloud, as where a
- *  scan line runs along the rim, those a quarter of a spacing apart, since the search takes the square of their number in
+/** Points of a closed line among which corners are searched: all of them. Of a line far denser than the cloud, such as a scan
+ *  line along the rim, only points a quarter of a spacing apart, because the time grows with the square of their number in
  *  a piece. \p at: places along the line. */
 std::vector<std::size_t>
 pointsToSeekAmong(const std::vector<double>& at, double spacing)
 {
-  constexpr double densest = 4.0; // points a spacing
+  constexpr double densest = 4.0; // points per spacing
   const std::size_t count = at.size() - 1;
   const bool dense = static_cast<double>(count) > densest * at.back() / spacing;
-  // Either way from the first to half of the way round, so that a mirrored line is sought alike.
+  // In both directions from the first point to half of the way round, so that a mirrored line is searched alike.
   std::vector<std::size_t> sought{0};
   double last = 0.0;
   const auto seek = [&](std::size_t i) {

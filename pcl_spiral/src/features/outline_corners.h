@@ -11,7 +11,7 @@
 
 namespace pcl_spiral {
 
-/** A ring rolled out into the plane: edge lengths and turns in the tangent plane kept. One more entry than the ring
+/** A ring rolled out into the plane; edge lengths and turns in the tangent plane are kept. One more entry than the ring
  *  has points; the last is the first point seen again after the whole round.
  */
 std::vector<Eigen::Vector2d> rolledOut(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals,

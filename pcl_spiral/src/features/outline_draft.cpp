@@ -45,7 +45,7 @@ OutlineDraft::OutlineDraft(const MlsSurface& surface, const Ring& given) : surfa
     corners.push_back({c.point, c.turn, points_[c.point]});
 }
 
-/** Points of the ring from one to another, both ends among them; the whole ring and its first again if they are one. */
+/** Points of the ring from one to another, including both ends; if they are the same, the whole ring and its first again. */
 Polyline
 OutlineDraft::pointsBetween(std::size_t from, std::size_t to) const
 {
@@ -57,7 +57,7 @@ OutlineDraft::pointsBetween(std::size_t from, std::size_t to) const
   return result;
 }
 
-/** Points of the edge once round, from a point of the ring. */
+/** Points of the edge once round, starting at a point of the ring. */
 std::vector<ExpectedPoint>
 OutlineDraft::edgeFrom(std::size_t from) const
 {
@@ -69,8 +69,8 @@ OutlineDraft::edgeFrom(std::size_t from) const
   return result;
 }
 
-/** Points of the edge from one point of the ring to another, and \p beyond past either, mm: where the ends lie so close that
- *  the stretches past them overlap, a point is expected at both. */
+/** Points of the edge from one point of the ring to another, and \p beyond (mm) past both. If the ends are so close that the
+ *  stretches past them overlap, a point is expected at both. */
 std::vector<ExpectedPoint>
 OutlineDraft::edgeBetween(std::size_t from, std::size_t to, double beyond) const
 {
@@ -86,8 +86,8 @@ OutlineDraft::edgeBetween(std::size_t from, std::size_t to, double beyond) const
   return result;
 }
 
-/** Side from corner \p c to the next, from the ring alone. Near a re-entrant corner the ring may cut across the notch;
- *  that stretch is left out, and the side prolonged. */
+/** Side from corner \p c to the next, from the ring alone. Near a re-entrant corner the ring may cut across the notch:
+ *  that stretch is left out, and the side is extended. */
 FittedSide
 OutlineDraft::firstFit(std::size_t c) const
 {
@@ -112,7 +112,7 @@ OutlineDraft::firstFit(std::size_t c) const
   return fitSide(surface_, spacing_, std::move(start), std::move(points));
 }
 
-/** Fit a side from one corner to another, \p start, with points beyond a re-entrant corner where they are its own. */
+/** Fit a side from one corner to another, \p start, with points beyond a re-entrant corner if they belong to it. */
 FittedSide
 OutlineDraft::fitBetween(std::size_t from, std::size_t to, OutlineSide start) const
 {
@@ -123,7 +123,7 @@ OutlineDraft::fitBetween(std::size_t from, std::size_t to, OutlineSide start) co
   const auto last = static_cast<std::ptrdiff_t>(start.nodes.size()) - 1;
   const OutlineSide before = trimmed(preceding(from)), after = trimmed(to);
   const auto last_before = static_cast<std::ptrdiff_t>(before.nodes.size()) - 1;
-  // The surface about a re-entrant corner is what lies within either side: a point belongs to the one it is deeper in.
+  // The surface at a re-entrant corner is what lies inside either side: a point belongs to the side it is deeper in.
   const auto own = [&](const Eigen::Vector3d& p) {
     if (a.turn < 0.0 && (p - a.position).norm() < contested * spacing_ &&
         footOn(before, p, last_before, reach).offset < footOn(start, p, 0, reach).offset)
@@ -245,7 +245,7 @@ OutlineDraft::split(std::size_t s, std::size_t node, double turn)
   meet();
 }
 
-/** Find where the sides before and after corner \p c meet, prolonged straight if need be. */
+/** Find where the sides before and after corner \p c meet, extended straight if necessary. */
 void
 OutlineDraft::meetAt(std::size_t c)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  An outline in the making: corners, and a side from every corner to the next. Private to features.
+ *  An outline while it is fitted: corners, and a side from every corner to the next. Private to features.
  */
 #pragma once
 
@@ -18,10 +18,10 @@ struct Corner {
   double turn;       ///< radians, positive is convex
   Eigen::Vector3d position;
   std::size_t cut_before = 0, cut_after = 0; ///< nodes past the corner on the sides before and after it
-  bool sure = false;                         ///< not to be questioned again
+  bool sure = false;                         ///< not to be checked again
 };
 
-/** Sides fitted to the points by a ring, from corner to corner. */
+/** Sides fitted to the points near a ring, from corner to corner. */
 class OutlineDraft {
 public:
   /** Corners where the ring itself seems to turn, if any; no sides yet. */
@@ -29,25 +29,25 @@ public:
 
   /** First fit of every side. */
   void fitSides();
-  /** With the corners known, share out the points anew and fit again from corner to corner. */
+  /** With the corners known, assign the points again and fit again from corner to corner. */
   void refine();
-  /** Forget the corners: one closed side. */
+  /** Remove the corners: one closed side. */
   void fitClosed();
 
-  /** One smooth side through corner \p c in place of the two that meet there. */
+  /** One smooth side through corner \p c instead of the two that meet there. */
   FittedSide merged(std::size_t c) const;
-  /** Put \p through in place of corner \p c and the sides that meet there. */
+  /** Replace corner \p c, and the sides that meet there, by \p through. */
   void merge(std::size_t c, FittedSide through);
-  /** Put a corner of the given turn at \p node of side \p s and fit a side either way; the corner's number is s + 1. */
+  /** Put a corner of the given turn at \p node of side \p s and fit a side before and after it; the corner's number is s + 1. */
   void split(std::size_t s, std::size_t node, double turn);
-  /** The side from corner \p c to the next, cut off or prolonged at both. */
+  /** The side from corner \p c to the next, cut off or extended at both ends. */
   OutlineSide trimmed(std::size_t c) const;
 
   std::size_t following(std::size_t c) const { return (c + 1) % corners.size(); }
   std::size_t preceding(std::size_t c) const { return (c + corners.size() - 1) % corners.size(); }
   const MlsSurface& surface() const { return surface_; }
   double spacing() const { return spacing_; }
-  /** Points by the ring. */
+  /** Points near the ring. */
   const std::vector<EdgePoint>& edge() const { return edge_; }
   /** The ring, from its first point on. */
   const Polyline& points() const { return points_; }

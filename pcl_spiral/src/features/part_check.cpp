@@ -16,8 +16,8 @@ checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vecto
   std::vector<std::size_t> sizes;
   found.of_triangle = graph.triangulation().parts(sizes);
   if (sizes.empty())
-    return {StatusCode::InvalidInput, "the points make no surface: no three of them are neighbours of each other; "
-                                      "check that the cloud is a surface and not a line or scattered points"};
+    return {StatusCode::InvalidInput, "the points form no surface: no three of them are neighbours of each other; "
+                                      "check that the cloud is a surface, not a line or random points"};
   const std::size_t all = graph.triangulation().triangleCount();
   counts.left_out_parts = sizes.size() - 1;
   counts.left_out_triangles = all - sizes[0];
@@ -32,10 +32,10 @@ checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vecto
                   parts.end());
     return {StatusCode::InvalidInput,
             textOf("the cloud has ", parts.size(), " separate parts: ", partsText(parts),
-                   large ? "; keep the largest one alone (setLargestPart), or the one to be machined, and remove the "
+                   large ? "; keep only the largest one (setLargestPart), or only the one to be machined, and remove the "
                            "others from the cloud"
-                         : "; too many for specks: the scan does not hang together, so scan more densely, or keep the "
-                           "largest part alone (setLargestPart)")};
+                         : "; this is too many: the scan is disconnected, so scan more densely, or keep only the "
+                           "largest part (setLargestPart)")};
   }
   if (sizes.size() > 1) {
     const std::vector<std::uint8_t> apart = apartFrom(graph, found, 0);

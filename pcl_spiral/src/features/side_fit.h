@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A side of an outline drawn along the edge of its points. Private to features.
+ *  A side of an outline along the edge of its points. Private to features.
  */
 #pragma once
 
@@ -22,7 +22,7 @@ struct FittedSide {
   double wavelength = 0.0;
 };
 
-/** Where a point falls on a side. */
+/** Foot of a point on a side. */
 struct SideFoot {
   double place = 0.0;  ///< in nodes; beyond the ends of an open side as far as the point is
   double offset = 0.0; ///< outward, mm
@@ -32,22 +32,22 @@ struct SideFoot {
 /** Foot of \p point on \p side, searched among the nodes within \p reach of node \p expected. */
 SideFoot footOn(const OutlineSide& side, const Eigen::Vector3d& point, std::ptrdiff_t expected, std::ptrdiff_t reach);
 
-/** Replace the nodes by even ones, the ends kept; then set the outward directions. */
+/** Replace the nodes by evenly spaced ones, keeping the ends; then set the outward directions. */
 void makeEven(OutlineSide& side, double spacing);
 
-/** An even line through a jagged one, without waves shorter than a few spacings. */
+/** An evenly spaced line through a jagged one, without waves shorter than a few spacings. */
 OutlineSide smoothSide(const Polyline& line, bool closed, double spacing);
 
 /** Move the nodes onto the surface where it is known there, and take its normals. */
 void layOnSurface(const MlsSurface& surface, OutlineSide& side);
 
-/** A point of an edge and where along the side, as a share of its length, it is expected. */
+/** A point of an edge, and where along the side it is expected, as a share of its length. */
 struct ExpectedPoint {
   Eigen::Vector3d position;
   double share;
 };
 
-/** Draw \p start along the edge of \p points. */
+/** Fit a side to the edge of \p points, starting from \p start. */
 FittedSide fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vector<ExpectedPoint> points);
 
 } // namespace pcl_spiral

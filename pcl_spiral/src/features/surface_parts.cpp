@@ -60,7 +60,7 @@ partsText(const std::vector<SurfacePart>& parts)
   constexpr std::size_t most_named = 4;
   std::string list;
   for (std::size_t i = 0; i < std::min(parts.size(), most_named); ++i)
-    list += textOf(i > 0 ? ", " : "", parts[i].area, " mm2 about ", placeText(parts[i].centre));
+    list += textOf(i > 0 ? ", " : "", parts[i].area, " mm2 at ", placeText(parts[i].centre));
   if (parts.size() > most_named)
     list += textOf(" and ", parts.size() - most_named, " more");
   return list;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Rings of a surface whose narrow holes are opened. Private to features.
+ *  Rings of a surface with its narrow holes open. Private to features.
  */
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace pcl_spiral {
 
-/** boundaryRings of part 0 of the graph's triangles, given the part \p part_of each, without those that close voids at least
- *  \p width mm wide (ScanVoids). */
+/** boundaryRings of part 0 of the graph's triangles, given the part \p part_of each, without the triangles that close voids
+ *  at least \p width mm wide (ScanVoids). */
 std::vector<Ring> ringsWithVoids(const SurfaceGraph& graph, const std::vector<std::uint32_t>& part_of, double width);
 
 } // namespace pcl_spiral

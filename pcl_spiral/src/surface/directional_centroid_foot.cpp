@@ -31,7 +31,7 @@ directionalCentroidFoot(const Eigen::Vector3d& query, const Neighbourhood& near,
   foot.normal = normal.normalized();
   foot.position = query + centroid.dot(foot.normal) * foot.normal; // (11)
   foot.overhang = overhang(near, mean - mean.dot(foot.normal) * foot.normal);
-  // Curvatures from how the normals turn: least squares of n(d) - n = W d over the tangent plane.
+  // Curvatures from the change of the normals: least squares of n(d) - n = W d over the tangent plane.
   Eigen::Vector3d e1, e2;
   tangentFrame(foot.normal, e1, e2);
   Eigen::Matrix2d moment = Eigen::Matrix2d::Zero(), turning = Eigen::Matrix2d::Zero();

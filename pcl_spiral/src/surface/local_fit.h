@@ -15,8 +15,8 @@
 
 namespace pcl_spiral {
 
-/** How far a query lies beyond the outermost of its neighbours, seen towards their centroid (an offset from it in the
- *  tangent plane); 0 when it lies among them. */
+/** How far a query lies outside the outermost of its neighbours, seen towards their centroid (an offset from it in the
+ *  tangent plane); 0 if it lies among them. */
 template <typename Points>
 double
 overhang(const Points& points, const Eigen::Vector3d& centroid)
@@ -39,7 +39,7 @@ Eigen::Vector3d meanNormal(const std::uint32_t* nearest, int count, const std::v
  *  Source: Levin, The approximation power of moving least squares, 1998; weight after Wendland. */
 SurfaceFoot quadraticFoot(const Eigen::Vector3d& query, const Patch& patch, const Eigen::Vector3d& up);
 
-/** Foot on a polynomial of the fourth degree with the same weight, as far as it can be told from the quadric. Neighbours
+/** Foot on a polynomial of the fourth degree with the same weight, as far as the data show it to differ from the quadric. Neighbours
  *  more than four standard deviations off it (by the median deviation) are left out and the rest is fitted again, up to
  *  ten times. */
 SurfaceFoot robustQuarticFoot(const Eigen::Vector3d& query, const Neighbourhood& near, const Eigen::Vector3d& up);

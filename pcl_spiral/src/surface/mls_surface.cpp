@@ -16,7 +16,7 @@ namespace {
 
 constexpr int fewest_neighbours = 32, most_neighbours = 256;
 constexpr double farthest_in_spacings = 4.0; // of a query from the nearest point; triangles span up to three
-constexpr double refit_distance = 0.1;       // in spacings: a foot that far from the query gets a fit of its own
+constexpr double refit_distance = 0.1;       // in spacings: a foot this far from the query gets a fit of its own
 constexpr double run_width = 3.0;            // of queries searched together, in radii of a neighbourhood
 constexpr double largest_overhang = 1.25;    // in spacings
 
@@ -47,8 +47,8 @@ keepMarked(const std::vector<std::uint8_t>& marked, std::vector<std::uint32_t>& 
   list.resize(kept);
 }
 
-/** End of the run of queries from \p begin that one search serves, and the run's \p box: no wider than \p widest, since
- *  few queries far apart would each scan what lies between them. */
+/** End of the run of queries from \p begin that one search serves, and the run's \p box: no wider than \p widest, because
+ *  few queries far apart would each scan everything between them. */
 std::size_t
 endOfRun(const std::vector<IndexedPosition>& order, std::size_t begin, std::size_t end, float widest, Box& box)
 {
@@ -174,12 +174,12 @@ MlsSurface::project(const std::vector<Eigen::Vector3d>& queries, std::vector<Sur
     feet[i] = SurfaceFoot();
     feet[i].position = queries[i];
   }
-  // Where points stand closer on one side than on the other, the nearest ones may all lie on that side: a wider fit spans both.
+  // Where points are closer together on one side than on the other, the nearest ones may all lie on that side: a wider fit spans both.
   for (int width = 1; width <= widest && !which.empty(); width *= 2) {
     std::vector<std::uint32_t> moving = which;
     for (int round = 0; round < most_rounds && !moving.empty(); ++round) {
       const std::vector<std::uint8_t> moved = projectOnce(moving, feet, width * neighbours_);
-      keepMarked(moved, moving); // a fit is about the query; where the foot lies well away from it, fit again about the foot
+      keepMarked(moved, moving); // a fit is about the query; if the foot is far from it, fit again about the foot
     }
     std::vector<std::uint8_t> open(which.size());
     for (std::size_t i = 0; i < which.size(); ++i) {
@@ -202,7 +202,7 @@ MlsSurface::project(const Eigen::Vector3d& query) const
 void
 MlsSurface::chooseNeighbours()
 {
-  // Places spread over the cloud: centroids of triangles, so that no point of the cloud weighs more than its share.
+  // Places spread over the cloud: centroids of triangles, so that no point counts more than its share.
   std::vector<Eigen::Vector3d> sample;
   const Triangulation& mesh = graph_.triangulation();
   const std::size_t step = std::max<std::size_t>(1, mesh.triangleCount() / 2000);
@@ -212,8 +212,8 @@ MlsSurface::chooseNeighbours()
   }
   std::vector<std::uint32_t> which(sample.size());
   std::iota(which.begin(), which.end(), 0u);
-  std::size_t determined = 0; // fits at the sample, last time
-  const auto scatter = [&](int k) {
+  std::size_t determined = 0; // number of fits determined at the sample, last time
+  const auto varianceOf = [&](int k) {
     std::vector<SurfaceFoot> feet(sample.size());
     for (std::size_t i = 0; i < sample.size(); ++i)
       feet[i].position = sample[i];
@@ -231,31 +231,31 @@ MlsSurface::chooseNeighbours()
   const auto limit = static_cast<int>(graph_.size());
   if (neighbours_ > 0) {
     neighbours_ = std::min(neighbours_, limit);
-    noise_ = std::sqrt(scatter(neighbours_));
+    noise_ = std::sqrt(varianceOf(neighbours_));
     return;
   }
   neighbours_ = std::max(fewest_neighbours, graph_.neighbours());
   if (method_ == ProjectionMethod::RobustQuartic)
     neighbours_ += neighbours_ / 2;
   neighbours_ = std::min(neighbours_, limit);
-  double variance = scatter(neighbours_);
-  // Scan lines far apart: a fit to one line and a half does not know the slope across.
+  double variance = varianceOf(neighbours_);
+  // Scan lines far apart: a fit to one line and a half does not show the slope across.
   while (1000 * determined < 999 * sample.size() && 2 * neighbours_ <= std::min(most_neighbours, limit)) {
     neighbours_ *= 2;
-    variance = scatter(neighbours_);
+    variance = varianceOf(neighbours_);
   }
   noise_ = std::sqrt(variance);
-  // Rounding to single precision is no noise worth averaging.
+  // Rounding to single precision is not noise to be averaged.
   double magnitude = 0.0;
   for (int d = 0; d < 3; ++d)
     magnitude = std::max<double>({magnitude, std::abs(graph_.blocks().box().low[d]), std::abs(graph_.blocks().box().high[d])});
   if (noise_ < 1e-7 * magnitude)
     return;
-  // Where noise alone scatters the points, a wider fit finds the same variance; where the surface's own shape does,
-  // the variance grows with the fourth power of the neighbours.
+  // If only noise moves the points, a wider fit finds the same variance. If the shape of the surface does,
+  // the variance grows with the fourth power of the number of neighbours.
   constexpr double still_noise = 1.05;
   while (2 * neighbours_ <= std::min(most_neighbours, limit)) {
-    const double wider = scatter(2 * neighbours_);
+    const double wider = varianceOf(2 * neighbours_);
     if (wider > still_noise * variance)
       break;
     neighbours_ *= 2;

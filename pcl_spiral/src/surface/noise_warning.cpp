@@ -11,10 +11,10 @@ noiseWarning(const MlsSurface& surface, const char* what, double asked)
   if (!(asked > 0.0) || asked >= surface.noise())
     return std::nullopt;
   const bool hidden = asked < 3.0 * surface.fitNoise();
-  return textOf("the ", what, " asked for, ", asked, " mm, lies below the scan's own noise of ", surface.noise(),
+  return textOf("the ", what, " asked for, ", asked, " mm, is below the noise of the scan, ", surface.noise(),
                 " mm (standard deviation of a point); the surface fitted to ", surface.neighbours(), " points at a time is known to ",
                 surface.fitNoise(),
-                hidden ? " mm, and what is below three times that it cannot tell: this scan cannot show whether it was kept" : " mm");
+                hidden ? " mm, and cannot show lengths below three times that: this scan cannot show whether it was kept" : " mm");
 }
 
 } // namespace pcl_spiral

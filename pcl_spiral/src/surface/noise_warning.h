@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A length asked for that a scan is too noisy to show.
+ *  Warning for a length below the noise of a scan.
  */
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace pcl_spiral {
 
-/** A warning when \p asked, mm, lies below the standard deviation of a point; \p what it is the name of. */
+/** A warning if \p asked, mm, is below the standard deviation of a point. \p what is its name. */
 std::optional<std::string> noiseWarning(const MlsSurface& surface, const char* what, double asked);
 
 } // namespace pcl_spiral

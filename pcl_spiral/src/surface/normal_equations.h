@@ -17,7 +17,7 @@ forEachOf(Body&& body, std::integer_sequence<int, I...>)
   (body(std::integral_constant<int, I>()), ...);
 }
 
-/** Call \p body with the constants 0 .. N - 1: a loop that the compiler sees whole, also inside another. */
+/** Call \p body with the constants 0 .. N - 1: a loop that the compiler unrolls, also inside another. */
 template <int N, typename Body>
 inline __attribute__((always_inline)) void
 unrolled(Body&& body)
@@ -26,7 +26,7 @@ unrolled(Body&& body)
 }
 
 /** Factors L D L' of a symmetric matrix of \p N rows, of which the lower triangle is read. The leading rows of the
- *  factors are the factors of the leading block: a fit of lower degree comes with it. */
+ *  factors are the factors of the leading block, so they also give a fit of lower degree. */
 template <int N>
 class NormalEquations {
 public:
@@ -46,7 +46,7 @@ public:
       });
       double pivot = matrix(i, i);
       unrolled<i>([&](auto k) { pivot -= whole[i][k] * l_[i][k]; });
-      // Too small: the column hardly differs from the ones before it.
+      // Too small: the column hardly differs from those before it.
       if (rows_ == i && pivot > 1e-6 * matrix(i, i))
         rows_ = i + 1;
       inverse_[i] = 1.0 / pivot;

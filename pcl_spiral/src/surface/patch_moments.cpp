@@ -47,7 +47,7 @@ momentsOf(const Patch& patch, const float* frame, Moments& moments)
 {
   const int whole = padded(patch.size);
   sumMoments(patch.x, patch.y, patch.z, whole, frame, moments);
-  moments.w -= static_cast<float>(whole - patch.size); // the zeros at the end stand at the query, where the weight is 1
+  moments.w -= static_cast<float>(whole - patch.size); // the zeros at the end lie at the query, where the weight is 1
   moments.mean_u /= static_cast<float>(patch.size);
   moments.mean_v /= static_cast<float>(patch.size);
 }

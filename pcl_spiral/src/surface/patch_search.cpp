@@ -21,7 +21,7 @@ kthSmallest(const float* values, int size, int k, float most)
   float low = 0.0f, high = most;
   int below = 0, above = size;
   for (int round = 1; above > k; ++round) {
-    // Squared distances on a surface are spread evenly; now and then the middle, for where they are not.
+    // Squared distances on a surface are spread evenly; every third step takes the middle, in case they are not.
     const float share = round % 3 ? static_cast<float>(k - below) / static_cast<float>(above - below) : 0.5f;
     float t = low + share * (high - low);
     if (!(t > low && t < high))

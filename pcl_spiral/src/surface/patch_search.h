@@ -24,8 +24,8 @@ struct Patch {
   float nearest_squared_distance = 0.0f;
 };
 
-/** Exact k nearest points of queries that lie close together, for fits that need no order among them: selecting takes
- *  half of the time of NeighbourSearch, which sorts. One object a thread. */
+/** Exact k nearest points of queries that lie close together, for fits that need no order of them: selecting takes
+ *  half of the time of NeighbourSearch, which sorts. One object per thread. */
 class PatchSearch {
 public:
   /** \p k points (all, if there are fewer), none farther than \p max_radius. */

@@ -14,16 +14,16 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int degree = 4, quadratic_terms = 6, quartic_terms = 15;
-constexpr double farthest = 4.0;                 // in standard deviations: a point farther off is no part of the surface
+constexpr double farthest = 4.0;                 // in standard deviations: a point farther away is not part of the surface
 constexpr double mad_of_normal = 1.4826;         // standard deviation over the median deviation, normal distribution
-constexpr double most_noise = 1.0;               // of the quartic's height, in that of a point: beside a rim the quadric is surer
+constexpr double most_noise = 1.0;               // of the quartic's height, in that of a point: beside a rim the quadric is more reliable
 constexpr double most_derivative_noise = 1000.0; // of the quartic's derivatives, in the quadric's: on few scan lines
 
 using Terms = Eigen::Matrix<double, quartic_terms, 1>; // of 1, u, v, u^2, u v, v^2, ..., v^4
-using Values = Eigen::ArrayXd;                         // one a neighbour
+using Values = Eigen::ArrayXd;                         // one per neighbour
 
 /** How far the origin lies outside the nearer half of its neighbours, seen along the widest free angle between them: 0
- *  where no angle of more than 180 degrees is free. Sharper than overhang() on a ragged rim. */
+ *  if no angle of more than 180 degrees is free. Sharper than overhang() on a ragged rim. */
 double
 outsideNearest(const Neighbourhood& near, const Eigen::Vector3d& e1, const Eigen::Vector3d& e2)
 {
@@ -37,7 +37,7 @@ outsideNearest(const Neighbourhood& near, const Eigen::Vector3d& e1, const Eigen
       return 0.0;
     quadrants |= 1u << ((places(0, j) < 0.0 ? 1 : 0) + (places(1, j) < 0.0 ? 2 : 0));
   }
-  if (quadrants == 15u) // one in each: no more than 180 degrees between them
+  if (quadrants == 15u) // one in each: no free angle of more than 180 degrees
     return 0.0;
   std::vector<double> angles;
   for (int j = 0; j < nearer; ++j)
@@ -78,7 +78,7 @@ public:
     weight_ = (1.0 - u_.square() - powers_.col(2)).max(0.0).cube();
   }
 
-  /** Fit both; false where not even the quadric is determined. */
+  /** Fit both; false if not even the quadric is determined. */
   bool solve()
   {
     Eigen::Matrix<double, 2 * degree + 1, 2 * degree + 1> moment; // of u^p v^q
@@ -102,29 +102,29 @@ public:
     quadratic_ = padded(equations.solve<quadratic_terms>(right.head<quadratic_terms>()));
     quartic_ = quadratic_;
     gain_ = 0.0;
-    has_quartic_ = derivatives_told_ = false;
+    has_quartic_ = derivatives_known_ = false;
     if (equations.determined() == quartic_terms) {
-      // How much each neighbour's height moves the height at the origin.
+      // How much the height of each neighbour changes the height at the origin.
       const Terms high = equations.solve<quartic_terms>(Terms::Unit(0));
       has_quartic_ = (weight_ * at(high)).matrix().squaredNorm() < most_noise * most_noise;
       if (has_quartic_) {
         const Terms low = padded(equations.solve<quadratic_terms>(Vector6d::Unit(0)));
         quartic_ = equations.solve<quartic_terms>(right);
         gain_ = (weight_ * at(high - low)).matrix().squaredNorm();
-        derivatives_told_ = derivativesAreTold(equations);
+        derivatives_known_ = derivativesAreKnown(equations);
       }
     }
     off_ = height_ - at(quartic_);
     return true;
   }
 
-  /** Drop the neighbours that lie too far off the fit; true where there are any. */
+  /** Drop the neighbours that lie too far off the fit; true if there were any. */
   bool dropOutliers(double rounding)
   {
     const Values amount = (weight_ > 0.0).select(off_.abs(), 0.0);
     const double largest = amount.maxCoeff();
     const std::ptrdiff_t kept = (weight_ > 0.0).count();
-    // Where half of them reach a share of the largest, the median does, and none is too far off.
+    // If half of them reach a share of the largest, so does the median, and none is too far off.
     if (largest <= farthest * rounding || 2 * (amount * (farthest * mad_of_normal) >= largest).count() > kept)
       return false;
     std::vector<double> sorted;
@@ -142,29 +142,29 @@ public:
 
   /** Standard deviation of the neighbours about the quartic: the weighted sum of squares over its expectation for unit
    *  noise, as in quadraticFoot; the trace is 30/7 for the fourth degree and 15/7 for the second. */
-  double scatter() const
+  double noise() const
   {
     const double freedom = weight_.sum() - (has_quartic_ ? 30.0 : 15.0) / 7.0;
     return freedom > 0.0 ? std::sqrt((weight_ * off_.square()).sum() / freedom) : 0.0;
   }
 
-  /** The quadric, corrected towards the quartic by as much as the correction's square stands out of its variance: all
-   *  the way on a scan without noise, hardly where noise hides the difference. */
+  /** The quadric, corrected towards the quartic as far as the square of the correction exceeds its variance: fully
+   *  on a scan without noise, very little if noise hides the difference. */
   Vector6d shape() const
   {
-    const double correction = quartic_[0] - quadratic_[0], noise = scatter();
-    const double variance = gain_ * noise * noise;
+    const double correction = quartic_[0] - quadratic_[0], sigma = noise();
+    const double variance = gain_ * sigma * sigma;
     const double share = correction != 0.0 ? std::max(0.0, 1.0 - variance / (correction * correction)) : 0.0;
     Vector6d shape = (quadratic_ + share * (quartic_ - quadratic_)).head<quadratic_terms>();
-    if (!derivatives_told_)
+    if (!derivatives_known_)
       shape.tail<5>() = quadratic_.segment<5>(1);
     return shape;
   }
 
 private:
-  /** Whether the quartic tells the first and second derivatives not much worse than the quadric. The variance of a term for unit
-   *  noise is no more than its place on the diagonal of the inverse, the weights being below 1. */
-  static bool derivativesAreTold(const NormalEquations<quartic_terms>& equations)
+  /** Whether the quartic gives the first and second derivatives nearly as well as the quadric. The variance of a term for unit
+   *  noise is at most its entry on the diagonal of the inverse, because the weights are below 1. */
+  static bool derivativesAreKnown(const NormalEquations<quartic_terms>& equations)
   {
     for (int k = 1; k < quadratic_terms; ++k)
       if (!(equations.solve<quartic_terms>(Terms::Unit(k))[k] <
@@ -173,7 +173,7 @@ private:
     return true;
   }
 
-  /** Where u^p v^q stands among the terms. */
+  /** Index of u^p v^q among the terms. */
   static constexpr int term(int p, int q) { return (p + q) * (p + q + 1) / 2 + q; }
 
   static Terms padded(const Vector6d& low)
@@ -199,8 +199,8 @@ private:
   Eigen::Array<double, Eigen::Dynamic, 2 * degree + 1> powers_; ///< of v
   Terms quadratic_, quartic_;
   bool has_quartic_ = false;
-  bool derivatives_told_ = false; ///< by the quartic
-  double gain_ = 0.0;             ///< variance of the correction for unit noise
+  bool derivatives_known_ = false; ///< by the quartic
+  double gain_ = 0.0;              ///< variance of the correction for unit noise
 };
 
 } // namespace
@@ -226,7 +226,7 @@ robustQuarticFoot(const Eigen::Vector3d& query, const Neighbourhood& near, const
   }
   if (!standOnQuadric(fit.shape(), radius, e1, e2, up, foot))
     return foot;
-  foot.residual = radius * fit.scatter();
+  foot.residual = radius * fit.noise();
   foot.valid = true;
   return foot;
 }

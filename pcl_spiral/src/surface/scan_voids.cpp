@@ -12,10 +12,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double widest_chance = 1.6;        // spacings: radius of an empty circle from which on triangles are looked at
-constexpr double rarity = 9.0;               // beside ln n
-const double hexagon = std::sqrt(3.0) / 2.0; // a point's share over the square of the spacing as if spread evenly
-constexpr double inner_share = 0.95;         // of a disc's radius: closer to its edge a place is beside points of the scan
+constexpr double widest_chance = 1.6;        // spacings: triangles with an empty circle of at least this radius are checked
+constexpr double rarity = 9.0;               // added to ln n
+const double hexagon = std::sqrt(3.0) / 2.0; // area per point over the square of the spacing, as if spread evenly
+constexpr double inner_share = 0.95;         // of the radius of a disc: a place closer to its edge is beside points of the scan
 
 Eigen::Vector3d
 circumcentre(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
@@ -24,7 +24,7 @@ circumcentre(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
   return a + (u.squaredNorm() * v.cross(n) + v.squaredNorm() * n.cross(u)) / (2.0 * n.squaredNorm());
 }
 
-/** Centre of the empty circle of triangle \p t, and its radius; infinite where it has no area. */
+/** Centre of the empty circle of triangle \p t, and its radius; infinite if it has no area. */
 std::pair<Eigen::Vector3d, double>
 emptyCircle(const SurfaceGraph& graph, std::size_t t)
 {
@@ -41,7 +41,7 @@ triangleArea(const SurfaceGraph& graph, std::size_t t)
   return 0.5 * (graph.position(c[1]) - graph.position(c[0])).cross(graph.position(c[2]) - graph.position(c[0])).norm();
 }
 
-/** Mean area of a point's share, mm2, among the points some rings away from the cluster: the void itself makes spacings large. */
+/** Mean area per point, mm2, among the points some rings away from the cluster: the void itself makes spacings large. */
 double
 shareAbout(const SurfaceGraph& graph, const std::vector<std::uint32_t>& cluster)
 {
@@ -75,7 +75,7 @@ shareAbout(const SurfaceGraph& graph, const std::vector<std::uint32_t>& cluster)
   return hexagon * sum / static_cast<double>(front.size());
 }
 
-/** Triangles with an empty circle wider than chance makes them often. */
+/** Triangles with an empty circle wider than chance often makes. */
 std::vector<std::uint8_t>
 wideTriangles(const SurfaceGraph& graph)
 {
@@ -89,7 +89,7 @@ wideTriangles(const SurfaceGraph& graph)
   return wide;
 }
 
-/** The wide triangles joined to \p first by common edges, which are struck out of \p wide. */
+/** The wide triangles joined to \p first by common edges. They are removed from \p wide. */
 std::vector<std::uint32_t>
 cluster(const Triangulation& triangles, std::uint32_t first, std::vector<std::uint8_t>& wide)
 {
@@ -107,7 +107,7 @@ cluster(const Triangulation& triangles, std::uint32_t first, std::vector<std::ui
   return found;
 }
 
-/** Middle and extent of the circles about as wide as the widest: further triangles are of chance. */
+/** Middle and extent of the circles about as wide as the widest; other triangles come from chance. */
 ScanVoid
 measured(const SurfaceGraph& graph, std::vector<std::uint32_t> triangles)
 {
@@ -132,7 +132,7 @@ measured(const SurfaceGraph& graph, std::vector<std::uint32_t> triangles)
   return found;
 }
 
-/** Whether one of \p cluster lies at the edge of the surface: circles reach out over it there. */
+/** Whether one of \p cluster lies at the edge of the surface, where circles reach beyond it. */
 bool
 touchesEdge(const Triangulation& triangles, const std::vector<std::uint32_t>& cluster)
 {
@@ -149,7 +149,7 @@ isVoid(const SurfaceGraph& graph, const std::vector<std::uint32_t>& triangles)
 {
   if (touchesEdge(graph.triangulation(), triangles))
     return false;
-  double largest_circle = 0.0, together = 0.0; // in shares of a point
+  double largest_circle = 0.0, together = 0.0; // in areas per point
   const double share = shareAbout(graph, triangles);
   for (const std::uint32_t t : triangles) {
     const double radius = emptyCircle(graph, t).second;

@@ -9,9 +9,9 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double two_sheets_noise = 0.35; // of the spacing: more is no surface
+constexpr double two_sheets_noise = 0.35; // of the spacing: with more noise it is no surface
 
-/** The point that lies farthest off the surface, of some hundreds, and how far. */
+/** The point farthest off the surface, of some hundreds, and its distance. */
 std::pair<Eigen::Vector3d, double>
 farthestOff(const Surface& surface)
 {
@@ -39,10 +39,10 @@ checkSingleSheet(const Surface& surface)
     return Status::success();
   const auto [place, off] = farthestOff(surface);
   return {StatusCode::InvalidInput,
-          textOf("the points scatter by ", surface.noise(), " mm about a local surface, by ", off, " mm at ", placeText(place),
-                 ", against a spacing of ", surface.spacing(),
-                 " mm: this is no single sheet (a thin double wall, or noise above the point spacing); of a wall leave one "
-                 "side in the cloud, with mere noise thin it to a spacing well above (setThinning ",
+          textOf("the noise of the points about a local surface is ", surface.noise(), " mm, up to ", off, " mm at ", placeText(place),
+                 ", and their spacing is ", surface.spacing(),
+                 " mm: this is no single sheet (a thin double wall, or noise above the point spacing); for a wall, keep only "
+                 "one side in the cloud; for noise, thin the cloud to a spacing well above the noise (setThinning ",
                  4.0 * surface.noise(), ")")};
 }
 

@@ -192,7 +192,7 @@ std::string
 inMesh(std::string message)
 {
   constexpr std::pair<const char*, const char*> words[] = {
-      {"lies below the scan's own noise of", "lies below what local fits to the samples of the mesh leave,"},
+      {"is below the noise of the scan,", "is below what local fits to the samples of the mesh leave,"},
       {" (standard deviation of a point)", " (standard deviation)"},
       {"this scan cannot show whether it was kept", "so sample it more closely (--sample-spacing)"},
       {"; a real hole there is ridden over like the rest", ": it is narrower than the holes asked for (--hole-size)"},

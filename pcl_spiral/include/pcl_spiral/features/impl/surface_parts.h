@@ -46,7 +46,7 @@ bool isSpeck(const SurfacePart& part, const SurfacePart& first, std::size_t all_
 /** What the other parts are. \p parts by decreasing number of triangles; \p share: the largest of a cluster. */
 OtherParts otherParts(const std::vector<SurfacePart>& parts, double share);
 
-/** "7854 mm2 about (1, 2, 3), 12 mm2 about (4, 5, 6) and 7 more": \p parts as text, the first few listed. */
+/** "7854 mm2 at (1, 2, 3), 12 mm2 at (4, 5, 6) and 7 more": \p parts as text, the first few listed. */
 std::string partsText(const std::vector<SurfacePart>& parts);
 
 /** For each point of the graph: 1 if it belongs only to parts other than number \p part. A point without a triangle
