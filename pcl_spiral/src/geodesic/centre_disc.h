@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The small disc about the centre, in which a harmonic function has the known shape of its singularity.
+ *  The small disc about the centre, where a harmonic function has a singularity of known shape.
  */
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace pcl_spiral {
 
-/** The triangle under \p centre, or Triangulation::none when it is off the surface or in a gap. */
+/** The triangle under \p centre, or Triangulation::none if it is off the surface or in a gap. */
 std::uint32_t triangleAt(const SurfaceGraph& graph, const Eigen::Vector3d& centre);
 
-/** Points within two spacings of the domain's centre, with their directions. The domain must have been cut from
+/** Points within two spacings of the domain's centre, with their directions. The domain must be cut from
  *  \p triangle, the one under the centre. */
 Status makeCentreDisc(const SurfaceGraph& graph, std::uint32_t triangle, HarmonicDomain& domain);
 

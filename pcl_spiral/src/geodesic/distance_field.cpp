@@ -10,8 +10,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double seed_radius = 4.0; // in spacings: about a point source distances are taken straight
-constexpr double seed_band = 3.0;   // the same about a curve
+constexpr double seed_radius = 4.0; // in spacings: near a point source, distances are taken straight
+constexpr double seed_band = 3.0;   // the same near a curve
 constexpr double flattest = 1e4;    // in spacings: radius of a front that counts as straight
 
 /** Length of the arc over the offset \p d from the source to a point with the normal \p n; the curvature follows from
@@ -72,7 +72,7 @@ public:
     return best;
   }
 
-  /** Curvature vector over two spacings either way. */
+  /** Curvature vector over two spacings in both directions. */
   Eigen::Vector3d curvature(std::size_t k) const
   {
     const std::size_t n = samples_.size(), w = std::min<std::size_t>(4, n / 6);

@@ -12,7 +12,7 @@ namespace {
 constexpr double least_weight = 1e-5;
 constexpr double largest_cotangent = 1e4;
 
-/** Cotangents of a triangle's angles, each in the place of the half-edge opposite to it. */
+/** Cotangents of a triangle's angles, each at the index of the half-edge opposite to it. */
 std::array<double, 3>
 cotangents(const SurfaceGraph& graph, std::uint32_t t)
 {
@@ -28,7 +28,7 @@ cotangents(const SurfaceGraph& graph, std::uint32_t t)
 }
 
 /** Leave out the slivers along the boundary, from outside inwards: their circumcentres, and so the dual edges, lie
- *  beyond it. */
+ *  outside the surface. */
 void
 peel(const Triangulation& mesh, std::vector<double>& cotangent)
 {

@@ -10,11 +10,11 @@
 
 namespace pcl_spiral {
 
-/** Dual length over length of every half-edge's edge, the same on both sides: cotangent weights (Pinkall and Polthier
+/** Dual length divided by length of every half-edge's edge, the same on both sides: cotangent weights (Pinkall and Polthier
  *  1993), made positive.
  *
- *  Slivers along the boundary are left out, because their dual edges lie beyond it; an edge that is not Delaunay, of
- *  which a cloud's stars leave few, keeps a trace. So a solution is everywhere a mean of its neighbours and has no
+ *  Slivers along the boundary are left out, because their dual edges lie outside it. An edge that is not Delaunay, of
+ *  which a cloud's stars leave few, keeps a very small weight. So a solution is everywhere a mean of its neighbours and has no
  *  extremum of its own.
  */
 std::vector<double> edgeWeights(const SurfaceGraph& graph);

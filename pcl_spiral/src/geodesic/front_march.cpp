@@ -19,7 +19,7 @@ constexpr std::size_t piece = 64;   // points of the front that one thread takes
 void
 BucketQueue::push(std::uint32_t point, double distance)
 {
-  // Beyond the last bucket: taken with it.
+  // Beyond the last bucket: put into it.
   const double place = std::max(0.0, distance) / width_;
   const double last = static_cast<double>(current_ + buckets_.size() - 1);
   const auto bucket = static_cast<std::size_t>(std::min(place, last));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A front that runs over the triangles of a graph, triangle by triangle.
+ *  A front that moves over the triangles of a graph, one after the other.
  */
 #pragma once
 
@@ -17,7 +17,7 @@ public:
   BucketQueue(double width, std::size_t buckets) : width_(width), buckets_(buckets) {}
 
   void push(std::uint32_t point, double distance);
-  /** Takes the nearest bucket that holds anything, in the order it was filled; false when there is none. An entry may be
+  /** Takes the nearest bucket that is not empty, in the order it was filled; false if there is none. An entry may be
    *  out of date. */
   bool pop(std::vector<std::uint32_t>& points);
 
@@ -27,14 +27,14 @@ private:
   std::size_t current_ = 0, waiting_ = 0;
 };
 
-/** Distances known at seeds carried to all points.
+/** Carries distances known at seeds to all points.
  *
- *  A front about a point is a circle about the source at distance 0. In general the front at a point is taken for a
- *  circle about a centre at which the distance would be \p centre: above the distance here where it contracts.
+ *  A front about a point is a circle about the source at distance 0. In general the front at a point is approximated by a
+ *  circle about a centre at which the distance would be \p centre: above the distance here if the front contracts.
  *
- *  Points settle in rounds, half a spacing of the front at a time: all that settle look in parallel for shorter ways to
- *  their neighbours, before any is taken, so that the outcome depends on no thread. A point to which a shorter way is found
- *  later on settles again.
+ *  Points settle in rounds, half a spacing of the front at a time. All that settle look in parallel for shorter ways to
+ *  their neighbours, before any is taken, so the result does not depend on the threads. A point to which a shorter way is
+ *  found later settles again.
  */
 class FrontMarch {
 public:
@@ -47,7 +47,7 @@ public:
 private:
   enum class State : std::uint8_t {
     Far,
-    Waiting, ///< its distance has changed, its neighbours do not know yet
+    Waiting, ///< its distance has changed, and its neighbours do not know yet
     Settled
   };
   struct Way {
@@ -59,11 +59,11 @@ private:
   using Ways = std::vector<Way>;
 
   bool settled(std::uint32_t v) const { return state_[v] == State::Settled; }
-  /** Settle what of the front still waits; forget the rest. */
+  /** Settle the points of the front that still wait; forget the rest. */
   void settleFront();
   void visit(std::uint32_t v, Ways& ways) const;
   void tryAlong(std::uint32_t v, std::uint32_t j, Ways& ways) const;
-  /** The way by the front that crosses the edge a - v, in the plane of the triangle. */
+  /** The way of a front that crosses the edge a - v, in the plane of the triangle. */
   void tryAcross(std::uint32_t a, std::uint32_t v, std::uint32_t j, Ways& ways) const;
   double commonCentre(std::uint32_t a, std::uint32_t v) const;
   void take(const Way& way);

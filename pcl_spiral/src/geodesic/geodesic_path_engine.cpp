@@ -53,10 +53,10 @@ judge(const Polyline& targets, const std::vector<GeodesicLine>& lines, const Ref
     if ((empty || line.left_surface) && missing++ == 0) {
       first << "target " << i << " at " << placeText(targets[i]);
       if (empty)
-        first << " is not on the cloud, or on a part of it that the source does not reach: project it first, or scan "
+        first << " is not on the cloud, or is on a part that no path from the source reaches: project it first, or scan "
                  "the surface between";
       else
-        first << ": the shortest way leaves the surface at " << placeText(line.left_at)
+        first << ": the shortest path leaves the surface at " << placeText(line.left_at)
               << " (a re-entrant outline or a gap in the scan): choose targets in sight of the source, or scan the gap";
     }
     else if (!empty && !line.left_surface && !line.converged) {
@@ -71,7 +71,7 @@ judge(const Polyline& targets, const std::vector<GeodesicLine>& lines, const Ref
   }
   if (unsettled > 0) {
     message << "done; " << unsettled << " of " << lines.size() << " paths still moved sideways by up to " << largest << " mm (tolerance "
-            << options.tolerance << "): allow more iterations, or a tolerance as large";
+            << options.tolerance << "): allow more iterations, or a tolerance of that size";
     return {StatusCode::Ok, message.str()};
   }
   return Status::success();
@@ -87,7 +87,7 @@ checkRefinement(const RefinementOptions& options)
     message << "there are no levels; give at least one number of segments";
   for (std::size_t i = 0; i < options.levels.size(); ++i)
     if (options.levels[i] < 2 || options.levels[i] > 100000 || (i > 0 && options.levels[i] < options.levels[i - 1])) {
-      message << "level " << i << " has " << options.levels[i] << " segments; levels go up, from 2 to 100000 segments";
+      message << "level " << i << " has " << options.levels[i] << " segments; levels must not fall, and have 2 to 100000 segments";
       break;
     }
   if (message.str().empty() && options.max_iterations < 1)

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** Project what all active lines ask for together, until none is active. */
+/** Project what all active lines ask for, in one call, until no line is active. */
 void
 runLevel(const MlsSurface& surface, std::vector<LineRefiner>& refiners)
 {

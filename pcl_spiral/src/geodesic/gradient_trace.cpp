@@ -9,7 +9,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double arrival = 2.5;      // in spacings: from here straight to the source
+constexpr double arrival = 2.5;      // in spacings: from here, straight to the source
 constexpr double kernel_reach = 2.0; // in local spacings, of the gradient's smoothing
 constexpr double too_far_off = 0.75; // of that reach, from the nearest point: off the surface
 constexpr int patience = 4;          // steps without getting lower
@@ -22,7 +22,7 @@ nearestOnSegment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen
   return squared > 0.0 ? Eigen::Vector3d(a + std::min(1.0, std::max(0.0, (x - a).dot(along) / squared)) * along) : a;
 }
 
-/** How far about point \p v positions belong to it: the farthest neighbour where scan lines lie far apart. */
+/** How far from point \p v positions belong to it: up to the farthest neighbour where scan lines are far apart. */
 double
 reachAbout(const SurfaceGraph& graph, std::uint32_t v)
 {
@@ -34,7 +34,7 @@ reachAbout(const SurfaceGraph& graph, std::uint32_t v)
 
 } // namespace
 
-/** A position under way and the reached point of the cloud nearest to it. */
+/** A position on the way, and the reached point of the cloud nearest to it. */
 struct DistanceField::Place {
   Eigen::Vector3d x;
   std::uint32_t point;
@@ -90,7 +90,7 @@ DistanceField::smoothGradient(Place& place) const
   return norm > 0.0 ? Eigen::Vector3d(sum / norm) : sum;
 }
 
-/** One midpoint step downhill; false when it leads off the surface. */
+/** One midpoint step downhill; false if it leads off the surface. */
 bool
 DistanceField::step(Place& place) const
 {
@@ -142,7 +142,7 @@ DistanceField::trace(const Eigen::Vector3d& to) const
     }
     if (on_surface && ++stalled < patience)
       continue;
-    // The gradient misleads here: back to the lowest place, and on over the points.
+    // The gradient misleads here: go back to the lowest place, then on over the points.
     line.resize(kept);
     const std::uint32_t next = lowestNeighbour(lowest.point);
     if (next == lowest.point)

@@ -12,7 +12,7 @@ namespace {
 using Edge = HarmonicDomain::Edge;
 using Loops = std::vector<std::vector<std::uint32_t>>;
 constexpr std::uint32_t none = Triangulation::none;
-constexpr double pocket_in_spacings = 12.0; // longest perimeter of a gap that lines pass straight over
+constexpr double pocket_in_spacings = 12.0; // longest perimeter of a gap that lines cross straight
 
 std::vector<std::uint8_t>
 marked(std::size_t size, const std::vector<std::uint32_t>& which)
@@ -23,7 +23,7 @@ marked(std::size_t size, const std::vector<std::uint32_t>& which)
   return mark;
 }
 
-/** The loop with most of the marked points; none when it has not half of them. */
+/** The loop with most of the marked points; none if it has less than half of them. */
 std::size_t
 loopOf(const Triangulation& mesh, const Loops& loops, const std::vector<std::uint32_t>& points, const std::vector<std::uint8_t>& mark)
 {
@@ -47,7 +47,7 @@ perimeter(const SurfaceGraph& graph, const std::vector<std::uint32_t>& loop)
   return sum;
 }
 
-/** The boundary loops, taken apart where they touch themselves: a pocket at the rim is a gap of its own. */
+/** The boundary loops, split where they touch themselves: a pocket at the rim is a gap of its own. */
 Loops
 simpleLoops(const Triangulation& mesh)
 {
@@ -129,12 +129,12 @@ classify(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_poin
   if (rim_points.size() < 3 || rim == loops.size())
     return {StatusCode::InvalidArgument, "the " + std::to_string(rim_points.size()) +
                                              " rim points are not the points of one boundary loop of the surface: "
-                                             "give the outer loop's points, in the order of the graph"};
+                                             "give the points of the outer loop, in the order of the graph"};
   const std::size_t hole = inner_points.empty() ? loops.size() : loopOf(mesh, loops, inner_points, on_inner);
   if (!inner_points.empty() && (hole == loops.size() || hole == rim))
     return {StatusCode::InvalidArgument, "the " + std::to_string(inner_points.size()) +
                                              " inner points are not the points of one inner loop of the surface: "
-                                             "give the inner loop's points, in the order of the graph"};
+                                             "give the points of the inner loop, in the order of the graph"};
   std::vector<std::size_t> sizes;
   const auto part = mesh.parts(sizes);
   const std::uint32_t own = part[loops[rim][0] / 3];
@@ -181,7 +181,7 @@ makeDomain(const SurfaceGraph& graph, const Eigen::Vector3d& centre, const std::
   domain.centre = centre;
   const std::uint32_t triangle = triangleAt(graph, centre);
   if (triangle == none || domain.kind[3 * triangle] == Edge::Elsewhere)
-    return {StatusCode::InvalidArgument, "the centre does not lie on the surface that the rim bounds: move it there, "
+    return {StatusCode::InvalidArgument, "the centre is not on the surface inside the rim: move it there, "
                                          "away from gaps"};
   return cutToRim(graph.triangulation(), {}, triangle, domain) ? makeCentreDisc(graph, triangle, domain) : apart;
 }
@@ -192,7 +192,7 @@ makeDomain(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_po
 {
   std::vector<std::uint32_t> inner;
   if (inner_points.empty())
-    return {StatusCode::InvalidArgument, "no inner points were given: give the inner loop's points, or a centre"};
+    return {StatusCode::InvalidArgument, "no inner points were given: give the points of the inner loop, or a centre"};
   const Status status = classify(graph, inner_points, rim_points, domain, inner);
   if (!status.ok())
     return status;

@@ -25,8 +25,8 @@ struct HarmonicDomain {
                                                           ///< rim counter-clockwise, -1 the other way
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   std::vector<std::uint32_t> disc;   ///< points about the centre
-  std::vector<double> disc_angle;    ///< direction from the centre to each, continued across its branch but
-                                     ///< for the cut
+  std::vector<double> disc_angle;    ///< direction from the centre to each, continued across its branch except
+                                     ///< at the cut
   std::vector<double> disc_radius;   ///< distance of each over the disc's radius
   std::vector<std::uint8_t> in_disc; ///< of each point
 };

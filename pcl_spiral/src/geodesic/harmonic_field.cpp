@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t none = Triangulation::none;
 using Edge = HarmonicDomain::Edge;
 
-/** Points of the domain get numbers of their own; the others are known, and their values never asked for. */
+/** Points of the domain get numbers of their own; the others are known, and their values are never used. */
 LaplaceProblem
 problemOn(const Triangulation& mesh, const HarmonicDomain& domain, std::size_t points, int columns)
 {
@@ -101,7 +101,7 @@ HarmonicField::solveFields(const std::vector<std::uint32_t>& inner_points, const
   if (!height_done || !angle_done) {
     *this = HarmonicField();
     return {StatusCode::Failed, "the equations of the harmonic function could not be solved: the surface between the "
-                                "middle and the rim hangs together by too little; close the gaps, or thin less"};
+                                "middle and the rim is almost disconnected; close the gaps, or thin less"};
   }
   levelRim();
   surface_ = std::make_unique<MlsSurface>(*graph_);
@@ -156,7 +156,7 @@ HarmonicField::solveAngle(const std::vector<double>& weight)
   for (std::size_t k = 0; k < domain.disc.size(); ++k)
     setKnown(problem, domain.disc[k], Eigen::RowVectorXd::Constant(1, domain.disc_angle[k]));
   number(problem);
-  // Nothing flows through a gap's edge: v is one constant along it. Gaps that touch share theirs.
+  // Nothing flows through the edge of a gap: v is constant along it. Gaps that touch share the constant.
   for (bool changed = !domain.gaps.empty(); changed;) {
     changed = false;
     for (const auto& gap : domain.gaps) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Lines from a centre, or an inner loop, to the rim of a surface that cannot cross: gradient lines of a harmonic
+ *  Lines from a centre, or an inner loop, to the rim of a surface. They cannot cross: they are gradient lines of a harmonic
  *  function.
  */
 #pragma once
@@ -18,11 +18,11 @@ struct HarmonicDomain;
 /** The harmonic function u of a surface with u = 1 on the rim and u = 0 about a centre or on an inner loop, and its
  *  gradient lines.
  *
- *  u has no extremum inside, so from every place of the rim one line of steepest descent leads to the centre or the inner
+ *  u has no extremum inside. So from every place of the rim one line of steepest descent leads to the centre or the inner
  *  loop, and no two lines meet on the way. The lines are traced as level lines of the conjugate function v, the angle
- *  about the centre on a flat disc, which is solved for in its own right (it grows by 2 pi once round): a level line of a
- *  piecewise linear function neither stops short nor crosses another. Other boundary loops (gaps in the scan) let nothing
- *  through; lines ride round them.
+ *  about the centre on a flat disc, which is solved for separately (it grows by 2 pi once round): a level line of a
+ *  piecewise linear function neither stops early nor crosses another. Other boundary loops (gaps in the scan) let nothing
+ *  through; lines go round them.
  *  Weights are positive cotangents (Pinkall and Polthier 1993); the time is that of two sparse solutions.
  *
  *  Lengths in mm; indices are those of the graph, which must outlive the field. Every const member may be called from
@@ -43,12 +43,12 @@ public:
   Status compute(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_points, const Polyline& inner_curve,
                  const std::vector<std::uint32_t>& rim_points);
 
-  /** u at point \p i of the graph; NaN on parts of the cloud not joined to the rim. */
+  /** u at point \p i of the graph; NaN on parts of the cloud that are not joined to the rim. */
   double value(std::size_t i) const { return height_[i]; }
 
-  /** The line to \p on_rim, a point of the outline, up to a spacing or so beyond the outermost points: from the centre
-   *  exactly, or from the inner curve, outwards, to \p on_rim exactly; its other points about two spacings apart, on the
-   *  surface. Empty before a successful compute, and when \p on_rim is farther than four spacings from the cloud. */
+  /** The line to \p on_rim, a point of the outline, up to about a spacing outside the outermost points: from the centre
+   *  exactly, or from the inner curve, outwards, to \p on_rim exactly. Its other points are about two spacings apart, on the
+   *  surface. Empty before a successful compute, and if \p on_rim is farther than four spacings from the cloud. */
   Polyline trace(const Eigen::Vector3d& on_rim) const;
   /** The lines to many points, in parallel. */
   std::vector<Polyline> trace(const Polyline& on_rim) const;
@@ -57,7 +57,7 @@ private:
   /** A half-edge that starts below a level and ends above it. */
   struct LevelEdge {
     std::uint32_t half_edge;
-    double above; ///< the level, over the value at the start
+    double above; ///< the level, relative to the value at the start
   };
   Status solveFields(const std::vector<std::uint32_t>& inner_points, const std::vector<std::uint32_t>& rim_points);
   bool solveHeight(const std::vector<double>& weight, const std::vector<std::uint32_t>& inner_points,

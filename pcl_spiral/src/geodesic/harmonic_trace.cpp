@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t none = Triangulation::none;
 constexpr double farthest_in_spacings = 4.0; // of a rim point from the cloud
 constexpr double step_in_spacings = 2.0;     // of a line's points
-constexpr double smoothed_in_spacings = 5.0; // waves shorter than this are of the triangles
+constexpr double smoothed_in_spacings = 5.0; // shorter waves come from the triangles
 constexpr double ragged_in_spacings = 2.5;   // from the outermost points inwards
 
 /** Where \p value lies in the growing \p levels, whose last is a whole turn above the first. */
@@ -67,7 +67,7 @@ HarmonicField::passTriangle(LevelEdge& at) const
   const HarmonicDomain& domain = *domain_;
   const std::uint32_t to_third = Triangulation::next(at.half_edge), from_third = Triangulation::previous(at.half_edge);
   bool third_is_above = -growth(from_third) >= at.above;
-  // Both ends of a gap's edge lie on one side of every level.
+  // Both ends of the edge of a gap lie on the same side of every level.
   if (domain.kind[third_is_above ? from_third : to_third] == HarmonicDomain::Edge::Gap)
     third_is_above = !third_is_above;
   const std::uint32_t out = third_is_above ? from_third : to_third;
@@ -181,7 +181,7 @@ HarmonicField::trace(const Polyline& on_rim) const
 #pragma omp parallel for schedule(dynamic)
   for (std::int64_t l = 0; l < count; ++l)
     lines[l] = smoothLine(on_rim[l]);
-  // All but the ends onto the surface, in one go.
+  // Put all points except the ends onto the surface, in one call.
   std::vector<Eigen::Vector3d> queries;
   std::vector<SurfaceFoot> feet;
   for (const Polyline& line : lines)

@@ -19,14 +19,14 @@ struct LaplaceProblem {
 
   std::vector<std::uint32_t> unknown; ///< of each point: its unknown (points may share one), or known
   std::size_t unknowns = 0;
-  Eigen::MatrixXd values;   ///< a row a point, a column a right-hand side; rows of known points are given
+  Eigen::MatrixXd values;   ///< one row per point, one column per right-hand side; rows of known points are given
   std::vector<double> rise; ///< of each half-edge: what the function grows along it beyond the difference of
                             ///< its values (a cut of a many-valued function); empty: nothing
 };
 
-/** Fill in the rows of the unknown points. \p edges: half-edges to count, one an edge; \p weight of each half-edge.
- *  Sparse Cholesky; above 300,000 unknowns conjugate gradients with an incomplete one.
- *  \return false when the equations are singular or the iteration did not settle.
+/** Fill in the rows of the unknown points. \p edges: half-edges to count, one per edge; \p weight of each half-edge.
+ *  Sparse Cholesky; above 300,000 unknowns conjugate gradients with an incomplete factorisation.
+ *  \return false if the equations are singular or the iteration did not converge.
  */
 bool solve(const Triangulation& mesh, const std::vector<std::uint32_t>& edges, const std::vector<double>& weight, LaplaceProblem& problem);
 

@@ -13,11 +13,11 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t fewest_points = 18;
-constexpr double bending = 1e-2; // holds the second order where the points do not determine it
+constexpr double bending = 1e-2; // determines the second order where the points do not
 
 struct Value {
   std::uint32_t point;
-  double level; ///< over the value at the start
+  double level; ///< relative to the value at the start
 };
 
 /** Points within \p reach of \p query that are joined to \p start by such points. */
@@ -80,7 +80,7 @@ growing(const std::vector<double>& levels, double period)
     double sum;
     std::size_t count;
   };
-  // Three periods, so that the middle one does not see an end.
+  // Three periods, so that no end affects the middle one.
   const std::size_t n = levels.size();
   std::vector<Pool> pools;
   for (std::size_t i = 0; i < 3 * n; ++i) {

@@ -11,7 +11,7 @@
 
 namespace pcl_spiral {
 
-/** Value at \p query less the value at \p start, the point nearest to it: by a quadratic fit, weighted by distance, to
+/** Value at \p query minus the value at \p start, the point nearest to it: by a quadratic fit, weighted by distance, to
  *  the points reached from \p start over edges. \p growth of the function along a half-edge. */
 double fitLevel(const SurfaceGraph& graph, std::uint32_t start, const Eigen::Vector3d& query,
                 const std::function<double(std::uint32_t)>& growth);

@@ -15,8 +15,8 @@ using Eigen::Vector3d;
 constexpr double least_scale = 1.0 / 32.0; // of a step that is being shortened
 constexpr double coarse_tolerance = 2e-4;  // of the segments' length: enough at the coarser levels
 constexpr double longest_step = 1.5;       // in segments
-constexpr double uneven = 1.8;             // a chord so many times the mean is a jump
-constexpr double slow = 0.97;              // of the smallest move so far: an iteration that brings nothing
+constexpr double uneven = 1.8;             // a chord this many times the mean is a jump
+constexpr double slow = 0.97;              // of the smallest move so far: above this an iteration brings no progress
 constexpr int most_stalls = 3;             // such iterations in a row
 constexpr double probe_distance = 0.5;     // in spacings, either side of the line
 
@@ -103,7 +103,7 @@ LineRefiner::takeStart(std::size_t fault)
     accept();
     return;
   }
-  if (refined_) { // the coarser level has lost the surface: from the start again
+  if (refined_) { // the coarser level has lost the surface: start again
     refined_ = false;
     candidate_ = resampled(start_, segments_ + 1);
     return;

@@ -8,7 +8,7 @@
 
 namespace pcl_spiral {
 
-/** Moves one line, in rounds: it asks for points to be projected, and takes their feet. */
+/** Moves one line, in rounds: it asks for points to be projected and takes their feet. */
 class LineRefiner {
 public:
   LineRefiner(GeodesicLine& line, const RefinementOptions& options, double spacing)
@@ -30,7 +30,7 @@ private:
 
   void takeStart(std::size_t fault);
   void takeStep(std::size_t fault);
-  /** A fit's normal leans by the change of curvature under it; feet either side show the true slope. */
+  /** The normal of a fit leans with the change of curvature under it; feet on both sides show the true slope. */
   void takeProbes(const SurfaceFoot* probes);
   void accept();
   /** The next step from where the line is. */

@@ -8,7 +8,7 @@
 
 namespace pcl_spiral {
 
-/** Interpolating cubic spline over chord length; its second derivative runs on straight into the end segments. */
+/** Interpolating cubic spline over chord length; its second derivative continues straight into the end segments. */
 class LineSpline {
 public:
   explicit LineSpline(const Polyline& points);

@@ -25,7 +25,7 @@ lengthOf(const SurfaceMesh& mesh, std::uint32_t h)
   return (mesh.position(mesh.triangles().target(h)) - mesh.position(mesh.triangles().origin(h))).norm();
 }
 
-/** Curvature about a vertex, 1/mm: angles of the edges that leave it times their lengths, over the area of its faces; bent edges
+/** Curvature at a vertex, 1/mm: angles of the edges that leave it times their lengths, over the area of its faces; bent edges are
  *  left out. These edges are two thirds of what the faces have. */
 double
 curvatureAbout(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& bent, std::uint32_t v)
@@ -41,7 +41,7 @@ curvatureAbout(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& bent, s
   return 1.5 * bend / area;
 }
 
-/** Whether the face beyond \p narrow, across the longer of its other two edges, or either where they are as long, is bent
+/** Whether the face beyond \p narrow, across the longer of its other two edges, or across either if they are equally long, is bent
  *  against \p wide by more than the crease angle. */
 bool
 bendsOnBeyond(const SurfaceMesh& mesh, std::uint32_t narrow, std::uint32_t wide)
@@ -59,7 +59,7 @@ bendsOnBeyond(const SurfaceMesh& mesh, std::uint32_t narrow, std::uint32_t wide)
   return false;
 }
 
-/** Whether the part is bent at an edge, of whose faces \p narrow is the narrow one. */
+/** Whether the part is bent at an edge; \p narrow is the narrow one of its faces. */
 bool
 standsOutAs(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& bent, double noise, std::uint32_t narrow, std::uint32_t wide)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Edges of a mesh that bend sharply, and whether the part does there. Private to mesh.
+ *  Edges of a mesh that bend sharply, and whether the part bends there. Private to mesh.
  */
 #pragma once
 
@@ -11,9 +11,9 @@ namespace pcl_spiral {
 /** For each half-edge whether its faces are bent by more than the crease angle. */
 std::vector<std::uint8_t> bentEdges(const SurfaceMesh& mesh);
 
-/** Whether the part itself is bent at a bent edge. Narrow faces bend sharply on smooth parts, too, where a corner of theirs lies
- *  beside a long edge: then the face beyond the narrow one goes on as the wide one does, and the narrow one stands up by no more
- *  than four times what the mesh errs there: the standard deviation of the vertices' \p noise, and the sag of its longest
+/** Whether the part itself is bent at a bent edge. Narrow faces bend sharply on smooth parts, too, if one of their corners lies
+ *  beside a long edge: then the face beyond the narrow one continues the wide one, and the narrow one stands up by no more
+ *  than four times the error of the mesh there: the standard deviation of the vertices' \p noise, and the sag of its longest
  *  edge on the curvature about it. */
 bool standsOut(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& bent, double noise, std::uint32_t h);
 

@@ -16,7 +16,7 @@ cornerSectors(const Triangulation& mesh, const std::vector<std::uint8_t>& crease
   for (std::uint32_t first = 0; first < n; ++first) {
     if (sectors.of_corner[first] != none)
       continue;
-    // Counter-clockwise from the corner until a crease, the boundary or the begin; then clockwise.
+    // Counter-clockwise from the corner until a crease, the boundary or the start; then clockwise.
     for (std::uint32_t h = first; h != none && sectors.of_corner[h] == none;) {
       sectors.of_corner[h] = count;
       const std::uint32_t side = Triangulation::previous(h);

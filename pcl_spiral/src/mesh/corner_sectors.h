@@ -11,8 +11,8 @@
 
 namespace pcl_spiral {
 
-/** Sectors: about each vertex, the faces that are joined there by edges that are no creases. Each corner of a face, named by
- *  the half-edge that leaves it, is in one. */
+/** Sectors: about each vertex, the faces joined there by edges that are no creases. Each corner of a face, named by
+ *  the half-edge that leaves it, is in one sector. */
 struct CornerSectors {
   std::vector<std::uint32_t> of_corner; ///< of each half-edge
   std::vector<std::uint32_t> begin;     ///< of each sector in corners, and the end

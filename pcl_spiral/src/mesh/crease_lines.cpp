@@ -14,7 +14,7 @@ CreaseLines::CreaseLines(const SurfaceMesh& mesh, const std::vector<std::uint8_t
     const std::uint32_t other = mesh.triangles().opposite(h);
     if (!mesh.isCrease(h) || h > other || !counts(h / 3) || !counts(other / 3))
       continue;
-    for (const double u : {0.0, 0.5, 1.0}) { // the parabola by two segments
+    for (const double u : {0.0, 0.5, 1.0}) { // the parabola as two segments
       line_.push_back(edgePlace(mesh, h, u));
       is_joint_.push_back(u == 1.0);
     }

@@ -38,7 +38,7 @@ public:
         ++taken_[c];
   }
 
-  /** Take what can be in all cells, those of one colour, two apart, at the same time. */
+  /** Take what can be taken in all cells; cells of one colour, two apart, at the same time. */
   void fill()
   {
     std::array<std::vector<std::uint32_t>, 8> colours;
@@ -79,7 +79,7 @@ private:
     return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
   }
 
-  /** Put all darts in order: in parts, which are then merged by twos. */
+  /** Put all darts in order: first in parts, which are then merged in pairs. */
   void sort()
   {
     constexpr std::int64_t parts = 16;
@@ -100,7 +100,7 @@ private:
     }
   }
 
-  /** Places taken in the cells about cell \p c and in itself. */
+  /** Places taken in cell \p c and the cells around it. */
   void lookAround(std::uint32_t c, std::vector<Eigen::Vector3f>& near) const
   {
     near.clear();
@@ -115,7 +115,7 @@ private:
       }
   }
 
-  /** Take darts of cell \p c, and move them to its begin. */
+  /** Take darts of cell \p c, and move them to its front. */
   void fillCell(std::uint32_t c, std::vector<Eigen::Vector3f>& near)
   {
     lookAround(c, near);
@@ -135,7 +135,7 @@ private:
   std::vector<Placed> order_;
   std::vector<std::uint64_t> keys_; ///< of the cells with darts, ascending
   std::vector<std::uint32_t> begin_;
-  std::vector<std::uint32_t> taken_; ///< of each cell: so many of its darts, the first
+  std::vector<std::uint32_t> taken_; ///< of each cell: number of its darts that are taken, the first ones
 };
 
 } // namespace

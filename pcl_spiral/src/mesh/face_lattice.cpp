@@ -18,7 +18,7 @@ isBefore(const Vector3d& a, const Vector3d& b)
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-/** Corner at which the longest side begins; of sides of one length the one whose begin comes first by its coordinates. */
+/** Corner at which the longest side begins; of equally long sides, the one whose start comes first by its coordinates. */
 int
 longestSide(const Eigen::Matrix3d& corners)
 {

@@ -11,7 +11,7 @@
 
 namespace pcl_spiral {
 
-/** Columns of places over the longest side of a face, none on its edges, whatever the face's shape: every place of the face
+/** Columns of places over the longest side of a face, none on its edges. Whatever the face's shape, every place of the face
  *  has one within 1.45 steps. The same whichever corner the face begins with. */
 class FaceLattice {
 public:
@@ -22,7 +22,7 @@ public:
   std::size_t count() const;
   /** Shares of the corners of patch(). */
   Eigen::Vector3d place(std::size_t column, std::size_t row) const;
-  /** The face's patch, its corners from the begin of the longest side on. */
+  /** The face's patch, its corners from the start of the longest side on. */
   const MeshPatch& patch() const { return patch_; }
 
 private:

@@ -15,13 +15,13 @@ class NormalFit {
 public:
   NormalFit(const Triangulation& mesh, const std::vector<Eigen::Vector3d>& positions, const CornerSectors& sectors);
 
-  /** Turn \p normal, of the faces, to that of the cubic surface fitted to two rings about \p sector's vertex, not across
-   *  creases. False, and \p normal as it was, where these do not determine one, or it leans far off. \p scatter, if asked for:
+  /** Replace \p normal, of the faces, by that of the cubic surface fitted to two rings about \p sector's vertex, not across
+   *  creases. False, with \p normal unchanged, if these do not determine one, or it leans far off. \p noise, if given:
    *  standard deviation of the vertices about the fit, mm. */
-  bool refine(std::uint32_t sector, Eigen::Vector3d& normal, double* scatter = nullptr);
+  bool refine(std::uint32_t sector, Eigen::Vector3d& normal, double* noise = nullptr);
 
 private:
-  bool fit(Eigen::Vector3d& normal, double* scatter) const;
+  bool fit(Eigen::Vector3d& normal, double* noise) const;
   void takeFan(std::uint32_t sector);
   void takeRing();
 

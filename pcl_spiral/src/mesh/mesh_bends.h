@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Curvature of the surface that a mesh stands for. Private to mesh.
+ *  Curvature of the surface that a mesh represents. Private to mesh.
  */
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace pcl_spiral {
 
-/** Normal and principal curvatures at each sector of the mesh (SurfaceMesh::sector): of the change of the normals over its faces,
- *  a mean by their areas. */
+/** Normal and principal curvatures at each sector of the mesh (SurfaceMesh::sector): from the change of the normals over its faces,
+ *  a mean weighted by their areas. */
 std::vector<SurfaceBend> meshBends(const SurfaceMesh& mesh);
 
 } // namespace pcl_spiral

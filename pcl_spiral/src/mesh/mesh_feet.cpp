@@ -8,7 +8,7 @@ namespace pcl_spiral {
 MeshFoot
 MeshFeet::of(const Eigen::Vector3d& place) const
 {
-  constexpr double sag = 1e-4;     // mm: parts of faces are taken for the curved surface when nearer to it
+  constexpr double sag = 1e-4;     // mm: parts of faces nearer than this to the curved surface represent it
   constexpr double on_side = 1e-9; // a share
   PatchPlace nearest;
   faces_.nearest(place, std::numeric_limits<double>::infinity(), sag, nearest);

@@ -9,14 +9,14 @@
 
 namespace pcl_spiral {
 
-/** Where a place falls on the curved surface of a mesh. */
+/** Foot of a place on the curved surface of a mesh. */
 struct MeshFoot {
   std::uint32_t face = 0;
   Eigen::Vector3d weights = Eigen::Vector3d::Zero(); ///< barycentric, in the face
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< unit, out of the material
   double distance = 0.0;                            ///< of the place from it, mm
-  bool beyond = false;                              ///< it lies on the mesh's boundary: the place may be beside the mesh
+  bool beyond = false;                              ///< it lies on the boundary of the mesh: the place may be beside the mesh
 };
 
 /** Finds feet. Safe to use from several threads at once. The mesh must outlive it. */

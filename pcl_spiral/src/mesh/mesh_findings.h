@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What was found in a mesh, in words.
+ *  What was found in a mesh, as text.
  */
 #pragma once
 
@@ -12,11 +12,11 @@
 
 namespace pcl_spiral {
 
-/** Each kind of MeshFinding that was mended or left out, by its words, such as "faces turned"; those that did not occur are among
- *  them, with a count of 0. */
+/** Each kind of MeshFinding that was repaired or left out, with its text, such as "faces turned". Those that did not occur are
+ *  included, with a count of 0. */
 std::vector<std::pair<const char*, MeshFinding>> mendedFindings(const MeshCounts& counts);
 
-/** "3 faces turned (first at (1, 2, 3)), 2 separate parts"; empty where nothing was done and the mesh is of one part. */
+/** "3 faces turned (first at (1, 2, 3)), 2 separate parts"; empty if nothing was done and the mesh is of one part. */
 std::string findingsText(const MeshCounts& counts);
 
 } // namespace pcl_spiral

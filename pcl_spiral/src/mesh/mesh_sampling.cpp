@@ -93,12 +93,12 @@ private:
     if (candidates < 4e9 && !(memory && bytes > *memory))
       return Status::success();
     return {StatusCode::InvalidArgument,
-            textOf("sampling the mesh's ", mesh_.area(), " mm2 every ", spacing_, " mm looks at ", std::ceil(1e-6 * candidates),
-                   " million places and takes ", std::ceil(1e-9 * bytes), " GB of memory, of which ", memory ? 1e-9 * *memory : 0.0,
-                   " GB are free: raise the spacing (setSpacing), or leave it to be chosen (0)")};
+            textOf("sampling the mesh's ", mesh_.area(), " mm2 every ", spacing_, " mm needs ", std::ceil(1e-6 * candidates),
+                   " million places and ", std::ceil(1e-9 * bytes), " GB of memory, but only ", memory ? 1e-9 * *memory : 0.0,
+                   " GB are free: raise the spacing (setSpacing), or set it to 0 to have it chosen")};
   }
 
-  /** How many candidates each face has; refuses too many. */
+  /** Count the candidates of each face; refuse too many. */
   Status count()
   {
     const double step = lattice_step * spacing_;
@@ -111,7 +111,7 @@ private:
           box.extend(mesh_.position(v));
       }
     if (box.isEmpty())
-      return {StatusCode::InvalidInput, "none of the mesh's faces is chosen: choose some (setFaces), or give none for all"};
+      return {StatusCode::InvalidInput, "no face of the mesh is chosen: choose some (setFaces), or give no choice to take all"};
     if (box.sizes().maxCoeff() > most_dart_cells * apart * spacing_)
       return {StatusCode::InvalidArgument, textOf("a spacing of ", spacing_, " mm is too close for a mesh ", box.sizes().maxCoeff(),
                                                   " mm long: raise it (setSpacing), or check the units")};
@@ -191,7 +191,7 @@ MeshSampling::run(pcl::PointCloud<pcl::PointNormal>& output)
       return status;
   if (!chosen_.empty() && chosen_.size() != mesh_->faceCount())
     return {StatusCode::InvalidInput, textOf("faces are chosen by ", chosen_.size(), " values, but the mesh has ", mesh_->faceCount(),
-                                             " faces: give one a face, or none for all (setFaces)")};
+                                             " faces: give one value per face, or none for all (setFaces)")};
   used_spacing_ = spacing_ > 0.0 ? spacing_ : defaultSampleSpacing(*mesh_, chosen_);
   if (const Status status = Sampler(*mesh_, chosen_, used_spacing_).run(output, faces_); !status.ok())
     return status;

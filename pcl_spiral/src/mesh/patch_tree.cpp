@@ -13,7 +13,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/** Of the corners and the parabolas' control points: the patch lies within their hull. Rounded outwards. */
+/** Box of the corners and the control points of the parabolas: the patch lies within their hull. Rounded outwards. */
 Box
 boxOf(const PatchCell& cell)
 {
@@ -51,7 +51,7 @@ alongSegment(const Vector3d& a, const Vector3d& b, const Vector3d& p)
   return length > 0.0 ? std::clamp((p - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
 }
 
-/** Take the places of \p cell nearer than \p best has. */
+/** Take those places of \p cell that are nearer than \p best. */
 void
 takeNearest(const PatchCell& cell, const Vector3d& p, double sag, std::uint32_t index, bool& found, PatchPlace& best)
 {

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double corner = 20.0; // degrees: a rim turning by more has a point there
+constexpr double corner = 20.0; // degrees: a rim has a point where it turns by more
 constexpr int pieces = 8;       // of a curved edge, to measure it
 
 bool
@@ -28,7 +28,7 @@ class RimWalk {
 public:
   RimWalk(const SurfaceMesh& mesh, double step) : mesh_(mesh), step_(step) {}
 
-  /** Its corners, and evenly between them. */
+  /** Puts points at the corners of a rim, and evenly between them. */
   void add(const MeshRim& rim)
   {
     const std::vector<std::size_t> corners = cornersOf(rim);
@@ -40,7 +40,7 @@ public:
   const std::vector<Dart>& darts() const { return darts_; } ///< corners go before the others
 
 private:
-  /** Edges at whose begin the rim turns; else the one that begins at the least coordinates, whatever the order of the faces. */
+  /** Edges at whose start the rim turns; otherwise the one that starts at the least coordinates, whatever the order of the faces. */
   std::vector<std::size_t> cornersOf(const MeshRim& rim) const
   {
     const std::size_t n = rim.half_edges.size();
@@ -60,7 +60,7 @@ private:
     return corners.empty() ? std::vector<std::size_t>{first} : corners;
   }
 
-  /** From the begin of edge \p from to that of \p to, which goes to the next run. */
+  /** From the start of edge \p from to that of \p to, which belongs to the next run. */
   void addRun(const MeshRim& rim, std::size_t from, std::size_t to)
   {
     const std::size_t n = rim.half_edges.size();

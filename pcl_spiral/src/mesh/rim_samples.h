@@ -17,7 +17,7 @@ struct RimSample {
 };
 
 /** Points of the rims of the chosen faces: at their corners, and between these at even distances of up to \p step. Of rims that
- *  lie on one another, as along a seam that was not joined, points nearer than \p apart to others are left out. */
+ *  coincide, as along a seam that was not joined, points nearer than \p apart to others are left out. */
 std::vector<RimSample> rimSamples(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& chosen, double step, double apart);
 
 } // namespace pcl_spiral

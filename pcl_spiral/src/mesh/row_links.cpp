@@ -36,7 +36,7 @@ straightWays(const DrivePasses& passes, const LinkLimits& limits)
   return ways;
 }
 
-/** Put the ways on the surface, but for their ends; empty what leaves it. \p points: those between the ends
+/** Put the ways on the surface, except for their ends; empty those that leave it. \p points: those between the ends
  * of each. */
 void
 putOn(const PlacesOnSurface& on_surface, std::vector<Way>& ways, std::vector<DrivePoints>& points)
@@ -74,7 +74,7 @@ linkRows(DrivePasses& passes, const LinkLimits& limits, const PlacesOnSurface& o
     if (length(way) <= limits.longest)
       way = way.empty() ? way : divided(way, limits.spacing);
     else
-      way.clear(); // led off by another sheet
+      way.clear(); // led away by another sheet
   putOn(on_surface, ways, between);
   RowLinks links;
   DrivePasses joined;

@@ -50,22 +50,22 @@ SectionCurve::onEdge(std::uint32_t h, const Vector3d& b) const
   return point;
 }
 
-/** Barycentric coordinates of the curved surface's place in the plane, between the crossings \p from and \p to: from the
- *  straight way towards the corner that lies alone on its side of the plane, a quadratic equation. Where that is not within the
- *  face, the place next to it that is. */
+/** Barycentric coordinates of the place of the curved surface in the plane, between the crossings \p from and \p to: from the
+ *  straight way towards the corner that lies alone on its side of the plane, a quadratic equation. If that is not within the
+ *  face, the nearest place that is. */
 Vector3d
 SectionCurve::inPlane(const MeshPatch& patch, const Chord& chord, double share, double level) const
 {
   const Vector3d b = (1.0 - share) * chord.from + share * chord.to;
   Vector3d w = Vector3d::Constant(-0.5);
-  w[chord.lone] = 1.0;
+  w[chord.apex] = 1.0;
   const auto value = [&](double s) { return normal_.dot(patch.position(b + s * w)) - level; };
   const double q0 = value(0.0), plus = value(1.0), minus = value(-1.0);
   const double q1 = 0.5 * (plus - minus), q2 = 0.5 * (plus + minus) - q0;
   const double discriminant = q1 * q1 - 4.0 * q2 * q0;
   const double q = q1 + std::copysign(std::sqrt(std::max(0.0, discriminant)), q1);
-  const double others = std::min(b[(chord.lone + 1) % 3], b[(chord.lone + 2) % 3]);
-  const double low = -b[chord.lone], high = 2.0 * std::max(0.0, others);
+  const double others = std::min(b[(chord.apex + 1) % 3], b[(chord.apex + 2) % 3]);
+  const double low = -b[chord.apex], high = 2.0 * std::max(0.0, others);
   const double near = discriminant < 0.0 ? -0.5 * q1 / q2 : q != 0.0 ? -2.0 * q0 / q : 0.0; // to the straight way, or to the plane
   const double far = q2 != 0.0 && discriminant >= 0.0 ? -0.5 * q / q2 : near;
   const bool is_far = (near < low || near > high) && far >= low && far <= high;
@@ -90,7 +90,7 @@ SectionCurve::addInside(std::uint32_t face, const Chord& chord, double level, Dr
   double parts = 1.0;
   if (mesh_.sag(face) > 0.0) {
     const Vector3d middle = patch.position(inPlane(patch, chord, 0.5, level));
-    // The section is nearly a parabola, whose chords' errors fall by the square of their number.
+    // The section is nearly a parabola, so the error of its chords falls with the square of their number.
     parts = std::sqrt((middle - 0.5 * (begin + end)).norm() / settings_.chord_error);
   }
   if (settings_.point_spacing > 0.0)
@@ -115,9 +115,9 @@ SectionCurve::contacts(const LevelLine& line, double level, std::size_t& inside)
     const Vector3d from = atCrossing(in, level), to = atCrossing(out, level);
     add(onEdge(in, from), pass);
     const std::size_t before = pass.points.size();
-    // The corner alone on its side of the plane is that of both edges.
-    const int lone = static_cast<int>(in % 3 == out % 3 || in % 3 == (out + 1) % 3 ? in % 3 : (in + 1) % 3);
-    addInside(in / 3, {from, to, lone}, level, pass);
+    // The corner alone on its side of the plane belongs to both edges.
+    const int apex = static_cast<int>(in % 3 == out % 3 || in % 3 == (out + 1) % 3 ? in % 3 : (in + 1) % 3);
+    addInside(in / 3, {from, to, apex}, level, pass);
     inside += pass.points.size() - before;
     add(onEdge(out, to), pass);
   }

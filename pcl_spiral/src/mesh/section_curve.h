@@ -11,7 +11,7 @@
 
 namespace pcl_spiral {
 
-/** Makes contacts of lines, each by itself. */
+/** Makes contacts of lines, one line at a time. */
 class SectionCurve {
 public:
   /** \p distances of the vertices along the unit \p normal of the planes. */
@@ -19,7 +19,7 @@ public:
                const std::vector<double>& distances);
 
   /** The contacts of \p line, a line of the flat faces with the plane at \p level, put on the curved surface; \p inside is
-   *  raised by those put inside faces. */
+   *  increased by the number of those put inside faces. */
   DrivePass contacts(const LevelLine& line, double level, std::size_t& inside) const;
 
 private:
@@ -28,7 +28,7 @@ private:
   /** The straight way through a face, in barycentric coordinates, and the corner that lies alone on its side of the plane. */
   struct Chord {
     Eigen::Vector3d from, to;
-    int lone;
+    int apex;
   };
   Eigen::Vector3d inPlane(const MeshPatch& patch, const Chord& chord, double share, double level) const;
   void addInside(std::uint32_t face, const Chord& chord, double level, DrivePass& pass) const;

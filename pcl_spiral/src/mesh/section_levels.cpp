@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double most_rows = 1e7;
-constexpr double floor_share = 0.25; // of the step on a plane: nearer rows are never put
+constexpr double floor_share = 0.25; // of the step on a plane: rows are never nearer
 
 /** Equation (4) of Sun, Li, Li, Liu, 2010: the step on a plane. */
 double
@@ -37,7 +37,7 @@ checkRows(double rows, double extent, double step)
                  ": is the mesh in another unit than mm? Otherwise raise the step-over (setStepOver)")};
 }
 
-/** Refused where the contacts, predicted by the area, are too many, or take more memory with what is made of them than there is. */
+/** Refused if the contacts, predicted from the area, are too many, or need more memory, with what is made of them, than there is. */
 Status
 checkSize(const SurfaceMesh& mesh, const SectionSettings& settings, double step)
 {
@@ -50,13 +50,13 @@ checkSize(const SurfaceMesh& mesh, const SectionSettings& settings, double step)
   if (contacts <= most_contacts && (!memory || bytes <= *memory))
     return Status::success();
   return {StatusCode::InvalidArgument, textOf("the sections asked for are too large: about ", contacts, " contacts and ", bytes / 1e9,
-                                              " GB of memory, where ", most_contacts, " contacts are the most") +
+                                              " GB of memory; at most ", most_contacts, " contacts are allowed") +
                                            (memory ? textOf(" and ", *memory / 1e9, " GB are free") : std::string()) +
                                            textOf(": is the mesh in another unit than mm? Otherwise put rows farther apart, now ", step,
                                                   " mm (setStepOver, setScallop), or contacts (setPointSpacing)")};
 }
 
-/** What each face allows of the rows across it: the least of its corners. */
+/** What each face allows for the rows across it: the least of its corners. */
 std::vector<RowPatch>
 facePatches(const SurfaceMesh& mesh, const SectionSettings& settings, const Vector3d& normal, const MeshExtent& extent)
 {
@@ -86,12 +86,12 @@ keptLevels(const SurfaceMesh& mesh, const SectionSettings& settings, const Vecto
   report.held_share = rows.held_share;
   if (rows.narrowest != RowLevels::none) {
     const MeshPatch patch = mesh.patch(rows.narrowest);
-    report.warnings.push_back(textOf("rows are held ", floor, " mm apart on ", 100.0 * rows.held_share,
+    report.warnings.push_back(textOf("rows stay ", floor, " mm apart on ", 100.0 * rows.held_share,
                                      " % of the surface, where the "
                                      "scallop height of ",
-                                     settings.scallop_height, " mm asks for less, least at ", placeText(patch.corners.rowwise().mean()),
+                                     settings.scallop_height, " mm needs less, the smallest at ", placeText(patch.corners.rowwise().mean()),
                                      ": ridges there are higher; turn the planes across "
-                                     "steep walls (setPlaneNormal), or, in a hollow hardly wider than the ball, take a smaller one"));
+                                     "steep walls (setPlaneNormal), or take a smaller ball if a hollow is hardly wider than the ball"));
   }
   return std::move(rows.levels);
 }

@@ -9,7 +9,7 @@
 
 namespace pcl_spiral {
 
-/** How far each vertex lies along the planes' normal, and from where to where they all do. */
+/** How far each vertex lies along the normal of the planes, and the range of these values. */
 struct MeshExtent {
   std::vector<double> of;
   double low = 0.0, high = 0.0;
@@ -17,8 +17,8 @@ struct MeshExtent {
 
 MeshExtent extentAlong(const SurfaceMesh& mesh, const Eigen::Vector3d& normal);
 
-/** The planes of \p settings: given, even, or kept to the scallop. Refused where none crosses the mesh, where it has no extent, or
- *  where rows and contacts would be too many. */
+/** The planes of \p settings: given, even, or set by the scallop height. Refused if none crosses the mesh, if it has no extent, or
+ *  if rows and contacts would be too many. */
 Status sectionLevels(const SurfaceMesh& mesh, const SectionSettings& settings, const MeshExtent& extent, std::vector<double>& levels,
                      SectionReport& report);
 

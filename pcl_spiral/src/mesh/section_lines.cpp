@@ -22,7 +22,7 @@ using BoxCorner = bg::model::point<double, 3, bg::cs::cartesian>;
 using FaceBox = bg::model::box<BoxCorner>;
 using FaceTree = bgi::rtree<std::pair<FaceBox, std::uint32_t>, bgi::rstar<16>>;
 
-/** Boxes in the frame of the planes, whose queries are flat boxes then. */
+/** Boxes in the frame of the planes, where queries are flat boxes. */
 FaceTree
 faceTree(const SurfaceMesh& mesh, const Eigen::Vector3d& normal, const std::vector<double>& distances)
 {

@@ -10,7 +10,7 @@
 
 namespace pcl_spiral {
 
-/** Lines of each of ascending \p levels of the distance along \p normal (unit): the faces found as \p search says, joined from
+/** Lines of each of ascending \p levels of the distance along \p normal (unit): the faces found as \p search sets, joined from
  *  face to face. \p distances has that of each vertex. */
 std::vector<std::vector<LevelLine>> sectionLines(const SurfaceMesh& mesh, const Eigen::Vector3d& normal,
                                                  const std::vector<double>& distances, const std::vector<double>& levels,

@@ -38,7 +38,7 @@ measure(const DrivePasses& passes, SectionReport& report)
   }
 }
 
-/** Direction of the rows: across planes' normal and tool axis; where these are one, any across. */
+/** Direction of the rows: across the normal of the planes and the tool axis; if these coincide, any direction across. */
 Vector3d
 alongRows(const Vector3d& normal, const Vector3d& axis)
 {
@@ -78,14 +78,14 @@ measureSteps(const std::vector<double>& levels, double extent, SectionReport& re
   }
 }
 
-/** Join rows on the surface; a link is no longer than two step-overs. */
+/** Join rows on the surface; links are at most two step-overs long. */
 void
 link(const SurfaceMesh& mesh, const SectionSettings& settings, DrivePasses& passes, SectionReport& report)
 {
   const MeshFeet feet(mesh);
   const double edge = std::sqrt(mesh.area() / static_cast<double>(mesh.faceCount()));
   const double spacing = settings.point_spacing > 0.0 ? settings.point_spacing : edge;
-  const double beside = 0.02 * report.step_over; // the boundary, which links may run along; it bows, too
+  const double beside = 0.02 * report.step_over; // the boundary, along which links may run; it bows, too
   const RowLinks links = linkRows(passes, {2.0 * report.step_over, 0.1 * report.step_over, std::min(spacing, 0.5 * report.step_over)},
                                   [&](const Vector3d& place) -> std::optional<DrivePoint> {
                                     const MeshFoot foot = feet.of(place);
@@ -116,16 +116,16 @@ checkSettings(const SectionSettings& s)
     return bad("rows are to be kept to a scallop, and levels are given: leave one of them out (setRows, setLevels)");
   if (kept && (!(s.tool_radius > 0.0) || !std::isfinite(s.tool_radius) || !(s.scallop_height > 0.0) || !(s.scallop_height < s.tool_radius)))
     return bad(textOf("rows are kept for a ball of radius ", s.tool_radius, " mm and a scallop height of ", s.scallop_height,
-                      " mm: set both above 0, the height below the radius (setScallop)"));
+                      " mm: set both above 0, and the height below the radius (setScallop)"));
   if (s.link_rows && !s.zigzag)
-    return bad("rows that all run one way begin far from where the one before ends, and cannot be joined: call setZigzag(true), or "
+    return bad("rows that all run one way cannot be joined: each begins far from the end of the one before; call setZigzag(true), or "
                "setLinkRows(false)");
   if (!kept && s.levels.empty() && (!(s.step_over > 0.0) || !std::isfinite(s.step_over)))
     return bad(textOf("the step-over is ", s.step_over, " mm: set it above 0 (setStepOver)"));
   for (std::size_t k = 0; k < s.levels.size(); ++k)
     if (!std::isfinite(s.levels[k]) || (k > 0 && !(s.levels[k] > s.levels[k - 1])))
       return bad(textOf("level ", k, " of the planes is ", s.levels[k], " mm: set levels that ascend (setLevels)"));
-  constexpr double least_error = 1e-6; // mm: the single precision of a mesh knows no less
+  constexpr double least_error = 1e-6; // mm: the single precision of a mesh resolves no less
   if (!(s.chord_error >= least_error) || !std::isfinite(s.chord_error))
     return bad(textOf("the chord error is ", s.chord_error, " mm: set it to ", least_error, " or more (setChordError)"));
   if (!(s.point_spacing >= 0.0) || !std::isfinite(s.point_spacing))
@@ -164,7 +164,7 @@ sectionPasses(const SurfaceMesh& mesh, const SectionSettings& settings, const Pr
   if (passes.empty() && report.facing_away > 0)
     return {StatusCode::InvalidInput, "the whole mesh faces away from the tool axis " + placeText(settings.axis) +
                                           ", set from the tip "
-                                          "to the shank: turn the axis (setAxis), or the mesh's faces over (setFlipNormals)"};
+                                          "to the shank: turn the axis round (setAxis), or flip the faces of the mesh (setFlipNormals)"};
   if (passes.empty())
     return {StatusCode::InvalidInput,
             textOf("no plane crosses the mesh: the planes lie at ", levels.front(), " to ", levels.back(),

@@ -25,7 +25,7 @@ nearestOf(const DrivePass& pass, const Vector3d& place)
   return static_cast<std::size_t>(nearest - pass.points.begin());
 }
 
-/** The line whose begin is nearest to \p place; of a closed one the nearest point. */
+/** The line whose start is nearest to \p place; for a closed line, the nearest point. */
 std::size_t
 nextLine(const DrivePasses& lines, const Vector3d& place)
 {
@@ -74,7 +74,7 @@ addRow(DrivePasses lines, const Vector3d& along, bool back, DrivePasses& passes)
 DrivePasses
 facingParts(const DrivePasses& lines, const Vector3d& axis, std::size_t& left_out)
 {
-  constexpr double away = -1e-6; // cosine: upright walls face the axis still
+  constexpr double away = -1e-6; // cosine: upright walls still face the axis
   const auto faces = [&](const DrivePoint& p) { return p.normal.dot(axis) >= away; };
   DrivePasses parts;
   for (const DrivePass& line : lines) {

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** One side of a face: its edge by the lower and the higher vertex, and which way the face runs along it. */
+/** One side of a face: its edge by the lower and the higher vertex, and the direction of the face along it. */
 struct FaceSide {
   std::uint32_t low, high, face;
   bool rising;
@@ -46,8 +46,8 @@ forEdges(const std::vector<FaceSide>& sides, Visit visit)
   }
 }
 
-/** Faces across edges of two, three a face at most, and whether they run the same way along the edge, so that one of them has
- *  to be turned. */
+/** Faces across edges of two, three per face at most, and whether they run the same way along the edge, so that one of them must
+ *  be turned. */
 struct FaceNeighbours {
   struct Neighbour {
     std::uint32_t face;
@@ -71,7 +71,7 @@ areaOf(const WeldedFaces& welded, std::uint32_t t)
   return 0.5 * (welded.positions[f[1]] - a).cross(welded.positions[f[2]] - a).norm();
 }
 
-/** The faces of the part of \p first, each with whether it faces the other way than that one. */
+/** The faces of the part of \p first, each with whether it faces the opposite way to that one. */
 void
 followPart(const FaceNeighbours& neighbours, std::uint32_t first, std::vector<std::uint8_t>& seen, std::vector<std::uint8_t>& turned,
            std::vector<std::uint32_t>& part)

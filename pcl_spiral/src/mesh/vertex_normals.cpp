@@ -47,7 +47,7 @@ sectorNormals(const Triangulation& mesh, const std::vector<Vector3d>& positions,
     NormalFit fit(mesh, positions, sectors);
 #pragma omp for schedule(dynamic, 256)
     for (std::int64_t s = 0; s < count; ++s) {
-      // Small faces, which noise turns most, weigh most by Max: a fit starts from the mean by areas.
+      // Small faces, which noise turns most, weigh most by Max, so a fit starts from the mean by areas.
       normals[s] = faceMean(mesh, positions, sectors, s, kind == MeshNormals::Max ? kind : MeshNormals::AreaWeighted);
       if (kind != MeshNormals::Fitted || fit.refine(static_cast<std::uint32_t>(s), normals[s]))
         continue;
@@ -64,18 +64,18 @@ vertexNoise(const Triangulation& mesh, const std::vector<Vector3d>& positions, c
   constexpr std::size_t most = 2000;
   const std::size_t stride = 1 + sectors.count() / most;
   NormalFit fit(mesh, positions, sectors);
-  std::vector<double> scatters;
+  std::vector<double> noises;
   std::size_t tried = 0;
   for (std::size_t s = 0; s < sectors.count(); s += stride, ++tried) {
     Vector3d normal = faceMean(mesh, positions, sectors, s, MeshNormals::AreaWeighted);
-    double scatter = 0.0;
-    if (fit.refine(static_cast<std::uint32_t>(s), normal, &scatter))
-      scatters.push_back(scatter);
+    double noise = 0.0;
+    if (fit.refine(static_cast<std::uint32_t>(s), normal, &noise))
+      noises.push_back(noise);
   }
-  if (2 * scatters.size() < tried || scatters.empty())
+  if (2 * noises.size() < tried || noises.empty())
     return 0.0;
-  std::nth_element(scatters.begin(), scatters.begin() + static_cast<std::ptrdiff_t>(scatters.size() / 2), scatters.end());
-  return scatters[scatters.size() / 2];
+  std::nth_element(noises.begin(), noises.begin() + static_cast<std::ptrdiff_t>(noises.size() / 2), noises.end());
+  return noises[noises.size() / 2];
 }
 
 } // namespace pcl_spiral

@@ -12,12 +12,12 @@
 
 namespace pcl_spiral {
 
-/** One unit normal a sector, by \p kind. \p fallback has 1 for each sector whose normal is by Max where a fitted one was asked
+/** One unit normal per sector, by \p kind. \p fallback has 1 for each sector whose normal is by Max although a fitted one was asked
  *  for. */
 std::vector<Eigen::Vector3d> sectorNormals(const Triangulation& mesh, const std::vector<Eigen::Vector3d>& positions,
                                            const CornerSectors& sectors, MeshNormals kind, std::vector<std::uint8_t>& fallback);
 
-/** Noise of the vertices, mm: median, over some 2,000 sectors, of their scatter about surfaces fitted to two rings. 0 where most of
+/** Noise of the vertices, mm: median, over some 2,000 sectors, of the noise about surfaces fitted to two rings. 0 if most of
  *  these are not determined, as on plain CAD parts. */
 double vertexNoise(const Triangulation& mesh, const std::vector<Eigen::Vector3d>& positions, const CornerSectors& sectors);
 

@@ -36,7 +36,7 @@ isBefore(const pcl::PointXYZ& a, const pcl::PointXYZ& b)
   return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-/** For each point the first that lies in its place. */
+/** For each point, the first point at the same place. */
 std::vector<std::uint32_t>
 firstInPlace(const pcl::PointCloud<pcl::PointXYZ>& points)
 {
@@ -63,7 +63,7 @@ triangleList(const pcl::PolygonMesh& mesh, const pcl::PointCloud<pcl::PointXYZ>&
         return {StatusCode::InvalidInput, textOf("corner ", v, " of face ", f, " is not finite: repair the mesh, or export it again")};
     }
     if (corners.size() < 3)
-      return {StatusCode::InvalidInput, textOf("face ", f, " has ", corners.size(), " corners, and it takes three: export the mesh again")};
+      return {StatusCode::InvalidInput, textOf("face ", f, " has ", corners.size(), " corners, but needs three: export the mesh again")};
     for (std::size_t k = 2; k < corners.size(); ++k)
       faces.push_back(
           {static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[k - 1]), static_cast<std::uint32_t>(corners[k])});
@@ -80,7 +80,7 @@ hasNoArea(const Vector3d& a, const Vector3d& b, const Vector3d& c)
   return !((b - a).cross(c - a).norm() > flattest * longest);
 }
 
-/** The faces less those whose corners an earlier one has, whichever way round. */
+/** The faces without those whose corners an earlier one has, in either direction. */
 void
 dropRepeated(WeldedFaces& welded, MeshCounts& counts)
 {
@@ -145,7 +145,7 @@ weldFaces(const pcl::PolygonMesh& mesh, WeldedFaces& welded, MeshCounts& counts)
   }
   if (welded.faces.empty())
     return {StatusCode::InvalidInput,
-            textOf("none of the ", faces.size(), " faces has an area, the first is at ", placeText(counts.without_area.place),
+            textOf("none of the ", faces.size(), " faces has an area; the first is at ", placeText(counts.without_area.place),
                    ": is the mesh in another unit, or rounded too much? Export it again")};
   dropRepeated(welded, counts);
   return Status::success();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Faces of a mesh as a file has them, made one oriented surface. Private to mesh.
+ *  Faces of a mesh file made into one oriented surface. Private to mesh.
  */
 #pragma once
 
@@ -20,10 +20,10 @@ struct WeldedFaces {
   std::vector<Triangulation::Triangle> faces;
 };
 
-/** Weld the corners of \p mesh, cut polygons into triangles, leave faces without area and repeated ones out. */
+/** Weld the corners of \p mesh, cut polygons into triangles, leave out faces without area and repeated ones. */
 Status weldFaces(const pcl::PolygonMesh& mesh, WeldedFaces& welded, MeshCounts& counts);
 
-/** Turn faces so that neighbours face the same way, each part as most of its area did. */
+/** Turn faces so that neighbours face the same way. Each part faces as most of its area did. */
 void turnFaces(WeldedFaces& welded, MeshCounts& counts);
 
 } // namespace pcl_spiral
