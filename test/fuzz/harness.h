@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "../../pcl_spiral/src/io/point_table.h"
+#include "../../pcl_spiral/src/io/read/point_table.h"
 
 #include <pcl_spiral/io/file_error.h>
 

@@ -18,7 +18,7 @@ plural(std::size_t count)
   return count == 1 ? "" : "s";
 }
 
-/** What the path does at each hole: the widest few. */
+/** Prints how the path passes each of the widest holes. */
 void
 printHoles(const pcl_spiral::SpiralReport& report)
 {
@@ -28,19 +28,21 @@ printHoles(const pcl_spiral::SpiralReport& report)
   for (std::size_t i = 0; i < std::min(most, holes.size()); ++i)
     std::printf("hole            %.3g mm wide at %.1f, %.1f, %.1f: the path runs %s\n", holes[i].width, holes[i].place.x(),
                 holes[i].place.y(), holes[i].place.z(),
-                holes[i].handling == pcl_spiral::HoleHandling::Around ? "round it" : "over it, marked");
+                holes[i].handling == pcl_spiral::HoleHandling::Around ? "round it" : "over it, marked in the outputs");
   if (holes.size() > most)
-    std::printf("                and %zu narrower ones; the .json report has them all\n", holes.size() - most);
+    std::printf("                and %zu narrower holes; the .json report lists all\n", holes.size() - most);
 }
 
 void
 printMethod(const pcl_spiral::SpiralReport& report)
 {
   if (report.method == pcl_spiral::SpiralMethod::ConstantScallop) {
-    std::printf("method          constant scallop: %zu loop%s, %zu in the spiral, %zu by bridges; %zu finger%s\n", report.scallop_loops,
-                plural(report.scallop_loops), report.chain_loops, report.bridges, report.fingers, plural(report.fingers));
-    std::printf("spiral          %zu turn%s, %zu points; %.0f %% against the sense asked for; sharpest turns %.2f step-overs\n",
-                report.turns, plural(report.turns), report.path_points, 100.0 * report.reversed_share, report.turn_radius);
+    std::printf("method          constant scallop: %zu loop%s, %zu in the spiral, %zu joined by bridges; %zu finger%s\n",
+                report.scallop_loops, plural(report.scallop_loops), report.chain_loops, report.bridges, report.fingers,
+                plural(report.fingers));
+    std::printf(
+        "spiral          %zu turn%s, %zu points; %.0f %% against the sense asked for; radius of the sharpest turns %.2f step-overs\n",
+        report.turns, plural(report.turns), report.path_points, 100.0 * report.reversed_share, report.turn_radius);
     if (!report.pass_begins.empty())
       std::printf("passes          %zu, %.3f m of lifts between them\n", report.pass_begins.size() + 1, 0.001 * report.lift_length);
     return;
@@ -50,14 +52,14 @@ printMethod(const pcl_spiral::SpiralReport& report)
               report.smallest_step_over, report.largest_step_over);
 }
 
-/** What was found in the mesh, and how it was sampled; leaves the line of the samples open. */
+/** Prints what was found in the mesh and how it was sampled; does not end the last line. */
 void
-printMesh(const Job& job, const MeshInput& mesh, const pcl_spiral::SpiralReport& report)
+printMesh(const Job& job, const SampledMesh& mesh, const pcl_spiral::SpiralReport& report)
 {
   std::printf("mesh            %s: %zu faces, %zu vertices\n", job.scan.c_str(), mesh.counts.faces, mesh.counts.vertices);
   if (const std::string found = pcl_spiral::findingsText(mesh.counts); !found.empty())
     std::printf("found in it     %s\n", found.c_str());
-  std::printf("samples         %zu, one a %.4g mm", report.input_points, mesh.spacing);
+  std::printf("samples         %zu, one per %.4g mm", report.input_points, mesh.spacing);
 }
 
 void
@@ -107,7 +109,7 @@ printPath(const Job& job, const pcl_spiral::SpiralReport& report)
     std::printf(", %.3f of the least", report.path_length / report.least_length);
   std::printf("\n");
   if (report.gap_points > 0)
-    std::printf("over gaps       %.1f mm at %zu point%s: bridged, a guess from what lies round them\n", report.gap_length,
+    std::printf("over gaps       %.1f mm at %zu point%s: bridged, estimated from the surface around the gaps\n", report.gap_length,
                 report.gap_points, plural(report.gap_points));
   std::printf("machining time  %s at %g mm/min\n", duration(60.0 * report.path_length / job.settings.feed).c_str(), job.settings.feed);
 }
@@ -122,13 +124,13 @@ printStage(const std::string& name, double seconds, double whole, const pcl_spir
   std::printf("\n");
 }
 
-/** Time and memory of every stage; what belongs to none, such as writing the reports, is told as the rest. */
+/** Prints time and memory of every stage; the time outside the stages, such as writing reports, is "the rest". */
 void
 printStages(const Result& result, double seconds)
 {
-  std::printf("neighbourhoods  %d pass%s over all of them%s\n", result.report.passes, result.report.passes == 1 ? "" : "es",
-              result.surface && !result.mesh ? "; planner and judge share the surface"
-              : result.verification          ? ", of planner and judge"
+  std::printf("neighbourhoods  searched in %d pass%s over all points%s\n", result.report.passes, result.report.passes == 1 ? "" : "es",
+              result.surface && !result.mesh ? "; planning and verification share the surface"
+              : result.verification          ? ", for planning and verification"
                                              : "");
   std::printf("  %-16s %9s %7s %9s %9s\n", "stage", "s", "%", "MB", "peak MB");
   double rest = seconds;

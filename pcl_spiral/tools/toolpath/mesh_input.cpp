@@ -21,8 +21,8 @@ using namespace pcl_spiral;
 
 namespace {
 
-constexpr double spacings_a_hole = 6.0;   // triangles over samples close circles of three spacings and less
-constexpr double spacings_a_radius = 6.0; // beside an edge fits go hollow, by a radius of 15 spacings where it is bent by 62 degrees
+constexpr double spacings_a_hole = 6.0;   // triangles over samples close circles of up to three spacings
+constexpr double spacings_a_radius = 6.0; // near a bent edge the fits are hollow: radius 15 spacings at a bend of 62 degrees
 constexpr double most_samples = 5e5, samples_a_square = 1.6; // the latter: of one spacing
 
 void
@@ -34,8 +34,8 @@ requireOpen(const Job& job, const SurfaceMesh& mesh)
   for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
     box.extend(mesh.position(v));
   throw FileError(job.scan, textOf("the mesh from ", placeText(box.min()), " to ", placeText(box.max()),
-                                   " is closed: it has no boundary for a path to begin or end at; cut it down to the side to be "
-                                   "machined, or drive over it in rows (pcl_spiral_drive --mesh)"));
+                                   " is closed: it has no boundary where a path can begin or end; keep only the side to be "
+                                   "machined, or machine it in rows (pcl_spiral_drive --mesh)"));
 }
 
 double
@@ -44,8 +44,8 @@ stepOnPlane(const Job& job)
   return stepOver(job.settings.tool_radius, 0.0, job.settings.scallop_height).value_or(2.0 * job.settings.tool_radius);
 }
 
-/** By the curvature of the mesh, no wider than turns are apart; with creases wide enough for the ball to fit into what local fits
- *  make beside them; close enough to show the holes asked for. */
+/** From the curvature of the mesh, at most the distance of turns. With creases: wide enough that the ball fits into the local fits
+ *  beside them. Close enough to show the holes asked for. */
 double
 spacingFor(const Job& job, const SurfaceMesh& mesh)
 {
@@ -60,7 +60,7 @@ spacingFor(const Job& job, const SurfaceMesh& mesh)
   return spacing;
 }
 
-/** Parts of the mesh as they hang together at edges: one number a face. */
+/** Parts of the mesh connected by edges: one number per face. */
 std::vector<std::uint32_t>
 partsOf(const SurfaceMesh& mesh, std::size_t& count)
 {
@@ -87,13 +87,13 @@ meshOf(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& is_kept)
       kept.polygons.back().vertices.assign(corners.begin(), corners.end());
     }
   MeshSettings settings = mesh.settings();
-  settings.flip = false; // they are turned already
+  settings.flip = false; // the faces are turned already
   SurfaceMesh::ConstPtr made;
   SurfaceMesh::make(kept, settings, made);
   return made;
 }
 
-/** The mesh tells the side; most cutters come from above. */
+/** Warns if the faces look down: the mesh defines the side, and most cutters come from above. */
 void
 warnOfSide(const Job& job, const pcl::PointCloud<pcl::Normal>& normals, Result& result)
 {
@@ -102,9 +102,9 @@ warnOfSide(const Job& job, const pcl::PointCloud<pcl::Normal>& normals, Result& 
   for (const pcl::Normal& n : normals)
     sum += n.normal_z;
   if (sum < down * static_cast<double>(normals.size()))
-    result.scan.warnings.push_back(std::string("the faces of the mesh look down, along -z, and the cutter comes from there: ") +
+    result.scan.warnings.push_back(std::string("the faces of the mesh point down, along -z, so the cutter comes from below: ") +
                                    (job.settings.flip_normals ? "leave --flip-normals out" : "give --flip-normals") +
-                                   " if it is to come from above");
+                                   " if it must come from above");
 }
 
 } // namespace
@@ -118,7 +118,7 @@ readMeshSamples(const Job& job, ProgressBar& bar, Result& result)
     throw Cancelled();
   MeshSettings settings;
   settings.flip = job.settings.flip_normals;
-  MeshInput input;
+  SampledMesh input;
   requireOk(job, SurfaceMesh::make(*file.mesh, settings, input.mesh));
   requireOpen(job, *input.mesh);
   if (!bar.update(0.1, "samples"))
@@ -147,7 +147,7 @@ readMeshSamples(const Job& job, ProgressBar& bar, Result& result)
 void
 keepUsedParts(const Surface& surface, Result& result)
 {
-  MeshInput& input = *result.mesh;
+  SampledMesh& input = *result.mesh;
   std::size_t count = 0;
   const std::vector<std::uint32_t> parts = partsOf(*input.mesh, count);
   std::vector<std::uint8_t> is_used(count, 0), is_kept(parts.size());
@@ -161,31 +161,31 @@ keepUsedParts(const Surface& surface, Result& result)
 }
 
 double
-meshHoleSize(const Job& job, const MeshInput& mesh)
+meshHoleSize(const Job& job, const SampledMesh& mesh)
 {
   return job.settings.hole_size > 0.0 ? job.settings.hole_size : std::max(stepOnPlane(job), spacings_a_hole * mesh.spacing);
 }
 
 std::vector<std::string>
-creaseWarnings(const MeshInput& input, const Surface& surface)
+creaseWarnings(const SampledMesh& input, const Surface& surface)
 {
   const MeshCounts& counts = input.mesh->counts();
   if (counts.creases.count == 0)
     return {};
   const double band = surface.spacing() * std::sqrt(surface.fit().neighbours() / pi);
   return {textOf("the mesh has ", counts.crease_length, " mm of creases (", counts.creases.count, " edges), the first at ",
-                 placeText(counts.creases.place), ": the spiral rides over them as if they were rounded, within about ", band,
-                 " mm; an outer edge is cut off there, in an inner one material is left. Where they have to stay sharp, cut the mesh "
-                 "along them and machine the sides one by one")};
+                 placeText(counts.creases.place), ": the spiral runs over them as if they were rounded, within about ", band,
+                 " mm; outer edges are cut off, in inner edges material is left. If creases must stay sharp, cut the mesh "
+                 "along them and machine each side separately")};
 }
 
 Status
-withSpacings(const Status& status, const MeshInput& input)
+withSpacings(const Status& status, const SampledMesh& input)
 {
   if (status.code() != StatusCode::InvalidInput && status.code() != StatusCode::Failed)
     return status;
   const double vertices = std::sqrt(input.mesh->area() / static_cast<double>(input.mesh->vertexCount()));
-  return {status.code(), textOf(status.message(), "; samples stand ", input.spacing, " mm apart, vertices of the mesh ", vertices, " mm")};
+  return {status.code(), textOf(status.message(), "; samples are ", input.spacing, " mm apart, vertices of the mesh ", vertices, " mm")};
 }
 
 std::string
@@ -195,7 +195,7 @@ inMesh(std::string message)
       {"is below the noise of the scan,", "is below what local fits to the samples of the mesh leave,"},
       {" (standard deviation of a point)", " (standard deviation)"},
       {"this scan cannot show whether it was kept", "so sample it more closely (--sample-spacing)"},
-      {"; a real hole there is ridden over like the rest", ": it is narrower than the holes asked for (--hole-size)"},
+      {"; if it is a real hole, the path still runs over it", ": it is narrower than the holes asked for (--hole-size)"},
       {"a gap in the scan", "a hole of the mesh"},
       {"gaps of the scan", "holes of the mesh"},
       {"scan it again, more densely", "sample it more closely (--sample-spacing)"},
@@ -206,7 +206,6 @@ inMesh(std::string message)
        "would gouge; use a smaller tool, or where that is but roughness of the mesh, sample it less closely (--sample-spacing)"},
       {"scanned surface", "surface"},
       {"the scan", "the mesh"},
-      {"on a scan only", "on a mesh only"},
       {"the cloud", "the mesh"}};
   for (const auto& [scan, mesh] : words)
     for (std::size_t at = message.find(scan); at != std::string::npos; at = message.find(scan, at + std::string(mesh).size()))

@@ -16,13 +16,13 @@ void keepUsedParts(const pcl_spiral::Surface& surface, Result& result);
 
 /** Least width of a hole that the path runs round, mm: as asked for, otherwise one step-over, or six spacings of the samples if
  *  that is more, because the samples do not show narrower holes. */
-double meshHoleSize(const Job& job, const MeshInput& mesh);
+double meshHoleSize(const Job& job, const SampledMesh& mesh);
 
 /** The warning about creases for a path that follows \p surface; empty without creases. */
-std::vector<std::string> creaseWarnings(const MeshInput& mesh, const pcl_spiral::Surface& surface);
+std::vector<std::string> creaseWarnings(const SampledMesh& mesh, const pcl_spiral::Surface& surface);
 
 /** A failure over samples of \p mesh, with the spacing of the samples and of the vertices. */
-pcl_spiral::Status withSpacings(const pcl_spiral::Status& status, const MeshInput& mesh);
+pcl_spiral::Status withSpacings(const pcl_spiral::Status& status, const SampledMesh& mesh);
 
 /** Turns a message about a cloud of samples into one about the mesh. */
 std::string inMesh(std::string message);

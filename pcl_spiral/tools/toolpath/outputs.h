@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  What a run of pcl_spiral_toolpath came to, and its files.
+ *  The result of pcl_spiral_toolpath and its output files.
  */
 #pragma once
 
@@ -18,31 +18,31 @@
 #include <string>
 #include <vector>
 
-/** A mesh, and the samples that the path was planned on. */
-struct MeshInput {
+/** A mesh, and the samples used to plan the path. */
+struct SampledMesh {
   pcl_spiral::SurfaceMesh::ConstPtr mesh;         ///< the parts that the path runs over
   pcl_spiral::MeshCounts counts;                  ///< of the mesh as given
   double spacing = 0.0;                           ///< of the samples, mm
   pcl::PointCloud<pcl::Normal>::ConstPtr normals; ///< of the samples
-  std::vector<std::uint32_t> faces;               ///< of the mesh as given, one a sample
+  std::vector<std::uint32_t> faces;               ///< of the mesh as given, one per sample
 };
 
-/** All that a run came to. */
+/** The result of a run. */
 struct Result {
   pcl_spiral::Scan scan; ///< or the samples of the mesh
-  std::optional<MeshInput> mesh;
+  std::optional<SampledMesh> mesh;
   pcl_spiral::SpiralSettings settings; ///< as used
   pcl::PointCloud<pcl_spiral::ToolpathPoint>::Ptr path = pcl::make_shared<pcl::PointCloud<pcl_spiral::ToolpathPoint>>();
   pcl_spiral::SpiralReport report;
-  pcl_spiral::Surface::ConstPtr surface;                ///< of the samples of the mesh; or of the scan, where planner and judge share one
-  std::optional<pcl_spiral::Verification> verification; ///< where the path was judged, and then
+  pcl_spiral::Surface::ConstPtr surface; ///< of the samples of the mesh; or of the scan, if planning and verification share one
+  std::optional<pcl_spiral::Verification> verification; ///< if the path was judged
   Heights heights;                                      ///< the values behind it
-  std::optional<pcl_spiral::MachineProgram> program;    ///< where a machine is given
+  std::optional<pcl_spiral::MachineProgram> program;    ///< if a machine is given
 };
 
 /** Warnings of reading, planning and judging. */
 std::vector<std::string> warningsOf(const Result& result);
 
-/** Writes every file of the job, all or none; reports last, so that they tell what drawing and writing cost, which is
+/** Writes all files of the job, or none. Reports come last: they contain the time of drawing and writing, which is
  * added to the stages of \p result. \throw pcl_spiral::FileError, Cancelled */
 void writeOutputs(const Job& job, Result& result, pcl_spiral::OutputFiles& files);
