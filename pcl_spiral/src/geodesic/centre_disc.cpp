@@ -30,13 +30,11 @@ leastCoordinate(const SurfaceGraph& graph, std::uint32_t t, const Eigen::Vector3
   return std::min({wa, wb, 1.0 - wa - wb});
 }
 
-/** Points reached from the triangle over edges within \p radius of the centre, and its corners. */
+/** \p found, and the points reached from it over edges within \p radius of the centre. */
 std::vector<std::uint32_t>
-pointsWithin(const SurfaceGraph& graph, std::uint32_t triangle, const Eigen::Vector3d& centre, double radius)
+pointsWithin(const SurfaceGraph& graph, std::vector<std::uint32_t> found, const Eigen::Vector3d& centre, double radius)
 {
   const Triangulation& mesh = graph.triangulation();
-  const auto& corner = mesh.triangle(triangle);
-  std::vector<std::uint32_t> found(corner.begin(), corner.end());
   for (std::size_t at = 0; at < found.size(); ++at)
     for (std::uint32_t k = mesh.outgoingBegin(found[at]); k < mesh.outgoingBegin(found[at] + 1); ++k) {
       const std::uint32_t v = mesh.target(mesh.outgoing(k));
@@ -67,17 +65,14 @@ triangleAt(const SurfaceGraph& graph, const Eigen::Vector3d& centre)
   const Triangulation& mesh = graph.triangulation();
   std::uint32_t best = Triangulation::none;
   double most = -1e-6;
-  std::vector<std::uint32_t> ring{nearest};
-  for (std::size_t at = 0; at < ring.size(); ++at)
-    for (std::uint32_t k = mesh.outgoingBegin(ring[at]); k < mesh.outgoingBegin(ring[at] + 1); ++k) {
-      const std::uint32_t h = mesh.outgoing(k), v = mesh.target(h);
-      const double least = leastCoordinate(graph, h / 3, centre);
+  for (const std::uint32_t v : pointsWithin(graph, {nearest}, centre, reach))
+    for (std::uint32_t k = mesh.outgoingBegin(v); k < mesh.outgoingBegin(v + 1); ++k) {
+      const std::uint32_t triangle = mesh.outgoing(k) / 3;
+      const double least = leastCoordinate(graph, triangle, centre);
       if (least > most) {
         most = least;
-        best = h / 3;
+        best = triangle;
       }
-      if ((graph.position(v) - centre).norm() <= reach && std::find(ring.begin(), ring.end(), v) == ring.end())
-        ring.push_back(v);
     }
   return best;
 }
@@ -91,7 +86,7 @@ makeCentreDisc(const SurfaceGraph& graph, std::uint32_t triangle, HarmonicDomain
   for (const std::uint32_t v : corner)
     spacing = std::max(spacing, graph.spacing(v));
   const double radius = disc_in_spacings * spacing;
-  domain.disc = pointsWithin(graph, triangle, domain.centre, radius);
+  domain.disc = pointsWithin(graph, {corner.begin(), corner.end()}, domain.centre, radius);
   domain.in_disc.assign(graph.size(), 0);
   for (const std::uint32_t v : domain.disc)
     domain.in_disc[v] = 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fitted_normal.h"
 
+#include "core/cubic_terms.h"
 #include <pcl_spiral/core/impl/frame.h>
 
 #include <Eigen/Geometry>
@@ -13,17 +14,6 @@ namespace pcl_spiral {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr int terms = 10; // of a cubic surface
-
-/** z = f(x, y): one row of the system, x and y of about 1. */
-Eigen::Matrix<double, 1, terms>
-cubicTerms(double x, double y)
-{
-  Eigen::Matrix<double, 1, terms> row;
-  row << 1.0, x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y;
-  return row;
-}
 
 } // namespace
 
@@ -84,7 +74,7 @@ NormalFit::fit(Vector3d& normal, double* noise) const
   constexpr double least_determined = 1e-3; // the least over the largest diagonal of the triangular factor
   constexpr double nearness = 0.1;          // of the reach: nearer points weigh no more than ten times as much as far ones
   constexpr double least_cosine = 0.7;      // of the angle between the fit's normal and the mean of the rings' faces
-  if (vertices_.size() < terms)
+  if (vertices_.size() < cubic_term_count)
     return false;
   const Vector3d& centre = positions_[vertices_[0]];
   double reach = 0.0;
@@ -93,7 +83,7 @@ NormalFit::fit(Vector3d& normal, double* noise) const
   const Vector3d up = mean_normal_.normalized(); // that of one fan may come from narrow faces, and lean far
   Vector3d e1, e2;
   tangentFrame(up, e1, e2);
-  Eigen::Matrix<double, Eigen::Dynamic, terms> system(vertices_.size(), terms);
+  Eigen::Matrix<double, Eigen::Dynamic, cubic_term_count> system(vertices_.size(), cubic_term_count);
   Eigen::VectorXd heights(vertices_.size()), weights(vertices_.size());
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const Vector3d x = (positions_[vertices_[i]] - centre) / reach;
@@ -101,17 +91,17 @@ NormalFit::fit(Vector3d& normal, double* noise) const
     system.row(i) = weights[i] * cubicTerms(e1.dot(x), e2.dot(x));
     heights[i] = weights[i] * up.dot(x);
   }
-  const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, terms>> qr(system);
+  const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, cubic_term_count>> qr(system);
   const auto diagonal = qr.matrixQR().diagonal().cwiseAbs();
   if (!(diagonal.minCoeff() > least_determined * diagonal.maxCoeff()))
     return false;
-  const Eigen::Matrix<double, terms, 1> cubic = qr.solve(heights);
+  const Eigen::Matrix<double, cubic_term_count, 1> cubic = qr.solve(heights);
   const Vector3d found = (up - cubic[1] * e1 - cubic[2] * e2).normalized();
   if (!(found.dot(up) > least_cosine))
     return false;
   normal = found;
   if (noise != nullptr) {
-    const auto freedom = static_cast<double>(vertices_.size()) - terms;
+    const auto freedom = static_cast<double>(vertices_.size()) - cubic_term_count;
     *noise =
         freedom > 0.0 ? reach * std::sqrt(((system * cubic - heights).array().square() / weights.array().square()).sum() / freedom) : 0.0;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gap_filling.h"
 
+#include "core/cubic_terms.h"
 #include <pcl_spiral/core/impl/frame.h>
 
 #include <Eigen/QR>
@@ -12,16 +13,6 @@
 
 namespace pcl_spiral {
 namespace {
-
-constexpr int terms = 10; // of a bivariate cubic
-
-Eigen::Matrix<double, 1, terms>
-cubicTerms(double u, double v)
-{
-  Eigen::Matrix<double, 1, terms> row;
-  row << 1, u, v, u * u, u * v, v * v, u * u * u, u * u * v, u * v * v, v * v * v;
-  return row;
-}
 
 /** A gap's own frame: origin at its centre, third axis along the mean normal of its rim. */
 struct GapFrame {
@@ -126,9 +117,9 @@ fillGap(const SurfaceGraph& graph, const Polyline& loop)
     for (const Eigen::Vector3d& q : loop)
       fill.width = std::max(fill.width, (p - q).norm());
   const std::vector<Eigen::Vector3d> about = pointsAbout(graph, frame);
-  if (about.size() < 3 * terms)
+  if (about.size() < 3 * cubic_term_count)
     return fill;
-  Eigen::MatrixXd matrix(about.size(), terms);
+  Eigen::MatrixXd matrix(about.size(), cubic_term_count);
   Eigen::VectorXd height(about.size());
   for (std::size_t i = 0; i < about.size(); ++i) {
     matrix.row(i) = cubicTerms(about[i].x() / frame.radius, about[i].y() / frame.radius);
