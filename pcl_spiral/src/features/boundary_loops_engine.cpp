@@ -2,6 +2,7 @@
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/features/impl/boundary_loops_engine.h>
 
+#include "common/formatted_text.h"
 #include <pcl_spiral/common/impl/message.h>
 
 #include "boundary_walk.h"
@@ -14,21 +15,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <numeric>
 #include <string>
 
 namespace pcl_spiral {
 namespace {
-
-std::string
-formatted(const char* format, double a, double b = 0.0, double c = 0.0)
-{
-  char text[160];
-  std::snprintf(text, sizeof text, format, a, b, c);
-  return text;
-}
 
 Status
 checkOptions(const SurfaceGraph& graph, const BoundaryOptions& options)

@@ -54,8 +54,8 @@ addLoops(PartView& view, const SpiralReport& report, std::vector<LegendEntry>& l
     double longest = 0.0;
     for (const Polyline& loop : loops)
       longest = std::max(longest, length(loop, true));
-    legend.push_back({loops.size() == 1 ? name + text(", %.0f mm long", longest)
-                                        : std::to_string(loops.size()) + " " + name + "s" + text(", the longest %.0f mm", longest),
+    legend.push_back({loops.size() == 1 ? name + formatted(", %.0f mm long", longest)
+                                        : std::to_string(loops.size()) + " " + name + "s" + formatted(", the longest %.0f mm", longest),
                       color});
   };
   add(LoopType::Outer, "outer rim");
@@ -144,7 +144,8 @@ partInWords(const PictureScene& scene)
   if (scene.mesh)
     return std::to_string(scene.mesh->faceCount()) + " faces, " + std::to_string(scene.mesh->vertexCount()) + " vertices";
   const SpiralReport& report = scene.report;
-  return std::to_string(report.used_points) + " points, spacing " + text("%.3g mm", report.spacing) + text(", noise %.2g mm", report.noise);
+  return std::to_string(report.used_points) + " points, spacing " + formatted("%.3g mm", report.spacing) +
+         formatted(", noise %.2g mm", report.noise);
 }
 
 } // namespace pcl_spiral

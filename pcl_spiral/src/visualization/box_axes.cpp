@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "box_axes.h"
 
+#include "common/formatted_text.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace pcl_spiral {
 namespace {
 
-constexpr double shortest_axis = 40.0; ///< pixels; seen end on, an edge gets no numbers
+constexpr double shortest_axis = 40.0; ///< pixels; an edge seen end on gets no numbers
 constexpr double flat_room = 85.0;     ///< pixels along a flat edge for one number
 constexpr double steep_room = 55.0;
 constexpr double text_gap = 5.0, name_gap = 12.0;
-constexpr double outline_tolerance = 3.0; ///< pixels an edge may lie inside the outline
+constexpr double outline_tolerance = 3.0; ///< pixels that an edge may be inside the outline
 constexpr int number_size = 18, name_size = 20;
 
-/** An edge of the box, and the axis it would become. */
+/** An edge of the box, and the axis along it. */
 struct Candidate {
   BoxAxis axis;
-  std::array<int, 2> ends; ///< corners of the box: a bit set where a coordinate is high
+  std::array<int, 2> ends; ///< corners of the box: a bit is set if the coordinate is high
   bool steep;
 };
 
-/** Words whose nearest corner stands \p distance off the axis. */
+/** Text whose nearest corner is \p distance from the axis. */
 AxisText
-text(const std::string& words, int size, const Eigen::Vector2d& at, const Eigen::Vector2d& outward, double distance)
+textBeside(const std::string& words, int size, const Eigen::Vector2d& at, const Eigen::Vector2d& outward, double distance)
 {
   const Eigen::Vector2d half(0.285 * size * static_cast<double>(words.size()), 0.62 * size);
   return {words, size, at + (distance + outward.cwiseAbs().dot(half)) * outward, half};
@@ -38,7 +39,7 @@ overlap(const AxisText& a, const AxisText& b)
   return ((a.middle - b.middle).cwiseAbs().array() < (a.half_size + b.half_size).array()).all();
 }
 
-/** Whether two axes run along one another. */
+/** Whether two axes run along each other. */
 bool
 overlap(const BoxAxis& a, const BoxAxis& b)
 {
@@ -59,18 +60,16 @@ addTicks(BoxAxis& axis, bool steep, double low, double high)
   std::vector<AxisText> numbers;
   for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k += 1.0) {
     const Eigen::Vector2d at = axis.from + (k * step - low) / (high - low) * run;
-    char number[32];
-    std::snprintf(number, sizeof(number), "%.6g", k == 0.0 ? 0.0 : k * step);
     axis.ticks.push_back(at);
-    numbers.push_back(text(number, number_size, at, axis.outward, axis_tick_length + text_gap));
+    numbers.push_back(textBeside(formatted("%.6g", k == 0.0 ? 0.0 : k * step), number_size, at, axis.outward, axis_tick_length + text_gap));
     depth = std::max(depth, 2.0 * axis.outward.cwiseAbs().dot(numbers.back().half_size));
   }
-  axis.texts.push_back(text(std::string(1, "xyz"[axis.axis]) + ", mm", name_size, axis.from + 0.5 * run, axis.outward,
-                            axis_tick_length + text_gap + depth + name_gap));
+  axis.texts.push_back(textBeside(std::string(1, "xyz"[axis.axis]) + ", mm", name_size, axis.from + 0.5 * run, axis.outward,
+                                  axis_tick_length + text_gap + depth + name_gap));
   axis.texts.insert(axis.texts.end(), numbers.begin(), numbers.end());
 }
 
-/** The edges along one axis that lie on the outline. */
+/** The edges along one axis that are on the outline. */
 std::vector<Candidate>
 outlineEdges(int axis, const Eigen::Vector3d& low, const Eigen::Vector3d& high, const ParallelView& view)
 {
@@ -100,14 +99,14 @@ outlineEdges(int axis, const Eigen::Vector3d& low, const Eigen::Vector3d& high, 
   return edges;
 }
 
-/** What speaks against an edge alone. */
+/** Cost of a single edge. */
 double
 cost(const Candidate& edge)
 {
   return edge.steep ? (edge.axis.outward.x() > 0.0 ? 0.3 : 0.0) : (edge.axis.outward.y() > 0.0 ? 1.0 : 0.0);
 }
 
-/** What speaks against two edges together. */
+/** Cost of two edges together. */
 double
 cost(const Candidate& a, const Candidate& b)
 {
@@ -116,12 +115,12 @@ cost(const Candidate& a, const Candidate& b)
     for (const AxisText& t : b.axis.texts)
       sum += overlap(s, t) ? 10.0 : 0.0;
   if (a.axis.outward.dot(b.axis.outward) > 0.9)
-    sum += 2.0; // one axis would read as the other's continuation
+    sum += 2.0; // one axis would look like the continuation of the other
   const bool meet = a.ends[0] == b.ends[0] || a.ends[0] == b.ends[1] || a.ends[1] == b.ends[0] || a.ends[1] == b.ends[1];
   return sum + (meet ? 0.0 : 0.5);
 }
 
-/** Leave out numbers, the later axis's first, until no two texts overlap. */
+/** Leaves out numbers, those of the later axis first, until no two texts overlap. */
 void
 dropOverlaps(std::vector<BoxAxis>& axes)
 {

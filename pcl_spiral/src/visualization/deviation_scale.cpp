@@ -48,7 +48,7 @@ DeviationScale::legend(const VerificationScene& scene, bool hidden) const
 {
   const DeviationFigures& figures = scene.deviation_figures;
   std::vector<LegendEntry> legend{
-      {text("largest, %+.5f mm", figures.max.value) + (hidden ? ", hidden by the part" : ""), ink, Marker::Circle}};
+      {formatted("largest, %+.5f mm", figures.max.value) + (hidden ? ", hidden by the part" : ""), ink, Marker::Circle}};
   std::size_t above = 0, below = 0, unmeasured = 0;
   for (const float v : scene.deviation) {
     above += v > reach_;
@@ -59,8 +59,8 @@ DeviationScale::legend(const VerificationScene& scene, bool hidden) const
     if (count > 0)
       legend.push_back({what + ": " + std::to_string(count) + (count == 1 ? " point" : " points"), color});
   };
-  add(above, text("above %+.3g mm", reach_), above_color);
-  add(below, text("below %+.3g mm", -reach_), below_color);
+  add(above, formatted("above %+.3g mm", reach_), above_color);
+  add(below, formatted("below %+.3g mm", -reach_), below_color);
   add(unmeasured, "no surface there", unmeasured_color);
   return legend;
 }
@@ -70,9 +70,9 @@ deviationTitle(const VerificationScene& scene)
 {
   const DeviationFigures& figures = scene.deviation_figures;
   return {scene.part.title + ": deviation of the path from the " + std::string(figures.by_mesh ? "mesh" : "scan"),
-          text("99 %% within %.5f mm, rms %.5f mm; ", figures.p99, figures.rms) +
-              text(figures.by_mesh ? "the surface of the mesh is known to %.2g mm" : "the surface of the scan is known to %.2g mm",
-                   figures.fit_noise)};
+          formatted("99 %% within %.5f mm, rms %.5f mm; ", figures.p99, figures.rms) +
+              formatted(figures.by_mesh ? "the surface of the mesh is known to %.2g mm" : "the surface of the scan is known to %.2g mm",
+                        figures.fit_noise)};
 }
 
 } // namespace pcl_spiral

@@ -33,7 +33,7 @@ addEndViews(Canvas& canvas, const pcl::PointCloud<ToolpathPoint>& path, double p
     lines->GetProperty()->SetLineWidth(2.0f);
     view->AddActor(lines);
     addMark(view, Marker::Disc, Eigen::Vector2d::Constant(0.5 * Canvas::inset_size), slot == 0 ? path_start_color : path_end_color);
-    addText(view, std::string(slot == 0 ? "start" : "end") + ", every " + turn + text(", %.3g mm across", across), 10, 10, 18, true);
+    addText(view, std::string(slot == 0 ? "start" : "end") + ", every " + turn + formatted(", %.3g mm across", across), 10, 10, 18, true);
   }
 }
 

@@ -91,7 +91,7 @@ addAxes(vtkRenderer* view, const Scale& scale)
   for (double k = std::ceil(scale.low / step - 1e-9); k * step <= scale.high * (1.0 + 1e-9); k += 1.0) {
     const double x = scale.x(k * step);
     strokes.push_back({Eigen::Vector2d(x, bottom), Eigen::Vector2d(x, bottom - tick)});
-    addCentredText(view, text("%.6g", k == 0.0 ? 0.0 : k * step), {x, bottom - 26.0}, number_size);
+    addCentredText(view, formatted("%.6g", k == 0.0 ? 0.0 : k * step), {x, bottom - 26.0}, number_size);
   }
   for (int decade = 0; decade <= scale.decades; ++decade)
     for (int digit = 1; digit < 10; ++digit) {
@@ -100,7 +100,7 @@ addAxes(vtkRenderer* view, const Scale& scale)
         break;
       strokes.push_back({Eigen::Vector2d(left, y), Eigen::Vector2d(left - (digit == 1 ? tick : 0.5 * tick), y)});
       if (digit == 1)
-        addCentredText(view, text("%.0f", count), {left - 50.0, y}, number_size);
+        addCentredText(view, formatted("%.0f", count), {left - 50.0, y}, number_size);
     }
   addStrokes(view, strokes, ink, 1.5f);
   addCentredText(view, "height of the ridge between turns, mm", {0.5 * (left + scale.right), 45.0}, name_size);
@@ -120,24 +120,24 @@ addLine(vtkRenderer* view, const Scale& scale, double height, const std::string&
 int
 addWords(vtkRenderer* view, const PageSize& page, const Bins& bins, const StockFigures& figures, double limit)
 {
-  addLegend(
-      view, page,
-      {{text("up to the limit, %.3g mm", limit), within_color}, {text("above it: %.2g %%", 100.0 * figures.share_above), above_color}});
+  addLegend(view, page,
+            {{formatted("up to the limit, %.3g mm", limit), within_color},
+             {formatted("above it: %.2g %%", 100.0 * figures.share_above), above_color}});
   int y = page.column_top - words_below;
   const auto add = [&](const std::string& words) {
     addText(view, words, page.wordsLeft(), y, name_size);
     y -= 30;
   };
   add(std::to_string(bins.all) + " ridges");
-  add(text("half of them below %.3g mm", figures.p50));
-  add(text("90 %% below %.3g mm", figures.p90));
-  add(text("99 %% below %.3g mm", figures.p99));
-  add(text("99.9 %% below %.3g mm", figures.p999));
-  add(text("the highest %.3g mm", figures.max.value));
+  add(formatted("half of them below %.3g mm", figures.p50));
+  add(formatted("90 %% below %.3g mm", figures.p90));
+  add(formatted("99 %% below %.3g mm", figures.p99));
+  add(formatted("99.9 %% below %.3g mm", figures.p999));
+  add(formatted("the highest %.3g mm", figures.max.value));
   if (bins.beyond > 0)
-    add("last bar: " + std::to_string(bins.beyond) + text(" above %.3g mm", (bins.last + 1) * bins.width));
+    add("last bar: " + std::to_string(bins.beyond) + formatted(" above %.3g mm", (bins.last + 1) * bins.width));
   if (bins.below > 0)
-    add("first bar: " + std::to_string(bins.below) + text(" below %.3g mm", bins.first * bins.width));
+    add("first bar: " + std::to_string(bins.below) + formatted(" below %.3g mm", bins.first * bins.width));
   return y;
 }
 
@@ -158,8 +158,8 @@ addHistogram(vtkRenderer* view, const PageSize& page, const VerificationScene& s
   const Scale scale(page, bins);
   addBars(view, bins, scale);
   addAxes(view, scale);
-  addLine(view, scale, asked.scallop_height, text("asked for, h: %.3g", asked.scallop_height), asked_color, true);
-  addLine(view, scale, figures.limit, text("limit, 1.02 h + e: %.3g", figures.limit), limit_color, false);
+  addLine(view, scale, asked.scallop_height, formatted("asked for, h: %.3g", asked.scallop_height), asked_color, true);
+  addLine(view, scale, figures.limit, formatted("limit, 1.02 h + e: %.3g", figures.limit), limit_color, false);
   return addWords(view, page, bins, figures.scallop, figures.limit);
 }
 
@@ -168,7 +168,7 @@ histogramTitle(const VerificationScene& scene)
 {
   const SpiralSettings& asked = scene.part.settings;
   return {scene.part.title + ": heights of the ridges between turns",
-          text("ball radius %g mm, scallop %g mm, chord error %g mm", asked.tool_radius, asked.scallop_height, asked.chord_error)};
+          formatted("ball radius %g mm, scallop %g mm, chord error %g mm", asked.tool_radius, asked.scallop_height, asked.chord_error)};
 }
 
 } // namespace pcl_spiral

@@ -29,9 +29,9 @@ cutterInWords(const CutterShape& cutter)
   if (!(cutter.radius > 0.0))
     return "a beam";
   const bool ball = cutter.flank_angle == 0.0 && cutter.corner_radius == cutter.radius;
-  return ball ? text("ball radius %g mm", cutter.radius)
-              : text("tool radius %g mm, corner radius %g mm", cutter.radius, cutter.corner_radius) +
-                    (cutter.flank_angle != 0.0 ? text(", flank angle %g degrees", cutter.flank_angle) : "");
+  return ball ? formatted("ball radius %g mm", cutter.radius)
+              : formatted("tool radius %g mm, corner radius %g mm", cutter.radius, cutter.corner_radius) +
+                    (cutter.flank_angle != 0.0 ? formatted(", flank angle %g degrees", cutter.flank_angle) : "");
 }
 
 DisplaySurface
@@ -73,8 +73,8 @@ writePasses(const std::string& file, const PassScene& scene)
   const double size = (surface.high - surface.low).norm();
   addEndViews(canvas, path, scene.step_over > 0.0 ? scene.step_over : lone_pitch * size, turn, colors);
   canvas.addTitle(scene.title + ": " + (turns ? "1 pass, " + std::to_string(count) + " turns" : counted(count, "pass", "passes")) +
-                      text(", %.2f m", (path.back().arc_length - path.front().arc_length) / 1000.0),
-                  cutterInWords(scene.cutter) + (scene.step_over > 0.0 ? text(", step-over %.3g mm", scene.step_over) : ""));
+                      formatted(", %.2f m", (path.back().arc_length - path.front().arc_length) / 1000.0),
+                  cutterInWords(scene.cutter) + (scene.step_over > 0.0 ? formatted(", step-over %.3g mm", scene.step_over) : ""));
   canvas.save(file);
 }
 

@@ -180,7 +180,7 @@ addGenerator(Canvas& canvas, const RidgeScene& scene)
     add(lineActor(lines, false, frame_colors[k], thick), 4 + k);
   }
   addMark(inset.view, Marker::Disc, inset.onScreen(ridge.report().meeting_place), meeting_color);
-  addText(inset.view, text("generator, seen along the rail; view %.3g mm", across), 10, 10, 16, true);
+  addText(inset.view, formatted("generator, seen along the rail; view %.3g mm", across), 10, 10, 16, true);
   addText(inset.view, "gray: parallel to the reference plane", 10, Canvas::inset_size - 26, 16);
   addText(inset.view, "black: its curve and its chord", 10, Canvas::inset_size - 50, 16);
 }
@@ -189,14 +189,14 @@ addGenerator(Canvas& canvas, const RidgeScene& scene)
 void
 addFigures(Canvas& canvas, const RidgeReport& report, int y)
 {
-  const std::vector<std::string> lines{text("chord %.4g mm, theta %.3f degrees", report.chord, report.chord_angle),
-                                       text("rail %.5g mm, points off by %.4f mm rms", report.rail_length, report.rail_error),
-                                       text("generator %.4g mm, off by %.4f mm rms", report.generator_length, report.generator_error),
-                                       text("where they meet: %.4f mm apart", report.meeting_distance),
-                                       text("generator tilted by %.3f degrees there", report.tilt),
-                                       text("rail's slope: up to %.2f degrees", report.largest_slope),
-                                       text("its errors turn the chord %.2f times as far", report.slope_factor),
-                                       text("stretch along the rail: from %.3f (0: it folds)", report.least_stretch)};
+  const std::vector<std::string> lines{formatted("chord %.4g mm, theta %.3f degrees", report.chord, report.chord_angle),
+                                       formatted("rail %.5g mm, points off by %.4f mm rms", report.rail_length, report.rail_error),
+                                       formatted("generator %.4g mm, off by %.4f mm rms", report.generator_length, report.generator_error),
+                                       formatted("where they meet: %.4f mm apart", report.meeting_distance),
+                                       formatted("generator tilted by %.3f degrees there", report.tilt),
+                                       formatted("rail's slope: up to %.2f degrees", report.largest_slope),
+                                       formatted("its errors turn the chord %.2f times as far", report.slope_factor),
+                                       formatted("stretch along the rail: from %.3f (0: it folds)", report.least_stretch)};
   for (const std::string& line : lines) {
     addText(canvas.view(), line, Canvas::words_left, y, 18);
     y -= 26;

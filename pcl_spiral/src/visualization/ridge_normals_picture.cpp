@@ -98,12 +98,12 @@ private:
     const double step = niceStep(reach_ / 6.0), length = errors_.places.back(), along = niceStep(length / 6.0);
     for (double k = 0.0; k * step <= reach_ * (1.0 + 1e-9); k += 1.0) {
       strokes.push_back({Vector2d(left, y(k * step)), Vector2d(left - axis_tick_length, y(k * step))});
-      addCentredText(view_, text("%.4g", k * step), {left - 40.0, y(k * step)}, 16);
+      addCentredText(view_, formatted("%.4g", k * step), {left - 40.0, y(k * step)}, 16);
     }
     for (double k = 0.0; k * along <= length * (1.0 + 1e-9); k += 1.0) {
       const double x = left + (right - left) * k * along / length;
       strokes.push_back({Vector2d(x, bottom), Vector2d(x, bottom - axis_tick_length)});
-      addCentredText(view_, text("%.4g", k * along), {x, bottom - 24.0}, 16);
+      addCentredText(view_, formatted("%.4g", k * along), {x, bottom - 24.0}, 16);
     }
     addStrokes(view_, strokes, ink, 1.5f);
     addText(view_, "angle, degrees, least to most along the rail", Sheet::words_left, static_cast<int>(top) + 14, 17, true);
@@ -132,14 +132,14 @@ writeRidgeNormals(const std::string& file, const RidgeScene& scene)
   canvas.addColorBar("off by, degrees", colors);
   const Vector3d place = scene.ridge->position(errors.u, errors.v);
   const bool hidden = canvas.addCircle(place);
-  canvas.addLegend({{text("largest, %.4g degrees", errors.largest) + (hidden ? ", hidden" : ""), ink, Marker::Circle},
+  canvas.addLegend({{formatted("largest, %.4g degrees", errors.largest) + (hidden ? ", hidden" : ""), ink, Marker::Circle},
                     {"true normal, dS/du x dS/dv", true_color},
                     {"published normal, r x N", published_color}});
   addText(canvas.view(), "at " + placeText(place) + " mm", Sheet::words_left, 890, 18);
   Chart(canvas.view(), errors).draw();
   addNormals(canvas, *scene.ridge, errors);
   canvas.addTitle(scene.title + ": the published normal against the true one",
-                  text("off by up to %.3g degrees", errors.largest) +
+                  formatted("off by up to %.3g degrees", errors.largest) +
                       ": it stays in the rail's normal plane; where the frame twists the true one leans out of it");
   canvas.save(file);
 }

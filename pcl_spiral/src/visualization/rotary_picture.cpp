@@ -111,14 +111,14 @@ addAxes(vtkRenderer* view, const Curve& curve, const Scale& scale, bool numbers_
   for (double k = std::ceil(scale.low / step); k * step <= scale.high; k += 1.0) {
     const double y = scale.y(k * step);
     strokes.push_back({Eigen::Vector2d(left, y), Eigen::Vector2d(left - tick, y)});
-    addCentredText(view, text("%.6g", k == 0.0 ? 0.0 : k * step), {left - 60.0, y}, number_size);
+    addCentredText(view, formatted("%.6g", k == 0.0 ? 0.0 : k * step), {left - 60.0, y}, number_size);
   }
   const double along = niceStep(scale.length * number_room / (right - left));
   for (double k = 0.0; k * along <= scale.length * (1.0 + 1e-9); k += 1.0) {
     const double x = scale.x(k * along);
     strokes.push_back({Eigen::Vector2d(x, scale.bottom), Eigen::Vector2d(x, scale.bottom - tick)});
     if (numbers_below)
-      addCentredText(view, text("%.6g", k * along), {x, scale.bottom - 26.0}, number_size);
+      addCentredText(view, formatted("%.6g", k * along), {x, scale.bottom - 26.0}, number_size);
   }
   addStrokes(view, strokes, ink, 1.5f);
   addText(view, curve.name, 40, static_cast<int>(scale.bottom + chart_height) + 14, name_size);
@@ -158,15 +158,15 @@ writeRotaryAngles(const std::string& file, const std::string& title, const Machi
   const ProgramReport& report = program.report;
   std::string places;
   if (!report.poles.empty())
-    places += text("; yellow: axis blended at the pole, by up to %.3g degrees",
-                   in_degrees * std::max_element(report.poles.begin(), report.poles.end(), [](const PoleZone& a, const PoleZone& b) {
-                                  return a.largest_change < b.largest_change;
-                                })->largest_change);
+    places += formatted("; yellow: axis blended at the pole, by up to %.3g degrees",
+                        in_degrees * std::max_element(report.poles.begin(), report.poles.end(), [](const PoleZone& a, const PoleZone& b) {
+                                       return a.largest_change < b.largest_change;
+                                     })->largest_change);
   if (!report.unwound_at.empty())
-    places += text("; red: unwinds, %.0f times", static_cast<double>(report.unwound_at.size()));
+    places += formatted("; red: unwinds, %.0f times", static_cast<double>(report.unwound_at.size()));
   sheet.addTitle(title + ": rotary axes of " + program.machine.name,
-                 text("%.1f turns in all, %.3g degrees in one block at the most", report.first_travel * in_degrees / 360.0,
-                      report.largest_turn * in_degrees) +
+                 formatted("%.1f turns in all, %.3g degrees in one block at the most", report.first_travel * in_degrees / 360.0,
+                           report.largest_turn * in_degrees) +
                      places);
   sheet.save(file);
 }

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -149,14 +148,6 @@ writePNG(vtkRenderWindow* window, const std::string& file)
   out.close();
   if (!out)
     throw FileError(file, std::string("cannot be written: ") + std::strerror(errno));
-}
-
-std::string
-text(const char* format, double a, double b, double c)
-{
-  char result[160];
-  std::snprintf(result, sizeof(result), format, a, b, c);
-  return result;
 }
 
 void

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "common/formatted_text.h"
 #include <pcl_spiral/visualization/impl/loop_color.h>
 
 #include <vtkRenderWindow.h>
@@ -71,9 +72,6 @@ void addColorBar(vtkRenderer* view, const PageSize& page, const std::string& tit
 
 /** What \p window shows, as a PNG. \throw FileError */
 void writePNG(vtkRenderWindow* window, const std::string& file);
-
-/** Numbers in words, by a format of printf. */
-std::string text(const char* format, double a, double b = 0.0, double c = 0.0);
 
 /** Words at a place of a view, from its lower left corner in pixels. */
 void addText(vtkRenderer* view, const std::string& text, int x, int y, int size, bool bold = false);

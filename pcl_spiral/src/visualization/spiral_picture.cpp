@@ -21,11 +21,11 @@ SpiralPictures::writeSpiral(const std::string& file) const
     legend.push_back(end);
   canvas.addLegend(legend);
   addEndViews(canvas, *scene.path, 0.5 * (report.smallest_step_over + report.largest_step_over), "turn", colors);
-  canvas.addTitle(scene.title + ": " + std::to_string(report.turns) + " turns, " + text("%.2f m", report.path_length / 1000.0),
-                  text("ball radius %g mm, scallop %g mm", scene.settings.tool_radius, scene.settings.scallop_height) +
+  canvas.addTitle(scene.title + ": " + std::to_string(report.turns) + " turns, " + formatted("%.2f m", report.path_length / 1000.0),
+                  formatted("ball radius %g mm, scallop %g mm", scene.settings.tool_radius, scene.settings.scallop_height) +
                       (report.smallest_step_over < report.largest_step_over
-                           ? text(", step-over %.3g to %.3g mm", report.smallest_step_over, report.largest_step_over)
-                           : text(", mean step-over %.3g mm", report.largest_step_over)));
+                           ? formatted(", step-over %.3g to %.3g mm", report.smallest_step_over, report.largest_step_over)
+                           : formatted(", mean step-over %.3g mm", report.largest_step_over)));
   canvas.save(file);
 }
 

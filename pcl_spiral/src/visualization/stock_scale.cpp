@@ -79,17 +79,17 @@ StockScale::legend(const std::vector<float>& heights) const
   }
   const auto share = [all](std::size_t count) {
     return count == 0 ? std::string("none")
-                      : text("%.2g %%", 100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(all, 1)));
+                      : formatted("%.2g %%", 100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(all, 1)));
   };
-  return {{text("points gouged over %.3g mm: ", gouge_) + share(gouges), gouge_color},
-          {text("points uncut, over %.3g mm: ", reach_) + share(uncut), uncut_color},
-          {text("points above limit, %.3g mm: ", limit_) + share(above), above_color}};
+  return {{formatted("points gouged over %.3g mm: ", gouge_) + share(gouges), gouge_color},
+          {formatted("points uncut, over %.3g mm: ", reach_) + share(uncut), uncut_color},
+          {formatted("points above limit, %.3g mm: ", limit_) + share(above), above_color}};
 }
 
 LegendEntry
 WorstStock::legend(bool hidden) const
 {
-  return {name + text(", %.3g mm", value.value) + (hidden ? ", hidden" : ""), ink, Marker::Circle};
+  return {name + formatted(", %.3g mm", value.value) + (hidden ? ", hidden" : ""), ink, Marker::Circle};
 }
 
 std::vector<WorstStock>
@@ -110,10 +110,10 @@ stockTitle(const VerificationScene& scene)
 {
   const SpiralSettings& asked = scene.part.settings;
   return {scene.part.title + ": stock left on the " + std::string(scene.deviation_figures.by_mesh ? "mesh" : "scan"),
-          text("ball radius %g mm, scallop %g mm, chord error %g mm; ", asked.tool_radius, asked.scallop_height, asked.chord_error) +
-              text(scene.deviation_figures.by_mesh ? "the surface of the mesh is known to %.2g mm"
-                                                   : "the surface of the scan is known to %.2g mm",
-                   scene.removal_figures.fit_noise)};
+          formatted("ball radius %g mm, scallop %g mm, chord error %g mm; ", asked.tool_radius, asked.scallop_height, asked.chord_error) +
+              formatted(scene.deviation_figures.by_mesh ? "the surface of the mesh is known to %.2g mm"
+                                                        : "the surface of the scan is known to %.2g mm",
+                        scene.removal_figures.fit_noise)};
 }
 
 } // namespace pcl_spiral

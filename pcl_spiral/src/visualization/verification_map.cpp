@@ -80,7 +80,7 @@ addInset(Canvas& canvas, int slot, const DisplaySurface& surface, const WorstPla
   inset.view->AddActor(surfaceActor(surfaceNear(surface, worst.position, worst.across), surface_color));
   fill(inset);
   addMark(inset.view, Marker::Circle, Eigen::Vector2d::Constant(0.5 * Canvas::inset_size), ink);
-  addText(inset.view, worst.caption + text(", %.3g mm across", worst.across), 10, 10, 18, true);
+  addText(inset.view, worst.caption + formatted(", %.3g mm across", worst.across), 10, 10, 18, true);
 }
 
 double

@@ -4,25 +4,17 @@
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
 
+#include "common/formatted_text.h"
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string
-text(double value)
-{
-  std::ostringstream stream;
-  stream << value;
-  return stream.str();
-}
 
 void
 requireGiven(const Job& job, const std::string& option, const std::string& remedy)
@@ -40,38 +32,39 @@ checkCutter(const Job& job)
   requireOption(s.tool_radius > 0.0, "tool-radius", s.tool_radius, "must be above 0 mm, such as 10");
   requireOption(s.scallop_height > 0.0, "scallop", s.scallop_height, "must be above 0 mm, such as 0.05");
   requireOption(s.scallop_height < s.tool_radius, "scallop", s.scallop_height,
-                "must be below the tool radius, which is " + text(s.tool_radius) + " mm; usual is a hundredth of it");
+                "must be below the tool radius, which is " + pcl_spiral::formatted("%g", s.tool_radius) +
+                    " mm; a hundredth of the radius is usual");
   requireOption(s.chord_error > 0.0, "chord-error", s.chord_error, "must be above 0 mm, such as 0.005");
   requireOption(s.chord_error < s.tool_radius, "chord-error", s.chord_error,
-                "must be below the tool radius, which is " + text(s.tool_radius) + " mm");
+                "must be below the tool radius, which is " + pcl_spiral::formatted("%g", s.tool_radius) + " mm");
   requireOption(s.max_step >= 0.0, "max-step", s.max_step, "must be above 0 mm, or 0 for the tool radius");
-  requireOption(std::abs(s.tilt_angle) < 90.0, "tilt", s.tilt_angle, "must lie between -90 and 90 degrees");
-  requireOption(std::abs(s.lead_angle) < 90.0, "lead", s.lead_angle, "must lie between -90 and 90 degrees");
-  requireOption(s.max_axis_rate > 0.0, "max-axis-rate", s.max_axis_rate, "must be above 0 degrees a mm");
+  requireOption(std::abs(s.tilt_angle) < 90.0, "tilt", s.tilt_angle, "must be between -90 and 90 degrees");
+  requireOption(std::abs(s.lead_angle) < 90.0, "lead", s.lead_angle, "must be between -90 and 90 degrees");
+  requireOption(s.max_axis_rate > 0.0, "max-axis-rate", s.max_axis_rate, "must be above 0 degrees per mm");
   requireOption(s.axis_smoothing >= 0.0, "axis-smoothing", s.axis_smoothing, "must be above 0 mm, or 0 for none");
-  requireOption(s.axis_deviation > 0.0 && s.axis_deviation < 90.0, "axis-deviation", s.axis_deviation, "must lie between 0 and 90 degrees");
+  requireOption(s.axis_deviation > 0.0 && s.axis_deviation < 90.0, "axis-deviation", s.axis_deviation, "must be between 0 and 90 degrees");
   requireOption(s.feed > 0.0, "feed", s.feed, "must be above 0 mm/min");
   requireOption(s.thinning >= 0.0, "thin", s.thinning, "must be above 0 mm, or 0 for none");
 }
 
-/** --mesh, and the options that belong to scans or to meshes alone. */
+/** Checks --mesh, and the options that belong only to scans or only to meshes. */
 void
 checkMesh(const Job& job)
 {
   if (!job.mesh) {
     if (job.given.count("sample-spacing") > 0)
-      throw UsageError("--sample-spacing: a scan has its own points; give --mesh too where the faces of the file count, or leave it out");
+      throw UsageError("--sample-spacing: a scan has its own points; add --mesh to use the faces of the file, or leave it out");
     return;
   }
   const auto& known = pcl_spiral::meshExtensions();
   if (const std::string extension = extensionOf(job.scan); std::find(known.begin(), known.end(), extension) == known.end())
-    throw UsageError(job.scan + ": --mesh takes .stl .obj and .ply, and '" + extension + "' holds no faces; leave --mesh out for points");
+    throw UsageError(job.scan + ": --mesh reads .stl .obj and .ply, and '" + extension + "' holds no faces; for points leave --mesh out");
   for (const char* option : {"columns", "view-point", "thin", "outliers"})
     if (job.given.count(option) > 0)
       throw UsageError(std::string("--") + option + " belongs to scans, and --mesh is given: " +
-                       (std::string(option) == "view-point" ? "the faces tell the side (--flip-normals turns them); " : "") +
+                       (std::string(option) == "view-point" ? "the faces define the side (--flip-normals turns them); " : "") +
                        "leave one of the two out");
-  requireOption(job.sample_spacing >= 0.0, "sample-spacing", job.sample_spacing, "must be above 0 mm, or 0 to have it found");
+  requireOption(job.sample_spacing >= 0.0, "sample-spacing", job.sample_spacing, "must be above 0 mm, or 0 to find it from the mesh");
 }
 
 bool
@@ -87,7 +80,7 @@ void
 checkOutputs(const Job& job)
 {
   if (job.outputs.empty())
-    throw UsageError("no output is named; give at least one, such as -o part.csv");
+    throw UsageError("no output is given; give at least one, such as -o part.csv");
   for (const std::string& file : job.outputs)
     if (!isWritten(file))
       throw UsageError("-o " + file + ": extension '" + extensionOf(file) +
@@ -132,11 +125,11 @@ void
 checkJob(const Job& job)
 {
   if (job.scan.empty())
-    throw UsageError("no scan is named; give one, such as part.pcd");
+    throw UsageError("no scan is given; give one, such as part.pcd");
   checkCutter(job);
   checkMesh(job);
   checkOutputs(job);
   checkProgram(job.program, job.outputs, job.given);
   if (job.given.count("accept-collisions") > 0 && !hasProgram(job.program, job.outputs))
-    throw UsageError("--accept-collisions: no program is asked for, and it is its leads that are looked at; leave it out");
+    throw UsageError("--accept-collisions: no output is a program, and only the leads of a program are checked; leave it out");
 }

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scaled_points.h"
 
+#include "common/formatted_text.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace pcl_spiral {
 namespace {
 
 constexpr double noticed_rounding = 0.001;   ///< mm; a fifth of the usual chord error
-constexpr double smallest_likely_size = 5.0; ///< mm; smaller parts are likely read in the wrong unit
+constexpr double smallest_likely_size = 5.0; ///< mm; smaller parts are probably read in the wrong unit
 
 std::string
 inMillimetres(double value)
 {
-  char text[48];
-  std::snprintf(text, sizeof(text), "%.3g mm", value);
-  return text;
+  return formatted("%.3g mm", value);
 }
 
 } // namespace
@@ -62,7 +61,7 @@ scaleWarnings(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& clo
   const double size = (high - low).norm();
   if (largest > 0.0 && size < smallest_likely_size)
     warnings.push_back(file + ": the part is " + inMillimetres(size) +
-                       " across; if the scan is in metres or inches, say so (ReadOptions::unit)");
+                       " across; if the scan is in metres or inches, give its unit (ReadOptions::unit)");
   return warnings;
 }
 

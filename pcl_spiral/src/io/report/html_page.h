@@ -1,40 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  A page for people as one HTML file that needs no other. Private to io.
+ *  A readable page as one HTML file that needs no other file. Private to io.
  */
 #pragma once
 
 #include "report_page.h"
+
+#include "common/formatted_text.h"
 
 #include <string>
 #include <vector>
 
 namespace pcl_spiral {
 
-/** How good a statement is. */
+/** Rating of a statement. */
 enum class Tone { Neutral, Good, Doubtful, Bad };
 
-/** Cells of a table, row by row. A first row of the same length is the head. */
+/** Cells of a table, row by row. The first row is the head if it has the same length. */
 using HtmlRows = std::vector<std::vector<std::string>>;
 
-/** A page written from top to bottom. Every word given to it is escaped; the result is also well-formed XML.
+/** A page written from top to bottom. All given text is escaped; the result is also well-formed XML.
  */
 class HtmlPage {
 public:
-  /** \p subtitle stands below the title. */
+  /** \p subtitle is below the title. */
   HtmlPage(const std::string& title, const std::string& subtitle);
 
   void addHeading(const std::string& text);
-  /** Broad sections, of which there are several with headings of their own. */
+  /** A main section, which has several parts with headings. */
   void addPart(const std::string& text);
   void addText(const std::string& text);
   void addCode(const std::string& text);
-  /** A coloured box: a statement and what it rests on. */
+  /** A coloured box: a statement and its reasons. */
   void addStatement(Tone tone, const std::string& statement, const std::vector<std::string>& grounds);
   void addList(const std::vector<std::string>& items);
-  /** With a head: its first row. Columns without any word are left out. */
+  /** With a head: its first row. Columns without text are left out. */
   void addTable(const HtmlRows& rows, bool head);
-  /** \throw FileError where the picture cannot be read */
+  /** \throw FileError if the picture cannot be read */
   void addPicture(const ReportPicture& picture);
 
   /** \throw FileError */
@@ -44,10 +46,7 @@ private:
   std::string body_;
 };
 
-/** \p text with XML's own characters written as entities, and what is no character of XML as U+FFFD. */
+/** \p text with the special characters of XML as entities, and characters that XML does not allow as U+FFFD. */
 std::string escaped(const std::string& text);
-
-/** Numbers in words, by a format of printf. */
-std::string words(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
 } // namespace pcl_spiral

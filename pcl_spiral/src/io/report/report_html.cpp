@@ -13,7 +13,7 @@ namespace {
 std::string
 place(const Eigen::Vector3d& p)
 {
-  return words("%.3f, %.3f, %.3f mm", p.x(), p.y(), p.z());
+  return formatted("%.3f, %.3f, %.3f mm", p.x(), p.y(), p.z());
 }
 
 std::string
@@ -26,22 +26,23 @@ std::string
 duration(double seconds)
 {
   const auto minutes = static_cast<long>(seconds / 60.0 + 0.5);
-  return seconds < 60.0     ? words("%.1f s", seconds)
-         : seconds < 3600.0 ? words("%.1f min", seconds / 60.0)
-                            : words("%ld h %02ld min", minutes / 60, minutes % 60);
+  return seconds < 60.0     ? formatted("%.1f s", seconds)
+         : seconds < 3600.0 ? formatted("%.1f min", seconds / 60.0)
+                            : formatted("%ld h %02ld min", minutes / 60, minutes % 60);
 }
 
-/** What a path at constant scallop height is made of. */
+/** Figures of a path at constant scallop height. */
 HtmlRows
 scallopRows(const SpiralReport& r)
 {
-  return {{"Loops", words("%zu, of them %zu in the spiral, %zu joined to it by bridges", r.scallop_loops, r.chain_loops, r.bridges)},
+  return {{"Loops", formatted("%zu: %zu in the spiral, %zu joined to it by bridges", r.scallop_loops, r.chain_loops, r.bridges)},
           {"Fingers", std::to_string(r.fingers)},
-          {"Efficiency: least length / path length", words("%.3f", r.least_length / r.path_length)},
-          {"Travelled against the sense asked for", words("%.0f %%", 100.0 * r.reversed_share)},
-          {"Passes", r.pass_begins.empty() ? std::string("1")
-                                           : words("%zu, %.3f m of lifts between them", r.pass_begins.size() + 1, 0.001 * r.lift_length)},
-          {"Radius of the sharpest turns", words("%.2f step-overs", r.turn_radius)}};
+          {"Efficiency: least possible length / path length", formatted("%.3f", r.least_length / r.path_length)},
+          {"Travelled against the sense asked for", formatted("%.0f %%", 100.0 * r.reversed_share)},
+          {"Passes", r.pass_begins.empty()
+                         ? std::string("1")
+                         : formatted("%zu, %.3f m of lifts between them", r.pass_begins.size() + 1, 0.001 * r.lift_length)},
+          {"Radius of the sharpest turns", formatted("%.2f step-overs", r.turn_radius)}};
 }
 
 void
@@ -50,24 +51,24 @@ addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
   page.addHeading("Toolpath");
   HtmlRows rows{{"Turns", std::to_string(r.turns)},
                 {"Points", std::to_string(r.path_points)},
-                {"Length", words("%.3f m", r.path_length / 1000.0)},
-                {"Machining time", duration(60.0 * r.path_length / s.feed) + words(" at %g mm/min", s.feed)},
+                {"Length", formatted("%.3f m", r.path_length / 1000.0)},
+                {"Machining time", duration(60.0 * r.path_length / s.feed) + formatted(" at %g mm/min", s.feed)},
                 {"Method", choiceName(r.method)},
-                {"Longest linear move", words("%.4g mm", r.largest_gap)},
-                {"Largest axis change per step", words("%.3g\u00b0", r.largest_axis_change)}};
+                {"Longest linear move", formatted("%.4g mm", r.largest_gap)},
+                {"Largest change of the axis in one move", formatted("%.3g\u00b0", r.largest_axis_change)}};
   if (r.method == SpiralMethod::ConstantScallop)
     for (const auto& row : scallopRows(r))
       rows.push_back(row);
   else
-    rows.insert(rows.end(), {{"Step-over", words("%.4g to %.4g mm", r.smallest_step_over, r.largest_step_over)},
-                             {"Radial lines", words("%zu, %s", r.radial_lines.size(), r.harmonic_lines ? "harmonic" : "geodesic")}});
+    rows.insert(rows.end(), {{"Step-over", formatted("%.4g to %.4g mm", r.smallest_step_over, r.largest_step_over)},
+                             {"Radial lines", formatted("%zu, %s", r.radial_lines.size(), r.harmonic_lines ? "harmonic" : "geodesic")}});
   if (r.gap_points > 0)
-    rows.push_back({"Over gaps of the scan, bridged: a guess", words("%zu points, %.1f mm", r.gap_points, r.gap_length)});
+    rows.push_back({"Over gaps of the scan, bridged: estimated", formatted("%zu points, %.1f mm", r.gap_points, r.gap_length)});
   if (r.boundaries == 1 && r.method != SpiralMethod::ConstantScallop)
     rows.push_back({"Centre", place(r.centre)});
   if (r.deviating_points > 0)
-    rows.push_back({words("Axis off the tilt asked for by more than %g\u00b0, to turn smoothly", s.axis_deviation),
-                    words("%zu points, by up to %.3g\u00b0", r.deviating_points, r.largest_axis_deviation)});
+    rows.push_back({formatted("Axis more than %g\u00b0 off the tilt asked for, to turn smoothly", s.axis_deviation),
+                    formatted("%zu points, by up to %.3g\u00b0", r.deviating_points, r.largest_axis_deviation)});
   page.addTable(rows, false);
 }
 
@@ -75,11 +76,11 @@ HtmlRows
 meshRows(const RunMesh& mesh)
 {
   const MeshCounts& c = mesh.counts;
-  HtmlRows rows{{"Mesh", words("%zu faces, %zu vertices, %zu boundaries", c.faces, c.vertices, c.loops)}};
+  HtmlRows rows{{"Mesh", formatted("%zu faces, %zu vertices, %zu boundaries", c.faces, c.vertices, c.loops)}};
   if (const std::string found = findingsText(c); !found.empty())
     rows.push_back({"Found in it", found});
   if (c.creases.count > 0)
-    rows.push_back({"Creases", words("%.1f mm, %zu edges", c.crease_length, c.creases.count)});
+    rows.push_back({"Creases", formatted("%.1f mm, %zu edges", c.crease_length, c.creases.count)});
   return rows;
 }
 
@@ -88,7 +89,7 @@ addSurface(HtmlPage& page, const std::optional<RunMesh>& mesh, const SpiralRepor
 {
   page.addHeading(mesh ? "Surface" : "Scanned surface");
   HtmlRows rows = mesh ? meshRows(*mesh) : HtmlRows();
-  rows.push_back({mesh ? "Samples of its curved surface" : "Points", words("%zu, of them %zu used", r.input_points, r.used_points)});
+  rows.push_back({mesh ? "Samples of its curved surface" : "Points", formatted("%zu, %zu of them used", r.input_points, r.used_points)});
   const auto dropped = [&](std::size_t count, const char* why) {
     if (count > 0)
       rows.push_back({std::string("Left out: ") + why, std::to_string(count)});
@@ -98,19 +99,19 @@ addSurface(HtmlPage& page, const std::optional<RunMesh>& mesh, const SpiralRepor
   dropped(r.outlier_points, "outliers");
   dropped(r.surplus_points, "surplus along scan lines or beside sparser parts");
   dropped(r.left_out_points, "in other parts");
-  rows.push_back({"Point spacing, median", words("%.4g mm", r.spacing)});
-  rows.push_back(
-      {mesh ? "Samples off the local fits, standard deviation" : "Noise of a single point, standard deviation", words("%.2g mm", r.noise)});
+  rows.push_back({"Point spacing, median", formatted("%.4g mm", r.spacing)});
+  rows.push_back({mesh ? "Samples off the local fits, standard deviation" : "Noise of a single point, standard deviation",
+                  formatted("%.2g mm", r.noise)});
   for (const BoundaryLoop& loop : r.loops) {
     const char* const name = loop.type == LoopType::Outer   ? "Outer rim"
                              : loop.type == LoopType::Inner ? "Inner loop"
                              : mesh                         ? "Narrow hole, bridged"
                                                             : "Gap in the scan, bridged";
-    rows.push_back({name, words("%.1f mm long, %zu corners", loop.length, loop.corners.size())});
+    rows.push_back({name, formatted("%.1f mm long, %zu corners", loop.length, loop.corners.size())});
   }
   for (const HoleReport& hole : r.holes)
     rows.push_back({hole.handling == HoleHandling::Around ? "Hole, the path runs round it" : "Hole or gap, the path runs over it",
-                    words("%.1f mm wide, at ", hole.width) + place(hole.place)});
+                    formatted("%.1f mm wide, at ", hole.width) + place(hole.place)});
   page.addTable(rows, false);
 }
 
@@ -121,63 +122,64 @@ addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
   std::string outputs;
   for (const std::string& output : files.outputs)
     outputs += (outputs.empty() ? "" : ", ") + output;
-  page.addTable(
-      {{"Scan", files.scan},
-       {"Unit of the scan", choiceName(files.unit)},
-       {"Origin taken off the scan", files.origin.isZero() ? "none" : place(files.origin)},
-       {"Written", outputs},
-       {"Ball cutter, radius R", words("%g mm", s.tool_radius)},
-       {"Scallop height h", words("%g mm", s.scallop_height)},
-       {"Chord error e", words("%g mm", s.chord_error)},
-       {"Longest linear move allowed", words("%g mm", s.max_step > 0.0 ? s.max_step : s.tool_radius)},
-       {"Side tilt, lead of the axis", words("%g\u00b0, %g\u00b0", s.tilt_angle, s.lead_angle)},
-       {"Largest turn of the axis", words("%g\u00b0 per mm", s.max_axis_rate)},
-       {"Axis smoothed over", s.axis_smoothing > 0.0 ? words("%g mm, by up to %g\u00b0", s.axis_smoothing, s.axis_deviation) : "nothing"},
-       {"Feed at the contact", words("%g mm/min", s.feed)},
-       {"Centre", place(s.centre, "found")},
-       {"The path meets the rim near", place(s.start_point, "found")},
-       {"View point of the scanner", place(s.view_point, "none: the cutter comes from +z, or the convex side")},
-       {"Cutter on the other side", s.flip_normals ? "yes" : "no"},
-       {"Boundaries", choiceName(s.boundary_mode)},
-       {"Direction, sense", choiceName(s.direction) + ", " + choiceName(s.sense) + (s.one_way ? ", one way" : "")},
-       {"Method asked for", choiceName(s.method)},
-       {"Acceleration", words("%g mm/s2", s.acceleration)},
-       {"Turns warned of below", words("%g step-overs", s.least_turn_radius)},
-       {"Pitch measured", choiceName(s.pitch)},
-       {"Lines", choiceName(s.lines)},
-       {"Holes", choiceName(s.holes) + (s.hole_size > 0.0 ? words(", at least %g mm wide", s.hole_size) : "") +
-                     (s.hole_margin > 0.0 ? words(", %g mm away", s.hole_margin) : "")},
-       {"Pass along the rim", s.rim_overhang == 0.0  ? std::string("on the rim")
-                              : s.rim_overhang > 0.0 ? words("%g mm beyond the rim", s.rim_overhang)
-                                                     : words("%g mm inside the rim", -s.rim_overhang)},
-       {"Gaps in the scan", choiceName(s.gaps)},
-       {"Thinning", s.thinning > 0.0 ? words("%g mm", s.thinning) : "none"},
-       {"Outlier filter",
-        s.outlier_neighbours > 0 ? words("%d neighbours, %g standard deviations", s.outlier_neighbours, s.outlier_deviations) : "none"}},
-      false);
+  page.addTable({{"Scan", files.scan},
+                 {"Unit of the scan", choiceName(files.unit)},
+                 {"Origin subtracted from the scan", files.origin.isZero() ? "none" : place(files.origin)},
+                 {"Written", outputs},
+                 {"Ball cutter, radius R", formatted("%g mm", s.tool_radius)},
+                 {"Scallop height h", formatted("%g mm", s.scallop_height)},
+                 {"Chord error e", formatted("%g mm", s.chord_error)},
+                 {"Longest linear move allowed", formatted("%g mm", s.max_step > 0.0 ? s.max_step : s.tool_radius)},
+                 {"Side tilt, lead of the axis", formatted("%g\u00b0, %g\u00b0", s.tilt_angle, s.lead_angle)},
+                 {"Largest turn of the axis", formatted("%g\u00b0 per mm", s.max_axis_rate)},
+                 {"Axis smoothed over",
+                  s.axis_smoothing > 0.0 ? formatted("%g mm, by up to %g\u00b0", s.axis_smoothing, s.axis_deviation) : "nothing"},
+                 {"Feed at the contact", formatted("%g mm/min", s.feed)},
+                 {"Centre", place(s.centre, "found")},
+                 {"The path meets the rim near", place(s.start_point, "found")},
+                 {"View point of the scanner", place(s.view_point, "none: the cutter comes from +z, or the convex side")},
+                 {"Cutter on the other side", s.flip_normals ? "yes" : "no"},
+                 {"Boundaries", choiceName(s.boundary_mode)},
+                 {"Direction, sense", choiceName(s.direction) + ", " + choiceName(s.sense) + (s.one_way ? ", one way" : "")},
+                 {"Method asked for", choiceName(s.method)},
+                 {"Acceleration", formatted("%g mm/s2", s.acceleration)},
+                 {"Warning for a turn radius below", formatted("%g step-overs", s.least_turn_radius)},
+                 {"Distance of turns measured", choiceName(s.pitch)},
+                 {"Lines", choiceName(s.lines)},
+                 {"Holes", choiceName(s.holes) + (s.hole_size > 0.0 ? formatted(", at least %g mm wide", s.hole_size) : "") +
+                               (s.hole_margin > 0.0 ? formatted(", %g mm away", s.hole_margin) : "")},
+                 {"Pass along the rim", s.rim_overhang == 0.0  ? std::string("on the rim")
+                                        : s.rim_overhang > 0.0 ? formatted("%g mm beyond the rim", s.rim_overhang)
+                                                               : formatted("%g mm inside the rim", -s.rim_overhang)},
+                 {"Gaps in the scan", choiceName(s.gaps)},
+                 {"Thinning", s.thinning > 0.0 ? formatted("%g mm", s.thinning) : "none"},
+                 {"Outlier filter", s.outlier_neighbours > 0
+                                        ? formatted("%d neighbours, %g standard deviations", s.outlier_neighbours, s.outlier_deviations)
+                                        : "none"}},
+                false);
 }
 
-/** Empty where it is not known. */
+/** Empty if it is not known. */
 std::string
 megabytes(std::size_t bytes)
 {
-  return bytes > 0 ? words("%.0f MB", 1e-6 * static_cast<double>(bytes)) : "";
+  return bytes > 0 ? formatted("%.0f MB", 1e-6 * static_cast<double>(bytes)) : "";
 }
 
 void
 addTimes(HtmlPage& page, const SpiralReport& report, const Verification* verification)
 {
   page.addHeading("Time and memory");
-  HtmlRows rows{{"stage", "time", "memory at its end", "most until then"}};
+  HtmlRows rows{{"stage", "time", "memory at its end", "peak memory so far"}};
   double total = verification ? verification->seconds : 0.0;
   for (const StageCost& stage : report.stages) {
-    rows.push_back({stage.name, words("%.2f s", stage.seconds), megabytes(stage.memory.resident), megabytes(stage.memory.peak)});
+    rows.push_back({stage.name, formatted("%.2f s", stage.seconds), megabytes(stage.memory.resident), megabytes(stage.memory.peak)});
     total += stage.seconds;
   }
   if (verification)
     for (const auto& row : judgingTimes(*verification))
       rows.push_back(row);
-  rows.push_back({"all of them", words("%.2f s", total)});
+  rows.push_back({"all stages", formatted("%.2f s", total)});
   page.addTable(rows, true);
 }
 
@@ -188,8 +190,8 @@ writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles&
                 const SpiralReport& report, const std::vector<ReportPicture>& pictures, const Verification* verification,
                 const std::vector<ReportPicture>& judged)
 {
-  HtmlPage html(page.title, words("Spiral toolpath over a scanned surface; ball cutter, radius %g mm, scallop %g mm", settings.tool_radius,
-                                  settings.scallop_height));
+  HtmlPage html(page.title, formatted("Spiral toolpath over a scanned surface; ball cutter, radius %g mm, scallop %g mm",
+                                      settings.tool_radius, settings.scallop_height));
   std::vector<std::string> warnings = files.warnings;
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
   if (verification) {
@@ -201,7 +203,7 @@ writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles&
     addVerification(html, run, *verification, judged);
   }
   else
-    html.addStatement(Tone::Neutral, "Not judged", {"pcl_spiral_verify measures deviation, scallop and gouge against the scan"});
+    html.addStatement(Tone::Neutral, "Not judged", {"pcl_spiral_verify checks deviation, scallop and gouge against the scan"});
   html.addPart("Path and surface");
   for (const ReportPicture& picture : pictures)
     html.addPicture(picture);

@@ -94,9 +94,9 @@ ViewerPages::path(const ViewerChoice& choice)
   window_.addMeasures();
   addChosen(choice);
   return addWords(
-      {scene_.part.title + ": " + std::to_string(shown.turns) + " turns, " + text("%.2f m", path.back().arc_length / 1000.0),
+      {scene_.part.title + ": " + std::to_string(shown.turns) + " turns, " + formatted("%.2f m", path.back().arc_length / 1000.0),
        std::to_string(path.size()) + " points" +
-           (asked.tool_radius > 0.0 ? text(", ball radius %g mm, scallop %g mm", asked.tool_radius, asked.scallop_height) : "")},
+           (asked.tool_radius > 0.0 ? formatted(", ball radius %g mm, scallop %g mm", asked.tool_radius, asked.scallop_height) : "")},
       "turn", colors, legend);
 }
 

@@ -152,8 +152,8 @@ ViewerSession::goTo(const PlacedValue& worst, const std::string& what)
 {
   choice.point = std::min(worst.index, scene.part.path->size() - 1);
   window.lookAt(worst.position, normalOf((*scene.part.path)[*choice.point]), pages.nearWidth());
-  message = what + text(": %.4f mm at (%.3f, ", worst.value, worst.position.x()) +
-            text("%.3f, %.3f)", worst.position.y(), worst.position.z()) + ", by path point " + std::to_string(worst.index);
+  message = what + formatted(": %.4f mm at (%.3f, ", worst.value, worst.position.x()) +
+            formatted("%.3f, %.3f)", worst.position.y(), worst.position.z()) + ", by path point " + std::to_string(worst.index);
 }
 
 void
@@ -243,10 +243,10 @@ ViewerSession::pointInWords() const
 {
   const ToolpathPoint& point = (*scene.part.path)[*choice.point];
   std::string words = "path point " + std::to_string(*choice.point) + " of " + std::to_string(scene.part.path->size()) +
-                      text(" at (%.3f, %.3f, %.3f)", point.x, point.y, point.z) + text(" mm, turn %.2f", point.turn);
+                      formatted(" at (%.3f, %.3f, %.3f)", point.x, point.y, point.z) + formatted(" mm, turn %.2f", point.turn);
   if (!scene.deviation.empty()) {
     const float deviation = scene.deviation[*choice.point];
-    words += std::isnan(deviation) ? ", no surface there" : text(", deviation %+.4f mm", deviation);
+    words += std::isnan(deviation) ? ", no surface there" : formatted(", deviation %+.4f mm", deviation);
   }
   return words;
 }

@@ -217,7 +217,7 @@ ViewerWindow::drawScale()
   const Eigen::Vector2d left(scale_left, scale_bottom), tick(0.0, 5.0);
   const Eigen::Vector2d right = left + Eigen::Vector2d(length / projection_.mm_per_pixel, 0.0);
   addStrokes(overlay_, {{left, right}, {left - tick, left + tick}, {right - tick, right + tick}}, ink, 2.0f);
-  addText(overlay_, text("%g mm", length), static_cast<int>(right.x()) + 12, scale_bottom - 6, 18);
+  addText(overlay_, formatted("%g mm", length), static_cast<int>(right.x()) + 12, scale_bottom - 6, 18);
 }
 
 void
