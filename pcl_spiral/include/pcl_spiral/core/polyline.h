@@ -33,8 +33,8 @@ struct TaubinOptions {
   unsigned int threads = 0;        ///< 0: as many as a ThreadLimit leaves, or all; the result does not depend on it
 };
 
-/** Taubin smoothing (Taubin 1995, lambda | mu): p += lambda L p, then p += mu L p, with L p the middle of the
- *  neighbours minus p.
+/** Taubin smoothing (Taubin 1995, lambda | mu): p += lambda L p, then p += mu L p, with L p the middle of the neighbours minus
+ *  p. For lines of the published chain and of the harmonic field; the curvatures of equation (12) are another method of his.
  *
  *  The cut-off is a length and does not depend on the spacing of the points. The line is sampled at equal lengths d.
  * The neighbours are M samples away on each side so that 2 pi M d / wavelength = 1. The number of passes N is the one
