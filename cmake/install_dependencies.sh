@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the Debian packages that are missing: as root, through sudo, or by saying which they are.
+# Installs the missing Debian packages: as root or with sudo; otherwise it lists them.
 # Usage: install_dependencies.sh [build] [test] [display] [benchmark] [fuzz] [doc] [releases]
-# (build alone when nothing is named)
+# (without names: build)
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache libpcl-dev libvtk9-dev libx11-dev libeigen3-dev libboost-dev
-  libboost-program-options-dev nlohmann-json3-dev libyaml-cpp-dev)
-test=(libgtest-dev pkg-config linuxcnc-uspace admesh) # linuxcnc: its interpreter rs274 runs our programs; admesh counts faults of meshes
+  libboost-program-options-dev nlohmann-json3-dev libyaml-cpp-dev liblz4-dev)
+test=(libgtest-dev pkg-config groff-base linuxcnc-uspace admesh) # linuxcnc: its interpreter rs274 runs our programs; admesh counts faults of meshes
 display=(xvfb xauth libgl1-mesa-dri) # pictures where there is no screen
 benchmark=(libbenchmark-dev libcgal-dev) # CGAL's slicer of meshes runs beside ours
 fuzz=(clang libclang-rt-dev) # libFuzzer; no test needs it

@@ -3,7 +3,7 @@
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_spiral)
 
-# An export set of its own for each target: who wants the filters alone imports nothing of VTK.
+# A separate export set for each target: a project that uses only the filters does not import VTK.
 function(pcl_spiral_install target component description requires)
   if(NOT TARGET ${target})
     return()
@@ -22,19 +22,20 @@ function(pcl_spiral_install target component description requires)
   install(FILES ${PROJECT_BINARY_DIR}/${target}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 
-pcl_spiral_install(pcl_spiral core "${PROJECT_DESCRIPTION}" "pcl_features pcl_filters pcl_search pcl_kdtree eigen3")
+pcl_spiral_install(pcl_spiral core "${PROJECT_DESCRIPTION}" "pcl_features pcl_filters pcl_search pcl_kdtree eigen3 liblz4")
 pcl_spiral_install(pcl_spiral_io io "Readers and writers of pcl_spiral" "pcl_spiral")
 pcl_spiral_install(pcl_spiral_visualization visualization "Pictures and viewer of pcl_spiral" "pcl_spiral")
 
 install(DIRECTORY pcl_spiral/include/pcl_spiral DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY pcl_spiral/doc DESTINATION ${CMAKE_INSTALL_DOCDIR}/pcl_spiral) # where README.md names its pages
 install(DIRECTORY examples/machines DESTINATION ${CMAKE_INSTALL_DATADIR}/pcl_spiral)
 
 configure_package_config_file(cmake/pcl_spiral-config.cmake.in ${PROJECT_BINARY_DIR}/pcl_spiral-config.cmake
                               INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/pcl_spiral-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/pcl_spiral-config.cmake ${PROJECT_BINARY_DIR}/pcl_spiral-config-version.cmake
-        DESTINATION ${package_dir})
+              cmake/Findlz4.cmake DESTINATION ${package_dir})
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME pcl-spiral)
@@ -45,7 +46,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libpcl-dev (>= 1.13), libeigen3-dev")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libpcl-dev (>= 1.13), libeigen3-dev, liblz4-dev")
 find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
 if(DPKG_SHLIBDEPS)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# What an installation and the .deb have: the programs, a man page for each, machine files, licence and pages; no example.
+# And a library without pictures configures on a system without X11.
+# Usage: run.sh BUILD_DIR SOURCE_DIR
+set -euo pipefail
+build=$1
+source=$2
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+programs=(drive ridge simulate_scan toolpath verify view)
+
+fail() { echo "package: $*" >&2; exit 1; }
+
+words() { sed 's/[][,:]//g' | tr -s '[:space:]' '\n' | sort -u; }
+
+check_page() { # PROGRAM PAGE: its parts are there, every word of --help too, and groff has no warning
+  local said section missing
+  said=$(groff -man -ww -z "$2" 2>&1)
+  [ -z "$said" ] || fail "groff on $2: $said"
+  for section in NAME SYNOPSIS DESCRIPTION OPTIONS "EXIT STATUS" "SEE ALSO"; do
+    grep -qx ".SH $section" "$2" || fail "$2 has no $section"
+  done
+  "$1" --help >"$scratch/help"
+  groff -man -Tascii -P-cbou -rLL=200n "$2" >"$scratch/page"
+  missing=$(comm -23 <(words <"$scratch/help") <(words <"$scratch/page") | grep -vxE 'Exit|code|Options' || true)
+  [ -z "$missing" ] || fail "$2 lacks what --help says: $missing"
+}
+
+check_tree() { # PREFIX
+  local name link found
+  found=$(cd "$1/bin" && echo *)
+  [ "$found" = "$(printf 'pcl_spiral_%s ' "${programs[@]}" | sed 's/ $//')" ] || fail "$1/bin has $found"
+  for name in "${programs[@]}"; do
+    check_page "$1/bin/pcl_spiral_$name" "$1/share/man/man1/pcl_spiral_$name.1"
+  done
+  diff -r "$source/examples/machines" "$1/share/pcl_spiral/machines" || fail "other machine files in $1"
+  cmp "$source/LICENSE" "$1/share/doc/pcl_spiral/LICENSE" || fail "no licence in $1"
+  for link in $(grep -oE '\]\([a-z_/]+\.(md|png)\)' "$1/share/doc/pcl_spiral/README.md" | tr -d '()]'); do
+    [ -e "$1/share/doc/pcl_spiral/$link" ] || fail "README.md names $link, which is not in $1"
+  done
+  found=$(find "$1" -name 'example_*')
+  [ -z "$found" ] || fail "examples were installed: $found"
+}
+
+cmake --install "$build" --prefix "$scratch/prefix" >/dev/null
+check_tree "$scratch/prefix"
+
+cpack --config "$build/CPackConfig.cmake" -G DEB -B "$scratch/cpack" >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "cpack fails"; }
+dpkg-deb -x "$scratch"/cpack/*.deb "$scratch/deb"
+check_tree "$scratch/deb/usr"
+
+cmake -G Ninja -S "$source" -B "$scratch/without" -DPCL_SPIRAL_BUILD_VISUALIZATION=OFF -DCMAKE_DISABLE_FIND_PACKAGE_X11=ON \
+  >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "the filters do not configure without X11"; }
+! cmake --build "$scratch/without" --target help | grep -q visualization || fail "the pictures are built although they are not wanted"
