@@ -10,17 +10,16 @@ namespace {
 
 constexpr int inset_bottom = 20, inset_apart = 16;
 constexpr double side_margin = 152.0, top_margin = 130.0,
-                 bottom_margin = 90.0; ///< pixels, for axes and words
+                 bottom_margin = 90.0; ///< pixels, for axes and text
+constexpr double title_height = 100.0; ///< pixels
+constexpr int most_rounds = 4;         ///< of making the part smaller until the numbers of its axes fit, too
 
 } // namespace
 
 Canvas::Canvas(const DisplaySurface& surface) : PartView(surface)
 {
   addLight(view_);
-  const double room_x = words_left - 2.0 * side_margin, room_y = height - top_margin - bottom_margin;
-  const double middle_x = 0.5 * words_left, middle_y = bottom_margin + 0.5 * room_y;
-  aim({room_x, room_y}, {middle_x, middle_y});
-
+  const Eigen::Vector2d middle = aimWithAxes();
   const Eigen::Vector3d centre = 0.5 * (surface_.low + surface_.high), towards = projection_.towards();
   const double size = 2.0 * (0.5 * (surface_.high - surface_.low)).norm();
   const Eigen::Vector3d eye = centre + 3.0 * size * towards;
@@ -30,8 +29,23 @@ Canvas::Canvas(const DisplaySurface& surface) : PartView(surface)
   camera->SetPosition(eye.data());
   camera->SetViewUp(projection_.top.data());
   camera->SetParallelScale(0.5 * height * projection_.mm_per_pixel);
-  camera->SetWindowCenter(1.0 - 2.0 * middle_x / width, 1.0 - 2.0 * middle_y / height);
+  camera->SetWindowCenter(1.0 - 2.0 * middle.x() / width, 1.0 - 2.0 * middle.y() / height);
   camera->SetClippingRange(size, 5.0 * size);
+}
+
+Eigen::Vector2d
+Canvas::aimWithAxes()
+{
+  const Eigen::AlignedBox2d page(Eigen::Vector2d::Zero(), Eigen::Vector2d(words_left, height - title_height));
+  Eigen::AlignedBox2d room(Eigen::Vector2d(side_margin, bottom_margin), Eigen::Vector2d(words_left - side_margin, height - top_margin));
+  for (int round = 0;; ++round) {
+    aim(room.sizes(), room.center());
+    const Eigen::AlignedBox2d words = axisWords();
+    if (words.isEmpty() || page.contains(words) || round == most_rounds)
+      return room.center();
+    room.min() += (page.min() - words.min()).cwiseMax(0.0);
+    room.max() -= (words.max() - page.max()).cwiseMax(0.0);
+  }
 }
 
 void
@@ -43,7 +57,7 @@ Canvas::add(vtkActor* actor)
 void
 Canvas::addOver(vtkActor* actor)
 {
-  // The view is parallel, so this moves nothing on the screen.
+  // The view is parallel, so this changes nothing on the screen.
   const Eigen::Vector3d shift = clearance(surface_) * projection_.towards();
   actor->SetPosition(shift.x(), shift.y(), shift.z());
   view_->AddActor(actor);

@@ -16,13 +16,13 @@ constexpr double left = 130.0, bottom = 110.0, right_margin = 50.0,
 constexpr double number_room = 1010.0 / 12.0; ///< pixels along the axis for one number
 constexpr double tick = axis_tick_length;
 constexpr int number_size = 18, name_size = 20, bins_to_limit = 40;
-constexpr int words_below = 230; ///< the column's top, pixels
+constexpr int words_below = 230; ///< top of the text column, pixels
 constexpr double least_decades = 1.0,
-                 below_one = 0.3; ///< of the logarithmic scale: a single ridge has a height, too
+                 below_one = 0.3; ///< of the logarithmic scale: a bar for a single ridge also has a height
 constexpr Color within_color{0.128, 0.567, 0.551}, above_color{1.00, 0.55, 0.00}, asked_color{0.10, 0.22, 0.66},
     limit_color{0.84, 0.04, 0.07};
 
-/** How many values fall on each bin; those outside count in the first and the last. */
+/** Number of values in each bin; values outside count in the first and the last. */
 struct Bins {
   double width;
   int first, last; ///< of bins from k width to (k + 1) width
@@ -107,16 +107,17 @@ addAxes(vtkRenderer* view, const Scale& scale)
   addText(view, "ridges, logarithmic scale", 30, static_cast<int>(scale.top) + 42, name_size);
 }
 
-/** An upright line at \p height with words beside its top, on the left or right of it. */
+/** A vertical line at \p height with text at its top: on the left if asked for and if there is room. */
 void
 addLine(vtkRenderer* view, const Scale& scale, double height, const std::string& words, const Color& color, bool on_left)
 {
   const double x = scale.x(height), room = 0.285 * name_size * static_cast<double>(words.size()) + 10.0;
+  on_left = on_left && x > 2.0 * room;
   addStrokes(view, {{Eigen::Vector2d(x, bottom), Eigen::Vector2d(x, scale.top + 25.0)}}, color, 2.5f);
   addCentredText(view, words, {on_left ? x - room : x + room, scale.top + 17.0}, name_size);
 }
 
-/** Returns where the next would stand. */
+/** Returns the position of the next line. */
 int
 addWords(vtkRenderer* view, const PageSize& page, const Bins& bins, const StockFigures& figures, double limit)
 {

@@ -31,7 +31,7 @@ PartView::aim(const Eigen::Vector2d& room, const Eigen::Vector2d& middle)
 {
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
   const Eigen::Vector3d outward = surface_.outward.isZero() ? z : surface_.outward;
-  const bool lying = std::abs(outward.z()) > 0.5; // seen from the front, else from above
+  const bool lying = std::abs(outward.z()) > 0.5; // seen from the front, otherwise from above
   Eigen::Vector3d side = lying ? Eigen::Vector3d(-y) : z;
   side -= side.dot(outward) * outward;
   side = side.norm() > 0.3 ? side.normalized() : (x - x.dot(outward) * outward).normalized();
@@ -64,6 +64,16 @@ PartView::addCircle(const Eigen::Vector3d& place, const Color& color)
 {
   addMarkAt(Marker::Circle, place, color);
   return hides(surface_, place, projection_.towards());
+}
+
+Eigen::AlignedBox2d
+PartView::axisWords() const
+{
+  Eigen::AlignedBox2d box;
+  for (const BoxAxis& axis : layOutAxes(surface_.low, surface_.high, projection_))
+    for (const AxisText& text : axis.texts)
+      box.extend(Eigen::AlignedBox2d(origin_ + text.middle - text.half_size, origin_ + text.middle + text.half_size));
+  return box;
 }
 
 void

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Where a part is drawn: in a picture or in the viewer.
+ *  A view that shows a part: in a picture or in the viewer.
  */
 #pragma once
 
@@ -12,9 +12,11 @@
 #include <vtkActor.h>
 #include <vtkRenderer.h>
 
+#include <Eigen/Geometry>
+
 namespace pcl_spiral {
 
-/** A parallel view of a part, and what is put on it. */
+/** A parallel view of a part and the drawings on it. */
 class PartView {
 public:
   explicit PartView(const DisplaySurface& surface) : surface_(surface) {}
@@ -25,35 +27,37 @@ public:
   const DisplaySurface& surface() const { return surface_; }
   const ParallelView& projection() const { return projection_; }
 
-  /** Where a place appears: pixels from the view's lower left corner. */
+  /** Position of a place: pixels from the lower left corner of the view. */
   Eigen::Vector2d onScreen(const Eigen::Vector3d& place) const;
-  /** Whether a place is in the view or near it: what is not need not be drawn. */
+  /** Whether a place is in the view or near it; other places need not be drawn. */
   virtual bool isNear(const Eigen::Vector3d&) const { return true; }
-  /** Draw as it stands. */
+  /** Draws without a change. */
   virtual void add(vtkActor* actor) = 0;
-  /** Draw what lies on the surface: nearer to the viewer by what the drawn surface may stand out. */
+  /** Draws something on the surface: nearer to the viewer by the error of the drawn surface. */
   virtual void addOver(vtkActor* actor) = 0;
-  /** Draw over everything, what the part hides too. */
+  /** Draws over everything, also what the part hides. */
   virtual void addInFront(vtkActor* actor) = 0;
-  /** A mark over everything: a ring where the part hides the place. Returns whether it does. */
+  /** A mark over everything: a ring if the part hides the place. Returns whether the part hides it. */
   bool addMarker(const Eigen::Vector3d& place, const Color& color);
-  /** A circle about a place, over everything. Returns whether the part hides the place. */
+  /** A circle round a place, over everything. Returns whether the part hides the place. */
   bool addCircle(const Eigen::Vector3d& place, const Color& color = ink);
 
 protected:
   virtual void addMarkAt(Marker marker, const Eigen::Vector3d& place, const Color& color) = 0;
-  /** Look along the surface's mean normal tilted by 35 degrees; the part's box fills \p room about \p middle,
+  /** Looks along the mean normal of the surface, tilted by 35 degrees; the part's box fills \p room round \p middle,
    * pixels. */
   void aim(const Eigen::Vector2d& room, const Eigen::Vector2d& middle);
-  /** Axes with numbers in mm, clear of the part and of one another. */
+  /** What the axes' words take up; pixels. */
+  Eigen::AlignedBox2d axisWords() const;
+  /** Axes with numbers in mm, without overlap with the part and each other. */
   void drawAxes(vtkRenderer* view) const;
 
   const DisplaySurface& surface_;
   ParallelView projection_;
-  Eigen::Vector2d origin_; ///< where the scene's origin appears, pixels
+  Eigen::Vector2d origin_; ///< position of the scene's origin, pixels
 };
 
-/** Light from over the viewer's left shoulder. */
+/** Light from above and behind the viewer, from the left. */
 void addLight(vtkRenderer* view);
 
 } // namespace pcl_spiral

@@ -2,6 +2,7 @@
 #include "sheet.h"
 
 #include "common/readable_text.h"
+#include "fitted_text.h"
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/visualization/pictures.h>
 
@@ -24,6 +25,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int bar_height = 90, bar_margin = 15, legend_below = 140; ///< pixels
+constexpr int label_size = 18, label_gap = 8, label_edge = 6;
 
 void
 style(vtkTextProperty* text, int size, bool bold = false)
@@ -42,6 +44,24 @@ std::string
 drawable(const std::string& text)
 {
   return readableText(text, "?");
+}
+
+/** The size of the font in which the numbers of a colour bar stand clear of one another and of the page's edge. */
+int
+labelSize(vtkRenderer* view, vtkScalarsToColors* colors, const std::string& format)
+{
+  const double* const range = colors->GetRange();
+  const double apart = (PageSize::column_width - 2.0 * bar_margin) / 4.0 - label_gap;
+  const double beyond = PageSize::column_room - PageSize::column_width + bar_margin - label_edge; // the last stands about the bar's end
+  int size = label_size;
+  for (int k = 0; k < 5; ++k) {
+    vtkNew<vtkTextActor> label;
+    label->SetInput(formatted(format.c_str(), range[0] + 0.25 * k * (range[1] - range[0])).c_str());
+    style(label->GetTextProperty(), size);
+    fitText(label, view, k < 4 ? apart : std::min(apart, 2.0 * beyond));
+    size = label->GetTextProperty()->GetFontSize();
+  }
+  return size;
 }
 
 /** Decimals that tell the five labels of a colour bar apart, and one more. */
@@ -119,10 +139,11 @@ addColorBar(vtkRenderer* view, const PageSize& page, const std::string& title, v
   bar->SetLookupTable(colors);
   bar->SetTitle((title + "\n").c_str());
   bar->SetNumberOfLabels(5);
-  bar->SetLabelFormat(labelFormat(colors).c_str());
+  const std::string format = labelFormat(colors);
+  bar->SetLabelFormat(format.c_str());
   bar->UnconstrainedFontSizeOn();
   style(bar->GetTitleTextProperty(), 20);
-  style(bar->GetLabelTextProperty(), 18);
+  style(bar->GetLabelTextProperty(), labelSize(view, colors, format));
   bar->SetOrientationToHorizontal();
   bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   bar->SetPosition((page.wordsLeft() + bar_margin) / double(page.width), (page.column_top - bar_height) / double(page.height));
@@ -159,11 +180,12 @@ addText(vtkRenderer* view, const std::string& text, int x, int y, int size, bool
   actor->SetInput(drawable(text).c_str());
   actor->SetPosition(x, y);
   style(actor->GetTextProperty(), size, bold);
+  fitText(actor, view, roomRightOf(x, view));
   view->AddActor(actor);
 }
 
 void
-addCentredText(vtkRenderer* view, const std::string& text, const Eigen::Vector2d& middle, int size)
+addCentredText(vtkRenderer* view, const std::string& text, const Eigen::Vector2d& middle, int size, double room)
 {
   vtkNew<vtkTextActor> actor;
   actor->SetInput(drawable(text).c_str());
@@ -171,6 +193,8 @@ addCentredText(vtkRenderer* view, const std::string& text, const Eigen::Vector2d
   style(actor->GetTextProperty(), size);
   actor->GetTextProperty()->SetJustificationToCentered();
   actor->GetTextProperty()->SetVerticalJustificationToCentered();
+  if (std::isfinite(room))
+    fitText(actor, view, room);
   view->AddActor(actor);
 }
 

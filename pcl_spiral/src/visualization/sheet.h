@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -73,11 +74,12 @@ void addColorBar(vtkRenderer* view, const PageSize& page, const std::string& tit
 /** What \p window shows, as a PNG. \throw FileError */
 void writePNG(vtkRenderWindow* window, const std::string& file);
 
-/** Words at a place of a view, from its lower left corner in pixels. */
+/** Words at a place of a view, from its lower left corner in pixels; smaller where they would reach beyond the view. */
 void addText(vtkRenderer* view, const std::string& text, int x, int y, int size, bool bold = false);
 
-/** Words about a place of a view; pixels. */
-void addCentredText(vtkRenderer* view, const std::string& text, const Eigen::Vector2d& middle, int size);
+/** Words about a place of a view; pixels. They are at most \p room wide. */
+void addCentredText(vtkRenderer* view, const std::string& text, const Eigen::Vector2d& middle, int size,
+                    double room = std::numeric_limits<double>::infinity());
 
 /** Straight strokes in a view, drawn over everything else; pixels. */
 void addStrokes(vtkRenderer* view, const std::vector<std::array<Eigen::Vector2d, 2>>& strokes, const Color& color, float width);

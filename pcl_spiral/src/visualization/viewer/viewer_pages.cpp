@@ -19,7 +19,7 @@ namespace {
 constexpr double least_map_pitch = 2.0; ///< pixels between turns of the deviation map, which fill the surface
 constexpr float thinnest_line = 2.0f, thickest_line = 4.0f, thin_line = 1.0f, smallest_point = 2.0f,
                 largest_point = 16.0f;      ///< pixels
-constexpr std::size_t most_points = 200000; ///< of the scan, drawn at once
+constexpr std::size_t most_points = 200000; ///< of the scan, drawn at the same time
 constexpr Color chosen_color{0.10, 0.30, 0.90}, thin_color{0.05, 0.05, 0.08};
 
 } // namespace
@@ -126,7 +126,7 @@ ViewerPages::deviation(const ViewerChoice& choice)
   return addWords(deviationTitle(scene_), "deviation of the path, mm", scale.colors(), legend);
 }
 
-/** Points in and near the view; where they are too many, a fixed share of them in larger discs. */
+/** Points in and near the view; if there are too many, a fixed share of them as larger discs. */
 void
 ViewerPages::addStockPoints(const ValueStyle& style)
 {
@@ -136,7 +136,7 @@ ViewerPages::addStockPoints(const ValueStyle& style)
     if (!std::isnan(heights_[i]) && window_.isNear(cloud[i].getVector3fMap().cast<double>()))
       near.push_back(static_cast<std::uint32_t>(i));
   const double share = std::min(1.0, static_cast<double>(most_points) / static_cast<double>(near.size() + 1));
-  double at = 0.0; // a low-discrepancy sequence: every stretch of the file keeps the same share of its points
+  double at = 0.0; // a low-discrepancy sequence: every part of the file keeps the same share of its points
   near.erase(
       std::remove_if(near.begin(), near.end(), [&](std::uint32_t) { return (at = std::fmod(at + 0.6180339887498949, 1.0)) > share; }),
       near.end());
@@ -185,9 +185,10 @@ int
 ViewerPages::absent(const std::string& what)
 {
   addTitle(window_.words(), window_.page(), scene_.part.title, "");
+  const double room = window_.page().wordsLeft() - 20.0;
   const Eigen::Vector2d middle(0.5 * window_.page().wordsLeft(), 0.5 * window_.page().height);
-  addCentredText(window_.words(), "There is nothing here to show " + what + ".", middle, 22);
-  addCentredText(window_.words(), remedy_, middle - Eigen::Vector2d(0.0, 40.0), 20);
+  addCentredText(window_.words(), "There are no data for " + what + ".", middle, 22, room);
+  addCentredText(window_.words(), remedy_, middle - Eigen::Vector2d(0.0, 40.0), 20, room);
   return window_.page().column_top;
 }
 
