@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A dome with a screw and false echoes: checks the leads of its spiral against the scan, with the echoes and without them.
-#include <pcl_spiral/cleaning/stray_removal.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/verify/lead_check.h>
@@ -17,7 +16,7 @@ main()
 {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
-  const Cloud::Ptr scan(new Cloud), without(new Cloud);
+  const Cloud::Ptr scan(new Cloud);
   for (int i = 0; i < 20000; ++i) {
     const float x = 40.0f * unit(random), y = 40.0f * unit(random);
     scan->push_back({x, y, std::sqrt(120.0f * 120.0f - x * x - y * y)});
@@ -43,18 +42,13 @@ main()
 
   LeadCheck<pcl::PointXYZ> check;
   check.setCutter(CutterShape::ball(5.0));
-  const auto look = [&](const char* name, const Cloud::Ptr& cloud) {
-    check.setInputCloud(cloud);
-    check.compute(program);
-    const LeadFigures& f = check.getFigures();
-    std::printf("%s, %zu points: %zu of %zu moves off the path touch, by %.2f mm at most; %s\n", name, cloud->size(), f.collided, f.moves,
-                f.deepest.depth, check.getStatus().message().c_str());
+  check.setLargestEcho(3); // larger groups of outliers are not echoes
+  check.setInputCloud(scan);
+  check.compute(program);
+  const auto print = [](const char* name, const LeadFigures& f) {
+    std::printf("%s: %zu of %zu moves off the path touch, by %.2f mm at most\n", name, f.collided, f.moves, f.deepest.depth);
   };
-  look("all points", scan);
-  StrayRemoval<pcl::PointXYZ> echoes;
-  echoes.setInputCloud(scan);
-  echoes.setLargestGroup(3); // larger groups are not echoes
-  echoes.filter(*without);
-  look("without echoes", without);
-  return echoes.getStatus().ok() ? 0 : 1;
+  print("all points", check.getFigures());
+  print("without echoes", check.getObstacleFigures());
+  return check.getStatus().ok() ? 0 : 1;
 }
