@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Simulates a line-laser scan of a tank dome: scan lines, noise, a few outliers, a shadow; of a column on a
-// turntable; or of the ridge of a press die, with the two lines that are measured of it. The same seed gives the same file.
+// turntable; or of the ridge of a press die with its two measured lines. The same seed gives the same file.
 #include "simulate_scan/ridge_scan.h"
 #include "terminal/file_names.h"
 
@@ -30,7 +30,7 @@ using pcl_spiral::pi;
 
 namespace {
 
-/** What is scanned and how; lengths in mm. */
+/** The part and the scanner; lengths in mm. */
 struct Scan {
   std::string part = "dome";
   double radius = 300;      ///< of the tank: horizontal semi-axis of the dome, a spheroid
@@ -39,14 +39,14 @@ struct Scan {
   double line_spacing = 2;  ///< of the scan lines, along x
   double point_spacing = 1; ///< of the points on a line, near the top
   double noise = 0.02;      ///< standard deviation along the beam
-  double outliers = 0.0005; ///< share of false points
+  double outliers = 0.0005; ///< share of outliers
   double shadow = 12;       ///< diameter of an object between scanner and dome; 0: none
   double standoff = 1500;   ///< of the scanner above the top of the dome
   double baseline = 600;    ///< between laser and camera, along x
   unsigned seed = 1;
 };
 
-/** Distance along the beam to the dome, if it meets it inside the rim. */
+/** Distance along the beam to the dome, if the beam meets the dome inside the rim. */
 std::optional<double>
 range(const Scan& scan, const Eigen::Vector3d& laser, const Eigen::Vector3d& beam)
 {
@@ -62,7 +62,7 @@ range(const Scan& scan, const Eigen::Vector3d& laser, const Eigen::Vector3d& bea
   return t;
 }
 
-/** True if the object stands between the point and the eye (the laser, or the camera). */
+/** True if the object is between the point and the eye (the laser, or the camera). */
 bool
 hidden(const Eigen::Vector3d& point, const Eigen::Vector3d& eye, const Eigen::Vector3d& object, double radius)
 {
@@ -86,7 +86,7 @@ simulate(const Scan& scan)
   const double angle_step = scan.point_spacing / scan.standoff, widest = std::atan(scan.rim / scan.standoff);
   const int lines = static_cast<int>(scan.rim / scan.line_spacing), beams = static_cast<int>(widest / angle_step);
   for (int line = -lines; line <= lines; ++line) {
-    const double phase = uniform(random); // the sensor's clock is not that of the gantry
+    const double phase = uniform(random); // sensor and gantry have separate clocks
     const Eigen::Vector3d laser(line * scan.line_spacing, 0, top), camera = laser - scan.baseline * Eigen::Vector3d::UnitX();
     for (int i = -beams - 1; i <= beams; ++i) {
       const double angle = (i + phase) * angle_step;
@@ -105,14 +105,14 @@ simulate(const Scan& scan)
   return cloud;
 }
 
-/** Radius of a column with five twisted lobes and a waist: from every side a part of it hides behind another. */
+/** Radius of a column with five twisted lobes and a waist: from every side, one part of it hides another. */
 double
 columnRadius(const Scan& scan, double angle, double z)
 {
   return scan.radius * (1 + 0.05 * std::sin(5 * angle + 2 * pi * z / (2.5 * scan.radius)) + 0.1 * std::sin(2 * pi * z / (2 * scan.radius)));
 }
 
-/** The column turns before an upright line of light; a line at a time. */
+/** The column turns in front of an upright line of light; one line at a time. */
 pcl::PointCloud<pcl::PointXYZ>
 simulateColumn(const Scan& scan)
 {
@@ -134,7 +134,7 @@ simulateColumn(const Scan& scan)
   return cloud;
 }
 
-/** What is wrong with the options, or nothing. */
+/** The fault of the options; empty if there is none. */
 std::string
 complaint(const Scan& s)
 {
@@ -151,17 +151,17 @@ complaint(const Scan& s)
   const double across = dome ? s.rim : ridge ? 0.5 * ridge_length : 2 * s.radius;
   const double along = dome ? s.rim : ridge ? 0.5 * ridge_width : s.height;
   if (across / s.line_spacing * along / s.point_spacing > 1e8)
-    return "that is over 400 million points: enlarge --line-spacing or --point-spacing";
+    return "that is more than 400 million points: increase --line-spacing or --point-spacing";
   return "";
 }
 
-/** What a ridge does not take among the options given. */
+/** The fault of the options for a ridge; empty if there is none. */
 std::string
 foreignToRidge(const po::variables_map& given)
 {
   for (const char* option : {"radius", "height", "rim", "shadow", "standoff"})
     if (!given[option].defaulted())
-      return std::string("--") + option + " does not apply to --part ridge, whose shape is fixed: leave it out";
+      return std::string("--") + option + " does not apply to --part ridge, its shape is fixed: leave it out";
   return "";
 }
 
@@ -174,7 +174,7 @@ write(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& cloud)
     throw pcl_spiral::FileError(file, "cannot be written; is the disk full?");
 }
 
-/** All of them or none. */
+/** Writes all files or none. */
 void
 writeAll(const std::vector<std::string>& files, const std::vector<pcl::PointCloud<pcl::PointXYZ>>& clouds)
 {
@@ -195,37 +195,39 @@ po::options_description
 optionsOf(Scan& s, std::string& file)
 {
   po::options_description options(
-      "Simulate a line-laser scan of a tank dome, of a column, or of the ridge of a press die. Lengths in mm.\n"
+      "Simulates a line-laser scan of a tank dome, of a column, or of the ridge of a press die.\n\n"
+      "  pcl_spiral_simulate_scan -o OUT [options]\n\n"
       "  pcl_spiral_simulate_scan -o dome.pcd --noise 0.05\n"
-      "  pcl_spiral_simulate_scan --part ridge -o ridge.pcd\n"
-      "The ridge is 600 long and 24 wide; beside ridge.pcd stand ridge_rail.pcd and ridge_generator.pcd, 300 and 60 "
-      "points of the two lines that are measured of it.\nOptions");
+      "  pcl_spiral_simulate_scan --part ridge -o ridge.pcd\n\n"
+      "The ridge is 600 long and 24 wide. With ridge.pcd it also writes ridge_rail.pcd and ridge_generator.pcd, the\n"
+      "300 and 60 measured points of its two lines. Lengths are in millimetres. Exit code: 0 on success, 1 if the scan\n"
+      "has no points or a file fails, 2 if the command line is wrong.\n\nOptions");
   auto add = options.add_options();
-  add("help,h", "this text");
+  add("help,h", "print this text");
   add("output,o", po::value(&file)->required(), "file to write, .pcd or .ply");
-  add("part", po::value(&s.part)->default_value(s.part), "dome; column: round z, with lobes, a waist and undercuts; or ridge");
-  add("radius", po::value(&s.radius)->default_value(s.radius), "of the tank; mean radius of the column");
-  add("height", po::value(&s.height)->default_value(s.height), "of the whole dome; of the column");
+  add("part", po::value(&s.part)->default_value(s.part), "dome; column: about z, with lobes, a waist and undercuts; or ridge");
+  add("radius", po::value(&s.radius)->default_value(s.radius), "radius of the tank; mean radius of the column");
+  add("height", po::value(&s.height)->default_value(s.height), "height of the whole dome; of the column");
   add("rim", po::value(&s.rim)->default_value(s.rim), "radius at which the part ends");
   add("line-spacing", po::value(&s.line_spacing)->default_value(s.line_spacing),
-      "between scan lines; of the ridge, which they cross, 0.5 by default");
+      "distance between scan lines; for the ridge, which they cross, default 0.5");
   add("point-spacing", po::value(&s.point_spacing)->default_value(s.point_spacing),
-      "between points of a line; of the ridge 0.5 by default");
-  add("noise", po::value(&s.noise)->default_value(s.noise, "0.02"), "standard deviation along the beam; of the ridge, of each coordinate");
-  add("outliers", po::value(&s.outliers)->default_value(s.outliers, "0.0005"), "share of false echoes, 5 to 20 mm off");
-  add("shadow", po::value(&s.shadow)->default_value(s.shadow), "diameter of an object in the way; 0: none");
-  add("standoff", po::value(&s.standoff)->default_value(s.standoff), "of the scanner above the dome");
-  add("seed", po::value(&s.seed)->default_value(s.seed), "of the random numbers");
+      "distance between points of a line; for the ridge default 0.5");
+  add("noise", po::value(&s.noise)->default_value(s.noise, "0.02"), "standard deviation along the beam; for the ridge, of each coordinate");
+  add("outliers", po::value(&s.outliers)->default_value(s.outliers, "0.0005"), "share of outliers, 5 to 20 mm off the surface");
+  add("shadow", po::value(&s.shadow)->default_value(s.shadow), "diameter of an object between scanner and dome; 0: none");
+  add("standoff", po::value(&s.standoff)->default_value(s.standoff), "height of the scanner above the dome");
+  add("seed", po::value(&s.seed)->default_value(s.seed), "seed of the random numbers");
   return options;
 }
 
-/** Takes what is given; the ridge has spacings of its own. */
+/** Reads the options; the ridge has its own default spacings. */
 std::string
 readOptions(const po::variables_map& given, const std::string& file, Scan& s)
 {
   const std::string extension = std::filesystem::path(file).extension().string();
   if (extension != ".pcd" && extension != ".ply")
-    return "'" + file + "': name a .pcd or .ply file";
+    return "'" + file + "': give a .pcd or .ply file";
   if (s.part == "ridge") {
     if (given["line-spacing"].defaulted())
       s.line_spacing = RidgeScanSettings().line_spacing;
@@ -261,7 +263,7 @@ try {
   }
   const auto cloud = s.part == "dome" ? simulate(s) : simulateColumn(s);
   if (cloud.empty()) {
-    std::cerr << "the scanner saw nothing: use finer spacings\n";
+    std::cerr << "the scan has no points: use smaller spacings\n";
     return 1;
   }
   writeAll({file}, {cloud});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A toolpath on its scan or mesh, in a window.
+// Shows a toolpath on its scan or mesh in a window.
 #include "judging/judged_part.h"
 #include "judging/judged_scene.h"
 #include "terminal/program_main.h"
@@ -27,7 +27,7 @@ requireWindow()
   const std::string fault = displayFault();
   if (!fault.empty())
     throw std::runtime_error("a window needs a display and " + fault +
-                             "; run this at a screen or in a VNC session, or make pictures instead: "
+                             "; run this on a computer with a screen or in a VNC session, or make pictures instead: "
                              "'xvfb-run -a pcl_spiral_verify SCAN PATH --tool-radius R -o verified.png'");
 }
 

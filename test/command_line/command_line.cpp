@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The main program from outside: exit codes, words on stderr, and the files it leaves or does not leave.
+// The main program from outside: exit codes, messages on stderr, and files written or not written.
 #include "core/tilted_axes.h"
 #include <pcl_spiral/io/toolpath_reader.h>
 
@@ -32,7 +32,7 @@ xyz(const std::vector<Point>& points)
   return text.str();
 }
 
-/** A cap of a sphere of radius 100 mm, 40 mm across its rim's radius; uniform over its disc. */
+/** A cap of a sphere of radius 100 mm, with a rim of radius 40 mm; uniform over its disc. */
 std::vector<Point>
 cap(int count, double centre_z = -100.0)
 {
@@ -73,8 +73,8 @@ protected:
     return run(arguments);
   }
 
-  /** The call must end with \p code, say \p words on stderr and nothing on stdout, and leave the folder as it
-   * was. */
+  /** The call must end with \p code, print \p words on stderr and nothing on stdout, and not change the
+   * folder. */
   void expectRefused(const Arguments& arguments, int code, const std::vector<std::string>& words)
   {
     const std::size_t before = folder_.count();
@@ -177,9 +177,9 @@ TEST_F(CommandLine, RefusesOptionsThatDoNotFitTheScan)
   };
   refused("cap.xyz", {"--center", "0,0,500"}, 2, {"cap.xyz", "centre (", "500", "within three spacings"});
   refused("ring.xyz", {"--center", "20,0,-2"}, 2, {"ring.xyz", "centre", "two boundaries", "leave the centre out"});
-  refused("cap.xyz", {"--boundaries", "two"}, 2, {"cap.xyz", "two boundaries were asked for", "ask for one"});
+  refused("cap.xyz", {"--boundaries", "two"}, 2, {"cap.xyz", "two boundaries were set", "set one"});
   refused("cap.xyz", {"--thin", "1e-7"}, 2, {"cap.xyz", "thinning edge", "raise it"});
-  // What is wrong with the scan is no wrong call.
+  // A fault of the scan is not a wrong command line.
   refused("cap.xyz", {"--tool-radius", "300"}, 1, {"cap.xyz", "is the scan in metres"});
 }
 
@@ -267,7 +267,7 @@ TEST_F(CommandLine, SaysWhereTheAxisLeavesTheTilt)
     return path;
   };
   const auto tilted = jsonOf({"--tilt", "15", "--axis-smoothing", "10", "--axis-deviation", "4"});
-  const auto path = pcl_spiral::readToolpath(folder_.path("a.csv")).path; // and as the path itself shows it
+  const auto path = pcl_spiral::readToolpath(folder_.path("a.csv")).path; // and in the path itself
   pcl_spiral::Polyline points;
   std::vector<Eigen::Vector3d> normals;
   for (const auto& point : path) {
@@ -359,7 +359,7 @@ TEST_F(CommandLine, ControlCLeavesNothingBehind)
   for (const int signal : {SIGINT, SIGTERM}) {
     const pid_t process = startProgram(program, {"large.xyz", "--tool-radius", "1", "--scallop", "0.0005", "-o", "a.csv"}, folder_);
     ASSERT_TRUE(waitUntilCaught(process, signal));
-    std::this_thread::sleep_for(std::chrono::milliseconds(200)); // into the work
+    std::this_thread::sleep_for(std::chrono::milliseconds(200)); // the work has begun
     ASSERT_EQ(::kill(process, signal), 0);
     const RunResult result = endOf(process, folder_);
     EXPECT_EQ(result.code, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// pcl_spiral_drive from outside: a column by a helix, planes over a cap, and what is said of wrong calls.
+// pcl_spiral_drive from outside: a column by a helix, planes over a cap, and messages for wrong command lines.
 #include "command_line/cap_scan.h"
 #include "command_line/run_program.h"
 
@@ -97,7 +97,7 @@ TEST(Drive, AColumnByAHelixForAnyCutter)
   ASSERT_EQ(done.code, 0) << done.err;
   expectHas(done.out, "drive path      helix: 1 pass, ");
   expectHas(done.out, "rotary axes     ");
-  // The axis stands out of the column, and the tip of the flat end by its contact, within the cutter.
+  // The axis points out of the column, and the tip of the flat end is near its contact, inside the cutter.
   for (const std::vector<double>& row : rows(readText(folder.path("a.csv")))) {
     ASSERT_EQ(row.size(), 15U);
     const double tip = std::hypot(row[8], row[9]);
@@ -127,13 +127,13 @@ TEST(Drive, PlanesAreOnePassEachAndLeaveTheSurfaceBetween)
     least = std::min(least, row[9]);
     largest = std::max(largest, row[9]);
   }
-  // 2 sqrt(R^2 - (R - h)^2) apart at the most
+  // at most 2 sqrt(R^2 - (R - h)^2) apart
   EXPECT_NEAR(static_cast<double>(passes), (largest - least) / (2.0 * std::sqrt(16.0 - 3.8 * 3.8)) + 1.0, 1.6);
   const std::string call = "cd '" + folder.root().string() + "' && rs274 -g a.ngc canon.txt 2>messages.txt";
   ASSERT_EQ(std::system(call.c_str()), 0) << readText(folder.path("messages.txt"));
   const RunResult apt = run(folder, {"cap.xyz", "--tool-radius", "4", "--step-over", "8", "-o", "b.apt"});
   EXPECT_EQ(apt.code, 1);
-  expectHas(apt.err, " passes, and this format no moves between them");
+  expectHas(apt.err, " passes, and this format has no moves between them");
   EXPECT_FALSE(std::filesystem::exists(folder.path("b.apt")));
 }
 
@@ -149,7 +149,7 @@ TEST(Drive, RowsAreKeptToTheScallopAndJoined)
   kept.insert(kept.end(), {"--rows", "kept", "--link"});
   const RunResult done = run(folder, kept);
   ASSERT_EQ(done.code, 0) << done.err;
-  expectHas(done.out, " kept to the scallop, ");
+  expectHas(done.out, " that keep the scallop height, ");
   expectHas(done.out, " rows joined on the surface, ");
   const std::string report = readText(folder.path("a.json"));
   expectHas(report, "\"rows\": \"kept\"");
@@ -208,7 +208,7 @@ TEST(Drive, AHolderThatWouldCollideIsRefused)
   expectHas(done.out, "collisions      shank or holder at ");
 }
 
-/** Its normals stand four ways: no axis can be told from them. */
+/** Its normals have four directions: they define no axis. */
 TEST(Drive, ASquareColumnGoesRoundTheAxisGiven)
 {
   const ScratchFolder folder;
@@ -255,11 +255,11 @@ TEST(Drive, StraysAreClimbedOverOrLeftOut)
   };
   RunResult kept, left_out;
   EXPECT_GT(highest({}, kept), 8.5);
-  expectHas(kept.err, "3 points of the scan stand alone off its surface");
+  expectHas(kept.err, "3 points of the scan are isolated outliers");
   expectHas(kept.err, "--leave-out-strays");
   EXPECT_LT(highest({"--leave-out-strays"}, left_out), 0.1);
   expectHas(left_out.err,
-            "3 of 6003 points, off the scanned surface, were left out (--leave-out-strays), the largest group of them 1 at (3, 4, 9)");
+            "3 of 6003 points off the scanned surface were left out (--leave-out-strays); the largest group has 1, at (3, 4, 9)");
 }
 
 TEST(Drive, MessagesNameOptionsThatThereAre)
@@ -322,27 +322,29 @@ TEST(Drive, WrongCallsAreRefused)
   };
   said({"cap.xyz", "-o", "a.csv", "--step-over", "1"}, 2, "no --tool-radius is given");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3"}, 2, "no --step-over is given");
-  said({"cap.xyz", "--tool-radius", "3", "--step-over", "1"}, 2, "no output is named");
+  said({"cap.xyz", "--tool-radius", "3", "--step-over", "1"}, 2, "no output is given");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--corner-radius", "4", "--step-over", "1"}, 2, "corner");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--scallop", "0.1"}, 2, "both given");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--holder", "5"}, 2, "--holder 5");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--drive", "curve"}, 2, "no --curve is given");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--drive", "helix"}, 1, "cap.xyz: ");
-  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--overrun", "2"}, 2, "--drive is planes");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--overrun", "2"}, 2,
+       "--overrun: --drive planes does not use it");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--tolerance", "1e-7"}, 2, "0.0001 mm or more");
-  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--holder-clearance", "2"}, 2, "no --holder");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--holder-clearance", "2"}, 2, "no --holder is given");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "kept", "--step-over", "1"}, 2, "no --scallop is given");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "kept", "--scallop", "0.1", "--corner-radius", "1"}, 2,
-       "for a ball alone");
+       "known only for a ball");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "kept", "--scallop", "0.1", "--drive", "offset"}, 2,
-       "--rows: --drive is offset");
+       "--rows: --drive offset does not use it");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "kept", "--scallop", "0.1", "--axis-mode", "cylinder"}, 2,
        "(--axis-mode)");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "dense", "--scallop", "0.1"}, 2, "even");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--link", "--one-way"}, 2, "leave --one-way");
-  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--link", "--drive", "rings"}, 2, "--link: --drive is rings");
+  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--link", "--drive", "rings"}, 2,
+       "--link: --drive rings does not use it");
   for (const char* output : {"a.yaml", "a.pcd", "a.ply"})
-    said({"cap.xyz", "-o", output, "--tool-radius", "3", "--corner-radius", "1", "--step-over", "1"}, 2, "for a ball alone");
+    said({"cap.xyz", "-o", output, "--tool-radius", "3", "--corner-radius", "1", "--step-over", "1"}, 2, "only for a ball");
   writeText(folder.path("job.yaml"), "tool-radius: 3\nstep-over: 1\none-way: perhaps\n");
   said({"cap.xyz", "-o", "a.csv", "--config", "job.yaml"}, 2, "must be true or false");
   writeText(folder.path("machine.yaml"), readText(machines + "/xyzac.yaml"));

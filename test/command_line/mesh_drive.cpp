@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// pcl_spiral_drive --mesh from outside: the tolerance asked for is kept on walls too.
+// pcl_spiral_drive --mesh from outside: the tolerance is also kept on walls.
 #include <pcl_spiral/io/toolpath_reader.h>
 
 #include "run_program.h"
@@ -51,7 +51,7 @@ TEST_F(MeshDrive, ToleranceIsRefusedWhereItIsMuchOfTheCutter)
   writeStl(folder_.path("part.stl"), ruggedMesh(3));
   const RunResult refused = run({"--tool-radius", "0.06"});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.err.find("--tolerance 0.01: must be a tenth of the tool radius, 0.06 mm, or less, such as 0.0006"), std::string::npos)
+  EXPECT_NE(refused.err.find("--tolerance 0.01: must be at most a tenth of the tool radius of 0.06 mm, such as 0.0006"), std::string::npos)
       << refused.err;
   EXPECT_EQ(run({"--tool-radius", "0.06", "--tolerance", "0.0006"}).code, 0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// pcl_spiral_toolpath --mesh from outside: accuracy, what is said of the mesh, and meshes that cannot be.
+// pcl_spiral_toolpath --mesh from outside: accuracy, messages about the mesh, and refused meshes.
 #include <pcl_spiral/io/toolpath_reader.h>
 
 #include "run_program.h"
@@ -30,7 +30,7 @@ hills()
   return gridMesh(*landform(size), {size, size}, cells);
 }
 
-/** The mesh without the faces whose middles \p hole holds. */
+/** The mesh without the faces with their middle in \p hole. */
 TriangleMesh
 without(TriangleMesh mesh, const std::function<bool(const Eigen::Vector3d&)>& hole)
 {
@@ -79,7 +79,7 @@ protected:
     writeStl(folder_.path("part.stl"), mesh);
     return run("part.stl", arguments);
   }
-  /** The run must end with \p code, say all of \p words, and leave no path. */
+  /** The run must end with \p code, print all of \p words, and leave no path. */
   void expectRefused(const RunResult& result, int code, const std::vector<std::string>& words)
   {
     EXPECT_EQ(result.code, code) << result.err;
@@ -146,7 +146,7 @@ TEST_F(MeshToolpath, TheSideIsTheMeshs)
     std::swap(f[1], f[2]);
   RunResult result = run(below, {});
   ASSERT_EQ(result.code, 0);
-  EXPECT_NE(result.err.find("look down, along -z, and the cutter comes from there: give --flip-normals"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("point down, along -z, so the cutter comes from below: give --flip-normals"), std::string::npos) << result.err;
   EXPECT_LT(path()[100].normal_z, 0.0F);
   result = run(below, {"--flip-normals", "--verify"});
   ASSERT_EQ(result.code, 0);
@@ -188,7 +188,7 @@ TEST_F(MeshToolpath, HolesAreHolesOfThePart)
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(result.err.find("scan"), std::string::npos) << result.err;
   EXPECT_LT(distanceFrom(middle), 1.5);
-  // One cell, less than a step-over wide: over it, but where --hole-size asks for it.
+  // One cell, less than a step-over wide: the path runs over it, except with --hole-size.
   const TriangleMesh narrow =
       without(hills(), [](const Eigen::Vector3d& p) { return std::max(std::abs(p.x() - 21.0), std::abs(p.y() - 21.0)) < 1.0; });
   result = run(narrow, {"--scallop", "0.5"});
@@ -225,7 +225,8 @@ TEST_F(MeshToolpath, SeveralParts)
 
 TEST_F(MeshToolpath, ClosedMeshes)
 {
-  expectRefused(run(icoSphere(20.0, 4), {}), 1, {"part.stl", "from (-", "to (", "is closed", "cut it down", "pcl_spiral_drive --mesh"});
+  expectRefused(run(icoSphere(20.0, 4), {}), 1,
+                {"part.stl", "from (-", "to (", "is closed", "keep only the side", "pcl_spiral_drive --mesh"});
 }
 
 TEST_F(MeshToolpath, ARoughMeshIsSampledLessClosely)
@@ -244,7 +245,7 @@ TEST_F(MeshToolpath, MeshesThatCannotBe)
   const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
   expectText("points.ply", header + "end_header\n0 0 0\n1 0 0\n0 1 0\n", {"points.ply", "no faces", "leave --mesh out"});
   expectText("empty.stl", "", {"empty.stl", "empty"});
-  expectText("nan.ply", header + faces + "end_header\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", {"nan.ply", "no place"});
+  expectText("nan.ply", header + faces + "end_header\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", {"nan.ply", "not a place"});
   expectText("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", {"index.obj", "vertex 9"});
   expectText("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", {"flat.obj", "area"});
   writeStl(folder_.path("whole.stl"), hills());
@@ -276,7 +277,7 @@ TEST_F(MeshToolpath, OptionsOfScansAlone)
       endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM,
                          {"part.stl", "--sample-spacing", "1", "-o", "a.csv", "--tool-radius", "3", "--scallop", "0.05"}, folder_),
             folder_),
-      2, {"give --mesh too"});
+      2, {"add --mesh to use the faces"});
 }
 
 TEST_F(MeshToolpath, QuietAndEndedFromOutside)

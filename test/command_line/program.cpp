@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Programs of machines from outside: from a scan to what LinuxCNC's interpreter runs, and what is said of
-// wrong calls.
+// Machine programs from outside: from a scan to a program that LinuxCNC's interpreter runs, and messages for
+// wrong command lines.
 #include "command_line/cap_scan.h"
 #include "command_line/run_program.h"
 
@@ -118,7 +118,7 @@ TEST(Program, OneWayPathsAreLiftedBetweenPassesAndRefusedWhereNoLiftCanBeSaid)
   for (const std::string file : {"b.apt", "b.yaml"}) {
     const RunResult refused = called({"-o", file});
     EXPECT_EQ(refused.code, 1);
-    expectHas(refused.err, "the path has 3 passes, and this format no moves between them; write a .ngc or .nc, or leave --one-way out");
+    expectHas(refused.err, "the path has 3 passes, and this format has no moves between them; write a .ngc or .nc, or leave --one-way out");
     EXPECT_FALSE(std::filesystem::exists(folder.path(file)));
   }
 }
@@ -131,7 +131,7 @@ TEST(Program, CodesStandBeforeAndAfterThePass)
   ASSERT_EQ(done.code, 0) << done.err;
   for (const char* code : {"M62 P0", "M63 P0"}) {
     EXPECT_EQ(linesWith(readText(folder.path("a.ngc")), code), 1U);
-    EXPECT_EQ(linesWith(readText(folder.path("b.nc")), std::string(" ") + code), 1U); // its lines count
+    EXPECT_EQ(linesWith(readText(folder.path("b.nc")), std::string(" ") + code), 1U); // its lines are numbered
   }
   const std::string call = "cd '" + folder.root().string() + "' && rs274 -g a.ngc canon.txt 2>messages.txt";
   ASSERT_EQ(std::system(call.c_str()), 0) << readText(folder.path("messages.txt"));
@@ -163,7 +163,7 @@ TEST(Program, WithoutAMachineFileTheUserIsToldWhatWasTaken)
   ASSERT_EQ(done.code, 0) << done.err;
   expectHas(done.err, "no --machine is given: the program is for LinuxCNC's xyzac-trt-kins");
   expectHas(done.err, "no retract_z is given");
-  expectHas(readText(folder.path("part.ngc")), "\nG43\n"); // of the tool that is loaded
+  expectHas(readText(folder.path("part.ngc")), "\nG43\n"); // of the loaded tool
 }
 
 TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
@@ -186,17 +186,18 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
   expectHas(said({"-o", "a.ngc", "--machine", "none.yaml"}, 1), "none.yaml: there is no such machine file");
   expectHas(said({"-o", "a.ngc", "--machine", machine, "--clearance", "0"}, 2), "--clearance 0: must be above 0 mm");
   expectHas(said({"-o", "a.ngc", "--machine", machine, "--decimals", "2"}, 2), "--decimals 2: must be 3 to 6");
-  expectHas(said({"-o", "a.ngc", "--machine", machine, "--thin-blocks", "1"}, 2), "--thin-blocks 1: mm of the tip and degrees");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--thin-blocks", "1"}, 2), "--thin-blocks 1: give mm for the tip and degrees");
   const std::vector<std::string> on{"--pass-begin", "M62 P0"}, off{"--pass-end", "M63 P0"};
   const auto codes = [&](const std::string& output, std::vector<std::string> begin, const std::vector<std::string>& end) {
     begin.insert(begin.begin(), {"-o", output});
     begin.insert(begin.end(), end.begin(), end.end());
     return said(begin, 2);
   };
-  expectHas(codes("a.ngc", on, {}), "--pass-begin M62 P0: is given alone, and a beam that is switched on but never off burns; give both");
+  expectHas(codes("a.ngc", on, {}),
+            "--pass-begin M62 P0: is given without the other, and a beam that is never switched off burns the part; give both");
   expectHas(codes("a.ngc", {}, off), "--pass-end M63 P0: is given alone");
-  expectHas(codes("a.csv", on, off), "--pass-begin M62 P0: no output is a program; write a .ngc or .nc, or leave it out");
-  expectHas(codes("a.ngc", on, {"--pass-end", "M63 P0\nM3"}), "the code holds a line break");
+  expectHas(codes("a.csv", on, off), "--pass-begin M62 P0: no output is a program; add an output .ngc or .nc, or leave it out");
+  expectHas(codes("a.ngc", on, {"--pass-end", "M63 P0\nM3"}), "the code has a line break");
   expectHas(codes("a.ngc", {"--pass-begin", "M62 (on)"}, off), "--pass-begin M62 (on): the code holds (, which belongs to comments");
   expectHas(codes("a.ngc", {"--pass-begin", "%"}, off), "--pass-begin %: the code holds %, which ends the program");
   expectHas(codes("a.ngc", {"--pass-begin", " "}, off), "the code is blank; give one line such as M62 P0");
@@ -204,7 +205,7 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
   expectHas(said({"-o", "a.nc", "--machine", machines + "/head_table.yaml", "--dialect", "siemens", "--tool", "1"}, 1), "rtcp: false");
 }
 
-/** Across the well the tool's axis, near the normal, points at the other side. */
+/** Across the well, the tool axis, near the normal, points to the other side. */
 TEST(Program, LeadsIntoTheOtherSideOfAWellAreRefused)
 {
   const ScratchFolder folder;
@@ -239,7 +240,7 @@ TEST(Program, OnlyStraysInTheWayOfLeadsAreAWarning)
   const ScratchFolder folder;
   std::mt19937 random(8);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  std::ostringstream echoes; // in the sky over the cap
+  std::ostringstream echoes; // in the air above the cap
   for (int i = 0; i < 150; ++i)
     echoes << 40.0 * unit(random) << ' ' << 40.0 * unit(random) << ' ' << 25.0 + 15.0 * unit(random) << '\n';
   writeText(folder.path("echoes.xyz"), capScan(20000) + echoes.str());
@@ -257,7 +258,7 @@ TEST(Program, AMachineThatCannotMakeItIsNamedAndNothingIsWritten)
   writeText(folder.path("stiff.yaml"), text);
   const RunResult done = run(folder, {"-o", "a.ngc", "-o", "a.csv", "--machine", "stiff.yaml"});
   EXPECT_EQ(done.code, 1);
-  for (const char* part : {"stiff.yaml: block ", ": A would stand at ", "limit of ", "turn the part"})
+  for (const char* part : {"stiff.yaml: block ", ": A would be at ", "limit of ", "turn the part"})
     expectHas(done.err, part);
   EXPECT_FALSE(std::filesystem::exists(folder.path("a.ngc")));
   EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv")));

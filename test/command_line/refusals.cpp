@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a user is told about a scan or a wish that cannot be: the cause, the place, the value and the remedy, in time.
+// Messages for scans and settings that are impossible: the cause, the place, the value and the remedy, in time.
 #include <pcl_spiral/io/toolpath_reader.h>
 
 #include "run_program.h"
@@ -23,7 +23,7 @@ using Points = std::vector<Point>;
 
 constexpr std::size_t megabyte = 1 << 20;
 
-/** Points over a disc of the given radius about the origin, at the height that \p height gives. */
+/** Points over a disc of the given radius about the origin, at the height from \p height. */
 Points
 disc(int count, double radius, const std::function<double(double, double)>& height, unsigned seed = 5)
 {
@@ -83,7 +83,7 @@ protected:
     return endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM, arguments, folder_), folder_);
   }
 
-  /** The run must end with \p code, say all of \p words, and leave no path. */
+  /** The run must end with \p code, print all of \p words, and leave no path. */
   void expectRefused(const Points& points, const Arguments& arguments, int code, const std::vector<std::string>& words)
   {
     const RunResult result = run(points, arguments);
@@ -134,7 +134,7 @@ TEST_F(Refusals, SeveralParts)
   EXPECT_EQ(report().at("surface").at("left_out_parts"), 1);
   EXPECT_EQ(report().at("surface").at("left_out_points"), 2000);
   EXPECT_EQ(report().at("settings").at("largest"), true);
-  // The larger one, not the one of more points.
+  // The larger part, not the part with more points.
   const Points dense = moved(cap(9000, 10.0, 6), 150.0, 0.0, 20.0);
   writeText(folder_.path("job.yaml"), "largest: true\n");
   ASSERT_EQ(run(part + dense, {"--config", "job.yaml"}).code, 0);
@@ -147,7 +147,7 @@ TEST_F(Refusals, ScansThatDoNotHangTogether)
   for (int i = 0; i < 100; ++i)
     islands = islands + moved(cap(80, 5.0, 10 + i), 30.0 * (i % 10), 30.0 * (i / 10), 0.0);
   expectRefused(islands, {}, 1, {"separate parts", "mm2 at (", "is disconnected", "--largest"});
-  // Half of it a thousand times denser: not outliers, to be left out with a word.
+  // Half of it is a thousand times denser: these are not outliers to leave out with a warning.
   expectRefused(cap(3000) + moved(cap(6000), 300.0, 0.0, 0.0, 1e-4),
                 {"--tool-radius", "0.001", "--scallop", "0.0001", "--chord-error", "0.0005"}, 1,
                 {"of 9000 points are isolated", "lies around (300, ", "--thin"});
@@ -164,7 +164,7 @@ TEST_F(Refusals, CentresOffThePart)
 {
   const Points part = cap(6000);
   expectRefused(part, {"--center", "80,0,-20"}, 2,
-                {"centre (80, 0, -20)", "nearest point is (3", "mm off", "three spacings", "inside its rim"});
+                {"centre (80, 0, -20)", "nearest point is (3", "mm away", "three spacings", "inside its rim"});
   Points ring;
   for (const Point& p : cap(8000))
     if (std::hypot(p[0], p[1]) > 18.0)
@@ -209,7 +209,7 @@ TEST_F(Refusals, TooFewPoints)
 
 TEST_F(Refusals, PathsTooLargeToMake)
 {
-  const std::vector<std::string> words{"the path asked for is too large", "points (", "turns", "GB", "--units", "scallop height"};
+  const std::vector<std::string> words{"this path would be too large", "points (", "turns", "GB", "--units", "scallop height"};
   const auto start = std::chrono::steady_clock::now();
   expectRefused(moved(cap(6000), 0.0, 0.0, 0.0, 1e4), {}, 2, words); // a part of 800 m
   const Points part = cap(6000);
@@ -221,7 +221,7 @@ TEST_F(Refusals, PathsTooLargeToMake)
     for (const char* method : {"radial", "constant-scallop", "shortest"})
       expectRefused(part, {"--chord-error", error, "--method", method}, 2, words);
   expectRefused(part, {"--scallop", "1e-6", "--method", "constant-scallop"}, 1,
-                {"turns of a scallop height of 1e-06 mm", "places would be needed", "GB of memory", "raise the scallop height"});
+                {"at a scallop height of 1e-06 mm turns", "would be needed", "GB of memory", "raise the scallop height"});
   expectRefused(part, {"--tool-radius", "1e-6", "--scallop", "1e-8", "--chord-error", "1e-8"}, 2, words);
   expectRefused(part, {"--threads", "100000"}, 2, {"--threads 100000", "256"});
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(sanitized ? 600 : 60));
@@ -273,8 +273,8 @@ TEST_F(Refusals, WarningsAboutUnitsAndNoise)
   EXPECT_EQ(warnings(part, {}), "[]");
   const std::string huge = warnings(moved(part, 0.0, 0.0, 0.0, 4e3), {"--tool-radius", "2000", "--scallop", "200", "--chord-error", "20"});
   EXPECT_TRUE(has(huge, "mm across: is it in another unit?")) << huge;
-  EXPECT_TRUE(has(warnings(part, {"--tool-radius", "40", "--scallop", "39"}), "one turn or two"));
-  EXPECT_TRUE(has(warnings(part, {"--tool-radius", "0.4", "--scallop", "0.1"}), "farther than the cutter is wide"));
+  EXPECT_TRUE(has(warnings(part, {"--tool-radius", "40", "--scallop", "39"}), "one or two turns"));
+  EXPECT_TRUE(has(warnings(part, {"--tool-radius", "0.4", "--scallop", "0.1"}), "more than the cutter's width"));
   std::mt19937 random(8);
   std::normal_distribution<double> normal(0.0, 0.05);
   Points noisy = part;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// pcl_spiral_ridge from outside: files of a beam's rows, a cutter on the ridge and on a scan, both lines out of a scan, and what is said
-// of wrong calls.
+// pcl_spiral_ridge from outside: files of a beam's rows, a cutter on the ridge and on a scan, both lines from a scan, and messages for
+// wrong command lines.
 #include "run_program.h"
 #include "support/ridges.h"
 
@@ -33,7 +33,7 @@ textOf(const std::vector<Vector3d>& points)
   return text.str();
 }
 
-/** Points of the whole ridge, \p spacing apart; \p beyond the ends of both lines by that share. */
+/** Points of the whole ridge, \p spacing apart, and by the share \p beyond past the ends of both lines. */
 std::vector<Vector3d>
 scanOf(double spacing, double beyond)
 {
@@ -85,7 +85,7 @@ protected:
   ScratchFolder folder_;
 };
 
-/** What a ball of radius 6 leaves, judged on points of the exact ridge. */
+/** Heights that a ball of radius 6 leaves, judged on points of the exact ridge. */
 pcl_spiral::RemovalFigures
 judged(const std::string& path_file)
 {
@@ -110,7 +110,7 @@ void
 expectWithin(const pcl_spiral::RemovalFigures& figures)
 {
   EXPECT_LE(figures.scallop.p999, 1.02 * scallop + chord_error);
-  EXPECT_GE(figures.scallop.p50, 0.8 * scallop); // and hardly closer than that takes
+  EXPECT_GE(figures.scallop.p50, 0.8 * scallop); // and the rows are not much closer than needed
   EXPECT_LE(figures.gouge.value, chord_error + 0.002);
   EXPECT_EQ(figures.stock.uncut, 0U);
   EXPECT_GT(figures.stock.samples, 40000U);
@@ -220,7 +220,7 @@ TEST_F(RidgeProgram, TakesAJobFileAndWritesTheSameBytesForAnyNumberOfThreads)
 
 TEST_F(RidgeProgram, ABeamThatWouldStandIsRefused)
 {
-  std::vector<Vector3d> rail, generator; // a crest whose normal passes the upright
+  std::vector<Vector3d> rail, generator; // a crest with a normal that passes the upright direction
   for (int i = 0; i <= 100; ++i)
     rail.emplace_back(i, 0.0, 0.0);
   for (int i = 0; i <= 60; ++i)
@@ -229,7 +229,7 @@ TEST_F(RidgeProgram, ABeamThatWouldStandIsRefused)
   writeText(folder_.path("generator.txt"), textOf(generator));
   std::vector<std::string> call{"rail.txt", "generator.txt", "--step-over", "30",         "--direction", "across", "--stand-off",
                                 "10",       "--pass-begin",  "M62 P0",      "--pass-end", "M63 P0",      "-o",     "a.ngc"};
-  expectRefused(call, 1, "of the feed while it is on, and burn the part: lean the beam (--tilt 20)");
+  expectRefused(call, 1, "of the feed while it is on, and would burn the part: tilt the beam (--tilt 20)");
   call.insert(call.end(), {"--tilt", "20"});
   EXPECT_EQ(run(call).code, 0);
 }
@@ -257,13 +257,14 @@ TEST_F(RidgeProgram, RemediesOfItsMessagesWork)
 {
   const RunResult leaning = runLines({"--spot", "4", "--stand-off", "10", "--tilt", "10", "-o", "a.csv"});
   EXPECT_EQ(leaning.code, 0);
-  EXPECT_NE(leaning.err.find("meets the surface some 1.763 mm beside the row, and files say where; leave --stand-off out"),
+  EXPECT_NE(leaning.err.find("meets the surface about 1.763 mm beside the row, at the contacts in the files; to have the tip at the spot, "
+                             "leave --stand-off out"),
             std::string::npos)
       << leaning.err;
   EXPECT_EQ(runLines({"--spot", "4", "--tilt", "10", "-o", "a.csv"}).err, "");
   const RunResult many = runLines({"--tool-radius", "6", "--step-over", "4", "-o", "a.apt"});
   EXPECT_EQ(many.code, 1);
-  EXPECT_NE(many.err.find("make one row (a larger --step-over)"), std::string::npos) << many.err;
+  EXPECT_NE(many.err.find("make a single row (a larger --step-over)"), std::string::npos) << many.err;
   EXPECT_EQ(runLines({"--tool-radius", "6", "--step-over", "30", "-o", "a.apt"}).code, 0);
 }
 
@@ -274,22 +275,24 @@ TEST_F(RidgeProgram, SaysWhatIsWrongWithACall)
     more.insert(more.begin(), {rail, generator, "-o", "x.csv"});
     return more;
   };
-  expectRefused({"-o", "x.csv", "--spot", "4"}, 2, "no rail is named; give two files");
-  expectRefused({rail, "-o", "x.csv", "--spot", "4"}, 2, "no generator is named; give a second file");
+  expectRefused({"-o", "x.csv", "--spot", "4"}, 2, "no rail is given; give two files");
+  expectRefused({rail, "-o", "x.csv", "--spot", "4"}, 2, "no generator is given; give a second file");
   expectRefused({rail, rail, "-o", "x.csv", "--spot", "4"}, 2, "rail and generator are the same file");
-  expectRefused({rail, generator, "third.txt", "-o", "x.csv", "--spot", "4"}, 2, "a second generator, third.txt, after generator.txt");
-  expectRefused({rail, generator, "--spot", "4"}, 2, "no output is named");
+  expectRefused({rail, generator, "third.txt", "-o", "x.csv", "--spot", "4"}, 2,
+                "third.txt is a second generator, after generator.txt; give one generator");
+  expectRefused({rail, generator, "--spot", "4"}, 2, "no output is given");
   expectRefused({rail, generator, "--spot", "4", "-o", "x.dxf"}, 2, "extension '.dxf' is not known; use");
   writeText(folder_.path("rail.csv"), "x,y,z\n1,2,3\n");
-  expectRefused({"rail.csv", generator, "--spot", "4", "-o", "rail.csv"}, 2, "this is the rail itself; give the output another name");
+  expectRefused({"rail.csv", generator, "--spot", "4", "-o", "rail.csv"}, 2,
+                "this is the rail itself, an input; give the output another name");
   expectRefused({rail, generator, "--spot", "4", "-o", "x_lines.png", "-o", "x.png"}, 2,
-                "x_lines.png: is given twice, for it is written beside another picture");
+                "x_lines.png: is given twice, because it is written with another picture");
   expectRefused(call({"--spot", "4", "--stand-off", "-10"}), 2,
                 "--stand-off -10: must not be below 0 mm; for the other side of the ridge give --flip-normals");
-  expectRefused({rail, generator, "--spot", "4", "-o", "x.yaml"}, 2, "this format describes a cutter, and a beam has none");
+  expectRefused({rail, generator, "--spot", "4", "-o", "x.yaml"}, 2, "this format needs a cutter, and the tool is a beam");
   expectRefused({rail, generator, "--spot", "4", "-o", "none/x.csv"}, 1, "none/x.csv");
-  expectRefused(call({}), 2, "nothing says how far rows are apart; give one of --spot, --step-over and --scallop");
-  expectRefused(call({"--spot", "4", "--step-over", "3"}), 2, "more than one option says how far rows are apart");
+  expectRefused(call({}), 2, "no option sets the distance between rows; give one of --spot, --step-over and --scallop");
+  expectRefused(call({"--spot", "4", "--step-over", "3"}), 2, "more than one option sets the distance between rows");
   expectRefused(call({"--spot", "0"}), 2, "--spot 0: must be above 0 mm");
   expectRefused(call({"--spot", "4", "--overlap", "1"}), 2, "--overlap 1: must be 0 or more and below 1, such as 0.25");
   expectRefused(call({"--step-over", "4", "--overlap", "0.5"}), 2, "--overlap: belongs to --spot");
@@ -298,14 +301,13 @@ TEST_F(RidgeProgram, SaysWhatIsWrongWithACall)
   expectRefused(call({"--spot", "4", "--measuring-error", "-1"}), 2, "(--measuring-error)");
   expectRefused(call({"--spot", "4", "--lead", "90"}), 2, "set them below 90 (--lead, --tilt)");
   expectRefused(call({"--scallop", "0.02"}), 2, "--scallop: belongs to a cutter, and no --tool-radius is given");
-  expectRefused(call({"--tool-radius", "6", "--spot", "4"}), 2, "--spot: is a beam's");
+  expectRefused(call({"--tool-radius", "6", "--spot", "4"}), 2, "--spot: belongs to a beam; for a cutter give --step-over or --scallop");
   expectRefused(call({"--tool-radius", "6", "--step-over", "1", "--stand-off", "3"}), 2, "--stand-off: a cutter touches the surface");
-  expectRefused(call({"--tool-radius", "6", "--scallop", "6"}), 2,
-                "--scallop 6: must lie above 0 and below the tool radius, which is 6 mm");
-  expectRefused(call({"--tool-radius", "6", "--corner-radius", "1", "--scallop", "0.1"}), 2, "known for a ball alone");
-  expectRefused(call({"--spot", "4", "--scan", "scan.xyz"}), 2, "a beam is led by rail and generator alone");
-  expectRefused(call({"--spot", "4", "--through", "0,0,0/1,1,1"}), 2, "no --scan is given in which the ridge is to be found");
-  expectRefused(call({"--spot", "4", "--scan", "s.xyz", "--through", "0,0,0/1,1,1"}), 2, "leave the one or the other out");
+  expectRefused(call({"--tool-radius", "6", "--scallop", "6"}), 2, "--scallop 6: must be above 0 and below the tool radius, which is 6 mm");
+  expectRefused(call({"--tool-radius", "6", "--corner-radius", "1", "--scallop", "0.1"}), 2, "known only for a ball");
+  expectRefused(call({"--spot", "4", "--scan", "scan.xyz"}), 2, "a beam uses only rail and generator");
+  expectRefused(call({"--spot", "4", "--through", "0,0,0/1,1,1"}), 2, "no --scan is given; give the scan that holds the ridge");
+  expectRefused(call({"--spot", "4", "--scan", "s.xyz", "--through", "0,0,0/1,1,1"}), 2, "leave out --through or the files");
   expectRefused({"--spot", "4", "-o", "x.csv", "--scan", "s.xyz", "--through", "0,0,0/1,1,1"}, 2, "--half-width 0: must be above 0 mm");
   expectRefused(call({"--spot", "4", "--half-width", "4"}), 2, "--half-width: belongs to --through");
   expectRefused(call({"--spot", "4", "--thin", "1"}), 2, "--thin: belongs to a --scan");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// pcl_spiral_verify from outside: figures, faults put in on purpose, limits, exit codes.
+// pcl_spiral_verify from outside: figures, planted faults, limits, exit codes.
 #include <pcl_spiral/io/toolpath_reader.h>
 
 #include "cap_scan.h"
@@ -57,7 +57,7 @@ protected:
     return text.empty() ? nlohmann::json() : nlohmann::json::parse(text)["paths"][0];
   }
 
-  /** An array of a .vtp, as VTK reads it. */
+  /** An array of a .vtp, read by VTK. */
   std::vector<double> pointData(const std::string& file, const char* name)
   {
     vtkNew<vtkXMLPolyDataReader> reader;
@@ -70,7 +70,7 @@ protected:
     return values;
   }
 
-  /** cap.csv with its rows changed by \p change(fields of a row, row number); rows it empties go. */
+  /** cap.csv with its rows changed by \p change(fields of a row, row number); rows that it empties are removed. */
   template <typename Change>
   void spoil(const Change& change)
   {
@@ -143,8 +143,8 @@ TEST_F(Verify, AMeshTakesTheScansPlace)
     for (int i = 0; i <= 80; ++i) {
       const double x = (row % 2 ? -1.0 : 1.0) * (0.25 * i - 10.0), y = 0.5 * row - 10.0, d = 1e-5;
       const double nx = -(height(x + d, y) - height(x - d, y)) / (2 * d), ny = -(height(x, y + d) - height(x, y - d)) / (2 * d);
-      length += i > 0 ? 0.25 : 0.0;                                              // flat enough
-      const double steep = std::sqrt(nx * nx + ny * ny + 1.0), z = height(x, y); // a ball of 3 mm stands on the contact
+      length += i > 0 ? 0.25 : 0.0;                                              // flat enough for this sum
+      const double steep = std::sqrt(nx * nx + ny * ny + 1.0), z = height(x, y); // a ball of 3 mm touches at the contact
       csv << row << ',' << length << ',' << x << ',' << y << ',' << z << ',' << nx / steep << ',' << ny / steep << ',' << 1.0 / steep << ','
           << x + 3.0 * nx / steep << ',' << y + 3.0 * ny / steep << ',' << z + 3.0 / steep - 3.0 << ",0,0,1,1000\n";
     }
@@ -229,7 +229,7 @@ TEST_F(Verify, TheRimKeepsTheLimitsToo)
     last_turn = f[0];
   });
   spoil([&](std::vector<double>& f, std::size_t) {
-    if (f[0] > last_turn - 1.5) // the turn along the rim and half of the one before
+    if (f[0] > last_turn - 1.5) // the turn along the rim and half of the turn before it
       f.clear();
   });
   const auto path = figures("spoilt.csv", {"--max-scallop", "0.03"});
@@ -260,7 +260,7 @@ TEST_F(Verify, VtpCarriesTheDeviationOfEachPoint)
   ASSERT_EQ(feed.size(), deviation.size());
   EXPECT_EQ(feed[place - 1], 700.0);
   EXPECT_EQ(feed[place], 900.0);
-  // A path without feeds gives a file without them, which is read all the same.
+  // A path without feeds gives a file without them, which can still be read.
   ASSERT_EQ(verify({"cap.pcd", "-o", "of_pcd.vtp"}).code, 0);
   EXPECT_TRUE(pointData("of_pcd.vtp", "Feed").empty());
   const auto read = pcl_spiral::readToolpath(folder_.path("of_pcd.vtp"));
@@ -292,7 +292,7 @@ TEST_F(Verify, FindsAMissingTurnAndThePointsBesideIt)
     if (std::isnan(ridges[i]))
       continue;
     ++known;
-    // A point's ridge may be a step-over from it, and the point a spacing of the scan from the path.
+    // The ridge of a point may be a step-over from it, and the point a spacing of the scan from the path.
     double& larger = std::abs(turns[i] - 20.5) < 3.0 ? beside : apart;
     larger = std::max(larger, ridges[i]);
   }

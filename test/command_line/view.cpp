@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// pcl_spiral_view from outside: calls it refuses, and what it says without a display.
+// pcl_spiral_view from outside: refused command lines, and its message without a display.
 #include "run_program.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ public:
   NamedWindow(const NamedWindow&) = delete;
   NamedWindow& operator=(const NamedWindow&) = delete;
 
-  /** Wait for it, no longer than a minute. */
+  /** Waits for it, at most a minute. */
   bool appears()
   {
     for (int i = 0; i < 600 && window_ == 0; ++i) {
@@ -77,9 +77,9 @@ protected:
 TEST_F(View, WrongCallsAreRefused)
 {
   const std::vector<std::pair<Arguments, std::string>> calls{
-      {{}, "0 files are named"},
-      {{"disc.xyz"}, "1 files are named"},
-      {{"disc.xyz", "a.csv", "b.csv"}, "3 files are named"},
+      {{}, "0 files are given"},
+      {{"disc.xyz"}, "1 files are given"},
+      {{"disc.xyz", "a.csv", "b.csv"}, "3 files are given"},
       {{"disc.xyz", "a.csv", "--tool-radius", "x"}, "--tool-radius x"},
       {{"disc.xyz", "a.csv", "--tool-radius", "0"}, "--tool-radius must be above 0"},
       {{"disc.xyz", "a.csv", "--units", "yard"}, "--units yard"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scans in every format: the same points out of each, units and columns, and a clear error for each broken
+// Scans in every format: the same points from each, units and columns, and a clear error for each broken
 // file.
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/file_error.h>
@@ -38,7 +38,7 @@ expectPoints(const std::string& file, const ReadOptions& options = {}, float sca
     EXPECT_LE(((*scan.cloud)[i].getVector3fMap() - scale * points[i]).norm(), 1e-7f * scale * points[i].norm()) << file << " point " << i;
 }
 
-/** The message of the error that reading ends in; empty where it does not. */
+/** The error message of reading; empty if there is no error. */
 std::string
 problem(const std::string& file, const ReadOptions& options = {})
 {
@@ -247,7 +247,7 @@ TEST_F(CloudReader, HeadersThatPromiseTooMuchAreRefusedBeforeMemoryIsTaken)
   expectProblem("c.pcd", fields + "COUNT 1 1 900000000000000\nWIDTH 99999\nHEIGHT 1\nDATA binary\n1", "COUNT 900000000000000");
   expectProblem("d.pcd", fields + "WIDTH 1e18\nHEIGHT 1\nDATA ascii\n1 2 3\n", "'1e18' is not a count");
   expectProblem("e.pcd", fields + "WIDTH 300000000\nHEIGHT 1\nDATA binary_compressed\n" + std::string("\x01\0\0\0\0\xa4\x93\xd6q", 9),
-                "1 packed bytes cannot come to 3600000000");
+                "1 packed bytes cannot hold 3600000000");
   expectProblem("f.pcd", fields + "WIDTH 1\nHEIGHT 1\nDATA binary_compressed\n" + std::string("\0\0\0\0\x0c\0\0\0", 8), "0 packed bytes");
   const std::string binary = "ply\nformat binary_little_endian 1.0\n";
   expectProblem("g.ply",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Machine files: those that come with the programs, and what is said of wrong ones.
+// Machine files: the files of the programs, and the error messages of wrong files.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/machine_reader.h>
 
@@ -20,7 +20,7 @@ const std::string whole = "rotary:\n"
                           "  - {axis: C, mount: table, direction: [0, 0, 1], limits: unlimited, max_rpm: 20}\n"
                           "  - {axis: A, mount: table, direction: [1, 0, 0], limits: [-100, 50], max_rpm: 10}\n";
 
-/** What is said of \p text as a machine file. */
+/** The error message for \p text as a machine file. */
 std::string
 said(const std::string& text)
 {
@@ -94,10 +94,10 @@ TEST(MachineReader, WhatIsWrongIsSaidWithItsLine)
 {
   EXPECT_THROW(readMachine("/nowhere/m.yaml"), FileError);
   expectHas(said("name: [1\n"), "m.yaml: ");
-  expectHas(said("- 1\n"), "line 1: a machine file holds lines");
+  expectHas(said("- 1\n"), "line 1: a machine file needs lines");
   expectHas(said("name: a\n"), "has no rotary");
-  expectHas(said(whole + "tool_lenght: 5\n"), "line 4: 'tool_lenght' is no setting of a machine file; there are rotary");
-  expectHas(said(replaced("max_rpm: 20", "max_rmp: 20")), "a rotary axis has no max_rpm; give one, such as max_rpm: 20");
+  expectHas(said(whole + "tool_lenght: 5\n"), "line 4: 'tool_lenght' is not a setting of a machine file; its settings are rotary");
+  expectHas(said(replaced("max_rpm: 20", "max_rmp: 20")), "a rotary axis has no max_rpm; give it, such as max_rpm: 20");
   expectHas(said(replaced("mount: table", "mount: floor")), "line 2: mount of C is floor; it must be table or head");
   expectHas(said(replaced("[1, 0, 0]", "[1, 0]")), "line 3: direction of a rotary axis needs three numbers");
   expectHas(said(replaced("[1, 0, 0]", "[1, 0, x]")), "line 3: direction of a rotary axis cannot be read");
@@ -107,8 +107,8 @@ TEST(MachineReader, WhatIsWrongIsSaidWithItsLine)
   expectHas(said(replaced("max_rpm: 10", "max_rpm: .inf")), "line 3: max_rpm of a rotary axis is not finite");
   expectHas(said(replaced("max_rpm: 10", "max_rpm: -1")), "largest rate of A");
   expectHas(said("rotary: [{axis: C}]\n"), "list of the two rotary axes");
-  expectHas(said(whole + "linear:\n  X: {limits: [0, 1], feed: 3}\n"), "line 5: 'feed' is no setting of X");
-  expectHas(said(whole + "linear: {Q: {}}\n"), "'Q' is no setting of linear; there are X, Y, Z");
+  expectHas(said(whole + "linear:\n  X: {limits: [0, 1], feed: 3}\n"), "line 5: 'feed' is not a setting of X");
+  expectHas(said(whole + "linear: {Q: {}}\n"), "'Q' is not a setting of linear; its settings are X, Y, Z");
   expectHas(said(whole + "work_zero: 5\n"), "line 4: work_zero of a machine file cannot be read");
   expectHas(said(whole + "rtcp: perhaps\n"), "line 4: rtcp");
   expectHas(said(whole + "linear:\n  Z: {limits: [-100, 900]}\nretract_z: -5000\n"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cutters located on meshes of known surfaces: what is reached, and what lifts the cutter.
+// Cutter locations on meshes of known surfaces: contacts reached, and places that lift the cutter.
 #include <pcl_spiral/cutter/cutter_location.h>
 
 #include "support/located_on_mesh.h"
@@ -50,7 +50,8 @@ TEST(MeshLocation, InAValleyNarrowerThanTheBallItIsLiftedAndGougesNoMoreThanTheM
         ASSERT_LE(waves.distance(l.tip + R * l.axis), R + e + 0.002) << step << ' ' << i;
       }
       ASSERT_FALSE(run.figures.warnings.empty());
-      EXPECT_NE(run.figures.warnings.back().find("200 of 200 locations are lifted off the contact asked for, the most"), std::string::npos);
+      EXPECT_NE(run.figures.warnings.back().find("200 of 200 locations are lifted off their given contact, the most by"),
+                std::string::npos);
     }
   }
 }
@@ -65,7 +66,7 @@ TEST(MeshLocation, GentleContactsAreReachedAtTheExactOffset)
     for (std::size_t i = 0; i < drive.size(); ++i) {
       const CutterContact c = CutterProfile(cutter).locate(drive[i].position, drive[i].normal, drive[i].axis);
       if (waves.curvature(drive[i].position.x()) * 3.0 > (cutter.corner_radius < 3.0 ? 0.0 : 0.9))
-        continue; // hollow: a flat wider than the corner does not fit
+        continue; // hollow: a flat end wider than the corner does not fit
       ++gentle;
       EXPECT_EQ(run.locations[i].state, LocationState::Reached) << i << ' ' << run.locations[i].lift;
       ASSERT_LT((run.locations[i].tip - c.tip).norm(), 1e-3) << i;
@@ -105,7 +106,7 @@ TEST(MeshLocation, AFlatEndStandsOnAFloorAndIsLiftedOverAWall)
   EXPECT_NEAR(run.locations[2].lift, 20.0, 1e-12);
   EXPECT_TRUE(run.locations[2].over_rim);
   EXPECT_EQ(run.locations[2].rim_clearance, 0.0);
-  EXPECT_LE(run.locations[3].lift, 20.0); // along the wall: either side of it by rounding
+  EXPECT_LE(run.locations[3].lift, 20.0); // along the wall: on either side by rounding
 }
 
 TEST(MeshLocation, FlanksReachTheWallOfABoreThatIsTakenForRound)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// DeviationEstimation and MaterialRemoval by a mesh: the exact surface, planted faults, creases apart, solids, holes, passes.
+// DeviationEstimation and MaterialRemoval with a mesh: exact surface, planted faults, separate creases, solids, holes, passes.
 #include <pcl_spiral/verify/deviation_estimation.h>
 #include <pcl_spiral/verify/material_removal.h>
 
@@ -33,7 +33,7 @@ contact(Height height, double x, double y, double off = 0.0)
   return p;
 }
 
-/** Arc lengths that stand still where the turn, the number of the row, changes, if \p lifts. */
+/** If \p lifts, the arc length does not change where the turn, the number of the row, changes. */
 void
 measureRows(Path& path, bool lifts)
 {
@@ -44,7 +44,7 @@ measureRows(Path& path, bool lifts)
                      (lifts && path[i].turn != path[i - 1].turn ? 0.0 : (path[i].getVector3fMap() - path[i - 1].getVector3fMap()).norm());
 }
 
-/** Rows along x, or along y, \p step apart, \p along between contacts, over |x|, |y| <= half, to and fro. */
+/** Rows along x, or along y, \p step apart, \p along between contacts, over |x|, |y| <= half, back and forth. */
 template <typename Height>
 Path::Ptr
 rows(Height height, double half, double step, double along, bool lifts = true, bool along_y = false)
@@ -106,7 +106,7 @@ valley(double x, double)
   return 0.5 * std::abs(x);
 }
 
-/** The largest warning-free statement: all warnings in one text. */
+/** All warnings in one text. */
 std::string
 all(const std::vector<std::string>& warnings)
 {
@@ -129,7 +129,7 @@ TEST(MeshReference, PointsOfTheCurvedFacesDeviateByNothing)
   for (std::size_t t = 0; t < made->faceCount(); ++t) {
     const double r = std::sqrt(share(random)), s = share(random);
     const Eigen::Vector3d b(1.0 - r, r * (1.0 - s), r * s), p = made->patch(t).position(b);
-    if (p.head<2>().cwiseAbs().maxCoeff() > 45.9) // two faces off the rim, where normals are known worse
+    if (p.head<2>().cwiseAbs().maxCoeff() > 45.9) // two faces from the rim, where normals are less accurate
       continue;
     path->push_back(contact(landform, p.x(), p.y()));
     path->back().getVector3fMap() = p.cast<float>();
@@ -154,7 +154,7 @@ TEST(MeshReference, PointsOfTheSurfaceThatWasMeshedDeviateByWhatTheMeshDoes)
     on_land->push_back(contact(landform, 100.0 * place(random), 100.0 * place(random)));
   }
   EXPECT_LT(std::abs(deviations(heightMesh(ball, 60.0, 30).made(), on_ball).max.value), 5e-4);        // faces of 2 mm
-  EXPECT_LT(std::abs(deviations(heightMesh(landform, 100.0, 49).made(), on_land).max.value), 1.3e-3); // of 2 mm: the patches' own 1.1e-3
+  EXPECT_LT(std::abs(deviations(heightMesh(landform, 100.0, 49).made(), on_land).max.value), 1.3e-3); // of 2 mm; patches: 1.1e-3
 }
 
 TEST(MeshReference, APlantedGougeIsFoundInPlaceAndDepth)
@@ -192,7 +192,7 @@ TEST(MeshReference, PlantedStockIsFound)
 
 TEST(MeshReference, ARowToRowLiftCutsNothing)
 {
-  // Two rows on either side of a ridge 4 mm high: the way from row to row, straight through it, is a lift.
+  // Two rows on the two sides of a ridge 4 mm high: the move from row to row, straight through it, is a lift.
   const auto ridge = [](double, double y) { return 4.0 * std::exp(-y * y / 30.0); };
   const auto mesh = heightMesh(ridge, 40.0, 40).made();
   for (const bool lifts : {true, false}) {
@@ -210,7 +210,7 @@ TEST(MeshReference, ARowToRowLiftCutsNothing)
 TEST(MeshReference, PassesMayBeGivenBesideThePath)
 {
   const auto ridge = [](double, double y) { return 4.0 * std::exp(-y * y / 30.0); };
-  const auto path = rows(ridge, 16.0, 32.0, 1.0, false); // arc lengths that count the way through the ridge
+  const auto path = rows(ridge, 16.0, 32.0, 1.0, false); // arc lengths with the move through the ridge
   MaterialRemoval<pcl::PointXYZ> judge;
   judge.setQuiet(true);
   judge.setInputMesh(heightMesh(ridge, 40.0, 40).made());
@@ -236,7 +236,7 @@ TEST(MeshReference, CreasesAreKeptApart)
   for (const bool hollow : {false, true}) {
     const auto height = hollow ? valley : roof;
     const auto mesh = roofMesh(40.0, hollow ? -0.5 : 0.5).made();
-    Path::Ptr path(new Path); // along the crease; in the valley only where the ball touches one side
+    Path::Ptr path(new Path); // along the crease; in the valley only places where the ball touches one side
     const Path::Ptr every = rows(height, 19.75, 0.5, 0.5, true, true);
     for (const ToolpathPoint& p : *every)
       if (!hollow || std::abs(p.x) > 2.4f)
@@ -255,7 +255,7 @@ TEST(MeshReference, CreasesAreKeptApart)
     EXPECT_EQ(r.crease_band, d.crease_band);
     EXPECT_LT(r.gouge.value, 1e-4);
     EXPECT_LT(r.crease_gouge.value, 1e-4);
-    if (hollow) // out of the ball's reach
+    if (hollow) // the ball cannot reach it
       EXPECT_GT(r.crease.max.value, 0.2);
     else {
       EXPECT_LT(r.crease.max.value, 0.02);
@@ -322,7 +322,7 @@ TEST(MeshReference, HolesAreRimsAndNoGaps)
 {
   MeshDraft draft = heightMesh(flat, 40.0, 40);
   std::vector<pcl::Vertices> kept;
-  for (const pcl::Vertices& face : draft.faces) { // a hole of 4 mm, closed by no triangle of the samples
+  for (const pcl::Vertices& face : draft.faces) { // a hole of 4 mm that no triangle of the samples closes
     Eigen::Vector3f middle(0, 0, 0);
     for (const auto v : face.vertices)
       middle += draft.points[v].getVector3fMap() / 3.0f;

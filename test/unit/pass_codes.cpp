@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Codes before and after each row of a program, read back in every language: a beam is on along the rows and nowhere else.
+// Codes before and after each row of a program, read back in every language: a beam is on only along the rows.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 
@@ -133,7 +133,7 @@ TEST(PassCodes, OffWhileAnAxisUnwindsWithinARow)
         if (k > 0)
           largest_off = std::max(largest_off, std::abs(first(beams[k].on - 1) - first(beams[k - 1].off - 1)));
       }
-      EXPECT_NEAR(on, 360.0 * 5.5, 60.0) << machine.name; // the turns of the rows, and no more
+      EXPECT_NEAR(on, 360.0 * 5.5, 60.0) << machine.name; // only the turns of the rows
       EXPECT_GT(largest_off, 300.0) << machine.name;
     }
     EXPECT_GE(broken, 1U) << machine.name;
@@ -157,7 +157,7 @@ TEST(PassCodes, WithoutThemTheProgramIsTheSame)
     EXPECT_TRUE(std::regex_replace(codes, std::regex(on_code + "\n|" + off_code + "\n"), "") == plain);
     EXPECT_NE(codes, plain);
     ProgramHeader one = withCodes();
-    one.pass_begin.clear(); // each is left out alone
+    one.pass_begin.clear(); // either one can be left out
     EXPECT_TRUE(std::regex_replace(codes, std::regex(on_code + "\n"), "") == written(dialect, one));
   }
 }
@@ -204,15 +204,15 @@ TEST(PassCodes, WhatIsNoLineOfAProgramIsRefused)
   const MachineProgram program = programFor(testMachines()[0], threeRows());
   const std::pair<std::string, std::string> wrong[] = {{"M62 P0\nM3", "line break"},
                                                        {"M62\r", "line break"},
-                                                       {"\tM62", "not plain"},
-                                                       {"M62 \x80", "not plain"},
-                                                       {"M62 (beam", "holds ("},
-                                                       {"M62 beam)", "holds )"},
-                                                       {"M62 ; beam", "holds ;"},
-                                                       {"%", "holds %"},
-                                                       {"  ", "is blank"},
+                                                       {"\tM62", "special character"},
+                                                       {"M62 \x80", "special character"},
+                                                       {"M62 (beam", "has ("},
+                                                       {"M62 beam)", "has )"},
+                                                       {"M62 ; beam", "has ;"},
+                                                       {"%", "has %"},
+                                                       {"  ", "has only spaces"},
                                                        {std::string(81, 'M'), "80"},
-                                                       {std::string("M\0", 2), "not plain"}};
+                                                       {std::string("M\0", 2), "special character"}};
   for (const auto& [code, words] : wrong)
     for (const bool begin : {true, false})
       for (const Dialect dialect : dialects) {

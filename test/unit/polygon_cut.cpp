@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Polygons cut into triangles: their areas add up to the polygon's, and no place in it lies in two of them. The oracle
-// counts how often a ray crosses the polygon's sides.
+// Polygons cut into triangles: the sum of their areas is that of the polygon, and no place is in two of them. The oracle
+// counts how often a ray crosses the sides of the polygon.
 #include <pcl_spiral/io/mesh_reader.h>
 
 #include "support/scratch_folder.h"
@@ -47,7 +47,7 @@ inside(const Outline& outline, const Eigen::Vector2d& p)
   return odd;
 }
 
-/** Whether two sides meet, by where along them their lines do. */
+/** Whether two sides meet, from the places where their lines meet. */
 bool
 crosses(const Outline& outline)
 {
@@ -65,7 +65,7 @@ crosses(const Outline& outline)
   return false;
 }
 
-/** Reads the outline, laid into a tilted plane, as the one face of an OBJ file; its triangles back in the plane. */
+/** Reads the outline, in a tilted plane, as the only face of an OBJ file; its triangles, back in the plane. */
 class PolygonCutting : public ::testing::Test {
 protected:
   MeshFile readFace(const Outline& outline)
@@ -100,7 +100,7 @@ protected:
     return triangles;
   }
 
-  /** One triangle fewer than corners but one, none flat, all round as the outline, one over each place in it. */
+  /** Two triangles fewer than corners, none flat, all in the sense of the outline, one over each place in it. */
   void expectCut(const Outline& outline, const std::string& name)
   {
     SCOPED_TRACE(name);
@@ -260,7 +260,7 @@ TEST_F(PolygonCutting, SaysWhatCannotBeCut)
     const MeshFile read = readFace(outline);
     EXPECT_EQ(read.mesh->polygons.size(), 2U);
     ASSERT_EQ(read.warnings.size(), 1U);
-    EXPECT_NE(read.warnings[0].find("face 1 (line 5) cannot be cut into triangles that neither overlap nor are flat"), std::string::npos)
+    EXPECT_NE(read.warnings[0].find("face 1 (line 5) can only be cut into triangles that overlap or are flat"), std::string::npos)
         << read.warnings[0];
   }
   std::vector<double> radii(20002, 40.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists of poses, .6d and .5d, read back by a parser of the test and led through kinematics of the tests.
+// Lists of poses, .6d and .5d, read back by a parser of the test and checked with kinematics of the tests.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::vector<double>>>;
 
-/** Rows of lines of numbers; every line ends, rows are one blank line apart. */
+/** Rows of lines of numbers; every line ends, with one empty line between rows. */
 Rows
 readRows(const std::string& file)
 {
@@ -46,7 +46,7 @@ readRows(const std::string& file)
   return rows;
 }
 
-/** Straight over a dome with the axis along its normal, \p offset beside the pole. */
+/** A straight pass over a dome with the axis along its normal, \p offset beside the pole. */
 ToolPoses
 overThePole(double offset)
 {
@@ -71,7 +71,7 @@ upright()
   return poses;
 }
 
-/** Over the pole and beside it, ten turns, and what has no angle of its own, first and last too. */
+/** Over the pole and beside it, ten turns, and poses without an angle, also at start and end. */
 std::vector<ToolPoses>
 hardRows()
 {
@@ -119,7 +119,7 @@ TEST(PoseList, AnglesAreThoseOfTheTrunnionAndGoOn)
   writePoseAngles(folder.path("a.5d"), rows);
   const Rows read = readRows(folder.path("a.5d"));
   ASSERT_EQ(read.size(), rows.size());
-  MachineChain chain; // C on a trunnion A, as LinuxCNC's xyzac-trt has them
+  MachineChain chain; // C on a trunnion A, as in LinuxCNC's xyzac-trt
   chain.rotary = {{'C', true, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero()},
                   {'A', true, Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero()}};
   double before = 0.0, lowest = 0.0, highest = 0.0;
@@ -178,11 +178,11 @@ TEST(PoseList, WhatCannotBeWrittenIsNamed)
     expectRefused({upright(), {ToolPose()}}, "row 2 has 1 poses");
     ToolPoses wrong = upright();
     wrong[3].axis = {0.0, 0.0, 2.0};
-    expectRefused({upright(), wrong}, "row 2 has a pose at (-15, 0.333, 0) that is not finite, or whose axis (0, 0, 2) is no unit vector");
+    expectRefused({upright(), wrong}, "row 2 has a pose at (-15, 0.333, 0) that is not finite, or its axis (0, 0, 2) is not a unit vector");
     wrong[3].axis = Eigen::Vector3d::UnitZ();
     wrong[3].tip.x() = std::numeric_limits<double>::quiet_NaN();
     expectRefused({wrong}, "not finite");
-    wrong.erase(wrong.begin() + 3); // as is advised
+    wrong.erase(wrong.begin() + 3); // the remedy
     EXPECT_EQ(refusal(folder.path("b"), {wrong}, write), "written");
     std::filesystem::remove(folder.path("b"));
     EXPECT_NE(refusal(folder.path("none/a.5d"), {upright()}, write).find("cannot be written"), std::string::npos);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The viewer driven as a user does: keys and clicks sent to its window, frames read back.
+// The viewer used as by a user: keys and clicks sent to its window, frames read back.
 #include <pcl_spiral/visualization/spiral_viewer.h>
 
 #include "support/scratch_folder.h"
@@ -28,7 +28,7 @@ namespace {
 
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 constexpr double radius = 100.0, height = 20.0;
-constexpr int column_room = 434; ///< pixels, of the words at the right
+constexpr int column_room = 434; ///< pixels, of the text on the right
 
 /** A paraboloid of radius 100 mm. */
 Eigen::Vector3d
@@ -37,7 +37,7 @@ place(double r, double angle)
   return {r * std::cos(angle), r * std::sin(angle), height * (1.0 - r * r / (radius * radius))};
 }
 
-/** A part cut well but for one place: deviations within a micrometre, ridges of 9 to 10 um. */
+/** A part cut well except at one place: deviations within a micrometre, ridges of 9 to 10 um. */
 VerificationScene
 scene(int reference_points = 20000, int turns = 60, int steps_a_turn = 200)
 {
@@ -87,7 +87,7 @@ scene(int reference_points = 20000, int turns = 60, int steps_a_turn = 200)
 
 using Pixel = std::array<int, 3>;
 
-/** What a window shows; it is not drawn again for that. */
+/** The content of a window, without drawing it again. */
 class Frame {
 public:
   explicit Frame(vtkRenderWindow* window) : width_(window->GetSize()[0]), height_(window->GetSize()[1])
@@ -104,7 +104,7 @@ public:
     const auto* const p = &bytes_[3 * (static_cast<std::size_t>(y) * width_ + x)];
     return {p[0], p[1], p[2]};
   }
-  /** How many pixels from column \p first to before \p last match, from row \p low to before \p high. */
+  /** Number of matching pixels from column \p first to before \p last and from row \p low to before \p high. */
   std::size_t count(const std::function<bool(const Pixel&)>& matches, int first, int last, int low, int high) const
   {
     std::size_t n = 0;
@@ -157,7 +157,7 @@ protected:
     if (!displayFault().empty())
       GTEST_SKIP() << "no display here";
   }
-  /** In a window that is quickly drawn even by a processor. */
+  /** In a small window, fast to draw even without a graphics card. */
   std::unique_ptr<SpiralViewer> open(const VerificationScene& shown) const
   {
     auto viewer = std::make_unique<SpiralViewer>(shown);
@@ -165,7 +165,7 @@ protected:
     press(*viewer, "r");
     return viewer;
   }
-  /** Of scene(); opening a window takes a second where the processor draws. */
+  /** Viewer of scene(); opening a window takes a second without a graphics card. */
   SpiralViewer& shared() const
   {
     if (!shared_)
@@ -216,7 +216,7 @@ TEST_F(Viewer, AMeshIsDrawnWithItsOwnFaces)
   ASSERT_TRUE(SurfaceMesh::make(plate, {}, with.part.mesh).ok());
   with.part.report.spacing = 2.0;
   const auto viewer = open(with);
-  const auto levels = [&] { // pixels in one shade, as a level face has
+  const auto levels = [&] { // pixels of one shade, as on a level face
     const Frame frame(viewer->getInteractor()->GetRenderWindow());
     std::map<Pixel, std::size_t> shades;
     for (int y = 0; y < frame.height(); ++y)
@@ -305,7 +305,7 @@ TEST_F(Viewer, KeysGoToTheWorstPlacesAndBack)
   EXPECT_GE(frame(viewer).count(is_gouge, middle_x - 15, middle_x + 15, middle_y - 15, middle_y + 15), 10U);
   press(viewer, "s");
   EXPECT_NE(viewer.getMessage().find("scallop: 0.0100 mm"), std::string::npos) << viewer.getMessage();
-  // as before but for the message and the chosen point
+  // unchanged except for the message and the chosen point
   press(viewer, "3");
   press(viewer, "r");
   EXPECT_LT(frame(viewer).difference(whole), 0.02);
@@ -337,7 +337,7 @@ TEST_F(Viewer, AClickChoosesThePointThatIsSeenThere)
   press(viewer, "r");
   drag(viewer, 5, 5, 5, 5);
   EXPECT_EQ(viewer.getChosenPoint(), worst);
-  EXPECT_NE(viewer.getMessage().find("no point of the path"), std::string::npos);
+  EXPECT_NE(viewer.getMessage().find("no visible point of the path"), std::string::npos);
 }
 
 TEST_F(Viewer, ADragTurnsThePart)

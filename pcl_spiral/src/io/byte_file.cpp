@@ -48,7 +48,7 @@ readBytes(const std::string& file)
   if (!fs::exists(file, error))
     throw FileError(file, "there is no such file; check the name and the folder");
   if (fs::is_directory(file, error))
-    throw FileError(file, "is a folder; give the file in it");
+    throw FileError(file, "this is a folder; give a file in it");
   std::FILE* const stream = std::fopen(file.c_str(), "rb");
   if (!stream)
     throw FileError(file, std::string("cannot be read: ") + std::strerror(errno));

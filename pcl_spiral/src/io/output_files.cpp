@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace pcl_spiral {
 namespace {
 
-/** The file a path stands for: absolute, links followed, so that a rename replaces the file and not the link.
+/** The file of a path: absolute, with links followed, so that a rename replaces the file and not the link.
  */
 fs::path
 resolved(const std::string& path)
@@ -33,7 +33,7 @@ hiddenName(const fs::path& target, const std::string& purpose)
   return target.parent_path() / (stem + target.extension().string());
 }
 
-/** Whether \p name is hiddenName(target, purpose) of a run that is no longer there. */
+/** Whether \p name is hiddenName(target, purpose) of a run that has ended. */
 bool
 isStale(const fs::path& target, const std::string& purpose, const std::string& name)
 {
@@ -47,7 +47,7 @@ isStale(const fs::path& target, const std::string& purpose, const std::string& n
   return ::kill(static_cast<pid_t>(std::stol(number)), 0) != 0 && errno == ESRCH;
 }
 
-/** Take away what runs that were killed while they wrote this file have left beside it. */
+/** Removes the temporary files of killed runs beside this file. */
 void
 removeStale(const fs::path& target)
 {
@@ -59,7 +59,7 @@ removeStale(const fs::path& target)
   }
 }
 
-/** Have the bytes on the disk, so that not even a loss of power leaves a new name on an unwritten file. */
+/** Forces the bytes to the disk, so that even a power failure leaves no new name on an unwritten file. */
 void
 sync(const std::string& path, const std::string& temporary)
 {
@@ -82,7 +82,7 @@ checkWritable(const std::string& path, const fs::path& target, const fs::path& t
   if (!fs::is_directory(folder, error))
     throw FileError(path, "cannot be written: " + folder.string() + " is not a folder");
   if (fs::exists(target, error) && !fs::is_regular_file(target, error))
-    throw FileError(path, "cannot be written: it exists and is not a file; give another name");
+    throw FileError(path, "cannot be written: this name exists and is not a file; give another name");
   const int handle = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY, 0666);
   if (handle < 0)
     throw FileError(path, "cannot be written: " + std::string(std::strerror(errno)) + " in " + folder.string() +
@@ -98,7 +98,7 @@ OutputFiles::OutputFiles(std::vector<std::string> paths) : paths_(std::move(path
   for (const std::string& path : paths_) {
     const fs::path target = resolved(path);
     if (std::find(targets_.begin(), targets_.end(), target.string()) != targets_.end())
-      throw FileError(path, "is given twice as an output");
+      throw FileError(path, "is given twice as an output; give another name");
     const fs::path temporary = hiddenName(target, "writing");
     checkWritable(path, target, temporary);
     removeStale(target);
@@ -127,7 +127,7 @@ OutputFiles::commit()
 {
   for (std::size_t i = 0; i < targets_.size(); ++i)
     sync(paths_[i], temporaries_[i]);
-  std::vector<std::string> kept(targets_.size()); // earlier files under a second name, until all are replaced
+  std::vector<std::string> kept(targets_.size()); // second names of the earlier files, until all are replaced
   std::size_t done = 0;
   std::error_code error;
   for (; done < targets_.size(); ++done) {
@@ -139,7 +139,7 @@ OutputFiles::commit()
         fs::copy_file(targets_[done], kept[done], error);
       if (error) {
         std::error_code ignored;
-        fs::remove(kept[done], ignored); // half a copy, perhaps: what it was made of still stands
+        fs::remove(kept[done], ignored); // possibly an incomplete copy: the original is still there
         kept[done].clear();
         break;
       }
@@ -153,7 +153,7 @@ OutputFiles::commit()
     for (std::size_t i = 0; i <= done; ++i)
       if (!kept[i].empty() && fs::exists(kept[i], ignored)) {
         fs::rename(kept[i], targets_[i], ignored);
-        fs::remove(kept[i], ignored); // rename leaves two names of one file as they are
+        fs::remove(kept[i], ignored); // rename does nothing to two names of one file
       }
       else if (i < done)
         fs::remove(targets_[i], ignored);

@@ -13,10 +13,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t most_lines = 150; ///< more would run together
+constexpr std::size_t most_lines = 150; ///< more lines are too close together
 constexpr Color line_color{0.05, 0.05, 0.08}, finger_color{0.80, 0.10, 0.45}, centre_color{0.10, 0.30, 0.90};
 
-/** The cloud's points coloured by height, in a size that leaves gaps between them. */
+/** The points of the cloud coloured by height, small enough for gaps between them. */
 vtkSmartPointer<vtkActor>
 pointActor(const DisplaySurface& surface, vtkScalarsToColors* colors, double mm_per_pixel)
 {
@@ -95,7 +95,7 @@ addScallopLines(PartView& view, const SpiralReport& report, std::vector<LegendEn
   if (report.finger_axes.empty())
     return;
   view.addOver(lineActor(report.finger_axes, false, finger_color, 2.0f));
-  legend.push_back({"middles of " + std::to_string(report.finger_axes.size()) + " fingers, on ridges", finger_color});
+  legend.push_back({"middles of " + std::to_string(report.finger_axes.size()) + " fingers, where ridges are", finger_color});
 }
 
 } // namespace

@@ -12,15 +12,15 @@ namespace {
 
 constexpr Color above_color{0.85, 0.00, 0.75}, below_color{0.00, 0.40, 0.20}, unmeasured_color{0.15, 0.15, 0.15};
 
-constexpr double least_reach = 0.0002; ///< mm: below, colours would tell of nothing a scan or a machine knows
+constexpr double least_reach = 0.0002; ///< mm: scans and machines do not resolve less
 
-/** A single far point must not wash out all others. */
+/** A single large value must not make all other colours pale. */
 double
 colorReach(const DeviationFigures& figures)
 {
   const double wanted = std::max(least_reach, std::min(std::abs(figures.max.value), 2.0 * figures.p99));
   const double step = niceStep(0.1 * wanted);
-  return step * (std::ceil(wanted / step - 1e-9) + 1e-6); // a value at its end, rounded up, belongs to it
+  return step * (std::ceil(wanted / step - 1e-9) + 1e-6); // a rounded value at the end of the scale belongs to it
 }
 
 } // namespace

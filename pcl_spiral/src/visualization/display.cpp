@@ -13,8 +13,8 @@ displayFault()
   const char* const name = std::getenv("DISPLAY");
   if (!name || !*name)
     return "DISPLAY is not set";
-  // VTK ends the program where this fails. The connection is kept until the program's end: a server such as
-  // Xvfb starts afresh when its last client leaves, and refuses connections meanwhile, between one picture
+  // VTK ends the program if this fails. The connection stays open until the program ends: a server such as
+  // Xvfb restarts when its last client leaves, and refuses connections during the restart, between one picture
   // and the next.
   static Display* display = nullptr;
   if (!display)
@@ -23,7 +23,7 @@ displayFault()
     return "'" + std::string(name) + "' cannot be opened";
   int opcode = 0, event = 0, error = 0;
   if (!XQueryExtension(display, "GLX", &opcode, &event, &error))
-    return "'" + std::string(name) + "' cannot draw with OpenGL: it has no GLX";
+    return "'" + std::string(name) + "' cannot draw with OpenGL because it has no GLX";
   return {};
 }
 

@@ -29,7 +29,7 @@ addEndViews(Canvas& canvas, const pcl::PointCloud<ToolpathPoint>& path, double p
                                            }),
                                  colors);
     const Eigen::Vector3d lift = 2.0 * across * normal;
-    lines->SetPosition(lift.x(), lift.y(), lift.z()); // over the surface; the view is parallel
+    lines->SetPosition(lift.x(), lift.y(), lift.z()); // above the surface; the view is parallel
     lines->GetProperty()->SetLineWidth(2.0f);
     view->AddActor(lines);
     addMark(view, Marker::Disc, Eigen::Vector2d::Constant(0.5 * Canvas::inset_size), slot == 0 ? path_start_color : path_end_color);

@@ -13,8 +13,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double beyond = 0.25;     ///< of the path's size: how much of the scan is shown around it
-constexpr double lone_pitch = 0.01; ///< of the part's size, where no pass has a neighbour
+constexpr double beyond = 0.25;     ///< of the path's size: margin of the scan shown around it
+constexpr double lone_pitch = 0.01; ///< of the part's size, if no pass has a neighbour
 constexpr Color lift_color{0.45, 0.47, 0.50};
 
 std::string
@@ -38,7 +38,7 @@ DisplaySurface
 surfaceOf(const PassScene& scene)
 {
   if (!(scene.cloud || scene.mesh) || !scene.path || scene.path->empty())
-    throw std::invalid_argument("a picture of passes needs the part, a cloud or a mesh, and the path");
+    throw std::invalid_argument("a picture of passes needs the part (a cloud or a mesh) and the path");
   PictureScene part;
   part.cloud = scene.cloud;
   part.mesh = scene.mesh;
@@ -56,7 +56,7 @@ writePasses(const std::string& file, const PassScene& scene)
   Canvas canvas(surface);
   const ShownPasses shown = choosePasses(path, canvas, DepthMap(surface, canvas), least_turn_pitch);
   const std::size_t count = shown.shown.size();
-  const bool turns = count > 1 && passBegins(path).empty(); // one pass goes round and round
+  const bool turns = count > 1 && passBegins(path).empty(); // one pass with several turns
   const std::string turn = turns ? "turn" : "pass";
   const auto colors = colorScale(0.0, static_cast<double>(turns ? count : std::max<std::size_t>(count, 2) - 1));
   addPath(

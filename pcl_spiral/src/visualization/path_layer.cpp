@@ -59,7 +59,7 @@ pathLines(const pcl::PointCloud<ToolpathPoint>& path, double least, const std::f
     const bool inside = shown(path[i]);
     const bool ends = !run.empty() && (!inside || i + 1 == path.size() || beginsPass(passes, i + 1));
     if (ends || (inside && (run.empty() || (placeOf(path[i]) - placeOf(path[last])).norm() >= least)))
-      add(i); // a stretch reaches to the first point that is not shown
+      add(i); // a run ends at the first point that is not shown
     if (ends) {
       lines->InsertNextCell(static_cast<vtkIdType>(run.size()), run.data());
       run.clear();
@@ -122,7 +122,7 @@ addOverGaps(PartView& view, const pcl::PointCloud<ToolpathPoint>& path, const Sh
   actor->GetProperty()->SetColor(over_gap_color[0], over_gap_color[1], over_gap_color[2]);
   actor->GetProperty()->SetLineWidth(3.0f);
   view.addOver(actor);
-  legend.push_back({"over gaps of the scan, bridged", over_gap_color});
+  legend.push_back({"over bridged gaps of the scan", over_gap_color});
 }
 
 std::vector<LegendEntry>

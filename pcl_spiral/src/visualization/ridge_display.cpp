@@ -16,7 +16,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double flatness = 5e-5; ///< of the ridge's size: a twentieth of a pixel, so that values between corners are right, too
+constexpr double flatness = 5e-5; ///< of the ridge's size: a twentieth of a pixel, so that values between corners are also right
 
 double
 sizeOf(const RidgeSurface& ridge)
@@ -70,9 +70,9 @@ ridgeDisplay(const RidgeSurface::ConstPtr& ridge, const std::function<double(dou
   double chord_error = flatness * sizeOf(*ridge);
   Status status = ridgeMesh(*ridge, chord_error, mesh);
   for (int round = 0; status.code() == StatusCode::InvalidArgument && round < most_rounds; ++round)
-    status = ridgeMesh(*ridge, chord_error *= coarser, mesh); // a tight bend somewhere takes too many faces everywhere
+    status = ridgeMesh(*ridge, chord_error *= coarser, mesh); // a tight bend at one place needs too many faces everywhere
   if (!status.ok())
-    throw std::invalid_argument("no picture of the ridge: " + status.message());
+    throw std::invalid_argument("the picture of the ridge cannot be drawn: " + status.message());
   DisplaySurface surface;
   surface.low.setConstant(std::numeric_limits<double>::max());
   surface.high = -surface.low;
@@ -90,7 +90,7 @@ ridgeDisplay(const RidgeSurface::ConstPtr& ridge, const std::function<double(dou
   surface.mesh->SetPoints(points);
   surface.mesh->SetPolys(triangles);
   const Eigen::Vector3d mean = addPointData(*ridge, mesh, value, surface.mesh);
-  constexpr double least_mean_normal = 0.25; // a shorter mean of unit normals tells no side
+  constexpr double least_mean_normal = 0.25; // a shorter mean of unit normals gives no side
   surface.outward = mean.norm() > least_mean_normal ? mean.normalized() : Eigen::Vector3d::Zero().eval();
   return surface;
 }

@@ -20,8 +20,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int frames = 25, curve_steps = 600;
-constexpr std::array<double, 3> arrow_shares{0.45, 0.8, 0.8}; ///< of the distance of neighbouring frames; the rail is seen between
-constexpr float thin = 1.0f, thick = 2.5f;                    ///< pixels
+constexpr std::array<double, 3> arrow_shares{0.45, 0.8,
+                                             0.8}; ///< of the distance between neighbouring frames; the rail is visible between them
+constexpr float thin = 1.0f, thick = 2.5f;         ///< pixels
 constexpr double most_scan_points = 15000.0;
 constexpr Color curve_color{0.05, 0.05, 0.08}, carried_color{0.45, 0.48, 0.53}, scan_color{0.62, 0.75, 0.86}, level_color{0.45, 0.47, 0.50},
     rail_color{0.95, 0.45, 0.00}, generator_color{0.75, 0.10, 0.70}, meeting_color{0.10, 0.10, 0.10};
@@ -33,7 +34,7 @@ axesOf(const RidgeFrame& frame)
   return {frame.tangent, frame.chord, frame.up};
 }
 
-/** The frame at \p u as it is drawn along the rail. */
+/** The frame at \p u for the drawing along the rail. */
 std::array<Vector3d, 3>
 arrowsAt(const RidgeSurface& ridge, double u)
 {
@@ -43,7 +44,7 @@ arrowsAt(const RidgeSurface& ridge, double u)
   return arrows;
 }
 
-/** The ridge and everything on it. */
+/** Draws the ridge and everything on it. */
 DisplaySurface
 surfaceOf(const RidgeScene& scene)
 {
@@ -58,7 +59,7 @@ surfaceOf(const RidgeScene& scene)
   return surface;
 }
 
-/** Those of \p points that are finite, \p size pixels wide. */
+/** The finite \p points, \p size pixels wide. */
 vtkSmartPointer<vtkActor>
 pointsActor(const pcl::PointCloud<pcl::PointXYZ>& points, const Color& color, float size)
 {
@@ -81,7 +82,7 @@ pointsActor(const Polyline& line, const Color& color, float size)
   return pointsActor(points, color, size);
 }
 
-/** The scan about the ridge, thinned evenly. */
+/** The scan round the ridge, thinned evenly. */
 void
 addScan(Canvas& canvas, const RidgeScene& scene, std::vector<LegendEntry>& legend)
 {
@@ -100,7 +101,7 @@ addScan(Canvas& canvas, const RidgeScene& scene, std::vector<LegendEntry>& legen
   legend.push_back({"scan" + (every > 1 ? ", one point in " + std::to_string(every) : std::string()), scan_color});
 }
 
-/** The frames along the rail: thin where the ridge hides them. */
+/** The frames along the rail: with thin lines where the ridge hides them. */
 void
 addFrames(Canvas& canvas, const RidgeSurface& ridge, std::vector<LegendEntry>& legend)
 {
@@ -116,7 +117,7 @@ addFrames(Canvas& canvas, const RidgeSurface& ridge, std::vector<LegendEntry>& l
     for (const double u : stations) {
       const Vector3d foot = ridge.rail().position(u);
       const std::array<Vector3d, 3> arrows = arrowsAt(ridge, u);
-      const bool is_hidden = depth.hides(foot) && depth.hides(foot + arrows[2]); // at the ridge's outline not its foot alone
+      const bool is_hidden = depth.hides(foot) && depth.hides(foot + arrows[2]); // at the outline of the ridge, not only its foot
       addArrow(is_hidden ? hidden : seen, foot, arrows[k], canvas.projection().towards());
     }
     canvas.addInFront(lineActor(seen, false, frame_colors[k], thick));
@@ -124,7 +125,7 @@ addFrames(Canvas& canvas, const RidgeSurface& ridge, std::vector<LegendEntry>& l
   }
   for (int k = 0; k < 3; ++k)
     legend.push_back({names[k], frame_colors[k]});
-  legend.push_back({"the generator, carried along", carried_color});
+  legend.push_back({"the generator, moved along", carried_color});
 }
 
 void
@@ -146,7 +147,7 @@ addLines(Canvas& canvas, const RidgeScene& scene, std::vector<LegendEntry>& lege
   legend.push_back({"where they meet" + std::string(hidden ? ", hidden" : ""), meeting_color, hidden ? Marker::Ring : Marker::Disc});
 }
 
-/** The generator in the rail's normal plane where it was measured, the reference normal upwards. */
+/** The generator in the normal plane of the rail where it was measured; the reference normal is up. */
 void
 addGenerator(Canvas& canvas, const RidgeScene& scene)
 {
@@ -185,17 +186,17 @@ addGenerator(Canvas& canvas, const RidgeScene& scene)
   addText(inset.view, "black: its curve and its chord", 10, Canvas::inset_size - 50, 16);
 }
 
-/** What was found of the lines. */
+/** Figures of the lines. */
 void
 addFigures(Canvas& canvas, const RidgeReport& report, int y)
 {
   const std::vector<std::string> lines{formatted("chord %.4g mm, theta %.3f degrees", report.chord, report.chord_angle),
-                                       formatted("rail %.5g mm, points off by %.4f mm rms", report.rail_length, report.rail_error),
-                                       formatted("generator %.4g mm, off by %.4f mm rms", report.generator_length, report.generator_error),
+                                       formatted("rail %.5g mm, misfit of points %.4f mm rms", report.rail_length, report.rail_error),
+                                       formatted("generator %.4g mm, misfit %.4f mm rms", report.generator_length, report.generator_error),
                                        formatted("where they meet: %.4f mm apart", report.meeting_distance),
                                        formatted("generator tilted by %.3f degrees there", report.tilt),
                                        formatted("rail's slope: up to %.2f degrees", report.largest_slope),
-                                       formatted("its errors turn the chord %.2f times as far", report.slope_factor),
+                                       formatted("its errors turn the chord %.2f times as much", report.slope_factor),
                                        formatted("stretch along the rail: from %.3f (0: it folds)", report.least_stretch)};
   for (const std::string& line : lines) {
     addText(canvas.view(), line, Canvas::words_left, y, 18);

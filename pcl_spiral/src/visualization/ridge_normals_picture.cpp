@@ -21,11 +21,11 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Boxes = std::vector<std::array<Vector2d, 2>>;
 
-constexpr double least_reach = 0.01; ///< degrees: less than machines hold
+constexpr double least_reach = 0.01; ///< degrees: machines do not hold less
 constexpr Color true_color{0.05, 0.50, 0.15}, published_color{0.85, 0.05, 0.05}, edge_color{0.30, 0.33, 0.38}, band_color{0.55, 0.68, 0.85},
     most_color{0.10, 0.22, 0.66};
 
-/** The end of the colours and of the chart, degrees. */
+/** The upper end of colour scale and chart, degrees. */
 double
 reachOf(double largest)
 {
@@ -33,7 +33,7 @@ reachOf(double largest)
   return step * std::ceil(wanted / step - 1e-9);
 }
 
-/** Both normals at the worst place, seen along the generator: the rail's normal plane stands upright there. */
+/** Both normals at the worst place, seen along the generator: the normal plane of the rail is upright there. */
 void
 addNormals(Canvas& canvas, const RidgeSurface& ridge, const NormalErrors& errors)
 {
@@ -59,10 +59,10 @@ addNormals(Canvas& canvas, const RidgeSurface& ridge, const NormalErrors& errors
   add(published, published_color, 2.0f, 2.0);
   addMark(inset.view, Marker::Circle, inset.onScreen(place), ink);
   addText(inset.view, "gray: the ridge along its rail", 10, Canvas::inset_size - 26, 16);
-  addText(inset.view, "at the largest, seen along the generator", 10, 10, 16, true);
+  addText(inset.view, "at the largest angle, along the generator", 10, 10, 16, true);
 }
 
-/** The angle over the generator: the most of each place, and down to the least along the rail. */
+/** The angle over the generator: for each place from the smallest to the largest along the rail. */
 class Chart {
 public:
   Chart(vtkRenderer* view, const NormalErrors& errors) : view_(view), errors_(errors), reach_(reachOf(errors.largest)) {}
@@ -106,7 +106,7 @@ private:
       addCentredText(view_, formatted("%.4g", k * along), {x, bottom - 24.0}, 16);
     }
     addStrokes(view_, strokes, ink, 1.5f);
-    addText(view_, "angle, degrees, least to most along the rail", Sheet::words_left, static_cast<int>(top) + 14, 17, true);
+    addText(view_, "angle, degrees: smallest to largest along the rail", Sheet::words_left, static_cast<int>(top) + 14, 17, true);
     addCentredText(view_, "length of the generator, mm", {0.5 * (left + right), bottom - 48.0}, 16);
   }
 
@@ -125,11 +125,11 @@ writeRidgeNormals(const std::string& file, const RidgeScene& scene)
   Canvas canvas(surface);
   const auto colors = colorScale(0.0, reachOf(errors.largest));
   const auto ridge = coloredSurface(surface.mesh, colors);
-  ridge->GetProperty()->SetAmbient(0.75); // the colours matter more than the shape
+  ridge->GetProperty()->SetAmbient(0.75); // the colours are more important than the shape
   ridge->GetProperty()->SetDiffuse(0.25);
   canvas.add(ridge);
   canvas.addAxes();
-  canvas.addColorBar("off by, degrees", colors);
+  canvas.addColorBar("error of the normal, degrees", colors);
   const Vector3d place = scene.ridge->position(errors.u, errors.v);
   const bool hidden = canvas.addCircle(place);
   canvas.addLegend({{formatted("largest, %.4g degrees", errors.largest) + (hidden ? ", hidden" : ""), ink, Marker::Circle},
@@ -138,9 +138,9 @@ writeRidgeNormals(const std::string& file, const RidgeScene& scene)
   addText(canvas.view(), "at " + placeText(place) + " mm", Sheet::words_left, 890, 18);
   Chart(canvas.view(), errors).draw();
   addNormals(canvas, *scene.ridge, errors);
-  canvas.addTitle(scene.title + ": the published normal against the true one",
-                  formatted("off by up to %.3g degrees", errors.largest) +
-                      ": it stays in the rail's normal plane; where the frame twists the true one leans out of it");
+  canvas.addTitle(scene.title + ": error of the published normal",
+                  formatted("up to %.3g degrees from the true normal", errors.largest) +
+                      ": it stays in the rail's normal plane; where the frame twists, the true normal does not");
   canvas.save(file);
 }
 

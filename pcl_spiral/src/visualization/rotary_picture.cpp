@@ -21,7 +21,7 @@ constexpr double number_room = 90.0, tick = axis_tick_length, line = 2.5;
 constexpr int number_size = 18, name_size = 20;
 constexpr Color line_color{0.10, 0.22, 0.66}, pole_color{1.00, 0.80, 0.45}, unwind_color{0.84, 0.04, 0.07};
 
-/** A curve over the arc length; parts of it where a new pass begins. */
+/** A curve over the arc length; interrupted where a new pass begins. */
 struct Curve {
   std::string name;
   std::vector<double> at, values;
@@ -35,7 +35,7 @@ struct Curve {
   }
 };
 
-/** Both angles, as the machine holds them at every cut, and the speed of the contact. */
+/** Both angles at every cut, and the speed of the contact. */
 std::array<Curve, 3>
 curvesOf(const MachineProgram& program)
 {
@@ -59,7 +59,7 @@ curvesOf(const MachineProgram& program)
   return curves;
 }
 
-/** Where a chart stands and what it spans. */
+/** Position and range of a chart. */
 struct Scale {
   double bottom, length, low, high;
 
@@ -74,7 +74,7 @@ struct Scale {
   double y(double value) const { return bottom + chart_height * (value - low) / (high - low); }
 };
 
-/** For every column of pixels the span of the curve within it. */
+/** For every column of pixels, the range of the curve in it. */
 Boxes
 drawn(const Curve& curve, const Scale& scale)
 {
@@ -165,7 +165,7 @@ writeRotaryAngles(const std::string& file, const std::string& title, const Machi
   if (!report.unwound_at.empty())
     places += formatted("; red: unwinds, %.0f times", static_cast<double>(report.unwound_at.size()));
   sheet.addTitle(title + ": rotary axes of " + program.machine.name,
-                 formatted("%.1f turns in all, %.3g degrees in one block at the most", report.first_travel * in_degrees / 360.0,
+                 formatted("%.1f turns in total, at most %.3g degrees in one block", report.first_travel * in_degrees / 360.0,
                            report.largest_turn * in_degrees) +
                      places);
   sheet.save(file);

@@ -11,7 +11,7 @@ check(const std::vector<float>& values, std::size_t points, const char* what)
 {
   if (!values.empty() && values.size() != points)
     throw std::invalid_argument(std::to_string(values.size()) + " " + what + " for " + std::to_string(points) +
-                                " points; one a point is needed");
+                                " points; give one value per point");
 }
 
 } // namespace

@@ -48,7 +48,7 @@ StockScale::heights(const VerificationScene& scene) const
 ValueStyle
 StockScale::style() const
 {
-  // gouges before uncut places before heights: what is gone cannot be made good
+  // gouges before uncut places before heights: a gouge cannot be repaired
   return {[scale = *this](float v) {
             const auto high = static_cast<float>(scale.reach_ + scale.gouge_);
             return scale.isGouge(v) ? 2.0f * high - v : static_cast<float>(scale.gouge_) + v;

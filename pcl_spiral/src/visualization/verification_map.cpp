@@ -16,16 +16,16 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double line_radius = 1.0,
-                 least_pitch = 8.0;                                 ///< pixels; turns nearer to one another fill the surface
-constexpr double pitch_share = 0.6;                                 ///< of the pitch, for a disc that reaches the next turn's
+                 least_pitch = 8.0;                                 ///< pixels; turns nearer to each other fill the surface
+constexpr double pitch_share = 0.6;                                 ///< of the pitch, for a disc that reaches the disc of the next turn
 constexpr double inset_line_radius = 2.0, outstanding_radius = 3.0; ///< pixels
 constexpr double least_inset_disc = 2.0, most_inset_disc = 9.0;     ///< pixels
 constexpr double disc_of_spacing = 0.9;                             ///< discs of this radius leave no gaps between neighbours
 constexpr double least_inset = 0.001, most_inset = 0.3;             ///< of the part's size
-constexpr double inset_depth = 0.3; ///< of its width: what lies farther from its plane is another side of the part
+constexpr double inset_depth = 0.3; ///< of its width: anything farther from its plane is another side of the part
 constexpr Color path_color{0.05, 0.05, 0.08};
 
-/** Put moves on cells; \p at gives a point's place in the view, \p shown whether it is to be seen. */
+/** Puts moves on cells; \p at gives the place of a point in the view, \p shown whether it is visible. */
 template <typename At, typename Shown>
 void
 putPath(WorstCells& cells, const pcl::PointCloud<ToolpathPoint>& path, const std::vector<float>& values, const ValueStyle& style,

@@ -62,8 +62,8 @@ warnOfEnds(const Job& job, const std::vector<ToolLocations>& located, Result& re
   const double most = job.cutter.radius + result.drive.step_over, overrun = std::min(job.drive.overrun + missed, most);
   const bool helps = job.drive.axisMode() == DriveAxisMode::Cylinder && job.drive.overrun < most;
   result.warnings.push_back(textOf("up to ", missed, " mm at an end of the column are not cut",
-                                   helps ? textOf("; where it leans the cutter touches it beside its axis: let the path go "
-                                                  "on beyond the ends, such as --overrun ",
+                                   helps ? textOf("; where the wall leans, the cutter touches it beside the cutter's axis: "
+                                                  "extend the path beyond the ends, such as --overrun ",
                                                   std::ceil(10.0 * overrun) / 10.0)
                                          : std::string(": check the path there")));
 }

@@ -16,20 +16,21 @@ files(Job& job)
 {
   OptionGroup group{
       "Files",
-      {textOption("scan", "FILE", "the scan: .pcd .ply .xyz .txt .csv .asc .stl .obj; the name alone is enough: part.pcd", job.scan),
+      {textOption("scan", "FILE", "the scan: .pcd .ply .xyz .txt .csv .asc .stl .obj; --scan itself can be left out: part.pcd", job.scan),
        {"output", "FILE",
-        "what to write, by extension; give it once a file: -o part.csv -o part.ngc\n"
-        ".csv .vtp  the path with its tips; Turn counts passes    .pcd .ply  of a ball cutter\n"
-        ".ngc .nc  program of a five-axis machine; see --machine\n"
-        ".apt .cls  CLDATA    .yaml  robot frames of a ball cutter; a single pass\n"
+        "output file, its kind by extension; repeat it for each file: -o part.csv -o part.ngc\n"
+        ".csv .vtp  the path with cutter tips; Turn is the number of the pass\n"
+        ".pcd .ply  the path of a ball cutter\n"
+        ".ngc .nc  program for a five-axis machine; see --machine\n"
+        ".apt .cls  CLDATA, one pass    .yaml  robot frames, one pass of a ball cutter\n"
         ".json  report: settings, counts, states, collisions, times\n"
-        ".png  the passes on the shaded part; with a machine NAME_rotary.png beside it: rotary angles",
+        ".png  picture of the passes on the part; with a machine also NAME_rotary.png: rotary angles",
         [&job](const std::string& value) { job.outputs.push_back(value); }},
        switchOption("mesh",
-                    "the file is a mesh, .stl .obj .ply, and its faces count: planes are sections of the curved surface behind "
-                    "them; without it the vertices are a scan",
+                    "the file is a mesh, .stl .obj .ply, and its faces are used: planes cut the curved surface behind "
+                    "them; without --mesh its vertices are a scan",
                     job.mesh),
-       numberOption("crease-angle", "A", "edges of a mesh bent by more stay sharp, degrees; 30: --crease-angle 20",
+       numberOption("crease-angle", "A", "mesh edges bent by more than this stay sharp, degrees; default 30: --crease-angle 20",
                     job.mesh_settings.crease_angle),
        switchOption("flip-normals", "the cutter is on the other side of a mesh's faces", job.mesh_settings.flip)}};
   addOptions(group, readOptions(job));
@@ -44,34 +45,37 @@ path(Job& job)
   pcl_spiral::DriveSettings& s = job.drive;
   OptionGroup group{
       "Drive path (mm, degrees)",
-      {choiceOption("drive", "planes by default: --drive helix", s.kind),
-       numberOption("step-over", "D", "largest distance of neighbouring passes; this or --scallop: --step-over 1", s.step_over),
+      {choiceOption("drive", "kind of drive path; default planes: --drive helix", s.kind),
+       numberOption("step-over", "D", "largest distance between neighbouring passes; give this or --scallop: --step-over 1", s.step_over),
        numberOption("scallop", "H",
-                    "ridge left between passes on a plane; gives the step-over by the cutter's "
+                    "height of the ridge left between passes on a plane; sets the step-over from the cutter's "
                     "profile: --scallop 0.02",
                     job.scallop),
        numberOption("point-spacing", "D",
-                    "largest distance of drive points along a pass; 1, on a mesh the tool radius: --point-spacing 0.5", s.point_spacing),
-       numberOption("overrun", "L", "helix and rings go on so far beyond the ends of the column, where it leans; 0: --overrun 1.5",
-                    s.overrun),
+                    "largest distance between drive points of a pass; default 1, on a mesh the tool radius: --point-spacing 0.5",
+                    s.point_spacing),
+       numberOption("overrun", "L",
+                    "helix and rings go this far beyond the ends of the column, for walls that lean; default 0: --overrun 1.5", s.overrun),
        toleranceOption(job),
        switchOption("no-gouge-check",
-                    "stand the cutter at the contacts of a mesh's sections without a look at the rest of the mesh: quicker, and "
-                    "narrow hollows are cut into",
+                    "put the cutter at the contacts of the mesh sections without checking the rest of the mesh: faster, but "
+                    "it gouges narrow hollows",
                     job.no_gouge_check),
-       numberOption("direction", "A", "of planes' passes about the tool axis, from X; 0: --direction 45", s.plane_angle),
-       choiceOption("rows", "planes even steps apart, or kept as close as --scallop of a ball asks anywhere; even: --rows kept", s.rows),
-       switchOption("link", "planes' rows joined on the surface where the next begins within two step-overs", s.link_rows),
-       switchOption("one-way", "planes all in one direction; to and fro by default", job.one_way),
-       textOption("curve", "FILE", "the curve of --drive curve: points in order, formats as for a scan: --curve c.txt", job.curve_file),
+       numberOption("direction", "A", "planes: direction of passes about the tool axis, from X; default 0: --direction 45", s.plane_angle),
+       choiceOption("rows", "planes: at even steps, or everywhere as close as --scallop of a ball needs; default even: --rows kept",
+                    s.rows),
+       switchOption("link", "planes: join rows on the surface where the next begins within two step-overs", s.link_rows),
+       switchOption("one-way", "cut all passes in one direction; default back and forth", job.one_way),
+       textOption("curve", "FILE", "the curve for --drive curve: points in order, file formats as for a scan: --curve c.txt",
+                  job.curve_file),
        placeOption("column-axis",
-                   "direction of the axis that helix and rings go round; found from the scan by default: "
+                   "direction of the axis that helix and rings go round; default found from the scan: "
                    "--column-axis 0,0,1",
                    job.column_axis),
-       placeOption("column-centre", "a place on it; 0,0,0: --column-centre 20,5,0", job.column_centre),
-       placeOption("axis", "tool axis, tip to shank, of --axis-mode fixed and of section planes; 0,0,1: --axis 0,1,1", s.axis),
+       placeOption("column-centre", "a place on that axis; default 0,0,0: --column-centre 20,5,0", job.column_centre),
+       placeOption("axis", "tool axis, from tip to shank, for --axis-mode fixed and for planes; default 0,0,1: --axis 0,1,1", s.axis),
        {"axis-mode", pcl_spiral::choiceList<DriveAxisMode>(),
-        "where tool axes come from; cylinder for helix and rings, fixed for the others: --axis-mode surface",
+        "source of tool axes; default cylinder for helix and rings, else fixed: --axis-mode surface",
         [&s](const std::string& value) { s.axis_mode = choiceValue<DriveAxisMode>("axis-mode", value); }}}};
   addOptions(group, axisOptions(job));
   return group;
@@ -80,7 +84,7 @@ path(Job& job)
 OptionTable
 optionTable(Job& job)
 {
-  return {files(job), cutterOptions(job, "needed"), path(job), programOptions(job.program), runOptions(job)};
+  return {files(job), cutterOptions(job, "required"), path(job), programOptions(job.program), runOptions(job)};
 }
 
 } // namespace
@@ -107,12 +111,12 @@ void
 printHelp(std::ostream& out)
 {
   Job job;
-  out << "Gouge-free locations of any cutter along planes, a helix, rings, a curve or offsets of the boundary of a\n"
-         "scanned surface or a mesh, three-axis or five-axis.\n\n"
+  out << "Moves any cutter over a scanned surface or a mesh without gouges: along planes, a helix, rings, a curve or\n"
+         "offsets of the boundary. For three or five axes.\n\n"
          "  pcl_spiral_drive SCAN -o OUT... --tool-radius R --step-over D [options]\n\n"
          "  pcl_spiral_drive part.stl --mesh --tool-radius 5 --scallop 0.01 --rows kept --link -o part.csv\n"
          "  pcl_spiral_drive column.pcd --drive helix --tool-radius 4 --step-over 0.8 --machine xyzac.yaml -o part.ngc\n\n"
-         "Lengths are millimetres and angles degrees. Ends with 0 when done, 1 when the data or a file fails,\n"
-         "2 when the call is wrong; then no output is written or changed.\n";
+         "Lengths are in millimetres, angles in degrees. Exit code: 0 on success, 1 if the data or a file fails, 2 if the\n"
+         "command line is wrong. On 1 and 2 no output is written or changed.\n";
   printOptions(out, optionTable(job));
 }

@@ -20,14 +20,14 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** Whether the cylinder of a column leads path or axes. */
+/** Whether the path or the axes use the cylinder of a column. */
 bool
 usesColumn(const Job& job)
 {
   return job.drive.goesRound() || job.drive.axisMode() == DriveAxisMode::Cylinder;
 }
 
-/** Options that say nothing of the path asked for. */
+/** Refuses options that the chosen path does not use. */
 void
 requireMeant(const Job& job)
 {
@@ -36,70 +36,70 @@ requireMeant(const Job& job)
     if (isGiven(job, option) && !meant)
       throw UsageError(std::string("--") + option + ": " + remedy);
   };
-  const std::string is = "--drive is " + choiceName(kind) + ", which knows none; leave it out";
+  const std::string is = "--drive " + choiceName(kind) + " does not use it; leave it out";
   require("overrun", job.drive.goesRound(), is);
   require("column-axis", usesColumn(job), is + " (or give --axis-mode cylinder)");
-  require("column-centre", job.column_axis.has_value(), "no --column-axis is given; give the direction, too");
+  require("column-centre", job.column_axis.has_value(), "no --column-axis is given; give the direction too");
   require("direction", kind == DriveKind::Planes, is);
   require("rows", kind == DriveKind::Planes, is);
   require("link", kind == DriveKind::Planes, is);
-  require("link", !job.one_way, "rows run one way begin far from the end of the one before; leave --one-way or --link out");
+  require("link", !job.one_way, "with --one-way each row begins far from the end of the row before; leave --one-way or --link out");
   require("one-way", kind == DriveKind::Planes || kind == DriveKind::Rings, is);
   require("step-over", kind != DriveKind::Curve, is);
   require("scallop", kind != DriveKind::Curve, is);
   require("accept-collisions", !job.holder.empty() || hasProgram(job.program, job.outputs),
-          "no --holder is given, nor a program asked for");
+          "without a --holder or a program as output it does nothing; leave it out");
 }
 
-/** The step-over that --scallop gives, or the ball that rows are kept for. */
+/** Sets the step-over from --scallop, and the ball for --rows kept. */
 void
 completeScallop(Job& job)
 {
   DriveSettings& d = job.drive;
   const bool kept = d.rows == DriveRows::Kept;
   if (isGiven(job, "step-over") && isGiven(job, "scallop"))
-    throw UsageError("--step-over and --scallop are both given; the one follows from the other, leave one out");
+    throw UsageError("--step-over and --scallop are both given; one follows from the other, so leave one out");
   if (kept && !isGiven(job, "scallop"))
-    throw UsageError("--rows kept: no --scallop is given; give the height of ridges that rows are to keep, in mm, such as "
+    throw UsageError("--rows kept: no --scallop is given; give the scallop height that the rows must keep, in mm, such as "
                      "--scallop 0.01");
   if (kept && !isBall(job))
-    throw UsageError("--rows kept: ridges are known for a ball alone; leave --corner-radius and --flank-angle out, or take "
+    throw UsageError("--rows kept: ridge heights are known only for a ball; leave --corner-radius and --flank-angle out, or use "
                      "--rows even");
   if (!isGiven(job, "scallop"))
     return;
   requireOption(job.scallop > 0.0 && job.scallop < job.cutter.radius, "scallop", job.scallop,
-                "must lie above 0 and below the tool radius, which is " + textOf(job.cutter.radius) + " mm");
+                "must be above 0 and below the tool radius, which is " + textOf(job.cutter.radius) + " mm");
   const std::optional<double> step = stepForScallop(CutterProfile(job.cutter), job.scallop);
   if (!step)
-    throw UsageError("--scallop " + textOf(job.scallop) + ": no step-over of this cutter leaves that; give a --step-over");
+    throw UsageError("--scallop " + textOf(job.scallop) + ": this cutter leaves that height at no step-over; give a --step-over");
   d.step_over = *step;
   d.tool_radius = job.cutter.radius;
   d.scallop_height = job.scallop;
 }
 
-/** Options of scans beside a mesh, and those of meshes beside a scan. */
+/** Refuses options for scans with a mesh, and options for meshes with a scan. */
 void
 requireMeshMeant(const Job& job)
 {
   for (const char* option : {"columns", "leave-out-strays", "largest", "thin"})
     if (job.mesh && isGiven(job, option))
-      throw UsageError(std::string("--") + option + ": belongs to scans, and --mesh takes the faces of a mesh; leave one of them out");
+      throw UsageError(std::string("--") + option + ": belongs to scans, and --mesh uses the faces of a mesh; leave one of them out");
   for (const char* option : {"crease-angle", "flip-normals", "no-gouge-check"})
     if (!job.mesh && isGiven(job, option))
-      throw UsageError(std::string("--") + option + ": belongs to meshes; add --mesh where the file's faces count, or leave it out");
+      throw UsageError(std::string("--") + option + ": belongs to meshes; add --mesh to use the faces of the file, or leave it out");
   requireOption(job.mesh_settings.crease_angle > 0.0 && job.mesh_settings.crease_angle <= 180.0, "crease-angle",
-                job.mesh_settings.crease_angle, "must lie above 0 degrees, up to 180, such as 30");
+                job.mesh_settings.crease_angle, "must be above 0 degrees and at most 180, such as 30");
   const DriveKind kind = job.drive.kind;
   if (job.mesh && kind == DriveKind::BoundaryOffset)
     throw UsageError("--drive " + choiceName(kind) +
-                     ": offsets run over a scan's points, not over a mesh; take --drive planes, or leave "
+                     ": offsets run over the points of a scan, not over a mesh; use --drive planes, or leave "
                      "--mesh out: then the vertices are a scan");
   if (job.no_gouge_check && kind != DriveKind::Planes)
-    throw UsageError("--no-gouge-check: --drive is " + choiceName(kind) +
-                     ", whose places are not on the mesh before the cutter comes "
+    throw UsageError("--no-gouge-check: with --drive " + choiceName(kind) +
+                     " the places are not on the mesh until the cutter moves "
                      "down to it; leave it out");
   if (job.no_gouge_check && !job.holder.empty())
-    throw UsageError("--no-gouge-check: a --holder is given, which is looked at by that check; leave one of them out");
+    throw UsageError("--no-gouge-check: a --holder is given, and only that check looks at the holder; leave one of them out");
 }
 
 void
@@ -107,23 +107,23 @@ completePath(Job& job)
 {
   requireMeshMeant(job);
   if (job.mesh && !isGiven(job, "point-spacing"))
-    job.drive.point_spacing = job.cutter.radius; // the chord error puts points where the surface bends
+    job.drive.point_spacing = job.cutter.radius; // the chord error adds points where the surface bends
   DriveSettings& d = job.drive;
   requireMeant(job);
   d.zigzag = !job.one_way;
   completeScallop(job);
   const bool is_curve = d.kind == DriveKind::Curve;
   if (!is_curve && !isGiven(job, "step-over") && !isGiven(job, "scallop"))
-    throw UsageError("no --step-over is given; give the largest distance of neighbouring passes in mm, such as "
+    throw UsageError("no --step-over is given; give the largest distance between neighbouring passes in mm, such as "
                      "--step-over 1, or --scallop");
   if (is_curve && job.curve_file.empty())
-    throw UsageError("--drive curve: no --curve is given; name a file with its points in order");
+    throw UsageError("--drive curve: no --curve is given; give a file with the points of the curve in order");
   if (!is_curve && !job.curve_file.empty())
-    throw UsageError("--curve " + job.curve_file + ": --drive is " + choiceName(d.kind) + "; use --drive curve");
+    throw UsageError("--curve " + job.curve_file + ": --drive is " + choiceName(d.kind) + "; use --drive curve, or leave --curve out");
   if (job.column_axis && !(job.column_axis->norm() > 0.0))
-    throw UsageError("--column-axis: is no direction, such as 0,0,1");
+    throw UsageError("--column-axis: three zeros are no direction; give one such as 0,0,1");
   if (is_curve)
-    return; // its points are read later
+    return; // the points are read later
   if (const Status status = checkSettings(d); !status.ok())
     throw UsageError(inOptions(status.message()));
 }
@@ -146,11 +146,11 @@ void
 completeJob(Job& job)
 {
   if (job.scan.empty())
-    throw UsageError("no scan is named; give one, such as part.pcd");
+    throw UsageError("no scan is given; give one, such as part.pcd");
   job.part = job.scan;
   requireOption(job.thinning >= 0.0, "thin", job.thinning, "must be above 0 mm, or 0 for none");
   if (!isGiven(job, "tool-radius"))
-    throw UsageError("no --tool-radius is given; give the radius where the cutter's flank ends, in mm, such as "
+    throw UsageError("no --tool-radius is given; give the cutter's radius at the upper end of its flank, in mm, such as "
                      "--tool-radius 6");
   completeCutter(job);
   completePath(job);

@@ -17,7 +17,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** A part that is smaller than the cutter is in another unit. */
+/** A part smaller than the cutter is probably in another unit. */
 void
 requireLargerThanCutter(const Job& job, const SurfaceMesh& mesh)
 {
@@ -29,8 +29,8 @@ requireLargerThanCutter(const Job& job, const SurfaceMesh& mesh)
                                      ", is smaller than the "
                                      "cutter's radius of ",
                                      job.cutter.radius,
-                                     " mm: is it in another unit? Say so, such as --units m, "
-                                     "or give a smaller --tool-radius"));
+                                     " mm: is it in another unit? Give the unit, such as --units m, "
+                                     "or a smaller --tool-radius"));
 }
 
 } // namespace
@@ -46,9 +46,9 @@ readMeshPart(const Job& job, Result& result)
   if (const std::string found = findingsText(counts); !found.empty())
     result.warnings.push_back("the mesh: " + found);
   if (counts.creases.count > 0)
-    result.warnings.push_back(textOf("the mesh has ", counts.crease_length, " mm of creases, sharp edges bent by more than ",
-                                     job.mesh_settings.crease_angle, " degrees, the first at ", placeText(counts.creases.place),
-                                     ": they stay sharp; if the part is round there, raise --crease-angle"));
+    result.warnings.push_back(textOf("the mesh has ", counts.crease_length, " mm of creases (edges bent by more than ",
+                                     job.mesh_settings.crease_angle, " degrees), the first at ", placeText(counts.creases.place),
+                                     ": they stay sharp; if the part is round there, increase --crease-angle"));
 }
 
 std::vector<ToolLocations>

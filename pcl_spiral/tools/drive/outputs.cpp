@@ -23,7 +23,7 @@ titleOf(const Job& job)
   return std::filesystem::path(job.scan).filename().string();
 }
 
-/** The passes, and the angles of a program beside them: as many files as filesOf names. */
+/** Draws the passes, and the angles of a program: as many files as filesOf names. */
 void
 writePictures(const Job& job, const Result& result, const OutputFiles& files, std::size_t& next)
 {
@@ -47,7 +47,7 @@ writeOne(const Job& job, const Result& result, const std::string& output, const 
 void
 writeOutputs(const Job& job, const Result& result, OutputFiles& files)
 {
-  writeAll(job, result, "drive one pass (--drive helix, curve)", files, [&](const std::string& output, std::size_t& next) {
+  writeAll(job, result, "use a drive path of one pass (--drive helix, curve)", files, [&](const std::string& output, std::size_t& next) {
     if (extensionOf(output) == ".png")
       writePictures(job, result, files, next);
     else
@@ -68,7 +68,7 @@ printSummary(const Job& job, const Result& result, double seconds)
   std::printf("drive path      %s: %zu pass%s, %zu drive points, step-over %.4g mm\n", choiceName(job.drive.kind).c_str(),
               result.passes.size(), result.passes.size() == 1 ? "" : "es", result.drive.points, result.drive.step_over);
   if (job.drive.rows == DriveRows::Kept)
-    std::printf("rows            %zu kept to the scallop, %.4g to %.4g mm apart\n", result.drive.rows, result.drive.smallest_step,
+    std::printf("rows            %zu that keep the scallop height, %.4g to %.4g mm apart\n", result.drive.rows, result.drive.smallest_step,
                 result.drive.step_over);
   if (job.drive.link_rows)
     std::printf("links           %zu rows joined on the surface, %zu not\n", result.drive.links, result.drive.rows_apart);

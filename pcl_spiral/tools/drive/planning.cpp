@@ -28,7 +28,7 @@ curveOf(const Job& job, Result& result)
   for (const pcl::PointXYZ& p : *curve.cloud)
     points.push_back(p.getVector3fMap().cast<double>());
   if (points.size() < 2)
-    throw FileError(job.curve_file, "a curve needs at least two points");
+    throw FileError(job.curve_file, "a curve needs at least two points; add points, or give another file");
   result.warnings.insert(result.warnings.end(), curve.warnings.begin(), curve.warnings.end());
   return points;
 }
@@ -54,7 +54,7 @@ drivePasses(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, 
     drive.setCylinder({job.column_centre, *job.column_axis});
   if (s.kind == DriveKind::Curve)
     drive.setCurve(curveOf(job, result));
-  drive.setChordError(0.5 * job.tolerance); // half is for the moves between locations
+  drive.setChordError(0.5 * job.tolerance); // the other half is for the moves between locations
   drive.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.5 * share, stage); });
   DrivePasses passes;
   drive.compute(passes);
@@ -64,7 +64,7 @@ drivePasses(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, 
   return passes;
 }
 
-/** Before the locations' warnings those of what came before them, behind them what is the drive path's own. */
+/** Adds the warnings: those of the scan in front, then those of the drive path and of the locations. */
 void
 warnOfPath(const Job& job, Result& result)
 {
@@ -73,13 +73,13 @@ warnOfPath(const Job& job, Result& result)
   warnings.insert(warnings.end(), result.drive.warnings.begin(), result.drive.warnings.end());
   warnOfLocations(job, result);
   if (job.no_gouge_check)
-    warnings.push_back("the cutter was not checked against the rest of the mesh (--no-gouge-check): hollows narrower than the "
-                       "cutter are cut into");
+    warnings.push_back("the cutter was not checked against the rest of the mesh (--no-gouge-check): it gouges hollows narrower "
+                       "than itself");
   const double flat = CutterProfile(job.cutter).flatRadius();
   if (job.scallop > 0.0 && flat > 0.0)
     warnings.push_back(textOf("the step-over of ", job.drive.step_over, " mm leaves ridges of ", job.scallop,
-                              " mm only where the surface lies straight across the tool axis; on slopes the edge of this "
-                              "cutter leaves far higher ones: give a --step-over there"));
+                              " mm only where the surface is square to the tool axis; on slopes the edge of this "
+                              "cutter leaves much higher ridges: give a --step-over there"));
   result.warnings = inOptions(warnings);
 }
 
@@ -112,7 +112,7 @@ plan(const Job& job)
   requireNoCollision(job, located, result.locations);
   takePoses(CutterProfile(job.cutter), located, result);
   if (result.passes.empty())
-    throw FileError(job.scan, "no pass has two locations over the part; check the drive path and the tool axis");
+    throw FileError(job.scan, "no pass has two cutter locations over the part; check the drive path and the tool axis");
   if (job.drive.goesRound())
     warnOfEnds(job, located, result);
   warnOfPath(job, result);

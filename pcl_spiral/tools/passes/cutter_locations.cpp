@@ -12,7 +12,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** Without a fit the surface's normal is taken from the cutter, which lies against it. */
+/** Without a fit, the surface's normal is that of the cutter at the contact. */
 Eigen::Vector3d
 normalAt(const CutterProfile& cutter, const ToolLocation& location)
 {
@@ -59,8 +59,8 @@ requireNoCollision(const PassJob& job, const std::vector<ToolLocations>& located
         throw FileError(job.part, textOf(job.holder[static_cast<std::size_t>(location.collision.segment)].name, " would be ",
                                          location.collision.depth, " mm deep in the part at ", placeText(location.collision.place),
                                          ", the tip at ", placeText(location.tip), "; at ", figures.collisions,
-                                         " locations in all: use a longer or slimmer tool, another axis, or "
-                                         "--accept-collisions to see the path all the same"));
+                                         " locations in all: use a longer or thinner tool, another axis, or "
+                                         "--accept-collisions to write the path anyway"));
 }
 
 void
@@ -95,10 +95,10 @@ warnOfLocations(const PassJob& job, PassResult& result)
   warnings.insert(warnings.end(), result.locations.warnings.begin(), result.locations.warnings.end());
   if (result.off_scan > 0)
     warnings.push_back(
-        textOf(result.off_scan, " locations have nothing of the part below the cutter and were left out; passes were cut there"));
+        textOf(result.off_scan, " locations have no part of the surface below the cutter and were left out; passes are interrupted there"));
   if (result.bisection.unresolved > 0)
-    warnings.push_back(textOf(result.bisection.unresolved, " moves are beyond the tolerance of ", job.tolerance,
+    warnings.push_back(textOf(result.bisection.unresolved, " moves exceed the tolerance of ", job.tolerance,
                               " mm, the worst by an error of ", result.bisection.largest_error, " mm at ",
                               placeText(result.bisection.worst_place),
-                              ": the axis turns or the surface is too steep there; check it before cutting"));
+                              ": the axis turns too fast or the surface is too steep there; check this place before you cut"));
 }

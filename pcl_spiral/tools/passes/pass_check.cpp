@@ -16,7 +16,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-constexpr double least_tolerance = 1e-4; // mm: single precision of a scan knows no less
+constexpr double least_tolerance = 1e-4; // mm: the single precision of a scan resolves no less
 
 } // namespace
 
@@ -46,20 +46,20 @@ completeCutter(PassJob& job)
   if (const std::string fault = faultOf(job.holder); !fault.empty())
     throw UsageError("--holder: " + fault);
   if (isGiven(job, "holder-clearance") && job.holder.empty())
-    throw UsageError("--holder-clearance: no --holder is given");
+    throw UsageError("--holder-clearance: no --holder is given; give one, or leave it out");
   requireOption(job.holder_clearance >= 0.0, "holder-clearance", job.holder_clearance, "must not be below 0 mm");
   if (!job.holder.empty() && !(c.flank_length > 0.0))
-    throw UsageError("--holder: give the cutter its --flank-length, above which the holder stands");
+    throw UsageError("--holder: no --flank-length is given; give the length of the flank, the holder begins above it");
 }
 
 void
 checkTool(const PassJob& job)
 {
   if (isGiven(job, "pole-cone") && !isBall(job))
-    throw UsageError("--pole-cone: axes are blended for ball cutters alone, whose middle stays where it is; leave it out");
+    throw UsageError("--pole-cone: axes are blended only for ball cutters, because the ball's centre does not move; leave it out");
   requireOption(job.tolerance >= least_tolerance, "tolerance", job.tolerance, "must be 0.0001 mm or more, such as 0.01");
   requireOption(job.tolerance <= std::max(least_tolerance, 0.1001 * job.cutter.radius), "tolerance", job.tolerance,
-                textOf("must be a tenth of the tool radius, ", job.cutter.radius, " mm, or less, such as ",
+                textOf("must be at most a tenth of the tool radius of ", job.cutter.radius, " mm, such as ",
                        std::max(least_tolerance, 0.01 * job.cutter.radius)));
 }
 
@@ -67,7 +67,7 @@ void
 checkMotion(const PassJob& job)
 {
   requireOption(job.axis_smoothing >= 0.0, "axis-smoothing", job.axis_smoothing, "must be above 0 mm, or 0 for none");
-  requireOption(job.max_axis_rate >= 0.0, "max-axis-rate", job.max_axis_rate, "must be above 0 degrees a mm, or 0 for no limit");
+  requireOption(job.max_axis_rate >= 0.0, "max-axis-rate", job.max_axis_rate, "must be above 0 degrees per mm, or 0 for no limit");
   requireOption(job.feed > 0.0, "feed", job.feed, "must be above 0 mm/min");
 }
 
@@ -75,7 +75,7 @@ void
 checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vector<InputName> inputs)
 {
   if (job.outputs.empty())
-    throw UsageError("no output is named; give at least one, such as -o part.csv");
+    throw UsageError("no output is given; give at least one, such as -o part.csv");
   for (const std::string& file : job.outputs) {
     const std::string extension = extensionOf(file);
     if (!isPassFile(file))
@@ -83,16 +83,17 @@ checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vec
                        "' is not known; use .csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .6d .5d .json or .png");
     if (!isBall(job) && (extension == ".pcd" || extension == ".ply" || extension == ".yaml"))
       throw UsageError("-o " + file +
-                       ": holds contacts, from which tips follow for a ball alone; write this tool's "
-                       "path as .csv, .vtp, .6d or a program");
+                       ": this format holds contacts, and only for a ball do they give the tips; write the path of this "
+                       "tool as .csv, .vtp, .6d or a program");
   }
   inputs.push_back({"the machine's file", job.program.machine_file});
   inputs.push_back({"the job file", job.config_file});
   for (auto file = files.begin(); file != files.end(); ++file) {
     requireNoInput(*file, inputs);
     if (std::find(files.begin(), file, *file) != file)
-      throw UsageError(
-          "-o " + *file + ": is given twice" +
-          (std::count(job.outputs.begin(), job.outputs.end(), *file) < 2 ? ", for it is written beside another picture; rename one" : ""));
+      throw UsageError("-o " + *file + ": is given twice" +
+                       (std::count(job.outputs.begin(), job.outputs.end(), *file) < 2
+                            ? ", because it is written with another picture; rename one"
+                            : ""));
   }
 }

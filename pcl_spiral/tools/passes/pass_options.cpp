@@ -5,7 +5,7 @@
 
 namespace {
 
-/** Segments as RADIUS,LENGTH or LOWER,UPPER,LENGTH, between them a slash, from the flank upwards. */
+/** Segments as RADIUS,LENGTH or LOWER,UPPER,LENGTH, separated by slashes, from the flank upwards. */
 std::vector<pcl_spiral::ToolSegment>
 segmentsOf(const std::string& value)
 {
@@ -14,7 +14,7 @@ segmentsOf(const std::string& value)
     const std::vector<std::string> words = listValue(piece);
     if (words.size() != 2 && words.size() != 3)
       throw UsageError("--holder " + value +
-                       ": segments of radius,length or lower radius,upper radius,length are needed, from the flank "
+                       ": give segments as radius,length or lower radius,upper radius,length, separated by slashes, from the flank "
                        "upwards, such as 6,40/20,25,60");
     const double lower = numberValue("holder", words[0]);
     const double upper = words.size() == 3 ? numberValue("holder", words[1]) : lower;
@@ -29,53 +29,59 @@ segmentsOf(const std::string& value)
 std::vector<Option>
 readOptions(PassJob& job)
 {
-  return {choiceOption("units", "unit of the numbers in the files; mm by default: --units m", job.read.unit),
-          placeOption("origin", "subtracted from the points, in their own unit: --origin 393775,3689071,0", job.read.origin),
-          {"columns", "NAMES", "columns of a text file from the left; x, y and z are taken: --columns id,x,y,z",
+  return {choiceOption("units", "unit of the numbers in the files; default mm: --units m", job.read.unit),
+          placeOption("origin", "point to subtract from the points, in their unit, if coordinates are large: --origin 393775,3689071,0",
+                      job.read.origin),
+          {"columns", "NAMES", "names of the columns of a text file, from the left; x, y and z are used: --columns id,x,y,z",
            [&job](const std::string& value) { job.read.columns = listValue(value); }}};
 }
 
 std::vector<Option>
 scanOptions(PassJob& job)
 {
-  return {switchOption("leave-out-strays",
-                       "leave out points off the scanned surface, false echoes as a rule; the cutter stays above every point "
-                       "otherwise",
-                       job.leave_out_strays),
-          switchOption("largest", "of several separate parts drive on the largest one alone; the cutter stays above the others' points",
-                       job.largest_part),
-          numberOption("thin", "EDGE",
-                       "make the surface of one point a cube of this edge, mm; the cutter stays above all of them; 0, none: "
-                       "--thin 0.5",
-                       job.thinning)};
+  return {
+      switchOption("leave-out-strays",
+                   "leave out outliers: points off the scanned surface, usually false echoes; without it the cutter stays above "
+                   "every point",
+                   job.leave_out_strays),
+      switchOption("largest", "of several separate parts, machine only the largest; the cutter stays above the points of the others",
+                   job.largest_part),
+      numberOption("thin", "EDGE",
+                   "make the surface from one point per cube of this edge, mm; the cutter stays above all points; default 0, no thinning: "
+                   "--thin 0.5",
+                   job.thinning)};
 }
 
 Option
 configOption(PassJob& job)
 {
-  return textOption("config", "FILE", "job file in YAML with these names; the command line wins: --config job.yaml", job.config_file);
+  return textOption("config", "FILE", "job file in YAML with these option names; the command line has priority: --config job.yaml",
+                    job.config_file);
 }
 
 OptionGroup
 cutterOptions(PassJob& job, const std::string& need)
 {
-  return {"Cutter (mm, degrees): a tapered bull-nose and its special cases",
-          {numberOption("tool-radius", "R", "radius where the flank ends; " + need + ": --tool-radius 6", job.cutter.radius),
-           numberOption("corner-radius", "r", "of the fillet; the largest there is by default, a ball: --corner-radius 1",
+  return {"Cutter (mm, degrees): tapered bull-nose and its special cases",
+          {numberOption("tool-radius", "R", "radius at the upper end of the flank; " + need + ": --tool-radius 6", job.cutter.radius),
+           numberOption("corner-radius", "r", "corner radius; default the largest possible, a ball: --corner-radius 1",
                         job.cutter.corner_radius),
-           numberOption("flank-length", "L", "of the cutting flank, along it; 0: --flank-length 20", job.cutter.flank_length),
-           numberOption("flank-angle", "A", "of the flank to the axis; 0: --flank-angle 5", job.cutter.flank_angle),
-           {"holder", "SEGMENTS", "what stands on the flank, upwards, each as radius,length or lower,upper,length: --holder 6,40/20,25,60",
+           numberOption("flank-length", "L", "length of the cutting flank, along the flank; default 0: --flank-length 20",
+                        job.cutter.flank_length),
+           numberOption("flank-angle", "A", "angle between flank and axis; default 0: --flank-angle 5", job.cutter.flank_angle),
+           {"holder", "SEGMENTS",
+            "shank and holder above the flank, upwards, each part as radius,length or lower,upper,length: --holder 6,40/20,25,60",
             [&job](const std::string& value) { job.holder = segmentsOf(value); }},
-           numberOption("holder-clearance", "L", "kept between holder and scan; 0: --holder-clearance 1", job.holder_clearance),
-           numberOption("feed", "F", "at the contact, mm/min; 1000: --feed 2500", job.feed)}};
+           numberOption("holder-clearance", "L", "least distance between holder and scan; default 0: --holder-clearance 1",
+                        job.holder_clearance),
+           numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", job.feed)}};
 }
 
 Option
 toleranceOption(PassJob& job)
 {
   return numberOption("tolerance", "E",
-                      "points are put between until no straight move cuts deeper or leaves more; 0.01: "
+                      "adds points until no straight move gouges more or leaves more than this; default 0.01: "
                       "--tolerance 0.005",
                       job.tolerance);
 }
@@ -84,17 +90,18 @@ std::vector<Option>
 axisOptions(PassJob& job)
 {
   return {numberOption("axis-smoothing", "L",
-                       "smooths out of the axes what is shorter than this along a pass, by up to 20 degrees in the mean; 0, "
-                       "none: --axis-smoothing 20",
+                       "smooths changes of the axis shorter than this along a pass, by up to 20 degrees in the mean; default 0, "
+                       "no smoothing: --axis-smoothing 20",
                        job.axis_smoothing),
-          numberOption("max-axis-rate", "D", "largest turn of the axis, degrees a mm; 0, no limit: --max-axis-rate 4", job.max_axis_rate)};
+          numberOption("max-axis-rate", "D", "largest turn of the axis, degrees per mm; default 0, no limit: --max-axis-rate 4",
+                       job.max_axis_rate)};
 }
 
 OptionGroup
 runOptions(PassJob& job)
 {
   return {"Run",
-          {threadsOption("the path does not depend on it", job.threads), switchOption("verbose", "say more", job.verbose),
-           switchOption("quiet", "say nothing but errors", job.quiet), switchOption("help", "this text", job.help),
+          {threadsOption("the path does not depend on it", job.threads), switchOption("verbose", "print more", job.verbose),
+           switchOption("quiet", "print only errors", job.quiet), switchOption("help", "print this text", job.help),
            switchOption("version", "print the version", job.version)}};
 }

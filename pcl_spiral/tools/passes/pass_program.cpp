@@ -15,21 +15,21 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** A beam that nearly stands burns. */
+/** Refuses a program in which the beam nearly stops: it would burn the part. */
 void
 requireSteadyBeam(const PassJob& job, const MachineProgram& program)
 {
-  constexpr double least_share = 0.5; // of the feed
+  constexpr double least_share = 0.5; // share of the feed
   const ProgramReport& report = program.report;
   if (report.slowed_blocks == 0 || report.least_feed_share >= least_share)
     return;
   const auto slowest = std::min_element(program.blocks.begin(), program.blocks.end(), [&](const ProgramBlock& a, const ProgramBlock& b) {
     return std::abs(a.arc_length - report.least_feed_at) < std::abs(b.arc_length - report.least_feed_at);
   });
-  throw FileError(job.part, textOf("at ", placeText(slowest->tip), " the rotary axes turn so far that the beam would move at ",
+  throw FileError(job.part, textOf("at ", placeText(slowest->tip), " the rotary axes turn so far that the beam moves at only ",
                                    100.0 * report.least_feed_share,
-                                   " % of the feed while it is on, and burn the part: lean the beam "
-                                   "(--tilt 20), or turn the part on the machine, so that the tool axis keeps off the direction of ",
+                                   " % of the feed while it is on, and would burn the part: tilt the beam "
+                                   "(--tilt 20), or turn the part on the machine, so that the tool axis stays away from the direction of ",
                                    std::string(1, program.machine.rotary[0].letter)));
 }
 
@@ -40,7 +40,7 @@ addProgram(const PassJob& job, const Machine& machine, PassResult& result)
 {
   ProgramJob program = job.program;
   if (!isBall(job))
-    program.settings.pole_cone = 0.0; // a blended axis would lead any other tool off its path
+    program.settings.pole_cone = 0.0; // a blended axis would move any other tool off its path
   result.program = makeProgram(program, machine, job.feed, isBall(job) ? job.cutter.radius : 0.0, result.passes, result.warnings);
   if (!(job.cutter.radius > 0.0))
     requireSteadyBeam(job, *result.program);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The machine's program of passes.
+ *  The machine program of passes.
  */
 #pragma once
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/** Lays the passes on \p machine; the way of a cutter to them is kept free of the scan in \p result.
+/** Makes the program of the passes on \p machine; the leads of a cutter do not touch the scan in \p result.
  *  \throw pcl_spiral::FileError, Cancelled */
 void addProgram(const PassJob& job, const pcl_spiral::Machine& machine, PassResult& result);
 

@@ -69,5 +69,5 @@ writeJSON(const std::string& file, const Json& report)
   std::ofstream out(file);
   out << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   if (!out.flush())
-    throw FileError(file, "cannot be written; is there room on the disk?");
+    throw FileError(file, "cannot be written; is the disk full?");
 }

@@ -12,7 +12,7 @@ void
 printPasses(const PassJob& job, const PassResult& result, const std::vector<std::string>& files, double seconds)
 {
   if (job.cutter.radius > 0.0)
-    std::printf("locations       %zu, %zu of them put in between; largest error of a move %.3g mm\n", result.poseCount(),
+    std::printf("locations       %zu, %zu of them added between others; largest error of a move %.3g mm\n", result.poseCount(),
                 result.bisection.inserted, result.bisection.largest_error);
   const LocationFigures& f = result.locations;
   if (f.retilted > 0)

@@ -12,7 +12,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** The scan less the points off its surface, which are reported. */
+/** Removes the outliers from the scan, with a warning. */
 void
 leaveOutStrays(const PassJob& job, PassResult& result)
 {
@@ -25,20 +25,20 @@ leaveOutStrays(const PassJob& job, PassResult& result)
   const StrayFigures& f = removal.getFigures();
   if (f.strays > 0)
     result.warnings.push_back(textOf(f.strays, " of ", result.scan.cloud->size(),
-                                     " points, off the scanned surface, were left out (--leave-out-strays), the largest "
-                                     "group of them ",
-                                     f.largest_group, " at ", placeText(f.largest_group_place),
-                                     f.largest_group > largest_echo ? ": so many together are no false echo; see what stands there" : ""));
+                                     " points off the scanned surface were left out (--leave-out-strays); the largest "
+                                     "group has ",
+                                     f.largest_group, ", at ", placeText(f.largest_group_place),
+                                     f.largest_group > largest_echo ? ": such a group is not a false echo; check what is there" : ""));
   result.scan.cloud = kept;
 }
 
-/** The surface of the scan; null where the points form none. */
+/** The surface of the scan; null if the points form none. */
 Surface::ConstPtr
 surfaceOf(const PassJob& job, ProgressBar& bar, const PassResult& result)
 {
   ScannedSurface<pcl::PointXYZ> scanned;
   scanned.setInputCloud(result.scan.cloud);
-  scanned.setStrict(false); // what is rough is driven on all the same, with a warning
+  scanned.setStrict(false); // a rough surface is accepted, with a warning
   scanned.setQuiet(true);
   setSurface(job, scanned);
   scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.3 * share, stage); });

@@ -16,7 +16,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** What a user should know before the program runs. */
+/** Adds the warnings about the program. */
 std::vector<std::string>
 warningsOf(const MachineProgram& program)
 {
@@ -24,15 +24,15 @@ warningsOf(const MachineProgram& program)
   const char first = program.machine.rotary[0].letter;
   std::vector<std::string> warnings;
   for (const PoleZone& zone : report.poles)
-    warnings.push_back(textOf("near the pole ", first, " would turn beyond its rate: the tool axis was blended from ", zone.begin, " to ",
-                              zone.end, " mm of the path, by up to ", zone.largest_change * in_degrees, " degrees"));
+    warnings.push_back(textOf("near the pole, ", first, " would turn faster than its limit: the tool axis was blended from ", zone.begin,
+                              " to ", zone.end, " mm of the path, by up to ", zone.largest_change * in_degrees, " degrees"));
   if (report.slowed_blocks > 0)
     warnings.push_back(textOf(report.slowed_blocks, " of ", report.cut_blocks,
-                              " blocks run below the feed for an axis to keep its rate, the slowest at ", 100.0 * report.least_feed_share,
-                              " % of it, at ", report.least_feed_at, " mm of the path"));
+                              " blocks run below the feed because of the rate limit of an axis, the slowest at ",
+                              100.0 * report.least_feed_share, " % of it, at ", report.least_feed_at, " mm of the path"));
   if (!report.unwound_at.empty())
-    warnings.push_back(textOf("the tool leaves the surface ", report.unwound_at.size(), " times for ", first,
-                              " to unwind at its limit, first at ", report.unwound_at.front(), " mm of the path"));
+    warnings.push_back(textOf("the tool leaves the surface ", report.unwound_at.size(), " times so that ", first,
+                              " can unwind at its limit, first at ", report.unwound_at.front(), " mm of the path"));
   return warnings;
 }
 
@@ -45,8 +45,8 @@ machineOf(const ProgramJob& program)
     return xyzacTrunnion();
   Machine machine = readMachine(program.machine_file);
   if (!machine.rtcp && entryOf(program.dialect).needs_rtcp)
-    throw FileError(program.machine_file, "rtcp: false, and --dialect " + choiceName(program.dialect) +
-                                              " takes tips and tool axes; use linuxcnc or fanuc, or rtcp: true");
+    throw FileError(program.machine_file, "rtcp: false, but --dialect " + choiceName(program.dialect) +
+                                              " needs tips and tool axes; use linuxcnc or fanuc, or rtcp: true");
   return machine;
 }
 
@@ -72,11 +72,12 @@ makeProgram(const ProgramJob& job, const Machine& machine, double feed, double b
   if (!generator.getStatus().ok())
     throw FileError(job.machine_file.empty() ? machine.name : job.machine_file, generator.getStatus().message());
   if (job.machine_file.empty())
-    warnings.push_back("no --machine is given: the program is for LinuxCNC's xyzac-trt-kins with nothing off zero, both "
-                       "rotary axes at up to 30 rev/min, and no limits are checked");
+    warnings.push_back("no --machine is given: the program is for LinuxCNC's xyzac-trt-kins with all offsets zero and both "
+                       "rotary axes at up to 30 rev/min; no limits are checked");
   if (!machine.retract_z)
-    warnings.push_back(machine.name + ": no retract_z is given, the Z of the machine that is clear of everything: the program turns "
-                                      "the rotary axes, and goes to its first point, from where the tool stands; start it above the part");
+    warnings.push_back(machine.name +
+                       ": no retract_z is given (a machine Z that is clear of everything): the program turns the rotary axes "
+                       "and goes to its first point from the tool's present position; start it above the part");
   for (const std::string& warning : warningsOf(program))
     warnings.push_back(warning);
   return program;
@@ -96,7 +97,7 @@ printProgram(const MachineProgram& program)
 {
   const ProgramReport& report = program.report;
   const auto& [first, second] = program.machine.rotary;
-  std::printf("program         %s: %zu blocks, %zu put in, %zu left out, %s of feed\n", program.machine.name.c_str(), program.blocks.size(),
+  std::printf("program         %s: %zu blocks, %zu added, %zu left out, %s at feed\n", program.machine.name.c_str(), program.blocks.size(),
               report.split_blocks, report.thinned_poses, duration(60.0 * report.minutes).c_str());
   std::printf("rotary axes     %c %.1f to %.1f degrees, %.1f turns in all; %c %.2f to %.2f degrees\n", first.letter,
               report.lowest_first * in_degrees, report.highest_first * in_degrees, report.first_travel * in_degrees / 360.0, second.letter,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  From tool poses to the moves of a machine.
+ *  Turns tool poses into machine moves.
  */
 #pragma once
 
@@ -16,8 +16,8 @@ pcl_spiral::Machine machineOf(const ProgramJob& program);
 /** The same, if one of the \p outputs needs it. \throw pcl_spiral::FileError */
 std::optional<pcl_spiral::Machine> machineOf(const ProgramJob& program, const std::vector<std::string>& outputs);
 
-/** Lays the passes on \p machine; what a user should know of it goes to \p warnings. \p ball_radius: 0 for other
- *  cutters. \throw pcl_spiral::FileError where the machine cannot make it */
+/** Makes the program of the passes on \p machine and adds its warnings to \p warnings. \p ball_radius: 0 for other
+ *  cutters. \throw pcl_spiral::FileError if the machine cannot make the moves */
 pcl_spiral::MachineProgram makeProgram(const ProgramJob& job, const pcl_spiral::Machine& machine, double feed, double ball_radius,
                                        const std::vector<pcl_spiral::ToolPoses>& passes, std::vector<std::string>& warnings);
 
@@ -26,5 +26,5 @@ pcl_spiral::MachineProgram makeProgram(const ProgramJob& job, const pcl_spiral::
 void writeProgramFile(const ProgramJob& job, const pcl_spiral::MachineProgram& program, const std::string& title, const std::string& output,
                       const std::string& file);
 
-/** What the program came to, for people. */
+/** Prints a summary of the program. */
 void printProgram(const pcl_spiral::MachineProgram& program);

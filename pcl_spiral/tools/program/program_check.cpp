@@ -16,7 +16,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** Codes that are lines of a program, both or none. */
+/** Checks the codes of a pass: lines of a program, both or none. */
 void
 checkCodes(const ProgramHeader& header, bool any_program, const std::set<std::string>& given)
 {
@@ -27,9 +27,9 @@ checkCodes(const ProgramHeader& header, bool any_program, const std::set<std::st
     if (const std::string fault = faultOfCode(code); !fault.empty())
       throw UsageError(option + "the code " + fault);
     if (!any_program)
-      throw UsageError(option + "no output is a program; write a .ngc or .nc, or leave it out");
+      throw UsageError(option + "no output is a program; add an output .ngc or .nc, or leave it out");
     if (given.count("pass-begin") != given.count("pass-end"))
-      throw UsageError(option + "is given alone, and a beam that is switched on but never off burns; give both, such as "
+      throw UsageError(option + "is given without the other, and a beam that is never switched off burns the part; give both, such as "
                                 "--pass-begin \"M62 P0\" --pass-end \"M63 P0\"");
   }
 }
@@ -55,7 +55,7 @@ requireOnePass(std::size_t passes, const std::string& output, const std::string&
 {
   if (isExchange(output) && passes > 1)
     throw FileError(output, "the path has " + std::to_string(passes) +
-                                " passes, and this format no moves between them; write a .ngc or .nc, or " + remedy);
+                                " passes, and this format has no moves between them; write a .ngc or .nc, or " + remedy);
 }
 
 bool
@@ -73,23 +73,24 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
       continue;
     if (extensionOf(output) == ".nc" && program.machine_file.empty())
       throw UsageError("-o " + output +
-                       ": no --machine is given; name the machine's file, such as --machine xyzac.yaml "
-                       "(some are in examples/machines, installed in share/pcl_spiral)");
+                       ": no --machine is given; give the machine file, such as --machine xyzac.yaml "
+                       "(there are examples in examples/machines, installed in share/pcl_spiral)");
     if (extensionOf(output) == ".nc" && given.count("dialect") == 0)
       throw UsageError("-o " + output + ": no --dialect is given; it must be one of " + choiceList<Dialect>());
     if (extensionOf(output) == ".nc" && program.header.tool == 0)
       throw UsageError("-o " + output +
-                       ": no --tool is given; the control takes the tool's length by its number: "
+                       ": no --tool is given; the control needs the tool number for the tool length: "
                        "--tool 3");
   }
   const bool other_language = given.count("dialect") > 0 && program.dialect != Dialect::LinuxCNC;
   if (other_language &&
       std::none_of(outputs.begin(), outputs.end(), [](const std::string& output) { return extensionOf(output) == ".nc"; }))
-    throw UsageError("--dialect " + choiceName(program.dialect) + ": no output is in that language; write a .nc (a .ngc is LinuxCNC's)");
+    throw UsageError("--dialect " + choiceName(program.dialect) +
+                     ": no output is in that language; write a .nc (a .ngc is always for LinuxCNC)");
   requireOption(s.lead_length > 0.0, "lead-length", s.lead_length, "must be above 0 mm");
   requireOption(s.clearance > 0.0, "clearance", s.clearance, "must be above 0 mm");
   requireOption(s.rapid_height > 0.0, "rapid-height", s.rapid_height, "must be above 0 mm");
-  requireOption(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole-cone", s.pole_cone, "must lie between 0 and 90 degrees");
+  requireOption(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole-cone", s.pole_cone, "must be from 0 to below 90 degrees");
   requireOption(s.block.tip >= BlockTolerance::least_tip, "block-tolerance", s.block.tip, "must be 0.0001 mm or more");
   requireOption(s.block.axis >= BlockTolerance::least_axis, "block-tolerance", s.block.axis * in_degrees,
                 "must be 0.00006 degrees or more");

@@ -25,18 +25,18 @@ captionOf(PictureKind kind)
 {
   switch (kind) {
   case PictureKind::Spiral:
-    return "Toolpath over the shaded surface; start and end enlarged with every turn.";
+    return "Toolpath on the shaded surface; start and end enlarged, with every turn.";
   case PictureKind::Lines:
-    return "Boundaries, and the lines the path is made of, over the scan.";
+    return "Boundaries and the lines of the path on the scan.";
   case PictureKind::Deviation:
-    return "Deviation of the contacts from the scanned surface, mm, + out of the material; the worst place "
+    return "Deviation of the contacts from the scanned surface, mm; + is out of the material; the worst place "
            "enlarged.";
   case PictureKind::Stock:
-    return "Stock left on the surface after cutting, mm; the worst place enlarged.";
+    return "Stock left on the surface after the cut, mm; the worst place enlarged.";
   case PictureKind::Histogram:
-    return "Scallop histogram: heights of the ridges between passes, mm.";
+    return "Scallop histogram: ridge heights between passes, mm.";
   case PictureKind::Rotary:
-    return "Rotary axes and speed of the contact along the program.";
+    return "Rotary axes, and speed of the contact, along the program.";
   }
   return "";
 }
@@ -47,8 +47,8 @@ makeFolder()
   std::error_code error;
   std::string name = (fs::temp_directory_path(error) / "pcl_spiral-XXXXXX").string();
   if (error || !::mkdtemp(name.data()))
-    throw FileError(name, std::string("no folder for pictures can be made there: ") + (error ? error.message() : std::strerror(errno)) +
-                              "; name a folder you may write to in TMPDIR");
+    throw FileError(name, std::string("the temporary folder for pictures cannot be made: ") +
+                              (error ? error.message() : std::strerror(errno)) + "; set TMPDIR to a folder you may write to");
   return name;
 }
 
@@ -134,5 +134,5 @@ requireDisplay(const std::string& output)
   const std::string problem = displayProblem();
   if (problem.empty())
     return;
-  throw FileError(output, extension == ".png" ? problem : "a report holds pictures: " + problem + "; .json has the same figures");
+  throw FileError(output, extension == ".png" ? problem : "this report needs pictures: " + problem + "; .json has the same figures");
 }

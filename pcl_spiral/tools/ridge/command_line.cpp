@@ -19,22 +19,24 @@ files(Job& job)
 {
   OptionGroup group{
       "Files",
-      {textOption("rail", "FILE", "points measured along the ridge, in any order: .pcd .ply .xyz .txt .csv; the first name alone is enough",
+      {textOption("rail", "FILE",
+                  "points measured along the ridge, in any order: .pcd .ply .xyz .txt .csv; as first file --rail can be left out",
                   job.rail),
-       textOption("generator", "FILE", "points measured once across the ridge, square to the rail; the second name alone is enough",
-                  job.generator),
+       textOption("generator", "FILE",
+                  "points measured once across the ridge, square to the rail; as second file --generator can be left out", job.generator),
        {"output", "FILE",
-        "what to write, by extension; give it once a file: -o part.6d -o part.ngc\n"
-        ".6d  x y z and tool axis a line, a blank line between rows    .5d  x y z A C\n"
-        ".csv .vtp  the rows with their tips; Turn counts rows    .pcd .ply  of a ball cutter\n"
-        ".ngc .nc  program of a five-axis machine; see --machine\n"
-        ".apt .cls  CLDATA    .yaml  robot frames of a ball cutter; a single row\n"
-        ".json  report: settings, what was found of both lines, times\n"
-        ".png  the rows on the shaded ridge; beside it NAME_lines.png: both lines with frames, NAME_normals.png: how far the published "
-        "normal is off, and with a machine NAME_rotary.png: rotary angles",
+        "output file, its kind by extension; repeat it for each file: -o part.6d -o part.ngc\n"
+        ".6d  one line per point: x y z and tool axis; an empty line between rows    .5d  x y z A C\n"
+        ".csv .vtp  the rows with tool tips; Turn is the number of the row\n"
+        ".pcd .ply  the rows of a ball cutter\n"
+        ".ngc .nc  program for a five-axis machine; see --machine\n"
+        ".apt .cls  CLDATA, one row    .yaml  robot frames, one row of a ball cutter\n"
+        ".json  report: settings, results for both lines, times\n"
+        ".png  picture of the rows on the ridge; also NAME_lines.png: both lines with frames, NAME_normals.png: error of the "
+        "published normal, and with a machine NAME_rotary.png: rotary angles",
         [&job](const std::string& value) { job.outputs.push_back(value); }},
        textOption("scan", "FILE",
-                  "a scan of the whole part: with --through both lines are found in it; a cutter keeps clear of it: --scan part.pcd",
+                  "scan of the whole part: with --through both lines are found in it; a cutter does not gouge it: --scan part.pcd",
                   job.scan)}};
   addOptions(group, readOptions(job));
   addOptions(group, scanOptions(job));
@@ -42,7 +44,7 @@ files(Job& job)
   return group;
 }
 
-/** Places as X,Y,Z, between them a slash. */
+/** Places as X,Y,Z, separated by slashes. */
 Polyline
 placesOf(const std::string& option, const std::string& value)
 {
@@ -58,17 +60,17 @@ ridge(Job& job)
   return {
       "Ridge (mm, degrees)",
       {placeOption("reference",
-                   "normal of the plane with which the generator's chord keeps its angle, and the side that is up; for a rail that stands "
-                   "upright take a direction across it; 0,0,1: --reference 1,0,0",
+                   "reference normal: the generator's chord keeps its angle to the plane with this normal, and this side is up; for an "
+                   "upright rail give a direction across it; default 0,0,1: --reference 1,0,0",
                    job.ridge.reference),
        numberOption("measuring-error", "S",
-                    "standard deviation of a coordinate of the measured points; 0, found from them: --measuring-error 0.02",
+                    "standard deviation of a coordinate of the measured points; default 0, found from the points: --measuring-error 0.02",
                     job.ridge.measuring_error),
-       switchOption("flip-normals", "the tool is on the other side", job.ridge.flip),
+       switchOption("flip-normals", "the tool is on the other side of the ridge", job.ridge.flip),
        {"through", "X,Y,Z/...",
-        "rough points of the ridge in --scan, at its ends and, where it bends, between: --through 0,0,0/300,50,20/600,0,0",
+        "rough points on the ridge in --scan: at both ends, and between them where it bends: --through 0,0,0/300,50,20/600,0,0",
         [&job](const std::string& value) { job.through = placesOf("through", value); }},
-       numberOption("half-width", "L", "of the ridge in --scan, from its crest to either side: --half-width 12", job.half_width),
+       numberOption("half-width", "L", "half width of the ridge in --scan, from its crest to each side: --half-width 12", job.half_width),
        switchOption("ring", "the ridge in --scan is closed", job.ring)}};
 }
 
@@ -77,26 +79,31 @@ rows(Job& job)
 {
   RidgeRowSettings& s = job.rows;
   OptionGroup group{
-      "Rows (mm, degrees); one of --spot, --step-over and --scallop is needed",
-      {choiceOption("direction", "rows along the rail or across it; along: --direction across", s.direction),
-       switchOption("one-way", "rows all in one direction; to and fro by default", job.one_way),
+      "Rows (mm, degrees); give one of --spot, --step-over and --scallop",
+      {choiceOption("direction", "rows along the rail or across it; default along: --direction across", s.direction),
+       switchOption("one-way", "all rows in one direction; default back and forth", job.one_way),
        numberOption("spot", "D", "diameter of a beam's spot: --spot 4", s.spot_size),
-       numberOption("overlap", "SHARE", "share of the spot that the next row covers again, below 1; 0: --overlap 0.25", s.overlap),
-       numberOption("step-over", "D", "largest distance of neighbouring rows: --step-over 1", s.step_over),
-       numberOption("scallop", "H", "height of the ridges that a ball may leave between rows: --scallop 0.02", job.scallop),
-       numberOption("point-spacing", "D", "largest distance of consecutive points; 1: --point-spacing 0.5", s.point_spacing),
-       choiceOption("steps", "points equally far apart on each row, or as published at equal stations of the rail; equal: --steps stations",
-                    s.steps),
+       numberOption("overlap", "SHARE", "share of the spot that the next row covers again, below 1; default 0: --overlap 0.25", s.overlap),
+       numberOption("step-over", "D", "largest distance between neighbouring rows: --step-over 1", s.step_over),
+       numberOption("scallop", "H", "largest ridge height that a ball may leave between rows: --scallop 0.02", job.scallop),
+       numberOption("point-spacing", "D", "largest distance between consecutive points; default 1: --point-spacing 0.5", s.point_spacing),
+       choiceOption(
+           "steps",
+           "points at equal distances on each row, or, as published, at equal stations of the rail; default equal: --steps stations",
+           s.steps),
        choiceOption("normals",
-                    "true ones; as published, in the rail's normal plane, off where the ridge twists; or out of an arc through start, "
-                    "middle and end of the generator; true: --normals in-plane",
+                    "true normals; as published, in the rail's normal plane (wrong where the ridge twists); or from an arc through start, "
+                    "middle and end of the generator; default true: --normals in-plane",
                     s.normals),
-       numberOption("stand-off", "L", "of a beam's tip from the surface, along the normal; 0: --stand-off 10", s.stand_off),
-       numberOption("lead", "A", "of the tool axis, forward along the row; 0: --lead 5", s.lead),
-       numberOption("tilt", "A", "of the tool axis, to the right of travel; 0: --tilt 5", s.tilt),
-       numberOption("run-in", "L", "each row begins so far before the ridge, straight on, with --pass-begin said before it; 0: --run-in 3",
+       numberOption("stand-off", "L", "distance of a beam's tip from the surface, along the normal; default 0: --stand-off 10",
+                    s.stand_off),
+       numberOption("lead", "A", "lead of the tool axis, forward along the row; default 0: --lead 5", s.lead),
+       numberOption("tilt", "A", "tilt of the tool axis, to the right of travel; default 0: --tilt 5", s.tilt),
+       numberOption("run-in", "L",
+                    "each row begins this far before the ridge, on a straight line; --pass-begin comes before it; default 0: --run-in 3",
                     s.run_in),
-       numberOption("run-out", "L", "each row goes on so far behind the ridge, with --pass-end said behind it; 0: --run-out 3", s.run_out),
+       numberOption("run-out", "L", "each row ends this far behind the ridge; --pass-end comes after it; default 0: --run-out 3",
+                    s.run_out),
        toleranceOption(job)}};
   addOptions(group, axisOptions(job));
   return group;
@@ -133,13 +140,13 @@ void
 printHelp(std::ostream& out)
 {
   Job job;
-  out << "Rows of a beam or a cutter over a ridge, such as the edge of a press die, out of two measured lines: a rail along it, and a\n"
-         "generator once across it. Or out of a full scan and a few rough points.\n\n"
+  out << "Makes rows of a beam or a cutter over a ridge, such as the edge of a press die, from two measured lines: a rail along the\n"
+         "ridge and a generator once across it. Or from a full scan and a few rough points.\n\n"
          "  pcl_spiral_ridge RAIL GENERATOR -o OUT... --spot D --overlap SHARE [options]\n\n"
          "  pcl_spiral_ridge rail.pcd generator.pcd --spot 4 --overlap 0.25 --stand-off 10 -o ridge.6d -o ridge.png\n"
          "  pcl_spiral_ridge rail.pcd generator.pcd --tool-radius 6 --scallop 0.02 --machine xyzac.yaml -o ridge.ngc\n"
          "  pcl_spiral_ridge --scan part.pcd --through 0,0,0/300,50,20/600,0,0 --half-width 12 --step-over 2 -o ridge.csv\n\n"
-         "Lengths are millimetres and angles degrees. Ends with 0 when done, 1 when the data or a file fails,\n"
-         "2 when the call is wrong; then no output is written or changed.\n";
+         "Lengths are in millimetres, angles in degrees. Exit code: 0 on success, 1 if the data or a file fails, 2 if the\n"
+         "command line is wrong. On 1 and 2 no output is written or changed.\n";
   printOptions(out, optionTable(job));
 }

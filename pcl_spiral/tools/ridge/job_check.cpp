@@ -15,7 +15,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** \throw UsageError where one of \p options is given that \p remedy is about */
+/** \throw UsageError with \p remedy if one of \p options is given */
 void
 refuse(const Job& job, std::initializer_list<const char*> options, const std::string& remedy)
 {
@@ -24,45 +24,45 @@ refuse(const Job& job, std::initializer_list<const char*> options, const std::st
       throw UsageError(std::string("--") + option + ": " + remedy);
 }
 
-/** Both lines, or a scan and where in it. */
+/** Checks that both lines are given, or a scan with rough points. */
 void
 checkLines(const Job& job)
 {
   const bool in_scan = isGiven(job, "through");
   if (in_scan) {
     if (job.scan.empty())
-      throw UsageError("--through: no --scan is given in which the ridge is to be found");
+      throw UsageError("--through: no --scan is given; give the scan that holds the ridge");
     if (!job.rail.empty() || !job.generator.empty())
-      throw UsageError("--through: rail and generator are given as files, too (" + (job.rail.empty() ? job.generator : job.rail) +
-                       "); leave the one or the other out");
+      throw UsageError("--through: rail and generator are also given as files (" + (job.rail.empty() ? job.generator : job.rail) +
+                       "); leave out --through or the files");
     requireOption(job.half_width > 0.0, "half-width", job.half_width,
-                  "must be above 0 mm: how far the ridge goes from its crest to either side");
-    refuse(job, {"measuring-error"}, "lines are found in the scan; its noise is found, too; leave it out");
+                  "must be above 0 mm; give the width of the ridge from its crest to each side");
+    refuse(job, {"measuring-error"}, "the lines are found in the scan, and so is the noise; leave it out");
     return;
   }
-  refuse(job, {"half-width", "ring"}, "belongs to --through, the points of a ridge in a scan; leave it out");
+  refuse(job, {"half-width", "ring"}, "belongs to --through, a ridge in a scan; leave it out");
   if (job.rail.empty() || job.generator.empty())
     throw UsageError(job.rail.empty()
-                         ? "no rail is named; give two files, points along the ridge and points across it: rail.pcd generator.pcd (or "
+                         ? "no rail is given; give two files, points along the ridge and points across it: rail.pcd generator.pcd (or "
                            "--scan with --through)"
-                         : "no generator is named; give a second file, points measured once across the ridge: " + job.rail +
+                         : "no generator is given; give a second file, points measured once across the ridge: " + job.rail +
                                " generator.pcd");
   std::error_code error;
   if (std::filesystem::equivalent(job.rail, job.generator, error))
     throw UsageError(job.generator +
-                     ": rail and generator are the same file; give the points measured along the ridge first, and those measured "
-                     "across it second");
+                     ": rail and generator are the same file; give the file of points along the ridge first, then the file of points "
+                     "across it");
 }
 
-/** One tells how far rows are apart. */
+/** Exactly one option sets the distance between rows. */
 void
 checkRows(Job& job)
 {
   RidgeRowSettings& s = job.rows;
-  const int told = isGiven(job, "spot") + isGiven(job, "step-over") + isGiven(job, "scallop");
-  if (told != 1)
-    throw UsageError(std::string(told == 0 ? "nothing says" : "more than one option says") +
-                     " how far rows are apart; give one of --spot, --step-over and --scallop");
+  const int given = isGiven(job, "spot") + isGiven(job, "step-over") + isGiven(job, "scallop");
+  if (given != 1)
+    throw UsageError(std::string(given == 0 ? "no option sets" : "more than one option sets") +
+                     " the distance between rows; give one of --spot, --step-over and --scallop");
   if (isGiven(job, "spot"))
     requireOption(s.spot_size > 0.0, "spot", s.spot_size, "must be above 0 mm");
   if (isGiven(job, "step-over"))
@@ -84,16 +84,16 @@ checkBeam(Job& job)
   requireOption(job.tolerance > 0.0, "tolerance", job.tolerance, "must be above 0 mm, such as 0.01");
   job.rows.chord_error = job.tolerance;
   refuse(job, {"corner-radius", "flank-length", "flank-angle", "holder", "holder-clearance", "accept-collisions", "scallop", "pole-cone"},
-         "belongs to a cutter, and no --tool-radius is given; give it, or leave this out: then the tool is a beam");
+         "belongs to a cutter, and no --tool-radius is given; give it for a cutter, or leave this option out for a beam");
   if (isGiven(job, "tool-radius"))
     requireOption(job.cutter.radius > 0.0, "tool-radius", job.cutter.radius, "must be above 0 mm; for a beam leave it out");
   if (!job.scan.empty() && job.through.empty())
     throw UsageError("--scan " + job.scan +
-                     ": a beam is led by rail and generator alone; give a cutter (--tool-radius), or in place of both "
-                     "files --through");
+                     ": a beam uses only rail and generator; leave --scan out, give a cutter (--tool-radius), or give --through instead of "
+                     "both files");
   for (const std::string& output : job.outputs)
     if (isExchange(output))
-      throw UsageError("-o " + output + ": this format describes a cutter, and a beam has none; use .6d, .5d, .csv or a program");
+      throw UsageError("-o " + output + ": this format needs a cutter, and the tool is a beam; use .6d, .5d, .csv or a program");
 }
 
 void
@@ -103,15 +103,15 @@ checkCutter(Job& job)
   if (isGiven(job, "scallop") && !isGiven(job, "tolerance"))
     job.tolerance = std::min(job.tolerance, 0.5 * job.scallop);
   checkTool(job);
-  job.rows.chord_error = 0.5 * job.tolerance; // half is for the moves between locations
+  job.rows.chord_error = 0.5 * job.tolerance; // the other half is for the moves between locations
   refuse(job, {"stand-off"}, "a cutter touches the surface; leave --stand-off or --tool-radius out");
-  refuse(job, {"spot"}, "is a beam's; give a --step-over or --scallop for a cutter");
+  refuse(job, {"spot"}, "belongs to a beam; for a cutter give --step-over or --scallop");
   if (!isGiven(job, "scallop"))
     return;
   if (!isBall(job))
-    throw UsageError("--scallop: ridges between rows are known for a ball alone; give this cutter a --step-over");
+    throw UsageError("--scallop: ridge heights are known only for a ball; for this cutter give a --step-over");
   requireOption(job.scallop > 0.0 && job.scallop < job.cutter.radius, "scallop", job.scallop,
-                "must lie above 0 and below the tool radius, which is " + textOf(job.cutter.radius) + " mm");
+                "must be above 0 and below the tool radius, which is " + textOf(job.cutter.radius) + " mm");
   job.rows.tool_radius = job.cutter.radius;
   job.rows.scallop_height = job.scallop;
 }

@@ -38,7 +38,7 @@ writeRows(const Job& job, const Result& result, const std::string& file)
   writePasses(file, scene);
 }
 
-/** As many files as filesOf names. */
+/** Draws as many files as filesOf names. */
 void
 writePictures(const Job& job, const Result& result, const OutputFiles& files, std::size_t& next)
 {
@@ -74,7 +74,7 @@ printRidge(const Job& job, const Result& result)
 void
 writeOutputs(const Job& job, const Result& result, OutputFiles& files)
 {
-  writeAll(job, result, "make one row (a larger --step-over)", files, [&](const std::string& output, std::size_t& next) {
+  writeAll(job, result, "make a single row (a larger --step-over)", files, [&](const std::string& output, std::size_t& next) {
     if (extensionOf(output) == ".png")
       writePictures(job, result, files, next);
     else if (extensionOf(output) == ".json")

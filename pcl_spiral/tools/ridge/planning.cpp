@@ -29,7 +29,7 @@ readLine(const Job& job, const std::string& file, Result& result)
 {
   const Scan read = readCloud(file, job.read);
   for (const std::string& warning : read.warnings)
-    if (file == job.rail || warning.find(" across; ") == std::string::npos) // a generator is small as a rule
+    if (file == job.rail || warning.find(" across; ") == std::string::npos) // a generator is usually small
       result.warnings.push_back(warning);
   Polyline points;
   for (const pcl::PointXYZ& p : *read.cloud)
@@ -51,7 +51,7 @@ void
 findLines(const Job& job, ProgressBar& bar, Result& result)
 {
   RidgeLines<pcl::PointXYZ> lines;
-  lines.setInputCloud(result.scan.cloud); // no surface of the cutter's: the side may be another
+  lines.setInputCloud(result.scan.cloud); // not the cutter's surface: its side may differ
   setSurface(job, lines);
   lines.setRoughPoints(job.through);
   lines.setClosed(job.ring);
@@ -81,7 +81,7 @@ makeRows(const Job& job, Result& result)
   return rows;
 }
 
-/** A beam at the rows' places: its spot lies below them, on the surface. */
+/** A beam at the places of the rows; its spot is below them on the surface. */
 void
 takeBeam(const Job& job, const DrivePasses& rows, Result& result)
 {
@@ -99,17 +99,17 @@ takeBeam(const Job& job, const DrivePasses& rows, Result& result)
   }
   const double lean = std::hypot(job.rows.lead, job.rows.tilt);
   if (lean > 0.0 && job.rows.stand_off != 0.0)
-    result.warnings.push_back(textOf(
-        "the beam leans by about ", lean, " degrees at a stand-off of ", job.rows.stand_off, " mm: it meets the surface some ",
-        std::abs(job.rows.stand_off) * std::tan(lean * pi / 180.0),
-        " mm beside the row, and files say where; leave --stand-off out, and set the tool's length longer by it: then the tip of the "
-        "files is the spot"));
+    result.warnings.push_back(
+        textOf("the beam is tilted by about ", lean, " degrees at a stand-off of ", job.rows.stand_off, " mm: it meets the surface about ",
+               std::abs(job.rows.stand_off) * std::tan(lean * pi / 180.0),
+               " mm beside the row, at the contacts in the files; to have the tip at the spot, leave --stand-off out and add the "
+               "stand-off to the tool length"));
   if (hasProgram(job.program, job.outputs))
-    result.warnings.push_back("the way of the beam's head is not checked: nothing is known of its shape; see that it is free");
+    result.warnings.push_back("the motion of the beam's head is not checked because its shape is not known; check that it is free");
 }
 
-/** Triangles of the ridge. Their faces are curved: at a chord error of a ten thousandth of the width the surface behind them is a hundred
- *  times as near (measured: 1e-5 mm on a ridge 27 mm wide), which a cutter's tolerance does not see. */
+/** Triangles of the ridge. Their faces are curved: at a chord error of a ten thousandth of the width, the surface behind them is a hundred
+ *  times nearer (measured: 1e-5 mm on a ridge 27 mm wide), far below a cutter's tolerance. */
 void
 makeMesh(const Job& job, Result& result)
 {
@@ -118,7 +118,7 @@ makeMesh(const Job& job, Result& result)
   const double chord_error = job.hasCutter() ? std::max(share_of_tolerance * job.tolerance, finest * width) : for_pictures * width;
   if (const Status status = ridgeMesh(*result.ridge, chord_error, result.mesh); !status.ok())
     throw FileError(job.part, textOf("a ridge ", result.ridge->rail().length(), " mm long and ", width,
-                                     " mm wide takes too many triangles, more than a million: make it in pieces"));
+                                     " mm wide needs too many triangles, more than a million: machine it in pieces"));
 }
 
 void
@@ -128,7 +128,7 @@ takeCutter(const Job& job, const Surface::ConstPtr& surface, const DrivePasses& 
   requireNoCollision(job, located, result.locations);
   takePoses(CutterProfile(job.cutter), located, result);
   if (result.passes.empty())
-    throw FileError(job.scan, "no row has two locations over the part: do lines and scan lie in the same place?");
+    throw FileError(job.scan, "no row has two cutter locations over the part: check that lines and scan are in the same coordinates");
   warnOfLocations(job, result);
 }
 

@@ -59,7 +59,7 @@ splitArguments(const OptionTable& table, const std::vector<std::string>& files, 
   }
   catch (const po::unknown_option& error) {
     const std::string name = error.get_option_name();
-    throw UsageError(name + " is no option" + suggestion(table, name.substr(std::min(name.find_first_not_of('-'), name.size()))));
+    throw UsageError(name + " is not an option" + suggestion(table, name.substr(std::min(name.find_first_not_of('-'), name.size()))));
   }
   catch (const po::error& error) {
     throw UsageError(error.what());
@@ -73,7 +73,8 @@ setValues(const OptionTable& table, const std::vector<std::string>& files, const
   for (const auto& [name, value] : values) {
     const bool again = name != "output" && !seen.emplace(name, value).second;
     if (again && std::find(files.begin(), files.end(), name) != files.end())
-      throw UsageError("a second " + name + ", " + value + ", after " + seen[name] + "; write -o before every output");
+      throw UsageError(value + " is a second " + name + ", after " + seen[name] + "; give one " + name +
+                       ", and write -o before every output");
     if (again)
       throw UsageError("--" + name + " is given twice");
     findOption(table, name)->set(value);

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** As a shell reads it: in single quotes where it holds more than plain characters. */
+/** The word for a shell: in single quotes if it holds special characters. */
 std::string
 quoted(const std::string& word)
 {
@@ -48,7 +48,7 @@ requireNoInput(const std::string& output, const std::vector<InputName>& inputs)
   std::error_code error;
   for (const auto& [what, file] : inputs)
     if (!file.empty() && fs::equivalent(output, file, error))
-      throw UsageError("-o " + output + ": this is " + what + " itself; give the output another name");
+      throw UsageError("-o " + output + ": this is " + what + " itself, an input; give the output another name");
 }
 
 std::string

@@ -21,7 +21,7 @@ std::string
 scalar(const std::string& file, const YAML::Node& node)
 {
   if (!node.IsScalar())
-    throw FileError(file, line(node) + "a value or a list of values is needed");
+    throw FileError(file, line(node) + "a value or a list of values is needed after the name");
   return node.as<std::string>();
 }
 
@@ -29,7 +29,7 @@ YAML::Node
 load(const std::string& file)
 {
   if (!std::filesystem::is_regular_file(file))
-    throw FileError(file, "there is no such job file");
+    throw FileError(file, "there is no such job file; check the name and the folder");
   try {
     return YAML::LoadFile(file);
   }
@@ -45,12 +45,12 @@ readJobFile(const std::string& file, const OptionTable& table)
 {
   const YAML::Node root = load(file);
   if (!root.IsMap())
-    throw FileError(file, "a job file holds lines such as 'tool-radius: 10'");
+    throw FileError(file, "this is not a job file; write lines such as 'tool-radius: 10'");
   NamedValues values;
   for (const auto& entry : root) {
     const std::string name = scalar(file, entry.first);
     if (!findOption(table, name) || name == "config" || name == "help" || name == "version")
-      throw UsageError(file + ": " + line(entry.first) + "'" + name + "' is no setting" + suggestion(table, name));
+      throw UsageError(file + ": " + line(entry.first) + "'" + name + "' is not a setting" + suggestion(table, name));
     if (!entry.second.IsSequence()) {
       values.emplace_back(name, scalar(file, entry.second));
       continue;

@@ -8,7 +8,7 @@
 
 namespace {
 
-/** Least count of letters to change, add or drop (Levenshtein 1966). */
+/** Least number of letters to change, add or drop (Levenshtein 1966). */
 std::size_t
 editDistance(const std::string& a, const std::string& b)
 {
@@ -76,10 +76,10 @@ wholeNumberOption(const std::string& name, const std::string& argument, const st
 Option
 threadsOption(const std::string& why, unsigned int& target)
 {
-  return {"threads", "N", "0, the default, means all; " + why + ": --threads 4", [&target](const std::string& value) {
+  return {"threads", "N", "number of threads; default 0, all; " + why + ": --threads 4", [&target](const std::string& value) {
             const int threads = wholeNumberValue("threads", value);
             requireOption(threads >= 0 && threads <= static_cast<int>(pcl_spiral::most_threads), "threads", threads,
-                          "must be above 0 and not above 256, or 0 for all");
+                          "must be from 1 to 256, or 0 for all");
             target = static_cast<unsigned int>(threads);
           }};
 }

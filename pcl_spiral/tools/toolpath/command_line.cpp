@@ -28,12 +28,12 @@ void
 printHelp(std::ostream& out)
 {
   Job job;
-  out << "One continuous spiral toolpath over a scanned surface, for a ball cutter.\n\n"
+  out << "Makes one continuous spiral toolpath over a scanned surface or a mesh, for a ball cutter.\n\n"
          "  pcl_spiral_toolpath SCAN -o OUT... --tool-radius R --scallop H [options]\n\n"
          "  pcl_spiral_toolpath part.pcd --tool-radius 10 --scallop 0.05 -o part.csv -o part.vtp -o "
          "part.png\n\n"
-         "Lengths are millimetres and angles degrees. Ends with 0 when done, 1 when the data or a file "
+         "Lengths are in millimetres, angles in degrees. Exit code: 0 on success, 1 if the data or a file "
          "fails,\n"
-         "2 when the call is wrong or an option does not fit the scan; then no output is written or changed.\n";
+         "2 if the command line is wrong or an option does not fit the scan. On 1 and 2 no output is written or changed.\n";
   printOptions(out, optionTable(job));
 }

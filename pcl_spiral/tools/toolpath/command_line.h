@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  From the command line to a job.
+ *  Turns the command line into a job.
  */
 #pragma once
 
@@ -8,7 +8,7 @@
 
 #include <ostream>
 
-/** The job as called, with what its job file says; checked. \throw UsageError, pcl_spiral::FileError (job file)
+/** The job from the command line and its job file, checked. \throw UsageError, pcl_spiral::FileError (job file)
  */
 Job parseCommandLine(int argc, const char* const* argv);
 

@@ -17,14 +17,14 @@ inWords(const Job& job, const std::string& message)
   return inOptions(job.mesh ? inMesh(message) : message);
 }
 
-/** Whether the planner's surface has all points that a path is to be judged by: none was filtered out. */
+/** Whether the planner's surface has all points that the verification needs: none was filtered out. */
 bool
 judgedByTheSameSurface(const SpiralSettings& settings)
 {
   return settings.thinning == 0.0 && settings.outlier_neighbours == 0;
 }
 
-/** The surface of the samples of a mesh, or that which planner and judge share. */
+/** The surface of the samples of a mesh, or the one that planning and verification share. */
 Surface::ConstPtr
 surfaceOf(const Job& job, const Result& result, ProgressBar& bar)
 {
@@ -66,14 +66,14 @@ readInput(const Job& job, ProgressBar& bar, StageClock& clock, Result& result)
   clock.end("surface");
 }
 
-/** As the generator is to follow them. */
+/** The settings for the generator. */
 SpiralSettings
 settingsFor(const Job& job, const Result& result)
 {
   SpiralSettings settings = job.settings;
   if (result.mesh) {
     settings.hole_size = meshHoleSize(job, *result.mesh);
-    settings.flip_normals = false; // the mesh was turned
+    settings.flip_normals = false; // the mesh is turned already
   }
   return settings;
 }

@@ -21,13 +21,13 @@ allOptions()
   po::options_description files("Files", width, width / 2), cutter("Cutter and finish (mm)", width, width / 2),
       run("Run", width, width / 2);
   files.add_options()("file", po::value<Files>()->value_name("FILE"),
-                      "the scan, or with --mesh the mesh, then the path: .csv .pcd .ply .vtp; the names alone are enough");
+                      "the scan, or with --mesh the mesh, then the path: .csv .pcd .ply .vtp; --file itself can be left out");
   addScanOptions(files);
   addMeshOptions(files);
   addCutterOptions(cutter, "radius of the ball cutter; without it the stock map and the histogram stay empty: "
                            "--tool-radius 10");
-  run.add_options()("threads", po::value<std::string>()->value_name("N"), "0, the default, means all: --threads 4")(
-      "quiet", "say nothing but errors")("help,h", "this text")("version", "print the version");
+  run.add_options()("threads", po::value<std::string>()->value_name("N"), "number of threads; default 0, all: --threads 4")(
+      "quiet", "print only errors")("help,h", "print this text")("version", "print the version");
   po::options_description all;
   all.add(files).add(cutter).add(run);
   return all;
@@ -47,7 +47,7 @@ parseViewCommandLine(int argc, const char* const* argv)
     return job;
   const Files named = given.count("file") > 0 ? given["file"].as<Files>() : Files();
   require(named.size() == 2, std::to_string(named.size()) +
-                                 " files are named; give the scan, or with --mesh the mesh, and then one path, such as part.pcd part.csv");
+                                 " files are given; give the scan, or with --mesh the mesh, and then one path, such as part.pcd part.csv");
   job.scan = named[0];
   job.path = named[1];
   job.read = scanOptions(given);
@@ -65,14 +65,14 @@ hasOption(const std::string& name)
 void
 printViewHelp(std::ostream& out)
 {
-  out << "Show a toolpath on its scan or mesh: boundaries, path, deviation map, stock map, scallop histogram.\n\n"
+  out << "Shows a toolpath on its scan or mesh: boundaries, path, deviation map, stock map, scallop histogram.\n\n"
          "  pcl_spiral_view PART PATH [options]\n\n"
          "  pcl_spiral_view part.pcd part.csv --tool-radius 10 --scallop 0.05\n"
          "  pcl_spiral_view part.stl part.csv --mesh --tool-radius 10\n\n"
-         "The keys are listed in the window. Saved views are PATH_view_1.png and so on, in the current "
+         "The window lists its keys. Saved views are PATH_view_1.png and so on, in the current "
          "folder.\n"
-         "Lengths are millimetres. Ends with 0 when the window is closed, 1 when the data or a file fails or "
+         "Lengths are in millimetres. Exit code: 0 when the window is closed, 1 if the data or a file fails or "
          "there is\n"
-         "no display, 2 when the call is wrong.\n"
+         "no display, 2 if the command line is wrong.\n"
       << allOptions();
 }

@@ -13,7 +13,7 @@ namespace {
 
 using Path = pcl::PointCloud<ToolpathPoint>;
 
-/** Direction of travel at point \p i: of the next point that lies elsewhere, at the end from the one before.
+/** Direction of travel at point \p i: to the next point at another place, at the end from the point before.
  */
 Eigen::Vector3d
 travelAt(const Path& path, std::size_t i)
@@ -56,8 +56,8 @@ writeRobotFrames(const std::string& file, const Path& path)
     throw FileError(file, "not written: the path has no points");
   if (const std::size_t lifts = passBegins(path).size(); lifts > 0)
     throw FileError(file, "not written: the path has " + std::to_string(lifts + 1) +
-                              " passes, and robot frames no moves between them: make a "
-                              "machine's program, or cut both ways (setOneWay)");
+                              " passes, and robot frames have no moves between them: make a "
+                              "machine program, or cut both ways (setOneWay)");
   constexpr int decimals = 9; // a nanometre
   PostText out(file, decimals);
   for (std::size_t i = 0; i < path.size(); ++i) {

@@ -27,17 +27,17 @@ requireRows(const std::string& file, const std::vector<ToolPoses>& passes)
     require(passes[row].size() >= 2, textOf(" has ", passes[row].size(), " poses; give it two or more, or leave it out"));
     for (const ToolPose& pose : passes[row])
       require(pose.tip.allFinite() && pose.contact.allFinite() && std::abs(pose.axis.norm() - 1.0) < 1e-6,
-              " has a pose at " + placeText(pose.tip) + " that is not finite, or whose axis " + placeText(pose.axis) +
-                  " is no unit vector; leave it out");
+              " has a pose at " + placeText(pose.tip) + " that is not finite, or its axis " + placeText(pose.axis) +
+                  " is not a unit vector; leave it out");
   }
 }
 
-/** The same angles by whole turns of the first, nearest to \p before. */
+/** The same angles, the first changed by whole turns to be nearest to \p before. */
 RotaryAngles
 turnedTo(const RotaryAngles& before, RotaryAngles angles)
 {
   const double turn = 2.0 * pi;
-  angles.first = std::isnan(angles.first) ? before.first // along the first axis every angle does
+  angles.first = std::isnan(angles.first) ? before.first // along the first axis every angle is right
                                           : angles.first + turn * std::round((before.first - angles.first) / turn);
   return angles;
 }
@@ -48,8 +48,8 @@ wayBetween(const RotaryAngles& a, const RotaryAngles& b)
   return std::abs(a.first - b.first) + std::abs(a.second - b.second);
 }
 
-/** Angles of all poses, each by the one of both ways to reach its axis that is the nearer to the pose before: (A, C) or (-A, C + 180). So
- *  C makes no half turn where the axis passes the upright. */
+/** Angles of all poses. Two pairs reach an axis, (A, C) and (-A, C + 180); the pair nearer to the pose before is used. So
+ *  C makes no half turn where the axis passes the upright direction. */
 std::vector<std::vector<RotaryAngles>>
 anglesOf(const std::string& file, const std::vector<ToolPoses>& passes)
 {
@@ -63,7 +63,7 @@ anglesOf(const std::string& file, const std::vector<ToolPoses>& passes)
       const auto larger = kinematics.anglesOf(pose.axis.normalized(), Branch::Larger),
                  smaller = kinematics.anglesOf(pose.axis.normalized(), Branch::Smaller);
       if (!larger || !smaller)
-        throw FileError(file, textOf("not written: row ", rows.size(), ": no angles reach the axis at ", placeText(pose.tip)));
+        throw FileError(file, textOf("not written: row ", rows.size(), ": no rotary angles reach the tool axis at ", placeText(pose.tip)));
       const RotaryAngles a = turnedTo(before, *larger), b = turnedTo(before, *smaller);
       before = !begun || wayBetween(a, before) <= wayBetween(b, before) ? a : b;
       begun = true;

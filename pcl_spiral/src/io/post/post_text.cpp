@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t full = 1 << 20; ///< bytes to write at once
 
-/** \p text with what is no plain character, or one of \p others, turned to spaces. */
+/** \p text with special characters, and those of \p others, turned to spaces. */
 std::string
 plainText(std::string text, std::string_view others)
 {
@@ -106,17 +106,17 @@ std::string
 faultOfCode(const std::string& code)
 {
   constexpr std::string_view remedy = "; give one line such as M62 P0";
-  constexpr std::size_t longest = 80; // LinuxCNC reads 255 characters a line, older controls fewer
+  constexpr std::size_t longest = 80; // LinuxCNC reads 255 characters per line, older controls fewer
   const auto fault = [&](std::string_view what) { return std::string(what) + std::string(remedy); };
   if (code != plainText(code, ""))
-    return fault("holds a line break or another character that is not plain");
+    return fault("has a line break or a special character");
   if (code.find_first_not_of(' ') == std::string::npos)
-    return fault("is blank");
+    return fault("has only spaces");
   if (code.size() > longest)
     return fault("has more than " + std::to_string(longest) + " characters");
   for (const char* const mark : {"(", ")", ";", "%"})
     if (code.find(mark) != std::string::npos)
-      return fault(std::string("holds ") + mark + (*mark == '%' ? ", which ends the program" : ", which belongs to comments"));
+      return fault(std::string("has ") + mark + (*mark == '%' ? ", which ends the program" : ", which belongs to comments"));
   return {};
 }
 
@@ -126,7 +126,7 @@ requireProgram(const std::string& file, const MachineProgram& program, const Pro
   if (program.blocks.empty())
     throw FileError(file, "not written: the program has no blocks");
   if (header.decimals < 3 || header.decimals > 6)
-    throw FileError(file, textOf("not written: ", header.decimals, " decimals were asked for; 3 to 6 can be"));
+    throw FileError(file, textOf("not written: ", header.decimals, " decimals were asked for; give 3 to 6"));
   for (const std::string& code : {header.pass_begin, header.pass_end})
     if (const std::string fault = code.empty() ? std::string() : faultOfCode(code); !fault.empty())
       throw FileError(file, "not written: the code '" + plainText(code, "") + "' of a pass " + fault);
@@ -136,7 +136,7 @@ void
 requireRTCP(const std::string& file, const MachineProgram& program, const std::string& language)
 {
   if (!program.machine.rtcp)
-    throw FileError(file, "not written: " + language + " takes tips and tool axes, and the machine file says rtcp: false; " +
+    throw FileError(file, "not written: " + language + " needs tips and tool axes, but the machine file has rtcp: false; " +
                               "use linuxcnc or fanuc, or rtcp: true");
 }
 

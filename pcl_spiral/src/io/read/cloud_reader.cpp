@@ -50,7 +50,7 @@ readCloud(const std::string& file, const ReadOptions& options)
   if (std::find(known.begin(), known.end(), extension) == known.end())
     throw FileError(file, "extension '" + extension + "' is not known for a scan; use .pcd .ply .xyz .txt .csv .asc .stl or .obj");
   if (!options.columns.empty() && !isText(extension))
-    throw FileError(file, "columns can be named for text files alone; leave ReadOptions::columns out");
+    throw FileError(file, "only the columns of text files can be named; leave ReadOptions::columns out");
 
   Scan scan;
   scan.cloud = scaledPoints(readTable(file, extension, options.columns), options);

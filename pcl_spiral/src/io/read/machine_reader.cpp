@@ -13,13 +13,13 @@
 namespace pcl_spiral {
 namespace {
 
-/** A map of a machine file: every value is asked for once, and what was not asked for is no setting. */
+/** A map of a machine file: every value is read once; names that were not read are not settings. */
 class Settings {
 public:
   Settings(std::string file, const YAML::Node& node, std::string what) : file_(std::move(file)), node_(node), what_(std::move(what))
   {
     if (!node_.IsMap())
-      fail(node_, what_ + " holds lines such as 'name: value'");
+      fail(node_, what_ + " needs lines such as 'name: value'");
   }
 
   [[noreturn]] void fail(const YAML::Node& node, const std::string& reason) const
@@ -31,11 +31,11 @@ public:
     asked_.push_back(name);
     return static_cast<bool>(node_[name]);
   }
-  /** \throw FileError where there is none */
+  /** \throw FileError if there is none */
   YAML::Node at(const std::string& name, const std::string& example)
   {
     if (!has(name))
-      fail(node_, what_ + " has no " + name + "; give one, such as " + name + ": " + example);
+      fail(node_, what_ + " has no " + name + "; give it, such as " + name + ": " + example);
     return node_[name];
   }
   template <typename Value>
@@ -63,13 +63,13 @@ public:
       fail(node_[name], name + " of " + what_ + " needs three numbers, such as " + name + ": " + example);
     return {v[0], v[1], v[2]};
   }
-  /** To be called last. */
+  /** Call this last. */
   void refuseOthers() const
   {
     for (const auto& entry : node_) {
       const std::string name = entry.first.as<std::string>();
       if (std::find(asked_.begin(), asked_.end(), name) == asked_.end())
-        fail(entry.first, "'" + name + "' is no setting of " + what_ + "; there are " + listed());
+        fail(entry.first, "'" + name + "' is not a setting of " + what_ + "; its settings are " + listed());
     }
   }
 
@@ -108,7 +108,7 @@ readRotary(const std::string& file, const YAML::Node& node)
   RotaryAxis axis;
   const auto letter = settings.value<std::string>("axis", "C");
   if (letter.size() != 1)
-    settings.fail(node["axis"], "a rotary axis is called " + letter + "; A, B and C are known");
+    settings.fail(node["axis"], "a rotary axis is called " + letter + "; it must be A, B or C");
   axis.letter = letter[0];
   const auto mount = settings.value<std::string>("mount", "table");
   if (mount != "table" && mount != "head")
@@ -162,7 +162,7 @@ machineFrom(const std::string& file, const YAML::Node& root)
   Machine machine;
   const YAML::Node rotary = settings.at("rotary", "[{axis: C, mount: table, ...}, {axis: A, mount: table, ...}]");
   if (!rotary.IsSequence() || rotary.size() != 2)
-    settings.fail(rotary, "rotary is a list of the two rotary axes, from the workpiece to the tool");
+    settings.fail(rotary, "rotary must be a list of the two rotary axes, from the workpiece to the tool");
   for (std::size_t i = 0; i < 2; ++i)
     machine.rotary[i] = readRotary(file, rotary[i]);
   if (settings.has("linear")) {
@@ -185,7 +185,7 @@ readMachine(const std::string& file)
   if (std::filesystem::is_directory(file))
     throw FileError(file, "this is a folder, not a machine file");
   if (!std::filesystem::is_regular_file(file))
-    throw FileError(file, "there is no such machine file");
+    throw FileError(file, "there is no such machine file; check the name and the folder");
   Machine machine;
   try {
     machine = machineFrom(file, YAML::LoadFile(file));

@@ -17,7 +17,7 @@ namespace {
 
 using Points = pcl::PointCloud<pcl::PointXYZ>;
 
-constexpr std::size_t most_ear_corners = 20000; ///< their time grows with the square: 2 s for these
+constexpr std::size_t most_ear_corners = 20000; ///< the time grows with the square: 2 s for this number
 
 MeshTable
 readTable(const std::string& file, const std::string& extension)
@@ -30,7 +30,7 @@ readTable(const std::string& file, const std::string& extension)
   return readPlyMesh(file, bytes);
 }
 
-/** \throw FileError where a face has too few corners, or one that is not there or not finite */
+/** \throw FileError if a face has too few corners, or a corner that does not exist or is not finite */
 void
 checkFaces(const std::string& file, const FaceList& faces, const Points& points)
 {
@@ -38,21 +38,21 @@ checkFaces(const std::string& file, const FaceList& faces, const Points& points)
   for (std::size_t f = 0; f < faces.ends.size(); ++f) {
     if (faces.ends[f] - faces.begin(f) < 3)
       throw FileError(file, faces.nameOf(f) + " has " + std::to_string(faces.ends[f] - faces.begin(f)) +
-                                " corners, where a face needs three; leave it out or export it again");
+                                " corners, but a face needs three; leave it out or export the file again");
     for (std::size_t i = faces.begin(f); i < faces.ends[f]; ++i) {
       const std::int64_t vertex = faces.corners[i], first = faces.first_vertex;
       if (vertex < 0 || vertex >= count)
-        throw FileError(file, faces.nameOf(f) + " names vertex " + std::to_string(vertex + first) + ", where the file has vertices " +
-                                  std::to_string(first) + " to " + std::to_string(count - 1 + first) + "; copy or export it again");
+        throw FileError(file, faces.nameOf(f) + " names vertex " + std::to_string(vertex + first) + ", but the file has vertices " +
+                                  std::to_string(first) + " to " + std::to_string(count - 1 + first) + "; copy or export the file again");
       const Eigen::Vector3f at = points[static_cast<std::size_t>(vertex)].getVector3fMap();
       if (!at.allFinite())
         throw FileError(file, faces.nameOf(f) + ": its vertex " + std::to_string(vertex + first) + " is at " +
-                                  placeText(at.cast<double>()) + ", which is no place; leave out the faces about it");
+                                  placeText(at.cast<double>()) + ", which is not a place; leave out the faces of this vertex");
     }
   }
 }
 
-/** Puts the faces into a mesh, polygons cut. */
+/** Puts the faces into a mesh and cuts polygons into triangles. */
 class FaceCutter {
 public:
   FaceCutter(const std::string& file, const FaceList& faces, const Points& points) : file_(file), faces_(faces), points_(points) {}
@@ -72,12 +72,12 @@ public:
     }
     if (faulty_ > 0)
       result.warnings.push_back(file_ + ": " + faces_.nameOf(first_faulty_) + (faulty_ > 1 ? textOf(" and ", faulty_ - 1, " more") : "") +
-                                " cannot be cut into triangles that neither overlap nor are flat: the polygon crosses "
-                                "itself, or has no area; export the mesh in triangles");
+                                " can only be cut into triangles that overlap or are flat: the polygon crosses "
+                                "itself or has no area; export the mesh as triangles");
   }
 
 private:
-  /** A corner that is there twice, one after the other, counts once, as long as three are left. */
+  /** A corner given twice in sequence counts once, if three are left. */
   void takeCorners(std::size_t face)
   {
     const auto begin = faces_.corners.begin() + static_cast<std::ptrdiff_t>(faces_.begin(face));
@@ -101,8 +101,9 @@ private:
     if (polygon.convex())
       return polygon.fan();
     if (at.size() > most_ear_corners)
-      throw FileError(file_, faces_.nameOf(face) + " has " + std::to_string(at.size()) + " corners and is not convex; such are cut up to " +
-                                 std::to_string(most_ear_corners) + " corners; export the mesh in triangles");
+      throw FileError(file_, faces_.nameOf(face) + " has " + std::to_string(at.size()) +
+                                 " corners and is not convex; the limit for such faces is " + std::to_string(most_ear_corners) +
+                                 " corners; export the mesh as triangles");
     const std::vector<CutTriangle> ears = polygon.ears();
     if (polygon.faulty() && faulty_++ == 0)
       first_faulty_ = face;
@@ -143,11 +144,11 @@ readMesh(const std::string& file, const ReadOptions& options)
     throw FileError(file,
                     "extension '" + extension + "' is not known for a mesh; use .stl .obj or .ply, or read points as a scan (readCloud)");
   if (!options.columns.empty())
-    throw FileError(file, "columns can be named for text files alone; leave ReadOptions::columns out");
+    throw FileError(file, "only the columns of text files can be named; leave ReadOptions::columns out");
   const MeshTable table = readTable(file, extension);
   if (table.faces.ends.empty())
-    throw FileError(file, "holds no faces, " + std::to_string(table.vertices[0].size()) +
-                              " points alone; give it as a scan (readCloud), or export the mesh with its faces");
+    throw FileError(file, "holds no faces, only " + std::to_string(table.vertices[0].size()) +
+                              " points; give it as a scan (readCloud), or export the mesh with its faces");
   const Points::Ptr points = scaledPoints(table.vertices, options);
   checkFaces(file, table.faces, *points);
 

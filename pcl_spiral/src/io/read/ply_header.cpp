@@ -32,9 +32,9 @@ public:
       else if (words[0] == "property" && words.size() >= 3 && !header_.elements.empty())
         takeProperty(words);
       else
-        failLine(quoted(line) + " is no line of a PLY header");
+        failLine(quoted(line) + " is not a line of a PLY header");
     }
-    throw FileError(file_, "has no end_header: cut off in its header");
+    throw FileError(file_, "has no end_header: it is cut off in its header; copy or export it again");
   }
 
 private:
@@ -48,7 +48,7 @@ private:
         {"float", {'F', 4}},  {"float32", {'F', 4}}, {"double", {'F', 8}}, {"float64", {'F', 8}}};
     const auto found = types.find(word);
     if (found == types.end())
-      failLine(quoted(word) + " is no type of a property");
+      failLine(quoted(word) + " is not a type of a property");
     return found->second;
   }
 
@@ -74,7 +74,7 @@ private:
     property.name = words.back();
     property.list = words[1] == "list";
     if (words.size() != (property.list ? 5U : 3U))
-      failLine("a property has a type and a name");
+      failLine("a property needs a type and a name");
     property.type = typeOf(words[property.list ? 3 : 1]);
     if (property.list)
       property.count_type = typeOf(words[2]);

@@ -9,7 +9,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** Whether the line is one of this kind: a letter and a blank. */
+/** Whether the line is of this kind: a letter and a space. */
 bool
 startsWith(std::string_view line, char kind)
 {
@@ -29,8 +29,8 @@ takeVertex(const std::string& file, const std::vector<std::string_view>& words, 
   }
 }
 
-/** The vertex that a corner names as v, v/vt, v//vn or v/vt/vn: from 1, or below 0 counted back from the last one so
- * far. */
+/** The vertex that a corner names as v, v/vt, v//vn or v/vt/vn: from 1, or below 0 counted back from the last vertex
+ * before it. */
 std::int64_t
 vertexOf(const std::string& file, std::string_view word, std::size_t number, std::size_t vertices)
 {
@@ -38,12 +38,12 @@ vertexOf(const std::string& file, std::string_view word, std::size_t number, std
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size() || value == 0)
-    throw FileError(file, atLine(number, quoted(word) + " names no vertex; a face needs numbers from 1, or below 0 "
-                                                        "counted back; export it again"));
+    throw FileError(file, atLine(number, quoted(word) + " names no vertex; a face needs numbers from 1, or negative numbers "
+                                                        "that count back; export the file again"));
   const auto so_far = static_cast<std::int64_t>(vertices);
   if (value < -so_far)
     throw FileError(file, atLine(number, quoted(word) + " counts back beyond the " + std::to_string(vertices) +
-                                             " vertices before it; export it again"));
+                                             " vertices before it; export the file again"));
   return value > 0 ? value - 1 : so_far + value;
 }
 
@@ -65,7 +65,7 @@ takeFace(const std::string& file, LineScanner& lines, std::string_view line, std
   faces.close(first);
 }
 
-/** Vertices, and faces where a list for them is given. */
+/** Vertices, and faces if a list for them is given. */
 PointTable
 readObj(const std::string& file, std::string_view bytes, FaceList* faces)
 {
@@ -82,7 +82,7 @@ readObj(const std::string& file, std::string_view bytes, FaceList* faces)
       takeFace(file, lines, line, table[0].size(), *faces);
   }
   if (table[0].empty())
-    throw FileError(file, "holds no vertices ('v x y z')");
+    throw FileError(file, "holds no vertices ('v x y z'); export it again");
   return table;
 }
 

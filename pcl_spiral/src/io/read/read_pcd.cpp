@@ -10,8 +10,8 @@
 namespace pcl_spiral {
 namespace {
 
-// Own reading, because PCL 1.13's ends the program on an empty file or one without a header, and takes words
-// that are no numbers and missing columns for zeros; only its decompression is used.
+// An own reader, because the reader of PCL 1.13 ends the program on an empty file or one without a header, and reads words
+// that are not numbers and missing columns as zeros; only its decompression is used.
 
 constexpr std::size_t most_values = 1000000; ///< of one field at one point
 constexpr double most_packing = 100.0;       ///< LZF makes no more than 264 bytes of 3
@@ -33,7 +33,7 @@ struct PcdHeader {
   std::size_t begin = 0;
   std::size_t lines = 0;
 
-  /** Bytes of all points, unpacked; a double, because a header may promise anything. */
+  /** Bytes of all points, unpacked; a double, because a header may give any number. */
   double size() const { return static_cast<double>(points) * static_cast<double>(bytes_a_point); }
 };
 
@@ -46,7 +46,7 @@ public:
     std::string_view line;
     while (header_.data.empty()) {
       if (!lines_.next(line))
-        throw FileError(file_, "has no DATA line: not a PCD file, or cut off in its header");
+        throw FileError(file_, "has no DATA line: it is not a PCD file, or it is cut off in its header; copy or export it again");
       if (!line.empty() && line[0] != '#')
         takeLine(line);
     }
@@ -74,7 +74,7 @@ private:
     if (key == "VERSION" || key == "VIEWPOINT")
       return;
     if (words_.size() < 2)
-      fail(quoted(key) + " without a value in the header");
+      fail(quoted(key) + " has no value in the header");
     if (key == "FIELDS" || key == "COLUMNS") {
       header_.names.assign(words_.begin() + 1, words_.end());
       header_.fields.resize(header_.names.size());
@@ -90,7 +90,7 @@ private:
     else if (key == "DATA")
       header_.data = words_[1];
     else
-      fail(quoted(key) + " is no line of a PCD header; is this a PCD file?");
+      fail(quoted(key) + " is not a line of a PCD header; is this a PCD file?");
   }
 
   void takeFields(std::string_view key)
@@ -152,7 +152,7 @@ private:
 [[noreturn]] void
 failCutOff(const std::string& file, std::size_t there, double needed)
 {
-  throw FileError(file, "is cut off: byte " + std::to_string(there) + " is its last, and the points of its header need " +
+  throw FileError(file, "is cut off: it ends at byte " + std::to_string(there) + ", but the points in its header need " +
                             wholeNumber(needed) + " bytes; copy or export it again");
 }
 
@@ -170,7 +170,7 @@ readAscii(const std::string& file, std::string_view bytes, const PcdHeader& head
     const std::size_t number = header.lines + lines.number();
     if (words.size() != header.words_a_point)
       throw FileError(
-          file, atLine(number, std::to_string(words.size()) + " values, where the header names " + std::to_string(header.words_a_point)));
+          file, atLine(number, std::to_string(words.size()) + " values, but the header names " + std::to_string(header.words_a_point)));
     for (std::size_t c = 0; c < wanted.size(); ++c) {
       const std::string_view word = words[header.fields[wanted[c]].position];
       const std::optional<double> value = toNumber(word);
@@ -185,7 +185,7 @@ readAscii(const std::string& file, std::string_view bytes, const PcdHeader& head
   return table;
 }
 
-/** The body of a compressed file: all values of one field, then all of the next. */
+/** The body of a compressed file: all values of one field, then all values of the next. */
 std::string
 decompressed(const std::string& file, std::string_view bytes, const PcdHeader& header)
 {
@@ -197,16 +197,17 @@ decompressed(const std::string& file, std::string_view bytes, const PcdHeader& h
   if (there < 8 + packed)
     failCutOff(file, bytes.size(), static_cast<double>(header.begin + 8 + packed));
   if (static_cast<double>(unpacked) != header.size())
-    throw FileError(file, "byte " + std::to_string(header.begin) + ": the packed points come to " + std::to_string(unpacked) +
-                              " bytes, the header to " + wholeNumber(header.size()));
+    throw FileError(file, "byte " + std::to_string(header.begin) + ": the packed points have " + std::to_string(unpacked) +
+                              " bytes, but by the header they have " + wholeNumber(header.size()));
   if (static_cast<double>(unpacked) > most_packing * static_cast<double>(packed))
-    throw FileError(file, "byte " + std::to_string(header.begin) + ": " + std::to_string(packed) + " packed bytes cannot come to " +
+    throw FileError(file, "byte " + std::to_string(header.begin) + ": " + std::to_string(packed) + " packed bytes cannot hold " +
                               std::to_string(unpacked));
   std::string body(unpacked, '\0');
   const unsigned int got = pcl::lzfDecompress(bytes.data() + header.begin + 8, static_cast<unsigned int>(packed), body.data(),
                                               static_cast<unsigned int>(unpacked));
   if (got != unpacked)
-    throw FileError(file, "byte " + std::to_string(header.begin + 8) + ": the packed points cannot be unpacked");
+    throw FileError(file,
+                    "byte " + std::to_string(header.begin + 8) + ": the packed points cannot be unpacked; copy or export the file again");
   return body;
 }
 
@@ -237,7 +238,7 @@ readPcdTable(const std::string& file, std::string_view bytes, const Names& wante
   if (header.data == "binary_compressed")
     return readBinary(decompressed(file, bytes, header), header, fields, true);
   if (header.data != "binary")
-    throw FileError(file, atLine(header.lines, "DATA " + quoted(header.data) + " is none of ascii, binary, binary_compressed"));
+    throw FileError(file, atLine(header.lines, "DATA " + quoted(header.data) + " must be ascii, binary or binary_compressed"));
   if ((bytes.size() - std::min(header.begin, bytes.size())) / header.bytes_a_point < header.points)
     failCutOff(file, bytes.size(), static_cast<double>(header.begin) + header.size());
   return readBinary(bytes.substr(header.begin), header, fields, false);

@@ -11,15 +11,15 @@
 namespace pcl_spiral {
 namespace {
 
-// Own reading, because PCL 1.13's takes words that are no numbers for NaN without a complaint and reports
-// what is wrong on the console alone.
+// An own reader, because the reader of PCL 1.13 reads words that are not numbers as NaN without an error and reports
+// other errors only on the console.
 
 const Names face_lists{"vertex_indices", "vertex_index"};
 
 /** Reads a PLY file: ascii, or binary of either byte order. */
 class PlyTable {
 public:
-  /** Faces are taken where a list for them is given, else passed over. */
+  /** Faces are read if a list for them is given, otherwise skipped. */
   PlyTable(const std::string& file, std::string_view bytes, const Names& wanted, FaceList* faces)
   : file_(file), bytes_(bytes), wanted_(wanted), lines_(bytes), header_(readPlyHeader(file, lines_)), at_(lines_.position()), faces_(faces)
   {}
@@ -36,13 +36,13 @@ public:
       else if (faces_ && element.count > 0)
         settleFaces(element);
       found = found || vertices;
-      if (element.properties.empty() && !header_.ascii) // nothing there, however many
+      if (element.properties.empty() && !header_.ascii) // elements without data, in any number
         continue;
       for (std::size_t i = 0; i < element.count; ++i)
         header_.ascii ? readLine(element, vertices, i) : readRecord(element, i);
     }
     if (!found || table_[0].empty())
-      throw FileError(file_, "holds no vertices");
+      throw FileError(file_, "holds no vertices; export it again");
     return std::move(table_);
   }
 
@@ -60,20 +60,20 @@ private:
     const std::vector<std::size_t> positions = columnsOf(file_, element.propertyNames(), wanted_);
     for (std::size_t c = 0; c < positions.size(); ++c) {
       if (element.properties[positions[c]].list)
-        throw FileError(file_, "has a list for '" + wanted_[c] + "', where a number a vertex is needed");
+        throw FileError(file_, "has a list for '" + wanted_[c] + "', but one number per vertex is needed");
       column_of_[positions[c]] = c;
     }
     table_.resize(wanted_.size());
-    if (!header_.ascii) // enough bytes for that many, before memory is taken for them
+    if (!header_.ascii) // the file must have enough bytes before memory is allocated
       for (std::vector<double>& column : table_)
         column.reserve(std::min(element.count, bytes_.size()));
   }
 
-  /** Which property of the faces lists their corners. */
+  /** The property of the faces that lists their corners. */
   void settleFaces(const PlyElement& element)
   {
     if (element.name == "tristrips")
-      throw FileError(file_, "holds triangle strips (element tristrips), which are not read; export it with faces");
+      throw FileError(file_, "holds triangle strips (element tristrips), which cannot be read; export it with faces");
     if (element.name != "face")
       return;
     const auto lists_corners = [](const PlyProperty& property) {
@@ -98,11 +98,11 @@ private:
       return;
     splitWords(line, ' ', words_);
     if (words_.size() < element.properties.size())
-      failLine(std::to_string(words_.size()) + " values, where the header names " + std::to_string(element.properties.size()));
+      failLine(std::to_string(words_.size()) + " values, but the header names " + std::to_string(element.properties.size()));
     std::size_t word = 0;
     for (std::size_t p = 0; p < element.properties.size(); ++p, ++word) {
       if (word >= words_.size())
-        failLine(std::to_string(words_.size()) + " values, too few for the lists among them");
+        failLine(std::to_string(words_.size()) + " values, too few for the lists in the line");
       const double value = numberIn(word);
       if (column_of_[p] < wanted_.size())
         table_[column_of_[p]].push_back(value);
@@ -124,8 +124,8 @@ private:
   void takeFaceWords(std::size_t first, std::size_t count)
   {
     if (count > words_.size() - first)
-      failLine("a list of " + std::to_string(count) + " corners, of which " + std::to_string(words_.size() - first) +
-               " are there; is the file cut off?");
+      failLine("a list of " + std::to_string(count) + " corners, but the line has " + std::to_string(words_.size() - first) +
+               "; is the file cut off?");
     for (std::size_t k = 0; k < count; ++k)
       takeCorner(numberIn(first + k), lines_.number());
     faces_->close(lines_.number());
@@ -162,7 +162,7 @@ private:
     faces_->corners.push_back(static_cast<std::int64_t>(value));
   }
 
-  /** What stands before a list, as a count; a file that ends before it is found to when it is skipped. */
+  /** The number before a list, as a count; a file that ends earlier is reported when the list is skipped. */
   std::size_t listSize(double value) const
   {
     if (!(value >= 0.0))
@@ -190,8 +190,8 @@ private:
   LineScanner lines_;
   std::vector<std::string_view> words_;
   PlyHeader header_;
-  std::vector<std::size_t> column_of_; ///< for each property of the element, the wanted column; their count for none
-  std::size_t list_of_faces_ = 0;      ///< which property of the element lists corners; their count for none
+  std::vector<std::size_t> column_of_; ///< for each property of the element, the wanted column; the number of columns for none
+  std::size_t list_of_faces_ = 0;      ///< the property of the element that lists corners; the number of properties for none
   PointTable table_;
   std::size_t at_;
   FaceList* faces_;

@@ -13,7 +13,7 @@
 namespace pcl_spiral {
 namespace {
 
-// Own reading, because VTK's takes a file that is cut off for a smaller one and reads the file a second time.
+// An own reader, because VTK's accepts a cut-off file as a smaller one and reads the file twice.
 
 constexpr std::size_t header_bytes = 84;
 constexpr std::size_t triangle_bytes = 50;
@@ -21,7 +21,7 @@ constexpr std::size_t normal_bytes = 12;
 
 using Corner = std::array<float, 3>;
 
-/** By bits, so that a corner that is not a number equals itself. */
+/** Compares bits, so that a corner that is not a number equals itself. */
 struct CornerHash {
   std::size_t operator()(const Corner& corner) const
   {
@@ -40,7 +40,7 @@ struct SameCorner {
   bool operator()(const Corner& a, const Corner& b) const { return std::memcmp(a.data(), b.data(), sizeof(a)) == 0; }
 };
 
-/** Corners in the order of the file, each once. */
+/** Different corners in the order of the file. */
 class Corners {
 public:
   /** \return its number, from 0 */
@@ -67,7 +67,7 @@ triangleCount(std::string_view bytes)
   return static_cast<std::size_t>(loadAs<std::uint32_t>(bytes.data() + 80));
 }
 
-/** Some programs begin binary files with "solid", too: the size that their count asks for tells them. */
+/** Some programs also begin binary files with "solid"; the file size for their count identifies them. */
 bool
 isText(std::string_view bytes)
 {
@@ -81,13 +81,13 @@ PointTable
 readBinary(const std::string& file, std::string_view bytes, FaceList* faces)
 {
   if (bytes.size() < header_bytes)
-    throw FileError(file, "is neither an ascii nor a binary STL file (" + std::to_string(bytes.size()) + " bytes)");
+    throw FileError(file, "is not an STL file, neither ascii nor binary (" + std::to_string(bytes.size()) + " bytes)");
   const std::size_t triangles = triangleCount(bytes);
   if (triangles == 0)
-    throw FileError(file, "byte 80: the header says that there are no triangles");
+    throw FileError(file, "byte 80: by its header the file has no triangles; export it again");
   if (bytes.size() < header_bytes + triangles * triangle_bytes)
     throw FileError(file, "is cut off at byte " + std::to_string(bytes.size()) + ": its " + std::to_string(triangles) + " triangles need " +
-                              std::to_string(header_bytes + triangles * triangle_bytes) + "; copy or export it again");
+                              std::to_string(header_bytes + triangles * triangle_bytes) + " bytes; copy or export it again");
   Corners corners;
   for (std::size_t t = 0; t < triangles; ++t) {
     const std::size_t place = header_bytes + t * triangle_bytes;
@@ -104,7 +104,7 @@ readBinary(const std::string& file, std::string_view bytes, FaceList* faces)
   return corners.take();
 }
 
-/** Corners on lines one after the other are a triangle; the first of them is on line \p number. */
+/** The corners on successive lines are a triangle; the first is on line \p number. */
 void
 closeFacet(const std::string& file, std::size_t number, FaceList& faces)
 {
@@ -112,7 +112,7 @@ closeFacet(const std::string& file, std::size_t number, FaceList& faces)
     return;
   if (faces.open() != 3)
     throw FileError(file, atLine(number, "a facet of " + std::to_string(faces.open()) +
-                                             " corners begins here, where STL has triangles; export it again"));
+                                             " corners begins here, but STL has triangles; export the file again"));
   faces.close(number);
 }
 
@@ -160,7 +160,7 @@ readText(const std::string& file, std::string_view bytes, FaceList* faces)
   if (!ended)
     throw FileError(file, "is cut off: 'endsolid' is missing; copy or export it again");
   if (!any)
-    throw FileError(file, "holds no triangles ('vertex x y z')");
+    throw FileError(file, "holds no triangles ('vertex x y z'); export it again");
   return corners.take();
 }
 

@@ -27,7 +27,7 @@ joined(const Names& names)
   return list;
 }
 
-/** Position of \p name, upper or lower case; the count of names where it is not there. */
+/** Position of \p name, upper or lower case; the number of names if it is missing. */
 std::size_t
 find(const Names& names, const std::string& name)
 {
@@ -53,7 +53,7 @@ unquoted(const std::vector<std::string_view>& words)
   return names;
 }
 
-/** Words rather than a number; a number written wrongly, such as 1,5, is not a heading. */
+/** Words, not a number; a wrongly written number, such as 1,5, is not a heading. */
 bool
 isHeading(std::string_view word)
 {
@@ -61,7 +61,7 @@ isHeading(std::string_view word)
   return !toNumber(word) && std::any_of(word.begin(), word.end(), letter);
 }
 
-/** A text of points, read line by line. */
+/** Reads a text of points line by line. */
 class TextTable {
 public:
   TextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns)
@@ -94,10 +94,10 @@ private:
       bytes_.remove_prefix(3);
     const std::size_t zero = bytes_.find('\0');
     if (zero != std::string_view::npos)
-      throw FileError(file_, "byte " + std::to_string(zero) + ": not a text; write it as plain text (UTF-8)");
+      throw FileError(file_, "byte " + std::to_string(zero) + ": this is not a text file; write it as plain text (UTF-8)");
   }
 
-  /** "# x y z" or "//X Y Z" above the points names the columns, as many programs write it. */
+  /** "# x y z" or "//X Y Z" above the points names the columns; many programs write this. */
   void takeCommentedHeader(std::string_view line)
   {
     if (started_ || !names_.empty())
@@ -123,14 +123,14 @@ private:
     takeNumbers(number);
   }
 
-  /** Settle which columns are wanted, from the first line that is no comment. */
+  /** Finds the wanted columns, from the first line that is not a comment. */
   void start(bool header, std::size_t number)
   {
     started_ = true;
     if (header && !named_by_user_)
       names_ = unquoted(words_);
     if (words_.size() < wanted_.size())
-      throw FileError(file_, atLine(number, std::to_string(words_.size()) + " column(s), where " + joined(wanted_) +
+      throw FileError(file_, atLine(number, std::to_string(words_.size()) + " column(s), but " + joined(wanted_) +
                                                 " are needed; see ReadOptions::columns"));
     if (names_.empty())
       names_ = wanted_;
@@ -141,15 +141,15 @@ private:
     width_ = words_.size();
     const std::size_t last = *std::max_element(positions_.begin(), positions_.end());
     if (last >= width_)
-      throw FileError(file_, atLine(number, std::to_string(width_) + " columns, where column " + std::to_string(last + 1) +
-                                                " is asked for; see ReadOptions::columns"));
+      throw FileError(file_, atLine(number, std::to_string(width_) + " columns, but column " + std::to_string(last + 1) +
+                                                " is needed; see ReadOptions::columns"));
     table_.resize(wanted_.size());
   }
 
   void takeNumbers(std::size_t number)
   {
     if (words_.size() != width_)
-      throw FileError(file_, atLine(number, std::to_string(words_.size()) + " columns, where the lines before have " +
+      throw FileError(file_, atLine(number, std::to_string(words_.size()) + " columns, but the lines before have " +
                                                 std::to_string(width_) + "; is the file cut off?"));
     for (std::size_t c = 0; c < positions_.size(); ++c) {
       const std::string_view word = words_[positions_[c]];

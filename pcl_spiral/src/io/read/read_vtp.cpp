@@ -11,7 +11,7 @@
 namespace pcl_spiral {
 namespace {
 
-// Own reading of what our writer makes, because VTK's takes memory for as many points as the header promises.
+// An own reader for the files of this library, because VTK's allocates memory for as many points as the header gives.
 
 struct VtpArray {
   FieldType type;
@@ -19,7 +19,7 @@ struct VtpArray {
   std::size_t offset = 0; ///< in the appended data
 };
 
-/** Reads polylines, one after the other, whose arrays follow the XML as they are: appended, raw, not compressed. */
+/** Reads successive polylines with arrays after the XML: appended, raw, not compressed. */
 class VtpFile {
 public:
   VtpFile(const std::string& file, std::string_view bytes) : file_(file), bytes_(bytes)
@@ -27,10 +27,10 @@ public:
     readTags();
     begin_ = bytes_.find('_', begin_);
     if (begin_ == std::string_view::npos)
-      fail("has no data behind its XML; is it cut off?");
+      fail("has no data after its XML; is it cut off?");
     ++begin_;
     if (points_ == 0)
-      fail("holds no polyline");
+      fail("holds no polyline, so no path; write the path again");
   }
 
   bool has(const std::string& name) const { return arrays_.count(name) > 0; }
@@ -40,7 +40,7 @@ public:
   {
     const auto found = arrays_.find(name);
     if (found == arrays_.end() || found->second.components != components)
-      fail("has no point data " + name + "; it is not a toolpath of ours");
+      fail("has no point data " + name + "; it is not a toolpath of pcl_spiral");
     const VtpArray& array = found->second;
     const auto width = static_cast<std::size_t>(array.type.size);
     const std::string_view data = block(name, array);
@@ -58,7 +58,7 @@ public:
   {
     const auto found = arrays_.find("Lines " + name);
     if (found == arrays_.end())
-      fail("has no array " + name + " of its lines, in which its polylines stand; it is not a toolpath of ours");
+      fail("has no array " + name + " of its lines, which defines its polylines; it is not a toolpath of pcl_spiral");
     const auto width = static_cast<std::size_t>(found->second.type.size);
     const std::string_view data = block(name, found->second);
     std::vector<std::size_t> numbers(data.size() / width);
@@ -75,22 +75,23 @@ public:
   {
     const std::vector<std::size_t> points = lineNumbers("connectivity"), ends = lineNumbers("offsets");
     std::vector<std::size_t> begins;
-    std::size_t next = 0, begin = 0; // the point and the entry that come next
+    std::size_t next = 0, begin = 0; // the next point and the next entry
     for (const std::size_t end : ends) {
       if (end <= begin || end > points.size())
         fail("has polylines that end at entries " + std::to_string(begin) + " and " + std::to_string(end) + " of " +
              std::to_string(points.size()));
       if (next > 0)
         begins.push_back(next);
-      const bool alone = end == begin + 2 && points[begin] == points[begin + 1]; // a pass of one point, twice
+      const bool alone = end == begin + 2 && points[begin] == points[begin + 1]; // a pass of one point, written twice
       for (std::size_t i = begin; i < end - (alone ? 1 : 0); ++i, ++next)
         if (points[i] != next)
-          fail("has polylines whose points do not follow one another: " + std::to_string(points[i]) + " stands where " +
-               std::to_string(next) + " does in the order of the points; give the path as .csv");
+          fail("has polylines whose points are not in order: point " + std::to_string(points[i]) + " comes where point " +
+               std::to_string(next) + " must come; give the path as .csv");
       begin = end;
     }
     if (next != points_)
-      fail("has polylines of " + std::to_string(next) + " of its " + std::to_string(points_) + " points; a path goes through all of them");
+      fail("has polylines through only " + std::to_string(next) + " of its " + std::to_string(points_) +
+           " points; a path must go through all points");
     return begins;
   }
 
@@ -99,7 +100,7 @@ private:
 
   [[noreturn]] void fail(const std::string& what) const { throw FileError(file_, what); }
 
-  /** Up to the tag of the appended data. */
+  /** Reads up to the tag of the appended data. */
   void readTags()
   {
     while (begin_ < bytes_.size()) {
@@ -111,10 +112,10 @@ private:
       if (takeTag(bytes_.substr(open + 1, close - open - 1)))
         return;
     }
-    fail("has no appended data: not a .vtp file of ours, or cut off");
+    fail("has no appended data: it is not a .vtp file of pcl_spiral, or it is cut off");
   }
 
-  /** Whether this is the tag that the data follow. */
+  /** Whether this is the tag before the data. */
   bool takeTag(std::string_view tag)
   {
     const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n/", 1));
@@ -176,7 +177,7 @@ private:
   void takePiece(const Attributes& attributes)
   {
     if (points_ > 0 || countIn(attributes, "NumberOfLines") == 0)
-      fail("holds more than one piece or no polyline; a toolpath is one piece, with a polyline a pass");
+      fail("holds more than one piece or no polyline; a toolpath is one piece with one polyline per pass");
     points_ = countIn(attributes, "NumberOfPoints");
   }
 
@@ -187,7 +188,7 @@ private:
         {"UInt32", {'U', 4}}, {"Int64", {'I', 8}}, {"UInt64", {'U', 8}}, {"Float32", {'F', 4}}, {"Float64", {'F', 8}}};
     const auto type = types.find(value(attributes, "type"));
     if (type == types.end() || value(attributes, "format") != "appended")
-      return; // not ours: missed when it is asked for
+      return; // not of this library: reported as missing when needed
     VtpArray array;
     array.type = type->second;
     if (attributes.count("NumberOfComponents") > 0)
@@ -204,7 +205,7 @@ private:
     return static_cast<std::size_t>(value);
   }
 
-  /** The bytes of an array, which stand behind their own number. */
+  /** The bytes of an array, which follow their number. */
   std::string_view block(const std::string& name, const VtpArray& array) const
   {
     const std::size_t header = wide_headers_ ? 8 : 4;
@@ -222,8 +223,8 @@ private:
   std::string_view bytes_;
   std::size_t begin_ = 0; ///< of the appended data
   std::size_t points_ = 0;
-  bool of_points_ = false; ///< within the tags whose arrays have a value a point
-  bool of_lines_ = false;  ///< within the tag of the polylines
+  bool of_points_ = false; ///< inside the tags of arrays with one value per point
+  bool of_lines_ = false;  ///< inside the tag of the polylines
   bool wide_headers_ = false;
   std::map<std::string, VtpArray> arrays_;
 };

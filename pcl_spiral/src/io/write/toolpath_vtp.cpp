@@ -24,7 +24,7 @@
 namespace pcl_spiral {
 namespace {
 
-/** A named array of \p components values a point, filled by \p value(point, component). */
+/** A named array of \p components values per point, filled by \p value(point, component). */
 template <typename Array, typename Value>
 vtkSmartPointer<Array>
 pointArray(const char* name, int components, const pcl::PointCloud<ToolpathPoint>& path, Value value)
@@ -39,7 +39,7 @@ pointArray(const char* name, int components, const pcl::PointCloud<ToolpathPoint
   return array;
 }
 
-/** Adds \p values under \p name, where there are any. */
+/** Adds \p values under \p name if there are any. */
 template <typename Value>
 void
 addValues(vtkPointData* arrays, const char* name, const std::vector<Value>& values)
@@ -107,7 +107,7 @@ requireOneAPoint(std::size_t values, std::size_t points, const char* what)
 {
   if (values != 0 && values != points)
     throw std::invalid_argument(std::to_string(values) + " values of " + what + " for " + std::to_string(points) +
-                                " path points; one a point is needed");
+                                " path points; give one value per point");
 }
 
 } // namespace
@@ -130,7 +130,7 @@ writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
   writer->SetCompressorTypeToNone();
   if (writer->Write() != 1 || writer->GetErrorCode() != vtkErrorCode::NoError)
     throw FileError(file, std::string("cannot be written: ") + vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
-  ByteFile out(file); // VTK's own files miss what fails when they are closed
+  ByteFile out(file); // VTK's own file writer does not report errors at closing
   out.write(writer->GetOutputString());
   out.close();
 }

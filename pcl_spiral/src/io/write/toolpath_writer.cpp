@@ -22,7 +22,7 @@ writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& pat
     throw FileError(file, "not written: the path has no points");
   if (!motion.tips.empty() && motion.tips.size() != path.size())
     throw std::invalid_argument(std::to_string(motion.tips.size()) + " tips for " + std::to_string(path.size()) +
-                                " path points; one a point is needed");
+                                " path points; give one tip per point");
   const std::string extension = lowerExtension(file);
   if (extension == ".csv")
     writeToolpathCSV(file, path, motion);

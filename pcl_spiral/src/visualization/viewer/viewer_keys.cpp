@@ -9,7 +9,7 @@ namespace {
 
 using Command = ViewerCommand;
 
-/** A line of the list. */
+/** A line of the list of keys. */
 struct KeyLine {
   const char *keys, *meaning;
 };
@@ -19,20 +19,20 @@ constexpr KeyLine lines[] = {{"1", "part and boundaries"},
                              {"3", "deviation map"},
                              {"4", "stock map"},
                              {"5", "scallop histogram"},
-                             {"t", "every turn, or those that stand apart"},
+                             {"t", "every turn, or separate turns only"},
                              {"d", "go to the largest deviation"},
                              {"s", "go to the highest scallop"},
                              {"g", "go to the deepest gouge"},
                              {"click", "choose a point of the path"},
-                             {"left right", "the point before, the next one"},
-                             {"down up", "the turn before, the next one"},
+                             {"left right", "previous point, next point"},
+                             {"down up", "previous turn, next turn"},
                              {"c", "cutter at the chosen point on, off"},
-                             {"drag", "turn; with shift: move; wheel: zoom"},
-                             {"r", "the whole part"},
+                             {"drag", "rotate; with shift: move; wheel: zoom"},
+                             {"r", "show the whole part"},
                              {"p", "save the view as PNG"},
                              {"h", "this list on, off"},
                              {"q", "quit"}};
-/** lowest: over the messages, which may be long */
+/** lowest: above the messages, which may be long */
 constexpr int key_width = 92, lowest = 72, most_pitch = 25, least_pitch = 12, gap = 16; ///< pixels
 
 } // namespace
@@ -56,7 +56,7 @@ addKeys(vtkRenderer* words, const PageSize& page, int below, bool all)
 {
   const int left = page.wordsLeft();
   if (!all)
-    return addText(words, "h   lists the keys", left, lowest, 17);
+    return addText(words, "h   list of keys", left, lowest, 17);
   const int count = static_cast<int>(std::size(lines));
   const int pitch = std::clamp((below - gap - lowest) / count, least_pitch, most_pitch);
   const int font = std::min(17, pitch * 4 / 5);

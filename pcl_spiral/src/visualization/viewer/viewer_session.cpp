@@ -34,7 +34,7 @@ ViewerSession::ViewerSession(VerificationScene given)
   style->moved = [this] { show(); };
   style->zoomed = [this] { stale = true; };
   window.setResized([this] { fill(); });
-  vtkNew<vtkCallbackCommand> close; // the window manager's button
+  vtkNew<vtkCallbackCommand> close; // the close button of the window
   close->SetClientData(this);
   close->SetCallback([](vtkObject*, unsigned long, void* self, void*) { static_cast<ViewerSession*>(self)->closed = true; });
   interactor->AddObserver(vtkCommand::ExitEvent, close);
@@ -44,8 +44,8 @@ ViewerSession::ViewerSession(VerificationScene given)
 
 ViewerSession::~ViewerSession()
 {
-  // VTK 9.3 keeps a list of all interactors, works on each of them, and takes out those alone that are done: one
-  // deleted before would be called for the events of the next window
+  // VTK 9.3 keeps a list of all interactors, runs each of them, and removes only those that are done: a deleted
+  // interactor would be called for the events of the next window
   interactor->Disable();
   interactor->SetDone(true);
   interactor->ProcessEvents();
@@ -72,7 +72,7 @@ ViewerSession::show()
 void
 ViewerSession::run()
 {
-  // vtkRenderWindowInteractor::Start would close the window, and trips over interactors that others have
+  // vtkRenderWindowInteractor::Start would close the window, and fails with interactors that others have
   // deleted
   closed = false;
   while (!closed && !(close_wanted && close_wanted())) {
@@ -116,7 +116,7 @@ ViewerSession::obey(ViewerCommand command)
     return;
   case ViewerCommand::ToggleTurns:
     choice.every_turn = !choice.every_turn;
-    message = choice.every_turn ? "every turn is shown" : "as many turns are shown as stand apart";
+    message = choice.every_turn ? "every turn is shown" : "only turns that appear separate are shown";
     return;
   case ViewerCommand::GoToDeviation:
     return goToDeviation();
@@ -234,7 +234,7 @@ ViewerSession::click(int x, int y)
   if (found)
     choose(*found);
   else
-    message = "no point of the path is seen within 12 pixels of the click";
+    message = "no visible point of the path is within 12 pixels of the click";
   show();
 }
 

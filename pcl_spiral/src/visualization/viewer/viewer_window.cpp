@@ -16,8 +16,8 @@ namespace {
 constexpr int widest = 1600, highest = 1200, title_height = 110, column_gap = 24; ///< pixels
 constexpr double screen_share = 0.9;
 constexpr double side_margin = 136.0, top_margin = 130.0,
-                 bottom_margin = 170.0; ///< pixels, for axes and words
-constexpr double axes_from = 0.4;       ///< of the whole part's scale: nearer, the axes lie outside the view
+                 bottom_margin = 170.0; ///< pixels, for axes and text
+constexpr double axes_from = 0.4;       ///< of the scale of the whole part: with a nearer camera the axes are outside the view
 constexpr double scale_room = 160.0;
 constexpr int scale_left = 30, scale_bottom = 76;
 
@@ -94,7 +94,7 @@ ViewerWindow::add(vtkActor* actor)
 {
   before_.erase(std::remove(before_.begin(), before_.end(), actor), before_.end());
   actors_.emplace_back(actor);
-  view_->AddActor(actor); // nothing where it is there
+  view_->AddActor(actor); // does nothing if it is already there
 }
 
 void
@@ -137,7 +137,7 @@ ViewerWindow::reset()
   const Eigen::Vector2d room(std::max(50.0, window.x() - 2.0 * side_margin), std::max(50.0, window.y() - top_margin - bottom_margin));
   aim(room, 0.5 * window);
   whole_scale_ = projection_.mm_per_pixel;
-  const double up = 0.5 * (top_margin - bottom_margin) * whole_scale_; // the middle of the room is not the window's
+  const double up = 0.5 * (top_margin - bottom_margin) * whole_scale_; // the middle of the free area is not the middle of the window
   const Eigen::Vector3d middle = 0.5 * (surface_.low + surface_.high) + up * projection_.top;
   const Eigen::Vector3d eye = middle + 3.0 * size() * projection_.towards();
   vtkCamera* const camera = view_->GetActiveCamera();
@@ -196,7 +196,7 @@ ViewerWindow::beforeFrame()
     view_->RemoveActor(actor);
   before_.clear();
   for (const Lifted& lifted : lifted_) {
-    // The view is parallel, so this moves nothing on the screen.
+    // The view is parallel, so this changes nothing on the screen.
     const Eigen::Vector3d shift = lifted.by * projection_.towards();
     lifted.actor->SetPosition(shift.x(), shift.y(), shift.z());
   }
