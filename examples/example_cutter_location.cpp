@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cutters on a wavy part of 200 x 200 mm that is known at points only, the tool leant 15 degrees: contacts reached and
-// lifted (hollows narrower than a flat or a large ball), what the cutter would have sunk between points, a chuck's collisions.
+// Cutters on a wavy part of 200 x 200 mm that is known only at points, the tool tilted by 15 degrees: contacts reached and
+// lifted (hollows narrower than a flat or a large ball), the possible depth between points, the collisions of a chuck.
 #include <pcl_spiral/cutter/cutter_location.h>
 
 #include <cmath>
@@ -20,14 +20,14 @@ locate(const char* name, const pcl_spiral::CutterShape& cutter, pcl_spiral::Cutt
   pcl_spiral::ToolLocations locations;
   location.compute(locations);
   if (!location.getStatus().ok())
-    return; // it has said why
+    return; // the class has reported the error
   const pcl_spiral::LocationFigures& f = location.getFigures();
   std::printf("%s: %zu of %zu contacts reached, %zu lifted by up to %.3f mm; %.3f mm sinking between points prevented\n", name,
               f.count(pcl_spiral::LocationState::Reached), locations.size(), f.count(pcl_spiral::LocationState::Lifted), f.largest_lift,
               f.largest_gap);
   for (const std::string& warning : f.warnings)
     std::printf("  warning: %s\n", warning.c_str());
-  location.setLocationSurface(location.getLocationSurface()); // the next cutter needs no new one
+  location.setLocationSurface(location.getLocationSurface()); // the next cutter can use the same one
 }
 
 int

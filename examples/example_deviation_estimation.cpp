@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a path stands off a scan: example_deviation_estimation SCAN.pcd PATH [MAP.pcd]
-// PATH is a .csv, .pcd, .ply or .vtp toolpath; MAP gets its points with the deviation as intensity. Lengths in mm.
+// Deviation of a path from a scan: example_deviation_estimation SCAN.pcd PATH [MAP.pcd]
+// PATH is a .csv, .pcd, .ply or .vtp toolpath; MAP holds its points with the deviation as intensity. Lengths in mm.
 #include <pcl_spiral/io/toolpath_reader.h>
 #include <pcl_spiral/verify/deviation_estimation.h>
 
@@ -19,7 +19,7 @@ main(int argc, char** argv)
   pcl::PointCloud<pcl::PointXYZ>::Ptr scan(new pcl::PointCloud<pcl::PointXYZ>);
   pcl::PointCloud<pcl_spiral::ToolpathPoint>::Ptr path(new pcl::PointCloud<pcl_spiral::ToolpathPoint>);
   if (pcl::io::loadPCDFile(argv[1], *scan) < 0)
-    return 1; // it has said why
+    return 1; // the class has reported the error
   try {
     *path = pcl_spiral::readToolpath(argv[2]).path;
   }
@@ -34,7 +34,7 @@ main(int argc, char** argv)
   pcl::PointCloud<pcl::PointXYZI> map;
   estimation.compute(map);
   if (!estimation.getStatus().ok())
-    return 1; // it has said why
+    return 1; // the class has reported the error
 
   const pcl_spiral::DeviationFigures& f = estimation.getFigures();
   for (const std::string& warning : f.warnings)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a ball cutter leaves of a scan: example_material_removal SCAN.pcd PATH TOOL_RADIUS SCALLOP_HEIGHT [MAP.pcd]
-// PATH is a .csv, .pcd, .ply or .vtp toolpath; MAP gets the scan with stock (+) or gouge (-) as intensity. In mm.
+// Stock that a ball cutter leaves on a scan: example_material_removal SCAN.pcd PATH TOOL_RADIUS SCALLOP_HEIGHT [MAP.pcd]
+// PATH is a .csv, .pcd, .ply or .vtp toolpath; MAP holds the scan with stock (+) or gouge (-) as intensity. In mm.
 #include <pcl_spiral/io/toolpath_reader.h>
 #include <pcl_spiral/verify/material_removal.h>
 
@@ -20,7 +20,7 @@ main(int argc, char** argv)
   pcl::PointCloud<pcl::PointXYZ>::Ptr scan(new pcl::PointCloud<pcl::PointXYZ>);
   pcl::PointCloud<pcl_spiral::ToolpathPoint>::Ptr path(new pcl::PointCloud<pcl_spiral::ToolpathPoint>);
   if (pcl::io::loadPCDFile(argv[1], *scan) < 0)
-    return 1; // it has said why
+    return 1; // the class has reported the error
   try {
     *path = pcl_spiral::readToolpath(argv[2]).path;
   }
@@ -37,7 +37,7 @@ main(int argc, char** argv)
   pcl::PointCloud<pcl::PointXYZI> map;
   removal.compute(map);
   if (!removal.getStatus().ok())
-    return 1; // it has said why
+    return 1; // the class has reported the error
 
   const pcl_spiral::RemovalFigures& f = removal.getFigures();
   for (const std::string& warning : f.warnings)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A stage of one's own: radial lines by formula, meridians of a sphere, where RadialLines would have made geodesics.
+// An own stage: radial lines by a formula, meridians of a sphere, instead of the geodesics of RadialLines.
 #include <pcl_spiral/core/bspline_fit.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
@@ -29,7 +29,7 @@ main()
   Surface::ConstPtr surface;
   scanned.compute(surface);
   if (!surface)
-    return 1; // it has said why
+    return 1; // the class has reported the error
 
   RadialLineSet set; // from the centre to the rim, counter-clockwise seen from outside
   for (int i = 0; i < 60; ++i) {
@@ -47,7 +47,7 @@ main()
 
   SpiralToolpathGenerator<pcl::PointXYZ> spiral;
   spiral.setInputSurface(surface);
-  spiral.setRadialLines(set); // checked, and refused with the line and place where one does not fit
+  spiral.setRadialLines(set); // checked; a line that does not fit is refused, with its place
   spiral.setToolRadius(6.0);
   spiral.setScallopHeight(0.1);
   pcl::PointCloud<ToolpathPoint> path;

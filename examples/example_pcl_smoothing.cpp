@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PCL's own smoothing before the first stage, and MLSProjector in its place: both are pcl::CloudSurfaceProcessing.
+// PCL's smoothing before the first stage, or MLSProjector instead: both are pcl::CloudSurfaceProcessing.
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/surface/mls_projector.h>
 
@@ -27,7 +27,7 @@ main()
   pcl::MovingLeastSquares<Point, Point> theirs;
   theirs.setSearchRadius(8.0); // mm
   theirs.setPolynomialOrder(2);
-  pcl_spiral::MLSProjector<Point, Point> ours; // as wide as the noise asks for
+  pcl_spiral::MLSProjector<Point, Point> ours; // as wide as the noise needs
 
   using Stage = pcl::CloudSurfaceProcessing<Point, Point>;
   for (Stage* stage : {static_cast<Stage*>(&theirs), static_cast<Stage*>(&ours)}) {
@@ -45,7 +45,7 @@ main()
       error = std::max(error, std::abs(point.getVector3fMap().cast<double>().norm() - radius));
     std::printf("%s: %zu turns, at most %.4f mm off the sphere\n", stage == &theirs ? "PCL's" : "ours", spiral.getReport().turns, error);
     if (path.empty())
-      return 1; // it has said why
+      return 1; // the class has reported the error
   }
   return 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A bent plate with two holes: closed loops one step-over apart, and by hand one path over them.
+// A bent plate with two holes: closed loops one step-over apart, then step by step one path over them.
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/scallop_loops.h>
 #include <pcl_spiral/spiral/spiral_path.h>
@@ -31,27 +31,27 @@ main()
   StepOverDistance::ConstPtr field;
   distances.compute(field);
   if (!field)
-    return 1; // it has said why
+    return 1; // the class has reported the error
   ScallopLoops<Point> closed;
   closed.setInputField(field);
   ScallopLoopSet set;
   closed.compute(set);
-  SpiralSettings settings; // of what is put on the surface
+  SpiralSettings settings; // of the projection onto the surface
   settings.tool_radius = 5.0;
   settings.scallop_height = 0.1;
-  DrivePasses passes; // the loops as they are, a toolpath of closed passes
+  DrivePasses passes; // the loops unchanged, a toolpath of closed passes
   putLoopsOnSurface(set.loops, *surface, settings, {}, passes);
   LoopLinking<Point> linking;
   linking.setInputField(field);
   linking.setInputLoops(set.loops);
-  LinkedPath path; // and linked to one
+  LinkedPath path; // the loops linked to one path
   linking.compute(path);
   std::printf("one path: %zu loops in a spiral, %zu beside it, %.0f mm; no path is shorter than %.0f mm\n", path.chain_loops, path.bridges,
               length(path.points), field->least_length);
   std::vector<SpiralPoint> curve;
   double longest_step = 0.0; // mm
   samplePath(path, *surface, settings, curve, longest_step);
-  SpiralPath toolpath; // contacts and normals; setToolAxes and checkPath go on from here
+  SpiralPath toolpath; // contacts and normals; next come setToolAxes and checkPath
   GapFigures gaps;
   putOnSurface(curve, *surface, settings, longest_step, {}, toolpath, gaps);
   std::printf("%zu closed passes, or one path of %zu points\n", passes.size(), toolpath.contacts.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pictures of pcl_spiral/doc/constant_scallop.md: a part with three holes, its step-overs, closed loops, the tree they are
-// linked by and the path, as PNG files in the current folder. It needs a display: xvfb-run -a example_scallop_pictures
+// Makes the pictures of pcl_spiral/doc/constant_scallop.md: a part with three holes, its step-overs, closed loops, the tree that
+// links them and the path, as PNG files in the current folder. It needs a display: xvfb-run -a example_scallop_pictures
 #include <pcl_spiral/visualization/add_scallop_loops.h>
 #include <pcl_spiral/visualization/pictures.h>
 
@@ -11,7 +11,7 @@
 using namespace pcl_spiral;
 using Point = pcl::PointXYZ;
 
-/** The viewer as a picture, and empty again. */
+/** Saves the viewer as a picture, then empties it. */
 static void
 write(pcl::visualization::PCLVisualizer& viewer, const char* file)
 {
@@ -27,7 +27,7 @@ main()
 {
   if (const std::string fault = displayFault(); !fault.empty()) {
     std::fprintf(stderr, "pictures need a display and %s; run this under 'xvfb-run -a'\n", fault.c_str());
-    return 1; // PCLVisualizer would end the program
+    return 1; // without a display PCLVisualizer would end the program
   }
   pcl::PointCloud<Point>::Ptr scan(new pcl::PointCloud<Point>);
   std::mt19937 random(1);
@@ -38,7 +38,7 @@ main()
         std::hypot((x - 3.0f) / 15.0f, (y - 36.0f) / 7.0f) > 1.0f)
       scan->emplace_back(x, y, 4.0f * std::sin(x / 27.0f) * std::cos(y / 30.0f));
   }
-  LoopLinking<Point> linking; // makes field and loops as the classes before it do
+  LoopLinking<Point> linking; // makes field and loops as in the stages before it
   StepOverField<Point> distances;
   ScallopLoops<Point> closed;
   distances.setInputCloud(scan);
@@ -54,7 +54,7 @@ main()
   LinkedPath path;
   linking.compute(path);
   if (path.points.empty())
-    return 1; // it has said why
+    return 1; // the class has reported the error
 
   pcl::visualization::PCLVisualizer viewer("constant scallop");
   viewer.setSize(720, 640);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A dome's toolpath in a PCLVisualizer, with its scan, loops and radial lines.
-// example_show_toolpath [SECONDS]: the mouse turns it, q ends it, and so does the number of seconds if given.
+// Shows the toolpath of a dome in a PCLVisualizer, with its scan, loops and radial lines.
+// example_show_toolpath [SECONDS]: the mouse turns it; it ends with q or after the given seconds.
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/visualization/add_toolpath.h>
 #include <pcl_spiral/visualization/pictures.h>
@@ -18,7 +18,7 @@ main(int argc, char** argv)
   const double seconds = argc > 1 ? std::atof(argv[1]) : std::numeric_limits<double>::infinity();
   if (const std::string fault = pcl_spiral::displayFault(); !fault.empty()) {
     std::fprintf(stderr, "a viewer needs a display and %s; run it under 'xvfb-run -a'\n", fault.c_str());
-    return 1; // PCLVisualizer would end the program
+    return 1; // without a display PCLVisualizer would end the program
   }
 
   const double radius = 120.0, rim = 80.0; // of the sphere, and of the dome's rim, mm
@@ -38,7 +38,7 @@ main(int argc, char** argv)
   pcl::PointCloud<pcl_spiral::ToolpathPoint> path;
   spiral.compute(path);
   if (!spiral.getStatus().ok())
-    return 1; // it has said why
+    return 1; // the class has reported the error
 
   pcl::visualization::PCLVisualizer viewer("A toolpath on its scan");
   viewer.addPointCloud(cloud, "scan");

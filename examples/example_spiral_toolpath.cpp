@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a scan to a spiral toolpath: example_spiral_toolpath SCAN.pcd PATH.csv TOOL_RADIUS SCALLOP_HEIGHT CHORD_ERROR
-// Lengths in mm. The path's format follows its extension: .csv, .pcd, .ply, .vtp.
+// Makes a spiral toolpath of a scan: example_spiral_toolpath SCAN.pcd PATH.csv TOOL_RADIUS SCALLOP_HEIGHT CHORD_ERROR
+// Lengths in mm. The extension sets the format of the path: .csv, .pcd, .ply, .vtp.
 #include <pcl_spiral/io/toolpath_writer.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
@@ -20,7 +20,7 @@ main(int argc, char** argv)
   const double tool_radius = std::atof(argv[3]);
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
   if (pcl::io::loadPCDFile(argv[1], *cloud) < 0)
-    return 1; // it has said why
+    return 1; // the class has reported the error
 
   pcl_spiral::SpiralToolpathGenerator<pcl::PointXYZ> spiral;
   spiral.setInputCloud(cloud);
@@ -30,7 +30,7 @@ main(int argc, char** argv)
   pcl::PointCloud<pcl_spiral::ToolpathPoint> path;
   spiral.compute(path);
   if (!spiral.getStatus().ok())
-    return 1; // it has said why
+    return 1; // the class has reported the error
 
   const pcl_spiral::SpiralReport& report = spiral.getReport();
   for (const std::string& warning : report.warnings)
