@@ -4,7 +4,6 @@
 #include "passes/pass_options.h"
 #include "program/program_options.h"
 #include "terminal/command_line.h"
-#include "terminal/file_names.h"
 #include "terminal/setter_names.h"
 
 using pcl_spiral::DriveAxisMode;
@@ -92,12 +91,7 @@ optionTable(Job& job)
 Job
 parseCommandLine(int argc, const char* const* argv)
 {
-  Job job;
-  job.command = commandLine(argc, argv);
-  job.given = setOptions(optionTable(job), argc, argv);
-  if (!job.help && !job.version)
-    completeJob(job);
-  return job;
+  return parseJob<Job>(argc, argv, optionTable, completeJob);
 }
 
 bool

@@ -6,11 +6,7 @@
 #include "verify/path_ridges.h"
 #include <pcl_spiral/verify/material_removal.h>
 
-#include <pcl/kdtree/kdtree_flann.h>
-
 #include <chrono>
-#include <cmath>
-#include <limits>
 
 using namespace pcl_spiral;
 

@@ -5,7 +5,6 @@
 #include "passes/pass_options.h"
 #include "program/program_options.h"
 #include "terminal/command_line.h"
-#include "terminal/file_names.h"
 #include "terminal/setter_names.h"
 
 #include <algorithm>
@@ -121,12 +120,7 @@ optionTable(Job& job)
 Job
 parseCommandLine(int argc, const char* const* argv)
 {
-  Job job;
-  job.command = commandLine(argc, argv);
-  job.given = setOptions(optionTable(job), argc, argv, {"rail", "generator"});
-  if (!job.help && !job.version)
-    completeJob(job);
-  return job;
+  return parseJob<Job>(argc, argv, optionTable, completeJob, {"rail", "generator"});
 }
 
 bool

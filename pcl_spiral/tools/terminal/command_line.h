@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "file_names.h"
 #include "option_table.h"
 
 #include <ostream>
@@ -16,5 +17,18 @@
  *  pcl_spiral::FileError (job file) */
 std::set<std::string> setOptions(const OptionTable& table, int argc, const char* const* argv,
                                  const std::vector<std::string>& files = {"scan"});
+
+/** A job from the command line: its options by \p table, then the rest by \p complete, unless it only asks for help or version. */
+template <typename Job, typename Complete>
+Job
+parseJob(int argc, const char* const* argv, OptionTable (*table)(Job&), Complete complete, const std::vector<std::string>& files = {"scan"})
+{
+  Job job;
+  job.command = commandLine(argc, argv);
+  job.given = setOptions(table(job), argc, argv, files);
+  if (!job.help && !job.version)
+    complete(job);
+  return job;
+}
 
 void printOptions(std::ostream& out, const OptionTable& table);

@@ -3,18 +3,12 @@
 #include "job_check.h"
 #include "option_table.h"
 #include "terminal/command_line.h"
-#include "terminal/file_names.h"
 #include "terminal/setter_names.h"
 
 Job
 parseCommandLine(int argc, const char* const* argv)
 {
-  Job job;
-  job.command = commandLine(argc, argv);
-  job.given = setOptions(optionTable(job), argc, argv);
-  if (!job.help && !job.version)
-    checkJob(job);
-  return job;
+  return parseJob<Job>(argc, argv, optionTable, checkJob);
 }
 
 bool

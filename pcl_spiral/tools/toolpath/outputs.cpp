@@ -2,7 +2,6 @@
 #include "outputs.h"
 
 #include "job_check.h"
-#include "judging/figures_table.h"
 #include "program/machine_moves.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"

@@ -35,7 +35,7 @@ judge(const Job& job, Result& result)
   if (cancelled())
     throw Cancelled();
   if (!status.ok())
-    throw FileError(job.scan, "the path was made but could not be judged: " + inOptions(status.message()));
+    throw FileError(job.scan, "the path was made but could not be checked: " + inOptions(status.message()));
   if (!settings.surface)
     result.report.passes += reference->scanned().counts().passes;
   result.verification = std::move(verification);
