@@ -195,12 +195,12 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
   };
   expectHas(codes("a.ngc", on, {}),
             "--pass-begin M62 P0: is given without the other, and a beam that is never switched off burns the part; give both");
-  expectHas(codes("a.ngc", {}, off), "--pass-end M63 P0: is given alone");
+  expectHas(codes("a.ngc", {}, off), "--pass-end M63 P0: is given without the other");
   expectHas(codes("a.csv", on, off), "--pass-begin M62 P0: no output is a program; add an output .ngc or .nc, or leave it out");
   expectHas(codes("a.ngc", on, {"--pass-end", "M63 P0\nM3"}), "the code has a line break");
-  expectHas(codes("a.ngc", {"--pass-begin", "M62 (on)"}, off), "--pass-begin M62 (on): the code holds (, which belongs to comments");
-  expectHas(codes("a.ngc", {"--pass-begin", "%"}, off), "--pass-begin %: the code holds %, which ends the program");
-  expectHas(codes("a.ngc", {"--pass-begin", " "}, off), "the code is blank; give one line such as M62 P0");
+  expectHas(codes("a.ngc", {"--pass-begin", "M62 (on)"}, off), "--pass-begin M62 (on): the code has (, which belongs to comments");
+  expectHas(codes("a.ngc", {"--pass-begin", "%"}, off), "--pass-begin %: the code has %, which ends the program");
+  expectHas(codes("a.ngc", {"--pass-begin", " "}, off), "the code has only spaces; give one line such as M62 P0");
   EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv")));
   expectHas(said({"-o", "a.nc", "--machine", machines + "/head_table.yaml", "--dialect", "siemens", "--tool", "1"}, 1), "rtcp: false");
 }

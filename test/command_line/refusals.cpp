@@ -199,12 +199,12 @@ TEST_F(Refusals, TooFewPoints)
   for (int x = 0; x < 21; ++x)
     for (int y = 0; y < 3; ++y)
       strip.push_back({1.0 * x, 1.0 * y, 0.0});
-  expectRefused(strip, {}, 1, {"too narrow for its points", "its middle (", "mm from the rim", "scan more densely"});
+  expectRefused(strip, {}, 1, {"too narrow for the spacing of its points", "its middle (", "mm from the rim", "scan more densely"});
   Points rows;
   for (int x = 0; x < 30; ++x)
     for (int y = 0; y < 2; ++y)
       rows.push_back({1.0 * x, 1.0 * y, 0.0});
-  expectRefused(rows, {}, 1, {"too narrow for its points", "boundary at (", "scan more densely"});
+  expectRefused(rows, {}, 1, {"too narrow for the spacing of its points", "boundary at (", "scan more densely"});
 }
 
 TEST_F(Refusals, PathsTooLargeToMake)

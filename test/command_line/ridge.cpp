@@ -324,7 +324,7 @@ TEST_F(RidgeProgram, SaysWhatIsWrongWithTheData)
   refused("none.txt", "generator.txt", "none.txt");
   const std::vector<Vector3d> generator = die.generatorPoints(0.37, 100), rail = die.railPoints(300);
   writeText(folder_.path("three.txt"), textOf({rail[0], rail[1], rail[2]}));
-  refused("three.txt", "generator.txt", "the rail has 3 points");
+  refused("three.txt", "generator.txt", "the rail has 3 different points");
   writeText(folder_.path("nan.txt"), "1 2 nan\n" + textOf(rail));
   refused("nan.txt", "generator.txt", "point 1 of the rail is not finite");
   writeText(folder_.path("far.txt"), textOf([&] {

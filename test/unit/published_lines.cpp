@@ -160,7 +160,7 @@ TEST(PublishedLines, SayWhereALineLeavesTheSurface)
   PublishedLineFigures figures;
   const Status status = publishedLines({scan.surface, scan.loops[0], nullptr, centre, {}, chord_error, {}}, set, figures);
   EXPECT_EQ(status.code(), StatusCode::Failed);
-  for (const char* word : {"leaves the surface at (", "re-entrant outline"})
+  for (const char* word : {"leaves the surface at (", "outline is re-entrant"})
     EXPECT_NE(status.message().find(word), std::string::npos) << status.message();
 }
 

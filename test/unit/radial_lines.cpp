@@ -224,7 +224,7 @@ TEST(RadialLines, RefusesWithNoLines)
     EXPECT_TRUE(lines.empty()) << word;
   };
   const auto argument = StatusCode::InvalidArgument, input = StatusCode::InvalidInput;
-  for (const std::string word : {"the centre (75", "three spacings", "or none"})
+  for (const std::string word : {"the centre (75", "three spacings", "or no centre"})
     refused([](Lines& r) { r.setCenter({75, 0, 0}); }, argument, word);
   refused([](Lines& r) { r.setCenter(Vector3d::Constant(std::nan(""))); }, argument, "finite");
   refused([](Lines& r) { r.setTolerance(0.0); }, argument, "tolerance");

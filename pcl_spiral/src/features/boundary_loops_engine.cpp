@@ -89,8 +89,8 @@ checkWidth(const SurfaceGraph& graph, const std::vector<Ring>& rings)
   for (const Ring& ring : rings)
     if (const double length = ringLength(graph, ring); length > graph.blocks().box().diagonal())
       return {StatusCode::InvalidInput,
-              textOf("the surface is too narrow for its points: its boundary at ", placeText(graph.position(ring.front())), ", ", length,
-                     " mm long, encloses only ", ringArea(graph, ring), " mm2, and points lie ", graph.spacing(),
+              textOf("the surface is too narrow for the spacing of its points: its boundary at ", placeText(graph.position(ring.front())),
+                     ", ", length, " mm long, encloses only ", ringArea(graph, ring), " mm2, and points lie ", graph.spacing(),
                      " mm apart: scan more densely, with at least seven points across it")};
   return Status::success();
 }
