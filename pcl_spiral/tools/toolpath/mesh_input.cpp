@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_input.h"
-#include "planning.h"
+#include "job_failure.h"
 #include "terminal/setter_names.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -186,29 +186,4 @@ withSpacings(const Status& status, const SampledMesh& input)
     return status;
   const double vertices = std::sqrt(input.mesh->area() / static_cast<double>(input.mesh->vertexCount()));
   return {status.code(), textOf(status.message(), "; samples are ", input.spacing, " mm apart, vertices of the mesh ", vertices, " mm")};
-}
-
-std::string
-inMesh(std::string message)
-{
-  constexpr std::pair<const char*, const char*> words[] = {
-      {"is below the noise of the scan,", "is below what local fits to the samples of the mesh leave,"},
-      {" (standard deviation of a point)", " (standard deviation)"},
-      {"this scan cannot show whether it was kept", "so sample it more closely (--sample-spacing)"},
-      {"; if it is a real hole, the path still runs over it", ": it is narrower than the holes asked for (--hole-size)"},
-      {"a gap in the scan", "a hole of the mesh"},
-      {"gaps of the scan", "holes of the mesh"},
-      {"scan it again, more densely", "sample it more closely (--sample-spacing)"},
-      {"scan more densely", "sample it more closely (--sample-spacing)"},
-      {"scan it again", "close it in the mesh"},
-      {"the whole scan", "the whole mesh"},
-      {"would gouge; use a smaller tool",
-       "would gouge; use a smaller tool, or where that is but roughness of the mesh, sample it less closely (--sample-spacing)"},
-      {"scanned surface", "surface"},
-      {"the scan", "the mesh"},
-      {"the cloud", "the mesh"}};
-  for (const auto& [scan, mesh] : words)
-    for (std::size_t at = message.find(scan); at != std::string::npos; at = message.find(scan, at + std::string(mesh).size()))
-      message.replace(at, std::string(scan).size(), mesh);
-  return message;
 }

@@ -23,6 +23,3 @@ std::vector<std::string> creaseWarnings(const SampledMesh& mesh, const pcl_spira
 
 /** A failure over samples of \p mesh, with the spacing of the samples and of the vertices. */
 pcl_spiral::Status withSpacings(const pcl_spiral::Status& status, const SampledMesh& mesh);
-
-/** Turns a message about a cloud of samples into one about the mesh. */
-std::string inMesh(std::string message);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
+#include "job_failure.h"
 #include "mesh_input.h"
 #include "terminal/setter_names.h"
 
@@ -10,12 +11,6 @@
 using namespace pcl_spiral;
 
 namespace {
-
-std::string
-inWords(const Job& job, const std::string& message)
-{
-  return inOptions(job.mesh ? inMesh(message) : message);
-}
 
 /** Whether the planner's surface has all points that the verification needs: none was filtered out. */
 bool
@@ -79,17 +74,6 @@ settingsFor(const Job& job, const Result& result)
 }
 
 } // namespace
-
-void
-requireOk(const Job& job, const Status& status)
-{
-  if (status.code() == StatusCode::Cancelled || cancelled())
-    throw Cancelled();
-  if (status.code() == StatusCode::InvalidArgument)
-    throw UsageError(job.scan + ": " + inWords(job, status.message()));
-  if (!status.ok())
-    throw FileError(job.scan, inWords(job, status.message()));
-}
 
 Result
 plan(const Job& job)
