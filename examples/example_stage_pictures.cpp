@@ -92,6 +92,7 @@ main()
   spiral.setInputCloud(scan);
   spiral.setToolRadius(6.0);
   spiral.setScallopHeight(0.1);
+  spiral.setMethod(SpiralMethod::Radial);
   Path path;
   spiral.compute(path);
   addToolpath(viewer, Path(), spiral.getReport().loops);

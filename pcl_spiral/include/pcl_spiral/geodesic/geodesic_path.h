@@ -23,7 +23,7 @@ namespace pcl_spiral {
  *
  *  Source and targets are positions on the surface, or points of the cloud. Each path has equal spacing and lies on the
  *  fitted surface, with its ends exactly at the given places. Lengths are those of a smooth curve. Millimetres.
- *  Source: Wu et al. 2025, equations 1-7, with the boundary conditions and the iteration of refineGeodesics.
+ *  Source: Wu et al. 2025, equations 2-7, with the boundary conditions and the iteration of refineGeodesics.
  *  Takes a cloud or a surface, see SurfaceInput. Paths do not depend on the side; only the normals along them do. Indices of
  *  points need the cloud.
  */

@@ -18,7 +18,7 @@ namespace pcl_spiral {
  *  Short changes along the path, such as noise of the normals or a dent in a turn, are smoothed away. Then every move keeps
  *  the axis rate. Where a tilt turns faster (the pole of a dome), the axis passes close to the normal without a spin or a jump.
  *  The result is the same from both ends of the path. The centre of the ball does not depend on the axis; only the tip does.
- *  The method is smoothAxes in core/smooth_axes.h. */
+ *  Source of the smoothing spline: Reinsch 1967. */
 class AxisField {
 public:
   using Path = pcl::PointCloud<ToolpathPoint>; ///< A toolpath.

@@ -11,7 +11,7 @@
 namespace pcl_spiral {
 
 /** Sets the tool axis of every point of a path: the normal, tilted sideways about the feed direction and forwards about the
- *  conormal, then smoothed along the path and limited in rate by AxisField. The method is tiltedAxes in core/tilted_axes.h. */
+ *  conormal, then smoothed along the path and limited in rate by AxisField. */
 class ToolAxis {
 public:
   using Path = pcl::PointCloud<ToolpathPoint>; ///< A toolpath.
