@@ -209,7 +209,7 @@ TEST(DrivePath, RefusesWhatCannotBe)
     };
   };
   refused(plate, linked(DriveKind::BoundaryOffset, true), "planes can be linked");
-  refused(plate, linked(DriveKind::Planes, false), "to and fro");
+  refused(plate, linked(DriveKind::Planes, false), "back and forth");
   const std::vector<Vector3d> column = someColumn(3000);
   const auto rings = [](const DriveCylinder& cylinder) {
     return [cylinder](Drive& d) {

@@ -192,7 +192,8 @@ TEST(PassAxes, AxesThatWouldLeanTooFarAreRefusedAndTheRemedyHelps)
   PassAxisReport report;
   const Status status = smoothPassAxes(over(0.0, 0.1), passes, report);
   EXPECT_EQ(status.code(), StatusCode::InvalidArgument);
-  for (const char* part : {"setMaxAxisRate 0.1, setAxisSmoothing 0: axes would lean ", " degrees off those asked for", "raise the rate"})
+  for (const char* part :
+       {"setMaxAxisRate 0.1, setAxisSmoothing 0: axes would lean ", " degrees from the requested axes", "raise the rate"})
     EXPECT_NE(status.message().find(part), std::string::npos) << status.message();
   EXPECT_GT(report.largest_deviation, 45.0);
   for (std::size_t i = 0; i < pass.points.size(); ++i)
@@ -201,7 +202,7 @@ TEST(PassAxes, AxesThatWouldLeanTooFarAreRefusedAndTheRemedyHelps)
   ASSERT_TRUE(smoothPassAxes(over(0.0, 20.0), passes, report).ok());
   EXPECT_LT(report.largest_deviation, 45.0);
   ASSERT_EQ(report.warnings.size(), 1U);
-  EXPECT_EQ(report.warnings[0].find("smoothing and rate lead axes up to "), 0U);
+  EXPECT_EQ(report.warnings[0].find("smoothing and the rate limit turn axes by up to "), 0U);
 }
 
 TEST(PassAxes, WithoutLengthAndRateNothingChanges)

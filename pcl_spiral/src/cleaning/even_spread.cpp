@@ -18,7 +18,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double most_points = 0.5;    // of a block: if as many show something, it holds for the whole block
+constexpr double most_points = 0.5;    // of a block: if at least this share of the points shows something, it holds for the whole block
 constexpr float line_growth = 1.5f;    // of the step along a line, per round
 constexpr float double_growth = 0.25f; // of the spacing: points nearly at one place are thinned to this distance
 constexpr float steepest = 0.12f;      // change of the spacing per distance

@@ -66,7 +66,7 @@ checkRows(const DriveSettings& s)
   if (s.link_rows && s.kind != DriveKind::Planes)
     return bad("only rows of section planes can be linked; choose planes (setKind), or leave links out (setLinkRows)");
   if (s.link_rows && !s.zigzag)
-    return bad("one-way rows begin far from the end of the row before and cannot be linked; run them to and fro "
+    return bad("one-way rows begin far from the end of the row before and cannot be linked; run them back and forth "
                "(setZigzag), or leave links out (setLinkRows)");
   if (s.rows == DriveRows::Even)
     return Status::success();

@@ -25,7 +25,7 @@ check(const PassAxisSettings& s)
     return {StatusCode::InvalidArgument,
             textOf("the axis rate is ", s.max_rate, " degrees per mm; set it above 0, or 0 for no limit (setMaxAxisRate)")};
   if (!(s.max_deviation > 0.0) || !(s.largest_deviation > 0.0))
-    return {StatusCode::InvalidArgument, textOf("the deviations allowed are ", s.max_deviation, " degrees in the mean and ",
+    return {StatusCode::InvalidArgument, textOf("the deviations allowed are ", s.max_deviation, " degrees on average and ",
                                                 s.largest_deviation, " at a point; set them above 0")};
   return Status::success();
 }
@@ -90,10 +90,11 @@ smoothPassAxes(const PassAxisSettings& settings, DrivePasses& passes, PassAxisRe
   if (report.largest_deviation > settings.largest_deviation)
     return {StatusCode::InvalidArgument, textOf("setMaxAxisRate ", settings.max_rate, ", setAxisSmoothing ", settings.smoothing_length,
                                                 ": axes would lean ", report.largest_deviation,
-                                                " degrees off those asked for, and not cover the surface; raise "
-                                                "the rate, or smooth over less")};
+                                                " degrees from the requested axes and would not cover the surface; raise "
+                                                "the rate, or use a shorter smoothing length")};
   if (report.largest_deviation > least_warned)
-    report.warnings.push_back(textOf("smoothing and rate lead axes up to ", report.largest_deviation, " degrees off those asked for"));
+    report.warnings.push_back(
+        textOf("smoothing and the rate limit turn axes by up to ", report.largest_deviation, " degrees from the requested axes"));
   for (std::size_t k = 0; k < passes.size(); ++k)
     for (std::size_t i = 0; i < passes[k].points.size(); ++i)
       turn(passes[k].points[i], axes[k][i], settings.stand_off);

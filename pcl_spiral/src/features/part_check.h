@@ -11,8 +11,8 @@
 
 namespace pcl_spiral {
 
-/** Find the part of each triangle (0 is the largest) and what is left out. Fails if there is no surface, or if
- *  more than small clusters lie beside the largest part: the message names the parts and the remedy. */
+/** Finds the part of each triangle (0 is the largest) and what is left out. Fails if there is no surface, or if
+ *  parts larger than small clusters lie beside the largest one: the message names the parts and the remedy. */
 Status checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<std::uint32_t>& part_of, BoundaryCounts& counts);
 
 } // namespace pcl_spiral

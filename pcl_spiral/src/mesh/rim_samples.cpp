@@ -40,7 +40,7 @@ public:
   const std::vector<Dart>& darts() const { return darts_; } ///< corners go before the others
 
 private:
-  /** Edges at whose start the rim turns; otherwise the one that starts at the least coordinates, whatever the order of the faces. */
+  /** Edges at whose start the rim turns; without any, the edge that starts at the least coordinates, for any order of the faces. */
   std::vector<std::size_t> cornersOf(const MeshRim& rim) const
   {
     const std::size_t n = rim.half_edges.size();

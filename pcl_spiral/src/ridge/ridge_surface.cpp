@@ -125,15 +125,15 @@ RidgeSurface::warnOfSlope(const Vector3d& sensitive)
 {
   constexpr double much = 5.0; // factor by which an error across the slope turns the chord; the same limit holds for tan(slope)
   if (report_.slope_factor > much)
-    report_.warnings.push_back(textOf("at ", placeText(sensitive), " an error of the rail's slope turns the generator ",
+    report_.warnings.push_back(textOf("at ", placeText(sensitive), " an error of the rail's slope turns the generator by ",
                                       report_.slope_factor,
-                                      " times as far: measure the rail closely there, or set a reference normal across the rail "
+                                      " times that error: measure the rail closely there, or set a reference normal across the rail "
                                       "(setReferenceNormal)"));
   else if (std::tan(report_.largest_slope * degree) > much)
     report_.warnings.push_back(textOf("the rail is nearly upright at ", placeText(report_.steepest_place), ", with a slope of ",
-                                      report_.largest_slope, " degrees: an error of its direction turns the generator ",
+                                      report_.largest_slope, " degrees: an error of its direction turns the generator by ",
                                       std::tan(report_.largest_slope * degree),
-                                      " times as far; set a reference normal across the rail "
+                                      " times that error; set a reference normal across the rail "
                                       "(setReferenceNormal)"));
 }
 

@@ -91,7 +91,7 @@ CandidateRun::CandidateRun(const PointBlocks& blocks, int k, float max_radius)
 float
 CandidateRun::firstRadius(const Box& box) const
 {
-  // Without experience: assume that a block holds 32 points on a patch about as wide as its diagonal.
+  // For the first query: assume that a block holds 32 points on a patch about as wide as its diagonal.
   const float guess =
       usual_radius_ > 0.0f ? 1.1f * usual_radius_ : 0.12f * std::sqrt(static_cast<float>(k_)) * std::max(box.diagonal(), 1e-12f);
   return std::min(guess, max_radius_);

@@ -49,7 +49,7 @@ crossing(const std::vector<RadialLine>& lines, double slack)
   return std::nullopt;
 }
 
-/** How far each line is round a turn: on the mean of its shares of the rim and of the whole angle at the centre, so that
+/** Share of a turn of each line: the mean of its share of the rim and its share of the angle at the centre, so that
  *  turns advance evenly about the centre too when a far tip takes most of the rim; of the rim alone without a centre. */
 void
 shareOutTurns(const RadialLineRequest& request, std::vector<RadialLine>& lines)

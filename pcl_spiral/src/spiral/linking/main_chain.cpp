@@ -54,7 +54,7 @@ nearestTo(const ScallopLoop& loop, const Eigen::Vector3d& point)
 /** Chains from one loop outwards. */
 class ChainFinder {
 public:
-  /** \p joined: null, or marks of the loops before which chains end. */
+  /** \p joined: null, or marks of loops; a chain ends before a marked loop. */
   ChainFinder(const CutLoops& loops, const LoopFinder& finder, const std::optional<Eigen::Vector3d>& start,
               const std::vector<std::uint8_t>* joined = nullptr)
   : loops_(loops), finder_(finder), start_(start), joined_(joined), bends_(loops.size())
