@@ -261,7 +261,7 @@ TEST_F(CommandLine, SaysWhereTheAxisLeavesTheTilt)
     const RunResult result = make("cap.xyz", arguments);
     EXPECT_EQ(result.code, 0) << result.err;
     const auto path = nlohmann::json::parse(readText(folder_.path("a.json"))).at("path");
-    const std::string words = "off the tilt asked for at " + path.at("deviating_points").dump() + " point";
+    const std::string words = "from the requested tilt at " + path.at("deviating_points").dump() + " point";
     const bool said = result.out.find(words) != std::string::npos;
     EXPECT_EQ(said, path.at("deviating_points").get<int>() > 0) << result.out;
     return path;

@@ -102,7 +102,7 @@ TEST(Program, OneWayPathsAreLiftedBetweenPassesAndRefusedWhereNoLiftCanBeSaid)
   const RunResult done = called({"-o", "a.nc", "-o", "a.csv", "-o", "a.json", "--dialect", "linuxcnc", "--tool", "3", "--machine",
                                  machines + "/xyzac.yaml", "--verify"});
   ASSERT_EQ(done.code, 0) << done.err;
-  expectHas(done.out, "; 0 % against the sense asked for");
+  expectHas(done.out, "; 0 % against the requested sense");
   expectHas(done.out, "passes          3, ");
   expectHas(readText(folder.path("a.json")), "\"passes\": 3");
   expectHas(readText(folder.path("a.json")), "\"one_way\": true");

@@ -366,7 +366,7 @@ TEST_F(Verify, WrongCallsAndDataAreRefused)
   EXPECT_EQ(code({"--help"}), 0);
   for (const char* output : {"a.png", "a.vtp"}) { // they show one path
     EXPECT_EQ(code({"cap.xyz", "cap.csv", "cap.pcd", "--tool-radius", "3", "-o", output}), 2);
-    EXPECT_NE(last_.err.find("name one alone, or write .json or .html"), std::string::npos) << last_.err;
+    EXPECT_NE(last_.err.find("give only one path, or write .json or .html"), std::string::npos) << last_.err;
   }
   EXPECT_EQ(code({"cap.xyz", "cap.vtp", "--tool-radius", "3", "-o", "cap.vtp"}), 2);
   EXPECT_NE(last_.err.find("cap.vtp, which is read"), std::string::npos) << last_.err;

@@ -161,10 +161,11 @@ CloudGround::describe(const ToolLocations&, LocationFigures& f) const
   f.stray_points = surface_.hasSurface() ? surface_.strayPoints() : 0;
   const std::size_t asked = f.count(LocationState::Reached) + f.count(LocationState::Lifted) + f.count(LocationState::Clear);
   if (asked > 0 && surface_.hasSurface() && surface_.surface().fitNoise() > options_.tolerance)
-    f.warnings.push_back(textOf("because of noise the surface of the scan is known to only ", surface_.surface().fitNoise(),
-                                " mm, more than the contact tolerance of ", options_.tolerance,
-                                " mm: contacts may count as lifted or clear by chance; raise the tolerance to three times "
-                                "this error"));
+    f.warnings.push_back(
+        textOf("because of noise the surface of the scan is known to only ", surface_.surface().fitNoise(),
+               " mm, more than the contact tolerance of ", options_.tolerance,
+               " mm: contacts may be reported as lifted or clear only because of noise; raise the tolerance to three times "
+               "this error"));
   if (f.stray_points > 0)
     f.warnings.push_back(textOf(f.stray_points, " points of the scan are isolated outliers; the cutter stays clear of "
                                                 "them too: remove them first if they are false echoes (StrayRemoval)"));

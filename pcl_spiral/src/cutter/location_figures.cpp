@@ -48,8 +48,8 @@ CutterLocationEngine::figures(const ToolLocations& locations) const
        textOf("have no ", ground_->item(), " of the ", ground_->name(), " under the cutter: they have no height"));
   constexpr double touched = 1e-3; // mm
   warn(f.over_rim,
-       textOf("stand partly beyond the rim of the ", ground_->name(), " or over a gap in it, ",
-              f.least_rim_clearance < touched ? std::string("down to it") : textOf("at least ", f.least_rim_clearance, " mm above it"),
+       textOf("are partly beyond the rim of the ", ground_->name(), " or over a gap in it, ",
+              f.least_rim_clearance < touched ? std::string("at its height") : textOf("at least ", f.least_rim_clearance, " mm above it"),
               ": the part may be higher there, which is not known"));
   warn(f.unbounded, "rest on single points, with no limit on how far the cutter sinks between them");
   warn(f.count(LocationBasis::PointsAndBound), textOf("are raised by up to ", f.largest_gap_bound,
@@ -60,8 +60,8 @@ CutterLocationEngine::figures(const ToolLocations& locations) const
     const HolderCollision& worst = locations[f.most_collided].collision;
     const auto segment = static_cast<std::size_t>(worst.segment);
     const std::string& name = options_.holder[segment].name;
-    warn(f.collisions, textOf("let the holder collide with the ", ground_->name(), ", the deepest by ", worst.depth,
-                              " mm, clearance included: ", name.empty() ? textOf("segment ", segment + 1) : name, " of location ",
+    warn(f.collisions, textOf("have a collision of the holder with the ", ground_->name(), ", at most ", worst.depth,
+                              " mm deep, clearance included: ", name.empty() ? textOf("segment ", segment + 1) : name, " of location ",
                               f.most_collided, " at ", placeText(worst.place),
                               "; lengthen the tool, lean the axis away, or allow it "
                               "to be tilted"));

@@ -42,9 +42,9 @@ placesOf(const SurfaceGraph& graph, double edge)
 void
 warnOfFloor(const DriveSettings& settings, double floor, const Vector3d& narrowest, DriveReport& report)
 {
-  report.warnings.push_back(textOf("rows stay ", floor, " mm apart on ", 100.0 * report.held_share,
-                                   " % of the surface, where the scallop height of ", settings.scallop_height,
-                                   " mm needs less, the smallest at ", placeText(narrowest),
+  report.warnings.push_back(textOf("on ", 100.0 * report.held_share, " % of the surface the scallop height of ", settings.scallop_height,
+                                   " mm needs rows closer than ", floor, " mm, the least distance allowed; the closest at ",
+                                   placeText(narrowest),
                                    ": ridges there are higher; turn the planes across steep walls "
                                    "(setPlaneDirection), or take a smaller ball "
                                    "if a hollow is hardly wider than the ball"));

@@ -57,7 +57,8 @@ judge(const Polyline& targets, const std::vector<GeodesicLine>& lines, const Ref
                  "the surface between";
       else
         first << ": the shortest path leaves the surface at " << placeText(line.left_at)
-              << " (a re-entrant outline or a gap in the scan): choose targets in sight of the source, or scan the gap";
+              << " (a re-entrant outline or a gap in the scan): choose targets with a straight way over the surface from the source, or "
+                 "scan the gap";
     }
     else if (!empty && !line.left_surface && !line.converged) {
       ++unsettled;

@@ -47,7 +47,7 @@ travelAt(const MachineLocations& path, std::size_t i, bool ahead)
 }
 
 bool
-stands(const ProgramBlock& a, const ProgramBlock& b)
+samePose(const ProgramBlock& a, const ProgramBlock& b)
 {
   return (a.tip - b.tip).norm() < 1e-9 && std::abs(a.angles.first - b.angles.first) < 1e-12 &&
          std::abs(a.angles.second - b.angles.second) < 1e-12;
@@ -112,7 +112,7 @@ layPass(const Kinematics& kinematics, const ProgramSettings& settings, const Too
   if (pass.turns.empty())
     return {StatusCode::Failed,
             textOf("at ", pass.path[failed].arc_length, " mm of the path ", first.letter, " is at ",
-                   pass.path[failed].angles.first / degree, " degrees, or whole turns from it, and cannot go on within its limits of ",
+                   pass.path[failed].angles.first / degree, " degrees, plus or minus whole turns, and would leave its limits of ",
                    first.range.lower / degree, " to ", first.range.upper / degree,
                    " degrees; turn the part, or use a machine with a larger range of ", first.letter)};
   return Status::success();
@@ -230,7 +230,7 @@ MachineProgramGenerator::computeProgram(MachineProgram& program) const
         program.report.unwound_at.push_back(pass.path[turn.first].arc_length);
       addPass(kinematics, leads, pass.path, turn, program.blocks);
     }
-  program.blocks.erase(std::unique(program.blocks.begin(), program.blocks.end(), stands), program.blocks.end());
+  program.blocks.erase(std::unique(program.blocks.begin(), program.blocks.end(), samePose), program.blocks.end());
   setBlockTimes(kinematics, settings_.feed, program);
   reportAngles(program);
   return checkLimits(kinematics, program.blocks);

@@ -37,7 +37,7 @@ checkRows(double rows, double extent, double step)
                  ": is the mesh in another unit than mm? Otherwise raise the step-over (setStepOver)")};
 }
 
-/** Refused if the contacts, predicted from the area, are too many, or need more memory, with what is made of them, than there is. */
+/** Refused if the predicted contacts are too many, or if they and what is made from them need more memory than is free. */
 Status
 checkSize(const SurfaceMesh& mesh, const SectionSettings& settings, double step)
 {
@@ -86,10 +86,9 @@ keptLevels(const SurfaceMesh& mesh, const SectionSettings& settings, const Vecto
   report.held_share = rows.held_share;
   if (rows.narrowest != RowLevels::none) {
     const MeshPatch patch = mesh.patch(rows.narrowest);
-    report.warnings.push_back(textOf("rows stay ", floor, " mm apart on ", 100.0 * rows.held_share,
-                                     " % of the surface, where the "
-                                     "scallop height of ",
-                                     settings.scallop_height, " mm needs less, the smallest at ", placeText(patch.corners.rowwise().mean()),
+    report.warnings.push_back(textOf("on ", 100.0 * rows.held_share, " % of the surface the scallop height of ", settings.scallop_height,
+                                     " mm needs rows closer than ", floor, " mm, the least distance allowed; the closest at ",
+                                     placeText(patch.corners.rowwise().mean()),
                                      ": ridges there are higher; turn the planes across "
                                      "steep walls (setPlaneNormal), or take a smaller ball if a hollow is hardly wider than the ball"));
   }

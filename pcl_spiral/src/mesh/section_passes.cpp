@@ -113,7 +113,7 @@ checkSettings(const SectionSettings& s)
     return bad("the tool axis is " + placeText(s.axis) + ", which has no direction: set it from the tip to the shank (setAxis)");
   const bool kept = s.rows == DriveRows::Kept;
   if (kept && !s.levels.empty())
-    return bad("rows are to be kept to a scallop, and levels are given: leave one of them out (setRows, setLevels)");
+    return bad("setRows asks for a constant scallop height, but levels are given: leave one of them out (setRows, setLevels)");
   if (kept && (!(s.tool_radius > 0.0) || !std::isfinite(s.tool_radius) || !(s.scallop_height > 0.0) || !(s.scallop_height < s.tool_radius)))
     return bad(textOf("rows are kept for a ball of radius ", s.tool_radius, " mm and a scallop height of ", s.scallop_height,
                       " mm: set both above 0, and the height below the radius (setScallop)"));

@@ -164,8 +164,8 @@ placeGenerator(const MeasuredLine& measured, const SmoothLine& rail, const Ridge
   if (!frame)
     return {StatusCode::InvalidInput,
             textOf("the chord of the generator at ", placeText(meeting),
-                   " is parallel to the reference normal, so it is not clear to which "
-                   "side of the rail it falls: set another reference normal, across both lines (setReferenceNormal)")};
+                   " is parallel to the reference normal, so it is not clear on which "
+                   "side of the rail it is: set another reference normal, across both lines (setReferenceNormal)")};
   constexpr double sure = 0.1; // of the chord's length, away from the upright plane through the rail
   if (std::abs(frame->up.dot(settings.reference)) < sure)
     place.warnings.push_back(textOf("the generator at ", placeText(meeting),

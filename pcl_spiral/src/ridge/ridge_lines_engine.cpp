@@ -74,7 +74,7 @@ ScanSearch::firstLines(RidgeBand& band, SmoothLine& generator)
   const std::optional<RidgeFrame> frame = ridgeFrame(tangent, band.chord);
   if (!frame)
     return {StatusCode::InvalidInput, textOf("the ridge at ", placeText(origin),
-                                             " is as steep to the reference plane as its section there: "
+                                             " and its section there have the same slope to the reference plane, so no frame is possible: "
                                              "set a reference normal across the ridge (setReferenceNormal)")};
   Polyline points;
   for (int k = -right; k <= left; ++k)

@@ -41,7 +41,7 @@ checkSingleSheet(const Surface& surface)
   return {StatusCode::InvalidInput,
           textOf("the noise of the points about a local surface is ", surface.noise(), " mm, up to ", off, " mm at ", placeText(place),
                  ", and their spacing is ", surface.spacing(),
-                 " mm: this is no single sheet (a thin double wall, or noise above the point spacing); for a wall, keep only "
+                 " mm: this is not a single sheet (a thin double wall, or noise above the point spacing); for a wall, keep only "
                  "one side in the cloud; for noise, thin the cloud to a spacing well above the noise (setThinning ",
                  4.0 * surface.noise(), ")")};
 }

@@ -29,9 +29,9 @@ checkLifts(const CutterPath& path, double grow)
   if (path.passes.empty() || std::abs(grow - cut) <= rounding * grow)
     return Status::success();
   return {StatusCode::InvalidInput,
-          textOf("the arc lengths of the toolpath do not grow at ", path.passes.size(), " moves, as at lifts, first at path point ",
-                 path.passes.front(), ", but the other moves are ", cut, " mm long and the arc lengths grow by ", grow,
-                 " mm: write arc lengths to a hundredth of a millimetre, or write none")};
+          textOf("the arc lengths of the toolpath stay the same over ", path.passes.size(),
+                 " moves, as they do at lifts, first at path point ", path.passes.front(), ", but the other moves are ", cut,
+                 " mm long and the arc lengths grow by ", grow, " mm: write arc lengths to a hundredth of a millimetre, or write none")};
 }
 
 /** Refuse given passes that do not begin one after the other within a path of \p size points. */

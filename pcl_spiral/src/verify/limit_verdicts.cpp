@@ -62,7 +62,7 @@ unprovenLimits(const Limits& limits, const Verification& verification)
     std::ostringstream text;
     text << figure.limit->name << " " << figure.limit->most << " mm lies below " << std::setprecision(2) << least
          << (verification.deviation.by_mesh
-                 ? " mm, three times what the surface fitted to the mesh's samples is off by: these cannot show that it holds; "
+                 ? " mm, three times the distance between the mesh and the surface fitted to its samples: these cannot show that it holds; "
                    "sample more closely (setSampleSpacing)"
                  : " mm, three times the noise of the scan's surface: this scan cannot show that it holds");
     unproven.push_back(text.str());

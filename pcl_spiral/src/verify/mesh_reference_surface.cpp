@@ -47,9 +47,10 @@ ReferenceSurface::ReferenceSurface(Surface::ConstPtr surface, ReferenceMesh::Con
 {
   const SurfaceCounts& counts = scanned_->counts();
   if (const std::size_t out = mesh_->samples()->size() - counts.used - counts.duplicate; out > 0)
-    warnings_.push_back(textOf(out, " of ", mesh_->samples()->size(), " samples of the mesh, ", mesh_->spacing(),
-                               " mm apart, were left out: they are in parts too small for so few, or where faces overlap; sample "
-                               "more closely (setSampleSpacing)"));
+    warnings_.push_back(
+        textOf(out, " of ", mesh_->samples()->size(), " samples of the mesh, ", mesh_->spacing(),
+               " mm apart, were left out: they are in parts too small for this sample spacing, or where faces overlap; sample "
+               "more closely (setSampleSpacing)"));
   if (!mesh_->creases().empty())
     crease_band_ = band_width * fitRadius();
   takeRims();

@@ -34,14 +34,14 @@ addContacts(FigureTable& table, const DeviationFigures& d, const Limits& limits)
       .limited("Limits::deviation", limits.deviation, std::abs(d.rim_max.value), " beyond the rim");
   table.placed("deviation/gap_max", d.gap_max, both_ways)
       .knownIf(d.in_gaps > 0)
-      .named("Distance of {deviation/in_gaps} contacts in gaps of the scan from the surface carried on, largest");
+      .named("Distance of {deviation/in_gaps} contacts in gaps of the scan from the extrapolated surface, largest");
   table.placed("deviation/crease_max", d.crease_max, both_ways)
       .knownIf(d.in_crease_band > 0)
       .named("Within {deviation/crease_band} of creases, where fits round them: {deviation/in_crease_band} contacts, largest distance "
              "from the fit; no verdict");
   table.number("deviation/turn_wobble_rms", d.wobble.rms, height)
       .knownIf(d.wobble.measured > 0)
-      .named("Wobble from turn to turn (deviation off the mean of the turns beside), rms");
+      .named("Wobble from turn to turn (deviation minus the mean of the two neighbouring turns), rms");
   table.placed("deviation/turn_wobble_max", d.wobble.max, both_ways)
       .knownIf(d.wobble.measured > 0)
       .named("Wobble from turn to turn, largest");
@@ -148,7 +148,7 @@ addMotion(FigureTable& table, const PathMotion& m)
   table.number("motion/lift_length", m.lift_length, metres);
   table.placed("motion/largest_gap", m.gap, step).named("Longest linear move (largest gap)");
   table.placed("motion/largest_turn", m.turn, angle).named("Largest turn per step");
-  table.placed("motion/largest_axis_change", m.axis_change, angle).named("Largest axis change per step");
+  table.placed("motion/largest_axis_change", m.axis_change, angle).named("Largest change of the axis in one move");
   table.placed("motion/largest_normal_change", m.normal_change, angle);
 }
 

@@ -46,13 +46,13 @@ drawable(const std::string& text)
   return readableText(text, "?");
 }
 
-/** The size of the font in which the numbers of a colour bar stand clear of one another and of the page's edge. */
+/** The size of the font in which the numbers of a colour bar overlap neither one another nor the page's edge. */
 int
 labelSize(vtkRenderer* view, vtkScalarsToColors* colors, const std::string& format)
 {
   const double* const range = colors->GetRange();
   const double apart = (PageSize::column_width - 2.0 * bar_margin) / 4.0 - label_gap;
-  const double beyond = PageSize::column_room - PageSize::column_width + bar_margin - label_edge; // the last stands about the bar's end
+  const double beyond = PageSize::column_room - PageSize::column_width + bar_margin - label_edge; // the last is centred on the bar's end
   int size = label_size;
   for (int k = 0; k < 5; ++k) {
     vtkNew<vtkTextActor> label;

@@ -71,7 +71,7 @@ completeScallop(Job& job)
                 "must be above 0 and below the tool radius, which is " + textOf(job.cutter.radius) + " mm");
   const std::optional<double> step = stepForScallop(CutterProfile(job.cutter), job.scallop);
   if (!step)
-    throw UsageError("--scallop " + textOf(job.scallop) + ": this cutter leaves that height at no step-over; give a --step-over");
+    throw UsageError("--scallop " + textOf(job.scallop) + ": no step-over gives this height with this cutter; give a --step-over");
   d.step_over = *step;
   d.tool_radius = job.cutter.radius;
   d.scallop_height = job.scallop;

@@ -26,7 +26,7 @@ constexpr Line lines[] = {
     {"deviation", "rms {#deviation/rms}, p99 {#deviation/p99}, max {deviation/max}{@deviation/max}"},
     {"turn to turn", "wobble rms {#deviation/turn_wobble_rms}, max {deviation/turn_wobble_max}{@deviation/turn_wobble_max}"},
     {"beyond the rim", "{deviation/beyond_rim} points, max {deviation/beyond_rim_max}{@deviation/beyond_rim_max}"},
-    {"in scan gaps", "{deviation/in_gaps} points, {deviation/gap_max} off the surface carried on{@deviation/gap_max}"},
+    {"in scan gaps", "{deviation/in_gaps} points, {deviation/gap_max} from the extrapolated surface{@deviation/gap_max}"},
     {"at creases", "{deviation/in_crease_band} points within {deviation/crease_band}, up to {deviation/crease_max} off the rounded "
                    "fit{@deviation/crease_max}"},
     {"", "stock up to {material/crease_band/max}{@material/crease_band/max}, gouge {material/crease_gouge}; no verdict"},

@@ -59,7 +59,7 @@ requireNoCollision(const PassJob& job, const std::vector<ToolLocations>& located
         throw FileError(job.part, textOf(job.holder[static_cast<std::size_t>(location.collision.segment)].name, " would be ",
                                          location.collision.depth, " mm deep in the part at ", placeText(location.collision.place),
                                          ", the tip at ", placeText(location.tip), "; at ", figures.collisions,
-                                         " locations in all: use a longer or thinner tool, another axis, or "
+                                         " locations in total: use a longer or thinner tool, another axis, or "
                                          "--accept-collisions to write the path anyway"));
 }
 

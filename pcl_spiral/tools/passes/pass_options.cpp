@@ -90,7 +90,7 @@ std::vector<Option>
 axisOptions(PassJob& job)
 {
   return {numberOption("axis-smoothing", "L",
-                       "smooths changes of the axis shorter than this along a pass, by up to 20 degrees in the mean; default 0, "
+                       "smooths changes of the axis shorter than this along a pass, by up to 20 degrees on average; default 0, "
                        "no smoothing: --axis-smoothing 20",
                        job.axis_smoothing),
           numberOption("max-axis-rate", "D", "largest turn of the axis, degrees per mm; default 0, no limit: --max-axis-rate 4",

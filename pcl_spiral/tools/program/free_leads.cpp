@@ -37,7 +37,7 @@ textOfCollision(const LedTool& tool, const LeadFigures& figures)
                            : deepest.part == ToolPart::Shank ? "a shank as wide as the cutter"
                                                              : tool.holder[static_cast<std::size_t>(deepest.segment)].name;
   return textOf(what, " would be ", deepest.depth, " mm deep in the part ", wayOf(deepest.section), ", at ", placeText(deepest.place),
-                ", the tip at ", placeText(deepest.tip), "; ", figures.collided, " of ", figures.moves, " moves off the path do so");
+                ", the tip at ", placeText(deepest.tip), "; ", figures.collided, " of the ", figures.moves, " moves off the path collide");
 }
 
 } // namespace
@@ -67,11 +67,11 @@ requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointX
     return;
   if (obstacles.collided == 0)
     warnings.push_back(textOfCollision(tool, all) +
-                       ": only single points off the scanned surface, false echoes as a rule, stand there; see that nothing else does");
+                       ": only single points off the scanned surface are there, usually false echoes; check that nothing else is there");
   else if (accepted)
     warnings.push_back(textOfCollision(tool, obstacles));
   else
     throw FileError(scan_name, textOfCollision(tool, obstacles) +
                                    ": lean the tool axis another way, take another --lead-in or --lead-length, a "
-                                   "slimmer or longer tool, or --accept-collisions to see the program all the same");
+                                   "slimmer or longer tool, or --accept-collisions to write the program anyway");
 }

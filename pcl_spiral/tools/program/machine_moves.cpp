@@ -99,7 +99,7 @@ printProgram(const MachineProgram& program)
   const auto& [first, second] = program.machine.rotary;
   std::printf("program         %s: %zu blocks, %zu added, %zu left out, %s at feed\n", program.machine.name.c_str(), program.blocks.size(),
               report.split_blocks, report.thinned_poses, duration(60.0 * report.minutes).c_str());
-  std::printf("rotary axes     %c %.1f to %.1f degrees, %.1f turns in all; %c %.2f to %.2f degrees\n", first.letter,
+  std::printf("rotary axes     %c %.1f to %.1f degrees, %.1f turns in total; %c %.2f to %.2f degrees\n", first.letter,
               report.lowest_first * in_degrees, report.highest_first * in_degrees, report.first_travel * in_degrees / 360.0, second.letter,
               report.lowest_second * in_degrees, report.highest_second * in_degrees);
 }

@@ -41,7 +41,7 @@ printMethod(const pcl_spiral::SpiralReport& report)
                 report.scallop_loops, plural(report.scallop_loops), report.chain_loops, report.bridges, report.fingers,
                 plural(report.fingers));
     std::printf(
-        "spiral          %zu turn%s, %zu points; %.0f %% against the sense asked for; radius of the sharpest turns %.2f step-overs\n",
+        "spiral          %zu turn%s, %zu points; %.0f %% against the requested sense; radius of the sharpest turns %.2f step-overs\n",
         report.turns, plural(report.turns), report.path_points, 100.0 * report.reversed_share, report.turn_radius);
     if (!report.pass_begins.empty())
       std::printf("passes          %zu, %.3f m of lifts between them\n", report.pass_begins.size() + 1, 0.001 * report.lift_length);
@@ -101,12 +101,12 @@ printPath(const Job& job, const pcl_spiral::SpiralReport& report)
 {
   printMethod(report);
   if (report.deviating_points > 0)
-    std::printf("tool axis       over %g degrees off the tilt asked for at %zu point%s, to turn smoothly; "
+    std::printf("tool axis       more than %g degrees from the requested tilt at %zu point%s, because of smoothing; "
                 "at most %.3g degrees\n",
                 job.settings.axis_deviation, report.deviating_points, plural(report.deviating_points), report.largest_axis_deviation);
   std::printf("path length     %.3f m", report.path_length / 1000.0);
   if (report.least_length > 0.0)
-    std::printf(", %.3f of the least", report.path_length / report.least_length);
+    std::printf(", %.3f times the least possible length", report.path_length / report.least_length);
   std::printf("\n");
   if (report.gap_points > 0)
     std::printf("over gaps       %.1f mm at %zu point%s: bridged, estimated from the surface around the gaps\n", report.gap_length,

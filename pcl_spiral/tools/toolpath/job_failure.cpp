@@ -19,7 +19,8 @@ inMesh(std::string message)
   constexpr std::pair<const char*, const char*> words[] = {
       {"is below the noise of the scan,", "is below what local fits to the samples of the mesh leave,"},
       {" (standard deviation of a point)", " (standard deviation)"},
-      {"this scan cannot show whether it was kept", "so sample it more closely (--sample-spacing)"},
+      {", and cannot show lengths below three times that: this scan cannot show whether it was kept",
+       "; it cannot show lengths below three times that. Sample it more closely (--sample-spacing)"},
       {"; if it is a real hole, the path still runs over it", ": it is narrower than the holes asked for (--hole-size)"},
       {"a gap in the scan", "a hole of the mesh"},
       {"gaps of the scan", "holes of the mesh"},
@@ -28,7 +29,7 @@ inMesh(std::string message)
       {"scan it again", "close it in the mesh"},
       {"the whole scan", "the whole mesh"},
       {"would gouge; use a smaller tool",
-       "would gouge; use a smaller tool, or where that is but roughness of the mesh, sample it less closely (--sample-spacing)"},
+       "would gouge; use a smaller tool, or, if this is only roughness of the mesh, increase the sample spacing (--sample-spacing)"},
       {"scanned surface", "surface"},
       {"the scan", "the mesh"},
       {"the cloud", "the mesh"}};

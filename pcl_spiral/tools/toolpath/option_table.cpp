@@ -67,26 +67,26 @@ files(Job& job)
 OptionGroup
 cutter(SpiralSettings& s)
 {
-  return {"Cutter and finish (mm, degrees)",
-          {numberOption("tool-radius", "R", "radius of the ball cutter; required: --tool-radius 10", s.tool_radius),
-           numberOption("scallop", "H", "scallop height, the largest ridge between turns; required: --scallop 0.05", s.scallop_height),
-           numberOption("chord-error", "E", "largest distance of linear moves from the curve; default 0.005: --chord-error 0.002",
-                        s.chord_error),
-           numberOption("max-step", "L", "longest linear move; default the tool radius: --max-step 5", s.max_step),
-           numberOption("tilt", "A", "side tilt of the axis about the feed direction; default 15: --tilt 0", s.tilt_angle),
-           numberOption("lead", "A", "lead of the axis along the feed direction; default 0: --lead 5", s.lead_angle),
-           numberOption("max-axis-rate", "D", "largest turn of the axis, degrees per mm; default 10: --max-axis-rate 4", s.max_axis_rate),
-           numberOption("axis-smoothing", "L",
-                        "smooths changes of the axis shorter than this along the path; default 50, 0 for no smoothing: "
-                        "--axis-smoothing 20",
-                        s.axis_smoothing),
-           numberOption("axis-deviation", "A",
-                        "largest change of the tilt by smoothing, in the mean over its length; default 2: --axis-deviation 1",
-                        s.axis_deviation),
-           numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", s.feed),
-           numberOption("acceleration", "A",
-                        "acceleration of the machine, mm/s2; used for the time of sharp turns; default 2000: --acceleration 500",
-                        s.acceleration)}};
+  return {
+      "Cutter and finish (mm, degrees)",
+      {numberOption("tool-radius", "R", "radius of the ball cutter; required: --tool-radius 10", s.tool_radius),
+       numberOption("scallop", "H", "scallop height, the largest ridge between turns; required: --scallop 0.05", s.scallop_height),
+       numberOption("chord-error", "E", "largest distance of linear moves from the curve; default 0.005: --chord-error 0.002",
+                    s.chord_error),
+       numberOption("max-step", "L", "longest linear move; default the tool radius: --max-step 5", s.max_step),
+       numberOption("tilt", "A", "side tilt of the axis about the feed direction; default 15: --tilt 0", s.tilt_angle),
+       numberOption("lead", "A", "lead of the axis along the feed direction; default 0: --lead 5", s.lead_angle),
+       numberOption("max-axis-rate", "D", "largest turn of the axis, degrees per mm; default 10: --max-axis-rate 4", s.max_axis_rate),
+       numberOption("axis-smoothing", "L",
+                    "smooths changes of the axis shorter than this along the path; default 50, 0 for no smoothing: "
+                    "--axis-smoothing 20",
+                    s.axis_smoothing),
+       numberOption("axis-deviation", "A",
+                    "largest change of the tilt by smoothing, on average over its length; default 2: --axis-deviation 1", s.axis_deviation),
+       numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", s.feed),
+       numberOption("acceleration", "A",
+                    "acceleration of the machine, mm/s2; used for the time of sharp turns; default 2000: --acceleration 500",
+                    s.acceleration)}};
 }
 
 OptionGroup

@@ -72,7 +72,7 @@ check(const VerifyJob& job, bool radius_given)
             "-o " + output + ": extension '" + extension + "' is not known; use .json .html .png or .vtp");
     require(job.paths.size() == 1 || extension == ".json" || extension == ".html",
             "-o " + output + ": shows one path, and " + std::to_string(job.paths.size()) +
-                " are named; name one alone, or write .json or .html");
+                " are given; give only one path, or write .json or .html");
   }
   refuseInputs(job);
 }

@@ -38,7 +38,7 @@ scallopRows(const SpiralReport& r)
   return {{"Loops", formatted("%zu: %zu in the spiral, %zu joined to it by bridges", r.scallop_loops, r.chain_loops, r.bridges)},
           {"Fingers", std::to_string(r.fingers)},
           {"Efficiency: least possible length / path length", formatted("%.3f", r.least_length / r.path_length)},
-          {"Travelled against the sense asked for", formatted("%.0f %%", 100.0 * r.reversed_share)},
+          {"Travelled against the requested sense", formatted("%.0f %%", 100.0 * r.reversed_share)},
           {"Passes", r.pass_begins.empty()
                          ? std::string("1")
                          : formatted("%zu, %.3f m of lifts between them", r.pass_begins.size() + 1, 0.001 * r.lift_length)},

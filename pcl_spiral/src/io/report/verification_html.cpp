@@ -57,7 +57,7 @@ limitText(const Figure& figure)
   return formatted("%.4g%s, %s", limit.most, unitSuffix(figure, on_page).c_str(), limit.holds() ? "held" : "BROKEN");
 }
 
-/** Name, value, limit, place and path point of a figure. Without a place the limit stands behind the value. */
+/** Name, value, limit, place and path point of a figure. Without a place the limit follows the value. */
 Row
 figureRow(const Figure& figure, const FigureTable& table)
 {
@@ -96,8 +96,8 @@ addStatement(HtmlPage& page, const VerificationRun& run, const Verification& v, 
     break;
   case Verdict::Unproven:
     page.addStatement(Tone::Doubtful,
-                      run.mesh ? "No limit is seen broken, but these samples cannot show that all hold"
-                               : "No limit is seen broken, but this scan cannot show that all hold",
+                      run.mesh ? "No limit was found broken, but these samples cannot show that all limits are kept"
+                               : "No limit was found broken, but this scan cannot show that all limits are kept",
                       grounds);
     break;
   case Verdict::Kept:
@@ -118,7 +118,9 @@ shownRow(const char* name, const std::optional<double>& value, const DeviationFi
   const double least = leastShown(d);
   return {formatted("%s %.4g mm", name, *value),
           *value >= least ? (d.by_mesh ? "shown" : "shown by this scan")
-          : d.by_mesh     ? formatted("NOT shown: below %.2g mm, three times what the fit is off the mesh by; sample more closely", least)
+          : d.by_mesh     ? formatted("NOT shown: below %.2g mm, three times the distance between the mesh and the surface fitted to its "
+                                          "samples; sample more closely",
+                                      least)
                           : formatted("NOT shown by this scan: below %.2g mm, three times its surface's noise", least)};
 }
 
