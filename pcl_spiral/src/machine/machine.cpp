@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/machine/machine.h>
 
 #include <Eigen/Geometry>
@@ -53,7 +54,7 @@ xyzacTrunnion()
   machine.rotary[1].letter = 'A';
   machine.rotary[1].direction = Eigen::Vector3d::UnitX();
   for (RotaryAxis& axis : machine.rotary)
-    axis.range.largest_rate = 30.0 * 2.0 * 3.14159265358979323846;
+    axis.range.largest_rate = 30.0 * 2.0 * pi;
   return machine;
 }
 

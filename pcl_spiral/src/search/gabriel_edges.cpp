@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/search/impl/gabriel_edges.h>
 
 #include "all_neighbourhoods.h"
@@ -92,7 +93,7 @@ localSpacings(const PointBlocks& blocks, int candidates, int threads)
 {
   std::vector<float> spacing(blocks.size());
   forNeighbourhoods(blocks, candidates + 1, threads, [&](std::size_t i, const Neighbourhood& near) {
-    spacing[i] = std::sqrt(near.squared_distance[near.size - 1] * 3.14159265f / static_cast<float>(near.size));
+    spacing[i] = std::sqrt(near.squared_distance[near.size - 1] * static_cast<float>(pi) / static_cast<float>(near.size));
   });
   return spacing;
 }

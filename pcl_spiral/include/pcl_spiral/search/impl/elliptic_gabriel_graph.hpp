@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/search/elliptic_gabriel_graph.h>
 #include <pcl_spiral/search/impl/usable_points.h>
 
@@ -75,7 +76,7 @@ EllipticGabrielGraph<PointT, PointNT>::compute(NeighbourLists& graph)
   }
   const ThreadLimit limit(options_.threads);
   GabrielOptions options = options_;
-  options.max_normal_angle = max_normal_angle_ * 3.14159265358979323846 / 180.0;
+  options.max_normal_angle = max_normal_angle_ * pi / 180.0;
   graph = ellipticGabrielEdges(points, normals, options).mapped(usable, input_->size());
 }
 

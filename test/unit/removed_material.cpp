@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Calibration of the checker: exact peaks on plane, cylinder and sphere, and planted faults.
+#include "support/removed_material.h"
 #include "support/move_tree.h"
 #include "support/passes.h"
 #include "support/path_checks.h"
-#include "support/removed_material.h"
 #include "support/sampling.h"
 
 #include <gtest/gtest.h>
