@@ -21,7 +21,8 @@ struct ToolpathFile {
   Polyline tips;                       ///< tool tips, mm; empty if the file has none (all but .csv)
 };
 
-/** Reads a toolpath from .csv, .pcd, .ply or .vtp, as the writers make it. A CSV may contain comment lines (#).
+/** Reads a toolpath from .csv, .pcd, .ply or .vtp, as the writers make it. over_gap is read from .csv, .pcd and .ply where
+ *  they have it, and is 0 elsewhere. A CSV may contain comment lines (#), as those of earlier versions do.
  *  \throw FileError with the line, byte or array that is missing or wrong */
 ToolpathFile readToolpath(const std::string& file);
 

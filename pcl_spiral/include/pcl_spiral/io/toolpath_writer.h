@@ -44,7 +44,8 @@ extern const char* const toolpath_csv_header;
 
 /** Writes comma separated values under toolpath_csv_header: mm, mm/min, unit
  *  vectors; positions, lengths and turns with 6 decimals, vectors with 9, the
- *  feed with 3. The same bytes for any number of threads. \throw FileError */
+ *  feed with 3; over_gap is 1 over a bridged gap of the scan, else 0. There are no comment lines.
+ *  The same bytes for any number of threads. \throw FileError */
 void writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion);
 
 /** Writes a binary PCD of ToolpathPoint. \throw FileError */

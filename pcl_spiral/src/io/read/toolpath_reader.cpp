@@ -1,17 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/byte_file.h"
 #include "point_table.h"
+#include "text_scan.h"
 
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/toolpath_reader.h>
 
+#include <algorithm>
+
 namespace pcl_spiral {
 namespace {
 
-/** Columns of a path: x y z, normal, axis, arc length, turn, and feed and tip if present. */
-ToolpathFile
-fromColumns(const PointTable& table)
+constexpr std::size_t longest_head = 64; ///< lines
+const char* const gap_column = "over_gap";
+
+/** True if a line of the head of a .csv, .pcd or .ply names the column; files of earlier versions and of other programs have none. */
+bool
+hasGapColumn(std::string_view bytes)
 {
+  LineScanner lines(bytes);
+  std::string_view line;
+  std::vector<std::string_view> words;
+  while (lines.number() < longest_head && lines.next(line)) {
+    if (line.find(gap_column) == std::string_view::npos || line[0] == '#' || line.substr(0, 7) == "comment")
+      continue;
+    splitWords(line, line.find(',') != std::string_view::npos ? ',' : ' ', words);
+    if (std::find(words.begin(), words.end(), gap_column) != words.end())
+      return true;
+  }
+  return false;
+}
+
+/** Columns of a path: x y z, normal, axis, arc length, turn, and feed and tip if present; the last is over_gap if it is \p marked. */
+ToolpathFile
+fromColumns(const PointTable& table, bool marked = false)
+{
+  const std::size_t columns = table.size() - (marked ? 1 : 0);
   ToolpathFile file;
   file.path.resize(table[0].size());
   for (std::size_t i = 0; i < file.path.size(); ++i) {
@@ -23,10 +47,11 @@ fromColumns(const PointTable& table)
     }
     point.arc_length = table[9][i];
     point.turn = static_cast<float>(table[10][i]);
+    point.over_gap = marked && table[columns][i] != 0.0;
   }
-  if (table.size() > 11)
+  if (columns > 11)
     file.feed = table[11];
-  if (table.size() > 14)
+  if (columns > 14)
     for (std::size_t i = 0; i < file.path.size(); ++i)
       file.tips.emplace_back(table[12][i], table[13][i], table[14][i]);
   return file;
@@ -54,18 +79,24 @@ readToolpath(const std::string& file)
 {
   const std::string extension = lowerExtension(file);
   const Names tail{"axis_x", "axis_y", "axis_z", "arc_length", "turn"};
-  const auto names = [&tail](Names first, const Names& last = {}) {
-    first.insert(first.end(), tail.begin(), tail.end());
-    first.insert(first.end(), last.begin(), last.end());
-    return first;
+  const auto readColumns = [&](const auto& table_of, Names wanted, const Names& last = {}) {
+    const auto bytes = readBytes(file);
+    const bool marked = hasGapColumn(bytes);
+    wanted.insert(wanted.end(), tail.begin(), tail.end());
+    wanted.insert(wanted.end(), last.begin(), last.end());
+    if (marked)
+      wanted.emplace_back(gap_column);
+    return fromColumns(table_of(file, bytes, wanted), marked);
+  };
+  const auto readText = [](const std::string& name, std::string_view bytes, const Names& wanted) {
+    return readTextTable(name, bytes, wanted);
   };
   if (extension == ".csv")
-    return fromColumns(readTextTable(
-        file, readBytes(file), names({"cc_x", "cc_y", "cc_z", "normal_x", "normal_y", "normal_z"}, {"feed", "tip_x", "tip_y", "tip_z"})));
+    return readColumns(readText, {"cc_x", "cc_y", "cc_z", "normal_x", "normal_y", "normal_z"}, {"feed", "tip_x", "tip_y", "tip_z"});
   if (extension == ".pcd")
-    return fromColumns(readPcdTable(file, readBytes(file), names({"x", "y", "z", "normal_x", "normal_y", "normal_z"})));
+    return readColumns(readPcdTable, {"x", "y", "z", "normal_x", "normal_y", "normal_z"});
   if (extension == ".ply")
-    return fromColumns(readPlyTable(file, readBytes(file), names({"x", "y", "z", "nx", "ny", "nz"})));
+    return readColumns(readPlyTable, {"x", "y", "z", "nx", "ny", "nz"});
   if (extension == ".vtp") {
     const auto bytes = readBytes(file);
     ToolpathFile read = fromColumns(readVtpTable(file, bytes));

@@ -5,12 +5,11 @@
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
-#include <string_view>
 
 namespace pcl_spiral {
 
 const char* const toolpath_csv_header = "turn,arc_length,cc_x,cc_y,cc_z,normal_x,normal_y,normal_z,tip_x,tip_y,tip_z,"
-                                        "axis_x,axis_y,axis_z,feed";
+                                        "axis_x,axis_y,axis_z,feed,over_gap";
 
 namespace {
 
@@ -27,15 +26,6 @@ writeField(char* out, double value)
   return out;
 }
 
-/** Comment lines where the path begins to run over a bridged gap of the scan, and where it ends. */
-char*
-writeGapMark(char* out, const pcl::PointCloud<ToolpathPoint>& path, std::size_t i)
-{
-  const bool before = i > 0 && path[i - 1].over_gap != 0, now = path[i].over_gap != 0;
-  const std::string_view mark = before == now ? "" : now ? "# over a gap of the scan, bridged\n" : "# on the scan\n";
-  return std::copy(mark.begin(), mark.end(), out);
-}
-
 char*
 writeRow(char* out, const ToolpathPoint& point, std::size_t i, const ToolpathMotion& motion)
 {
@@ -50,7 +40,8 @@ writeRow(char* out, const ToolpathPoint& point, std::size_t i, const ToolpathMot
     out = writeField<6>(out, tip[c]);
   for (int c = 0; c < 3; ++c)
     out = writeField<9>(out, point.data_axis[c]);
-  out = writeFixed<3>(out, motion.feed);
+  out = writeField<3>(out, motion.feed);
+  *out++ = point.over_gap != 0 ? '1' : '0';
   *out++ = '\n';
   return out;
 }
@@ -68,13 +59,13 @@ writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
     for (std::size_t b = 0; b < blocks_a_round; ++b) {
       const std::size_t first = begin + b * rows_a_block;
       const std::size_t last = std::min(first + rows_a_block, path.size());
-      constexpr std::size_t room = 15 * (fixed_point_room + 1) + 40; // and a mark
+      constexpr std::size_t room = 15 * (fixed_point_room + 1) + 2; // and the mark of a gap
       std::size_t size = 0;
       for (std::size_t i = first; i < last; ++i) {
         if (blocks[b].size() < size + room)
           blocks[b].resize(2 * size + room + usual_row * (last - first));
         char* const row = blocks[b].data() + size;
-        size += static_cast<std::size_t>(writeRow(writeGapMark(row, path, i), path[i], i, motion) - row);
+        size += static_cast<std::size_t>(writeRow(row, path[i], i, motion) - row);
       }
       blocks[b].resize(size);
     }
