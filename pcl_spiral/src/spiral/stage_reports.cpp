@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/spiral/impl/path_reversals.h>
+#include <pcl_spiral/spiral/impl/radial_least_length.h>
 #include <pcl_spiral/spiral/impl/stage_reports.h>
 
 #include "surface/noise_warning.h"
@@ -196,6 +198,7 @@ reportTurns(const SpiralTurns& turns, SpiralReport& report)
 {
   report.smallest_step_over = turns.smallest_step_over;
   report.largest_step_over = turns.largest_step_over;
+  report.least_length = turns.least_length;
   report.largest_allowed_step = turns.largest_allowed_step;
   report.corner_ridge = turns.corner_ridge.height;
   report.warnings.insert(report.warnings.end(), turns.warnings.begin(), turns.warnings.end());
@@ -225,6 +228,7 @@ reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& p
   report.path_points = path.points;
   report.path_length = path.length;
   report.largest_gap = path.largest_gap;
+  reportSpacing(path, report);
 }
 
 void
@@ -252,6 +256,12 @@ reportPublished(const Surface& surface, const SpiralSettings& settings, Publishe
   path.axes = std::move(published.axes);
   path.arc_lengths = std::move(published.arc_lengths);
   path.turns = std::move(published.turns);
+  report.least_length = leastLength(published.lines, settings);
+  PathFigures measured;
+  measureTurns(path, settings, measured);
+  reportSpacing(measured, report);
+  if (measured.reversals.count > 0)
+    report.warnings.push_back(reversalText(measured.reversals) + ": choose constant scallop height (setMethod)");
 }
 
 } // namespace pcl_spiral

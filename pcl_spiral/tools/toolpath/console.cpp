@@ -108,6 +108,9 @@ printPath(const Job& job, const pcl_spiral::SpiralReport& report)
   if (report.least_length > 0.0)
     std::printf(", %.3f times the least possible length", report.path_length / report.least_length);
   std::printf("\n");
+  if (!report.closest_place.isZero())
+    std::printf("closest turns   %.4g mm apart at %.1f, %.1f, %.1f\n", report.smallest_step_over, report.closest_place.x(),
+                report.closest_place.y(), report.closest_place.z());
   if (report.gap_points > 0)
     std::printf("over gaps       %.1f mm at %zu point%s: bridged, estimated from the surface around the gaps\n", report.gap_length,
                 report.gap_points, plural(report.gap_points));

@@ -38,6 +38,7 @@ struct SpiralTurns {
   double smallest_step_over = 0.0;   ///< on the surface, along the lines
   double largest_step_over = 0.0;    ///< the largest, in the same way
   double largest_allowed_step = 0.0; ///< longest linear move
+  double least_length = 0.0;         ///< lower bound for the length of any path at this scallop height
   CornerRidge corner_ridge;          ///< the highest ridge left at corners
   std::vector<std::string> warnings; ///< in full sentences, with the remedy
 };
@@ -78,12 +79,29 @@ struct AxisFigures {
   std::size_t deviating_points = 0; ///< number with a deviation above SpiralSettings::axis_deviation
 };
 
+/** Places where a path turns back by more than 150 degrees from one move to the next, a whole turn or more away from the ends of its
+ *  passes. */
+struct PathReversals {
+  std::size_t count = 0;                           ///< of such places
+  double angle = 0.0;                              ///< degrees, the largest
+  double turn = 0.0;                               ///< in which the largest is
+  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< of the largest
+};
+
+/** Where neighbouring turns are closest. */
+struct ClosestTurns {
+  double distance = 0.0;                           ///< mm; 0: the path has fewer than two turns between its first and its last
+  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< a contact there
+};
+
 /** Result of checkPath. */
 struct PathFigures {
   std::size_t turns = 0;    ///< of the path
   std::size_t points = 0;   ///< of the path
   double length = 0.0;      ///< mm
   double largest_gap = 0.0; ///< longest linear move, mm
+  PathReversals reversals;  ///< of the path
+  ClosestTurns closest;     ///< measured on the path, see measureTurns
 };
 
 /** True if \p place lies over a void of the scan (ScanVoids), or over no point of it except a point that was put into a gap:
@@ -102,7 +120,13 @@ Status putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surfac
 /** Tool axes of \p path: tilted, smoothed, limited to the largest rate. Fails where the axis would lie in the surface. */
 Status setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, std::vector<std::string>& warnings);
 
-/** Fails on a move longer than \p longest_step or if the path crosses itself. */
+/** Reversals and closest turns of \p path. The first and the last turn of each pass do not count: they run about the centre or along a
+ *  boundary, where turns meet. Neighbouring turns are half a turn or more apart; with SpiralMethod::ConstantScallop they are stretches
+ *  that are four flat step-overs or more apart along the path, because bridges and fingers lie side by side within a turn. */
+void measureTurns(const SpiralPath& path, const SpiralSettings& settings, PathFigures& figures);
+
+/** Fails on a move longer than \p longest_step, if the path crosses itself, or if it turns back on itself: with
+ *  SpiralMethod::ConstantScallop, whose fingers do so, that is only counted. */
 Status checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest_step, const ProgressCallback& progress,
                  PathFigures& figures);
 

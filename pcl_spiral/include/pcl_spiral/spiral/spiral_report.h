@@ -62,14 +62,17 @@ struct SpiralReport {
   double lift_length = 0.0;                         ///< of the straight moves from pass to pass, mm; not part of path_length
   double turn_radius = 0.0; ///< of the sharpest turns, in step-overs: all but 0.1 % of the path have a larger radius
   Eigen::Vector3d sharpest_place = Eigen::Vector3d::Zero(); ///< the place of the sharpest turn
-  double least_length = 0.0;                                ///< of any path at this scallop height, by the same method; 0: not measured
+  double least_length = 0.0;                                ///< of any path at this scallop height
+  double efficiency = 0.0;                                  ///< least_length / path_length
   std::size_t turns = 0;                                    ///< of the path, including those along the rim and the inner loop
   std::size_t path_points = 0;                              ///< of the path
   double path_length = 0.0;                                 ///< cut; lifts do not count
   std::size_t gap_points = 0;                               ///< path points over gaps of the scan
   double gap_length = 0.0;                                  ///< length of the path between them
-  double smallest_step_over = 0.0;                          ///< between neighbouring turns
-  double largest_step_over = 0.0;                           ///< between neighbouring turns
+  double smallest_step_over = 0.0;                          ///< between neighbouring turns, measured on the path by measureTurns
+  Eigen::Vector3d closest_place = Eigen::Vector3d::Zero();  ///< where it is
+  double largest_step_over = 0.0;                           ///< that the scallop height allows
+  std::size_t reversals = 0;                                ///< places where the path turns back on itself, see PathReversals
   double corner_ridge = 0.0;           ///< predicted height of ridges at corners, if above the scallop height; else 0; the
                                        ///< tool radius if material is left uncut
   double largest_allowed_step = 0.0;   ///< longest linear move that the chord error and SpiralSettings::max_step allow

@@ -37,7 +37,6 @@ scallopRows(const SpiralReport& r)
 {
   return {{"Loops", formatted("%zu: %zu in the spiral, %zu joined to it by bridges", r.scallop_loops, r.chain_loops, r.bridges)},
           {"Fingers", std::to_string(r.fingers)},
-          {"Efficiency: least possible length / path length", formatted("%.3f", r.least_length / r.path_length)},
           {"Travelled against the requested sense", formatted("%.0f %%", 100.0 * r.reversed_share)},
           {"Passes", r.pass_begins.empty()
                          ? std::string("1")
@@ -56,6 +55,10 @@ addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
                 {"Method", choiceName(r.method)},
                 {"Longest linear move", formatted("%.4g mm", r.largest_gap)},
                 {"Largest change of the axis in one move", formatted("%.3g\u00b0", r.largest_axis_change)}};
+  if (r.efficiency > 0.0)
+    rows.push_back({"Efficiency: least possible length / path length", formatted("%.3f", r.efficiency)});
+  if (!r.closest_place.isZero())
+    rows.push_back({"Neighbouring turns are closest", formatted("%.4g mm apart, at ", r.smallest_step_over) + place(r.closest_place)});
   if (r.method == SpiralMethod::ConstantScallop)
     for (const auto& row : scallopRows(r))
       rows.push_back(row);

@@ -9,6 +9,7 @@
 #include "core/tilted_axes.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
+#include <pcl_spiral/spiral/impl/path_reversals.h>
 
 #include <algorithm>
 #include <cmath>
@@ -277,7 +278,8 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
                        ? ": choose the other sense (setSense), passes with lifts between them (setOneWay), another scallop height or "
                          "the radial method (setMethod)"
                        : ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
-  return Status::success();
+  measureTurns(path, settings, figures);
+  return checkReversals(figures.reversals, settings);
 }
 
 } // namespace pcl_spiral

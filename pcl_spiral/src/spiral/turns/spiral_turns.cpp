@@ -3,6 +3,7 @@
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
+#include <pcl_spiral/spiral/impl/radial_least_length.h>
 #include <pcl_spiral/spiral/impl/spiral_curve.h>
 
 namespace pcl_spiral {
@@ -42,6 +43,7 @@ makeTurns(const RadialLineSet& lines, double spacing, double area, const SpiralS
   turns.smallest_step_over = function.smallestStepOver();
   turns.largest_step_over = function.largestStepOver();
   turns.largest_allowed_step = spiral.largestAllowedStep();
+  turns.least_length = leastLength(lines, settings);
   turns.corner_ridge = function.highestCornerRidge();
   if (const std::string warning = cornerWarning(turns.corner_ridge, settings); !warning.empty())
     turns.warnings.push_back(warning);

@@ -101,7 +101,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOnLines(Surface::Cons
   report_.method = SpiralMethod::Radial;
   reportLines(lines, settings_, report_);
   const double area = surfaceArea(surface->graph());
-  dropTriangulation(surface); // the projection needs only neighbourhoods
+  if (given_lines_ || methodAsked(settings_) == SpiralMethod::Radial)
+    dropTriangulation(surface); // the projection needs only neighbourhoods; makeShortest may need it
   clock.end("radial lines");
   if (progress_ && !progress_(0.6, "spiral"))
     return {StatusCode::Cancelled, "cancelled"};
@@ -148,14 +149,18 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeShortest(Surface::Con
   report_.foreseen_radial = foresight.radial_length;
   report_.foreseen_scallop = foresight.scallop_length;
   clock.end("choice of method");
-  if (foresight.method == SpiralMethod::Radial)
-    return makeRadial(surface, loops, clock, turns);
+  if (foresight.method == SpiralMethod::Radial) {
+    const SpiralReport before = report_;
+    const Status status = makeRadial(surface, loops, clock, turns);
+    return putBackIfReversed(turns, before, report_) ? makeConstantScallop(*surface, loops, clock, turns) : status;
+  }
   const Status status = makeConstantScallop(*surface, loops, clock, turns);
   if (status.code() != StatusCode::Failed || !foresight.why_not_radial.empty())
     return status;
   report_.warnings.push_back("the radial method made the path, though a shorter one was foreseen at constant scallop height: " +
                              status.message());
-  return makeRadial(surface, loops, clock, turns);
+  const Status radial = makeRadial(surface, loops, clock, turns);
+  return radial.ok() && curveReversals(turns.curve).count > 0 ? status : radial;
 }
 
 template <typename PointInT, typename PointNT, typename PointOutT>

@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/spiral/gap_bridging.h>
 #include <pcl_spiral/spiral/impl/constant_scallop.h>
+#include <pcl_spiral/spiral/impl/path_reversals.h>
 #include <pcl_spiral/spiral/impl/published_spiral.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 #include <pcl_spiral/spiral/spiral_report.h>
@@ -33,6 +34,13 @@ void reportTurns(const SpiralTurns& turns, SpiralReport& report);
 void reportGaps(const GapFigures& gaps, SpiralReport& report);
 
 void reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& path, SpiralReport& report);
+
+/** Closest turns as measured, or as planned if the path has too few turns. Efficiency, with a warning if it is low. */
+void reportSpacing(const PathFigures& path, SpiralReport& report);
+
+/** True if the radial path of \p turns turns back on itself. Then \p report is what it was \p before that path, except for the stages, with
+ *  a warning. */
+bool putBackIfReversed(const SpiralTurns& turns, const SpiralReport& before, SpiralReport& report);
 
 /** Figures of the published method on \p surface, as far as it got. If the path is complete, its arrays move to \p path, with
  *  marks of gaps. */

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/spiral/spiral_path.h>
+
+#include "turn_spacing.h"
+
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/step_over.h>
+#include <pcl_spiral/spiral/impl/path_reversals.h>
+
+#include <algorithm>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double turns_apart = 0.5;  // of neighbouring turns
+constexpr double steps_apart = 4.0;  // flat step-overs along the path: the ends of a narrow turn do not count as neighbours
+constexpr double widest_steps = 5.0; // flat step-overs: metrics allow 4.5, see stepOverMetric
+
+} // namespace
+
+void
+measureTurns(const SpiralPath& path, const SpiralSettings& settings, PathFigures& figures)
+{
+  const TurnedPath turned{path.contacts, path.turns, path.passes};
+  const std::vector<std::uint8_t> counted = betweenEnds(turned);
+  figures.reversals = findReversals(turned, counted);
+  const double flat = stepOver(settings.tool_radius, 0.0, settings.scallop_height).value_or(settings.tool_radius);
+  figures.closest =
+      settings.method == SpiralMethod::ConstantScallop
+          ? closestTurns(path, counted, path.arc_lengths, steps_apart * flat, widest_steps * flat)
+          : closestTurns(path, counted, std::vector<double>(path.turns.begin(), path.turns.end()), turns_apart, widest_steps * flat);
+}
+
+Status
+checkReversals(const PathReversals& reversals, const SpiralSettings& settings)
+{
+  if (reversals.count == 0 || settings.method == SpiralMethod::ConstantScallop)
+    return Status::success();
+  std::string without;
+  const auto leaveOut = [&without](bool given, const char* setting) {
+    if (given)
+      without += (without.empty() ? ", without " : " and ") + std::string(setting);
+  };
+  leaveOut(settings.centre.has_value(), "a centre (setCenter)");
+  leaveOut(settings.lines != LineMethod::Automatic, "a method for radial lines (setLineMethod)");
+  leaveOut(settings.pitch == Pitch::AlongLine, "a pitch along them (setPitch)");
+  return {StatusCode::Failed, reversalText(reversals) + ": choose constant scallop height (setMethod)" + without};
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/spiral/impl/stage_reports.h>
+
+#include <pcl_spiral/common/impl/message.h>
+
+#include <utility>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double least_efficiency = 0.8; // below it there is a warning
+
+} // namespace
+
+void
+reportSpacing(const PathFigures& path, SpiralReport& report)
+{
+  if (path.closest.distance > 0.0) {
+    report.smallest_step_over = path.closest.distance;
+    report.closest_place = path.closest.place;
+  }
+  report.reversals = path.reversals.count;
+  if (!(report.least_length > 0.0) || !(report.path_length > 0.0))
+    return;
+  report.efficiency = report.least_length / report.path_length;
+  if (report.efficiency >= least_efficiency)
+    return;
+  std::string warning = textOf("the path is ", 1.0 / report.efficiency, " times as long as the least at this scallop height");
+  if (path.closest.distance > 0.0)
+    warning += textOf("; turns are closest at ", placeText(path.closest.place), ": ", path.closest.distance, " mm apart, where up to ",
+                      report.largest_step_over, " mm are allowed");
+  if (report.method != SpiralMethod::ConstantScallop)
+    warning += "; constant scallop height (setMethod) usually makes a shorter path";
+  report.warnings.push_back(warning);
+}
+
+bool
+putBackIfReversed(const SpiralTurns& turns, const SpiralReport& before, SpiralReport& report)
+{
+  const PathReversals reversals = curveReversals(turns.curve);
+  if (reversals.count == 0)
+    return false;
+  std::vector<StageCost> stages = std::move(report.stages);
+  report = before;
+  report.stages = std::move(stages);
+  report.warnings.push_back(
+      "the path was made at constant scallop height, though the radial method was foreseen to take less time: with it, " +
+      reversalText(reversals));
+  return true;
+}
+
+} // namespace pcl_spiral
