@@ -44,6 +44,7 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, std
   ProgressBar bar(job.quiet);
   JudgeSettings settings = job.settings;
   settings.mesh = part.mesh;
+  settings.side = part.side;
   settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
   if (part.mesh && part.mesh->counts().closed) // only the faces that the path touches are judged
     reference.reset();
@@ -66,15 +67,18 @@ run(const VerifyJob& job)
 {
   VerifyOutputs outputs(job);
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // errors are reported below, once
-  const JudgedPart part = readPart(job.scan, job.read, job.mesh);
+  const JudgedPart part = readPart(job.scan, job.read, job.mesh, job.settings.side);
   warn(job, part.warnings);
   std::shared_ptr<const ReferenceSurface> reference;
   bool all_hold = true;
   for (const std::string& file : job.paths) {
     const JudgedPath judged = judge(job, part, file, reference);
     all_hold = all_hold && judged.verification.broken.empty();
-    if (!job.quiet)
+    if (!job.quiet) {
+      if (!part.mesh)
+        std::cout << sideLine(part.side, judged.verification.side) << '\n';
       printFigures(judged.verification);
+    }
     warn(job, warningsOf(judged.verification));
     outputs.take(part, *reference, judged);
   }

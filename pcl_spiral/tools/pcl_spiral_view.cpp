@@ -34,12 +34,13 @@ requireWindow()
 VerificationScene
 judgedScene(const ViewJob& job)
 {
-  const JudgedPart part = readPart(job.scan, job.read, job.mesh);
+  const JudgedPart part = readPart(job.scan, job.read, job.mesh, job.settings.side);
   if (!job.quiet)
     for (const std::string& warning : part.warnings)
       std::cerr << "pcl_spiral_view: warning: " << warning << '\n';
   JudgeSettings settings = job.settings;
   settings.mesh = part.mesh;
+  settings.side = part.side;
   settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
   const auto path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(readToolpath(job.path).path);
   std::shared_ptr<const ReferenceSurface> reference;

@@ -328,6 +328,35 @@ TEST_F(CommandLine, UnitsAndThreadsDoNotChangeThePath)
   EXPECT_NEAR(a.back().arc_length, b.back().arc_length, 1e-3 * a.back().arc_length);
 }
 
+TEST_F(CommandLine, AReportMakesItsRunAgain)
+{
+  std::ostringstream text; // a scan that needs its options: columns in another order, metres, map coordinates
+  text.precision(12);
+  for (const Point& p : cap(6000))
+    text << p[2] / 1000.0 << ';' << 2.0 + p[0] / 1000.0 << ';' << 5.0 + p[1] / 1000.0 << '\n';
+  writeText(folder_.path("metres.csv"), text.str());
+  writeText(folder_.path("job.yaml"), "tilt: 7.25\ncenter: [1.5, -2, 0]\nrim: \"inside,0.5\"\nflip-normals: false\nthreads: 1\n");
+  const RunResult first = make("metres.csv", {"--config", "job.yaml", "--units", "m", "--columns", "z,x,y", "--origin", "2,5,0", "--method",
+                                              "radial", "--sense", "cw", "--feed", "2500", "-o", "first.csv", "-o", "first.json"});
+  ASSERT_EQ(first.code, 0) << first.err;
+  const std::string path = readText(folder_.path("first.csv"));
+  std::filesystem::remove(folder_.path("job.yaml")); // the report holds its options
+  const RunResult again = run({"--config", "first.json", "-o", "again.csv", "-o", "again.json"});
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_TRUE(readText(folder_.path("again.csv")) == path);
+  const RunResult third = run({"--config", "again.json", "-o", "third.csv", "--tilt", "0"});
+  ASSERT_EQ(third.code, 0) << third.err;
+  EXPECT_FALSE(readText(folder_.path("third.csv")) == path) << "the command line has priority";
+  // Without an output, the report's own are written.
+  std::filesystem::remove(folder_.path("first.csv"));
+  const RunResult same = run({"--config", "first.json"});
+  ASSERT_EQ(same.code, 0) << same.err;
+  EXPECT_TRUE(readText(folder_.path("first.csv")) == path);
+
+  writeText(folder_.path("old.json"), "{\"settings\": {\"tool_radius\": 3.0, \"scallop\": 0.02}}\n");
+  expectRefused({"cap.xyz", "--config", "old.json", "-o", "b.csv"}, 1, {"old.json", "does not have the options of its run"});
+}
+
 TEST_F(CommandLine, JobFileHoldsTheSameNamesAndTheCommandLineWins)
 {
   writeText(folder_.path("job.yaml"), "scan: cap.xyz\noutput: [a.csv, a.json]\ntool-radius: 6\nscallop: 0.02\n"

@@ -62,6 +62,17 @@ rows(const std::string& csv)
 
 } // namespace
 
+TEST(Drive, AReportMakesItsRunAgain)
+{
+  const ScratchFolder folder;
+  const RunResult done = run(folder, {"cap.xyz", "--tool-radius", "3", "--corner-radius", "1", "--step-over", "2", "--direction", "30",
+                                      "--one-way", "--axis", "0,0.1,1", "-o", "a.csv", "-o", "a.json"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const RunResult again = run(folder, {"--config", "a.json", "-o", "b.csv"});
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_TRUE(readText(folder.path("a.csv")) == readText(folder.path("b.csv")));
+}
+
 TEST(Drive, AColumnByAHelixForAnyCutter)
 {
   const ScratchFolder folder;

@@ -187,6 +187,8 @@ TEST_F(Refusals, CuttersLargerThanAHollow)
   char comma = ' ';
   ASSERT_TRUE(place >> x >> comma >> y) << message;
   EXPECT_LT(std::hypot(x - 15.0, y - 10.0), 8.0) << message;
+  const std::string remedy = "a radius of ", named = message.substr(message.find(remedy) + remedy.size());
+  EXPECT_EQ(run(part, {"--tool-radius", named.substr(0, named.find(' '))}).code, 0) << message;
   EXPECT_EQ(run(part, {}).code, 0);
 }
 

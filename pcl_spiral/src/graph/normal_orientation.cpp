@@ -54,6 +54,55 @@ private:
   std::vector<std::uint8_t> parity_;
 };
 
+/** Sums over the area: cosines of each vote, areas that agree, directions to the view point. */
+enum SideTerm {
+  AsGiven,
+  TowardsView,
+  TowardsZ,
+  Convex,
+  Area,
+  GivenArea,
+  GivenSame,
+  ViewSame,
+  ZSame,
+  ConvexSame,
+  ViewX,
+  ViewY,
+  ViewZ,
+  SideTerms
+};
+using SideSums = Eigen::Array<double, SideTerms, 1>;
+
+constexpr double clear_z = 0.1;     // of the area-weighted mean cosine
+constexpr double common_side = 0.9; // share of the given normals that must agree
+
+/** Which vote decides, and by what margin. \p side is the signed sum that decides. */
+OuterSide
+countVotes(const SideSums& sums, const SurfaceGraphOptions& options, double& side)
+{
+  OuterSide result;
+  if (sums[GivenArea] > 0.0)
+    result.normals_agreement = std::max(sums[GivenSame], sums[GivenArea] - sums[GivenSame]) / sums[GivenArea];
+  const bool as_given = sums[AsGiven] != 0.0 && (options.trust_normals || result.normals_agreement >= common_side);
+  result.normals_ignored = sums[AsGiven] != 0.0 && !as_given;
+  const bool by_view = !as_given && options.view_point;
+  const bool by_z = !as_given && !by_view && std::abs(sums[TowardsZ]) >= clear_z * sums[Area];
+  result.vote = as_given ? SideVote::GivenNormals : by_view ? SideVote::ViewPoint : by_z ? SideVote::PlusZ : SideVote::Convex;
+  const SideTerm term = as_given ? AsGiven : by_view ? TowardsView : by_z ? TowardsZ : Convex;
+  const SideTerm same = as_given ? GivenSame : by_view ? ViewSame : by_z ? ZSame : ConvexSame;
+  side = sums[term];
+  const double area = as_given ? sums[GivenArea] : sums[Area], sign = side < 0.0 ? -1.0 : 1.0;
+  if (!(area > 0.0))
+    return result;
+  result.mean_cosine = std::abs(side) / area;
+  result.agreement = side < 0.0 ? 1.0 - sums[same] / area : sums[same] / area;
+  result.z_cosine = sign * sums[TowardsZ] / sums[Area];
+  result.convex_cosine = sign * sums[Convex] / sums[Area];
+  if (options.view_point)
+    result.view_spread = 1.0 - sums.segment<3>(ViewX).matrix().norm() / sums[Area];
+  return result;
+}
+
 } // namespace
 
 std::vector<std::uint8_t>
@@ -92,7 +141,7 @@ consistentSigns(const std::vector<Eigen::Vector3f>& normals, const StarSet& star
   return flipped;
 }
 
-bool
+OuterSide
 chooseOuterSide(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& normals, const std::vector<float>& radii, double farthest,
                 const SurfaceGraphOptions& options, std::vector<std::uint8_t>& flipped)
 {
@@ -103,30 +152,38 @@ chooseOuterSide(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& n
   });
   const Eigen::Vector3d centroid = places.head<3>() / places.w();
   const bool given = options.given_normals.size() == blocks.size();
-  enum { AsGiven, TowardsView, TowardsZ, Convex, Area, Terms };
-  using Sums = Eigen::Array<double, Terms, 1>;
-  const Sums sums = sumOverPoints(blocks.size(), Sums(Sums::Zero()), [&](std::uint32_t i, Sums& sum) {
+  const SideSums sums = sumOverPoints(blocks.size(), SideSums(SideSums::Zero()), [&](std::uint32_t i, SideSums& sum) {
     if (radii[i] > farthest)
       return;
     const double weight = static_cast<double>(radii[i]) * radii[i];
     const Eigen::Vector3d n = (flipped[i] ? -1.0 : 1.0) * normals[i].cast<double>();
-    if (options.view_point)
-      sum[TowardsView] += weight * n.dot((*options.view_point - blocks.position(i)).normalized());
-    if (given)
-      sum[AsGiven] += weight * n.dot(options.given_normals[blocks.originalIndex(i)].cast<double>());
-    sum[TowardsZ] += weight * n.z();
-    sum[Convex] += weight * n.dot((blocks.position(i) - centroid).normalized());
+    const auto vote = [&](SideTerm term, SideTerm same, double cosine) {
+      sum[term] += weight * cosine;
+      sum[same] += cosine > 0.0 ? weight : 0.0;
+    };
+    if (options.view_point) {
+      const Eigen::Vector3d view = (*options.view_point - blocks.position(i)).normalized();
+      vote(TowardsView, ViewSame, n.dot(view));
+      sum.segment<3>(ViewX) += weight * view.array();
+    }
+    if (given) {
+      const Eigen::Vector3d as_given = options.given_normals[blocks.originalIndex(i)].cast<double>();
+      vote(AsGiven, GivenSame, n.dot(as_given));
+      sum[GivenArea] += as_given.isZero(0.0) ? 0.0 : weight;
+    }
+    vote(TowardsZ, ZSame, n.z());
+    vote(Convex, ConvexSame, n.dot((blocks.position(i) - centroid).normalized()));
     sum[Area] += weight;
   });
-  constexpr double clear = 0.1; // of the area-weighted mean cosine
-  const bool z_tells = std::abs(sums[TowardsZ]) >= clear * sums[Area], as_given = sums[AsGiven] != 0.0;
-  double side = sums[as_given ? AsGiven : options.view_point ? TowardsView : z_tells ? TowardsZ : Convex];
+  double side = 0.0;
+  OuterSide result = countVotes(sums, options, side);
+  result.flipped = options.flip_normals;
   if (options.flip_normals)
     side = -side;
   if (side < 0.0)
     for (std::uint8_t& f : flipped)
       f ^= 1;
-  return as_given || options.view_point || z_tells;
+  return result;
 }
 
 } // namespace pcl_spiral

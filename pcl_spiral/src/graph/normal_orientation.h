@@ -18,9 +18,9 @@ namespace pcl_spiral {
 std::vector<std::uint8_t> consistentSigns(const std::vector<Eigen::Vector3f>& normals, const StarSet& stars);
 
 /** Flip all normals together (\p flipped) if needed, so that they leave the material: as given, or towards the view
- *  point, or towards +z, or, if +z does not decide, to the convex side. False in that last case. Points whose
- *  neighbourhood is wider than \p farthest are ignored: they belong to no surface. */
-bool chooseOuterSide(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& normals, const std::vector<float>& radii,
-                     double farthest, const SurfaceGraphOptions& options, std::vector<std::uint8_t>& flipped);
+ *  point, or towards +z, or, if +z does not decide, to the convex side. Points whose neighbourhood is wider than
+ *  \p farthest are ignored: they belong to no surface. */
+OuterSide chooseOuterSide(const PointBlocks& blocks, const std::vector<Eigen::Vector3f>& normals, const std::vector<float>& radii,
+                          double farthest, const SurfaceGraphOptions& options, std::vector<std::uint8_t>& flipped);
 
 } // namespace pcl_spiral

@@ -201,7 +201,7 @@ SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
     return {StatusCode::InvalidInput, "most points of the cloud coincide: remove duplicates or check the units"};
 
   std::vector<std::uint8_t> flipped = consistentSigns(normals_, stars);
-  orientation_is_clear_ = chooseOuterSide(blocks_, normals_, radii_, far_off * usual_radius, options, flipped);
+  side_ = chooseOuterSide(blocks_, normals_, radii_, far_off * usual_radius, options, flipped);
   const Eigen::Vector4d zero = Eigen::Vector4d::Zero();
   const Eigen::Vector4d sum = sumOverPoints(size(), zero, [&](std::uint32_t i, Eigen::Vector4d& part) {
     if (flipped[i]) {

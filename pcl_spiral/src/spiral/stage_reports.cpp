@@ -94,6 +94,7 @@ reportSurface(const Surface& surface, bool made, SpiralReport& report)
   report.passes = made ? counts.passes : 0;
   report.spacing = surface.spacing();
   report.noise = surface.noise();
+  report.side = surface.side();
   report.projection_neighbours = surface.fit().neighbours();
   report.warnings = surface.warnings();
 }

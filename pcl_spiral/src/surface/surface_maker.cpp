@@ -5,6 +5,7 @@
 #include <pcl_spiral/cleaning/impl/clean_graph.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/features/impl/surface_parts.h>
+#include <pcl_spiral/surface/impl/side_text.h>
 
 #include <algorithm>
 #include <type_traits>
@@ -23,6 +24,7 @@ graphOptions(const SurfaceSettings& settings)
   options.max_circumradius = settings.alpha;
   options.view_point = settings.view_point;
   options.flip_normals = settings.flip_normals;
+  options.trust_normals = settings.trust_normals;
   return options;
 }
 
@@ -181,7 +183,7 @@ private:
     SurfaceCounts& counts = parts_.counts;
     counts.used = parts_.graph.size();
     parts_.settings = settings_;
-    parts_.side_is_clear = parts_.graph.orientationIsClear();
+    parts_.side = parts_.graph.side();
     if (counts.surplus > 0)
       parts_.warnings.push_back(textOf(counts.surplus,
                                        " surplus points were left out: they lie much closer to each other than to "
@@ -195,9 +197,8 @@ private:
         message += textOf(counts.isolated > 0 ? ", " : "", counts.speck, " in clusters apart from the surface");
       parts_.warnings.push_back(message);
     }
-    if (!parts_.side_is_clear)
-      parts_.warnings.push_back("+z does not show the outer side, so the convex side was taken: give a view point "
-                                "(setViewPoint) or flip the normals (setFlipNormals) if the cutter comes from the other side");
+    for (std::string& warning : sideWarnings(parts_.side))
+      parts_.warnings.push_back(std::move(warning));
   }
 
   const SurfaceSettings& settings_;
@@ -228,7 +229,7 @@ addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges
   parts.counts = surface->counts();
   parts.left_out = surface->leftOut();
   parts.input_size = surface->inputSize();
-  parts.side_is_clear = surface->sideIsClear();
+  parts.side = surface->side();
   parts.warnings = surface->warnings();
   SurfaceGraphOptions options = graphOptions(parts.settings);
   options.flip_normals = false; // the outer side is that of the surface given

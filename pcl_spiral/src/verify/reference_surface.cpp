@@ -6,6 +6,7 @@
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/frame.h>
 #include <pcl_spiral/features/impl/boundary_loops_engine.h>
+#include <pcl_spiral/surface/impl/side_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,9 +40,8 @@ ReferenceSurface::ReferenceSurface(Surface::ConstPtr surface)
 {
   if (strayPoints() > 0)
     warnings_.push_back(textOf(strayPoints(), " isolated outliers of the reference were left out"));
-  if (!scanned_->sideIsClear())
-    warnings_.push_back("the outer side of the reference could not be found from +z; the convex side was used: give a "
-                        "view point (setViewPoint) or flip the normals (setFlipNormals) if the cutter comes from the other side");
+  for (const std::string& warning : sideWarnings(scanned_->side()))
+    warnings_.push_back(warning);
   findRim();
 }
 

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/graph/impl/outer_side.h>
 #include <pcl_spiral/verify/figures.h>
 
 #include <optional>
@@ -29,6 +30,7 @@ struct Verification {
   std::size_t tips_off = 0;          ///< points whose tool tip in the file is not that of the cutter at their contact
   PlacedValue tip_error;             ///< the farthest of them, mm
   std::vector<std::string> broken;   ///< limits that do not hold, in words; see brokenLimits
+  OuterSide side;                    ///< of the reference: what decided it
   double seconds = 0.0;              ///< of judging, and of making the reference surface if this path was the first
   std::vector<std::string> unproven; ///< limits that the noise is too large for, in words; see unprovenLimits
 };

@@ -31,7 +31,8 @@ files(Job& job)
                     job.mesh),
        numberOption("crease-angle", "A", "mesh edges bent by more than this stay sharp, degrees; default 30: --crease-angle 20",
                     job.mesh_settings.crease_angle),
-       switchOption("flip-normals", "the cutter is on the other side of a mesh's faces", job.mesh_settings.flip)}};
+       switchOption("flip-normals", "the cutter is on the other side of the scan or mesh", job.mesh_settings.flip),
+       placeOption("view-point", "position of the scanner, mm; normals point to it: --view-point 0,0,3000", job.view_point)}};
   addOptions(group, readOptions(job));
   addOptions(group, scanOptions(job));
   addOptions(group, {configOption(job)});

@@ -2,6 +2,8 @@
 #include "drive_report.h"
 #include "passes/pass_report.h"
 
+#include "io/report/run_options.h"
+#include "io/report/side_json.h"
 #include "io/setting_names.h"
 #include "mesh/mesh_findings.h"
 
@@ -63,11 +65,17 @@ meshOf(const SurfaceMesh& mesh)
 void
 writeDriveReport(const std::string& file, const Job& job, const Result& result)
 {
-  Json report = {{"program", "pcl_spiral_drive"}, {"scan", job.scan}, {"settings", settingsOf(job)}, {"step_over", result.drive.step_over}};
+  Json report = {{"program", "pcl_spiral_drive"},
+                 {"scan", job.scan},
+                 {"options", optionsJson(job.options)},
+                 {"settings", settingsOf(job)},
+                 {"step_over", result.drive.step_over}};
   if (result.mesh)
     report["mesh"] = meshOf(*result.mesh);
-  else
+  else {
     report["points"] = result.scan.cloud->size();
+    report["side"] = sideJson(result.side);
+  }
   if (job.drive.kind == DriveKind::Planes)
     report["rows"] = rowsOf(result.drive);
   report["drive_points"] = result.drive.points;

@@ -81,10 +81,10 @@ completeScallop(Job& job)
 void
 requireMeshMeant(const Job& job)
 {
-  for (const char* option : {"columns", "leave-out-strays", "largest", "thin"})
+  for (const char* option : {"columns", "leave-out-strays", "largest", "thin", "view-point"})
     if (job.mesh && isGiven(job, option))
       throw UsageError(std::string("--") + option + ": belongs to scans, and --mesh uses the faces of a mesh; leave one of them out");
-  for (const char* option : {"crease-angle", "flip-normals", "no-gouge-check"})
+  for (const char* option : {"crease-angle", "no-gouge-check"})
     if (!job.mesh && isGiven(job, option))
       throw UsageError(std::string("--") + option + ": belongs to meshes; add --mesh to use the faces of the file, or leave it out");
   requireOption(job.mesh_settings.crease_angle > 0.0 && job.mesh_settings.crease_angle <= 180.0, "crease-angle",
@@ -106,6 +106,7 @@ void
 completePath(Job& job)
 {
   requireMeshMeant(job);
+  job.flip_scan = !job.mesh && job.mesh_settings.flip;
   if (job.mesh && !isGiven(job, "point-spacing"))
     job.drive.point_spacing = job.cutter.radius; // the chord error adds points where the surface bends
   DriveSettings& d = job.drive;

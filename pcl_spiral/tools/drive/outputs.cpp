@@ -61,7 +61,8 @@ printSummary(const Job& job, const Result& result, double seconds)
   if (result.mesh)
     std::printf("mesh            %s: %zu faces, %zu vertices\n", job.scan.c_str(), result.mesh->faceCount(), result.mesh->vertexCount());
   else
-    std::printf("scan            %s: %zu points\n", job.scan.c_str(), result.scan.cloud->size());
+    std::printf("scan            %s: %zu points\n%s\n", job.scan.c_str(), result.scan.cloud->size(),
+                sideLine(result.asked_side, result.side).c_str());
   if (result.drive.column)
     std::printf("column          radius %.4g to %.4g mm, covered over %.0f degrees\n", result.drive.column->least_radius,
                 result.drive.column->largest_radius, result.drive.column->covered_angle);

@@ -13,6 +13,7 @@
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/drive/drive_path.h>
 #include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/surface/impl/side_text.h>
 
 using namespace pcl_spiral;
 
@@ -64,6 +65,15 @@ drivePasses(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, 
   return passes;
 }
 
+/** Warns of a side that is not clear, if the axes depend on it. */
+void
+warnOfSide(const Job& job, Result& result)
+{
+  if (const DriveAxisMode mode = job.drive.axisMode(); mode == DriveAxisMode::Surface || mode == DriveAxisMode::LocalPlane)
+    for (std::string& warning : sideWarnings(result.side))
+      result.warnings.push_back(std::move(warning));
+}
+
 /** Adds the warnings: those of the scan in front, then those of the drive path and of the locations. */
 void
 warnOfPath(const Job& job, Result& result)
@@ -101,8 +111,10 @@ plan(const Job& job)
       clock.end("samples");
     }
   }
-  else
+  else {
     surface = readScan(job, bar, result, clock);
+    warnOfSide(job, result);
+  }
   const DrivePasses passes = drivePasses(job, surface, bar, result);
   clock.end("drive path");
   const std::vector<ToolLocations> located =

@@ -31,8 +31,7 @@ prepare(Judge& judge, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, cons
   if (settings.surface || settings.mesh)
     return; // oriented already
   judge.setFlipNormals(settings.flip_normals);
-  if (settings.view_point)
-    judge.setViewPoint(*settings.view_point);
+  setSide(settings.side, judge);
 }
 
 std::vector<float>
@@ -74,6 +73,7 @@ judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::
     heights.points = judgedPoints(scan, *reference);
     heights.deviation = intensities(values);
     verification.deviation = deviation.getFigures();
+    verification.side = reference->scanned().side();
     verification.deviation.warnings = inOptions(verification.deviation.warnings);
   }
   return deviation.getStatus();

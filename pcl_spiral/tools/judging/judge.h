@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "terminal/scan_side.h"
 #include "verify/verification.h"
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/verify/deviation_estimation.h>
@@ -11,7 +12,7 @@
 /** Settings for judging a path. */
 struct JudgeSettings {
   double tool_radius = 0.0, scallop_height = 0.0, chord_error = 0.0; ///< mm
-  std::optional<Eigen::Vector3d> view_point;
+  ScanSide side;                                                     ///< what decides the side of the scan
   bool flip_normals = false;
   unsigned int threads = 0;
   pcl_spiral::Surface::ConstPtr surface;            ///< of the scan, if it exists already; null: it is made

@@ -83,7 +83,7 @@ cutterOptions(const po::variables_map& given)
       number = numberValue(name, text(name));
   };
   if (given.count("view-point") > 0)
-    settings.view_point = placeValue("view-point", text("view-point"));
+    settings.side = {nullptr, placeValue("view-point", text("view-point")), true};
   read("tool-radius", settings.tool_radius);
   read("scallop", settings.scallop_height);
   read("chord-error", settings.chord_error);

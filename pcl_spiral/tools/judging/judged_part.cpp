@@ -9,12 +9,13 @@
 using namespace pcl_spiral;
 
 JudgedPart
-readPart(const std::string& file, const ReadOptions& read, const std::optional<MeshChoice>& mesh)
+readPart(const std::string& file, const ReadOptions& read, const std::optional<MeshChoice>& mesh, const ScanSide& side)
 {
   JudgedPart part;
   if (!mesh) {
     const Scan scan = readCloud(file, read);
     part.cloud = scan.cloud;
+    part.side = sideOf(scan, side.view_point);
     part.warnings = inOptions(scan.warnings);
     return part;
   }

@@ -11,9 +11,11 @@
 
 struct JudgedPart {
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud; ///< the scan; null: there is a mesh
+  ScanSide side;                                  ///< of the scan
   pcl_spiral::SurfaceMesh::ConstPtr mesh;
   std::vector<std::string> warnings; ///< from reading
 };
 
-/** Reads the scan or the mesh. \throw pcl_spiral::FileError */
-JudgedPart readPart(const std::string& file, const pcl_spiral::ReadOptions& read, const std::optional<MeshChoice>& mesh);
+/** Reads the scan or the mesh. \p side holds --view-point, if it was given. \throw pcl_spiral::FileError */
+JudgedPart readPart(const std::string& file, const pcl_spiral::ReadOptions& read, const std::optional<MeshChoice>& mesh,
+                    const ScanSide& side);

@@ -5,11 +5,13 @@
 #pragma once
 
 #include "program/program_job.h"
+#include "terminal/option_table.h"
 
 #include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/io/cloud_reader.h>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,11 +19,14 @@
 /** Settings that all such programs share: files, tool, machine, run. Lengths in mm, angles in degrees. */
 struct PassJob {
   std::set<std::string> given; ///< names of the options that were set, here or in a job file
+  NamedValues options;         ///< those options with their values, for the report
   std::string command;         ///< the call as typed
   std::string scan;            ///< empty if there is none
   std::string part;            ///< the file named in messages about the part
   std::vector<std::string> outputs;
   pcl_spiral::ReadOptions read;
+  std::optional<Eigen::Vector3d> view_point; ///< of --view-point
+  bool flip_scan = false;                    ///< the cutter is on the other side of the scan
   bool leave_out_strays = false;
   bool largest_part = false; ///< of several parts, use only the largest
   double thinning = 0.0;     ///< voxel edge; 0: none

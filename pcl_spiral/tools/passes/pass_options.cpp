@@ -55,8 +55,11 @@ scanOptions(PassJob& job)
 Option
 configOption(PassJob& job)
 {
-  return textOption("config", "FILE", "job file in YAML with these option names; the command line has priority: --config job.yaml",
-                    job.config_file);
+  return textOption(
+      "config", "FILE",
+      "job file in YAML with these option names, or the .json report of a run, which is then made again; the command line has "
+      "priority: --config job.yaml",
+      job.config_file);
 }
 
 OptionGroup

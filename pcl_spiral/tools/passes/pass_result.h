@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include "terminal/scan_side.h"
+
 #include <pcl_spiral/common/impl/stage_clock.h>
 #include <pcl_spiral/cutter/impl/location_bisection.h>
 #include <pcl_spiral/io/cloud_reader.h>
@@ -17,6 +19,8 @@
 /** Passes and their figures. */
 struct PassResult {
   pcl_spiral::Scan scan;                               ///< of a mesh: its samples, if they were needed
+  ScanSide asked_side;                                 ///< what decides the side of the scan
+  pcl_spiral::OuterSide side;                          ///< what decided it
   pcl_spiral::SurfaceMesh::ConstPtr mesh;              ///< the part if it is a mesh; null for a scan
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole_scan; ///< with the outliers that were left out
   pcl_spiral::LocationFigures locations;

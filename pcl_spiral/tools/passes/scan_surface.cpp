@@ -8,6 +8,8 @@
 #include <pcl_spiral/surface/scanned_surface.h>
 #include <pcl_spiral/verify/impl/false_echoes.h>
 
+#include <pcl/common/io.h>
+
 using namespace pcl_spiral;
 
 namespace {
@@ -20,7 +22,8 @@ leaveOutStrays(const PassJob& job, PassResult& result)
   removal.setNumberOfThreads(job.threads);
   removal.setInputCloud(result.scan.cloud);
   const pcl::PointCloud<pcl::PointXYZ>::Ptr kept(new pcl::PointCloud<pcl::PointXYZ>);
-  removal.filter(*kept);
+  pcl::Indices indices;
+  removal.filter(indices);
   require(job.scan, removal.getStatus());
   const StrayFigures& f = removal.getFigures();
   if (f.strays > 0)
@@ -29,6 +32,11 @@ leaveOutStrays(const PassJob& job, PassResult& result)
                                      "group has ",
                                      f.largest_group, ", at ", placeText(f.largest_group_place),
                                      f.largest_group > largest_echo ? ": such a group is not a false echo; check what is there" : ""));
+  pcl::copyPointCloud(*result.scan.cloud, indices, *kept);
+  if (const auto normals = result.scan.normals) {
+    result.scan.normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+    pcl::copyPointCloud(*normals, indices, *result.scan.normals);
+  }
   result.scan.cloud = kept;
 }
 
@@ -41,6 +49,8 @@ surfaceOf(const PassJob& job, ProgressBar& bar, const PassResult& result)
   scanned.setStrict(false); // a rough surface is accepted, with a warning
   scanned.setQuiet(true);
   setSurface(job, scanned);
+  setSide(result.asked_side, scanned);
+  scanned.setFlipNormals(job.flip_scan);
   scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.3 * share, stage); });
   Surface::ConstPtr surface;
   scanned.compute(surface);
@@ -77,7 +87,10 @@ readScan(const PassJob& job, ProgressBar& bar, PassResult& result, StageClock& c
     leaveOutStrays(job, result);
     clock.end("strays");
   }
+  result.asked_side = sideOf(result.scan, job.view_point);
   const Surface::ConstPtr surface = surfaceOf(job, bar, result);
+  if (surface)
+    result.side = surface->side();
   clock.end("surface");
   return surface;
 }

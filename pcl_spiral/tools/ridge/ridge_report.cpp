@@ -3,6 +3,7 @@
 
 #include "passes/pass_report.h"
 
+#include "io/report/run_options.h"
 #include "io/setting_names.h"
 
 using namespace pcl_spiral;
@@ -102,6 +103,7 @@ writeRidgeReport(const std::string& file, const Job& job, const Result& result)
   for (const auto& [name, value] : {std::pair("rail", job.rail), std::pair("generator", job.generator), std::pair("scan", job.scan)})
     if (!value.empty())
       report[name] = value;
+  report["options"] = optionsJson(job.options);
   report["settings"] = settingsOf(job);
   report["ridge"] = ridgeOf(result.ridge->report());
   if (result.found)

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 namespace po = boost::program_options;
 
@@ -89,7 +88,7 @@ holds(const NamedValues& values, const std::string& name)
 
 } // namespace
 
-std::set<std::string>
+NamedValues
 setOptions(const OptionTable& table, int argc, const char* const* argv, const std::vector<std::string>& files)
 {
   const NamedValues given = splitArguments(table, files, argc, argv);
@@ -99,13 +98,12 @@ setOptions(const OptionTable& table, int argc, const char* const* argv, const st
     filed = readJobFile(config->second, table);
     filed.erase(std::remove_if(filed.begin(), filed.end(), [&given](const auto& v) { return holds(given, v.first); }), filed.end());
   }
-  std::set<std::string> names;
-  for (const NamedValues* values : {static_cast<const NamedValues*>(&filed), &given}) {
-    setValues(table, files, *values);
-    for (const auto& value : *values)
-      names.insert(value.first);
-  }
-  return names;
+  setValues(table, files, filed);
+  setValues(table, files, given);
+  for (const auto& value : given)
+    if (value.first != "config")
+      filed.push_back(value);
+  return filed;
 }
 
 void

@@ -8,15 +8,13 @@
 #include "option_table.h"
 
 #include <ostream>
-#include <set>
 #include <string>
 #include <vector>
 
 /** Sets the options of \p table from the command line; words without a name are the options \p files in that order. The file of
- *  --config is read as a job file; the command line has priority. \return the names that were set. \throw UsageError,
+ *  --config is read as a job file; the command line has priority. \return what was set, without --config. \throw UsageError,
  *  pcl_spiral::FileError (job file) */
-std::set<std::string> setOptions(const OptionTable& table, int argc, const char* const* argv,
-                                 const std::vector<std::string>& files = {"scan"});
+NamedValues setOptions(const OptionTable& table, int argc, const char* const* argv, const std::vector<std::string>& files = {"scan"});
 
 /** A job from the command line: its options by \p table, then the rest by \p complete, unless it only asks for help or version. */
 template <typename Job, typename Complete>
@@ -25,7 +23,9 @@ parseJob(int argc, const char* const* argv, OptionTable (*table)(Job&), Complete
 {
   Job job;
   job.command = commandLine(argc, argv);
-  job.given = setOptions(table(job), argc, argv, files);
+  job.options = setOptions(table(job), argc, argv, files);
+  for (const auto& option : job.options)
+    job.given.insert(option.first);
   if (!job.help && !job.version)
     complete(job);
   return job;

@@ -38,6 +38,18 @@ load(const std::string& file)
   }
 }
 
+/** The map of options: a job file itself, or a part of a report. */
+YAML::Node
+jobOf(const std::string& file, const YAML::Node& root)
+{
+  const YAML::Node options = root["options"];
+  if (options && options.IsMap())
+    return options;
+  if (const YAML::Node settings = root["settings"]; settings && settings.IsMap())
+    throw FileError(file, "this report does not have the options of its run, as reports of earlier versions; write them into a job file");
+  return root;
+}
+
 } // namespace
 
 NamedValues
@@ -47,7 +59,7 @@ readJobFile(const std::string& file, const OptionTable& table)
   if (!root.IsMap())
     throw FileError(file, "this is not a job file; write lines such as 'tool-radius: 10'");
   NamedValues values;
-  for (const auto& entry : root) {
+  for (const auto& entry : jobOf(file, root)) {
     const std::string name = scalar(file, entry.first);
     if (!findOption(table, name) || name == "config" || name == "help" || name == "version")
       throw UsageError(file + ": " + line(entry.first) + "'" + name + "' is not a setting" + suggestion(table, name));

@@ -7,13 +7,8 @@
 #include "option_table.h"
 
 #include <string>
-#include <utility>
-#include <vector>
 
-/** Options by name with their values, as on the command line. */
-using NamedValues = std::vector<std::pair<std::string, std::string>>;
-
-/** The options in a YAML map of names and values. Lists become comma-separated words; a list under output
- * gives several outputs. \throw UsageError for a name that is not in \p table, pcl_spiral::FileError for a
- * file that is not a map */
+/** The options in a YAML map of names and values, or those of the run in its JSON report. Lists become comma-separated words; a list
+ * under output gives several outputs. \throw UsageError for a name that is not in \p table, pcl_spiral::FileError for a
+ * file that is not a map, and for a report without options */
 NamedValues readJobFile(const std::string& file, const OptionTable& table);

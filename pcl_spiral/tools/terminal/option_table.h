@@ -8,7 +8,11 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
+
+/** Options by name with their values, as on the command line; "output" once for each file. */
+using NamedValues = std::vector<std::pair<std::string, std::string>>;
 
 /** One option, on the command line and in a job file alike. */
 struct Option {

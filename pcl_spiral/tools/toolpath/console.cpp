@@ -82,6 +82,8 @@ printSurface(const Job& job, const Result& result)
   std::printf(", %zu used\n", report.used_points);
   std::printf("surface         spacing %.4g mm, %s %.2g mm\n", report.spacing, result.mesh ? "samples off the fits" : "noise",
               report.noise);
+  if (!result.mesh)
+    std::printf("%s\n", sideLine(result.side, report.side).c_str());
   std::size_t gaps = 0;
   for (const pcl_spiral::BoundaryLoop& loop : report.loops) {
     gaps += loop.type == pcl_spiral::LoopType::ScanGap;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "program/program_job.h"
+#include "terminal/option_table.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
@@ -16,6 +17,7 @@
 /** The user's settings for one run. */
 struct Job {
   std::set<std::string> given; ///< names of the options that were set, here or in a job file
+  NamedValues options;         ///< those options with their values, for the report
   std::string command;         ///< the call as typed
   std::string scan;
   std::string config_file;

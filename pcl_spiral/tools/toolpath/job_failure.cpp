@@ -28,8 +28,8 @@ inMesh(std::string message)
       {"scan more densely", "sample it more closely (--sample-spacing)"},
       {"scan it again", "close it in the mesh"},
       {"the whole scan", "the whole mesh"},
-      {"would gouge; use a smaller tool",
-       "would gouge; use a smaller tool, or, if this is only roughness of the mesh, increase the sample spacing (--sample-spacing)"},
+      {"fits everywhere on the scan",
+       "fits everywhere on the mesh; if that place is only roughness of the mesh, increase the sample spacing (--sample-spacing)"},
       {"scanned surface", "surface"},
       {"the scan", "the mesh"},
       {"the cloud", "the mesh"}};

@@ -60,7 +60,8 @@ files(Job& job)
        {"columns", "NAMES", "names of the columns of a text file, from the left; x, y and z are used: --columns id,x,y,z",
         [&job](const std::string& value) { job.read.columns = listValue(value); }},
        textOption("config", "FILE",
-                  "job file in YAML with these option names (tool-radius: 10); the command line has priority: --config job.yaml",
+                  "job file in YAML with these option names (tool-radius: 10), or the .json report of a run, which is then made "
+                  "again; the command line has priority: --config job.yaml",
                   job.config_file)}};
 }
 

@@ -58,7 +58,7 @@ isReport(const std::string& output)
 void
 writeReport(const Job& job, const Result& result, const std::string& title, PictureFiles& pictures, const std::string& file)
 {
-  RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings, {}};
+  RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings, {}, job.options};
   if (result.mesh)
     run.mesh = RunMesh{result.mesh->counts, result.mesh->spacing};
   const Verification* const verification = result.verification ? &*result.verification : nullptr;

@@ -18,7 +18,7 @@ judge(const Job& job, Result& result)
   settings.tool_radius = s.tool_radius;
   settings.scallop_height = s.scallop_height;
   settings.chord_error = s.chord_error;
-  settings.view_point = s.view_point;
+  settings.side = result.side;
   settings.flip_normals = s.flip_normals;
   settings.threads = s.threads;
   settings.sample_spacing = job.sample_spacing;

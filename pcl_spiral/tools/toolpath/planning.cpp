@@ -27,8 +27,8 @@ surfaceOf(const Job& job, const Result& result, ProgressBar& bar)
   scanned.setInputCloud(result.scan.cloud);
   if (result.mesh)
     scanned.setInputNormals(result.mesh->normals);
-  if (job.settings.view_point)
-    scanned.setViewPoint(*job.settings.view_point);
+  else
+    setSide(result.side, scanned);
   scanned.setFlipNormals(job.settings.flip_normals && !result.mesh);
   scanned.setLargestPart(job.settings.largest_part);
   scanned.setNumberOfThreads(job.settings.threads);
@@ -49,6 +49,7 @@ readInput(const Job& job, ProgressBar& bar, StageClock& clock, Result& result)
   else {
     result.scan = readCloud(job.scan, job.read);
     result.scan.warnings = inOptions(result.scan.warnings);
+    result.side = sideOf(result.scan, job.settings.view_point);
   }
   clock.end("reading");
   if (cancelled())
@@ -66,6 +67,8 @@ SpiralSettings
 settingsFor(const Job& job, const Result& result)
 {
   SpiralSettings settings = job.settings;
+  if (!result.mesh)
+    settings.view_point = result.side.view_point;
   if (result.mesh) {
     settings.hole_size = meshHoleSize(job, *result.mesh);
     settings.flip_normals = false; // the mesh is turned already
@@ -87,6 +90,8 @@ plan(const Job& job)
   generator.setInputCloud(result.scan.cloud);
   if (result.surface)
     generator.setInputSurface(result.surface);
+  else
+    setSide(result.side, generator);
   result.settings = settingsFor(job, result);
   generator.setSettings(result.settings);
   result.settings.flip_normals = job.settings.flip_normals;

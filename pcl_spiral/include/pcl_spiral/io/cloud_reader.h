@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct ReadOptions {
 /** A scan in mm. */
 struct Scan {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud; ///< never null
+  pcl::PointCloud<pcl::Normal>::Ptr normals; ///< normals in the file, one per point, zero for none; null: the file has none
+  std::optional<Eigen::Vector3d> view_point; ///< VIEWPOINT of a .pcd, mm, unless it is the default 0 0 0 1 0 0 0
   std::vector<std::string> warnings;         ///< what the reader found and did not change
 };
 
@@ -51,7 +54,8 @@ const std::vector<std::string>& cloudExtensions();
  *  Text: one point per line; columns separated by commas, semicolons, or blanks; comment
  *  lines start with # or //. Scaling and shift are done in double precision, then rounded to
  *  float; a warning reports where the rounding is more than 0.001 mm. Nothing else is changed:
- *  not-a-number points and duplicates stay. \throw FileError with the line or byte and the
+ *  not-a-number points and duplicates stay. Columns nx ny nz, or normal_x normal_y normal_z, of a .pcd, .ply or text file are
+ *  read as normals. \throw FileError with the line or byte and the
  *  reason: missing, a folder, empty, cut off, not a number, no x y z, unknown extension */
 Scan readCloud(const std::string& file, const ReadOptions& options = {});
 

@@ -36,6 +36,7 @@ struct SpiralReport {
   double spacing = 0.0;             ///< median distance of neighbouring points
   int passes = 0;                   ///< over all neighbourhoods, for surface and gaps; 0 for a given surface. The program adds the check's
   double noise = 0.0;               ///< standard deviation of the points about the fitted surface
+  OuterSide side;                   ///< what decided the side of the cutter, and how clearly
   int projection_neighbours = 0;    ///< neighbours in one surface fit
   std::vector<BoundaryLoop> loops;  ///< rim, holes and gaps, as found or given
   std::vector<HoleReport> holes;    ///< holes and gaps

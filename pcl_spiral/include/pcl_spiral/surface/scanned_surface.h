@@ -44,6 +44,11 @@ public:
   void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
   NormalsConstPtr getInputNormals() const { return normals_; } ///< The value of setInputNormals.
 
+  /** Refuse input normals without a common side (more than a tenth disagree); true by default. If false, such normals are not
+   *  used, with a warning: the view point or +z decides. */
+  void setTrustNormals(bool trust) { settings_.trust_normals = trust; }
+  bool getTrustNormals() const { return settings_.trust_normals; } ///< The value of setTrustNormals.
+
   /** Position of the scanner: normals face it. Without it they face +z as a whole. */
   void setViewPoint(const Eigen::Vector3d& point) { settings_.view_point = point; }
   const std::optional<Eigen::Vector3d>& getViewPoint() const { return settings_.view_point; } ///< The value of setViewPoint.

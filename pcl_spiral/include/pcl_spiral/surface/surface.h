@@ -30,6 +30,7 @@ struct SurfaceSettings {
   double outlier_deviations = 3.0;           ///< its threshold in standard deviations
   int neighbours = 32;                       ///< in one neighbourhood, to start with
   double alpha = 3.0;                        ///< radius of the largest circle without points that is still surface, in spacings
+  bool trust_normals = true;                 ///< refuse input normals without a common side; false: do not use them, and warn
   bool strict = true;                        ///< refuse a scan that is no single sheet or is badly connected
 };
 
@@ -94,7 +95,7 @@ public:
     SurfaceCounts counts;              ///< what happened to the points
     LeftOutPoints left_out;            ///< points that are not part of it
     std::size_t input_size = 0;        ///< number of points in the cloud
-    bool side_is_clear = true;         ///< see sideIsClear
+    OuterSide side;                    ///< see side()
     std::vector<std::string> warnings; ///< see warnings()
   };
   explicit Surface(Parts parts);    ///< Takes the parts and fits the surface to them.
@@ -132,7 +133,9 @@ public:
   const SurfaceCounts& counts() const { return parts_.counts; }       ///< What happened to the points of the cloud.
   const LeftOutPoints& leftOut() const { return parts_.left_out; }    ///< The points left out, and why.
   /** True if normals, a view point or +z gave the outer side. If false, the convex side was taken. */
-  bool sideIsClear() const { return parts_.side_is_clear; }
+  bool sideIsClear() const { return parts_.side.vote != SideVote::Convex; }
+  /** What decided the outer side, and how clearly. */
+  const OuterSide& side() const { return parts_.side; }
   /** Which points were left out and whether the side is guessed, as text. */
   const std::vector<std::string>& warnings() const { return parts_.warnings; }
 

@@ -45,6 +45,10 @@ public:
   void setInputNormals(const NormalsConstPtr& normals) { scanned_.setInputNormals(normals); }
   NormalsConstPtr getInputNormals() const { return scanned_.getInputNormals(); } ///< The value of setInputNormals.
 
+  /** \see ScannedSurface::setTrustNormals */
+  void setTrustNormals(bool trust) { scanned_.setTrustNormals(trust); }
+  bool getTrustNormals() const { return scanned_.getTrustNormals(); } ///< The value of setTrustNormals.
+
   /** Position of the scanner: normals face it. Without it they face +z as a whole. */
   void setViewPoint(const Eigen::Vector3d& point) { scanned_.setViewPoint(point); }
   const std::optional<Eigen::Vector3d>& getViewPoint() const { return scanned_.getViewPoint(); } ///< The value of setViewPoint.

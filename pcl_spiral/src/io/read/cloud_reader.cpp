@@ -6,6 +6,8 @@
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/file_error.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 
 namespace pcl_spiral {
@@ -18,19 +20,37 @@ isText(const std::string& extension)
 }
 
 PointTable
-readTable(const std::string& file, const std::string& extension, const Names& columns)
+readTable(const std::string& file, const std::string& bytes, const std::string& extension, const Names& columns)
 {
-  const std::string bytes = readBytes(file);
+  constexpr NormalColumns normals = NormalColumns::Read;
   const Names xyz{"x", "y", "z"};
   if (extension == ".pcd")
-    return readPcdTable(file, bytes, xyz);
+    return readPcdTable(file, bytes, xyz, normals);
   if (extension == ".ply")
-    return readPlyTable(file, bytes, xyz);
+    return readPlyTable(file, bytes, xyz, normals);
   if (extension == ".stl")
     return readStlTable(file, bytes);
   if (extension == ".obj")
     return readObjTable(file, bytes);
-  return readTextTable(file, bytes, xyz, columns);
+  return readTextTable(file, bytes, xyz, columns, normals);
+}
+
+/** The columns behind x y z as normals; zero where one is not finite; null without these columns or if all are zero. */
+pcl::PointCloud<pcl::Normal>::Ptr
+normalsOf(const PointTable& table)
+{
+  if (table.size() < 6)
+    return nullptr;
+  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+  bool any = false;
+  for (std::size_t i = 0; i < table[0].size(); ++i) {
+    const Eigen::Vector3d normal(table[3][i], table[4][i], table[5][i]);
+    const bool known = normal.allFinite() && normal.norm() > 0.0;
+    const Eigen::Vector3f n = known ? normal.normalized().cast<float>().eval() : Eigen::Vector3f(Eigen::Vector3f::Zero());
+    normals->emplace_back(n.x(), n.y(), n.z());
+    any = any || known;
+  }
+  return any ? normals : nullptr;
 }
 
 } // namespace
@@ -53,7 +73,13 @@ readCloud(const std::string& file, const ReadOptions& options)
     throw FileError(file, "only the columns of text files can be named; leave ReadOptions::columns out");
 
   Scan scan;
-  scan.cloud = scaledPoints(readTable(file, extension, options.columns), options);
+  const std::string bytes = readBytes(file);
+  const PointTable table = readTable(file, bytes, extension, options.columns);
+  scan.cloud = scaledPoints(table, options);
+  scan.normals = normalsOf(table);
+  if (extension == ".pcd")
+    if (const auto place = readPcdViewPoint(file, bytes))
+      scan.view_point = millimetres(options.unit) * (*place - options.origin);
   scan.warnings = scaleWarnings(file, *scan.cloud);
   return scan;
 }

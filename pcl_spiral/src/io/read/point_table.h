@@ -4,6 +4,9 @@
  */
 #pragma once
 
+#include <Eigen/Core>
+
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,14 +18,18 @@ using PointTable = std::vector<std::vector<double>>;
 
 using Names = std::vector<std::string>;
 
+/** Whether a reader adds the columns of normals, if the file names all three, behind the wanted ones. */
+enum class NormalColumns { Leave, Read };
+
 /** \p bytes is the content of \p file; the name is for messages. Each reader throws FileError if a
  * wanted column is missing, a value is not a number, or the file ends too early.
  *  @{ */
-PointTable readPcdTable(const std::string& file, std::string_view bytes, const Names& wanted);
-PointTable readPlyTable(const std::string& file, std::string_view bytes, const Names& wanted);
+PointTable readPcdTable(const std::string& file, std::string_view bytes, const Names& wanted, NormalColumns normals = NormalColumns::Leave);
+PointTable readPlyTable(const std::string& file, std::string_view bytes, const Names& wanted, NormalColumns normals = NormalColumns::Leave);
 /** \p columns names the columns from the left; empty: the file's header names them, otherwise the first columns are
  * the wanted ones. */
-PointTable readTextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns = {});
+PointTable readTextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns = {},
+                         NormalColumns normals = NormalColumns::Leave);
 /** Vertices x y z. */
 PointTable readObjTable(const std::string& file, std::string_view bytes);
 /** Corners x y z of the triangles, each point once. */
@@ -32,6 +39,12 @@ PointTable readVtpTable(const std::string& file, std::string_view bytes);
 /** First points of its second and of each further polyline; the points of all polylines are in order. */
 std::vector<std::size_t> readVtpPasses(const std::string& file, std::string_view bytes);
 /** @} */
+
+/** The position in VIEWPOINT of a PCD file, in the unit of the file; absent for the default 0 0 0 1 0 0 0. \throw FileError */
+std::optional<Eigen::Vector3d> readPcdViewPoint(const std::string& file, std::string_view bytes);
+
+/** \p wanted, then the three columns of normals if \p names has them: nx ny nz, or normal_x normal_y normal_z. */
+Names withNormals(const Names& names, const Names& wanted);
 
 /** Position of each wanted name in \p names, upper or lower case. \throw FileError with the names of the file
  */

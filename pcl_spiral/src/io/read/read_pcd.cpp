@@ -7,6 +7,9 @@
 
 #include <pcl/io/lzf.h>
 
+#include <array>
+#include <cmath>
+
 namespace pcl_spiral {
 namespace {
 
@@ -29,7 +32,8 @@ struct PcdHeader {
   std::size_t points = 0;
   std::size_t words_a_point = 0;
   std::size_t bytes_a_point = 0;
-  std::string data; ///< ascii, binary, binary_compressed
+  std::optional<Eigen::Vector3d> view_point; ///< of VIEWPOINT, unless it is the default
+  std::string data;                          ///< ascii, binary, binary_compressed
   std::size_t begin = 0;
   std::size_t lines = 0;
 
@@ -71,8 +75,10 @@ private:
   {
     splitWords(line, ' ', words_);
     const std::string_view key = words_[0];
-    if (key == "VERSION" || key == "VIEWPOINT")
+    if (key == "VERSION")
       return;
+    if (key == "VIEWPOINT")
+      return takeViewPoint();
     if (words_.size() < 2)
       fail(quoted(key) + " has no value in the header");
     if (key == "FIELDS" || key == "COLUMNS") {
@@ -91,6 +97,21 @@ private:
       header_.data = words_[1];
     else
       fail(quoted(key) + " is not a line of a PCD header; is this a PCD file?");
+  }
+
+  /** Place of the scanner and a quaternion. The points are in the frame of the file, so only the place is used. */
+  void takeViewPoint()
+  {
+    constexpr std::array<double, 7> by_default{0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
+    std::array<double, 7> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::optional<double> value = i + 1 < words_.size() ? toNumber(words_[i + 1]) : std::nullopt;
+      if (!value || !std::isfinite(*value))
+        fail("VIEWPOINT must have 7 numbers: the place x y z of the scanner and a quaternion");
+      values[i] = *value;
+    }
+    if (values != by_default)
+      header_.view_point = Eigen::Vector3d(values[0], values[1], values[2]);
   }
 
   void takeFields(std::string_view key)
@@ -228,11 +249,18 @@ readBinary(std::string_view body, const PcdHeader& header, const std::vector<std
 
 } // namespace
 
+std::optional<Eigen::Vector3d>
+readPcdViewPoint(const std::string& file, std::string_view bytes)
+{
+  return PcdHeaderReader(file, bytes).read().view_point;
+}
+
 PointTable
-readPcdTable(const std::string& file, std::string_view bytes, const Names& wanted)
+readPcdTable(const std::string& file, std::string_view bytes, const Names& wanted, NormalColumns normals)
 {
   const PcdHeader header = PcdHeaderReader(file, bytes).read();
-  const std::vector<std::size_t> fields = columnsOf(file, header.names, wanted);
+  const Names names = normals == NormalColumns::Read ? withNormals(header.names, wanted) : wanted;
+  const std::vector<std::size_t> fields = columnsOf(file, header.names, names);
   if (header.data == "ascii")
     return readAscii(file, bytes, header, fields);
   if (header.data == "binary_compressed")

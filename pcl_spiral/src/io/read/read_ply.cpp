@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl_spiral {
 namespace {
@@ -14,14 +15,16 @@ namespace {
 // An own reader, because the reader of PCL 1.13 reads words that are not numbers as NaN without an error and reports
 // other errors only on the console.
 
+constexpr std::size_t no_column = std::numeric_limits<std::size_t>::max();
 const Names face_lists{"vertex_indices", "vertex_index"};
 
 /** Reads a PLY file: ascii, or binary of either byte order. */
 class PlyTable {
 public:
   /** Faces are read if a list for them is given, otherwise skipped. */
-  PlyTable(const std::string& file, std::string_view bytes, const Names& wanted, FaceList* faces)
-  : file_(file), bytes_(bytes), wanted_(wanted), lines_(bytes), header_(readPlyHeader(file, lines_)), at_(lines_.position()), faces_(faces)
+  PlyTable(const std::string& file, std::string_view bytes, const Names& wanted, FaceList* faces, NormalColumns normals)
+  : file_(file), bytes_(bytes), wanted_(wanted), normals_(normals), lines_(bytes), header_(readPlyHeader(file, lines_)),
+    at_(lines_.position()), faces_(faces)
   {}
 
   PointTable read()
@@ -29,7 +32,7 @@ public:
     bool found = false;
     for (const PlyElement& element : header_.elements) {
       const bool vertices = element.name == "vertex";
-      column_of_.assign(element.properties.size(), wanted_.size());
+      column_of_.assign(element.properties.size(), no_column);
       list_of_faces_ = element.properties.size();
       if (vertices)
         settleColumns(element);
@@ -57,6 +60,8 @@ private:
 
   void settleColumns(const PlyElement& element)
   {
+    if (normals_ == NormalColumns::Read)
+      wanted_ = withNormals(element.propertyNames(), wanted_);
     const std::vector<std::size_t> positions = columnsOf(file_, element.propertyNames(), wanted_);
     for (std::size_t c = 0; c < positions.size(); ++c) {
       if (element.properties[positions[c]].list)
@@ -104,7 +109,7 @@ private:
       if (word >= words_.size())
         failLine(std::to_string(words_.size()) + " values, too few for the lists in the line");
       const double value = numberIn(word);
-      if (column_of_[p] < wanted_.size())
+      if (column_of_[p] != no_column)
         table_[column_of_[p]].push_back(value);
       const std::size_t count = element.properties[p].list ? listSize(value) : 0;
       if (p == list_of_faces_)
@@ -148,7 +153,7 @@ private:
         continue;
       }
       const double value = take(element, i, property.type);
-      if (column_of_[p] < wanted_.size())
+      if (column_of_[p] != no_column)
         table_[column_of_[p]].push_back(value);
     }
   }
@@ -187,10 +192,11 @@ private:
   std::string file_;
   std::string_view bytes_;
   Names wanted_;
+  NormalColumns normals_;
   LineScanner lines_;
   std::vector<std::string_view> words_;
   PlyHeader header_;
-  std::vector<std::size_t> column_of_; ///< for each property of the element, the wanted column; the number of columns for none
+  std::vector<std::size_t> column_of_; ///< for each property of the element, the wanted column, or no_column
   std::size_t list_of_faces_ = 0;      ///< the property of the element that lists corners; the number of properties for none
   PointTable table_;
   std::size_t at_;
@@ -200,16 +206,16 @@ private:
 } // namespace
 
 PointTable
-readPlyTable(const std::string& file, std::string_view bytes, const Names& wanted)
+readPlyTable(const std::string& file, std::string_view bytes, const Names& wanted, NormalColumns normals)
 {
-  return PlyTable(file, bytes, wanted, nullptr).read();
+  return PlyTable(file, bytes, wanted, nullptr, normals).read();
 }
 
 MeshTable
 readPlyMesh(const std::string& file, std::string_view bytes)
 {
   MeshTable mesh;
-  mesh.vertices = PlyTable(file, bytes, {"x", "y", "z"}, &mesh.faces).read();
+  mesh.vertices = PlyTable(file, bytes, {"x", "y", "z"}, &mesh.faces, NormalColumns::Leave).read();
   return mesh;
 }
 

@@ -64,8 +64,8 @@ isHeading(std::string_view word)
 /** Reads a text of points line by line. */
 class TextTable {
 public:
-  TextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns)
-  : file_(file), bytes_(bytes), wanted_(wanted), names_(columns), named_by_user_(!columns.empty())
+  TextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns, NormalColumns normals)
+  : file_(file), bytes_(bytes), wanted_(wanted), names_(columns), normals_(normals), named_by_user_(!columns.empty())
   {}
 
   PointTable read()
@@ -137,6 +137,8 @@ private:
     if (header && !named_by_user_ && find(names_, wanted_[0]) == names_.size())
       throw FileError(file_, atLine(number, quoted(words_[0]) + " is neither a number nor a heading with " + joined(wanted_) +
                                                 "; name the columns (ReadOptions::columns)"));
+    if (normals_ == NormalColumns::Read)
+      wanted_ = withNormals(names_, wanted_);
     positions_ = columnsOf(file_, names_, wanted_);
     width_ = words_.size();
     const std::size_t last = *std::max_element(positions_.begin(), positions_.end());
@@ -167,6 +169,7 @@ private:
   std::string_view bytes_;
   Names wanted_;
   Names names_;
+  NormalColumns normals_;
   bool named_by_user_;
   bool started_ = false;
   char separator_ = ' ';
@@ -177,6 +180,18 @@ private:
 };
 
 } // namespace
+
+Names
+withNormals(const Names& names, const Names& wanted)
+{
+  for (const Names& normal : {Names{"nx", "ny", "nz"}, Names{"normal_x", "normal_y", "normal_z"}})
+    if (std::all_of(normal.begin(), normal.end(), [&](const std::string& name) { return find(names, name) < names.size(); })) {
+      Names all = wanted;
+      all.insert(all.end(), normal.begin(), normal.end());
+      return all;
+    }
+  return wanted;
+}
 
 std::vector<std::size_t>
 columnsOf(const std::string& file, const Names& names, const Names& wanted)
@@ -191,9 +206,9 @@ columnsOf(const std::string& file, const Names& names, const Names& wanted)
 }
 
 PointTable
-readTextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns)
+readTextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns, NormalColumns normals)
 {
-  return TextTable(file, bytes, wanted, columns).read();
+  return TextTable(file, bytes, wanted, columns, normals).read();
 }
 
 } // namespace pcl_spiral

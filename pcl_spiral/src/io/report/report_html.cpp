@@ -5,6 +5,8 @@
 #include "mesh/mesh_findings.h"
 #include "report_writer.h"
 
+#include <pcl_spiral/surface/impl/side_text.h>
+
 #include <algorithm>
 
 namespace pcl_spiral {
@@ -105,6 +107,7 @@ addSurface(HtmlPage& page, const std::optional<RunMesh>& mesh, const SpiralRepor
   rows.push_back({"Point spacing, median", formatted("%.4g mm", r.spacing)});
   rows.push_back({mesh ? "Samples off the local fits, standard deviation" : "Noise of a single point, standard deviation",
                   formatted("%.2g mm", r.noise)});
+  rows.push_back({"Side of the cutter", sideText(r.side)});
   for (const BoundaryLoop& loop : r.loops) {
     const char* const name = loop.type == LoopType::Outer   ? "Outer rim"
                              : loop.type == LoopType::Inner ? "Inner loop"

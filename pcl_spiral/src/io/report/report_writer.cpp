@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/byte_file.h"
 #include "mesh_json.h"
+#include "side_json.h"
 #include "verification_json.h"
 
 #include "io/setting_names.h"
@@ -120,6 +121,7 @@ surfaceJson(const SpiralReport& report)
           {"neighbourhood_passes", report.passes},
           {"spacing", report.spacing},
           {"noise", report.noise},
+          {"side", sideJson(report.side)},
           {"projection_neighbours", report.projection_neighbours}};
 }
 
@@ -202,6 +204,7 @@ writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSett
   Json json = {{"units", {{"length", "mm"}, {"angle", "degree"}, {"feed", "mm/min"}, {"time", "s"}, {"memory", "MB"}}},
                {"input", {{"file", files.scan}, {"unit", choiceName(files.unit)}, {"origin", toJson(files.origin)}}},
                {"outputs", files.outputs},
+               {"options", optionsJson(files.options)},
                {"settings", settingsJson(settings)},
                {"surface", surfaceJson(report)},
                {"loops", loopsJson(report)},

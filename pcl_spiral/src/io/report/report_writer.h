@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "run_options.h"
 #include "verification_writer.h"
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
@@ -30,6 +31,7 @@ struct RunFiles {
   std::vector<std::string> outputs;
   std::vector<std::string> warnings; ///< from reading
   std::optional<RunMesh> mesh;       ///< if the points are samples of a mesh
+  RunOptions options = {};           ///< of the program, as they were given
 };
 
 /** Input, settings, loops, counts, time and memory of each stage and warnings of a run, and the figures of the path if it was

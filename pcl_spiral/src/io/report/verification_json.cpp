@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification_json.h"
+#include "side_json.h"
 
 #include "verify/verification_figures.h"
 
@@ -35,6 +36,7 @@ verificationJson(const Verification& v)
   for (const Figure& figure : table.figures())
     if (figure.in_json)
       json[Json::json_pointer("/" + figure.key)] = figureJson(figure);
+  json["side"] = sideJson(v.side);
   json["broken_limits"] = v.broken;
   json["unproven_limits"] = v.unproven;
   json["seconds"] = v.seconds;

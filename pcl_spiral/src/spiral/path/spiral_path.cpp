@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/spiral/impl/tight_places.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 
 #include "path_feet.h"
@@ -167,7 +168,7 @@ Status
 putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings, double longest_step,
              const ProgressCallback& progress, SpiralPath& path, GapFigures& figures)
 {
-  const double hollowest = -1.0 / settings.tool_radius;
+  TightPlaces tight(settings.tool_radius);
   path.contacts.resize(curve.size());
   path.normals.resize(curve.size());
   path.turns.resize(curve.size());
@@ -188,7 +189,7 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
     std::int64_t first_bad = count;
 #pragma omp parallel for schedule(static) reduction(min : first_bad)
     for (std::int64_t i = 0; i < count; ++i) {
-      if (!feet[i].valid || feet[i].curvature2 <= hollowest)
+      if (!feet[i].valid)
         first_bad = std::min(first_bad, i);
       path.contacts[begin + i] = feet[i].position;
       path.normals[begin + i] = feet[i].normal;
@@ -196,19 +197,18 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
       path.turns[begin + i] = static_cast<float>(curve[begin + i].turn);
     }
     if (first_bad < count) {
-      const SurfaceFoot& foot = feet[first_bad];
       const SpiralPoint& asked = curve[begin + first_bad];
-      if (!foot.valid)
-        return {StatusCode::Failed,
-                textOf("the path leaves the scanned surface at ", placeText(asked.position), " in turn ", asked.turn,
-                       ": the scan has a gap or a ragged rim there; scan it again, more densely, or cut the ragged part away")};
       return {StatusCode::Failed,
-              textOf("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ", placeText(foot.position),
-                     ", tighter than the tool radius ", settings.tool_radius, " mm: the cutter would gouge; use a smaller tool")};
+              textOf("the path leaves the scanned surface at ", placeText(asked.position), " in turn ", asked.turn,
+                     ": the scan has a gap or a ragged rim there; scan it again, more densely, or cut the ragged part away")};
     }
+    for (const SurfaceFoot& foot : feet)
+      tight.add(foot);
     if (progress && !progress(static_cast<double>(end) / static_cast<double>(curve.size()), "projection"))
       return {StatusCode::Cancelled, "cancelled"};
   }
+  if (!tight.empty())
+    return tight.refusal("path points", &surface);
   for (int round = 0; round < most_halvings && halveStretchedSteps(surface, longest_step, path); ++round)
     ;
   path.arc_lengths = cutLengths(path);

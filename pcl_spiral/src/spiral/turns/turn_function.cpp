@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/spiral/impl/tight_places.h>
 #include <pcl_spiral/spiral/impl/turn_function.h>
 
 #include <pcl_spiral/common/impl/message.h>
@@ -260,19 +261,17 @@ TurnFunction::footAt(std::size_t line, std::size_t station) const
 Status
 TurnFunction::checkFeet() const
 {
-  const double steepest = -1.0 / settings_.tool_radius;
+  TightPlaces tight(settings_.tool_radius);
   for (std::size_t i = 0; i < lines_.size(); ++i)
     for (std::size_t k = 0; k < lines_[i].feet.size(); ++k) {
       const SurfaceFoot& foot = footAt(i, k);
       if (!foot.valid)
         return {StatusCode::Failed, textOf("radial line ", i, " leaves the scanned surface at ", placeText(foot.position),
                                            ": scan the surface there, or leave the line out")};
-      if (!(even_step_over_ > 0.0) && foot.curvature2 <= steepest)
-        return {StatusCode::Failed,
-                textOf("the surface is hollow with radius ", -1.0 / foot.curvature2, " mm at ", placeText(foot.position),
-                       ", tighter than the tool radius ", settings_.tool_radius, " mm: the cutter would gouge; use a smaller tool")};
+      if (!(even_step_over_ > 0.0))
+        tight.add(foot);
     }
-  return Status::success();
+  return tight.empty() ? Status::success() : tight.refusal("points of the radial lines", nullptr);
 }
 
 void

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/graph/impl/outer_side.h>
 #include <pcl_spiral/graph/impl/triangulation.h>
 #include <pcl_spiral/search/impl/point_blocks.h>
 
@@ -19,6 +20,7 @@ struct SurfaceGraphOptions {
   std::optional<Eigen::Vector3d> view_point; ///< normals face it; absent: towards +z as a whole
   bool flip_normals = false;
   std::vector<Eigen::Vector3f> given_normals; ///< one per point (zero: none), or empty; they face the outer side
+  bool trust_normals = true;                  ///< false: given normals without a common side decide nothing
 };
 
 /** A cloud in spatial order with oriented PCA normals, local spacing and a triangulation of local Delaunay stars.
@@ -58,8 +60,8 @@ public:
   void dropTriangulation() { triangulation_ = Triangulation(); }
   /** Mean of the normals by area: the side that the part shows as a whole; zero on a closed surface. */
   Eigen::Vector3d meanNormal() const { return mean_normal_; }
-  /** True if +z clearly gave the outer side. If false, the convex side was taken. */
-  bool orientationIsClear() const { return orientation_is_clear_; }
+  /** How the outer side was found. */
+  const OuterSide& side() const { return side_; }
 
 private:
   PointBlocks blocks_;
@@ -70,7 +72,7 @@ private:
   Eigen::Vector3d mean_normal_ = Eigen::Vector3d::Zero();
   double spacing_ = 0.0;
   int neighbours_ = 0;
-  bool orientation_is_clear_ = true;
+  OuterSide side_;
 };
 
 } // namespace pcl_spiral

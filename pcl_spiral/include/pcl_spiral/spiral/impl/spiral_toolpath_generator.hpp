@@ -13,6 +13,7 @@
 #include <pcl_spiral/spiral/impl/rim_offset.h>
 #include <pcl_spiral/spiral/impl/settings_check.h>
 #include <pcl_spiral/spiral/impl/stage_reports.h>
+#include <pcl_spiral/spiral/impl/tight_places.h>
 #include <pcl_spiral/spiral/radial_lines.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
@@ -106,6 +107,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOnLines(Surface::Cons
   clock.end("radial lines");
   if (progress_ && !progress_(0.6, "spiral"))
     return {StatusCode::Cancelled, "cancelled"};
+  if (const Status status = checkLinesFit(lines.lines, *surface, settings_.tool_radius); !status.ok())
+    return status;
   const Status status = makeTurns(lines, surface->spacing(), area, settings_, turns);
   reportTurns(turns, report_);
   clock.end("spiral");

@@ -157,7 +157,7 @@ template <typename PointT, typename PointNT>
 Status
 ScannedSurface<PointT, PointNT>::checkSide(const Surface& surface) const
 {
-  if (!normals_ || !settings_.strict)
+  if (!normals_ || !settings_.strict || !settings_.trust_normals)
     return Status::success();
   std::size_t same = 0, other = 0;
   for (std::size_t i = 0; i < surface.size(); ++i) {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  The outer side of a surface in words.
+ */
+#pragma once
+
+#include <pcl_spiral/graph/impl/outer_side.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Name of \p vote: "given normals", "view point", "+z" or "convex". */
+const char* nameOf(SideVote vote);
+
+/** What decided the outer side and how clearly, in one line. */
+std::string sideText(const OuterSide& side);
+
+/** Warnings if the vote is weak or much of the surface disagrees with it, with the remedy. Empty if the side is clear, or if
+ *  the user asked for the other side. */
+std::vector<std::string> sideWarnings(const OuterSide& side);
+
+} // namespace pcl_spiral

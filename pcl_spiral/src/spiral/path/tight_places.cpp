@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/spiral/impl/tight_places.h>
+
+#include "path_feet.h"
+
+#include <pcl_spiral/common/impl/message.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double margin = 0.9;          // of the tightest radius: between the points that were looked at, a place may be tighter
+constexpr std::size_t chunk = 1u << 16; // points
+
+/** Radius of the ball that a remedy names: a little below \p tightest, two digits. */
+double
+remedyRadius(double tightest)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(margin * tightest)) - 1.0);
+  return unit * std::floor(margin * tightest / unit);
+}
+
+/** The smallest radius of a hollow at the points of \p surface, at most \p radius. */
+double
+tightestOf(const Surface& surface, double radius)
+{
+  Polyline points;
+  std::vector<SurfaceFoot> feet;
+  for (std::size_t begin = 0; begin < surface.size(); begin += chunk) {
+    points.clear();
+    for (std::size_t i = begin; i < std::min(surface.size(), begin + chunk); ++i)
+      points.push_back(surface.position(i));
+    pathFeet(surface, points, feet);
+    for (const SurfaceFoot& foot : feet)
+      if (foot.valid && foot.curvature2 < -1.0 / radius)
+        radius = -1.0 / foot.curvature2;
+  }
+  return radius;
+}
+
+} // namespace
+
+void
+TightPlaces::add(const SurfaceFoot& foot)
+{
+  if (!foot.valid || foot.curvature2 > -1.0 / tool_radius_)
+    return;
+  const double radius = -1.0 / foot.curvature2;
+  if (feet_.empty() || radius < radius_) {
+    radius_ = radius;
+    place_ = foot.position;
+  }
+  feet_.push_back(foot.position);
+}
+
+void
+TightPlaces::add(const std::vector<RadialLine>& lines)
+{
+  for (const RadialLine& line : lines)
+    for (const SurfaceFoot& foot : line.feet)
+      add(foot);
+}
+
+std::size_t
+TightPlaces::count() const
+{
+  using Cell = std::array<long, 3>; // edge: half the tool radius
+  std::set<Cell> cells;
+  for (const Eigen::Vector3d& foot : feet_) {
+    const Eigen::Array3d at = ((foot - feet_.front()) / (0.5 * tool_radius_)).array().floor();
+    cells.insert({static_cast<long>(at.x()), static_cast<long>(at.y()), static_cast<long>(at.z())});
+  }
+  std::size_t places = 0;
+  std::vector<Cell> open;
+  for (; !cells.empty(); ++places) {
+    open.assign(1, *cells.begin());
+    cells.erase(cells.begin());
+    while (!open.empty()) {
+      const Cell cell = open.back();
+      open.pop_back();
+      for (int k = 0; k < 27; ++k) {
+        const Cell beside{cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1};
+        if (cells.erase(beside) > 0)
+          open.push_back(beside);
+      }
+    }
+  }
+  return places;
+}
+
+Status
+TightPlaces::refusal(const std::string& what, const Surface* surface) const
+{
+  const std::size_t places = count();
+  const double fitting = remedyRadius(surface ? tightestOf(*surface, radius_) : radius_);
+  return {StatusCode::Failed,
+          textOf("the surface is hollow with radius ", radius_, " mm at ", placeText(place_), ", tighter than the tool radius ",
+                 tool_radius_, " mm: the cutter would gouge; use a smaller tool: a radius of ", fitting, " mm fits everywhere",
+                 surface ? " on the scan" : "", ". This is the tightest of ", feet_.size(), " ", what, " that are too tight, in ", places,
+                 places == 1 ? " place" : " separate places")};
+}
+
+Status
+checkLinesFit(const std::vector<RadialLine>& lines, const Surface& surface, double tool_radius)
+{
+  TightPlaces tight(tool_radius);
+  tight.add(lines);
+  return tight.empty() ? Status::success() : tight.refusal("points of the radial lines", &surface);
+}
+
+} // namespace pcl_spiral
