@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/graph/impl/outer_side.h>
+#include <pcl_spiral/graph/outer_side.h>
 #include <pcl_spiral/verify/figures.h>
 
 #include <optional>

@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/common/impl/stage_clock.h>
 #include <pcl_spiral/features/boundary_loop.h>
+#include <pcl_spiral/graph/outer_side.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
 
 #include <Eigen/Core>

@@ -88,15 +88,15 @@ readToolpath(const std::string& file)
       wanted.emplace_back(gap_column);
     return fromColumns(table_of(file, bytes, wanted), marked);
   };
-  const auto readText = [](const std::string& name, std::string_view bytes, const Names& wanted) {
-    return readTextTable(name, bytes, wanted);
-  };
+  const auto readText = [](const auto&... of) { return readTextTable(of...); };
+  const auto readPcd = [](const auto&... of) { return readPcdTable(of...); };
+  const auto readPly = [](const auto&... of) { return readPlyTable(of...); };
   if (extension == ".csv")
     return readColumns(readText, {"cc_x", "cc_y", "cc_z", "normal_x", "normal_y", "normal_z"}, {"feed", "tip_x", "tip_y", "tip_z"});
   if (extension == ".pcd")
-    return readColumns(readPcdTable, {"x", "y", "z", "normal_x", "normal_y", "normal_z"});
+    return readColumns(readPcd, {"x", "y", "z", "normal_x", "normal_y", "normal_z"});
   if (extension == ".ply")
-    return readColumns(readPlyTable, {"x", "y", "z", "nx", "ny", "nz"});
+    return readColumns(readPly, {"x", "y", "z", "nx", "ny", "nz"});
   if (extension == ".vtp") {
     const auto bytes = readBytes(file);
     ToolpathFile read = fromColumns(readVtpTable(file, bytes));

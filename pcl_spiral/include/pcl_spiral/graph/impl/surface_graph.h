@@ -5,8 +5,8 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/graph/impl/outer_side.h>
 #include <pcl_spiral/graph/impl/triangulation.h>
+#include <pcl_spiral/graph/outer_side.h>
 #include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <optional>
