@@ -130,7 +130,7 @@ void
 judgeCover(const Scene& s, const std::vector<Eigen::Vector3d>& centres, double tolerance, std::vector<std::string>& faults)
 {
   const std::vector<test::MoveTree> trees = cuts(centres, 1.5 * s.radius);
-  const double most = 2.0 * s.scallop + tolerance, band = 3.0 * s.spacing + std::sqrt(8.0 * s.radius * s.scallop);
+  const double most = 2.0 * s.scallop + tolerance, band = 2.0 * s.spacing + std::sqrt(2.0 * s.radius * s.scallop);
   std::size_t counted = 0, uncut = 0;
   Worst left;
   for (const Eigen::Vector3d& x : test::sampleUniform(*s.part, samples, 99).points) {
@@ -143,7 +143,7 @@ judgeCover(const Scene& s, const std::vector<Eigen::Vector3d>& centres, double t
     uncut += nearest - s.radius > most;
     left.add(nearest - s.radius, x);
   }
-  if (counted < samples / 20)
+  if (counted < samples / 50)
     faults.push_back("the oracle counts too few places of the part: " + std::to_string(counted));
   if (static_cast<double>(uncut) > most_uncut * static_cast<double>(counted))
     faults.push_back(

@@ -50,6 +50,14 @@ jobOf(const std::string& file, const YAML::Node& root)
   return root;
 }
 
+/** Whether \p output is \p file: a report is not an output of the run that it describes again. */
+bool
+isSame(const std::string& output, const std::string& file)
+{
+  std::error_code none;
+  return std::filesystem::equivalent(output, file, none);
+}
+
 } // namespace
 
 NamedValues
@@ -59,7 +67,9 @@ readJobFile(const std::string& file, const OptionTable& table)
   if (!root.IsMap())
     throw FileError(file, "this is not a job file; write lines such as 'tool-radius: 10'");
   NamedValues values;
-  for (const auto& entry : jobOf(file, root)) {
+  const YAML::Node job = jobOf(file, root);
+  const bool report = !job.is(root);
+  for (const auto& entry : job) {
     const std::string name = scalar(file, entry.first);
     if (!findOption(table, name) || name == "config" || name == "help" || name == "version")
       throw UsageError(file + ": " + line(entry.first) + "'" + name + "' is not a setting" + suggestion(table, name));
@@ -69,7 +79,7 @@ readJobFile(const std::string& file, const OptionTable& table)
     }
     std::string list;
     for (const YAML::Node& item : entry.second) {
-      if (name == "output")
+      if (name == "output" && !(report && isSame(scalar(file, item), file)))
         values.emplace_back(name, scalar(file, item));
       list += (list.empty() ? "" : ",") + scalar(file, item);
     }
