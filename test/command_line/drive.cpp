@@ -110,7 +110,7 @@ TEST(Drive, AColumnByAHelixForAnyCutter)
   expectHas(done.out, "rotary axes     ");
   // The axis points out of the column, and the tip of the flat end is near its contact, inside the cutter.
   for (const std::vector<double>& row : rows(readText(folder.path("a.csv")))) {
-    ASSERT_EQ(row.size(), 15U);
+    ASSERT_EQ(row.size(), 16U);
     const double tip = std::hypot(row[8], row[9]);
     ASSERT_NEAR(std::atan2(row[12], row[11]), std::atan2(row[9], row[8]), 0.02);
     ASSERT_GT(tip, 19.0 - 0.1);
@@ -297,7 +297,7 @@ TEST(Drive, MessagesNameOptionsThatThereAre)
     ASSERT_LT(row[8], 60.0) << "nothing on the other part";
   const RunResult scattered = driven({"noisy.xyz"}, {});
   expectHas(scattered.err, "passes are ragged");
-  expectHas(scattered.err, " mm (--thin)");
+  expectHas(scattered.err, "pcl_mls_smoothing in.pcd out.pcd -radius 1");
   const RunResult thinned = driven({"noisy.xyz"}, {"--thin", "2.4"});
   EXPECT_EQ(thinned.code, 0) << thinned.err;
   EXPECT_EQ(thinned.err.find("passes are ragged"), std::string::npos) << thinned.err;

@@ -9,6 +9,8 @@
 #include <pcl_spiral/surface/mls_projector.h>
 #include <pcl_spiral/verify/material_removal.h>
 
+#include <pcl/surface/mls.h>
+
 #include <gtest/gtest.h>
 #include <pcl/console/print.h>
 
@@ -70,17 +72,22 @@ expectSettings()
 
 } // namespace
 
-TEST(SurfaceInput, ThinningIsWhatTheMessageSays)
+TEST(SurfaceInput, SmoothingIsWhatTheMessageSays)
 {
+  const Cloud::Ptr noisy = square(10000, 1.5), smooth(new Cloud);
   Loops loops;
-  loops.setInputCloud(square(10000, 1.5));
+  loops.setInputCloud(noisy);
   const std::string message = outcome(loops).message();
-  std::smatch edge;
-  ASSERT_TRUE(std::regex_search(message, edge, std::regex("setThinning ([0-9.]+)"))) << message;
-  loops.setThinning(std::stod(edge[1]));
+  std::smatch radius;
+  ASSERT_TRUE(std::regex_search(message, radius, std::regex("-radius ([0-9.]+)"))) << message;
+  pcl::MovingLeastSquares<Cloud::PointType, Cloud::PointType> fit;
+  fit.setInputCloud(noisy);
+  fit.setSearchRadius(std::stod(radius[1]));
+  fit.process(*smooth);
+  loops.setInputCloud(smooth);
   std::size_t found = 0;
-  const Status thinned = outcome(loops, &found);
-  EXPECT_TRUE(thinned.ok()) << thinned.message();
+  const Status smoothed = outcome(loops, &found);
+  EXPECT_TRUE(smoothed.ok()) << smoothed.message();
   EXPECT_EQ(found, 1u);
 }
 

@@ -7,6 +7,7 @@
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/surface/impl/smoothing_remedy.h>
 
 #include <Eigen/Geometry>
 
@@ -60,9 +61,7 @@ warnOfScatter(const Surface& surface, const DriveSettings& settings, DriveReport
     return;
   if (const double noise = surface.noise(); noise > much * surface.spacing())
     report.warnings.push_back(textOf("the noise of the points is ", noise, " mm (standard deviation), at a spacing of ", surface.spacing(),
-                                     " mm: passes are ragged, and interrupted where layers overlap; thin the "
-                                     "cloud to a spacing of ",
-                                     4.0 * noise, " mm (setThinning)"));
+                                     " mm: passes are ragged, and interrupted where layers overlap; ", smoothingRemedy(noise)));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include <pcl_spiral/surface/surface.h>
 
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/surface/impl/smoothing_remedy.h>
 
 #include <algorithm>
 #include <utility>
@@ -42,8 +43,8 @@ checkSingleSheet(const Surface& surface)
           textOf("the noise of the points about a local surface is ", surface.noise(), " mm, up to ", off, " mm at ", placeText(place),
                  ", and their spacing is ", surface.spacing(),
                  " mm: this is not a single sheet (a thin double wall, or noise above the point spacing); for a wall, keep only "
-                 "one side in the cloud; for noise, thin the cloud to a spacing well above the noise (setThinning ",
-                 4.0 * surface.noise(), ")")};
+                 "one side in the cloud; for noise, ",
+                 smoothingRemedy(surface.noise()))};
 }
 
 void

@@ -220,8 +220,9 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
   if (status.ok() || set.why_harmonic.empty() || status.code() == StatusCode::Cancelled)
     return {blame(request, status.code()), status.message()};
   return {blame(request, status.code()), "no radial lines were found: as geodesics, " + set.why_harmonic + "; as harmonic lines, " +
-                                             status.message() +
-                                             "; give a centre from which the rim is easier to reach, or machine the part in pieces"};
+                                             status.message() + "; " +
+                                             (request.inner ? "" : "give a centre from which the rim is easier to reach, or ") +
+                                             "choose constant scallop height (setMethod)"};
 }
 
 } // namespace pcl_spiral

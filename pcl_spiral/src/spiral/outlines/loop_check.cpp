@@ -137,7 +137,7 @@ checkLoop(const SurfaceGraph& graph, const BoundaryLoop& loop, std::size_t index
   if (!surfaceOnLeft(graph, loop))
     return refused(
         index, " at ", placeText(loop.curve.front()),
-        " has the surface on its right. If the library found it, the scan is noisy in depth: clean it, or thin it (setThinning). If "
+        " has the surface on its right. If the library found it, the scan is noisy in depth: crop it, or smooth it first (pcl::MovingLeastSquares). If "
         "it is your own loop: reverse it, or find it with the same normals");
   return Status::success();
 }

@@ -277,7 +277,7 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
                    settings.method == SpiralMethod::ConstantScallop
                        ? ": choose the other sense (setSense), passes with lifts between them (setOneWay), another scallop height or "
                          "the radial method (setMethod)"
-                       : ": the radial lines there are not in order; give another centre, or machine the part in pieces")};
+                       : ": the radial lines there are not in order; " + constantScallopRemedy(settings))};
   measureTurns(path, settings, figures);
   return checkReversals(figures.reversals, settings);
 }

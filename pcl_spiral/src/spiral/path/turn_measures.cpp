@@ -31,11 +31,9 @@ measureTurns(const SpiralPath& path, const SpiralSettings& settings, PathFigures
           : closestTurns(path, counted, std::vector<double>(path.turns.begin(), path.turns.end()), turns_apart, widest_steps * flat);
 }
 
-Status
-checkReversals(const PathReversals& reversals, const SpiralSettings& settings)
+std::string
+constantScallopRemedy(const SpiralSettings& settings)
 {
-  if (reversals.count == 0 || settings.method == SpiralMethod::ConstantScallop)
-    return Status::success();
   std::string without;
   const auto leaveOut = [&without](bool given, const char* setting) {
     if (given)
@@ -44,7 +42,15 @@ checkReversals(const PathReversals& reversals, const SpiralSettings& settings)
   leaveOut(settings.centre.has_value(), "a centre (setCenter)");
   leaveOut(settings.lines != LineMethod::Automatic, "a method for radial lines (setLineMethod)");
   leaveOut(settings.pitch == Pitch::AlongLine, "a pitch along them (setPitch)");
-  return {StatusCode::Failed, reversalText(reversals) + ": choose constant scallop height (setMethod)" + without};
+  return "choose constant scallop height (setMethod)" + without;
+}
+
+Status
+checkReversals(const PathReversals& reversals, const SpiralSettings& settings)
+{
+  if (reversals.count == 0 || settings.method == SpiralMethod::ConstantScallop)
+    return Status::success();
+  return {StatusCode::Failed, reversalText(reversals) + ": " + constantScallopRemedy(settings)};
 }
 
 } // namespace pcl_spiral

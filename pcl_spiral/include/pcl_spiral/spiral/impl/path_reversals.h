@@ -34,6 +34,9 @@ PathReversals curveReversals(const std::vector<SpiralPoint>& curve);
 /** Ok, or an error with the remedy; SpiralMethod::ConstantScallop, whose fingers turn back, may have them. */
 Status checkReversals(const PathReversals& reversals, const SpiralSettings& settings);
 
+/** The remedy for turns that cross or turn back: the other method, without the settings that it does not take. */
+std::string constantScallopRemedy(const SpiralSettings& settings);
+
 /** Place, angle and number of \p reversals, as the first part of a message. */
 std::string reversalText(const PathReversals& reversals);
 

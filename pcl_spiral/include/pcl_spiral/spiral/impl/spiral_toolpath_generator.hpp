@@ -17,6 +17,7 @@
 #include <pcl_spiral/spiral/radial_lines.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
+#include <pcl_spiral/surface/impl/thinning_check.h>
 
 #include <cstdint>
 #include <utility>
@@ -39,6 +40,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeSurface(Surface::Cons
   if (const Status status = this->prepareSurface(surface, partOf(progress_, 0.0, 0.25)); !status.ok())
     return status;
   reportSurface(*surface, !this->given_surface_, report_);
+  if (const Status status = checkThinning(*surface, settings_.scallop_height); !status.ok())
+    return status;
   return checkScale(*surface, settings_, report_.warnings);
 }
 
