@@ -12,22 +12,9 @@ fault() { # WHAT LINES: reports the lines found, if any
   printf '%s:\n%s\n' "$1" "$2" >&2
 }
 
-level() { # FOLDER -> its height; a folder includes its own height and below
-  case "$1" in
-    core) echo 0 ;;
-    common | search) echo 1 ;;
-    graph) echo 2 ;;
-    cleaning | features | surface) echo 3 ;;
-    geodesic | mesh) echo 4 ;;
-    spiral | ridge) echo 5 ;;
-    drive) echo 6 ;;
-    cutter) echo 7 ;;
-    verify | machine) echo 8 ;;
-    io | visualization) echo 9 ;;
-    toolpath) echo 10 ;; # former places of headers
-    *) echo unknown ;;
-  esac
-}
+# Heights of the rooms: a room includes only rooms of its own height and below. toolpath: former places of headers.
+declare -A level=([core]=0 [common]=1 [search]=1 [graph]=2 [cleaning]=3 [features]=3 [surface]=3 [geodesic]=4 [mesh]=4
+  [spiral]=5 [ridge]=5 [drive]=6 [cutter]=7 [verify]=8 [machine]=8 [io]=9 [visualization]=9 [toolpath]=10)
 
 library=pcl_spiral
 [ -d "$library" ] || { echo "no folder $library in $PWD: give the source directory" >&2; exit 2; }
@@ -37,14 +24,12 @@ fault "core stands on Eigen alone; these lines include PCL" \
 
 for folder in "$library"/include/pcl_spiral/*/ "$library"/src/*/; do
   room=$(basename "$folder")
-  own=$(level "$room")
-  [ "$own" = unknown ] && { fault "folder without a place in the layers (give it one in cmake/guards.sh)" "$folder"; continue; }
+  own=${level[$room]:-}
+  [ -z "$own" ] && { fault "folder without a place in the layers (give it one in cmake/guards.sh)" "$folder"; continue; }
   while IFS=: read -r file line text; do
-    included=$(sed -E 's/.*[<"](pcl_spiral\/)?([a-z_]+)\/.*/\2/' <<<"$text")
-    theirs=$(level "$included")
-    if [ "$theirs" = unknown ] || [ "$theirs" -gt "$own" ]; then
-      fault "$room includes $included, which stands above it" "$file:$line:$text"
-    fi
+    [[ $text =~ [\<\"](pcl_spiral/)?([a-z_]+)/ ]]
+    included=${BASH_REMATCH[2]}
+    [ "${level[$included]:-99}" -le "$own" ] || fault "$room includes $included, which stands above it" "$file:$line:$text"
   done < <(grep -rnE '#[[:space:]]*include[[:space:]]*([<"]pcl_spiral/|")[a-z_]+/' "$folder" || true)
 done
 
@@ -60,7 +45,7 @@ part_order() { # ROOM -> its folders, from the ground up
 reaches() { # ROOM OWN THEIRS: whether files of folder OWN may include those of folder THEIRS
   [ "$2" = "$3" ] && return
   [ "$1" = io ] && [ "$3" != . ] && return 1 # readers, writers, posts and reports stand side by side
-  grep -qE "(^| )$3 (.* )?$2( |$)" <<<"$(part_order "$1")"
+  [[ " $(part_order "$1") " =~ \ $3\ (.*\ )?$2\  ]]
 }
 for folder in "$library"/src/*/*/; do
   room=$(basename "$(dirname "$folder")") own=$(basename "$folder")
@@ -68,10 +53,12 @@ for folder in "$library"/src/*/*/; do
 done
 while IFS=: read -r file line text; do
   place=${file#"$library"/src/} room=${file#"$library"/src/}
-  room=${room%%/*} own=$(dirname "${place#*/}")
-  theirs=$(sed -E 's/.*"([a-z_\/]+\.h)".*/\1/' <<<"$text")
+  room=${room%%/*} own=${place#*/}
+  [[ $own = */* ]] && own=${own%/*} || own=.
+  [[ $text =~ \"([a-z_/]+\.h)\" ]] && theirs=${BASH_REMATCH[1]} || continue
   [ "${theirs%%/*}" = "$room" ] || continue
-  theirs=$(dirname "${theirs#*/}")
+  theirs=${theirs#*/}
+  [[ $theirs = */* ]] && theirs=${theirs%/*} || theirs=.
   reaches "$room" "$own" "$theirs" || fault "$room/$own includes $room/$theirs, which does not stand below it" "$file:$line:$text"
 done < <(grep -rnE '#[[:space:]]*include[[:space:]]*"(spiral|io|visualization)/' $library/src || true)
 

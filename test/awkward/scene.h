@@ -35,7 +35,7 @@ struct Scene {
   std::string name;        ///< kind and what was drawn
   test::SurfacePtr part;   ///< exact
   test::Sampled scan;      ///< all that the scanner saw; normals are those of the part, for files that hold them
-  Polyline bodies;  ///< samples of all that stands beside or on the part, seen or not: the ball must not enter it
+  Polyline bodies;         ///< samples of all that stands beside or on the part, seen or not: the ball must not enter it
   double body_spacing = 0; ///< of these samples
   /** Whether a place of the part may be left uncut. */
   std::function<bool(const Eigen::Vector3d&)> exempt = [](const Eigen::Vector3d&) { return false; };

@@ -135,10 +135,10 @@ checkLoop(const SurfaceGraph& graph, const BoundaryLoop& loop, std::size_t index
                      " mm from the cloud: give loops of the same cloud, or none to have them found");
     }
   if (!surfaceOnLeft(graph, loop))
-    return refused(
-        index, " at ", placeText(loop.curve.front()),
-        " has the surface on its right. If the library found it, the scan is noisy in depth: crop it, or smooth it first (pcl::MovingLeastSquares). If "
-        "it is your own loop: reverse it, or find it with the same normals");
+    return refused(index, " at ", placeText(loop.curve.front()),
+                   " has the surface on its right. If the library found it, the scan is noisy in depth: crop it, or smooth it first "
+                   "(pcl::MovingLeastSquares). If "
+                   "it is your own loop: reverse it, or find it with the same normals");
   return Status::success();
 }
 
