@@ -3,6 +3,7 @@
 #include "judging/figures_table.h"
 #include "judging/tip_check.h"
 #include "terminal/program_main.h"
+#include "terminal/scan_places.h"
 #include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 #include "verify/outputs.h"
@@ -27,7 +28,7 @@ warn(const VerifyJob& job, const std::vector<std::string>& warnings)
 {
   if (!job.quiet)
     for (const std::string& warning : warnings)
-      std::cerr << "pcl_spiral_verify: warning: " << warning << '\n';
+      std::cerr << "pcl_spiral_verify: warning: " << inScan(warning) << '\n';
 }
 
 /** \p reference is the fit to the scan or the mesh, made for the first path. */
@@ -35,7 +36,7 @@ JudgedPath
 judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, std::shared_ptr<const ReferenceSurface>& reference)
 {
   JudgedPath judged;
-  ToolpathFile read = readToolpath(file);
+  ToolpathFile read = readToolpath(file, scanShift());
   if (const std::string warning = checkTips(read, job.settings.tool_radius, judged.verification); !warning.empty())
     warn(job, {file + ": " + warning});
   *judged.path = std::move(read.path);
@@ -75,9 +76,10 @@ run(const VerifyJob& job)
     const JudgedPath judged = judge(job, part, file, reference);
     all_hold = all_hold && judged.verification.broken.empty();
     if (!job.quiet) {
+      std::cout << shiftLine();
       if (!part.mesh)
         std::cout << sideLine(part.side, judged.verification.side) << '\n';
-      printFigures(judged.verification);
+      printFigures(inScan(judged.verification));
     }
     warn(job, warningsOf(judged.verification));
     outputs.take(part, *reference, judged);

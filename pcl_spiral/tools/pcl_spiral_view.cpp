@@ -3,6 +3,7 @@
 #include "judging/judged_part.h"
 #include "judging/judged_scene.h"
 #include "terminal/program_main.h"
+#include "terminal/scan_places.h"
 #include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 #include "view/view_job.h"
@@ -37,12 +38,12 @@ judgedScene(const ViewJob& job)
   const JudgedPart part = readPart(job.scan, job.read, job.mesh, job.settings.side);
   if (!job.quiet)
     for (const std::string& warning : part.warnings)
-      std::cerr << "pcl_spiral_view: warning: " << warning << '\n';
+      std::cerr << "pcl_spiral_view: warning: " << inScan(warning) << '\n';
   JudgeSettings settings = job.settings;
   settings.mesh = part.mesh;
   settings.side = part.side;
   settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
-  const auto path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(readToolpath(job.path).path);
+  const auto path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(readToolpath(job.path, scanShift()).path);
   std::shared_ptr<const ReferenceSurface> reference;
   Verification verification;
   verification.path = job.path;

@@ -7,7 +7,7 @@ set -uo pipefail
 build=$(cd "$1" && pwd)/test/fuzz
 seconds=$2
 shift 2
-[ $# -gt 0 ] || set -- pcd ply text stl obj toolpath job machine
+[ $# -gt 0 ] || set -- pcd ply text stl obj las pts toolpath job machine
 
 cd "$build" || exit 2
 [ -d seeds ] || ./fuzz_seeds seeds

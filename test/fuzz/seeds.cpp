@@ -60,6 +60,22 @@ binaryStl()
   return bytes;
 }
 
+/** LAS 1.\p minor with two points. */
+std::string
+las(char minor, char format, std::size_t header, std::size_t size)
+{
+  std::string bytes(header + 2 * size, '\0');
+  bytes.replace(0, 4, "LASF");
+  bytes[24] = 1;
+  bytes[25] = minor;
+  for (const std::size_t at : {94, 96})
+    std::memcpy(&bytes[at], &header, 2);
+  bytes[104] = format;
+  bytes[105] = static_cast<char>(size);
+  bytes[minor == 4 ? 247 : 107] = 2;
+  return bytes;
+}
+
 void
 writeTexts(const fs::path& folder)
 {
@@ -72,6 +88,9 @@ writeTexts(const fs::path& folder)
   write(folder / "obj/mesh", "# a mesh\no part\nv 1 2 3\nv 4 5 6 1\nv 1e-3 .5 -7\nvn 0 0 1\nf 1//1 2//1 3//1\n");
   write(folder / "obj/faces", "v 0 0 0\nv 20 0 0\nv 20 20 0\nv 10 10 5\nv 0 20 0\nvt 0 0\nf 1 2 3 4 5\nf -5/1 -3/1 \\\n"
                               " -1/1/1 # last\nf 5 4 3 2\n");
+  write(folder / "pts/blocks", "2\r\n1.5 -2.25 3 -1024 255 0 128\r\n4 5.5e-1 -6 7 1 2 3\r\n\r\n1\r\n7 8 9\r\n");
+  write(folder / "las/oldest", las(0, 0, 227, 20));
+  write(folder / "las/newest", las(4, 7, 375, 36));
   write(folder / "stl/ascii", "solid a\n facet normal 0 0 1\n  outer loop\n   vertex 1 2 3\n   vertex 4 5 6\n"
                               "   vertex 7 8 -9\n  endloop\n endfacet\nendsolid a\n");
   write(folder / "stl/binary", binaryStl());

@@ -24,8 +24,11 @@ struct ChoiceNames;
 
 template <>
 struct ChoiceNames<LengthUnit> {
-  static constexpr std::array<std::pair<LengthUnit, const char*>, 3> words{
-      {{LengthUnit::Millimetre, "mm"}, {LengthUnit::Metre, "m"}, {LengthUnit::Inch, "inch"}}};
+  static constexpr std::array<std::pair<LengthUnit, const char*>, 5> words{{{LengthUnit::Millimetre, "mm"},
+                                                                            {LengthUnit::Metre, "m"},
+                                                                            {LengthUnit::Inch, "inch"},
+                                                                            {LengthUnit::Foot, "ft"},
+                                                                            {LengthUnit::SurveyFoot, "us-ft"}}};
 };
 template <>
 struct ChoiceNames<BoundaryMode> {

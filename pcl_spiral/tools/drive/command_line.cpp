@@ -4,6 +4,7 @@
 #include "passes/pass_options.h"
 #include "program/program_options.h"
 #include "terminal/command_line.h"
+#include "terminal/scan_places.h"
 #include "terminal/setter_names.h"
 
 using pcl_spiral::DriveAxisMode;
@@ -15,7 +16,8 @@ files(Job& job)
 {
   OptionGroup group{
       "Files",
-      {textOption("scan", "FILE", "the scan: .pcd .ply .xyz .txt .csv .asc .stl .obj; --scan itself can be left out: part.pcd", job.scan),
+      {textOption("scan", "FILE", "the scan: .pcd .ply .xyz .txt .csv .asc .pts .las .stl .obj; --scan itself can be left out: part.pcd",
+                  job.scan),
        {"output", "FILE",
         "output file, its kind by extension; repeat it for each file: -o part.csv -o part.ngc\n"
         ".csv .vtp  the path with cutter tips; Turn is the number of the pass\n"
@@ -32,7 +34,7 @@ files(Job& job)
        numberOption("crease-angle", "A", "mesh edges bent by more than this stay sharp, degrees; default 30: --crease-angle 20",
                     job.mesh_settings.crease_angle),
        switchOption("flip-normals", "the cutter is on the other side of the scan or mesh", job.mesh_settings.flip),
-       placeOption("view-point", "position of the scanner, mm; normals point to it: --view-point 0,0,3000", job.view_point)}};
+       placeOption("view-point", view_point_help, job.view_point)}};
   addOptions(group, readOptions(job));
   addOptions(group, scanOptions(job));
   addOptions(group, {configOption(job)});
@@ -72,7 +74,8 @@ path(Job& job)
                    "direction of the axis that helix and rings go round; default found from the scan: "
                    "--column-axis 0,0,1",
                    job.column_axis),
-       placeOption("column-centre", "a place on that axis; default 0,0,0: --column-centre 20,5,0", job.column_centre),
+       placeOption("column-centre", "a place on that axis, in the scan's coordinates, mm; default 0,0,0: --column-centre 20,5,0",
+                   job.column_centre),
        placeOption("axis", "tool axis, from tip to shank, for --axis-mode fixed and for planes; default 0,0,1: --axis 0,1,1", s.axis),
        {"axis-mode", pcl_spiral::choiceList<DriveAxisMode>(),
         "source of tool axes; default cylinder for helix and rings, else fixed: --axis-mode surface",

@@ -20,7 +20,7 @@ namespace {
 std::string
 titleOf(const Job& job)
 {
-  return std::filesystem::path(job.scan).filename().string();
+  return titleWithShift(std::filesystem::path(job.scan).filename().string());
 }
 
 /** Draws the passes, and the angles of a program: as many files as filesOf names. */

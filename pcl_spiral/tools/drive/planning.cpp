@@ -22,7 +22,7 @@ namespace {
 Polyline
 curveOf(const Job& job, Result& result)
 {
-  ReadOptions read = job.read;
+  ReadOptions read = readAsScan(job.read);
   read.columns.clear();
   const Scan curve = readCloud(job.curve_file, read);
   Polyline points;
@@ -52,7 +52,7 @@ drivePasses(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, 
   drive.setAxisMode(s.axisMode());
   drive.setOverrun(s.overrun);
   if (job.column_axis)
-    drive.setCylinder({job.column_centre, *job.column_axis});
+    drive.setCylinder({fromScan(job.column_centre), *job.column_axis});
   if (s.kind == DriveKind::Curve)
     drive.setCurve(curveOf(job, result));
   drive.setChordError(0.5 * job.tolerance); // the other half is for the moves between locations

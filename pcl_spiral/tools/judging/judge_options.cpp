@@ -3,6 +3,7 @@
 
 #include "terminal/option_table.h"
 #include "terminal/option_values.h"
+#include "terminal/scan_places.h"
 
 namespace po = boost::program_options;
 
@@ -40,9 +41,8 @@ readArguments(int argc, const char* const* argv, const po::options_description& 
 void
 addScanOptions(po::options_description& options)
 {
-  options.add_options()("units", value("mm|m|inch"), "unit of the numbers in the scan; default mm: --units m")(
-      "origin", value("X,Y,Z"),
-      "point to subtract from the scan, in the unit of the scan, the same as for the path: --origin 393775,3689071,0")(
+  const std::string units = pcl_spiral::choiceList<pcl_spiral::LengthUnit>();
+  options.add_options()("units", value(units.c_str()), units_help)("origin", value("X,Y,Z"), origin_help)(
       "columns", value("NAMES"), "names of the columns of a text scan, from the left: --columns id,x,y,z");
 }
 
@@ -52,19 +52,18 @@ addCutterOptions(po::options_description& options, const char* radius_meaning)
   options.add_options()("tool-radius", value("R"),
                         radius_meaning)("scallop", value("H"), "scallop height that the path was made for; default 0.05: --scallop 0.02")(
       "chord-error", value("E"), "chord error that the path was made for; default 0.005: --chord-error 0.002")(
-      "view-point", value("X,Y,Z"), "position of the scanner, mm; normals point to it: --view-point 0,0,3000")(
-      "flip-normals", "the cutter is on the other side of the scan or mesh");
+      "view-point", value("X,Y,Z"), view_point_help)("flip-normals", "the cutter is on the other side of the scan or mesh");
 }
 
 pcl_spiral::ReadOptions
 scanOptions(const po::variables_map& given)
 {
-  pcl_spiral::ReadOptions read;
+  pcl_spiral::ReadOptions read = readFindingOrigin();
   const auto text = [&](const char* name) { return given[name].as<std::string>(); };
   if (given.count("units") > 0)
     read.unit = choiceValue<pcl_spiral::LengthUnit>("units", text("units"));
   if (given.count("origin") > 0)
-    read.origin = placeValue("origin", text("origin"));
+    setOrigin(text("origin"), read);
   if (given.count("columns") > 0)
     read.columns = listValue(text("columns"));
   return read;

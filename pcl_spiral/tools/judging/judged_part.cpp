@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "judged_part.h"
 
+#include "terminal/scan_places.h"
 #include "terminal/setter_names.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -14,12 +15,14 @@ readPart(const std::string& file, const ReadOptions& read, const std::optional<M
   JudgedPart part;
   if (!mesh) {
     const Scan scan = readCloud(file, read);
+    setScanShift(scan.shift);
     part.cloud = scan.cloud;
-    part.side = sideOf(scan, side.view_point);
+    part.side = sideOf(scan, fromScan(side.view_point));
     part.warnings = inOptions(scan.warnings);
     return part;
   }
   const MeshFile faces = readMesh(file, read);
+  setScanShift(faces.shift);
   part.warnings = inOptions(faces.warnings);
   if (const Status status = SurfaceMesh::make(*faces.mesh, mesh->settings, part.mesh); !status.ok())
     throw FileError(file, inOptions(status.message()));

@@ -16,6 +16,6 @@ struct JudgedPart {
   std::vector<std::string> warnings; ///< from reading
 };
 
-/** Reads the scan or the mesh. \p side holds --view-point, if it was given. \throw pcl_spiral::FileError */
+/** Reads the scan or the mesh and sets the shift of the run. \p side holds --view-point, if it was given. \throw pcl_spiral::FileError */
 JudgedPart readPart(const std::string& file, const pcl_spiral::ReadOptions& read, const std::optional<MeshChoice>& mesh,
                     const ScanSide& side);

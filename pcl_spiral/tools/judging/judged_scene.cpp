@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "judged_scene.h"
 
+#include "terminal/scan_places.h"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -36,7 +38,7 @@ judgedScene(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::Poi
             const JudgeSettings& settings, const ReferenceSurface& surface, const Verification& verification, const Heights& heights)
 {
   VerificationScene scene;
-  scene.part.title = std::filesystem::path(verification.path).filename().string();
+  scene.part.title = titleWithShift(std::filesystem::path(verification.path).filename().string());
   scene.part.cloud = surface.mesh() ? heights.points : scan;
   scene.part.mesh = settings.mesh;
   scene.part.path = path;

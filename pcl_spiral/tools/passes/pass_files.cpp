@@ -4,6 +4,7 @@
 #include "program/machine_moves.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
+#include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -29,6 +30,7 @@ joinedPasses(const PassJob& job, const PassResult& result, ToolpathMotion& motio
   pcl::PointCloud<ToolpathPoint> path;
   motion.tool_radius = job.cutter.radius;
   motion.feed = job.feed;
+  motion.origin = scanShift();
   double length = 0.0;
   for (std::size_t pass = 0; pass < result.passes.size(); ++pass) {
     if (pass > 0)

@@ -6,6 +6,7 @@
 
 #include "program/program_job.h"
 #include "terminal/option_table.h"
+#include "terminal/scan_places.h"
 
 #include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/core/tool_holder.h>
@@ -24,7 +25,7 @@ struct PassJob {
   std::string scan;            ///< empty if there is none
   std::string part;            ///< the file named in messages about the part
   std::vector<std::string> outputs;
-  pcl_spiral::ReadOptions read;
+  pcl_spiral::ReadOptions read = readFindingOrigin();
   std::optional<Eigen::Vector3d> view_point; ///< of --view-point
   bool flip_scan = false;                    ///< the cutter is on the other side of the scan
   bool leave_out_strays = false;

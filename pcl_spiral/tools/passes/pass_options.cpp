@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pass_options.h"
+#include "terminal/scan_places.h"
 
 #include <algorithm>
 
@@ -29,9 +30,8 @@ segmentsOf(const std::string& value)
 std::vector<Option>
 readOptions(PassJob& job)
 {
-  return {choiceOption("units", "unit of the numbers in the files; default mm: --units m", job.read.unit),
-          placeOption("origin", "point to subtract from the points, in their unit, if coordinates are large: --origin 393775,3689071,0",
-                      job.read.origin),
+  return {choiceOption("units", units_help, job.read.unit),
+          originOption(job.read),
           {"columns", "NAMES", "names of the columns of a text file, from the left; x, y and z are used: --columns id,x,y,z",
            [&job](const std::string& value) { job.read.columns = listValue(value); }}};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pass_report.h"
 
+#include "terminal/scan_places.h"
+
 #include <pcl_spiral/io/file_error.h>
 
 #include <fstream>
@@ -57,7 +59,8 @@ addPasses(const PassResult& result, Json& report)
   report["tip_length"] = result.length;
   report["locations"] = locationsOf(result);
   report["stages"] = stages;
-  report["warnings"] = result.warnings;
+  report["warnings"] = inScan(result.warnings);
+  report["shift"] = {scanShift().x(), scanShift().y(), scanShift().z()};
   if (result.program)
     report["machine"] = {
         {"name", result.program->machine.name}, {"blocks", result.program->blocks.size()}, {"minutes", result.program->report.minutes}};

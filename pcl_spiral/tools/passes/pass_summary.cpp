@@ -2,6 +2,7 @@
 #include "pass_summary.h"
 
 #include "program/machine_moves.h"
+#include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 
 #include <cstdio>
@@ -26,6 +27,7 @@ printPasses(const PassJob& job, const PassResult& result, const std::vector<std:
   if (job.verbose)
     for (const StageCost& stage : result.stages)
       std::printf("  %-16s %9.2f s\n", stage.name.c_str(), stage.seconds);
+  std::printf("%s", shiftLine().c_str());
   std::printf("written        ");
   for (const std::string& file : files)
     std::printf(" %s", file.c_str());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_surface.h"
+#include "terminal/scan_places.h"
 #include "terminal/setter_names.h"
 
 #include <pcl_spiral/cleaning/stray_removal.h>
@@ -77,6 +78,7 @@ readScan(const PassJob& job, ProgressBar& bar, PassResult& result, StageClock& c
 {
   bar.update(0.0, "reading " + job.scan);
   result.scan = readCloud(job.scan, job.read);
+  setScanShift(result.scan.shift);
   result.scan.warnings = inOptions(result.scan.warnings);
   result.whole_scan = result.scan.cloud;
   clock.end("reading");
@@ -87,7 +89,7 @@ readScan(const PassJob& job, ProgressBar& bar, PassResult& result, StageClock& c
     leaveOutStrays(job, result);
     clock.end("strays");
   }
-  result.asked_side = sideOf(result.scan, job.view_point);
+  result.asked_side = sideOf(result.scan, fromScan(job.view_point));
   const Surface::ConstPtr surface = surfaceOf(job, bar, result);
   if (surface)
     result.side = surface->side();

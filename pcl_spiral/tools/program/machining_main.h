@@ -7,6 +7,7 @@
 #include "machine_moves.h"
 #include "report/picture_files.h"
 #include "terminal/program_main.h"
+#include "terminal/scan_places.h"
 
 #include "io/output_files.h"
 
@@ -36,7 +37,7 @@ runMachining(const std::string& name, const Job& job)
   judge(job, result);
   if (!job.quiet)
     for (const std::string& warning : warningsOf(result))
-      std::cerr << name << ": warning: " << warning << '\n';
+      std::cerr << name << ": warning: " << inScan(warning) << '\n';
   writeOutputs(job, result, files);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (!job.quiet)

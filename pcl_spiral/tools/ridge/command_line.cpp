@@ -67,7 +67,8 @@ ridge(Job& job)
                     job.ridge.measuring_error),
        switchOption("flip-normals", "the tool is on the other side of the ridge", job.ridge.flip),
        {"through", "X,Y,Z/...",
-        "rough points on the ridge in --scan: at both ends, and between them where it bends: --through 0,0,0/300,50,20/600,0,0",
+        "rough points on the ridge in --scan, in its coordinates, mm: at both ends, and between them where it bends: --through "
+        "0,0,0/300,50,20/600,0,0",
         [&job](const std::string& value) { job.through = placesOf("through", value); }},
        numberOption("half-width", "L", "half width of the ridge in --scan, from its crest to each side: --half-width 12", job.half_width),
        switchOption("ring", "the ridge in --scan is closed", job.ring)}};

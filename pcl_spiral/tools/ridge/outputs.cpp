@@ -21,7 +21,7 @@ namespace {
 std::string
 titleOf(const Job& job)
 {
-  return std::filesystem::path(job.rail.empty() ? job.scan : job.rail).filename().string();
+  return titleWithShift(std::filesystem::path(job.rail.empty() ? job.scan : job.rail).filename().string());
 }
 
 void
@@ -54,16 +54,17 @@ void
 printRidge(const Job& job, const Result& result)
 {
   const RidgeReport& r = result.ridge->report();
+  const Eigen::Vector3d meeting = inScan(r.meeting_place);
+  const Eigen::Vector3d worst = result.found ? inScan(result.found->largest_place) : Eigen::Vector3d();
   if (result.found)
     std::printf("scan            %s: %zu points; off the ridge by %.3g mm rms, %.3g at most at (%.1f, %.1f, %.1f); its noise is %.3g mm\n",
-                job.scan.c_str(), result.scan.cloud->size(), result.found->misfit, result.found->largest_misfit,
-                result.found->largest_place.x(), result.found->largest_place.y(), result.found->largest_place.z(), result.found->noise);
+                job.scan.c_str(), result.scan.cloud->size(), result.found->misfit, result.found->largest_misfit, worst.x(), worst.y(),
+                worst.z(), result.found->noise);
   const auto known = [&](double error) { return result.found ? std::string() : textOf(", measured to ", error, " mm"); };
   std::printf("rail            %zu points, %.1f mm%s%s; slope up to %.1f degrees\n", r.rail_points, r.rail_length, r.closed ? " round" : "",
               known(r.rail_error).c_str(), r.largest_slope);
   std::printf("generator       %zu points, %.2f mm%s; meets the rail at (%.1f, %.1f, %.1f), %.3g mm off\n", r.generator_points,
-              r.generator_length, known(r.generator_error).c_str(), r.meeting_place.x(), r.meeting_place.y(), r.meeting_place.z(),
-              r.meeting_distance);
+              r.generator_length, known(r.generator_error).c_str(), meeting.x(), meeting.y(), meeting.z(), r.meeting_distance);
   std::printf("                its chord keeps %.2f degrees; its plane is %.2f degrees off the rail's normal plane\n", r.chord_angle,
               r.tilt);
   std::printf("rows            %zu, %.4g mm apart at most, %zu points\n", result.rows.rows, result.rows.largest_step, result.rows.points);

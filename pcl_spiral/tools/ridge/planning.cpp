@@ -27,7 +27,10 @@ namespace {
 Polyline
 readLine(const Job& job, const std::string& file, Result& result)
 {
-  const Scan read = readCloud(file, job.read);
+  const bool first = job.scan.empty() && result.rail.empty(); // the files after it are read in its coordinates
+  const Scan read = readCloud(file, first ? job.read : readAsScan(job.read));
+  if (first)
+    setScanShift(read.shift);
   for (const std::string& warning : read.warnings)
     if (file == job.rail || warning.find(" across; ") == std::string::npos) // a generator is usually small
       result.warnings.push_back(warning);
@@ -53,7 +56,10 @@ findLines(const Job& job, ProgressBar& bar, Result& result)
   RidgeLines<pcl::PointXYZ> lines;
   lines.setInputCloud(result.scan.cloud); // not the cutter's surface: its side may differ
   setSurface(job, lines);
-  lines.setRoughPoints(job.through);
+  Polyline through;
+  for (const Eigen::Vector3d& place : job.through)
+    through.push_back(fromScan(place));
+  lines.setRoughPoints(through);
   lines.setClosed(job.ring);
   lines.setHalfWidth(job.half_width);
   lines.setReferenceNormal(job.ridge.reference);

@@ -70,13 +70,13 @@ ridgeOf(const RidgeReport& r)
           {"generator_error", r.generator_error},
           {"rail_direction", r.rail_direction},
           {"generator_direction", r.generator_direction},
-          {"meeting_place", placeOf(r.meeting_place)},
+          {"meeting_place", placeOf(inScan(r.meeting_place))},
           {"meeting_distance", r.meeting_distance},
           {"chord", r.chord},
           {"chord_angle", r.chord_angle},
           {"tilt", r.tilt},
           {"largest_slope", r.largest_slope},
-          {"steepest_place", placeOf(r.steepest_place)},
+          {"steepest_place", placeOf(inScan(r.steepest_place))},
           {"slope_factor", r.slope_factor},
           {"least_stretch", r.least_stretch}};
 }
@@ -91,7 +91,7 @@ foundOf(const ScanRidgeReport& f)
           {"crest_wander", f.crest_wander},
           {"misfit", f.misfit},
           {"largest_misfit", f.largest_misfit},
-          {"largest_place", placeOf(f.largest_place)}};
+          {"largest_place", placeOf(inScan(f.largest_place))}};
 }
 
 } // namespace

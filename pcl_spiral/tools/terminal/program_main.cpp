@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program_main.h"
 
+#include "scan_places.h"
 #include "setter_names.h"
 #include "terminal.h"
 
@@ -15,11 +16,11 @@ runProgram(const std::string& name, const std::function<int()>& body)
     return body();
   }
   catch (const UsageError& error) {
-    std::cerr << name << ": " << error.what() << '\n' << name << " --help lists the options\n";
+    std::cerr << name << ": " << inScan(error.what()) << '\n' << name << " --help lists the options\n";
     return bad_usage;
   }
   catch (const std::exception& error) {
-    std::cerr << name << ": " << inOptions(error.what()) << '\n';
+    std::cerr << name << ": " << inScan(inOptions(error.what())) << '\n';
     return failed_on_data;
   }
 }

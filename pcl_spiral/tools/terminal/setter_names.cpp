@@ -8,7 +8,7 @@
 namespace {
 
 /** Each first text is replaced by the second if the program has the first option in it. */
-constexpr std::array<std::pair<const char*, const char*>, 58> words{{
+constexpr std::array<std::pair<const char*, const char*>, 59> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
@@ -64,7 +64,8 @@ constexpr std::array<std::pair<const char*, const char*>, 58> words{{
     {"Limits::uncut", "--max-uncut"},
     {"ReadOptions::columns", "--columns"},
     {"ReadOptions::origin", "--origin X,Y,Z"},
-    {"ReadOptions::unit", "--units m, --units inch"},
+    {"ReadOptions::unit", "--units m, --units ft, --units us-ft, --units inch"},
+    {"ReadOptions::find_origin", "without --origin"},
     {"setSpacing", "--sample-spacing"},
     {"readCloud", "leave --mesh out"},
 }};

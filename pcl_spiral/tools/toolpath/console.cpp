@@ -3,6 +3,7 @@
 #include "job_check.h"
 #include "judging/figures_table.h"
 #include "program/machine_moves.h"
+#include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 
 #include "mesh/mesh_findings.h"
@@ -65,7 +66,7 @@ printMesh(const Job& job, const SampledMesh& mesh, const pcl_spiral::SpiralRepor
 void
 printSurface(const Job& job, const Result& result)
 {
-  const pcl_spiral::SpiralReport& report = result.report;
+  const pcl_spiral::SpiralReport report = inScan(result.report);
   if (result.mesh)
     printMesh(job, *result.mesh, report);
   else
@@ -155,9 +156,8 @@ printStages(const Result& result, double seconds)
 void
 printSummary(const Job& job, const Result& result, double seconds)
 {
-  const pcl_spiral::SpiralReport& report = result.report;
   printSurface(job, result);
-  printPath(job, report);
+  printPath(job, inScan(result.report));
   if (result.program)
     printProgram(*result.program);
   std::printf("time            %s\n", duration(seconds).c_str());
@@ -166,10 +166,11 @@ printSummary(const Job& job, const Result& result, double seconds)
   if (job.read.origin != Eigen::Vector3d::Zero())
     std::printf("origin          the path is relative to %.10g, %.10g, %.10g in the scan's unit\n", job.read.origin.x(),
                 job.read.origin.y(), job.read.origin.z());
+  std::printf("%s", shiftLine().c_str());
   std::printf("written        ");
   for (const std::string& file : filesOf(job))
     std::printf(" %s", file.c_str());
   std::printf("\n");
   if (result.verification)
-    printFigures(*result.verification);
+    printFigures(inScan(*result.verification));
 }

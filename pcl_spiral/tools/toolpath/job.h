@@ -6,6 +6,7 @@
 
 #include "program/program_job.h"
 #include "terminal/option_table.h"
+#include "terminal/scan_places.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
@@ -22,7 +23,7 @@ struct Job {
   std::string scan;
   std::string config_file;
   std::vector<std::string> outputs;
-  pcl_spiral::ReadOptions read;
+  pcl_spiral::ReadOptions read = readFindingOrigin();
   pcl_spiral::SpiralSettings settings;
   ProgramJob program;
   bool mesh = false;           ///< the scan is a mesh, and its faces are used

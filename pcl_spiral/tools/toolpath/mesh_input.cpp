@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_input.h"
 #include "job_failure.h"
+#include "terminal/scan_places.h"
 #include "terminal/setter_names.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -113,6 +114,8 @@ void
 readMeshSamples(const Job& job, ProgressBar& bar, Result& result)
 {
   MeshFile file = readMesh(job.scan, job.read);
+  result.scan.shift = file.shift;
+  setScanShift(file.shift);
   result.scan.warnings = inOptions(std::move(file.warnings));
   if (!bar.update(0.05, "mesh"))
     throw Cancelled();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_table.h"
 #include "program/program_options.h"
+#include "terminal/scan_places.h"
 
 using pcl_spiral::SpiralSettings;
 
@@ -38,10 +39,9 @@ setRim(double& overhang, const std::string& value)
 OptionGroup
 files(Job& job)
 {
-  using pcl_spiral::LengthUnit;
   return {
       "Files",
-      {{"scan", "FILE", "the scan: .pcd .ply .xyz .txt .csv .asc .stl .obj, or with --mesh a mesh; --scan itself can be left out: part.pcd",
+      {{"scan", "FILE", ".pcd .ply .xyz .txt .csv .asc .pts .las .stl .obj, or with --mesh a mesh; --scan itself can be left out: part.pcd",
         [&job](const std::string& value) { job.scan = value; }},
        {"output", "FILE",
         "output file, its kind by extension; repeat it for each file: -o part.csv -o part.vtp\n"
@@ -53,10 +53,8 @@ files(Job& job)
         ".png  picture of the spiral on the surface; also NAME_lines.png: loops and radial lines; with --verify also "
         "NAME_deviation.png, NAME_stock.png, NAME_histogram.png; with a program NAME_rotary.png",
         [&job](const std::string& value) { job.outputs.push_back(value); }},
-       {"units", "mm|m|inch", "unit of the numbers in the scan; default mm: --units m",
-        [&job](const std::string& value) { job.read.unit = choiceValue<LengthUnit>("units", value); }},
-       {"origin", "X,Y,Z", "point to subtract from the scan, in the unit of the scan, if coordinates are large: --origin 393775,3689071,0",
-        [&job](const std::string& value) { job.read.origin = placeValue("origin", value); }},
+       choiceOption("units", units_help, job.read.unit),
+       originOption(job.read),
        {"columns", "NAMES", "names of the columns of a text file, from the left; x, y and z are used: --columns id,x,y,z",
         [&job](const std::string& value) { job.read.columns = listValue(value); }},
        textOption("config", "FILE",
@@ -95,8 +93,9 @@ spiral(SpiralSettings& s)
 {
   return {
       "Spiral",
-      {placeOption("center", "centre of a part with one boundary; default found from the part: --center 0,0,860", s.centre),
-       placeOption("start", "the path meets the rim at the point nearest to this place: --start 1650,0,0", s.start_point),
+      {placeOption("center", "centre of a part with one boundary, mm, in the scan's coordinates; default found: --center 0,0,860",
+                   s.centre),
+       placeOption("start", "the path meets the rim nearest to this place, mm, in the scan's coordinates: --start 1650,0,0", s.start_point),
        choiceOption("boundaries",
                     "one: the rim; two: the rim and the longest hole; all: the rim and every hole; default auto: --boundaries two",
                     s.boundary_mode),
@@ -141,7 +140,7 @@ surface(Job& job)
        numberOption("sample-spacing", "D",
                     "spacing of the samples of --mesh, mm; default found from its curvature and the step-over: --sample-spacing 0.5",
                     job.sample_spacing),
-       placeOption("view-point", "position of the scanner, mm; normals point to it: --view-point 0,0,3000", job.settings.view_point),
+       placeOption("view-point", view_point_help, job.settings.view_point),
        switchOption("flip-normals", "the cutter is on the other side of the scan or mesh", job.settings.flip_normals),
        switchOption("largest", "of several separate parts keep only the largest: --largest", job.settings.largest_part),
        numberOption("thin", "EDGE", "keep one point per cube of this edge, mm; default 0, no thinning: --thin 2", job.settings.thinning),

@@ -5,6 +5,7 @@
 #include "program/machine_moves.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
+#include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 
 #include "io/report/report_writer.h"
@@ -59,13 +60,21 @@ void
 writeReport(const Job& job, const Result& result, const std::string& title, PictureFiles& pictures, const std::string& file)
 {
   RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings, {}, job.options};
+  run.shift = scanShift();
+  run.warnings = inScan(run.warnings);
   if (result.mesh)
     run.mesh = RunMesh{result.mesh->counts, result.mesh->spacing};
-  const Verification* const verification = result.verification ? &*result.verification : nullptr;
+  const std::optional<Verification> judged = result.verification ? std::optional(inScan(*result.verification)) : std::nullopt;
+  const Verification* const verification = judged ? &*judged : nullptr;
+  SpiralSettings settings = result.settings;
+  for (std::optional<Eigen::Vector3d>* place : {&settings.centre, &settings.start_point, &settings.view_point})
+    if (*place)
+      *place = inScan(**place);
+  const SpiralReport report = inScan(result.report);
   if (extensionOf(file) == ".json")
-    writeReportJSON(file, run, result.settings, result.report, verification);
+    writeReportJSON(file, run, settings, report, verification);
   else
-    writeReportHTML(file, {title, madeBy("pcl_spiral_toolpath"), job.command}, run, result.settings, result.report,
+    writeReportHTML(file, {title, madeBy("pcl_spiral_toolpath"), job.command}, run, settings, report,
                     pictures.forReport({PictureKind::Spiral, PictureKind::Lines, PictureKind::Rotary}), verification,
                     pictures.forReport({PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram}));
 }
@@ -101,9 +110,9 @@ writeOutputs(const Job& job, Result& result, OutputFiles& files)
 try {
   for (const std::string& output : job.outputs)
     requireOnePass(result.report.pass_begins.size() + 1, output, "leave --one-way out");
-  const ToolpathMotion motion{job.settings.tool_radius, job.settings.feed, {}, result.report.pass_begins};
+  const ToolpathMotion motion{job.settings.tool_radius, job.settings.feed, {}, result.report.pass_begins, scanShift()};
   const PathValues values{{}, result.heights.deviation, result.heights.scallop};
-  const std::string title = std::filesystem::path(job.scan).filename().string();
+  const std::string title = titleWithShift(std::filesystem::path(job.scan).filename().string());
   PictureFiles pictures;
   StageClock clock(result.report.stages);
   if (std::any_of(job.outputs.begin(), job.outputs.end(), hasPictures)) {

@@ -2,6 +2,7 @@
 #include "planning.h"
 #include "job_failure.h"
 #include "mesh_input.h"
+#include "terminal/scan_places.h"
 #include "terminal/setter_names.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
@@ -48,8 +49,9 @@ readInput(const Job& job, ProgressBar& bar, StageClock& clock, Result& result)
     readMeshSamples(job, bar, result);
   else {
     result.scan = readCloud(job.scan, job.read);
+    setScanShift(result.scan.shift);
     result.scan.warnings = inOptions(result.scan.warnings);
-    result.side = sideOf(result.scan, job.settings.view_point);
+    result.side = sideOf(result.scan, fromScan(job.settings.view_point));
   }
   clock.end("reading");
   if (cancelled())
@@ -67,6 +69,8 @@ SpiralSettings
 settingsFor(const Job& job, const Result& result)
 {
   SpiralSettings settings = job.settings;
+  settings.centre = fromScan(settings.centre);
+  settings.start_point = fromScan(settings.start_point);
   if (!result.mesh)
     settings.view_point = result.side.view_point;
   if (result.mesh) {

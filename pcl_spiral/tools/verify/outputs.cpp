@@ -3,6 +3,7 @@
 
 #include "judging/judged_scene.h"
 #include "terminal/file_names.h"
+#include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -46,17 +47,23 @@ VerifyOutputs::take(const JudgedPart& part, const ReferenceSurface& surface, con
   }
   for (std::size_t i = 0; i < files_.size(); ++i)
     if (extensionOf(files_.path(i)) == ".vtp")
-      writeToolpath(files_.temporary(i), *judged.path, {job_.settings.tool_radius, 0.0},
+      writeToolpath(files_.temporary(i), *judged.path, {job_.settings.tool_radius, 0.0, {}, {}, scanShift()},
                     {judged.feed, judged.heights.deviation, judged.heights.scallop});
-  verifications_.push_back(judged.verification);
+  verifications_.push_back(inScan(judged.verification));
 }
 
 void
 VerifyOutputs::finish(const JudgedPart& part)
 try {
-  const VerificationRun run{
-      job_.scan,   job_.read.unit, job_.settings.tool_radius, job_.settings.scallop_height, job_.settings.chord_error, part.warnings,
-      job_.limits, mesh_};
+  const VerificationRun run{job_.scan,
+                            job_.read.unit,
+                            job_.settings.tool_radius,
+                            job_.settings.scallop_height,
+                            job_.settings.chord_error,
+                            inScan(part.warnings),
+                            job_.limits,
+                            mesh_,
+                            scanShift()};
   const std::string title = std::filesystem::path(job_.paths.front()).filename().string() + (job_.paths.size() > 1 ? " and others" : "");
   std::size_t i = 0;
   for (const std::string& output : job_.outputs) {

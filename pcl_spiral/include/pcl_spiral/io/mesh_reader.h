@@ -14,9 +14,10 @@ namespace pcl_spiral {
 
 /** A mesh in mm. */
 struct MeshFile {
-  pcl::PolygonMesh::Ptr mesh;        ///< triangles over points x y z
-  std::size_t polygons = 0;          ///< faces of more than three corners; they were cut into triangles
-  std::vector<std::string> warnings; ///< what the reader found and did not change
+  pcl::PolygonMesh::Ptr mesh;                      ///< triangles over points x y z
+  std::size_t polygons = 0;                        ///< faces of more than three corners; they were cut into triangles
+  std::vector<std::string> warnings;               ///< what the reader found and did not change
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< mm, see Scan::shift
 };
 
 /** Extensions that readMesh accepts, with the dot. */

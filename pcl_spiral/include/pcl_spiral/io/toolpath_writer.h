@@ -21,6 +21,9 @@ struct ToolpathMotion {
   double feed = 0.0;                      ///< at the contact, mm/min
   std::vector<Eigen::Vector3d> tips = {}; ///< one per point, of a cutter that is not a ball; empty: those of the ball
   std::vector<std::size_t> passes = {};   ///< where the second pass and each further one begin; empty: as passBegins finds them
+  /** Added to contacts and tips, mm, in double precision: Scan::shift, if the path was made in shifted coordinates. A .pcd keeps its
+   *  float coordinates and names this place in a comment, which readToolpath uses. */
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
 };
 
 /** More values of a path, one per point; empty: none. */
@@ -48,12 +51,15 @@ extern const char* const toolpath_csv_header;
  *  The same bytes for any number of threads. \throw FileError */
 void writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion);
 
-/** Writes a binary PCD of ToolpathPoint. \throw FileError */
-void writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
+/** Writes a binary PCD of ToolpathPoint; \p origin as in ToolpathMotion. \throw FileError */
+void writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
+                      const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
 /** Writes a binary little-endian PLY: float x y z nx ny nz axis_x axis_y axis_z, double arc_length, float
- *  turn. The normal has the names that mesh viewers know; PCL reads them back as normal_x.. \throw FileError */
-void writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
+ *  turn. The normal has the names that mesh viewers know; PCL reads them back as normal_x.. With an \p origin, as in ToolpathMotion,
+ *  x y z are double. \throw FileError */
+void writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
+                      const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
 /** Writes one polyline per pass, with point data Normals, ToolAxis, Feed (if known), Turn, ArcLength, Tip (if tips are given), and
  *  Deviation and Scallop from \p values, if given. \throw FileError, std::invalid_argument for values that are not one per point */

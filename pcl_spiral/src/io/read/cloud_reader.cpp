@@ -9,6 +9,8 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <filesystem>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -32,6 +34,10 @@ readTable(const std::string& file, const std::string& bytes, const std::string& 
     return readStlTable(file, bytes);
   if (extension == ".obj")
     return readObjTable(file, bytes);
+  if (extension == ".las")
+    return readLasTable(file, bytes);
+  if (extension == ".pts")
+    return readPtsTable(file, bytes);
   return readTextTable(file, bytes, xyz, columns, normals);
 }
 
@@ -58,29 +64,42 @@ normalsOf(const PointTable& table)
 const std::vector<std::string>&
 cloudExtensions()
 {
-  static const std::vector<std::string> extensions{".pcd", ".ply", ".xyz", ".txt", ".csv", ".asc", ".stl", ".obj"};
+  static const std::vector<std::string> extensions{".pcd", ".ply", ".xyz", ".txt", ".csv", ".asc", ".pts", ".las", ".stl", ".obj"};
   return extensions;
+}
+
+std::string
+conversionRemedy(const std::string& file)
+{
+  const std::string converted = std::filesystem::path(file).replace_extension(".ply").string();
+  const std::string binary = std::string(2, '-') + "writers.ply.storage_mode=\"little endian\""; // an option of PDAL: text would be rounded
+  return "convert it with PDAL (pdal.io; Debian 12 has no package of it): pdal translate " + file + " " + converted + " " + binary;
 }
 
 Scan
 readCloud(const std::string& file, const ReadOptions& options)
 {
   const std::string extension = lowerExtension(file);
+  if (extension == ".laz" || extension == ".e57")
+    throw FileError(file, extension + " is not read; " + conversionRemedy(file));
   const auto& known = cloudExtensions();
   if (std::find(known.begin(), known.end(), extension) == known.end())
-    throw FileError(file, "extension '" + extension + "' is not known for a scan; use .pcd .ply .xyz .txt .csv .asc .stl or .obj");
+    throw FileError(file,
+                    "extension '" + extension + "' is not known for a scan; use .pcd .ply .xyz .txt .csv .asc .pts .las .stl or .obj");
   if (!options.columns.empty() && !isText(extension))
     throw FileError(file, "only the columns of text files can be named; leave ReadOptions::columns out");
 
   Scan scan;
   const std::string bytes = readBytes(file);
   const PointTable table = readTable(file, bytes, extension, options.columns);
-  scan.cloud = scaledPoints(table, options);
+  ScaledPoints points = scaledPoints(file, table, options);
+  scan.cloud = points.cloud;
+  scan.shift = points.shift;
+  scan.warnings = std::move(points.warnings);
   scan.normals = normalsOf(table);
   if (extension == ".pcd")
     if (const auto place = readPcdViewPoint(file, bytes))
-      scan.view_point = millimetres(options.unit) * (*place - options.origin);
-  scan.warnings = scaleWarnings(file, *scan.cloud);
+      scan.view_point = millimetres(options.unit) * (*place - options.origin) - scan.shift;
   return scan;
 }
 

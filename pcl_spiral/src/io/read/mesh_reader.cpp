@@ -149,13 +149,15 @@ readMesh(const std::string& file, const ReadOptions& options)
   if (table.faces.ends.empty())
     throw FileError(file, "holds no faces, only " + std::to_string(table.vertices[0].size()) +
                               " points; give it as a scan (readCloud), or export the mesh with its faces");
-  const Points::Ptr points = scaledPoints(table.vertices, options);
+  const ScaledPoints scaled = scaledPoints(file, table.vertices, options);
+  const Points::Ptr& points = scaled.cloud;
   checkFaces(file, table.faces, *points);
 
   MeshFile result;
   result.mesh = pcl::make_shared<pcl::PolygonMesh>();
   pcl::toPCLPointCloud2(*points, result.mesh->cloud);
-  result.warnings = scaleWarnings(file, *points);
+  result.warnings = scaled.warnings;
+  result.shift = scaled.shift;
   FaceCutter(file, table.faces, *points).cutInto(result);
   return result;
 }

@@ -34,11 +34,18 @@ PointTable readTextTable(const std::string& file, std::string_view bytes, const 
 PointTable readObjTable(const std::string& file, std::string_view bytes);
 /** Corners x y z of the triangles, each point once. */
 PointTable readStlTable(const std::string& file, std::string_view bytes);
+/** x y z of uncompressed points. */
+PointTable readLasTable(const std::string& file, std::string_view bytes);
+/** x y z of a text that begins with the number of its points; several such blocks may follow each other. */
+PointTable readPtsTable(const std::string& file, std::string_view bytes);
 /** Points, Normals, ToolAxis, ArcLength, Turn and, if present, Feed of a polyline written by this library. */
 PointTable readVtpTable(const std::string& file, std::string_view bytes);
 /** First points of its second and of each further polyline; the points of all polylines are in order. */
 std::vector<std::size_t> readVtpPasses(const std::string& file, std::string_view bytes);
 /** @} */
+
+/** How to convert a scan in a format that is not read, as the end of a message. */
+std::string conversionRemedy(const std::string& file);
 
 /** The position in VIEWPOINT of a PCD file, in the unit of the file; absent for the default 0 0 0 1 0 0 0. \throw FileError */
 std::optional<Eigen::Vector3d> readPcdViewPoint(const std::string& file, std::string_view bytes);

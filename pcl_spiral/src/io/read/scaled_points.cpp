@@ -2,6 +2,7 @@
 #include "scaled_points.h"
 
 #include "common/formatted_text.h"
+#include "found_shift.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double noticed_rounding = 0.001;   ///< mm; a fifth of the usual chord error
 constexpr double smallest_likely_size = 5.0; ///< mm; smaller parts are probably read in the wrong unit
 
 std::string
@@ -19,10 +19,8 @@ inMillimetres(double value)
   return formatted("%.3g mm", value);
 }
 
-} // namespace
-
 pcl::PointCloud<pcl::PointXYZ>::Ptr
-scaledPoints(const PointTable& table, const ReadOptions& options)
+movedPoints(const PointTable& table, const ReadOptions& options, const Eigen::Vector3d& shift)
 {
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   cloud->resize(table[0].size());
@@ -30,7 +28,7 @@ scaledPoints(const PointTable& table, const ReadOptions& options)
   bool dense = true;
   for (std::size_t i = 0; i < table[0].size(); ++i)
     for (int c = 0; c < 3; ++c) {
-      const double value = scale * (table[static_cast<std::size_t>(c)][i] - options.origin[c]);
+      const double value = scale * (table[static_cast<std::size_t>(c)][i] - options.origin[c]) - shift[c];
       (*cloud)[i].data[c] = static_cast<float>(value);
       dense = dense && std::isfinite((*cloud)[i].data[c]);
     }
@@ -38,8 +36,9 @@ scaledPoints(const PointTable& table, const ReadOptions& options)
   return cloud;
 }
 
+/** \p far: the coordinates are those of a map, which a shift takes away. */
 std::vector<std::string>
-scaleWarnings(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& cloud)
+scaleWarnings(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& cloud, bool far, bool shifted)
 {
   double largest = 0.0;
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::max());
@@ -53,16 +52,31 @@ scaleWarnings(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& clo
     high = high.cwiseMax(p);
   }
   std::vector<std::string> warnings;
-  const auto rounded = static_cast<float>(largest);
-  const double rounding = 0.5 * (std::nextafter(rounded, std::numeric_limits<float>::max()) - rounded);
-  if (rounding > noticed_rounding)
-    warnings.push_back(file + ": coordinates reach " + inMillimetres(largest) + ", where single precision rounds them by up to " +
-                       inMillimetres(rounding) + "; subtract a point near the part (ReadOptions::origin)");
+  if (const double rounding = floatRounding(largest); rounding > noticed_rounding)
+    warnings.push_back(
+        file + ": coordinates " + (shifted ? "still " : "") + "reach " + inMillimetres(largest) +
+        ", where single precision rounds them by up to " + inMillimetres(rounding) +
+        (far && !shifted ? "; subtract a point near the part (ReadOptions::origin), or have one found (ReadOptions::find_origin)"
+                         : "; the points are spread that far, and no origin avoids it; remove points far from the part, if there are any"));
   const double size = (high - low).norm();
   if (largest > 0.0 && size < smallest_likely_size)
     warnings.push_back(file + ": the part is " + inMillimetres(size) +
-                       " across; if the scan is in metres or inches, give its unit (ReadOptions::unit)");
+                       (far ? " across, at map coordinates, which are usually in metres or feet; give their unit (ReadOptions::unit)"
+                            : " across; if the scan is in metres or inches, give its unit (ReadOptions::unit)"));
   return warnings;
+}
+
+} // namespace
+
+ScaledPoints
+scaledPoints(const std::string& file, const PointTable& table, const ReadOptions& options)
+{
+  const Eigen::Vector3d found = foundShift(table, options);
+  ScaledPoints points;
+  points.shift = options.find_origin ? found : Eigen::Vector3d::Zero();
+  points.cloud = movedPoints(table, options, points.shift);
+  points.warnings = scaleWarnings(file, *points.cloud, !found.isZero(), !points.shift.isZero());
+  return points;
 }
 
 } // namespace pcl_spiral

@@ -10,10 +10,15 @@
 
 namespace pcl_spiral {
 
-/** The columns x y z as points: scaled and shifted in double precision, then rounded to float. */
-pcl::PointCloud<pcl::PointXYZ>::Ptr scaledPoints(const PointTable& table, const ReadOptions& options);
+/** Points in mm, rounded to float. */
+struct ScaledPoints {
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud; ///< never null
+  Eigen::Vector3d shift;                     ///< see Scan::shift
+  /** If rounding to float changes points by more than 0.001 mm, or if the size suggests another unit. */
+  std::vector<std::string> warnings;
+};
 
-/** Warnings if rounding to float changes points by more than 0.001 mm, or if the size suggests another unit. */
-std::vector<std::string> scaleWarnings(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& cloud);
+/** The columns x y z of \p file as points: scaled and shifted in double precision, then rounded to float. */
+ScaledPoints scaledPoints(const std::string& file, const PointTable& table, const ReadOptions& options);
 
 } // namespace pcl_spiral

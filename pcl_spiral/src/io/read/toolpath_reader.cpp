@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/byte_file.h"
+#include "io/pcd_origin.h"
 #include "point_table.h"
 #include "text_scan.h"
 
@@ -31,9 +32,34 @@ hasGapColumn(std::string_view bytes)
   return false;
 }
 
-/** Columns of a path: x y z, normal, axis, arc length, turn, and feed and tip if present; the last is over_gap if it is \p marked. */
+/** The place that the coordinates of a .pcd are relative to, from its comment; zero if it has none. */
+Eigen::Vector3d
+originOf(const std::string& file, std::string_view bytes)
+{
+  LineScanner lines(bytes);
+  std::string_view line;
+  const std::string_view mark = trimmed(pcd_origin_mark);
+  while (lines.number() < longest_head && lines.next(line) && line.substr(0, 4) != "DATA") {
+    if (line.substr(0, mark.size()) != mark)
+      continue;
+    std::vector<std::string_view> words;
+    splitWords(line.substr(mark.size()), ' ', words);
+    Eigen::Vector3d origin;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::optional<double> value = words.size() == 3 ? toNumber(words[c]) : std::nullopt;
+      if (!value)
+        throw FileError(file, atLine(lines.number(), "the comment of the origin needs three numbers"));
+      origin[static_cast<Eigen::Index>(c)] = *value;
+    }
+    return origin;
+  }
+  return Eigen::Vector3d::Zero();
+}
+
+/** Columns of a path: x y z, normal, axis, arc length, turn, and feed and tip if present; the last is over_gap if it is \p marked.
+ *  \p origin is subtracted. */
 ToolpathFile
-fromColumns(const PointTable& table, bool marked = false)
+fromColumns(const PointTable& table, const Eigen::Vector3d& origin, bool marked = false)
 {
   const std::size_t columns = table.size() - (marked ? 1 : 0);
   ToolpathFile file;
@@ -41,7 +67,7 @@ fromColumns(const PointTable& table, bool marked = false)
   for (std::size_t i = 0; i < file.path.size(); ++i) {
     ToolpathPoint& point = file.path[i];
     for (std::size_t c = 0; c < 3; ++c) {
-      point.data[c] = static_cast<float>(table[c][i]);
+      point.data[c] = static_cast<float>(table[c][i] - origin[static_cast<Eigen::Index>(c)]);
       point.data_n[c] = static_cast<float>(table[3 + c][i]);
       point.data_axis[c] = static_cast<float>(table[6 + c][i]);
     }
@@ -53,7 +79,7 @@ fromColumns(const PointTable& table, bool marked = false)
     file.feed = table[11];
   if (columns > 14)
     for (std::size_t i = 0; i < file.path.size(); ++i)
-      file.tips.emplace_back(table[12][i], table[13][i], table[14][i]);
+      file.tips.push_back(Eigen::Vector3d(table[12][i], table[13][i], table[14][i]) - origin);
   return file;
 }
 
@@ -75,7 +101,7 @@ liftBetween(const std::vector<std::size_t>& passes, pcl::PointCloud<ToolpathPoin
 } // namespace
 
 ToolpathFile
-readToolpath(const std::string& file)
+readToolpath(const std::string& file, const Eigen::Vector3d& origin)
 {
   const std::string extension = lowerExtension(file);
   const Names tail{"axis_x", "axis_y", "axis_z", "arc_length", "turn"};
@@ -86,7 +112,8 @@ readToolpath(const std::string& file)
     wanted.insert(wanted.end(), last.begin(), last.end());
     if (marked)
       wanted.emplace_back(gap_column);
-    return fromColumns(table_of(file, bytes, wanted), marked);
+    const Eigen::Vector3d added = extension == ".pcd" ? originOf(file, bytes) : Eigen::Vector3d::Zero();
+    return fromColumns(table_of(file, bytes, wanted), origin - added, marked);
   };
   const auto readText = [](const auto&... of) { return readTextTable(of...); };
   const auto readPcd = [](const auto&... of) { return readPcdTable(of...); };
@@ -99,7 +126,7 @@ readToolpath(const std::string& file)
     return readColumns(readPly, {"x", "y", "z", "nx", "ny", "nz"});
   if (extension == ".vtp") {
     const auto bytes = readBytes(file);
-    ToolpathFile read = fromColumns(readVtpTable(file, bytes));
+    ToolpathFile read = fromColumns(readVtpTable(file, bytes), origin);
     liftBetween(readVtpPasses(file, bytes), read.path);
     return read;
   }

@@ -131,6 +131,10 @@ addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
   page.addTable({{"Scan", files.scan},
                  {"Unit of the scan", choiceName(files.unit)},
                  {"Origin subtracted from the scan", files.origin.isZero() ? "none" : place(files.origin)},
+                 {"Shift of map coordinates", files.shift.isZero() ? "none"
+                                                                   : place(files.shift) + " subtracted; added again in .csv .ply .vtp and "
+                                                                                          "in this report, not in pictures, .pcd and "
+                                                                                          "files for machines"},
                  {"Written", outputs},
                  {"Ball cutter, radius R", formatted("%g mm", s.tool_radius)},
                  {"Scallop height h", formatted("%g mm", s.scallop_height)},

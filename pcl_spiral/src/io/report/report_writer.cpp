@@ -193,6 +193,12 @@ memoryJson(const std::vector<StageCost>& costs)
   return {{"peak", costs.empty() ? Json() : megabytes(costs.back().memory.peak)}, {"stages", stages}};
 }
 
+Json
+inputJson(const RunFiles& files)
+{
+  return {{"file", files.scan}, {"unit", choiceName(files.unit)}, {"origin", toJson(files.origin)}, {"shift", toJson(files.shift)}};
+}
+
 } // namespace
 
 void
@@ -202,7 +208,7 @@ writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSett
   std::vector<std::string> warnings = files.warnings;
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
   Json json = {{"units", {{"length", "mm"}, {"angle", "degree"}, {"feed", "mm/min"}, {"time", "s"}, {"memory", "MB"}}},
-               {"input", {{"file", files.scan}, {"unit", choiceName(files.unit)}, {"origin", toJson(files.origin)}}},
+               {"input", inputJson(files)},
                {"outputs", files.outputs},
                {"options", optionsJson(files.options)},
                {"settings", settingsJson(settings)},

@@ -27,11 +27,12 @@ struct RunMesh {
 struct RunFiles {
   std::string scan;
   LengthUnit unit = LengthUnit::Millimetre;         ///< of the numbers in the scan
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< subtracted from the scan, mm
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< subtracted from the scan, in its unit
   std::vector<std::string> outputs;
-  std::vector<std::string> warnings; ///< from reading
-  std::optional<RunMesh> mesh;       ///< if the points are samples of a mesh
-  RunOptions options = {};           ///< of the program, as they were given
+  std::vector<std::string> warnings;               ///< from reading
+  std::optional<RunMesh> mesh;                     ///< if the points are samples of a mesh
+  RunOptions options = {};                         ///< of the program, as they were given
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of map coordinates, mm, see Scan::shift; places are in the coordinates of the scan
 };
 
 /** Input, settings, loops, counts, time and memory of each stage and warnings of a run, and the figures of the path if it was

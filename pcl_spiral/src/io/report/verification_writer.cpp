@@ -52,7 +52,11 @@ writeVerificationJSON(const std::string& file, const VerificationRun& run, const
     paths.push_back(path);
   }
   const Json json = {{"units", {{"length", "mm"}, {"angle", "degree"}, {"time", "s"}}},
-                     {"input", {{"file", run.scan}, {"unit", choiceName(run.unit)}, {"mesh", meshJson(run.mesh)}}},
+                     {"input",
+                      {{"file", run.scan},
+                       {"unit", choiceName(run.unit)},
+                       {"shift", {run.shift.x(), run.shift.y(), run.shift.z()}},
+                       {"mesh", meshJson(run.mesh)}}},
                      {"settings", {{"tool_radius", run.tool_radius}, {"scallop", run.scallop_height}, {"chord_error", run.chord_error}}},
                      {"limits", limitsJson(run.limits)},
                      {"paths", paths},

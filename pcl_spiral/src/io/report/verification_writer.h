@@ -32,7 +32,8 @@ struct VerificationRun {
   double chord_error = 0.0;                 ///< mm
   std::vector<std::string> warnings;        ///< from reading
   Limits limits;
-  std::optional<JudgedMesh> mesh = std::nullopt; ///< absent: a scan
+  std::optional<JudgedMesh> mesh = std::nullopt;   ///< absent: a scan
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of map coordinates, mm, see Scan::shift; places are in the coordinates of the scan
 };
 
 /** Settings, and the figures of each path with their places (see figuresOf). Lengths in mm, angles in degrees, times in

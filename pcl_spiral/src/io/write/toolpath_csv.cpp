@@ -33,11 +33,11 @@ writeRow(char* out, const ToolpathPoint& point, std::size_t i, const ToolpathMot
   out = writeField<6>(out, point.turn);
   out = writeField<6>(out, point.arc_length);
   for (int c = 0; c < 3; ++c)
-    out = writeField<6>(out, point.data[c]);
+    out = writeField<6>(out, point.data[c] + motion.origin[c]);
   for (int c = 0; c < 3; ++c)
     out = writeField<9>(out, point.data_n[c]);
   for (int c = 0; c < 3; ++c)
-    out = writeField<6>(out, tip[c]);
+    out = writeField<6>(out, tip[c] + motion.origin[c]);
   for (int c = 0; c < 3; ++c)
     out = writeField<9>(out, point.data_axis[c]);
   out = writeField<3>(out, motion.feed);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "common/formatted_text.h"
 #include "io/byte_file.h"
+#include "io/pcd_origin.h"
 #include "toolpath_rows.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -13,12 +15,15 @@ namespace pcl_spiral {
 // console that a user cannot understand.
 
 void
-writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path)
+writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const Eigen::Vector3d& origin)
 {
   if (path.empty())
     throw FileError(file, "not written: the path has no points");
   ByteFile out(file);
-  out.write(pcl::PCDWriter::generateHeader(path) + "DATA binary\n");
+  std::string header = pcl::PCDWriter::generateHeader(path);
+  if (!origin.isZero()) // below the first line, by which programs know the format
+    header.insert(header.find('\n') + 1, pcd_origin_mark + formatted("%.17g %.17g %.17g\n", origin.x(), origin.y(), origin.z()));
+  out.write(header + "DATA binary\n");
   out.write(toolpathRows(path));
   out.close();
 }

@@ -7,16 +7,18 @@
 namespace pcl_spiral {
 
 void
-writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path)
+writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const Eigen::Vector3d& origin)
 {
   ByteFile out(file);
   std::string header = "ply\nformat binary_little_endian 1.0\ncomment toolpath, mm: contact, normal, tool axis\n"
                        "element vertex " +
                        std::to_string(path.size()) + "\n";
-  for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "axis_x", "axis_y", "axis_z"})
+  for (const char* name : {"x", "y", "z"})
+    header += std::string(origin.isZero() ? "property float " : "property double ") + name + "\n";
+  for (const char* name : {"nx", "ny", "nz", "axis_x", "axis_y", "axis_z"})
     header += std::string("property float ") + name + "\n";
   out.write(header + "property double arc_length\nproperty float turn\nproperty uchar over_gap\nend_header\n");
-  out.write(toolpathRows(path));
+  out.write(toolpathRows(path, origin));
   out.close();
 }
 

@@ -6,7 +6,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t bytes_a_point = 9 * sizeof(float) + sizeof(double) + sizeof(float) + 1;
+constexpr std::size_t bytes_behind_place = 6 * sizeof(float) + sizeof(double) + sizeof(float) + 1;
 
 template <typename T>
 char*
@@ -19,12 +19,15 @@ put(char* out, T value)
 } // namespace
 
 std::string
-toolpathRows(const pcl::PointCloud<ToolpathPoint>& path)
+toolpathRows(const pcl::PointCloud<ToolpathPoint>& path, const Eigen::Vector3d& origin)
 {
-  std::string rows(path.size() * bytes_a_point, '\0');
+  const bool moved = !origin.isZero();
+  std::string rows(path.size() * (bytes_behind_place + 3 * (moved ? sizeof(double) : sizeof(float))), '\0');
   char* at = rows.data();
   for (const ToolpathPoint& point : path) {
-    for (const float* vector : {point.data, point.data_n, point.data_axis})
+    for (int i = 0; i < 3; ++i)
+      at = moved ? put(at, point.data[i] + origin[i]) : put(at, point.data[i]);
+    for (const float* vector : {point.data_n, point.data_axis})
       for (int i = 0; i < 3; ++i)
         at = put(at, vector[i]);
     at = put(at, point.arc_length);

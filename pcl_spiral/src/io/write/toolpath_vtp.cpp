@@ -58,7 +58,10 @@ polyData(const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motio
 {
   using P = ToolpathPoint;
   vtkNew<vtkPoints> points;
-  points->SetData(pointArray<vtkFloatArray>("Points", 3, path, [](const P& p, int c) { return p.data[c]; }));
+  if (motion.origin.isZero())
+    points->SetData(pointArray<vtkFloatArray>("Points", 3, path, [](const P& p, int c) { return p.data[c]; }));
+  else
+    points->SetData(pointArray<vtkDoubleArray>("Points", 3, path, [&](const P& p, int c) { return p.data[c] + motion.origin[c]; }));
   std::vector<vtkIdType> order(path.size());
   std::iota(order.begin(), order.end(), 0);
   vtkNew<vtkCellArray> lines;
@@ -94,7 +97,7 @@ polyData(const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motio
     tips->SetName("Tip");
     tips->SetNumberOfComponents(3);
     for (const Eigen::Vector3d& tip : motion.tips)
-      tips->InsertNextTuple(tip.data());
+      tips->InsertNextTuple(Eigen::Vector3d(tip + motion.origin).data());
     arrays->AddArray(tips);
   }
   addValues(arrays, "Deviation", values.deviation);

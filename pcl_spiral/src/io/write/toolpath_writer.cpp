@@ -27,9 +27,9 @@ writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& pat
   if (extension == ".csv")
     writeToolpathCSV(file, path, motion);
   else if (extension == ".pcd")
-    writeToolpathPCD(file, path);
+    writeToolpathPCD(file, path, motion.origin);
   else if (extension == ".ply")
-    writeToolpathPLY(file, path);
+    writeToolpathPLY(file, path, motion.origin);
   else if (extension == ".vtp")
     writeToolpathVTP(file, path, motion, values);
   else

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field_layout.h"
+#include "point_table.h"
+
+#include <pcl_spiral/io/file_error.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pcl_spiral {
+namespace {
+
+// An own reader, because Debian has no library for LAS. Header and records: "LAS Specification 1.4 - R15", ASPRS 2019, tables 3 and 7. In
+// the point formats 0 to 10 a record begins with x y z as whole numbers, for all versions from 1.0.
+
+constexpr std::size_t least_header = 227; ///< bytes, of versions 1.0 to 1.2
+constexpr FieldType u1{'U', 1}, u2{'U', 2}, u4{'U', 4}, u8{'U', 8}, i4{'I', 4}, real{'F', 8};
+
+class LasFile {
+public:
+  LasFile(const std::string& file, std::string_view bytes) : file_(file), bytes_(bytes) { check(); }
+
+  PointTable read() const
+  {
+    PointTable table(3, std::vector<double>(count_));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double scale = loadField(bytes_.data() + 131 + 8 * c, real), offset = loadField(bytes_.data() + 155 + 8 * c, real);
+      for (std::size_t i = 0; i < count_; ++i)
+        table[c][i] = scale * loadField(bytes_.data() + begin_ + i * size_ + 4 * c, i4) + offset;
+    }
+    return table;
+  }
+
+private:
+  std::size_t whole(std::size_t at, FieldType type) const
+  {
+    constexpr double most = 1e15; // more than any file has
+    return static_cast<std::size_t>(std::min(loadField(bytes_.data() + at, type), most));
+  }
+
+  void check()
+  {
+    if (bytes_.size() < least_header || bytes_.substr(0, 4) != "LASF")
+      throw FileError(file_, "is not a LAS file, or it is cut off in its header: it must begin with LASF and a header of at least " +
+                                 std::to_string(least_header) + " bytes; copy or export it again");
+    constexpr std::array<std::size_t, 11> least_sizes{20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+    const std::size_t major = whole(24, u1), minor = whole(25, u1), format = whole(104, u1);
+    if (format & 0xC0U) // LASzip sets a bit that no format uses
+      throw FileError(file_, "its points are compressed; " + conversionRemedy(file_));
+    if (major != 1 || minor > 4 || format >= least_sizes.size())
+      throw FileError(file_, "is LAS " + std::to_string(major) + "." + std::to_string(minor) + " with points of format " +
+                                 std::to_string(format) + "; versions 1.0 to 1.4 with formats 0 to 10 are read; export it as one of these");
+    begin_ = whole(96, u4);
+    size_ = whole(105, u2);
+    if (size_ < least_sizes[format])
+      throw FileError(file_, "gives " + std::to_string(size_) + " bytes for a point of format " + std::to_string(format) +
+                                 ", which has at least " + std::to_string(least_sizes[format]) + "; export it again");
+    const bool wide = minor == 4 && bytes_.size() >= 255;
+    count_ = wide ? whole(247, u8) : whole(107, u4);
+    if (count_ == 0)
+      throw FileError(file_, "holds no points");
+    if (begin_ > bytes_.size() || (bytes_.size() - begin_) / size_ < count_)
+      throw FileError(file_, "ends after " + std::to_string(bytes_.size()) + " bytes, but its header gives " + std::to_string(count_) +
+                                 " points of " + std::to_string(size_) + " bytes from byte " + std::to_string(begin_) +
+                                 ": it is cut off; copy or export it again");
+  }
+
+  const std::string& file_;
+  std::string_view bytes_;
+  std::size_t begin_ = 0, size_ = 0, count_ = 0;
+};
+
+} // namespace
+
+PointTable
+readLasTable(const std::string& file, std::string_view bytes)
+{
+  return LasFile(file, bytes).read();
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_places.h"
+
+#include "common/formatted_text.h"
+#include <pcl_spiral/common/impl/message.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+using namespace pcl_spiral;
+
+const char* const origin_help =
+    "point to subtract from the coordinates, in their unit; the outputs are then relative to it. Default: map coordinates are shifted "
+    "to a round place near the part, and shifted back in .csv .ply .vtp; 0,0,0 for no shift: --origin 393775,3689071,0";
+const char* const units_help =
+    "unit of the numbers in the files: ft is the international foot, us-ft the US survey foot of 1200/3937 m; default mm: --units m";
+const char* const view_point_help = "position of the scanner, in the scan's coordinates, mm; normals point to it: --view-point 0,0,3000";
+
+namespace {
+
+Eigen::Vector3d run_shift = Eigen::Vector3d::Zero(); ///< of the one scan of this process
+
+/** Whether a place in brackets that follows \p before is a direction: "the tool axis (0, 0, 1)", "the planes' normal is (1, 0, 0)". */
+bool
+namesDirection(std::string before)
+{
+  for (const char* end : {" ", ",", " is"})
+    if (const std::string tail = end; before.size() >= tail.size() && before.compare(before.size() - tail.size(), tail.size(), tail) == 0)
+      before.erase(before.size() - tail.size());
+  const std::vector<std::string> names{"axis", "normal", "passes", "direction"};
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return before.size() >= name.size() && before.compare(before.size() - name.size(), name.size(), name) == 0;
+  });
+}
+
+/** Reads "(1.5, -2, 3)" at \p at; sets \p end behind it. \return nothing if there is no place */
+std::optional<Eigen::Vector3d>
+placeAt(const std::string& message, std::size_t at, std::size_t& end)
+{
+  Eigen::Vector3d place;
+  const char* from = message.c_str() + at + 1;
+  for (int c = 0; c < 3; ++c) {
+    char* behind = nullptr;
+    place[c] = std::strtod(from, &behind);
+    if (behind == from || *behind != (c < 2 ? ',' : ')'))
+      return std::nullopt;
+    from = behind + 1;
+  }
+  end = static_cast<std::size_t>(from - message.c_str());
+  return place;
+}
+
+void
+moveBack(StockFigures& figures)
+{
+  for (PlacedValue* value : {&figures.max, &figures.first_uncut})
+    value->position = inScan(value->position);
+}
+
+} // namespace
+
+ReadOptions
+readFindingOrigin()
+{
+  ReadOptions read;
+  read.find_origin = true;
+  return read;
+}
+
+void
+setOrigin(const std::string& value, ReadOptions& read)
+{
+  read.origin = placeValue("origin", value);
+  read.find_origin = false;
+}
+
+Option
+originOption(ReadOptions& read)
+{
+  return {"origin", "X,Y,Z", origin_help, [&read](const std::string& value) { setOrigin(value, read); }};
+}
+
+void
+setScanShift(const Eigen::Vector3d& shift)
+{
+  run_shift = shift;
+}
+
+const Eigen::Vector3d&
+scanShift()
+{
+  return run_shift;
+}
+
+ReadOptions
+readAsScan(ReadOptions read)
+{
+  read.origin += run_shift / millimetres(read.unit);
+  read.find_origin = false;
+  return read;
+}
+
+Eigen::Vector3d
+fromScan(const Eigen::Vector3d& place)
+{
+  return place - run_shift;
+}
+
+std::optional<Eigen::Vector3d>
+fromScan(const std::optional<Eigen::Vector3d>& place)
+{
+  return place ? std::optional(fromScan(*place)) : std::nullopt;
+}
+
+Eigen::Vector3d
+inScan(const Eigen::Vector3d& place)
+{
+  return place + run_shift;
+}
+
+std::string
+inScan(std::string message)
+{
+  if (run_shift.isZero())
+    return message;
+  std::size_t end = 0;
+  for (std::size_t at = message.find('('); at != std::string::npos; at = message.find('(', at + 1))
+    if (const auto place = placeAt(message, at, end); place && !namesDirection(message.substr(0, at))) {
+      const std::string moved = placeText(inScan(*place));
+      message.replace(at, end - at, moved);
+      at += moved.size() - 1;
+    }
+  const std::string asked = "is the scan in metres or inches?";
+  if (const std::size_t at = message.find(asked); at != std::string::npos)
+    message.replace(at, asked.size(), "map coordinates are usually in metres or feet.");
+  return message;
+}
+
+std::vector<std::string>
+inScan(std::vector<std::string> messages)
+{
+  for (std::string& message : messages)
+    message = inScan(std::move(message));
+  return messages;
+}
+
+SpiralReport
+inScan(SpiralReport report)
+{
+  if (run_shift.isZero())
+    return report;
+  for (Eigen::Vector3d* place : {&report.centre, &report.sharpest_place, &report.closest_place})
+    if (!place->isZero()) // zero: none
+      *place = inScan(*place);
+  for (HoleReport& hole : report.holes)
+    hole.place = inScan(hole.place);
+  for (BoundaryLoop& loop : report.loops)
+    for (Eigen::Vector3d& place : loop.curve)
+      place = inScan(place);
+  report.warnings = inScan(std::move(report.warnings));
+  return report;
+}
+
+Verification
+inScan(Verification v)
+{
+  if (run_shift.isZero())
+    return v;
+  DeviationFigures& d = v.deviation;
+  RemovalFigures& r = v.removal;
+  for (PlacedValue* value :
+       {&d.max, &d.rim_max, &d.gap_max, &d.crease_max, &d.normal_error, &d.first_opposed, &d.first_inward, &d.wobble.max, &d.motion.gap,
+        &d.motion.turn, &d.motion.axis_change, &d.motion.normal_change, &r.gouge, &r.rim_gouge, &r.crease_gouge, &v.tip_error})
+    value->position = inScan(value->position);
+  for (StockFigures* figures : {&r.stock, &r.scallop, &r.rim, &r.crease})
+    moveBack(*figures);
+  for (std::vector<std::string>* messages : {&d.warnings, &r.warnings, &v.broken, &v.unproven})
+    *messages = inScan(std::move(*messages));
+  return v;
+}
+
+std::string
+shiftText()
+{
+  return formatted("%.0f, %.0f, %.0f mm", run_shift.x(), run_shift.y(), run_shift.z());
+}
+
+std::string
+titleWithShift(const std::string& title)
+{
+  return run_shift.isZero() ? title : title + ", coordinates less " + shiftText();
+}
+
+std::string
+shiftLine()
+{
+  if (run_shift.isZero())
+    return "";
+  return "shift           map coordinates less " + shiftText() +
+         ": added again in .csv .ply .vtp, reports and messages; pictures, .pcd and files for machines are relative to that place\n";
+}

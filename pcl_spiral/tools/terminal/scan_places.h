@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Places in the coordinates of the scan file, for a run whose scan was shifted (see pcl_spiral::Scan::shift).
+ *
+ *  Everything between reading and writing is in shifted coordinates. Places of options are shifted after reading (fromScan); places
+ *  in messages, summaries and reports are shifted back where they are shown (inScan).
+ */
+#pragma once
+
+#include "option_table.h"
+
+#include "verify/verification.h"
+#include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/spiral/spiral_report.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/** How the programs read a scan unless --origin is given: with a found origin. */
+pcl_spiral::ReadOptions readFindingOrigin();
+
+/** --origin X,Y,Z as \p value: it is subtracted, and none is found. \throw UsageError */
+void setOrigin(const std::string& value, pcl_spiral::ReadOptions& read);
+
+/** The option --origin. */
+Option originOption(pcl_spiral::ReadOptions& read);
+
+/** Help on --origin, --units and --view-point, for all programs. */
+extern const char* const origin_help;
+extern const char* const units_help;
+extern const char* const view_point_help;
+
+/** Sets the shift of the run, mm, as soon as the scan is read. */
+void setScanShift(const Eigen::Vector3d& shift);
+/** Zero if nothing was shifted. */
+const Eigen::Vector3d& scanShift();
+
+/** Options that read another file of the run, in the same shifted coordinates. */
+pcl_spiral::ReadOptions readAsScan(pcl_spiral::ReadOptions read);
+
+/** A place in the coordinates of the scan, in shifted ones. */
+Eigen::Vector3d fromScan(const Eigen::Vector3d& place);
+std::optional<Eigen::Vector3d> fromScan(const std::optional<Eigen::Vector3d>& place);
+
+/** The reverse. Of a message: every place that placeText has written; directions stay. Of reports: every place, and the warnings.
+ *  @{ */
+Eigen::Vector3d inScan(const Eigen::Vector3d& place);
+std::string inScan(std::string message);
+std::vector<std::string> inScan(std::vector<std::string> messages);
+pcl_spiral::SpiralReport inScan(pcl_spiral::SpiralReport report);
+pcl_spiral::Verification inScan(pcl_spiral::Verification verification);
+/** @} */
+
+/** "393775000, 3689071000, 0 mm" */
+std::string shiftText();
+
+/** \p title, with the shift for pictures and for the comments of programs: they stay in shifted coordinates. */
+std::string titleWithShift(const std::string& title);
+
+/** The line of a summary, with its end; empty if nothing was shifted. */
+std::string shiftLine();
