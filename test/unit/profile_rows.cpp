@@ -17,7 +17,7 @@ namespace {
 
 /** A slope, and the passes over it. */
 struct Slope {
-  Vector3d normal, travel, across; ///< across: in the slope
+  Vector3d normal, travel, across, planes; ///< across: in the slope; planes: normal of the planes of the rows
 };
 
 Slope
@@ -29,7 +29,17 @@ slopeOf(double degrees, double direction)
   const Vector3d flat(std::cos(turn), std::sin(turn), 0.0);
   slope.travel = (flat - Vector3d::UnitZ() * flat.dot(slope.normal) / slope.normal.z()).normalized(); // straight below a flat line
   slope.across = slope.travel.cross(slope.normal);
+  slope.planes = flat.cross(Vector3d::UnitZ());
   return slope;
+}
+
+/** The distance of rows along the slope. */
+double
+widthOf(const CutterProfile& cutter, const Slope& slope, double height)
+{
+  const SurfaceBend flat{slope.normal, slope.travel, 0.0, 0.0};
+  return profileRowDistance(flat, slope.planes, cutter, Vector3d::UnitZ(), height, RowsThrough::Centres, 0.0) /
+         slope.normal.cross(slope.planes).norm();
 }
 
 /** The largest height above the slope, square to it, that two passes of the cutter leave between them. Heights are those of
@@ -73,7 +83,7 @@ TEST(ProfileRows, AWidthLeavesTheHeightOnASlope)
       for (const double direction : {0.0, 35.0, 90.0}) {
         const CutterProfile cutter(shape);
         const Slope slope = slopeOf(degrees, direction);
-        const double apart = PassSection(cutter, Vector3d::UnitZ(), slope.normal, slope.travel, h).width(h);
+        const double apart = widthOf(cutter, slope, h);
         const double left = ridgeOf(cutter, slope, apart);
         std::printf("  r %.1f of %.1f, %2.0f degrees, travel %2.0f: %.4f mm apart leave %.4f h\n", shape.corner_radius, shape.radius,
                     degrees, direction, apart, left / h);
@@ -87,21 +97,35 @@ TEST(ProfileRows, AFlatEndLeavesTeeth)
 {
   for (const double degrees : {5.0, 30.0, 45.0}) {
     const Slope slope = slopeOf(degrees, 90.0);
-    const double apart =
-        PassSection(CutterProfile(CutterShape::flatEnd(4.0)), Vector3d::UnitZ(), slope.normal, slope.travel, 0.05).width(0.05);
+    const double apart = widthOf(CutterProfile(CutterShape::flatEnd(4.0)), slope, 0.05);
     const double lean = degrees * M_PI / 180.0;
     EXPECT_NEAR(apart, 0.05 / (std::sin(lean) * std::cos(lean)), 1e-3 * apart) << degrees;
   }
 }
 
-/** On cylinders, a ball's rows are those of the exact formula. */
-TEST(ProfileRows, ABallOnACylinderAgreesWithTheExactDistance)
+/** A ball's rows are those of the exact formula, whatever the surface and the planes. */
+TEST(ProfileRows, ABallAgreesWithTheExactDistance)
 {
-  for (const double curvature : {0.0, 0.01, 0.1}) {
-    const SurfaceBend bend{Vector3d::UnitZ(), Vector3d::UnitX(), curvature, 0.0};
-    const double exact = rowDistance(bend, Vector3d::UnitX(), 5.0, 0.01, RowsThrough::Contacts);
-    EXPECT_NEAR(profileRowDistance(bend, Vector3d::UnitX(), CutterProfile(CutterShape::ball(5.0)), Vector3d::UnitZ(), 0.01,
-                                   RowsThrough::Contacts, 0.0),
-                exact, 2e-3 * exact);
-  }
+  const CutterProfile ball(CutterShape::ball(5.0));
+  for (const double k1 : {-0.1, 0.0, 0.01, 0.1})
+    for (const double k2 : {-0.1, 0.05})
+      for (const double turn : {0.0, 40.0, 90.0})
+        for (const double lean : {0.0, 35.0})
+          for (const RowsThrough through : {RowsThrough::Centres, RowsThrough::Contacts}) {
+            if (through == RowsThrough::Contacts && k1 != k2 && turn != 0.0 && turn != 90.0)
+              continue; // with torsion the contacts of the next row may be anywhere along it
+            const Eigen::AngleAxisd about(lean * M_PI / 180.0, Vector3d::UnitY());
+            const Vector3d direction(std::cos(turn * M_PI / 180.0), std::sin(turn * M_PI / 180.0), 0.0);
+            const SurfaceBend bend{about * Vector3d::UnitZ(), about * direction, k1, k2};
+            const double exact = rowDistance(bend, Vector3d::UnitX(), 5.0, 0.005, through);
+            EXPECT_NEAR(profileRowDistance(bend, Vector3d::UnitX(), ball, Vector3d::UnitZ(), 0.005, through, 0.0), exact, 0.01 * exact)
+                << k1 << ' ' << k2 << ' ' << turn << ' ' << lean << (through == RowsThrough::Centres ? " centres" : " contacts");
+          }
+}
+
+TEST(ProfileRows, AWallTheCutterDoesNotReachSetsNoLimit)
+{
+  const SurfaceBend wall{Vector3d(0.0, 0.99, -0.1).normalized(), Vector3d::UnitX(), 0.0, 0.0};
+  EXPECT_TRUE(std::isinf(profileRowDistance(wall, Vector3d::UnitX(), CutterProfile(CutterShape::bullNose(5.0, 1.0)), Vector3d::UnitZ(),
+                                            0.01, RowsThrough::Centres, 0.0)));
 }

@@ -7,14 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace pcl_spiral {
 namespace {
 
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int near_angles = 24, far_angles = 24;
+constexpr int near_angles = 24, far_angles = 24, halvings = 40;
 constexpr double smallest_angle = 1e-7;
 
 /** Angles from the contact to one side: dense where the cutter stands lower than \p height above the plane, then evenly to 90 degrees. */
@@ -30,47 +31,98 @@ anglesOf(double corner, double height)
   return angles;
 }
 
-} // namespace
+enum class Fit { Gouges, Keeps, Leaves }; // against the height, at the place between two rows
 
-PassSection::PassSection(const CutterProfile& profile, const Vector3d& axis, const Vector3d& normal, const Vector3d& travel, double height)
-{
-  const Vector3d w = travel.cross(normal), zero = Vector3d::Zero();
-  const auto touched = [&](double angle) { return profile.locate(zero, std::cos(angle) * normal + std::sin(angle) * w, axis); };
-  const CutterContact middle = touched(0.0);
-  for (int k = 0; k < 2; ++k) {
-    const double side = k == 0 ? 1.0 : -1.0; // the cutter touches a plane that falls to the other side further on this side
-    sides_[k].emplace_back(0.0, 0.0);
-    for (const double angle : anglesOf(profile.cornerRadius(), height)) {
-      const CutterContact contact = touched(-side * angle);
-      if (!contact.touches)
+/** The distance of the next row on one side. */
+struct RowReach {
+  double distance = 0.0;
+  bool gouges = false; ///< farther off, the cutter would cut into the place by more than the height
+};
+
+/** A cutter on a paraboloid, with its contact beside the place. Lengths from the place. */
+class BesidePlace {
+public:
+  BesidePlace(const SurfaceBend& place, const CutterProfile& profile, const Vector3d& axis, double height, RowsThrough through)
+  : place_(place), second_(place.normal.cross(place.direction1)), profile_(profile), axis_(axis), height_(height), through_(through)
+  {}
+
+  RowReach reach(const Vector3d& across, const Vector3d& w) const
+  {
+    const Vector3d start = tipAt(Vector3d::Zero(), place_.normal);
+    Vector3d last = Vector3d::Zero();
+    for (const Vector3d& contact : contactsAlong(w)) {
+      const Fit fit = fitAt(contact);
+      if (fit != Fit::Keeps) {
+        const Vector3d farthest = last + lastKept(last, contact) * (contact - last);
+        return {std::abs(across.dot(tipAt(farthest, normalAt(farthest)) - start)), fit == Fit::Gouges};
+      }
+      last = contact;
+    }
+    return {std::abs(across.dot(tipAt(last, normalAt(last)) - start)), false};
+  }
+
+private:
+  Vector3d bend(const Vector3d& e) const
+  {
+    return place_.curvature1 * place_.direction1.dot(e) * place_.direction1 + place_.curvature2 * second_.dot(e) * second_;
+  }
+  Vector3d normalAt(const Vector3d& e) const { return (place_.normal + bend(e)).normalized(); }
+  Vector3d axisAt(const Vector3d& normal) const { return through_ == RowsThrough::Centres ? axis_ : normal; }
+  Vector3d tipAt(const Vector3d& e, const Vector3d& normal) const
+  {
+    return profile_.locate(e - 0.5 * e.dot(bend(e)) * place_.normal, normal, axisAt(normal)).tip;
+  }
+
+  Fit fitAt(const Vector3d& contact) const
+  {
+    const Vector3d normal = normalAt(contact), axis = axisAt(normal), tip = tipAt(contact, normal);
+    const auto isCut = [&](double above) {
+      const Vector3d x = above * place_.normal - tip;
+      const double z = x.dot(axis);
+      return profile_.contains((x - z * axis).norm(), z);
+    };
+    return isCut(-height_) ? Fit::Gouges : isCut(height_) ? Fit::Keeps : Fit::Leaves;
+  }
+
+  /** Contacts from which the cutter, on a plane, cuts nearest to the place: those of its places with normals from the surface's
+   *  to -\p w, and up the shank. */
+  std::vector<Vector3d> contactsAlong(const Vector3d& w) const
+  {
+    const Vector3d& n = place_.normal;
+    const Vector3d axis = axisAt(n), middle = profile_.locate(Vector3d::Zero(), n, axis).tip;
+    const auto inPlane = [&](const Vector3d& x) { return Vector3d(x - x.dot(n) * n); };
+    std::vector<Vector3d> contacts;
+    for (const double angle : anglesOf(profile_.cornerRadius(), height_)) {
+      const CutterContact touch = profile_.locate(Vector3d::Zero(), std::cos(angle) * n + std::sin(angle) * w, axis);
+      if (!touch.touches)
         break;
-      const Vector3d away = middle.tip - contact.tip;
-      const Vector2d at(side * away.dot(w), std::max(0.0, away.dot(normal)));
-      if (at.x() > sides_[k].back().x())
-        sides_[k].push_back(at);
+      contacts.push_back(inPlane(touch.tip - middle));
     }
-    if (const double rise = side * axis.dot(w); rise > 0.0) // the shank
-      sides_[k].push_back(sides_[k].back() + 2.0 * profile.radius() * Vector2d(rise, axis.dot(normal)));
+    if (axis.dot(w) < 0.0)
+      contacts.push_back((contacts.empty() ? Vector3d(Vector3d::Zero()) : contacts.back()) - 2.0 * profile_.radius() * inPlane(axis));
+    return contacts;
   }
-}
 
-double
-PassSection::reach(double height, double curvature, int side) const
-{
-  const std::vector<Vector2d>& places = sides_[side > 0 ? 0 : 1];
-  const auto above = [&](const Vector2d& p) { return p.y() + 0.5 * curvature * p.x() * p.x() - height; };
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    if (above(places[i]) < 0.0)
-      continue;
+  /** Share of the way between two contacts up to where the height is kept. */
+  double lastKept(const Vector3d& from, const Vector3d& to) const
+  {
     double low = 0.0, high = 1.0;
-    for (int k = 0; k < 40; ++k) {
+    for (int k = 0; k < halvings; ++k) {
       const double middle = 0.5 * (low + high);
-      (above(places[i - 1] + middle * (places[i] - places[i - 1])) < 0.0 ? low : high) = middle;
+      (fitAt(from + middle * (to - from)) == Fit::Keeps ? low : high) = middle;
     }
-    return (places[i - 1] + low * (places[i] - places[i - 1])).x();
+    return low;
   }
-  return places.back().x();
-}
+
+  SurfaceBend place_;
+  Vector3d second_;
+  const CutterProfile& profile_;
+  Vector3d axis_;
+  double height_;
+  RowsThrough through_;
+};
+
+} // namespace
 
 double
 profileRowDistance(const SurfaceBend& place, const Vector3d& across, const CutterProfile& profile, const Vector3d& axis, double height,
@@ -80,14 +132,20 @@ profileRowDistance(const SurfaceBend& place, const Vector3d& across, const Cutte
   const double lean = along.norm();
   if (!(lean > 0.0))
     return 0.0;
-  const Vector3d t = along / lean, w = t.cross(place.normal);
-  const double c = w.dot(place.direction1), s = w.dot(place.normal.cross(place.direction1));
-  const double bend = place.curvature1 * c * c + place.curvature2 * s * s, corner = profile.cornerRadius();
-  if (bend >= -flattest || profile.flatRadius() <= 0.0)
-    return PassSection(profile, axis, place.normal, t, height).width(height, std::max(0.0, bend)) * lean;
-  const CutterShape edge = CutterShape::ball(std::max(corner, height));
-  const double nearer = through == RowsThrough::Centres ? std::max(0.0, 1.0 + corner * bend) : 1.0;
-  return PassSection(CutterProfile(edge), axis, place.normal, t, height).width(height) * nearer * lean;
+  const bool centres = through == RowsThrough::Centres;
+  if (centres && !profile.locate(Vector3d::Zero(), place.normal, axis).touches)
+    return std::numeric_limits<double>::infinity();
+  SurfaceBend seen = place;
+  for (double* const curvature : {&seen.curvature1, &seen.curvature2})
+    if (*curvature < 0.0 && *curvature > -flattest)
+      *curvature = 0.0;
+  const Vector3d w = along.cross(place.normal) / lean;
+  const BesidePlace beside(seen, profile, axis, height, through);
+  const RowReach first = beside.reach(across, w), second = beside.reach(across, -w);
+  const double distance = first.distance + second.distance;
+  if (!centres || !(first.gouges || second.gouges))
+    return distance;
+  return std::min(distance, rowDistance(seen, across, std::max(profile.cornerRadius(), height), height, through));
 }
 
 } // namespace pcl_spiral
