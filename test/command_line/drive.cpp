@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -323,6 +324,101 @@ TEST(Drive, AxesAreBlendedAtThePoleForABallAlone)
   expectHas(bull_nose.err, "run below the feed");
 }
 
+/** A scan, a point every mm, of z = height(y) over a square of 40 mm. */
+template <typename Height>
+std::string
+sheet(const Height& height)
+{
+  std::ostringstream text;
+  for (int i = 0; i <= 40; ++i)
+    for (int k = 0; k <= 40; ++k)
+      text << i << ' ' << k << ' ' << height(static_cast<double>(k)) << '\n';
+  return text.str();
+}
+
+/** Rows of a bull-nose along the contour of a slope of 30 degrees, against the circles of its rounded corner. */
+TEST(Drive, TheScallopOfABullNoseHoldsOnASlope)
+{
+  const ScratchFolder folder;
+  writeText(folder.path("slope.xyz"), sheet([](double y) { return 0.57735026919 * y; }));
+  std::vector<std::string> call{"slope.xyz", "--tool-radius", "10", "--corner-radius", "2", "--scallop", "0.02", "--tolerance", "1e-3",
+                                "-o",        "a.csv"};
+  const RunResult done = run(folder, call);
+  ASSERT_EQ(done.code, 0) << done.err;
+  std::vector<double> tips; // y of each row
+  double lowest = 1e9;
+  for (const auto& row : rows(readText(folder.path("a.csv")))) {
+    lowest = std::min(lowest, row[1]);
+    tips.push_back(row[9]);
+  }
+  std::sort(tips.begin(), tips.end());
+  double widest = 0.0;
+  for (std::size_t i = 1; i < tips.size(); ++i)
+    widest = std::max(widest, (tips[i] - tips[i - 1]) / std::cos(M_PI / 6.0)); // along the slope
+  EXPECT_LE(2.0 - std::sqrt(4.0 - 0.25 * widest * widest), 0.021) << widest;
+  EXPECT_LE(lowest, 0.3) << "of the contacts from the lower rim";
+  call.back() = "even.csv";
+  call.insert(call.end() - 2, {"--rows", "even"});
+  const RunResult even = run(folder, call);
+  EXPECT_EQ(even.code, 1);
+  expectHas(even.err, "the passes leave more than the --scallop of 0.02 mm on ");
+  expectHas(even.err, "use --rows kept");
+  EXPECT_FALSE(std::filesystem::exists(folder.path("even.csv")));
+}
+
+/** A disc of 16 mm leaves up to 8^2 k / 2 in a hollow of curvature k: the figure named, and each remedy is true. */
+TEST(Drive, AScallopThatACutterCannotKeepIsRefusedWithTheFigure)
+{
+  const ScratchFolder folder;
+  writeText(folder.path("hollow.xyz"), sheet([](double y) { return (y - 20.0) * (y - 20.0) / 200.0; })); // radius 100
+  const auto drive = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> call{"hollow.xyz", "--tool-radius", "10", "--corner-radius", "2", "-o", "a.csv"};
+    call.insert(call.end(), more.begin(), more.end());
+    return run(folder, call);
+  };
+  const RunResult refused = drive({"--scallop", "0.02"});
+  ASSERT_EQ(refused.code, 1) << refused.out;
+  const auto numberAfter = [&](const std::string& words) {
+    const std::size_t at = refused.err.find(words);
+    EXPECT_NE(at, std::string::npos) << words << " in " << refused.err;
+    return at == std::string::npos ? 0.0 : std::strtod(refused.err.c_str() + at + words.size(), nullptr);
+  };
+  EXPECT_NEAR(numberAfter("up to "), 8.0 * 8.0 / 200.0, 0.05) << refused.err;
+  EXPECT_EQ(drive({"--scallop", std::to_string(numberAfter("ask for --scallop "))}).code, 0);
+  EXPECT_EQ(drive({"--step-over", std::to_string(numberAfter("give --step-over "))}).code, 0);
+  EXPECT_EQ(run(folder, {"hollow.xyz", "--tool-radius", "2", "--scallop", "0.02", "-o", "a.csv"}).code, 0) << "smaller cutter";
+}
+
+TEST(Drive, AReportInHtmlHasThePictures)
+{
+  const ScratchFolder folder;
+  const std::vector<std::string> call{
+      "cap.xyz", "--tool-radius", "4",  "--corner-radius", "1",         "--step-over",           "4", "--tolerance", "0.1",
+      "-o",      "a.html",        "-o", "a.ngc",           "--machine", machines + "/xyzac.yaml"};
+  if (std::getenv("DISPLAY")) {
+    const RunResult done = run(folder, call);
+    ASSERT_EQ(done.code, 0) << done.err;
+    const std::string page = readText(folder.path("a.html"));
+    std::size_t pictures = 0;
+    for (std::size_t at = page.find("data:image/png;base64,"); at != std::string::npos; at = page.find("data:image/png;base64,", at + 1))
+      ++pictures;
+    EXPECT_EQ(pictures, 2U) << "passes, rotary axes";
+    for (const char* words : {"<h1>cap.xyz</h1>", "corner 1 mm", "Machining time", "Warnings", "pcl_spiral_drive"})
+      expectHas(page, words);
+  }
+  const char* const before = std::getenv("DISPLAY");
+  const std::string kept = before ? before : "";
+  ::unsetenv("DISPLAY");
+  const RunResult blind = run(folder, {"cap.xyz", "--tool-radius", "4", "--step-over", "4", "-o", "b.html", "-o", "b.csv"});
+  const RunResult plain = run(folder, {"cap.xyz", "--tool-radius", "4", "--step-over", "4", "-o", "b.json", "-o", "b.csv"});
+  if (before)
+    ::setenv("DISPLAY", kept.c_str(), 1);
+  EXPECT_EQ(blind.code, 1);
+  expectHas(blind.err, "b.html: this report needs pictures");
+  expectHas(blind.err, "xvfb-run -a");
+  EXPECT_EQ(plain.code, 0) << "the remedy: .json";
+}
+
 TEST(Drive, WrongCallsAreRefused)
 {
   const ScratchFolder folder;
@@ -344,8 +440,6 @@ TEST(Drive, WrongCallsAreRefused)
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--tolerance", "1e-7"}, 2, "0.0001 mm or more");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--holder-clearance", "2"}, 2, "no --holder is given");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "kept", "--step-over", "1"}, 2, "no --scallop is given");
-  said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "kept", "--scallop", "0.1", "--corner-radius", "1"}, 2,
-       "known only for a ball");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "kept", "--scallop", "0.1", "--drive", "offset"}, 2,
        "--rows: --drive offset does not use it");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--rows", "kept", "--scallop", "0.1", "--axis-mode", "cylinder"}, 2,

@@ -193,7 +193,7 @@ TEST(DrivePath, RefusesWhatCannotBe)
       d.setAxisMode(mode);
     };
   };
-  refused(plate, kept(0.0, 0.01, DriveKind::Planes, DriveAxisMode::Fixed), "the ball radius is 0 mm");
+  refused(plate, kept(0.0, 0.01, DriveKind::Planes, DriveAxisMode::Fixed), "the cutter's radius is 0 mm");
   refused(plate, kept(nan, 0.01, DriveKind::Planes, DriveAxisMode::Fixed), "setScallop");
   refused(plate, kept(3.0, 3.0, DriveKind::Planes, DriveAxisMode::Fixed), "the height below the radius");
   refused(plate, kept(3.0, nan, DriveKind::Planes, DriveAxisMode::Fixed), "setScallop");

@@ -31,6 +31,13 @@ Status checkDriveSize(double points, double crossings, const DriveSettings& sett
  *  kept. */
 DrivePass passAlong(const Polyline& line, bool closed, double spacing);
 
+/** Whether the cutter is a ball on a cylinder. */
+inline bool
+isBall(const CutterShape& cutter)
+{
+  return cutter.corner_radius == cutter.radius && cutter.flank_angle == 0.0;
+}
+
 /** Normal of the section planes: across the tool axis and the direction of the passes; unit. */
 Eigen::Vector3d acrossPlanes(const DriveSettings& settings);
 

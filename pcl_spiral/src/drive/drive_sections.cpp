@@ -3,6 +3,7 @@
 #include "drive_kinds.h"
 #include "drive_lines.h"
 #include "kept_rows.h"
+#include "rim_reach.h"
 #include "scan_links.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -19,11 +20,6 @@ namespace pcl_spiral {
 namespace {
 
 using Eigen::Vector3d;
-
-/** Directions of the passes and of the steps between planes, and the origin of their distances. */
-struct SectionFrame {
-  Vector3d along, across, origin;
-};
 
 SectionFrame
 frameOf(const DriveSettings& settings, const Vector3d& origin)
@@ -120,15 +116,24 @@ DriveSettings
 withStep(DriveSettings settings)
 {
   if (settings.rows == DriveRows::Kept)
-    settings.step_over = 2.0 * std::sqrt((2.0 * settings.tool_radius - settings.scallop_height) * settings.scallop_height);
+    settings.step_over = *stepForScallop(CutterProfile(*settings.cutter), settings.scallop_height);
   return settings;
 }
 
 void
-link(const Surface& surface, const Triangulation& mesh, const DriveSettings& settings, DrivePasses& passes, DriveReport& report)
+link(const Surface& surface, const Triangulation& mesh, const std::optional<RimReach>& reach, const DriveSettings& settings,
+     DrivePasses& passes, DriveReport& report)
 {
+  const PlacesOnSurface on_scan = onScan(surface, mesh);
+  const auto onScanOrBeyond = [&](const Polyline& places) {
+    std::vector<std::optional<DrivePoint>> points = on_scan(places);
+    for (std::size_t i = 0; i < places.size() && reach; ++i)
+      if (!points[i] && reach->contains(places[i]))
+        points[i].emplace().position = places[i];
+    return points;
+  };
   const LinkLimits limits{2.0 * report.step_over, std::min(settings.point_spacing, 0.5 * surface.spacing()), settings.point_spacing};
-  const RowLinks links = linkRows(passes, limits, onScan(surface, mesh));
+  const RowLinks links = linkRows(passes, limits, onScanOrBeyond);
   report.links = links.made;
   report.rows_apart = links.not_made;
 }
@@ -148,9 +153,14 @@ planSections(const Surface& surface, const DriveSettings& asked, DrivePasses& pa
   const SurfaceGraph& graph = surface.graph();
   const SectionFrame frame = frameOf(settings, graph.position(0));
   const Triangulation mesh = withoutFlaws(graph);
-  const AcrossPasses across = acrossPasses(graph, mesh, frame);
+  AcrossPasses across = acrossPasses(graph, mesh, frame);
   if (!(across.high > across.low))
     return {StatusCode::InvalidInput, "the scan has no extent across the passes; turn the direction of the planes"};
+  std::optional<RimReach> reach;
+  if (settings.cutter && settings.axisMode() == DriveAxisMode::Fixed) {
+    reach.emplace(surface, mesh, *settings.cutter, frame);
+    reach->widen(across.low, across.high);
+  }
   std::vector<double> planes;
   if (const Status status = planesOf(surface, settings, frame, across, planes, report); !status.ok())
     return status;
@@ -158,6 +168,9 @@ planSections(const Surface& surface, const DriveSettings& asked, DrivePasses& pa
   for (std::size_t k = 0; k < lines.size(); ++k) {
     std::vector<DriveLine> pieces = driveLines(lines[k], graph);
     turnAlong(pieces, frame.along);
+    if (reach)
+      for (DriveLine& line : reach->beyond(planes[k], pieces))
+        pieces.push_back(std::move(line));
     pieces = joined(std::move(pieces), widest_gap * graph.spacing());
     report.short_pieces += dropShort(pieces, graph.spacing());
     sortAlong(pieces, frame.along);
@@ -167,7 +180,7 @@ planSections(const Surface& surface, const DriveSettings& asked, DrivePasses& pa
       passes.push_back(passAlong(piece.points, piece.closed, settings.point_spacing));
   }
   if (settings.link_rows)
-    link(surface, mesh, settings, passes, report);
+    link(surface, mesh, reach, settings, passes, report);
   return Status::success();
 }
 

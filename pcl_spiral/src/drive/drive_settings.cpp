@@ -76,9 +76,10 @@ checkRows(const DriveSettings& s)
   if (s.axisMode() == DriveAxisMode::Cylinder)
     return bad("rows kept to a scallop height need axes that are fixed or normal to the surface, not to a cylinder; "
                "choose another axis mode (setAxisMode), or even rows (setRows)");
-  if (!isPositive(s.tool_radius) || !(s.scallop_height > 0.0 && s.scallop_height < s.tool_radius))
-    return bad(textOf("for rows kept to a scallop height the ball radius is ", s.tool_radius, " mm and the scallop height ",
-                      s.scallop_height, " mm; set both above 0, and the height below the radius (setScallop)"));
+  const double radius = s.cutter ? s.cutter->radius : 0.0;
+  if (!isPositive(radius) || !(s.scallop_height > 0.0 && s.scallop_height < radius))
+    return bad(textOf("for rows kept to a scallop height the cutter's radius is ", radius, " mm and the scallop height ", s.scallop_height,
+                      " mm; set both above 0, and the height below the radius (setScallop)"));
   return Status::success();
 }
 
@@ -89,6 +90,8 @@ checkSettings(const DriveSettings& s)
 {
   if (const Status status = checkRows(s); !status.ok())
     return status;
+  if (const std::string fault = s.cutter ? faultOf(*s.cutter) : std::string(); !fault.empty())
+    return bad(fault + " (setCutter)");
   if (needsStep(s) && !isPositive(s.step_over))
     return bad(textOf("the step-over is ", s.step_over, " mm; set it above 0"));
   if (!(s.overrun >= 0.0) || !std::isfinite(s.overrun))

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kept_rows.h"
 
-#include "core/row_distance.h"
+#include "core/profile_rows.h"
+#include "drive_kinds.h"
 #include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
@@ -16,6 +17,24 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double floor_share = 0.25, cell_share = 0.5; // of the step on a plane
+
+/** The step of a ball with the radius of the cutter's corner on a plane: flat ends cut slopes with their corner. */
+double
+cornerStep(const DriveSettings& settings)
+{
+  const double h = settings.scallop_height, corner = std::max(settings.cutter->corner_radius, h);
+  return 2.0 * std::sqrt((2.0 * corner - h) * h);
+}
+
+/** Curvature that the noise of the scan can show over the points that a normal is fitted to, or that a flat end levels within
+ *  the scallop height. */
+double
+flattestOf(const Surface& surface, const DriveSettings& settings)
+{
+  constexpr double fitted = 5.0, noises = 4.0; // spacings; standard deviations
+  const double span = fitted * surface.spacing(), radius = settings.cutter->radius;
+  return std::max(settings.scallop_height / (radius * radius), noises * surface.noise() / (span * span));
+}
 
 /** The points of the graph; if they are closer than \p edge, the first of each cube of that size. */
 std::vector<Vector3d>
@@ -46,8 +65,8 @@ warnOfFloor(const DriveSettings& settings, double floor, const Vector3d& narrowe
                                    " mm needs rows closer than ", floor, " mm, the least distance allowed; the closest at ",
                                    placeText(narrowest),
                                    ": ridges there are higher; turn the planes across steep walls "
-                                   "(setPlaneDirection), or take a smaller ball "
-                                   "if a hollow is hardly wider than the ball"));
+                                   "(setPlaneDirection), or take a smaller cutter "
+                                   "if a hollow is hardly wider than the cutter"));
 }
 
 } // namespace
@@ -56,19 +75,25 @@ RowLevels
 keptRows(const Surface& surface, const DriveSettings& settings, const Vector3d& across, const Vector3d& origin, double low, double high,
          DriveReport& report)
 {
-  const double radius = settings.tool_radius, height = settings.scallop_height, step = settings.step_over;
-  const bool fixed = settings.axisMode() == DriveAxisMode::Fixed;
+  const double height = settings.scallop_height, step = cornerStep(settings), flattest = flattestOf(surface, settings);
+  const CutterProfile profile(*settings.cutter);
+  const bool fixed = settings.axisMode() == DriveAxisMode::Fixed, ball = isBall(*settings.cutter);
   const RowsThrough through = fixed ? RowsThrough::Centres : RowsThrough::Contacts;
   const double edge = cell_share * step;
   std::vector<SurfaceFoot> feet;
   surface.fit().project(placesOf(surface.graph(), edge), feet);
   feet.erase(std::remove_if(feet.begin(), feet.end(), [](const SurfaceFoot& foot) { return !foot.valid; }), feet.end());
-  std::vector<RowPatch> patches;
-  for (const SurfaceFoot& foot : feet) {
+  std::vector<RowPatch> patches(feet.size());
+#pragma omp parallel for schedule(dynamic, 256)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(feet.size()); ++i) {
+    const SurfaceFoot& foot = feet[i];
+    const Vector3d axis = fixed ? settings.axis.normalized() : foot.normal;
     const double width = std::max(edge, surface.graph().spacing(foot.nearest));
-    const double at = across.dot(foot.position + (fixed ? radius : 0.0) * foot.normal - origin);
+    const double at = across.dot((fixed ? profile.locate(foot.position, foot.normal, axis).tip : foot.position) - origin);
     const SurfaceBend bend{foot.normal, foot.direction1, foot.curvature1, foot.curvature2};
-    patches.push_back({at - 0.5 * width, at + 0.5 * width, rowDistance(bend, across, radius, height, through), width * width});
+    const double most = ball ? rowDistance(bend, across, profile.radius(), height, through)
+                             : profileRowDistance(bend, across, profile, axis, height, through, flattest);
+    patches[i] = {at - 0.5 * width, at + 0.5 * width, most, width * width};
   }
   const RowLevels rows = rowLevels(patches, low, high, floor_share * step);
   report.held_share = rows.held_share;

@@ -75,7 +75,7 @@ planMeshSections(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& setting
   sections.setAxis(settings.axis);
   sections.setStepOver(settings.step_over);
   sections.setRows(settings.rows);
-  sections.setScallop(settings.tool_radius, settings.scallop_height);
+  sections.setScallop(settings.cutter ? settings.cutter->radius : 0.0, settings.scallop_height);
   sections.setChordError(settings.chord_error);
   sections.setPointSpacing(settings.point_spacing);
   sections.setZigzag(settings.zigzag);
@@ -134,6 +134,9 @@ planMeshDrive(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& settings, 
     return {StatusCode::InvalidArgument,
             "offsets of the boundary run over the points of a scan, not over a mesh: call setKind(DriveKind::Planes), "
             "or give the mesh's vertices as a cloud (setInputCloud)"};
+  if (settings.rows == DriveRows::Kept && settings.cutter && !isBall(*settings.cutter))
+    return {StatusCode::InvalidArgument, "on a mesh only a ball keeps rows to a scallop height: give the mesh's vertices as a cloud "
+                                         "(setInputCloud), or take even rows (setRows, setStepOver)"};
   if (settings.kind != DriveKind::Planes) {
     Surface::ConstPtr surface;
     if (settings.needsSurface())

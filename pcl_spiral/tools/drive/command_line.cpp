@@ -24,7 +24,7 @@ files(Job& job)
         ".pcd .ply  the path of a ball cutter\n"
         ".ngc .nc  program for a five-axis machine; see --machine\n"
         ".apt .cls  CLDATA, one pass    .yaml  robot frames, one pass of a ball cutter\n"
-        ".json  report: settings, counts, states, collisions, times\n"
+        ".json  report: settings, counts, states, collisions, times; .html readable, with pictures\n"
         ".png  picture of the passes on the part; with a machine also NAME_rotary.png: rotary angles",
         [&job](const std::string& value) { job.outputs.push_back(value); }},
        switchOption("mesh",
@@ -50,8 +50,8 @@ path(Job& job)
       {choiceOption("drive", "kind of drive path; default planes: --drive helix", s.kind),
        numberOption("step-over", "D", "largest distance between neighbouring passes; give this or --scallop: --step-over 1", s.step_over),
        numberOption("scallop", "H",
-                    "height of the ridge left between passes on a plane; sets the step-over from the cutter's "
-                    "profile: --scallop 0.02",
+                    "largest height of the ridge left between passes, on slopes too; refused, with the height that is reached, "
+                    "where the passes leave more: --scallop 0.02",
                     job.scallop),
        numberOption("point-spacing", "D",
                     "largest distance between drive points of a pass; default 1, on a mesh the tool radius: --point-spacing 0.5",
@@ -64,7 +64,7 @@ path(Job& job)
                     "it gouges narrow hollows",
                     job.no_gouge_check),
        numberOption("direction", "A", "planes: direction of passes about the tool axis, from X; default 0: --direction 45", s.plane_angle),
-       choiceOption("rows", "planes: at even steps, or everywhere as close as --scallop of a ball needs; default even: --rows kept",
+       choiceOption("rows", "planes: at even steps, or everywhere as close as --scallop needs; default kept with --scallop: --rows even",
                     s.rows),
        switchOption("link", "planes: join rows on the surface where the next begins within two step-overs", s.link_rows),
        switchOption("one-way", "cut all passes in one direction; default back and forth", job.one_way),

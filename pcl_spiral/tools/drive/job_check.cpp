@@ -51,20 +51,23 @@ requireMeant(const Job& job)
           "without a --holder or a program as output it does nothing; leave it out");
 }
 
-/** Sets the step-over from --scallop, and the ball for --rows kept. */
+/** Sets the step-over from --scallop, and rows that keep it: the default where they can. */
 void
 completeScallop(Job& job)
 {
   DriveSettings& d = job.drive;
+  const bool can_keep = d.kind == DriveKind::Planes && d.axisMode() != DriveAxisMode::Cylinder && (isBall(job) || !job.mesh);
+  if (can_keep && isGiven(job, "scallop") && !isGiven(job, "rows"))
+    d.rows = DriveRows::Kept;
   const bool kept = d.rows == DriveRows::Kept;
   if (isGiven(job, "step-over") && isGiven(job, "scallop"))
     throw UsageError("--step-over and --scallop are both given; one follows from the other, so leave one out");
   if (kept && !isGiven(job, "scallop"))
     throw UsageError("--rows kept: no --scallop is given; give the scallop height that the rows must keep, in mm, such as "
                      "--scallop 0.01");
-  if (kept && !isBall(job))
-    throw UsageError("--rows kept: ridge heights are known only for a ball; leave --corner-radius and --flank-angle out, or use "
-                     "--rows even");
+  if (kept && job.mesh && !isBall(job))
+    throw UsageError("--rows kept: on a --mesh only a ball keeps rows to a scallop height; leave --corner-radius and --flank-angle out, "
+                     "leave --mesh out, or use --rows even");
   if (!isGiven(job, "scallop"))
     return;
   requireOption(job.scallop > 0.0 && job.scallop < job.cutter.radius, "scallop", job.scallop,
@@ -73,7 +76,6 @@ completeScallop(Job& job)
   if (!step)
     throw UsageError("--scallop " + textOf(job.scallop) + ": no step-over gives this height with this cutter; give a --step-over");
   d.step_over = *step;
-  d.tool_radius = job.cutter.radius;
   d.scallop_height = job.scallop;
 }
 
@@ -112,6 +114,7 @@ completePath(Job& job)
   DriveSettings& d = job.drive;
   requireMeant(job);
   d.zigzag = !job.one_way;
+  d.cutter = job.cutter;
   completeScallop(job);
   const bool is_curve = d.kind == DriveKind::Curve;
   if (!is_curve && !isGiven(job, "step-over") && !isGiven(job, "scallop"))
@@ -156,6 +159,6 @@ completeJob(Job& job)
   completeCutter(job);
   completePath(job);
   checkTool(job);
-  checkOutputs(job, filesOf(job), {{"the scan", job.scan}, {"the curve", job.curve_file}});
+  checkOutputs(job, filesOf(job), {{"the scan", job.scan}, {"the curve", job.curve_file}}, {".html"});
   checkProgram(job.program, job.outputs, job.given);
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "outputs.h"
+#include "drive_page.h"
 #include "drive_report.h"
 #include "job_check.h"
 #include "pass_scene.h"
 #include "passes/pass_files.h"
 #include "passes/pass_summary.h"
+#include "report/picture_files.h"
 #include "terminal/file_names.h"
 
 #include "io/setting_names.h"
-#include <pcl_spiral/visualization/pass_picture.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -23,23 +24,14 @@ titleOf(const Job& job)
   return titleWithShift(std::filesystem::path(job.scan).filename().string());
 }
 
-/** Draws the passes, and the angles of a program: as many files as filesOf names. */
+/** Draws the passes, and the angles of a program. */
 void
-writePictures(const Job& job, const Result& result, const OutputFiles& files, std::size_t& next)
+draw(const Job& job, const Result& result, PictureFiles& pictures)
 {
   ToolpathMotion motion;
-  writePasses(files.temporary(next++), passScene(job, result, titleOf(job), joinedPasses(job, result, motion)));
+  pictures.drawPasses(passScene(job, result, titleOf(job), joinedPasses(job, result, motion)));
   if (result.program)
-    writeRotaryAngles(files.temporary(next++), titleOf(job), *result.program);
-}
-
-void
-writeOne(const Job& job, const Result& result, const std::string& output, const std::string& file)
-{
-  if (extensionOf(output) == ".json")
-    writeDriveReport(file, job, result);
-  else
-    writePassFile(job, result, titleOf(job), output, file);
+    pictures.drawProgram(titleOf(job), *result.program);
 }
 
 } // namespace
@@ -47,11 +39,23 @@ writeOne(const Job& job, const Result& result, const std::string& output, const 
 void
 writeOutputs(const Job& job, const Result& result, OutputFiles& files)
 {
+  PictureFiles pictures;
+  const std::vector<PictureKind> kinds{PictureKind::Passes, PictureKind::Rotary};
   writeAll(job, result, "use a drive path of one pass (--drive helix, curve)", files, [&](const std::string& output, std::size_t& next) {
-    if (extensionOf(output) == ".png")
-      writePictures(job, result, files, next);
+    const std::string extension = extensionOf(output);
+    if ((extension == ".png" || extension == ".html") && pictures.forReport(kinds).empty())
+      draw(job, result, pictures);
+    if (extension == ".png") {
+      pictures.copy(PictureKind::Passes, files.temporary(next++));
+      if (result.program)
+        pictures.copy(PictureKind::Rotary, files.temporary(next++));
+    }
+    else if (extension == ".html")
+      writeDrivePage(files.temporary(next++), titleOf(job), job, result, pictures.forReport(kinds));
+    else if (extension == ".json")
+      writeDriveReport(files.temporary(next++), job, result);
     else
-      writeOne(job, result, output, files.temporary(next++));
+      writePassFile(job, result, titleOf(job), output, files.temporary(next++));
   });
 }
 

@@ -7,6 +7,7 @@
 #include "passes/pass_axes.h"
 #include "passes/scan_surface.h"
 #include "program/program_check.h"
+#include "scallop_check.h"
 #include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 
@@ -46,7 +47,7 @@ drivePasses(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, 
   drive.setPlaneDirection(s.plane_angle);
   drive.setZigzag(s.zigzag);
   drive.setRows(s.rows);
-  drive.setScallop(s.tool_radius, s.scallop_height);
+  drive.setScallop(job.cutter, job.scallop);
   drive.setLinkRows(s.link_rows);
   drive.setAxis(s.axis);
   drive.setAxisMode(s.axisMode());
@@ -85,11 +86,6 @@ warnOfPath(const Job& job, Result& result)
   if (job.no_gouge_check)
     warnings.push_back("the cutter was not checked against the rest of the mesh (--no-gouge-check): it gouges hollows narrower "
                        "than itself");
-  const double flat = CutterProfile(job.cutter).flatRadius();
-  if (job.scallop > 0.0 && flat > 0.0)
-    warnings.push_back(textOf("the step-over of ", job.drive.step_over, " mm leaves ridges of ", job.scallop,
-                              " mm only where the surface is square to the tool axis; on slopes the edge of this "
-                              "cutter leaves much higher ridges: give a --step-over there"));
   result.warnings = inOptions(warnings);
 }
 
@@ -127,6 +123,8 @@ plan(const Job& job)
     throw FileError(job.scan, "no pass has two cutter locations over the part; check the drive path and the tool axis");
   if (job.drive.goesRound())
     warnOfEnds(job, located, result);
+  requireScallop(job, surface, result);
   warnOfPath(job, result);
+  clock.end("scallop check");
   return result;
 }

@@ -72,15 +72,19 @@ checkMotion(const PassJob& job)
 }
 
 void
-checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vector<InputName> inputs)
+checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vector<InputName> inputs,
+             const std::vector<std::string>& more_kinds)
 {
   if (job.outputs.empty())
     throw UsageError("no output is given; give at least one, such as -o part.csv");
   for (const std::string& file : job.outputs) {
     const std::string extension = extensionOf(file);
-    if (!isPassFile(file))
-      throw UsageError("-o " + file + ": extension '" + extension +
-                       "' is not known; use .csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .6d .5d .json or .png");
+    if (!isPassFile(file) && std::find(more_kinds.begin(), more_kinds.end(), extension) == more_kinds.end()) {
+      std::string known = ".csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .6d .5d .json ";
+      for (const std::string& kind : more_kinds)
+        known += kind + " ";
+      throw UsageError("-o " + file + ": extension '" + extension + "' is not known; use " + known + "or .png");
+    }
     if (!isBall(job) && (extension == ".pcd" || extension == ".ply" || extension == ".yaml"))
       throw UsageError("-o " + file +
                        ": this format holds contacts, and only for a ball do they give the tips; write the path of this "

@@ -24,5 +24,7 @@ void checkTool(const PassJob& job);
 /** Checks axes and feed. \throw UsageError */
 void checkMotion(const PassJob& job);
 
-/** \p files: all files of the outputs; none of them may be an input. \throw UsageError */
-void checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vector<InputName> inputs);
+/** \p files: all files of the outputs; none of them may be an input. \p more_kinds: extensions that the program writes too.
+ *  \throw UsageError */
+void checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vector<InputName> inputs,
+                  const std::vector<std::string>& more_kinds = {});

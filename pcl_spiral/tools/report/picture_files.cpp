@@ -5,7 +5,6 @@
 #include "terminal/terminal.h"
 
 #include <pcl_spiral/io/file_error.h>
-#include <pcl_spiral/visualization/pass_picture.h>
 
 #include <stdlib.h>
 
@@ -28,6 +27,8 @@ captionOf(PictureKind kind)
     return "Toolpath on the shaded surface; start and end enlarged, with every turn.";
   case PictureKind::Lines:
     return "Boundaries and the lines of the path on the scan.";
+  case PictureKind::Passes:
+    return "Passes on the shaded part, coloured by their numbers; start and end enlarged.";
   case PictureKind::Deviation:
     return "Deviation of the contacts from the scanned surface, mm; + is out of the material; the worst place "
            "enlarged.";
@@ -79,6 +80,12 @@ PictureFiles::drawPath(const PictureScene& scene, bool lines)
   pictures.writeSpiral(add(PictureKind::Spiral));
   if (lines)
     pictures.writeLines(add(PictureKind::Lines));
+}
+
+void
+PictureFiles::drawPasses(const PassScene& scene)
+{
+  writePasses(add(PictureKind::Passes), scene);
 }
 
 void

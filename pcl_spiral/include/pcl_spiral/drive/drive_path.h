@@ -94,20 +94,26 @@ public:
   const Eigen::Vector3d& getPlaneDirection() const { return settings_.plane_direction; }
 
   /** How planes are spaced; DriveRows::Even by default. DriveRows::Kept, for Kind::Planes: as few planes as possible, so
-   *  that the ball of setScallop leaves no ridge above the scallop height between two planes, from slope and curvature
-   *  of the fitted surface. Steps never go below a quarter of the step on a plane, 2 sqrt((2 r - h) h); a warning reports
-   *  where less would be needed, as on walls along the planes. Where a rim overhangs across the rows, a ball that comes
-   *  down along a fixed axis reaches it only from beyond, and there is no plane there. \see rowDistance, rowLevels */
+   *  that the cutter of setScallop leaves no ridge above the scallop height between two planes, from slope and curvature
+   *  of the fitted surface. Steps never go below a quarter of the step of a ball with the cutter's corner radius r on a plane,
+   *  2 sqrt((2 r - h) h), or of h if the corner is sharp; a warning reports where less would be needed, as on walls along the
+   *  planes. \see rowDistance, profileRowDistance, rowLevels */
   void setRows(DriveRows rows) { settings_.rows = rows; }
   DriveRows getRows() const { return settings_.rows; } ///< The value of setRows.
-  /** Ball radius and scallop \p height for DriveRows::Kept, mm. Must be set for it. */
-  void setScallop(double radius, double height)
+  /** The cutter that follows the passes. With it, planes and their passes over a scan with AxisMode::Fixed go on beyond a rim that
+   *  falls away, until the cutter touches the surface at the rim. Without it, contacts end inside such a rim, a ball's by R sin(slope). */
+  void setCutter(const CutterShape& cutter) { settings_.cutter = cutter; }
+  const std::optional<CutterShape>& getCutter() const { return settings_.cutter; } ///< The value of setCutter or setScallop.
+  /** Cutter, see setCutter, and scallop \p height for DriveRows::Kept, mm. Must be set for it. On a mesh only a ball keeps rows. */
+  void setScallop(const CutterShape& cutter, double height)
   {
-    settings_.tool_radius = radius;
+    settings_.cutter = cutter;
     settings_.scallop_height = height;
   }
-  double getToolRadius() const { return settings_.tool_radius; }       ///< The radius of setScallop, mm.
-  double getScallopHeight() const { return settings_.scallop_height; } ///< The height of setScallop, mm.
+  /** The same for a ball of \p radius, mm. */
+  void setScallop(double radius, double height) { setScallop(CutterShape::ball(radius), height); }
+  double getToolRadius() const { return settings_.cutter ? settings_.cutter->radius : 0.0; } ///< The cutter's radius, mm; 0 without one.
+  double getScallopHeight() const { return settings_.scallop_height; }                       ///< The height of setScallop, mm.
 
   /** Whether rows of planes in zigzag are joined on the surface to one pass. This is done if the next row begins within two
    *  step-overs of the end of this row, and the straight way between is over the scan and crosses no gap. False by default. */

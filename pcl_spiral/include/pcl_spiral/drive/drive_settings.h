@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/common/drive_pass.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/core/polyline.h>
 
 #include <Eigen/Core>
@@ -51,7 +52,7 @@ struct DriveSettings {
   double plane_angle = 0.0;           ///< degrees about the axis
   Eigen::Vector3d plane_direction = Eigen::Vector3d::Zero(); ///< along the passes; zero: plane_angle is used
   DriveRows rows = DriveRows::Even;                          ///< how planes are spaced
-  double tool_radius = 0.0;                                  ///< of the ball, for DriveRows::Kept
+  std::optional<CutterShape> cutter;                         ///< that follows the passes; must be set for DriveRows::Kept
   double scallop_height = 0.0;                               ///< for DriveRows::Kept
   bool zigzag = true;                                        ///< every second pass runs backwards
   bool link_rows = false;                                    ///< join rows on the surface

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Heights that passes of any cutter leave over places of a surface. Private.
+ */
+#pragma once
+
+#include <pcl_spiral/core/cutter_profile.h>
+#include <pcl_spiral/core/impl/swept_error.h>
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** What a cutter cuts on straight moves, with axes that turn evenly along each. */
+class SweptHeights {
+public:
+  /** One list of places per pass; between passes nothing is cut. */
+  SweptHeights(const CutterProfile& profile, const std::vector<std::vector<CutterPlace>>& passes);
+
+  /** Least height above \p x along \p normal (unit) that is cut, mm, from -\p most; \p most if none is below it. */
+  double over(const Eigen::Vector3d& x, const Eigen::Vector3d& normal, double most) const;
+
+private:
+  struct Move {
+    CutterPlace from, to;
+  };
+  using Cell = std::array<std::int64_t, 3>;
+  struct CellHash {
+    std::size_t operator()(const Cell& cell) const;
+  };
+
+  Cell cellOf(const Eigen::Vector3d& x) const;
+  bool cuts(const Move& move, const Eigen::Vector3d& x) const;
+
+  CutterProfile profile_;
+  std::vector<Move> moves_;
+  double cell_ = 0.0; ///< mm
+  std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;
+};
+
+} // namespace pcl_spiral

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scallop_check.h"
+#include "passes/scan_surface.h"
+
+#include "cutter/swept_heights.h"
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/mesh/mesh_sampling.h>
+
+#include <algorithm>
+#include <cstddef>
+
+using namespace pcl_spiral;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::size_t most_places = 6000;
+constexpr double ignored_share = 0.02; // of the surface: steep rims, creases
+constexpr double more = 1.1;           // than the height asked for
+
+struct Place {
+  Vector3d x, normal;
+};
+
+std::vector<Place>
+scanPlaces(const Surface& surface)
+{
+  std::vector<Vector3d> points;
+  const std::size_t every = 1 + surface.size() / most_places;
+  for (std::size_t i = 0; i < surface.size(); i += every)
+    points.push_back(surface.graph().position(i));
+  std::vector<SurfaceFoot> feet;
+  surface.fit().project(points, feet);
+  std::vector<Place> places;
+  for (const SurfaceFoot& foot : feet)
+    if (foot.valid)
+      places.push_back({foot.position, foot.normal});
+  return places;
+}
+
+std::vector<Place>
+meshPlaces(const Job& job, const SurfaceMesh::ConstPtr& mesh)
+{
+  MeshSampling sampling;
+  sampling.setInputMesh(mesh);
+  sampling.setNumberOfThreads(job.threads);
+  pcl::PointCloud<pcl::PointNormal> samples;
+  sampling.compute(samples);
+  require(job.part, sampling.getStatus());
+  std::vector<Place> places;
+  const std::size_t every = 1 + samples.size() / most_places;
+  for (std::size_t i = 0; i < samples.size(); i += every)
+    places.push_back({samples[i].getVector3fMap().cast<double>(), samples[i].getNormalVector3fMap().cast<double>()});
+  return places;
+}
+
+/** Places that the path is meant to cut: of a column, those between its first and last contact. */
+std::vector<Place>
+meantPlaces(const Job& job, const Surface::ConstPtr& surface, const Result& result)
+{
+  std::vector<Place> places = result.mesh ? meshPlaces(job, result.mesh) : scanPlaces(*surface);
+  if (!job.drive.goesRound())
+    return places;
+  const Vector3d& up = result.drive.column->cylinder.direction;
+  double low = 1e300, high = -1e300;
+  for (const ToolPoses& pass : result.passes)
+    for (const ToolPose& pose : pass) {
+      low = std::min(low, up.dot(pose.contact));
+      high = std::max(high, up.dot(pose.contact));
+    }
+  const auto isBeyond = [&](const Place& place) { return up.dot(place.x) < low || up.dot(place.x) > high; };
+  places.erase(std::remove_if(places.begin(), places.end(), isBeyond), places.end());
+  return places;
+}
+
+/** What is left over each place; twice the radius of the cutter if nothing is cut below that. */
+std::vector<double>
+leftOver(const std::vector<Place>& places, const Job& job, const Result& result)
+{
+  std::vector<std::vector<CutterPlace>> passes;
+  for (const ToolPoses& pass : result.passes) {
+    passes.emplace_back();
+    for (const ToolPose& pose : pass)
+      passes.back().push_back({pose.tip, pose.axis});
+  }
+  const SweptHeights swept(CutterProfile(job.cutter), passes);
+  std::vector<double> left(places.size());
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(places.size()); ++i)
+    left[i] = swept.over(places[i].x, places[i].normal, 2.0 * job.cutter.radius);
+  return left;
+}
+
+std::string
+remedyOf(const Job& job, const Result& result, double height)
+{
+  const bool can_keep = job.drive.kind == DriveKind::Planes && job.drive.rows == DriveRows::Even && !job.mesh &&
+                        job.drive.axisMode() != DriveAxisMode::Cylinder;
+  return textOf(can_keep ? "use --rows kept" : "take a cutter with a smaller radius, turn the passes (--direction)", ", ask for --scallop ",
+                more * height, ", or give --step-over ", result.drive.step_over, " instead, which promises no height");
+}
+
+} // namespace
+
+void
+requireScallop(const Job& job, const Surface::ConstPtr& surface, Result& result)
+{
+  if (!(job.scallop > 0.0) || !(surface || result.mesh))
+    return;
+  const std::vector<Place> places = meantPlaces(job, surface, result);
+  const std::vector<double> left = leftOver(places, job, result);
+  const double allowed = more * job.scallop + job.tolerance, nothing = 2.0 * job.cutter.radius;
+  std::size_t over = 0, met = 0, worst = 0;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (left[i] >= nothing)
+      continue;
+    over += left[i] > allowed ? 1 : 0;
+    if (met++ == 0 || left[i] > left[worst])
+      worst = i;
+  }
+  if (over == 0)
+    return;
+  const double share = static_cast<double>(over) / static_cast<double>(met);
+  const std::string said = textOf("the passes leave more than the --scallop of ", job.scallop, " mm on ", 100.0 * share,
+                                  " % of the surface, up to ", left[worst], " mm at ", placeText(places[worst].x));
+  if (share > ignored_share)
+    throw FileError(job.part, said + ": " + remedyOf(job, result, left[worst]));
+  result.warnings.push_back(said + ": check this place");
+}
