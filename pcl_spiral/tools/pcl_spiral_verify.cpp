@@ -6,6 +6,7 @@
 #include "terminal/scan_places.h"
 #include "terminal/setter_names.h"
 #include "terminal/terminal.h"
+#include "verify/judged_program.h"
 #include "verify/outputs.h"
 #include "verify/verify_job.h"
 
@@ -31,17 +32,26 @@ warn(const VerifyJob& job, const std::vector<std::string>& warnings)
       std::cerr << "pcl_spiral_verify: warning: " << inScan(warning) << '\n';
 }
 
-/** \p reference is the fit to the scan or the mesh, made for the first path. */
-JudgedPath
-judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, std::shared_ptr<const ReferenceSurface>& reference)
+void
+readPath(const VerifyJob& job, const std::string& file, JudgedPath& judged)
 {
-  JudgedPath judged;
   ToolpathFile read = readToolpath(file, scanShift());
   if (const std::string warning = checkTips(read, job.settings.tool_radius, judged.verification); !warning.empty())
     warn(job, {file + ": " + warning});
   *judged.path = std::move(read.path);
   judged.feed = std::move(read.feed);
+}
+
+/** \p reference is the fit to the scan or the mesh, made for the first path. */
+JudgedPath
+judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, std::shared_ptr<const ReferenceSurface>& reference)
+{
+  JudgedPath judged;
   judged.verification.path = file;
+  if (isProgramFile(file))
+    readJudgedProgram(job, part, file, reference, judged);
+  else
+    readPath(job, file, judged);
   ProgressBar bar(job.quiet);
   JudgeSettings settings = job.settings;
   settings.mesh = part.mesh;

@@ -37,16 +37,14 @@ remedyOf(const RotaryAxis* rotary)
 }
 
 std::string
-textOfBreach(const std::vector<ProgramBlock>& blocks, const std::string& name, const Breach& breach, const AxisRange& range,
-             const RotaryAxis* rotary)
+textOfBreach(const std::string& place, const std::string& name, const Breach& breach, const AxisRange& range, const RotaryAxis* rotary)
 {
   const double unit = rotary != nullptr ? in_degrees : 1.0;
   const char* const word = rotary != nullptr ? " degrees" : " mm";
   const double limit = (breach.below ? range.lower : range.upper) * unit;
-  const ProgramBlock& block = blocks[breach.first];
-  std::string all = textOf("block ", breach.first + 1, " at ", block.arc_length, " mm of the path: ", name, " would be at ",
-                           breach.first_value * unit, word, ", ", std::abs(breach.first_value * unit - limit), word,
-                           breach.below ? " below its lower" : " above its upper", " limit of ", limit, word);
+  std::string all =
+      textOf(place, ": ", name, " would be at ", breach.first_value * unit, word, ", ", std::abs(breach.first_value * unit - limit), word,
+             breach.below ? " below its lower" : " above its upper", " limit of ", limit, word);
   if (breach.count > 1)
     all += textOf(" (", breach.count, " blocks, the worst at ", breach.worst * unit, word, ")");
   return all + "; " + remedyOf(rotary);
@@ -55,7 +53,7 @@ textOfBreach(const std::vector<ProgramBlock>& blocks, const std::string& name, c
 } // namespace
 
 Status
-checkLimits(const Kinematics& kinematics, const std::vector<ProgramBlock>& blocks)
+checkLimits(const Kinematics& kinematics, const std::vector<ProgramBlock>& blocks, const std::vector<std::size_t>& lines)
 {
   const Machine& machine = kinematics.machine();
   std::array<Breach, 5> breaches;
@@ -87,7 +85,10 @@ checkLimits(const Kinematics& kinematics, const std::vector<ProgramBlock>& block
       continue;
     const RotaryAxis* const rotary = axis < 3 ? nullptr : &machine.rotary[axis - 3];
     const std::string name(1, rotary != nullptr ? rotary->letter : "XYZ"[axis]);
-    all += (all.empty() ? "" : "; ") + textOfBreach(blocks, name, breaches[axis], rangeOf(axis), rotary);
+    const std::size_t first = breaches[axis].first;
+    const std::string place =
+        lines.empty() ? textOf("block ", first + 1, " at ", blocks[first].arc_length, " mm of the path") : textOf("line ", lines[first]);
+    all += (all.empty() ? "" : "; ") + textOfBreach(place, name, breaches[axis], rangeOf(axis), rotary);
   }
   return all.empty() ? Status::success() : Status(StatusCode::Failed, all);
 }

@@ -64,6 +64,16 @@ FigureTable::placed(const std::string& key, const std::optional<PlacedValue>& va
   return figure.knownIf(value.has_value());
 }
 
+void
+FigureTable::placeByLine(const std::vector<std::size_t>& lines)
+{
+  for (Figure& figure : figures_)
+    if (figure.place && figure.place->index < lines.size()) {
+      figure.place->index = lines[figure.place->index];
+      figure.by_line = true;
+    }
+}
+
 Figure&
 FigureTable::add(const std::string& key, FigureKind kind, double value, const FigureStyle& style)
 {

@@ -58,6 +58,7 @@ struct Figure {
   std::string reading; ///< what stands for the value, filled; empty: the number and its unit
   std::string if_none; ///< what people read if nothing is known; empty: the figure is left out
   std::optional<FigureLimit> limit;
+  bool by_line = false; ///< the index of the place is a line of a program; false: a path point
 
   Figure& named(const std::string& words, const std::string& value_words = "");
   Figure& knownIf(bool condition, const std::string& otherwise = "");
@@ -82,6 +83,8 @@ public:
   Figure& at(const std::string& key) { return figures_[indexOf(key)]; }
   const Figure& at(const std::string& key) const { return figures_[indexOf(key)]; }
   const std::vector<Figure>& figures() const { return figures_; }
+  /** Names places by line of a program: \p lines has that of each path point. */
+  void placeByLine(const std::vector<std::size_t>& lines);
 
 private:
   Figure& add(const std::string& key, FigureKind kind, double value, const FigureStyle& style);

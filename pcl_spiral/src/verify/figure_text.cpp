@@ -76,17 +76,13 @@ unitSuffix(const Figure& figure, const FigureWriting& writing)
 }
 
 std::string
-pathPlaceText(const PlacedValue& place)
-{
-  return formatted("at (%.3f, %.3f, %.3f), path point %zu", place.position.x(), place.position.y(), place.position.z(), place.index);
-}
-
-std::string
 placeSuffix(const Figure& figure)
 {
   if (!figure.place)
     return "";
-  return (figure.kind == FigureKind::Placed ? " " : ", first ") + pathPlaceText(*figure.place);
+  const Eigen::Vector3d& at = figure.place->position;
+  return (figure.kind == FigureKind::Placed ? " " : ", first ") +
+         formatted("at (%.3f, %.3f, %.3f), %s %zu", at.x(), at.y(), at.z(), figure.by_line ? "line" : "path point", figure.place->index);
 }
 
 std::string

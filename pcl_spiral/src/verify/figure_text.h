@@ -20,11 +20,8 @@ std::string numberText(const Figure& figure, const FigureWriting& writing);
 /** The unit as it follows the number: " mm"; empty without a unit. */
 std::string unitSuffix(const Figure& figure, const FigureWriting& writing);
 
-/** "at (12.500, -3.000, 0.125), path point 17" */
-std::string pathPlaceText(const PlacedValue& place);
-
-/** The place as it follows a value: " at (...), path point 17", or ", first at (...), path point 17" if it is the first of many.
- *  Empty if there is none. */
+/** The place as it follows a value: " at (12.500, -3.000, 0.125), path point 17", or ", first at (...), path point 17" if it is the first
+ *  of many. "line 17" instead if the figure is placed by line. Empty if there is no place. */
 std::string placeSuffix(const Figure& figure);
 
 /** \p words with the figures that they name by key: "{key}" becomes number and unit, "{#key}" the number alone, "{@key}" the place

@@ -35,6 +35,8 @@ std::vector<std::string>
 brokenLimits(const Limits& limits, const Verification& verification)
 {
   std::vector<std::string> broken;
+  if (verification.program)
+    broken = verification.program->faults;
   if (!limits.any())
     return broken;
   const FigureTable table = figuresOf(verification, limits);
@@ -43,10 +45,11 @@ brokenLimits(const Limits& limits, const Verification& verification)
       broken.push_back(brokenText(figure));
   const DeviationFigures& d = verification.deviation;
   addFault(broken, d.unmeasured, d.points, "lie off the surface and were not judged");
-  addFault(broken, d.opposed, d.points, "have a normal that points into the material, first " + pathPlaceText(d.first_opposed));
-  addFault(broken, d.inward_axes, d.points, "have a tool axis that points into the material, first " + pathPlaceText(d.first_inward));
+  addFault(broken, d.opposed, d.points, "have a normal that points into the material" + placeSuffix(table.at("deviation/opposed_normals")));
+  addFault(broken, d.inward_axes, d.points,
+           "have a tool axis that points into the material" + placeSuffix(table.at("deviation/inward_axes")));
   addFault(broken, verification.tips_off, d.points,
-           "have a tool tip that is not this cutter's, the farthest " + pathPlaceText(verification.tip_error));
+           "have a tool tip that is not this cutter's, the farthest" + placeSuffix(table.at("tip_error")));
   return broken;
 }
 

@@ -9,7 +9,8 @@
 namespace pcl_spiral {
 
 /** The limits that do not hold, each with the value found and its place. Any limit is broken if points were not judged, or have
- *  normals, axes or tool tips that are wrong. Messages name limits as Limits::gouge. */
+ *  normals, axes or tool tips that are wrong. The faults of a program come first, with or without limits. Messages name limits as
+ *  Limits::gouge. */
 std::vector<std::string> brokenLimits(const Limits& limits, const Verification& verification);
 
 /** The limits that are kept but lie below leastShown, where noise and deviation cannot be told apart. With any limit: the points

@@ -28,10 +28,13 @@ highestScallop(const RemovalFigures& removal)
 std::vector<std::string>
 warningsOf(const Verification& verification)
 {
-  std::vector<std::string> warnings = verification.deviation.warnings;
-  for (const std::string& warning : verification.removal.warnings)
-    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
-      warnings.push_back(warning);
+  std::vector<std::string> warnings;
+  if (verification.program)
+    warnings = verification.program->warnings;
+  for (const std::vector<std::string>* some : {&verification.deviation.warnings, &verification.removal.warnings})
+    for (const std::string& warning : *some)
+      if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+        warnings.push_back(warning);
   return warnings;
 }
 

@@ -22,17 +22,29 @@ struct Limits {
   bool any() const { return gouge || scallop || deviation || uncut; }
 };
 
+/** What is known of a machine program apart from its path. */
+struct ProgramFigures {
+  std::string language;              ///< see ProgramFile
+  std::size_t blocks = 0;            ///< moves
+  std::size_t passes = 0;            ///< that cut
+  LeadFigures leads;                 ///< of the moves that do not cut
+  std::vector<std::size_t> lines;    ///< line of each path point
+  std::vector<std::string> warnings; ///< in full sentences, with the remedy
+  std::vector<std::string> faults;   ///< collisions and axes beyond their limits, in words
+};
+
 /** A toolpath's figures. */
 struct Verification {
   std::string path; ///< file name; empty for one that has just been made
   DeviationFigures deviation;
   RemovalFigures removal;
-  std::size_t tips_off = 0;          ///< points whose tool tip in the file is not that of the cutter at their contact
-  PlacedValue tip_error;             ///< the farthest of them, mm
-  std::vector<std::string> broken;   ///< limits that do not hold, in words; see brokenLimits
-  OuterSide side;                    ///< of the reference: what decided it
-  double seconds = 0.0;              ///< of judging, and of making the reference surface if this path was the first
-  std::vector<std::string> unproven; ///< limits that the noise is too large for, in words; see unprovenLimits
+  std::size_t tips_off = 0;              ///< points whose tool tip in the file is not that of the cutter at their contact
+  PlacedValue tip_error;                 ///< the farthest of them, mm
+  std::vector<std::string> broken;       ///< limits that do not hold, in words; see brokenLimits
+  OuterSide side;                        ///< of the reference: what decided it
+  std::optional<ProgramFigures> program; ///< absent: a path
+  double seconds = 0.0;                  ///< of judging, and of making the reference surface if this path was the first
+  std::vector<std::string> unproven;     ///< limits that the noise is too large for, in words; see unprovenLimits
 };
 
 /** Reference points that the cutter leaves untouched, those of the rim band too; percent of all. */
@@ -44,7 +56,7 @@ const PlacedValue& firstUncut(const RemovalFigures& removal);
 /** The figure that the limit on the scallop is compared with: the highest ridge, or the most stock if no ridge was measured. */
 const PlacedValue& highestScallop(const RemovalFigures& removal);
 
-/** Warnings of both measurements, each once. */
+/** Warnings of both measurements, each once, after those of a program. */
 std::vector<std::string> warningsOf(const Verification& verification);
 
 } // namespace pcl_spiral

@@ -152,6 +152,22 @@ addMotion(FigureTable& table, const PathMotion& m)
   table.placed("motion/largest_normal_change", m.normal_change, angle);
 }
 
+/** Zero for a path that is no program. */
+void
+addProgram(FigureTable& table, const std::optional<ProgramFigures>& program)
+{
+  const ProgramFigures p = program.value_or(ProgramFigures());
+  const auto count = [&](const char* key, std::size_t value, const char* name) {
+    Figure& figure = table.count(key, value).knownIf(program.has_value()).named(name);
+    if (!program)
+      figure.forPeople();
+  };
+  count("program/blocks", p.blocks, "Moves of the program");
+  count("program/passes", p.passes, "Passes that cut");
+  count("program/other_moves", p.leads.moves, "Moves that do not cut");
+  count("program/colliding_moves", p.leads.collided, "Moves that do not cut, but collide with the scan");
+}
+
 } // namespace
 
 FigureTable
@@ -164,6 +180,9 @@ figuresOf(const Verification& verification, const Limits& limits)
   addMotion(table, verification.deviation.motion);
   table.count("tips_off", verification.tips_off);
   table.placed("tip_error", verification.tip_error, height);
+  addProgram(table, verification.program);
+  if (verification.program)
+    table.placeByLine(verification.program->lines);
   return table;
 }
 

@@ -51,6 +51,8 @@ constexpr Line lines[] = {
     {"lifts", "{motion/lifts} between passes, {motion/lift_length}, no cuts"},
     {"largest step", "{motion/largest_gap}{@motion/largest_gap}"},
     {"largest turn", "{motion/largest_turn} a step{@motion/largest_turn}"},
+    {"program",
+     "{program/blocks} moves, {program/passes} passes, {program/other_moves} moves do not cut, {program/colliding_moves} of these collide"},
     {"axis change", "{motion/largest_axis_change} a step{@motion/largest_axis_change}"},
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verify_job.h"
 
+#include "judged_program.h"
 #include "judging/judge_options.h"
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
@@ -13,6 +14,8 @@
 
 namespace po = boost::program_options;
 
+using namespace pcl_spiral;
+
 namespace {
 
 po::options_description
@@ -23,8 +26,11 @@ allOptions()
   const auto values = [](const char* name) { return po::value<std::vector<std::string>>()->value_name(name); };
   po::options_description files("Files", width, width / 2), cutter("Cutter and finish (mm)", width, width / 2),
       limits("Limits: if one is broken, the exit code is 1", width, width / 2), run("Run", width, width / 2);
-  files.add_options()("file", values("FILE"),
-                      "the scan, or with --mesh the mesh, then the paths: .csv .pcd .ply .vtp; --file itself can be left out")(
+  files.add_options()(
+      "file", values("FILE"),
+      "the scan, or with --mesh the mesh, then the paths: .csv .pcd .ply .vtp, or programs: .ngc .nc .apt .cls; --file itself can "
+      "be left out")("machine", value("FILE"), "machine file of the programs, in YAML: --machine xyzac.yaml")(
+      "dialect", value("WORD"), "language of a .nc; default found from its words; a .ngc is always for LinuxCNC: --dialect siemens")(
       "output,o", values("FILE"),
       "output file, its kind by extension; repeat it for each file: -o verified.json -o verified.html\n"
       ".json  the figures\n"
@@ -52,11 +58,26 @@ refuseInputs(const VerifyJob& job)
 {
   std::vector<std::string> inputs = job.paths;
   inputs.push_back(job.scan);
+  if (!job.machine_file.empty())
+    inputs.push_back(job.machine_file);
   std::error_code error;
   for (const std::string& file : filesOf(job))
     for (const std::string& input : inputs)
       require(!std::filesystem::equivalent(file, input, error),
               "-o " + file + ": this is " + input + ", which is read; give the output another name");
+}
+
+/** Programs need their machine, and the machine needs a program. */
+void
+checkPrograms(const VerifyJob& job)
+{
+  const bool any = std::any_of(job.paths.begin(), job.paths.end(), isProgramFile);
+  require(any || (job.machine_file.empty() && !job.dialect),
+          "--machine and --dialect belong to programs; give a .ngc, .nc or .apt, or leave them out");
+  require(!any || !job.mesh, "programs are judged by a scan; leave --mesh out, so that the vertices of the mesh are the scan");
+  for (const std::string& path : job.paths)
+    require(!job.machine_file.empty() || (extensionOf(path) != ".ngc" && extensionOf(path) != ".nc"),
+            path + ": a program has the axes of a machine; give its machine file, such as --machine xyzac.yaml");
 }
 
 void
@@ -74,6 +95,7 @@ check(const VerifyJob& job, bool radius_given)
             "-o " + output + ": shows one path, and " + std::to_string(job.paths.size()) +
                 " are given; give only one path, or write .json or .html");
   }
+  checkPrograms(job);
   refuseInputs(job);
 }
 
@@ -99,6 +121,10 @@ fromMap(const po::variables_map& given)
   }
   if (given.count("output") > 0)
     job.outputs = given["output"].as<std::vector<std::string>>();
+  if (given.count("machine") > 0)
+    job.machine_file = given["machine"].as<std::string>();
+  if (given.count("dialect") > 0)
+    job.dialect = choiceValue<Dialect>("dialect", given["dialect"].as<std::string>());
   job.read = scanOptions(given);
   job.mesh = meshOptions(given);
   job.settings = cutterOptions(given);
@@ -151,11 +177,12 @@ hasOption(const std::string& name)
 void
 printVerifyHelp(std::ostream& out)
 {
-  out << "Checks toolpaths against the raw scan or a mesh: deviation, scallop, gouge, uncut places, efficiency.\n\n"
+  out << "Checks toolpaths and machine programs against the raw scan or a mesh: deviation, scallop, gouge, uncut places, efficiency.\n\n"
          "  pcl_spiral_verify SCAN PATH... --tool-radius R [options]\n\n"
          "  pcl_spiral_verify part.stl part.csv --mesh --tool-radius 10\n"
          "  pcl_spiral_verify part.pcd part.csv --tool-radius 10 --scallop 0.05 --max-gouge 0.01 -o "
-         "verified.json\n\n"
+         "verified.json\n"
+         "  pcl_spiral_verify part.pcd part.ngc --machine xyzac.yaml --tool-radius 10 --max-gouge 0.01\n\n"
          "Lengths are in millimetres, angles in degrees. Exit code: 0 if every limit holds, 1 if a limit is broken\n"
          "or the data or a file fails, 2 if the command line is wrong.\n"
       << allOptions();

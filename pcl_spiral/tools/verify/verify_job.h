@@ -10,6 +10,7 @@
 
 #include "verify/verification.h"
 #include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/io/program_writer.h>
 
 #include <ostream>
 #include <string>
@@ -22,7 +23,9 @@ struct VerifyJob {
   std::vector<std::string> paths;
   std::vector<std::string> outputs; ///< .json .html .png .vtp
   pcl_spiral::ReadOptions read;
-  std::optional<MeshChoice> mesh; ///< absent: the first file is a scan
+  std::optional<MeshChoice> mesh;             ///< absent: the first file is a scan
+  std::string machine_file;                   ///< of programs; empty: none
+  std::optional<pcl_spiral::Dialect> dialect; ///< of .nc programs; absent: found from their words
   JudgeSettings settings;
   pcl_spiral::Limits limits;
   bool quiet = false;

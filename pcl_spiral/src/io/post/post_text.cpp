@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "post_text.h"
 
+#include "io/kinematics_text.h"
+
 #include <pcl_spiral/common/impl/message.h>
 
 #include <pcl_spiral/io/file_error.h>
@@ -150,10 +152,7 @@ std::string
 machineText(const MachineProgram& program)
 {
   const Machine& machine = program.machine;
-  const auto mount = [](const RotaryAxis& axis) { return axis.mount == RotaryMount::Table ? "table " : "head "; };
-  const auto &first = machine.rotary[0], &second = machine.rotary[1];
-  return commentText(textOf(machine.name.empty() ? "machine" : machine.name, ", from work to tool ", mount(first), first.letter, " ",
-                            mount(second), second.letter, machine.rtcp ? ", X Y Z of the tool tip" : ", X Y Z of the machine"));
+  return commentText((machine.name.empty() ? "machine" : machine.name) + ", " + kinematicsText(machine));
 }
 
 } // namespace pcl_spiral

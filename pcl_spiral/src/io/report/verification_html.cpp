@@ -46,7 +46,11 @@ constexpr const char* shown_figures[] = {"deviation/max",
                                          "material/efficiency",
                                          "motion/largest_gap",
                                          "motion/largest_turn",
-                                         "motion/largest_axis_change"};
+                                         "motion/largest_axis_change",
+                                         "program/blocks",
+                                         "program/passes",
+                                         "program/other_moves",
+                                         "program/colliding_moves"};
 
 std::string
 limitText(const Figure& figure)
@@ -57,7 +61,7 @@ limitText(const Figure& figure)
   return formatted("%.4g%s, %s", limit.most, unitSuffix(figure, on_page).c_str(), limit.holds() ? "held" : "BROKEN");
 }
 
-/** Name, value, limit, place and path point of a figure. Without a place the limit follows the value. */
+/** Name, value, limit, place, and path point or line of a figure. Without a place the limit follows the value. */
 Row
 figureRow(const Figure& figure, const FigureTable& table)
 {
@@ -73,9 +77,9 @@ figureRow(const Figure& figure, const FigureTable& table)
 }
 
 HtmlRows
-figureRows(const FigureTable& table)
+figureRows(const FigureTable& table, bool by_line)
 {
-  HtmlRows rows{{"Figure", "Value", "Limit", "At x, y, z (mm)", "Path point"}};
+  HtmlRows rows{{"Figure", "Value", "Limit", "At x, y, z (mm)", by_line ? "Line" : "Path point"}};
   for (const char* key : shown_figures)
     if (const Figure& figure = table.at(key); figure.known || !figure.if_none.empty())
       rows.push_back(figureRow(figure, table));
@@ -160,7 +164,7 @@ addVerification(HtmlPage& page, const VerificationRun& run, const Verification& 
   const FigureTable table = figuresOf(verification, run.limits);
   addStatement(page, run, verification, table);
   page.addHeading("Figures");
-  page.addTable(figureRows(table), true);
+  page.addTable(figureRows(table, verification.program.has_value()), true);
   addNoise(page, run, verification.deviation);
   for (const ReportPicture& picture : pictures)
     page.addPicture(picture);

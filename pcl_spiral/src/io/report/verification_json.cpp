@@ -23,7 +23,7 @@ figureJson(const Figure& figure)
   if (!figure.place)
     return nullptr;
   const Eigen::Vector3d& at = figure.place->position;
-  return {{"value", figure.value}, {"position", {at.x(), at.y(), at.z()}}, {"index", figure.place->index}};
+  return {{"value", figure.value}, {"position", {at.x(), at.y(), at.z()}}, {figure.by_line ? "line" : "index", figure.place->index}};
 }
 
 } // namespace

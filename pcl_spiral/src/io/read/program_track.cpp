@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program_track.h"
+
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
+
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+/** \p angle plus or minus whole turns, nearest to \p near. */
+double
+turnedTo(double angle, double near)
+{
+  return angle - full_turn * std::round((angle - near) / full_turn);
+}
+
+bool
+isWithin(double angle, const AxisRange& range)
+{
+  constexpr double rounding = 1e-6;
+  return angle >= range.lower - rounding && angle <= range.upper + rounding;
+}
+
+} // namespace
+
+ProgramTrack::ProgramTrack(const Machine& machine, bool in_workpiece) : kinematics_(machine), in_workpiece_(in_workpiece)
+{
+  file_.program.machine = kinematics_.machine();
+}
+
+std::string
+ProgramTrack::turnTo(const Eigen::Vector3d& axis)
+{
+  const auto& rotary = kinematics_.machine().rotary;
+  const RotaryAngles from{angles_[0].value_or(rotary[0].home), angles_[1].value_or(rotary[1].home)};
+  std::optional<RotaryAngles> best;
+  double least = 0.0;
+  for (Branch branch : {Branch::Larger, Branch::Smaller}) {
+    const std::optional<RotaryAngles> found = kinematics_.anglesOf(axis, branch);
+    if (!found)
+      return textOf("no angles of ", rotary[0].letter, " and ", rotary[1].letter, " reach the tool axis ", placeText(axis),
+                    "; give the machine file for which the program was made");
+    const RotaryAngles angles{std::isnan(found->first) ? from.first : turnedTo(found->first, from.first),
+                              turnedTo(found->second, from.second)};
+    constexpr double beyond = 1e3; // radians: an angle beyond the limits is used only if there is no other
+    const double way = std::abs(angles.first - from.first) + std::abs(angles.second - from.second) +
+                       (isWithin(angles.second, rotary[1].range) ? 0.0 : beyond);
+    if (!best || way < least) {
+      best = angles;
+      least = way;
+    }
+  }
+  angles_ = {best->first, best->second};
+  return {};
+}
+
+void
+ProgramTrack::goTo(const ProgramTarget& target)
+{
+  if (!target.of_machine) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (target.xyz[i])
+        xyz_[i] = target.xyz[i];
+    return;
+  }
+  if (!begun())
+    return; // from the present place of the machine, which is not known
+  const Machine& machine = kinematics_.machine();
+  const RotaryAngles angles{*angles_[0], *angles_[1]};
+  const bool tips = machine.rtcp && in_workpiece_;
+  const Eigen::Vector3d shift = machine.work_zero + Eigen::Vector3d(0.0, 0.0, machine.tool_length);
+  Eigen::Vector3d place = tips || !machine.rtcp ? Eigen::Vector3d(*xyz_[0], *xyz_[1], *xyz_[2])
+                                                : kinematics_.programmed({*xyz_[0], *xyz_[1], *xyz_[2]}, angles);
+  for (int i = 0; i < 3; ++i)
+    if (target.xyz[static_cast<std::size_t>(i)])
+      place[i] = *target.xyz[static_cast<std::size_t>(i)] - shift[i];
+  if (!tips && machine.rtcp)
+    place = kinematics_.tipOf(place, angles);
+  xyz_ = {place.x(), place.y(), place.z()};
+}
+
+std::string
+ProgramTrack::move(std::size_t line, const ProgramTarget& target)
+{
+  for (std::size_t i = 0; i < 2; ++i)
+    if (target.angles[i])
+      angles_[i] = target.angles[i];
+  if (target.axis)
+    if (const std::string fault = turnTo(*target.axis); !fault.empty())
+      return fault;
+  goTo(target);
+  const bool known = xyz_[0] && xyz_[1] && xyz_[2] && angles_[0] && angles_[1];
+  if (!target.rapid && !begun())
+    return "the place from which this feed move starts is not known; go there with a G0 that names all five axes";
+  if (!target.rapid && !(target.feed > 0.0))
+    return target.inverse_time ? "with G93 every feed move needs an F above 0, and the control stops here; give F"
+                               : "no feed is set, and the control stops here; give F";
+  if (known)
+    add(line, target);
+  return {};
+}
+
+void
+ProgramTrack::add(std::size_t line, const ProgramTarget& target)
+{
+  std::vector<ProgramBlock>& blocks = file_.program.blocks;
+  ProgramBlock block;
+  block.rapid = target.rapid;
+  block.section = target.rapid ? BlockSection::Position : BlockSection::Cut;
+  block.angles = {*angles_[0], *angles_[1]};
+  const Eigen::Vector3d xyz(*xyz_[0], *xyz_[1], *xyz_[2]);
+  const bool rtcp = kinematics_.machine().rtcp;
+  block.tip = rtcp ? xyz : kinematics_.tipOf(xyz, block.angles);
+  block.machine = rtcp ? kinematics_.programmed(xyz, block.angles) : xyz;
+  block.axis = target.axis ? target.axis->normalized() : kinematics_.toolAxis(block.angles);
+  block.normal = block.axis;
+  file_.by_vectors = file_.by_vectors || target.axis;
+  const double way = blocks.empty() ? 0.0 : (block.tip - blocks.back().tip).norm();
+  block.arc_length = blocks.empty() ? 0.0 : blocks.back().arc_length + way;
+  if (!target.rapid)
+    block.minutes = target.inverse_time ? 1.0 / target.feed : way / target.feed;
+  blocks.push_back(block);
+  file_.lines.push_back(line);
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "judged_program.h"
+
+#include "terminal/file_names.h"
+#include "terminal/setter_names.h"
+#include "terminal/terminal.h"
+
+#include "machine/limit_check.h"
+#include "verify/program_pace.h"
+#include "verify/program_path.h"
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/machine_reader.h>
+#include <pcl_spiral/io/program_reader.h>
+#include <pcl_spiral/surface/scanned_surface.h>
+#include <pcl_spiral/verify/lead_check.h>
+
+#include <algorithm>
+
+using namespace pcl_spiral;
+
+namespace {
+
+std::shared_ptr<const ReferenceSurface>
+referenceOf(const VerifyJob& job, const JudgedPart& part)
+{
+  ScannedSurface<pcl::PointXYZ> scanned;
+  scanned.setInputCloud(part.cloud);
+  scanned.setStrict(false); // a rough reference is accepted, with a warning
+  scanned.setFlipNormals(job.settings.flip_normals);
+  setSide(part.side, scanned);
+  scanned.setNumberOfThreads(job.settings.threads);
+  ProgressBar bar(job.quiet);
+  scanned.setProgressCallback([&bar](double share, const std::string&) { return bar.update(share, "reference"); });
+  Surface::ConstPtr surface;
+  scanned.compute(surface);
+  bar.clear();
+  if (cancelled())
+    throw Cancelled();
+  if (!scanned.getStatus().ok())
+    throw FileError(job.scan, inOptions(scanned.getStatus().message()));
+  return std::make_shared<ReferenceSurface>(surface);
+}
+
+std::string
+textOfCollision(const LeadFigures& figures, const ProgramFile& read)
+{
+  const LeadCollision& deepest = figures.deepest;
+  const bool rapid = read.program.blocks[deepest.block].rapid;
+  return textOf("line ", read.lines[deepest.block], ": on this ", rapid ? "rapid move " : "feed move off the path ",
+                deepest.part == ToolPart::Cutter ? "the cutter" : "a shank as wide as the cutter", " would be ", deepest.depth,
+                " mm deep in the scan at ", placeText(deepest.place), ", the tip at ", placeText(deepest.tip), "; ", figures.collided,
+                " of ", figures.moves, " moves that do not cut collide");
+}
+
+/** What the tool would hit where it does not cut. */
+void
+checkOtherMoves(const VerifyJob& job, const JudgedPart& part, const ReferenceSurface& reference, const ProgramFile& read,
+                Verification& verification)
+{
+  constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
+  ProgressBar bar(job.quiet);
+  LeadCheck<pcl::PointXYZ> check;
+  check.setInputCloud(part.cloud);
+  check.setCutter(CutterShape::ball(job.settings.tool_radius));
+  check.setTolerance(job.settings.chord_error + deviations * reference.noise());
+  check.setLargestEcho(largest_echo);
+  check.setNumberOfThreads(job.settings.threads);
+  check.setProgressCallback([&bar](double share, const std::string&) { return bar.update(share, "moves that do not cut"); });
+  check.compute(read.program);
+  bar.clear();
+  if (cancelled())
+    throw Cancelled();
+  if (!check.getStatus().ok())
+    throw FileError(job.scan, check.getStatus().message());
+  ProgramFigures& program = *verification.program;
+  program.leads = check.getObstacleFigures();
+  if (program.leads.collided > 0)
+    program.faults.push_back(textOfCollision(program.leads, read));
+  else if (check.getFigures().collided > 0)
+    verification.program->warnings.push_back(textOfCollision(check.getFigures(), read) +
+                                             ": only single points off the surface are there, usually false echoes");
+}
+
+/** Warns where a block seems to be missing. */
+void
+checkPace(const VerifyJob& job, const ProgramFile& read, Verification& verification)
+{
+  const std::vector<HurriedBlock> hurried = hurriedBlocks(read.program, job.settings.tool_radius);
+  if (!hurried.empty())
+    verification.program->warnings.push_back(
+        textOf("line ", read.lines[hurried.front().block], ": the cutter moves ", hurried.front().times,
+               " times as fast as on the lines before and after",
+               hurried.size() > 1 ? textOf(", and so on ", hurried.size() - 1, " other lines") : std::string(),
+               ": if there is no sharp edge, a block is missing before it; write the program again"));
+}
+
+} // namespace
+
+bool
+isProgramFile(const std::string& file)
+{
+  const std::string extension = extensionOf(file);
+  return extension == ".ngc" || extension == ".nc" || extension == ".apt" || extension == ".cls";
+}
+
+void
+readJudgedProgram(const VerifyJob& job, const JudgedPart& part, const std::string& file, std::shared_ptr<const ReferenceSurface>& reference,
+                  JudgedPath& judged)
+{
+  const std::optional<Machine> machine = job.machine_file.empty() ? std::nullopt : std::optional(readMachine(job.machine_file));
+  ProgramFile read = readProgram(file, machine, job.dialect);
+  if (!reference)
+    reference = referenceOf(job, part);
+  ProgramPathSettings settings;
+  settings.ball_radius = job.settings.tool_radius;
+  settings.tolerance = 0.2 * job.settings.chord_error;
+  settings.air = std::max(20.0 * job.settings.scallop_height, 10.0 * reference->noise());
+  settings.axis_arcs = read.axis_arcs;
+  const ProgramPath path = programPath(*reference, settings, read.program);
+  ProgramFigures program;
+  program.language = read.language;
+  program.blocks = read.program.blocks.size();
+  program.passes = path.passes;
+  for (const std::size_t block : path.blocks)
+    program.lines.push_back(read.lines[block]);
+  if (const Status status = checkLimits(Kinematics(read.program.machine), read.program.blocks, read.lines); !status.ok())
+    if (read.by_vectors)
+      program.warnings.push_back("if the control turns the rotary axes the nearest way from home: " + status.message());
+    else
+      program.faults.push_back(status.message());
+  judged.verification.program = std::move(program);
+  checkOtherMoves(job, part, *reference, read, judged.verification);
+  checkPace(job, read, judged.verification);
+  if (path.path.empty()) {
+    std::string all;
+    for (const std::string& fault : judged.verification.program->faults)
+      all += "; " + fault;
+    throw FileError(file, textOf("the cutter stays more than ", settings.air,
+                                 " mm above the scan on all of its feed moves: check work_zero and "
+                                 "tool_length of the machine file, and --origin of the scan") +
+                              all);
+  }
+  *judged.path = path.path;
+}
