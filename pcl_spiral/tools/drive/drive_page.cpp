@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drive_page.h"
 #include "job_check.h"
+#include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 
 #include "io/report/html_page.h"
@@ -78,6 +79,8 @@ addSettings(HtmlPage& page, const Job& job)
   for (const std::string& output : filesOf(job))
     outputs += (outputs.empty() ? "" : ", ") + output;
   HtmlRows rows{{"Part", job.scan}, {"Written", outputs}, {"Cutter", cutterText(job.cutter)}};
+  if (!scanShift().isZero())
+    rows.push_back({"Shift of map coordinates", shiftText()});
   if (job.scallop > 0.0)
     rows.push_back({"Scallop height h", formatted("%g mm", job.scallop)});
   rows.insert(rows.end(), {{"Rows", choiceName(job.drive.rows)},
@@ -110,7 +113,7 @@ writeDrivePage(const std::string& file, const std::string& title, const Job& job
   addPath(page, job, result);
   addPart(page, result);
   page.addPart("Run");
-  addWarnings(page, result.warnings);
+  addWarnings(page, inScan(result.warnings));
   addSettings(page, job);
   addTimes(page, result);
   page.addHeading("Made by");
