@@ -97,8 +97,8 @@ remedyOf(const Job& job, const Result& result, double height)
 {
   const bool can_keep = job.drive.kind == DriveKind::Planes && job.drive.rows == DriveRows::Even && !job.mesh &&
                         job.drive.axisMode() != DriveAxisMode::Cylinder;
-  return textOf(can_keep ? "use --rows kept" : "take a cutter with a smaller radius, turn the passes (--direction)", ", ask for --scallop ",
-                more * height, ", or give --step-over ", result.drive.step_over, " instead, which promises no height");
+  return textOf(can_keep ? "use --rows kept" : "take a cutter with a smaller radius", ", ask for --scallop ", more * height,
+                ", or give --step-over ", result.drive.step_over, " instead, which promises no height");
 }
 
 } // namespace
