@@ -235,8 +235,9 @@ TEST_F(MeshToolpath, ARoughMeshIsSampledLessClosely)
   std::mt19937 random(1);
   for (Eigen::Vector3d& v : rough.vertices)
     v.z() += std::uniform_real_distribution<double>(-0.3, 0.3)(random);
-  expectRefused(run(rough, {}), 1, {"is hollow with radius", "(--sample-spacing)", "samples are 0.", "vertices of the mesh 1.9"});
-  EXPECT_EQ(run("part.stl", {"--sample-spacing", "1.9"}).code, 0);
+  expectRefused(run(rough, {"--tight", "refuse"}), 1,
+                {"is hollow with radius", "(--sample-spacing)", "samples are 0.", "vertices of the mesh 1.9"});
+  EXPECT_EQ(run("part.stl", {"--tight", "refuse", "--sample-spacing", "1.9"}).code, 0);
 }
 
 TEST_F(MeshToolpath, MeshesThatCannotBe)

@@ -179,7 +179,7 @@ TEST_F(Refusals, CuttersLargerThanAHollow)
     return -6.0 * std::exp(-squared / 72.0); // radius 6 at the bottom
   };
   const Points part = disc(12000, 50.0, dented);
-  const Arguments large{"--tool-radius", "10"};
+  const Arguments large{"--tool-radius", "10", "--tight", "refuse"};
   expectRefused(part, large, 1, {"hollow with radius ", "tighter than the tool radius 10 mm", "would gouge", "smaller tool"});
   const std::string message = run(part, large).err, before = " mm at (";
   std::istringstream place(message.substr(message.find(before) + before.size()));
@@ -188,7 +188,8 @@ TEST_F(Refusals, CuttersLargerThanAHollow)
   ASSERT_TRUE(place >> x >> comma >> y) << message;
   EXPECT_LT(std::hypot(x - 15.0, y - 10.0), 8.0) << message;
   const std::string remedy = "a radius of ", named = message.substr(message.find(remedy) + remedy.size());
-  EXPECT_EQ(run(part, {"--tool-radius", named.substr(0, named.find(' '))}).code, 0) << message;
+  EXPECT_EQ(run(part, {"--tool-radius", named.substr(0, named.find(' ')), "--tight", "refuse"}).code, 0) << message;
+  EXPECT_EQ(run(part, {"--tool-radius", "10", "--tight", "ride"}).code, 0) << "the other remedy";
   EXPECT_EQ(run(part, {}).code, 0);
 }
 

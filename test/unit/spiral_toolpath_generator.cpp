@@ -234,6 +234,7 @@ TEST(SpiralToolpathGenerator, NormalsTellTheSideAndFlipTurnsIt)
   }
   // From inside the ball, the hollow has the radius of the ball.
   spiral.setToolRadius(radius + 1.0);
+  spiral.setTightHandling(TightHandling::Refuse);
   spiral.compute(path);
   EXPECT_EQ(spiral.getStatus().code(), StatusCode::Failed);
   EXPECT_NE(spiral.getStatus().message().find("smaller tool"), std::string::npos) << spiral.getStatus().message();

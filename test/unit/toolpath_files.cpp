@@ -129,10 +129,10 @@ TEST(ToolpathFiles, CsvHasTheAgreedShape)
   std::string line;
   std::getline(lines, line);
   EXPECT_EQ(line, "turn,arc_length,cc_x,cc_y,cc_z,normal_x,normal_y,normal_z,tip_x,tip_y,tip_z,axis_x,axis_y,"
-                  "axis_z,feed,over_gap");
+                  "axis_z,feed,over_gap,lift");
   std::getline(lines, line);
   EXPECT_EQ(line, "3.500000,123456789.062500,1.500000,0.000000,-2.250000,0.000000000,0.000000000,1.000000000,"
-                  "-0.500000,0.000000,-1.250000,0.500000000,0.000000000,0.750000000,1500.000,0");
+                  "-0.500000,0.000000,-1.250000,0.500000000,0.000000000,0.750000000,1500.000,0,0.000000");
   std::getline(lines, line);
   char huge[64];
   std::snprintf(huge, sizeof(huge), ",%.6f,", static_cast<double>(3e38f));
@@ -255,19 +255,23 @@ TEST(ToolpathFiles, VtpTakesValuesOfEachPoint)
   EXPECT_FALSE(std::filesystem::exists(folder.path("b.vtp")));
 }
 
-TEST(ToolpathFiles, GapsOfTheScanAreMarkedInEveryFormat)
+TEST(ToolpathFiles, GapsOfTheScanAndLiftsAreMarkedInEveryFormat)
 {
   const ScratchFolder folder;
   auto path = spiral(5000);
   for (std::size_t i = 2040; i < 2060; ++i) // over the end of a block of rows
     path[i].over_gap = 1;
+  for (std::size_t i = 2050; i < 2100; ++i)
+    path[i].lift = 0.5f + 0.25f * static_cast<float>(i % 8); // exact in every format
   for (const std::string& extension : toolpathExtensions()) {
     writeToolpath(folder.path("a" + extension), path, motion);
     const auto back = readToolpath(folder.path("a" + extension)).path;
     ASSERT_EQ(back.size(), path.size()) << extension;
     if (extension != ".vtp")
-      for (std::size_t i = 0; i < path.size(); ++i)
+      for (std::size_t i = 0; i < path.size(); ++i) {
         ASSERT_EQ(back[i].over_gap, path[i].over_gap) << extension << " " << i;
+        ASSERT_EQ(back[i].lift, path[i].lift) << extension << " " << i;
+      }
   }
   pcl::PointCloud<ToolpathPoint> pcd, ply;
   ASSERT_EQ(pcl::io::loadPCDFile(folder.path("a.pcd"), pcd), 0);
@@ -277,9 +281,13 @@ TEST(ToolpathFiles, GapsOfTheScanAreMarkedInEveryFormat)
   reader->Update();
   vtkDataArray* const over_gap = reader->GetOutput()->GetPointData()->GetArray("OverGap");
   ASSERT_NE(over_gap, nullptr);
+  vtkDataArray* const lift = reader->GetOutput()->GetPointData()->GetArray("Lift");
+  ASSERT_NE(lift, nullptr);
+  EXPECT_EQ(lift->GetComponent(2055, 0), path[2055].lift);
   for (std::size_t i = 0; i < path.size(); ++i) {
     ASSERT_EQ(pcd[i].over_gap, path[i].over_gap) << i;
     ASSERT_EQ(ply[i].over_gap, path[i].over_gap) << i;
+    ASSERT_EQ(pcd[i].lift, path[i].lift) << i;
     ASSERT_EQ(over_gap->GetComponent(static_cast<vtkIdType>(i), 0), path[i].over_gap) << i;
   }
 }
@@ -302,7 +310,7 @@ TEST(ToolpathFiles, EveryLineOfACsvBelowItsFirstIsNumbers)
   for (; std::getline(lines, line); ++row) {
     ASSERT_EQ(line.find_first_not_of("0123456789.,-"), std::string::npos) << line;
     ASSERT_EQ(std::count(line.begin(), line.end(), ','), columns) << line;
-    if (line.substr(line.rfind(',')) == ",1")
+    if (line.substr(line.rfind(',', line.rfind(',') - 1)) == ",1,0.000000")
       gaps.push_back(row);
   }
   EXPECT_EQ(row, path.size());

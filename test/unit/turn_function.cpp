@@ -188,7 +188,9 @@ TEST(TurnFunction, HollowTighterThanTheCutterIsRefusedWithItsPlace)
   lines[5].feet[64].curvature2 = -1.0 / 7.5;
   char place[32]; // as in messages
   std::snprintf(place, sizeof place, "(%.3f, ", lines[5].feet[64].position.x());
-  TurnFunction tight(lines, cutter(8.0, 0.05), 0.5);
+  SpiralSettings refusing = cutter(8.0, 0.05);
+  refusing.tight = TightHandling::Refuse;
+  TurnFunction tight(lines, refusing, 0.5);
   const Status status = tight.compute();
   EXPECT_EQ(status.code(), StatusCode::Failed);
   for (const std::string& part : {std::string("7.5 mm"), std::string(place), std::string("smaller tool")})

@@ -37,6 +37,14 @@ cutterFits(double radius, double curvature)
   return std::isfinite(radius) && std::isfinite(curvature) && radius > 0.0 && 1.0 + curvature * radius > 0.0;
 }
 
+double
+spacingCurvature(double radius, double curvature)
+{
+  constexpr double least = 0.05; // as in stepOverMetric
+  const double share = 1.0 + radius * curvature;
+  return share >= least ? curvature : (std::clamp(-share, least, 1.0) - 1.0) / radius;
+}
+
 std::optional<double>
 stepOver(double radius, double curvature, double scallop_height)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/step_over_metric.h>
+#include <pcl_spiral/core/step_over.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -7,12 +8,6 @@
 #include <algorithm>
 
 namespace pcl_spiral {
-namespace {
-
-constexpr double least_share = 0.05; // of 1 / R
-
-} // namespace
-
 double
 longestStepOver(const StepOverMetric& metric)
 {
@@ -26,7 +21,7 @@ stepOverMetric(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction1,
 {
   const double flat = 1.0 / radius;
   const Eigen::Vector3d direction2 = normal.cross(direction1);
-  const double g1 = std::max(k1 + flat, least_share * flat), g2 = std::max(k2 + flat, least_share * flat);
+  const double g1 = spacingCurvature(radius, k1) + flat, g2 = spacingCurvature(radius, k2) + flat;
   const Eigen::Matrix3d g =
       g1 * direction1 * direction1.transpose() + g2 * direction2 * direction2.transpose() + flat * normal * normal.transpose();
   return StepOverMetric(Eigen::Matrix3d(g / (8.0 * scallop_height * (1.0 - 0.5 * scallop_height / radius))));

@@ -57,6 +57,11 @@ struct ChoiceNames<GapHandling> {
       {{GapHandling::Bridge, "bridge"}, {GapHandling::Refuse, "refuse"}}};
 };
 template <>
+struct ChoiceNames<TightHandling> {
+  static constexpr std::array<std::pair<TightHandling, const char*>, 2> words{
+      {{TightHandling::Ride, "ride"}, {TightHandling::Refuse, "refuse"}}};
+};
+template <>
 struct ChoiceNames<HoleHandling> {
   static constexpr std::array<std::pair<HoleHandling, const char*>, 3> words{
       {{HoleHandling::Around, "around"}, {HoleHandling::Over, "over"}, {HoleHandling::Refuse, "refuse"}}};

@@ -73,7 +73,7 @@ meanStepOver(const MlsSurface& surface, const SpiralSettings& settings)
   const double flat = stepOver(settings.tool_radius, 0.0, settings.scallop_height).value_or(0.0);
   double inverse = 0.0; // a mean of 1 / step-over, because the number of turns follows from it
   for (const SurfaceFoot& foot : feet) {
-    const double least = foot.valid ? std::min(foot.curvature1, foot.curvature2) : 0.0;
+    const double least = foot.valid ? spacingCurvature(settings.tool_radius, std::min(foot.curvature1, foot.curvature2)) : 0.0;
     inverse += 1.0 / std::min(4.0 * flat, stepOver(settings.tool_radius, least, settings.scallop_height).value_or(4.0 * flat));
   }
   return static_cast<double>(feet.size()) / inverse;

@@ -73,6 +73,7 @@ readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterP
     path.contacts.push_back(contact);
     path.normals.push_back(normal.normalized());
     path.turns.push_back(p.turn);
+    path.lifts.push_back(p.lift);
     with_axes = with_axes && axis.allFinite() && axis.norm() > 1e-6;
     if (with_axes)
       path.axes.push_back(axis.normalized());

@@ -26,6 +26,11 @@ public:
 
   float take(std::size_t i, const SurfaceFoot& foot)
   {
+    if (!path_.lifts.empty() && path_.lifts[i] > 0.0f) {
+      ++figures_.lifted;
+      raise(figures_.lift_max, path_.lifts[i], path_.contacts[i], i);
+      return std::numeric_limits<float>::quiet_NaN();
+    }
     if (reference_.inCreaseBand(path_.contacts[i]))
       return takeCrease(i, foot);
     if (!foot.valid) {

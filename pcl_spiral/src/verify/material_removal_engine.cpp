@@ -14,6 +14,8 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t chunk = 1u << 16; // places between progress reports
+constexpr double noise_share = 0.1;     // of the chord error, and
+constexpr double fit_share = 5.0;       // of the noise of the fit: depth of a ball that does not count
 constexpr std::size_t block = 32;       // consecutive places: the move found at one is tried first at the next
 
 /** One measurement, step by step. */
@@ -22,7 +24,10 @@ public:
   Measurement(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& settings,
               const ProgressCallback& progress, RemovalHeights& heights, RemovalFigures& figures)
   : reference_(reference), path_(path), sweep_(sweep), settings_(settings), progress_(progress), heights_(heights), figures_(figures),
-    index_(sweep.centres()), sampler_(reference, sweep, index_, settings, figures.reach)
+    index_(sweep.centres()),
+    ball_(reference.graph(), reference.surface(), settings.tool_radius,
+          reachTolerance(reference.surface(), std::max(noise_share * settings.chord_error, fit_share * reference.fitNoise()))),
+    sampler_(reference, sweep, index_, settings, figures.reach, ball_)
   {}
 
   bool overReference();
@@ -41,9 +46,10 @@ private:
   RemovalHeights& heights_;
   RemovalFigures& figures_;
   MoveIndex index_;
+  BallReach ball_;
   RemovalSampler sampler_;
   RemovalExtremes extremes_;
-  std::vector<float> main_, ridge_, rim_, crease_, steps_;
+  std::vector<float> main_, ridge_, rim_, crease_, unreached_, steps_;
   std::vector<Eigen::Vector3f> feet_;
 };
 
@@ -58,11 +64,15 @@ Measurement::count(std::size_t i, const SampleResult& result)
     return;
   }
   const Zone zone = result.zone;
-  (zone == Zone::Crease ? crease_ : zone == Zone::Rim ? rim_ : main_).push_back(result.stock);
+  const auto of = [zone](auto& main, auto& rim, auto& crease, auto& unreached) -> auto&
+  {
+    return zone == Zone::Crease ? crease : zone == Zone::Unreached ? unreached : zone == Zone::Rim ? rim : main;
+  };
+  of(main_, rim_, crease_, unreached_).push_back(result.stock);
   if (result.ridge == result.ridge)
     ridge_.push_back(result.ridge);
   if (!result.met) {
-    StockFigures& figures = zone == Zone::Crease ? figures_.crease : zone == Zone::Rim ? figures_.rim : figures_.stock;
+    StockFigures& figures = of(figures_.stock, figures_.rim, figures_.crease, figures_.unreached);
     if (figures.uncut++ == 0)
       figures.first_uncut = {result.stock, feet_[i].cast<double>(), result.move};
   }
@@ -187,6 +197,10 @@ Measurement::finish()
   finish(figures_.stock, main_, extremes_.stock);
   finish(figures_.rim, rim_, extremes_.rim);
   finish(figures_.crease, crease_, extremes_.crease);
+  finish(figures_.unreached, unreached_, extremes_.unreached);
+  figures_.fitting_radius = ball_.radius();
+  for (const UnreachedPoint& point : ball_.unreached())
+    figures_.fitting_radius = std::min<double>(figures_.fitting_radius, point.reach);
   figures_.crease_gouge = extremes_.crease_gouge;
   finish(figures_.scallop, ridge_, extremes_.scallop);
   figures_.rim_length = reference_.rimLength();

@@ -25,14 +25,15 @@ RemovalExtremes::merge(const RemovalExtremes& later)
   raise(scallop, later.scallop.value, later.scallop.position, later.scallop.index);
   raise(rim, later.rim.value, later.rim.position, later.rim.index);
   raise(gouge, later.gouge.value, later.gouge.position, later.gouge.index);
+  raise(unreached, later.unreached.value, later.unreached.position, later.unreached.index);
   raise(crease, later.crease.value, later.crease.position, later.crease.index);
   raise(crease_gouge, later.crease_gouge.value, later.crease_gouge.position, later.crease_gouge.index);
   raise(rim_gouge, later.rim_gouge.value, later.rim_gouge.position, later.rim_gouge.index);
 }
 
 RemovalSampler::RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index,
-                               const RemovalSettings& settings, double reach)
-: reference_(reference), sweep_(sweep), settings_(settings),
+                               const RemovalSettings& settings, double reach, const BallReach& ball)
+: reference_(reference), sweep_(sweep), settings_(settings), ball_(ball),
   field_(sweep, index, std::max(shallow_start * settings.scallop_height, settings.chord_error), reach), fit_radius_(reference.fitRadius())
 {}
 
@@ -57,6 +58,8 @@ RemovalSampler::zoneOf(const SurfaceFoot& foot, const Eigen::Vector3d& position,
 {
   if (reference_.inCreaseBand(position))
     return Zone::Crease;
+  if (ball_.isNearUnreached(position, reference_.graph().spacing()))
+    return Zone::Unreached;
   return foot.overhang > 0.0 || reference_.rimDistance(position, step) < step ? Zone::Rim : Zone::Main;
 }
 
@@ -88,7 +91,11 @@ RemovalSampler::at(const SurfaceFoot& foot, std::size_t& guess, RemovalExtremes&
     guess = stock.move;
   const bool crease = result.zone == Zone::Crease;
   raise(crease ? extremes.crease_gouge : extremes.gouge, -stock.height, foot.position, stock.move);
-  raise(crease ? extremes.crease : result.zone == Zone::Rim ? extremes.rim : extremes.stock, stock.height, foot.position, stock.move);
+  PlacedValue& most = crease                           ? extremes.crease
+                      : result.zone == Zone::Unreached ? extremes.unreached
+                      : result.zone == Zone::Rim       ? extremes.rim
+                                                       : extremes.stock;
+  raise(most, stock.height, foot.position, stock.move);
   if (!stock.met || result.zone != Zone::Main)
     return result;
   const double step = stepAcross(foot, field_.across(foot, stock.move));

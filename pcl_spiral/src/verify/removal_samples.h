@@ -6,6 +6,8 @@
 
 #include "stock_field.h"
 
+#include <pcl_spiral/surface/impl/ball_reach.h>
+
 #include <pcl_spiral/verify/impl/material_removal_engine.h>
 
 #include <cstdint>
@@ -14,12 +16,12 @@
 namespace pcl_spiral {
 
 /** The zone in which a sample counts. */
-enum class Zone : std::uint8_t { None, Main, Rim, Crease };
+enum class Zone : std::uint8_t { None, Main, Rim, Crease, Unreached };
 
 /** The extremes found, in a fixed order. */
 struct RemovalExtremes {
   static constexpr double none = -1e300; ///< below every height
-  PlacedValue stock{none, Eigen::Vector3d::Zero(), 0}, scallop = stock, rim = stock, crease = stock;
+  PlacedValue stock{none, Eigen::Vector3d::Zero(), 0}, scallop = stock, rim = stock, crease = stock, unreached = stock;
   PlacedValue gouge, rim_gouge, crease_gouge;
   void merge(const RemovalExtremes& later);
 };
@@ -36,8 +38,9 @@ struct SampleResult {
 /** Measures places one by one. */
 class RemovalSampler {
 public:
+  /** \p ball: what a ball of the tool radius reaches. */
   RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index, const RemovalSettings& settings,
-                 double reach);
+                 double reach, const BallReach& ball);
 
   /** Over the foot of a reference point; for one in the crease band over its place in the mesh. \p guess: the move tried first; it becomes
    *  the move found. */
@@ -58,6 +61,7 @@ private:
   const ReferenceSurface& reference_;
   const CutterSweep& sweep_;
   const RemovalSettings& settings_;
+  const BallReach& ball_;
   StockField field_;
   double fit_radius_;
 };

@@ -39,6 +39,9 @@ addContacts(FigureTable& table, const DeviationFigures& d, const Limits& limits)
       .knownIf(d.in_crease_band > 0)
       .named("Within {deviation/crease_band} of creases, where fits round them: {deviation/in_crease_band} contacts, largest distance "
              "from the fit; no verdict");
+  table.placed("deviation/lift_max", d.lift_max, height)
+      .knownIf(d.lifted > 0)
+      .named("Lift of {deviation/lifted} contacts off places that the ball does not reach, largest; no verdict");
   table.number("deviation/turn_wobble_rms", d.wobble.rms, height)
       .knownIf(d.wobble.measured > 0)
       .named("Wobble from turn to turn (deviation minus the mean of the two neighbouring turns), rms");
@@ -55,6 +58,7 @@ addDeviation(FigureTable& table, const DeviationFigures& d, const Limits& limits
   table.count("deviation/beyond_rim", d.beyond_rim);
   table.count("deviation/in_gaps", d.in_gaps);
   table.count("deviation/in_crease_band", d.in_crease_band);
+  table.count("deviation/lifted", d.lifted);
   table.number("deviation/crease_band", d.crease_band, band);
   table.count("deviation/unmeasured", d.unmeasured)
       .named("Contacts off the surface, not measured", "{deviation/unmeasured} of {deviation/points}");
@@ -100,6 +104,10 @@ addBands(FigureTable& table, const RemovalFigures& r, const Limits& limits)
   table.at("material/rim_band/max")
       .named("Stock within one step-over of the rim, highest")
       .limited("Limits::scallop", limits.scallop, r.rim.max.value, " left at the rim");
+  addStock(table, "material/unreached", r.unreached);
+  table.at("material/unreached/max").named("Stock where the ball does not reach, highest; no verdict");
+  table.number("material/fitting_radius", r.fitting_radius, step)
+      .named("Radius of the largest ball that reaches everything, at most the tool's");
   addStock(table, "material/crease_band", r.crease);
   table.at("material/crease_band/max").named("Stock within {deviation/crease_band} of creases, highest; no verdict");
 }

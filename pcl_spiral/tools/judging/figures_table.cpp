@@ -30,6 +30,9 @@ constexpr Line lines[] = {
     {"at creases", "{deviation/in_crease_band} points within {deviation/crease_band}, up to {deviation/crease_max} off the rounded "
                    "fit{@deviation/crease_max}"},
     {"", "stock up to {material/crease_band/max}{@material/crease_band/max}, gouge {material/crease_gouge}; no verdict"},
+    {"not reached", "stock up to {material/unreached/max}{@material/unreached/max}; a ball of radius {material/fitting_radius} reaches "
+                    "everything; no verdict"},
+    {"lifted there", "{deviation/lifted} points, by up to {deviation/lift_max}{@deviation/lift_max}"},
     {"off the surface", "{deviation/unmeasured} points"},
     {"normals", "p99 {#deviation/normal_p99}, max {deviation/normal_max}{@deviation/normal_max}"},
     {"turned normals", "{deviation/opposed_normals}{@deviation/opposed_normals}"},

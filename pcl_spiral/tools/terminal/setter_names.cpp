@@ -8,13 +8,16 @@
 namespace {
 
 /** Each first text is replaced by the second if the program has the first option in it. */
-constexpr std::array<std::pair<const char*, const char*>, 59> words{{
+constexpr std::array<std::pair<const char*, const char*>, 62> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setViewPoint", "--view-point"},
     {"setFlipNormals", "--flip-normals"},
     {"setOutlierRemoval", "--outliers"},
     {"setGapHandling", "--gaps"},
+    {"BallReach maps the", "--reach FILE maps the"},
+    {"setTightHandling refuses", "--tight refuse refuses"},
+    {"setTightHandling", "--tight"},
     {"setBoundaryMode", "--boundaries"},
     {"setLineMethod", "--lines"},
     {"setCenter", "--center"},

@@ -99,6 +99,22 @@ printSurface(const Job& job, const Result& result)
     std::printf("centre          %.3f, %.3f, %.3f\n", report.centre.x(), report.centre.y(), report.centre.z());
 }
 
+/** Prints what the ball does not reach. */
+void
+printTight(const pcl_spiral::SpiralReport& report)
+{
+  constexpr std::size_t most = 6;
+  for (std::size_t i = 0; i < std::min(most, report.tight_places.size()); ++i) {
+    const pcl_spiral::TightPlace& tight = report.tight_places[i];
+    std::printf("not reached     %.3g mm stay on %.4g mm2 at %.1f, %.1f, %.1f; a ball of radius %.4g mm reaches it\n", tight.height,
+                tight.area, tight.place.x(), tight.place.y(), tight.place.z(), tight.radius);
+  }
+  if (report.tight_places.size() > most)
+    std::printf("                and %zu other places; the .json report lists all\n", report.tight_places.size() - most);
+  if (report.lifted_length > 0.0)
+    std::printf("lifted          %.1f mm of path, by up to %.3g mm\n", report.lifted_length, report.largest_lift);
+}
+
 void
 printPath(const Job& job, const pcl_spiral::SpiralReport& report)
 {
@@ -117,6 +133,7 @@ printPath(const Job& job, const pcl_spiral::SpiralReport& report)
   if (report.gap_points > 0)
     std::printf("over gaps       %.1f mm at %zu point%s: bridged, estimated from the surface around the gaps\n", report.gap_length,
                 report.gap_points, plural(report.gap_points));
+  printTight(report);
   std::printf("machining time  %s at %g mm/min\n", duration(60.0 * report.path_length / job.settings.feed).c_str(), job.settings.feed);
 }
 

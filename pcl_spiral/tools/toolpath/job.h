@@ -23,6 +23,7 @@ struct Job {
   std::string scan;
   std::string config_file;
   std::vector<std::string> outputs;
+  std::string reach; ///< file for the map of the largest balls that reach the points; empty: none
   pcl_spiral::ReadOptions read = readFindingOrigin();
   pcl_spiral::SpiralSettings settings;
   ProgramJob program;

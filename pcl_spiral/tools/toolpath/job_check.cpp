@@ -85,6 +85,9 @@ checkOutputs(const Job& job)
     if (!isWritten(file))
       throw UsageError("-o " + file + ": extension '" + extensionOf(file) +
                        "' is not known; use .csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .json .html or .png");
+  if (const std::string extension = extensionOf(job.reach);
+      !job.reach.empty() && extension != ".csv" && extension != ".pcd" && extension != ".ply")
+    throw UsageError("--reach " + job.reach + ": the map of reach is a .csv, .pcd or .ply file; give one of these, such as reach.ply");
   const std::vector<std::string> files = filesOf(job);
   for (std::size_t i = 0; i < files.size(); ++i) {
     requireNoInput(files[i], {{"the scan", job.scan}, {"the machine's file", job.program.machine_file}, {"the job file", job.config_file}});
@@ -118,6 +121,8 @@ filesOf(const Job& job)
         files.push_back(besideName(output, picture.suffix));
     else
       files.push_back(output);
+  if (!job.reach.empty())
+    files.push_back(job.reach);
   return files;
 }
 

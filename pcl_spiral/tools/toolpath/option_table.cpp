@@ -53,6 +53,10 @@ files(Job& job)
         ".png  picture of the spiral on the surface; also NAME_lines.png: loops and radial lines; with --verify also "
         "NAME_deviation.png, NAME_stock.png, NAME_histogram.png; with a program NAME_rotary.png",
         [&job](const std::string& value) { job.outputs.push_back(value); }},
+       textOption("reach", "FILE",
+                  "map of the largest ball that reaches each point of the scan: .csv .pcd .ply with x, y, z and radius, up to four tool "
+                  "radii: --reach reach.ply",
+                  job.reach),
        choiceOption("units", units_help, job.read.unit),
        originOption(job.read),
        {"columns", "NAMES", "names of the columns of a text file, from the left; x, y and z are used: --columns id,x,y,z",
@@ -125,6 +129,10 @@ spiral(SpiralSettings& s)
                     "--pitch along",
                     s.pitch),
        choiceOption("lines", "how radial lines are found; default auto: --lines harmonic", s.lines),
+       choiceOption("tight",
+                    "places that the ball does not reach: it rides over them without a gouge, and what stays is reported; or a hollow "
+                    "tighter than the ball is refused; default ride: --tight refuse",
+                    s.tight),
        choiceOption("gaps", "gaps in the data are bridged or refused; default bridge: --gaps refuse", s.gaps)}};
 }
 

@@ -4,6 +4,7 @@
 #include "job_check.h"
 #include "program/machine_moves.h"
 #include "program/program_check.h"
+#include "reach_map.h"
 #include "terminal/file_names.h"
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
@@ -134,6 +135,8 @@ try {
     else
       writeToolpath(files.temporary(i++), *result.path, motion, values);
   }
+  if (!job.reach.empty())
+    writeReachMap(job, *result.surface, files.temporary(i++));
   clock.end("writing");
   for (const std::string& report : reports) {
     if (cancelled())

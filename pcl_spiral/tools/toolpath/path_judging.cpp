@@ -7,6 +7,12 @@
 
 using namespace pcl_spiral;
 
+bool
+judgedByTheSameSurface(const SpiralSettings& settings)
+{
+  return settings.thinning == 0.0 && settings.outlier_neighbours == 0;
+}
+
 void
 judge(const Job& job, Result& result)
 {
@@ -24,7 +30,7 @@ judge(const Job& job, Result& result)
   settings.sample_spacing = job.sample_spacing;
   if (result.mesh)
     settings.mesh = result.mesh->mesh;
-  else
+  else if (judgedByTheSameSurface(s))
     settings.surface = result.surface;
   std::shared_ptr<const ReferenceSurface> reference;
   Verification verification;

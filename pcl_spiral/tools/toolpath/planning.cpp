@@ -3,6 +3,7 @@
 #include "job_failure.h"
 #include "mesh_input.h"
 #include "terminal/scan_places.h"
+#include "path_judging.h"
 #include "terminal/setter_names.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
@@ -13,14 +14,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** Whether the planner's surface has all points that the verification needs: none was filtered out. */
-bool
-judgedByTheSameSurface(const SpiralSettings& settings)
-{
-  return settings.thinning == 0.0 && settings.outlier_neighbours == 0;
-}
-
-/** The surface of the samples of a mesh, or the one that planning and verification share. */
+/** The surface of the samples of a mesh, or the one that planning, verification and the map of reach share. */
 Surface::ConstPtr
 surfaceOf(const Job& job, const Result& result, ProgressBar& bar)
 {
@@ -32,6 +26,9 @@ surfaceOf(const Job& job, const Result& result, ProgressBar& bar)
     setSide(result.side, scanned);
   scanned.setFlipNormals(job.settings.flip_normals && !result.mesh);
   scanned.setLargestPart(job.settings.largest_part);
+  scanned.setThinning(result.mesh ? 0.0 : job.settings.thinning);
+  if (job.settings.outlier_neighbours > 0 && !result.mesh)
+    scanned.setOutlierRemoval(job.settings.outlier_neighbours, job.settings.outlier_deviations);
   scanned.setNumberOfThreads(job.settings.threads);
   scanned.setQuiet(true);
   scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.25 * share, stage); });
@@ -56,7 +53,7 @@ readInput(const Job& job, ProgressBar& bar, StageClock& clock, Result& result)
   clock.end("reading");
   if (cancelled())
     throw Cancelled();
-  if (!job.mesh && !(job.verify && judgedByTheSameSurface(job.settings)))
+  if (!job.mesh && job.reach.empty() && !(job.verify && judgedByTheSameSurface(job.settings)))
     return;
   result.surface = surfaceOf(job, result, bar);
   if (result.mesh)

@@ -20,7 +20,8 @@ namespace pcl_spiral {
  *  x y z is the cutter contact (mm), normal the unit surface normal out of the material. axis is the unit tool axis
  *  from the tip to the shank. arc_length is the length cut up to here (mm; lifts do not count), turn the number of spiral turns.
  *  arc_length is a double: in single precision, a path of kilometres loses a millimetre. over_gap is 1 where the scan has a
- *  bridged gap: there the surface is guessed from the surface around it.
+ *  bridged gap: there the surface is guessed from the surface around it. lift is the distance of x y z from the surface where the ball
+ *  is too large to touch it: contact + radius normal is always the centre of the ball.
  */
 struct EIGEN_ALIGN16 ToolpathPoint {
   ///@{
@@ -43,6 +44,7 @@ struct EIGEN_ALIGN16 ToolpathPoint {
   double arc_length = 0.0;   ///< mm, cut up to here; lifts do not count
   float turn = 0.0f;         ///< turns completed up to here; for rows, the number of the row
   std::uint8_t over_gap = 0; ///< 1 over a bridged gap of the scan
+  float lift = 0.0f;         ///< mm, off the surface where the ball does not reach it; 0 elsewhere
 
   ToolpathPoint()
   {
@@ -63,7 +65,8 @@ struct EIGEN_ALIGN16 ToolpathPoint {
 POINT_CLOUD_REGISTER_POINT_STRUCT(pcl_spiral::ToolpathPoint,
                                   (float, x, x)(float, y, y)(float, z, z)(float, normal_x, normal_x)(float, normal_y, normal_y)(
                                       float, normal_z, normal_z)(float, axis_x, axis_x)(float, axis_y, axis_y)(float, axis_z, axis_z)(
-                                      double, arc_length, arc_length)(float, turn, turn)(std::uint8_t, over_gap, over_gap))
+                                      double, arc_length, arc_length)(float, turn, turn)(std::uint8_t, over_gap, over_gap)(float, lift,
+                                                                                                                           lift))
 
 namespace pcl_spiral {
 

@@ -17,6 +17,11 @@ namespace pcl_spiral {
  * concave section this requires R < |rho|. If it is false there is no step-over and the ball gouges. */
 bool cutterFits(double radius, double curvature);
 
+/** The \p curvature by which turns are spaced where a ball of \p radius hardly fits or does not fit. With c = 1 + R kappa: kappa itself for
+ *  c of 0.05 and more. Below, no step-over exists, and the ball rests on the sides of the hollow: c is replaced by -c, but at
+ *  least 0.05, and at most 1, the plane. No scallop height follows from it there. */
+double spacingCurvature(double radius, double curvature);
+
 /** Exact step-over for scallop height h on a section of constant curvature.
  *
  *  From the triangle of centre of curvature, ball centre (rho + R) and ridge (rho + h):

@@ -21,9 +21,9 @@ struct ToolpathFile {
   Polyline tips;                       ///< tool tips, mm; empty if the file has none (all but .csv)
 };
 
-/** Reads a toolpath from .csv, .pcd, .ply or .vtp, as the writers make it. over_gap is read from .csv, .pcd and .ply where
- *  they have it, and is 0 elsewhere. A CSV may contain comment lines (#), as those of earlier versions do. \p origin, mm, is subtracted
- *  from contacts and tips in double precision: for a path in the coordinates of a scan, Scan::shift.
+/** Reads a toolpath from .csv, .pcd, .ply or .vtp, as the writers make it. over_gap and lift are read from .csv, .pcd and .ply
+ *  where they have them, and are 0 elsewhere. A CSV may contain comment lines (#), as those of earlier versions do. \p origin, mm, is
+ *  subtracted from contacts and tips in double precision: for a path in the coordinates of a scan, Scan::shift.
  *  \throw FileError with the line, byte or array that is missing or wrong */
 ToolpathFile readToolpath(const std::string& file, const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 

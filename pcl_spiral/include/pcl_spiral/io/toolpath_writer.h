@@ -47,7 +47,7 @@ extern const char* const toolpath_csv_header;
 
 /** Writes comma separated values under toolpath_csv_header: mm, mm/min, unit
  *  vectors; positions, lengths and turns with 6 decimals, vectors with 9, the
- *  feed with 3; over_gap is 1 over a bridged gap of the scan, else 0. There are no comment lines.
+ *  feed with 3; over_gap is 1 over a bridged gap of the scan, else 0; lift in mm with 6. There are no comment lines.
  *  The same bytes for any number of threads. \throw FileError */
 void writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion);
 
@@ -56,12 +56,13 @@ void writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoi
                       const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
 /** Writes a binary little-endian PLY: float x y z nx ny nz axis_x axis_y axis_z, double arc_length, float
- *  turn. The normal has the names that mesh viewers know; PCL reads them back as normal_x.. With an \p origin, as in ToolpathMotion,
- *  x y z are double. \throw FileError */
+ *  turn, uchar over_gap, float lift. The normal has the names that mesh viewers know; PCL reads them back as normal_x.. With an
+ *  \p origin, as in ToolpathMotion, x y z are double. \throw FileError */
 void writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
                       const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
-/** Writes one polyline per pass, with point data Normals, ToolAxis, Feed (if known), Turn, ArcLength, Tip (if tips are given), and
+/** Writes one polyline per pass, with point data Normals, ToolAxis, Feed (if known), Turn, ArcLength, OverGap and Lift (if any is not 0), Tip (if
+ *  tips are given), and
  *  Deviation and Scallop from \p values, if given. \throw FileError, std::invalid_argument for values that are not one per point */
 void writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion,
                       const PathValues& values = {});

@@ -17,6 +17,8 @@
 
 namespace pcl_spiral {
 
+class BallReach;
+
 /** A point of the unprojected spiral. */
 struct SpiralPoint {
   Eigen::Vector3d position; ///< mm
@@ -55,13 +57,17 @@ Status checkLines(const RadialLineSet& lines, double spacing);
 
 /** A toolpath as parallel arrays, in double precision. Other forms are derived from it. */
 struct SpiralPath {
-  Polyline contacts;                    ///< on the surface, mm
+  Polyline contacts;                    ///< on the surface, mm; lifted off it where the ball does not reach it
   std::vector<Eigen::Vector3d> normals; ///< unit, out of the material
   std::vector<Eigen::Vector3f> axes;    ///< unit, tip to shank
   std::vector<double> arc_lengths;      ///< cut so far, mm: lifts do not count
   std::vector<float> turns;             ///< completed up to each point
   std::vector<std::uint8_t> over_gap;   ///< 1 where the scan has a gap
   std::vector<std::size_t> passes;      ///< where the second and each later pass begins, with the tool lifted before; empty: one
+  Polyline feet;                        ///< of the contacts on the surface, if any is lifted; else empty
+  std::vector<float> lifts;             ///< distance of each contact from its foot, mm; empty like feet
+
+  const Polyline& onSurface() const { return feet.empty() ? contacts : feet; } ///< The feet of all contacts.
 };
 
 /** Result of measureGaps. */
@@ -112,10 +118,11 @@ bool isOverGap(const Surface& surface, const Eigen::Vector3d& place, std::uint32
 Status measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& figures);
 
 /** Put \p curve on \p surface: contacts, normals, turns and gap marks of \p path. Fails where the curve leaves the surface,
- *  where the cutter does not fit, and over a gap with GapHandling::Refuse. A step stretched beyond \p longest_step, mm,
- *  gets a point in its middle. */
+ *  where the cutter does not fit with TightHandling::Refuse, and over a gap with GapHandling::Refuse. A step stretched beyond
+ *  \p longest_step, mm, gets a point in its middle. With TightHandling::Ride, contacts are lifted off the surface where the ball does not
+ *  reach it. \p reach of the ball on this surface; null: made here. */
 Status putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings, double longest_step,
-                    const ProgressCallback& progress, SpiralPath& path, GapFigures& figures);
+                    const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach = nullptr);
 
 /** Tool axes of \p path: tilted, smoothed, limited to the largest rate. Fails where the axis would lie in the surface. */
 Status setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, std::vector<std::string>& warnings);

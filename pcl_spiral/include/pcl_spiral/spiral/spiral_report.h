@@ -24,6 +24,14 @@ struct HoleReport {
   HoleHandling handling = HoleHandling::Around;    ///< Around or Over
 };
 
+/** A place that the ball does not reach: where more than the scallop height stays. */
+struct TightPlace {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< of the surface, under the most stock
+  double height = 0.0;                             ///< of the stock there, mm
+  double area = 0.0;                               ///< of the surface under more stock than the scallop height, mm^2
+  double radius = 0.0;                             ///< of the largest ball that reaches all of it, mm
+};
+
 /** Figures of a run: counts, lengths in mm, times in s. */
 struct SpiralReport {
   std::size_t input_points = 0;     ///< of the cloud, or of its indices
@@ -74,6 +82,10 @@ struct SpiralReport {
   double smallest_step_over = 0.0;                          ///< between neighbouring turns, measured on the path by measureTurns
   Eigen::Vector3d closest_place = Eigen::Vector3d::Zero();  ///< where it is
   double largest_step_over = 0.0;                           ///< that the scallop height allows
+  std::vector<TightPlace> tight_places;                     ///< that the ball does not reach, the highest stock first
+  double fitting_radius = 0.0;                              ///< of the largest ball that reaches everything, at most the tool radius
+  double lifted_length = 0.0;                               ///< of the path, off the surface where the ball does not reach it
+  double largest_lift = 0.0;                                ///< off the surface, mm
   std::size_t reversals = 0;                                ///< places where the path turns back on itself, see PathReversals
   double corner_ridge = 0.0;           ///< predicted height of ridges at corners, if above the scallop height; else 0; the
                                        ///< tool radius if material is left uncut

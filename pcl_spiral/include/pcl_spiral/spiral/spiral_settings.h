@@ -47,6 +47,11 @@ enum class GapHandling {
   Bridge, ///< the path runs over them on a smooth patch, and is marked there
   Refuse  ///< a scan with gaps is refused
 };
+/** What to do with places that the ball does not reach: hollows tighter than it, corners between walls, crevices. */
+enum class TightHandling {
+  Ride,  ///< the ball runs over them without a gouge; what it leaves is reported. SpiralMethod::Published only warns that it gouges there
+  Refuse ///< a surface with a hollow tighter than the ball is refused
+};
 /** How lines between the boundaries are found. */
 enum class LineMethod {
   Automatic, ///< geodesics, or gradient lines of the harmonic function where geodesics merge
@@ -90,13 +95,14 @@ struct SpiralSettings {
   HoleHandling holes = HoleHandling::Around;    ///< what to do with holes of the part
   double hole_size = 0.0;   ///< least width of a hole of the part; narrower ones are gaps in the data. 0: from the scan, BoundaryOptions
   double hole_margin = 0.0; ///< the path stays this far from holes
-  GapHandling gaps = GapHandling::Bridge;   ///< what to do with gaps in the data
-  LineMethod lines = LineMethod::Automatic; ///< how radial lines are found
-  bool largest_part = false;                ///< keep only the part with the largest area if there are several
-  double thinning = 0.0;                    ///< voxel edge of the thinning filter; 0: no thinning
-  int outlier_neighbours = 0;               ///< neighbours of the statistical outlier filter; 0: no filter
-  double outlier_deviations = 3.0;          ///< its threshold in standard deviations
-  unsigned int threads = 0;                 ///< 0: all
+  GapHandling gaps = GapHandling::Bridge;    ///< what to do with gaps in the data
+  TightHandling tight = TightHandling::Ride; ///< what to do with places that the ball does not reach
+  LineMethod lines = LineMethod::Automatic;  ///< how radial lines are found
+  bool largest_part = false;                 ///< keep only the part with the largest area if there are several
+  double thinning = 0.0;                     ///< voxel edge of the thinning filter; 0: no thinning
+  int outlier_neighbours = 0;                ///< neighbours of the statistical outlier filter; 0: no filter
+  double outlier_deviations = 3.0;           ///< its threshold in standard deviations
+  unsigned int threads = 0;                  ///< 0: all
 };
 
 /** Allowed error of a turn between radial lines, mm: a fiftieth of the step-over on a plane. */

@@ -16,6 +16,8 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <memory>
+
 namespace pcl_spiral {
 
 /** One continuous spiral over a scanned surface with one boundary (a dome) or two (an annulus).
@@ -163,6 +165,9 @@ public:
   /** What to do with gaps in the data; Bridge by default. */
   void setGapHandling(GapHandling gaps) { settings_.gaps = gaps; }
   GapHandling getGapHandling() const { return settings_.gaps; } ///< The value of setGapHandling.
+  /** What to do with places that the ball does not reach; Ride by default. */
+  void setTightHandling(TightHandling tight) { settings_.tight = tight; }
+  TightHandling getTightHandling() const { return settings_.tight; } ///< The value of setTightHandling.
   /** How radial lines are found; Automatic by default. Published ignores it. */
   void setLineMethod(LineMethod method) { settings_.lines = method; }
   LineMethod getLineMethod() const { return settings_.lines; } ///< The value of setLineMethod.
@@ -195,7 +200,7 @@ private:
   Status makeSurface(Surface::ConstPtr& surface);
   Status makeLoops(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops);
   Status makeLines(const Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, RadialLineSet& lines);
-  Status makeCurve(Surface::ConstPtr& surface, StageClock& clock, SpiralTurns& turns);
+  Status makeCurve(Surface::ConstPtr& surface, StageClock& clock, SpiralTurns& turns, std::unique_ptr<BallReach>& reach);
   Status makeShortest(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
   Status makeRadial(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
   Status makeOnLines(Surface::ConstPtr& surface, const RadialLineSet& lines, StageClock& clock, SpiralTurns& turns);

@@ -59,6 +59,8 @@ struct DeviationFigures {
   std::size_t in_crease_band = 0;    ///< within crease_band of a crease of the mesh, where a fit rounds it; not part of the other figures
   double crease_band = 0.0;          ///< see ReferenceSurface::creaseBand
   PlacedValue crease_max;            ///< the largest distance of these from the rounded fit, with its sign; not a verdict
+  std::size_t lifted = 0;            ///< off the surface by their own account (ToolpathPoint::lift); not part of the other figures
+  PlacedValue lift_max;              ///< the largest of these lifts; no verdict: gouges and stock show whether it is right
   PlacedValue normal_error;          ///< largest angle between the path's normal and the surface's
   double normal_p99 = 0.0;           ///< 99th percentile of that angle
   std::size_t opposed = 0;           ///< points whose normal points into the material
@@ -95,24 +97,27 @@ struct RemovalFigures {
   std::size_t reference_points = 0; ///< of the scan, or samples of the mesh
   std::size_t unmeasured = 0;       ///< reference points without a fit of the surface
   StockFigures stock;               ///< at the reference points farther than one step-over from the rim
-  StockFigures scallop;      ///< at the tops of the ridges next to these points; max also next to every path point and between path points
-  StockFigures rim;          ///< at the reference points within one step-over of the rim
-  PlacedValue gouge;         ///< deepest, at reference points and along every move; 0 if there is none
-  PlacedValue rim_gouge;     ///< the same for moves just outside the outermost points, below the extended surface; not looked for in gaps
-  StockFigures crease;       ///< at the reference points within crease_band of a crease of the mesh, above the mesh
-                             ///< itself. Not part of the other figures: a ball leaves stock in every hollow crease
-  PlacedValue crease_gouge;  ///< the deepest there
-  double crease_band = 0.0;  ///< see ReferenceSurface::creaseBand
-  double limit = 0.0;        ///< 1.02 scallop heights plus the chord error
-  double reach = 0.0;        ///< as used
-  double area = 0.0;         ///< mm^2
-  double rim_length = 0.0;   ///< mm
-  double least_length = 0.0; ///< mm: no path of this scallop height is much shorter, see leastLength
-  double path_length = 0.0;  ///< mm
-  double efficiency = 0.0;   ///< eta = least_length / path_length
-  double noise = 0.0;        ///< see ReferenceSurface::noise
-  double fit_noise = 0.0;    ///< see ReferenceSurface::fitNoise; heights below three times this are not known
-  double seconds = 0.0;      ///< wall time of the measurement
+  StockFigures scallop;   ///< at the tops of the ridges next to these points; max also next to every path point and between path points
+  StockFigures rim;       ///< at the reference points within one step-over of the rim
+  PlacedValue gouge;      ///< deepest, at reference points and along every move; 0 if there is none
+  PlacedValue rim_gouge;  ///< the same for moves just outside the outermost points, below the extended surface; not looked for in gaps
+  StockFigures unreached; ///< at the reference points that a ball of this radius does not reach, and within one spacing of them. Not
+                          ///< part of the other figures
+  double fitting_radius = 0.0;       ///< of the largest ball that reaches everything, at most that of the tool; mm
+  StockFigures crease;               ///< at the reference points within crease_band of a crease of the mesh, above the mesh
+                                     ///< itself. Not part of the other figures: a ball leaves stock in every hollow crease
+  PlacedValue crease_gouge;          ///< the deepest there
+  double crease_band = 0.0;          ///< see ReferenceSurface::creaseBand
+  double limit = 0.0;                ///< 1.02 scallop heights plus the chord error
+  double reach = 0.0;                ///< as used
+  double area = 0.0;                 ///< mm^2
+  double rim_length = 0.0;           ///< mm
+  double least_length = 0.0;         ///< mm: no path of this scallop height is much shorter, see leastLength
+  double path_length = 0.0;          ///< mm
+  double efficiency = 0.0;           ///< eta = least_length / path_length
+  double noise = 0.0;                ///< see ReferenceSurface::noise
+  double fit_noise = 0.0;            ///< see ReferenceSurface::fitNoise; heights below three times this are not known
+  double seconds = 0.0;              ///< wall time of the measurement
   std::vector<std::string> warnings; ///< in full sentences, with the remedy
 };
 

@@ -8,28 +8,31 @@
 #include <pcl_spiral/io/toolpath_reader.h>
 
 #include <algorithm>
+#include <array>
 
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t longest_head = 64; ///< lines
-const char* const gap_column = "over_gap";
+constexpr std::size_t longest_head = 64;                            ///< lines
+const std::array<const char*, 2> later_columns{"over_gap", "lift"}; // files of earlier versions and of other programs have none
 
-/** True if a line of the head of a .csv, .pcd or .ply names the column; files of earlier versions and of other programs have none. */
-bool
-hasGapColumn(std::string_view bytes)
+/** Those of later_columns that a line of the head of a .csv, .pcd or .ply names. */
+Names
+laterColumns(std::string_view bytes)
 {
   LineScanner lines(bytes);
   std::string_view line;
   std::vector<std::string_view> words;
+  Names found;
   while (lines.number() < longest_head && lines.next(line)) {
-    if (line.find(gap_column) == std::string_view::npos || line[0] == '#' || line.substr(0, 7) == "comment")
+    if (line.empty() || line[0] == '#' || line.substr(0, 7) == "comment")
       continue;
     splitWords(line, line.find(',') != std::string_view::npos ? ',' : ' ', words);
-    if (std::find(words.begin(), words.end(), gap_column) != words.end())
-      return true;
+    for (const char* const name : later_columns)
+      if (std::find(words.begin(), words.end(), name) != words.end() && std::find(found.begin(), found.end(), name) == found.end())
+        found.emplace_back(name);
   }
-  return false;
+  return found;
 }
 
 /** The place that the coordinates of a .pcd are relative to, from its comment; zero if it has none. */
@@ -56,12 +59,18 @@ originOf(const std::string& file, std::string_view bytes)
   return Eigen::Vector3d::Zero();
 }
 
-/** Columns of a path: x y z, normal, axis, arc length, turn, and feed and tip if present; the last is over_gap if it is \p marked.
+/** Columns of a path: x y z, normal, axis, arc length, turn, and feed and tip if present; the last are \p later.
  *  \p origin is subtracted. */
 ToolpathFile
-fromColumns(const PointTable& table, const Eigen::Vector3d& origin, bool marked = false)
+fromColumns(const PointTable& table, const Eigen::Vector3d& origin, const Names& later = {})
 {
-  const std::size_t columns = table.size() - (marked ? 1 : 0);
+  const std::size_t columns = table.size() - later.size();
+  const auto column = [&](const char* name) {
+    const auto at = std::find(later.begin(), later.end(), name);
+    return at == later.end() ? nullptr : &table[columns + static_cast<std::size_t>(at - later.begin())];
+  };
+  const auto* const gaps = column(later_columns[0]);
+  const auto* const lifts = column(later_columns[1]);
   ToolpathFile file;
   file.path.resize(table[0].size());
   for (std::size_t i = 0; i < file.path.size(); ++i) {
@@ -73,7 +82,8 @@ fromColumns(const PointTable& table, const Eigen::Vector3d& origin, bool marked 
     }
     point.arc_length = table[9][i];
     point.turn = static_cast<float>(table[10][i]);
-    point.over_gap = marked && table[columns][i] != 0.0;
+    point.over_gap = gaps && (*gaps)[i] != 0.0;
+    point.lift = lifts ? static_cast<float>((*lifts)[i]) : 0.0f;
   }
   if (columns > 11)
     file.feed = table[11];
@@ -107,13 +117,12 @@ readToolpath(const std::string& file, const Eigen::Vector3d& origin)
   const Names tail{"axis_x", "axis_y", "axis_z", "arc_length", "turn"};
   const auto readColumns = [&](const auto& table_of, Names wanted, const Names& last = {}) {
     const auto bytes = readBytes(file);
-    const bool marked = hasGapColumn(bytes);
+    const Names later = laterColumns(bytes);
     wanted.insert(wanted.end(), tail.begin(), tail.end());
     wanted.insert(wanted.end(), last.begin(), last.end());
-    if (marked)
-      wanted.emplace_back(gap_column);
+    wanted.insert(wanted.end(), later.begin(), later.end());
     const Eigen::Vector3d added = extension == ".pcd" ? originOf(file, bytes) : Eigen::Vector3d::Zero();
-    return fromColumns(table_of(file, bytes, wanted), origin - added, marked);
+    return fromColumns(table_of(file, bytes, wanted), origin - added, later);
   };
   const auto readText = [](const auto&... of) { return readTextTable(of...); };
   const auto readPcd = [](const auto&... of) { return readPcdTable(of...); };

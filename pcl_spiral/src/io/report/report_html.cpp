@@ -46,6 +46,23 @@ scallopRows(const SpiralReport& r)
           {"Radius of the sharpest turns", formatted("%.2f step-overs", r.turn_radius)}};
 }
 
+/** What the ball does not reach, the highest places first. */
+HtmlRows
+tightRows(const SpiralReport& r)
+{
+  constexpr std::size_t most = 12;
+  HtmlRows rows;
+  for (std::size_t i = 0; i < std::min(most, r.tight_places.size()); ++i)
+    rows.push_back({"Not reached by the ball", formatted("%.4g mm stay, on %.4g mm\u00b2; a ball of radius %.4g mm reaches it; at ",
+                                                         r.tight_places[i].height, r.tight_places[i].area, r.tight_places[i].radius) +
+                                                   place(r.tight_places[i].place)});
+  if (r.tight_places.size() > most)
+    rows.push_back({"Other places not reached", std::to_string(r.tight_places.size() - most)});
+  if (r.lifted_length > 0.0)
+    rows.push_back({"Path off the surface there", formatted("%.1f mm, by up to %.4g mm", r.lifted_length, r.largest_lift)});
+  return rows;
+}
+
 void
 addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
 {
@@ -69,6 +86,8 @@ addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
                              {"Radial lines", formatted("%zu, %s", r.radial_lines.size(), r.harmonic_lines ? "harmonic" : "geodesic")}});
   if (r.gap_points > 0)
     rows.push_back({"Over gaps of the scan, bridged: estimated", formatted("%zu points, %.1f mm", r.gap_points, r.gap_length)});
+  for (const auto& row : tightRows(r))
+    rows.push_back(row);
   if (r.boundaries == 1 && r.method != SpiralMethod::ConstantScallop)
     rows.push_back({"Centre", place(r.centre)});
   if (r.deviating_points > 0)
@@ -162,6 +181,7 @@ addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
                                         : s.rim_overhang > 0.0 ? formatted("%g mm beyond the rim", s.rim_overhang)
                                                                : formatted("%g mm inside the rim", -s.rim_overhang)},
                  {"Gaps in the scan", choiceName(s.gaps)},
+                 {"Places that the ball does not reach", choiceName(s.tight)},
                  {"Thinning", s.thinning > 0.0 ? formatted("%g mm", s.thinning) : "none"},
                  {"Outlier filter", s.outlier_neighbours > 0
                                         ? formatted("%d neighbours, %g standard deviations", s.outlier_neighbours, s.outlier_deviations)

@@ -58,6 +58,7 @@ settingsJson(const SpiralSettings& s)
           {"lines", choiceName(s.lines)},
           {"largest", s.largest_part},
           {"gaps", choiceName(s.gaps)},
+          {"tight", choiceName(s.tight)},
           {"thin", s.thinning},
           {"outliers", s.outlier_neighbours > 0 ? Json::array({s.outlier_neighbours, s.outlier_deviations}) : Json()},
           {"threads", s.threads}};
@@ -86,6 +87,21 @@ holesJson(const SpiralReport& report)
   for (const HoleReport& hole : report.holes)
     holes.push_back({{"place", toJson(hole.place)}, {"width", hole.width}, {"path", choiceName(hole.handling)}});
   return holes;
+}
+
+/** What the ball does not reach; null with TightHandling::Refuse and with the published method. */
+Json
+tightJson(const SpiralReport& report)
+{
+  if (!(report.fitting_radius > 0.0))
+    return {};
+  Json places = Json::array();
+  for (const TightPlace& place : report.tight_places)
+    places.push_back({{"place", toJson(place.place)}, {"height", place.height}, {"area", place.area}, {"radius", place.radius}});
+  return {{"fitting_radius", report.fitting_radius},
+          {"lifted_length", report.lifted_length},
+          {"largest_lift", report.largest_lift},
+          {"places", places}};
 }
 
 /** Figures of the path at constant scallop height. */
@@ -216,6 +232,7 @@ writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSett
                {"loops", loopsJson(report)},
                {"holes", holesJson(report)},
                {"path", pathJson(report, settings.feed)},
+               {"not_reached", tightJson(report)},
                {"seconds", secondsJson(report.stages)},
                {"memory", memoryJson(report.stages)},
                {"warnings", warnings}};

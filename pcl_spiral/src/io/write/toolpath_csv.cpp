@@ -9,7 +9,7 @@
 namespace pcl_spiral {
 
 const char* const toolpath_csv_header = "turn,arc_length,cc_x,cc_y,cc_z,normal_x,normal_y,normal_z,tip_x,tip_y,tip_z,"
-                                        "axis_x,axis_y,axis_z,feed,over_gap";
+                                        "axis_x,axis_y,axis_z,feed,over_gap,lift";
 
 namespace {
 
@@ -42,6 +42,8 @@ writeRow(char* out, const ToolpathPoint& point, std::size_t i, const ToolpathMot
     out = writeField<9>(out, point.data_axis[c]);
   out = writeField<3>(out, motion.feed);
   *out++ = point.over_gap != 0 ? '1' : '0';
+  *out++ = ',';
+  out = writeFixed<6>(out, point.lift);
   *out++ = '\n';
   return out;
 }
@@ -59,7 +61,7 @@ writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
     for (std::size_t b = 0; b < blocks_a_round; ++b) {
       const std::size_t first = begin + b * rows_a_block;
       const std::size_t last = std::min(first + rows_a_block, path.size());
-      constexpr std::size_t room = 15 * (fixed_point_room + 1) + 2; // and the mark of a gap
+      constexpr std::size_t room = 16 * (fixed_point_room + 1) + 2; // and the mark of a gap
       std::size_t size = 0;
       for (std::size_t i = first; i < last; ++i) {
         if (blocks[b].size() < size + room)

@@ -17,7 +17,7 @@ writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
     header += std::string(origin.isZero() ? "property float " : "property double ") + name + "\n";
   for (const char* name : {"nx", "ny", "nz", "axis_x", "axis_y", "axis_z"})
     header += std::string("property float ") + name + "\n";
-  out.write(header + "property double arc_length\nproperty float turn\nproperty uchar over_gap\nend_header\n");
+  out.write(header + "property double arc_length\nproperty float turn\nproperty uchar over_gap\nproperty float lift\nend_header\n");
   out.write(toolpathRows(path, origin));
   out.close();
 }

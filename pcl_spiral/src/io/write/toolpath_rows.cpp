@@ -6,7 +6,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t bytes_behind_place = 6 * sizeof(float) + sizeof(double) + sizeof(float) + 1;
+constexpr std::size_t bytes_behind_place = 6 * sizeof(float) + sizeof(double) + sizeof(float) + 1 + sizeof(float);
 
 template <typename T>
 char*
@@ -33,6 +33,7 @@ toolpathRows(const pcl::PointCloud<ToolpathPoint>& path, const Eigen::Vector3d& 
     at = put(at, point.arc_length);
     at = put(at, point.turn);
     at = put(at, point.over_gap);
+    at = put(at, point.lift);
   }
   return rows;
 }

@@ -12,8 +12,8 @@
 
 namespace pcl_spiral {
 
-/** For every point: float x y z, normal, axis, double arc_length, float turn, uchar over_gap, little-endian. With an \p origin x y z
- *  are double, and it is added to them. */
+/** For every point: float x y z, normal, axis, double arc_length, float turn, uchar over_gap, float lift, little-endian. With an
+ *  \p origin x y z are double, and it is added to them. */
 std::string toolpathRows(const pcl::PointCloud<ToolpathPoint>& path, const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
 } // namespace pcl_spiral

@@ -92,6 +92,9 @@ polyData(const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motio
   const auto over_gap = [](const P& p) { return p.over_gap != 0; };
   if (std::any_of(path.begin(), path.end(), over_gap))
     arrays->AddArray(pointArray<vtkUnsignedCharArray>("OverGap", 1, path, [](const P& p, int) { return p.over_gap; }));
+  const auto lifted = [](const P& p) { return p.lift != 0.0f; };
+  if (std::any_of(path.begin(), path.end(), lifted))
+    arrays->AddArray(pointArray<vtkFloatArray>("Lift", 1, path, [](const P& p, int) { return p.lift; }));
   if (!motion.tips.empty()) {
     vtkNew<vtkDoubleArray> tips;
     tips->SetName("Tip");

@@ -29,11 +29,11 @@ movesPerMillimetre(const Surface& surface, const SpiralSettings& settings)
   const double longest = settings.max_step > 0.0 ? settings.max_step : settings.tool_radius;
   double sum = 0.0, count = 0.0;
   for (const SurfaceFoot& foot : feet)
-    for (const double curvature : {foot.valid ? foot.curvature1 : 0.0, foot.valid ? foot.curvature2 : 0.0})
-      if (cutterFits(settings.tool_radius, curvature)) { // if it does not fit, there will be no path
-        sum += 1.0 / stepFromChordErrorAtCentre(settings.tool_radius, curvature, settings.chord_error, longest);
-        count += 1.0;
-      }
+    for (const double curvature : {foot.valid ? foot.curvature1 : 0.0, foot.valid ? foot.curvature2 : 0.0}) {
+      const double spaced = spacingCurvature(settings.tool_radius, curvature);
+      sum += 1.0 / stepFromChordErrorAtCentre(settings.tool_radius, spaced, settings.chord_error, longest);
+      count += 1.0;
+    }
   return sum / std::max(count, 1.0);
 }
 

@@ -48,9 +48,8 @@ allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSetting
                         after = i + 1 < n && !beginsPass(path.passes, i + 1) ? i + 1 : i;
       const Eigen::Vector3d along = path.points[after] - path.points[before];
       const Eigen::Vector3d tangent = (along - feet[k].normal * feet[k].normal.dot(along)).normalized();
-      const double curvature = feet[k].normalCurvature(tangent);
-      const bool fits = cutterFits(settings.tool_radius, curvature); // if not, the path is refused later, on the surface
-      const double step = fits ? stepFromChordErrorAtCentre(settings.tool_radius, curvature, settings.chord_error, longest) : longest;
+      const double curvature = spacingCurvature(settings.tool_radius, feet[k].normalCurvature(tangent));
+      const double step = stepFromChordErrorAtCentre(settings.tool_radius, curvature, settings.chord_error, longest);
       steps[i] = step_reserve * std::max(step, least_step * longest);
     }
   }

@@ -4,6 +4,7 @@
 #include <pcl_spiral/spiral/spiral_path.h>
 
 #include "path_feet.h"
+#include "tight_ride.h"
 
 #include "core/self_crossing.h"
 #include "core/smooth_axes.h"
@@ -100,12 +101,12 @@ void
 forPasses(const SpiralPath& path, Visit visit)
 {
   if (path.passes.empty()) // no copies
-    return visit(path.contacts, path.normals);
+    return visit(path.onSurface(), path.normals);
   for (const PassRange& pass : passRanges(path.passes, path.contacts.size())) {
     const auto part = [&pass](const std::vector<Eigen::Vector3d>& values) {
       return Polyline(values.begin() + static_cast<std::ptrdiff_t>(pass.begin), values.begin() + static_cast<std::ptrdiff_t>(pass.end));
     };
-    visit(part(path.contacts), part(path.normals));
+    visit(part(path.onSurface()), part(path.normals));
   }
 }
 
@@ -166,7 +167,7 @@ measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& 
 
 Status
 putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings, double longest_step,
-             const ProgressCallback& progress, SpiralPath& path, GapFigures& figures)
+             const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach)
 {
   TightPlaces tight(settings.tool_radius);
   path.contacts.resize(curve.size());
@@ -202,8 +203,9 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
               textOf("the path leaves the scanned surface at ", placeText(asked.position), " in turn ", asked.turn,
                      ": the scan has a gap or a ragged rim there; scan it again, more densely, or cut the ragged part away")};
     }
-    for (const SurfaceFoot& foot : feet)
-      tight.add(foot);
+    if (settings.tight == TightHandling::Refuse)
+      for (const SurfaceFoot& foot : feet)
+        tight.add(foot);
     if (progress && !progress(static_cast<double>(end) / static_cast<double>(curve.size()), "projection"))
       return {StatusCode::Cancelled, "cancelled"};
   }
@@ -211,6 +213,9 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
     return tight.refusal("path points", &surface);
   for (int round = 0; round < most_halvings && halveStretchedSteps(surface, longest_step, path); ++round)
     ;
+  if (settings.tight == TightHandling::Ride)
+    if (const Status status = rideTightPlaces(surface, reach, settings, longest_step, path); !status.ok())
+      return status;
   path.arc_lengths = cutLengths(path);
   return measureGaps(path, settings, figures);
 }
@@ -249,11 +254,12 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
           PathFigures& figures)
 {
   figures = PathFigures();
+  const Polyline& feet = path.onSurface();
   for (std::size_t i = 1; i < path.contacts.size(); ++i) {
     if (beginsPass(path.passes, i))
       continue;
-    const double gap = (path.contacts[i] - path.contacts[i - 1]).norm();
-    figures.largest_gap = std::max(figures.largest_gap, gap);
+    figures.largest_gap = std::max(figures.largest_gap, (path.contacts[i] - path.contacts[i - 1]).norm());
+    const double gap = (feet[i] - feet[i - 1]).norm();
     if (!(gap <= slack * longest_step))
       return {StatusCode::Failed, textOf("the path jumps by ", gap, " mm at ", placeText(path.contacts[i]), " in turn ", path.turns[i],
                                          ", more than the longest step of ", longest_step,
@@ -268,7 +274,7 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
     cancelled = progress && !progress(share, "crossings");
     return !cancelled;
   };
-  const auto crossing = firstSelfCrossing(path.contacts, path.normals, settings.chord_error, go_on, path.passes);
+  const auto crossing = firstSelfCrossing(path.onSurface(), path.normals, settings.chord_error, go_on, path.passes);
   if (cancelled)
     return {StatusCode::Cancelled, "cancelled"};
   if (crossing)

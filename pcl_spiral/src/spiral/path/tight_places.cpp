@@ -2,13 +2,12 @@
 #include <pcl_spiral/spiral/impl/tight_places.h>
 
 #include "path_feet.h"
+#include "place_groups.h"
 
 #include <pcl_spiral/common/impl/message.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <set>
 
 namespace pcl_spiral {
 namespace {
@@ -68,27 +67,8 @@ TightPlaces::add(const std::vector<RadialLine>& lines)
 std::size_t
 TightPlaces::count() const
 {
-  using Cell = std::array<long, 3>; // edge: half the tool radius
-  std::set<Cell> cells;
-  for (const Eigen::Vector3d& foot : feet_) {
-    const Eigen::Array3d at = ((foot - feet_.front()) / (0.5 * tool_radius_)).array().floor();
-    cells.insert({static_cast<long>(at.x()), static_cast<long>(at.y()), static_cast<long>(at.z())});
-  }
   std::size_t places = 0;
-  std::vector<Cell> open;
-  for (; !cells.empty(); ++places) {
-    open.assign(1, *cells.begin());
-    cells.erase(cells.begin());
-    while (!open.empty()) {
-      const Cell cell = open.back();
-      open.pop_back();
-      for (int k = 0; k < 27; ++k) {
-        const Cell beside{cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1};
-        if (cells.erase(beside) > 0)
-          open.push_back(beside);
-      }
-    }
-  }
+  placeGroups(feet_, 0.5 * tool_radius_, places);
   return places;
 }
 
@@ -99,9 +79,10 @@ TightPlaces::refusal(const std::string& what, const Surface* surface) const
   const double fitting = remedyRadius(surface ? tightestOf(*surface, radius_) : radius_);
   return {StatusCode::Failed,
           textOf("the surface is hollow with radius ", radius_, " mm at ", placeText(place_), ", tighter than the tool radius ",
-                 tool_radius_, " mm: the cutter would gouge; use a smaller tool: a radius of ", fitting, " mm fits everywhere",
-                 surface ? " on the scan" : "", ". This is the tightest of ", feet_.size(), " ", what, " that are too tight, in ", places,
-                 places == 1 ? " place" : " separate places")};
+                 tool_radius_,
+                 " mm: the cutter would gouge; let the ball ride over such places (setTightHandling), or use a smaller tool: a radius of ",
+                 fitting, " mm fits everywhere", surface ? " on the scan" : "", ". This is the tightest of ", feet_.size(), " ", what,
+                 " that are too tight, in ", places, places == 1 ? " place" : " separate places")};
 }
 
 Status

@@ -21,7 +21,7 @@ constexpr double widest_steps = 5.0; // flat step-overs: metrics allow 4.5, see 
 void
 measureTurns(const SpiralPath& path, const SpiralSettings& settings, PathFigures& figures)
 {
-  const TurnedPath turned{path.contacts, path.turns, path.passes};
+  const TurnedPath turned{path.onSurface(), path.turns, path.passes};
   const std::vector<std::uint8_t> counted = betweenEnds(turned);
   figures.reversals = findReversals(turned, counted);
   const double flat = stepOver(settings.tool_radius, 0.0, settings.scallop_height).value_or(settings.tool_radius);

@@ -36,10 +36,11 @@ closestTurns(const SpiralPath& path, const std::vector<std::uint8_t>& counted, c
   ClosestTurns closest;
   if (std::none_of(counted.begin(), counted.end(), [](std::uint8_t marked) { return marked != 0; }))
     return closest;
-  const MoveIndex index(path.contacts);
+  const Polyline& contacts = path.onSurface();
+  const MoveIndex index(contacts);
   Nearest least;
   least.distance = within;
-  const auto count = static_cast<std::int64_t>(path.contacts.size());
+  const auto count = static_cast<std::int64_t>(contacts.size());
 #pragma omp parallel
   {
     Nearest mine = least;
@@ -47,21 +48,21 @@ closestTurns(const SpiralPath& path, const std::vector<std::uint8_t>& counted, c
     for (std::int64_t i = 0; i < count; ++i) {
       if (!counted[i])
         continue;
-      const Eigen::Vector3d& place = path.contacts[i];
+      const Eigen::Vector3d& place = contacts[i];
       index.search(
           place, [&mine] { return mine.distance; },
           [&](std::size_t move) {
             if (!counted[move] || !counted[move + 1] || beginsPass(path.passes, move + 1) || std::abs(along[move] - along[i]) < apart ||
                 std::abs(along[move + 1] - along[i]) < apart)
               return;
-            mine = std::min(mine, {distanceFromMove(place, path.contacts[move], path.contacts[move + 1]), static_cast<std::size_t>(i)});
+            mine = std::min(mine, {distanceFromMove(place, contacts[move], contacts[move + 1]), static_cast<std::size_t>(i)});
           });
     }
 #pragma omp critical(pcl_spiral_closest_turns)
     least = std::min(least, mine);
   }
-  if (least.point < path.contacts.size())
-    closest = {least.distance, path.contacts[least.point]};
+  if (least.point < contacts.size())
+    closest = {least.distance, contacts[least.point]};
   return closest;
 }
 

@@ -175,11 +175,11 @@ TurnFunction::stationAt(std::size_t line, std::size_t station, bool with_contour
       result.rate = std::max(result.rate, cos_psi / even_step_over_);
       continue;
     }
-    const auto step = stepOver(radius, foot.normalCurvature(direction), settings_.scallop_height);
+    const auto step = stepOver(radius, spacingCurvature(radius, foot.normalCurvature(direction)), settings_.scallop_height);
     if (!step)
       return std::nullopt;
     result.rate = std::max(result.rate, cos_psi / (reserve * *step));
-    const double along_feed = foot.normalCurvature(direction.cross(foot.normal));
+    const double along_feed = spacingCurvature(radius, foot.normalCurvature(direction.cross(foot.normal)));
     result.feed_step = std::min(result.feed_step, stepFromChordErrorAtCentre(radius, along_feed, settings_.chord_error, max_step_));
   }
   return result;
@@ -268,7 +268,7 @@ TurnFunction::checkFeet() const
       if (!foot.valid)
         return {StatusCode::Failed, textOf("radial line ", i, " leaves the scanned surface at ", placeText(foot.position),
                                            ": scan the surface there, or leave the line out")};
-      if (!(even_step_over_ > 0.0))
+      if (!(even_step_over_ > 0.0) && settings_.tight == TightHandling::Refuse)
         tight.add(foot);
     }
   return tight.empty() ? Status::success() : tight.refusal("points of the radial lines", nullptr);
@@ -284,7 +284,8 @@ TurnFunction::findStepOvers()
   for (std::size_t i = 0; i < lines_.size(); ++i)
     for (std::size_t k = 0; k < lines_[i].feet.size(); ++k)
       for (const double curvature : {footAt(i, k).curvature1, footAt(i, k).curvature2})
-        if (const auto step = stepOver(settings_.tool_radius, curvature, settings_.scallop_height)) {
+        if (const auto step =
+                stepOver(settings_.tool_radius, spacingCurvature(settings_.tool_radius, curvature), settings_.scallop_height)) {
           smallest_step_over_ = std::min(smallest_step_over_, *step);
           largest_step_over_ = std::max(largest_step_over_, *step);
         }

@@ -28,6 +28,7 @@ struct axis_z;
 struct arc_length;
 struct turn;
 struct over_gap;
+struct lift;
 } // namespace pcl::fields
 
 namespace pcl_spiral {
@@ -80,6 +81,7 @@ setFieldIfPresent(PointT& point, Number value)
  *  | arc_length | length of the path up to here, mm; on a path of 10 km a float is off by 0.5 mm |
  *  | turn | count of turns, with the fraction |
  *  | over_gap | 1 where the scan has a gap that was bridged, else 0 |
+ *  | lift | distance of x y z from the surface where the ball does not reach it, mm, else 0 |
  *
  *  A field may have any number type. An integer field drops the digits after the decimal point. A value beyond the range becomes
  *  the nearest limit: -0.7 becomes 0 in an unsigned field. For a type with other names or other contents, specialise
@@ -122,6 +124,20 @@ struct ToolpathFields {
     setFieldIfPresent<fields::turn>(point, turn);
     setFieldIfPresent<fields::over_gap>(point, over_gap);
   }
+  /** Sets the field lift. A specialisation need not have this function. */
+  static void setLift(PointT& point, double lift) { setFieldIfPresent<pcl::fields::lift>(point, lift); }
 };
+
+/** Calls ToolpathFields<PointT>::setLift if there is one. */
+template <typename PointT>
+auto
+setToolpathLift(PointT& point, double lift, int) -> decltype(ToolpathFields<PointT>::setLift(point, lift))
+{
+  ToolpathFields<PointT>::setLift(point, lift);
+}
+template <typename PointT>
+void
+setToolpathLift(PointT&, double, long)
+{}
 
 } // namespace pcl_spiral

@@ -72,8 +72,8 @@ double longestStepOver(const StepOverMetric& metric);
  *    G = (k1 + 1/R) d1 d1' + (k2 + 1/R) d2 d2' + (1/R) n n',   divided by 8 h (1 - h / 2R).
  *
  *  On a plane one step-over is exactly 2 sqrt(2 R h - h^2). On a curved surface it is that of stepOverFirstOrder with the plane's
- *  second-order term. A curvature that leaves less than 0.05 / R is replaced by that value: the ball hardly fits there, and
- *  step-overs are at most 4.5 times those of a plane. */
+ *  second-order term. Curvatures are those of spacingCurvature: where the ball hardly fits, step-overs are at most
+ *  4.5 times those of a plane. */
 StepOverMetric stepOverMetric(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction1, double k1, double k2, double radius,
                               double scallop_height);
 

@@ -14,12 +14,14 @@
 #include <pcl_spiral/spiral/impl/settings_check.h>
 #include <pcl_spiral/spiral/impl/stage_reports.h>
 #include <pcl_spiral/spiral/impl/tight_places.h>
+#include <pcl_spiral/spiral/impl/tight_report.h>
 #include <pcl_spiral/spiral/radial_lines.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/surface/impl/thinning_check.h>
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 namespace pcl_spiral {
@@ -110,8 +112,9 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOnLines(Surface::Cons
   clock.end("radial lines");
   if (progress_ && !progress_(0.6, "spiral"))
     return {StatusCode::Cancelled, "cancelled"};
-  if (const Status status = checkLinesFit(lines.lines, *surface, settings_.tool_radius); !status.ok())
-    return status;
+  if (settings_.tight == TightHandling::Refuse)
+    if (const Status status = checkLinesFit(lines.lines, *surface, settings_.tool_radius); !status.ok())
+      return status;
   const Status status = makeTurns(lines, surface->spacing(), area, settings_, turns);
   reportTurns(turns, report_);
   clock.end("spiral");
@@ -171,7 +174,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeShortest(Surface::Con
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
-SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstPtr& surface, StageClock& clock, SpiralTurns& turns)
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstPtr& surface, StageClock& clock, SpiralTurns& turns,
+                                                                 std::unique_ptr<BallReach>& reach)
 {
   if (given_lines_ && settings_.method == SpiralMethod::ConstantScallop)
     return {StatusCode::InvalidArgument, "radial lines were given, but a path at constant scallop height has none: call "
@@ -181,12 +185,15 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
       return status;
     report_.loops = given_loops_;
     reportNoise(*surface, settings_, report_);
+    reach = makeReach(*surface, settings_);
     return makeOnLines(surface, *given_lines_, clock, turns);
   }
   std::vector<BoundaryLoop> loops;
   if (const Status status = makeLoops(surface, loops); !status.ok())
     return status;
   clock.end("boundaries");
+  reach = makeReach(*surface, settings_);
+  clock.end("reach of the ball");
   switch (methodAsked(settings_)) {
   case SpiralMethod::ConstantScallop: {
     const Status status = makeConstantScallop(*surface, loops, clock, turns);
@@ -244,12 +251,13 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
   if (settings_.method == SpiralMethod::Published)
     return makePublished(*surface, clock, path);
   GapFigures gaps;
+  std::unique_ptr<BallReach> reach;
   {
     SpiralTurns turns;
-    if (const Status status = makeCurve(surface, clock, turns); !status.ok())
+    if (const Status status = makeCurve(surface, clock, turns, reach); !status.ok())
       return status;
-    if (const Status status =
-            putOnSurface(turns.curve, *surface, settings_, turns.largest_allowed_step, partOf(progress_, 0.65, 0.9), path, gaps);
+    if (const Status status = putOnSurface(turns.curve, *surface, settings_, turns.largest_allowed_step, partOf(progress_, 0.65, 0.9), path,
+                                           gaps, reach.get());
         !status.ok())
       return status;
   }
@@ -267,6 +275,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
   const Status checked = checkPath(path, used, report_.largest_allowed_step, partOf(progress_, 0.96, 1.0), figures);
   reportPath(gaps, axes, figures, report_);
   report_.pass_begins = path.passes;
+  if (reach)
+    reportTight(*reach, path, settings_, report_);
   clock.end("tool axis");
   if (checked.ok() && progress_ && !progress_(1.0, "done"))
     return cancelled;
@@ -292,6 +302,9 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::compute(pcl::PointCloud<P
   for (std::int64_t i = 0; i < count; ++i)
     ToolpathFields<PointOutT>::set(path[i], spiral.contacts[i], spiral.normals[i], spiral.axes[i], spiral.arc_lengths[i], spiral.turns[i],
                                    spiral.over_gap[i] != 0);
+  if (!spiral.lifts.empty())
+    for (std::size_t i = 0; i < path.size(); ++i)
+      setToolpathLift(path[i], spiral.lifts[i], 0);
   if (this->input_)
     path.header = this->input_->header;
   path.is_dense = true;

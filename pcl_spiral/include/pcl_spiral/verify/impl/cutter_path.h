@@ -24,6 +24,7 @@ struct CutterPath {
   std::vector<Eigen::Vector3d> normals; ///< unit, out of the material
   std::vector<Eigen::Vector3d> axes;    ///< unit, from the tip to the shank; empty if the path has none
   std::vector<float> turns;             ///< turns completed up to each point
+  std::vector<float> lifts;             ///< ToolpathPoint::lift of each point
   std::vector<std::size_t> passes;      ///< where the second pass and each further one begin: the move there is a lift and does not cut
   std::size_t size() const { return contacts.size(); }
 };

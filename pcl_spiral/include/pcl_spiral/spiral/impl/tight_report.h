@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  What the ball leaves where it does not reach the surface, for the report.
+ */
+#pragma once
+
+#include <pcl_spiral/spiral/spiral_path.h>
+#include <pcl_spiral/spiral/spiral_report.h>
+#include <pcl_spiral/surface/impl/ball_reach.h>
+#include <pcl_spiral/surface/surface.h>
+
+#include <memory>
+
+namespace pcl_spiral {
+
+/** Reach of the ball of \p settings on \p surface; null with TightHandling::Refuse. */
+std::unique_ptr<BallReach> makeReach(const Surface& surface, const SpiralSettings& settings);
+
+/** Places of \p reach where more than the scallop height stays, and lifts of \p path, with a warning if there are such places. */
+void reportTight(const BallReach& reach, const SpiralPath& path, const SpiralSettings& settings, SpiralReport& report);
+
+} // namespace pcl_spiral

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Where a ball reaches a surface, and where it must stop before it.
+ */
+#pragma once
+
+#include <pcl_spiral/graph/impl/surface_graph.h>
+#include <pcl_spiral/surface/impl/mls_surface.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A point of a surface that a ball does not reach. Lengths in mm. */
+struct UnreachedPoint {
+  std::uint32_t index = 0; ///< in the order of the graph
+  float reach = 0.0f;      ///< radius of the largest ball that reaches it
+  float area = 0.0f;       ///< of the surface about it, mm^2
+};
+
+/** A ball on the outer side of a fitted surface: how large it may be to reach a place, and where it rests if it is too large.
+ *
+ *  The surface is the fit at the points of the graph, with a patch of second order at each point. A ball is free if no patch is deeper
+ *  in it than tolerance(). The largest ball at a foot is found by shrinking (Ma, Bae and Choi 2012, 3D medial axis point approximation
+ *  using nearest neighbors and the normal field). A ball that is too large rests at the free place nearest to the largest one.
+ *
+ *  Every point is looked at once: near-linear, in parallel, the same for any number of threads. Memory: about 70 bytes per point. */
+class BallReach {
+public:
+  /** \p graph and \p fit must outlive it. \p tolerance, mm: depth that counts as noise of the surface. */
+  BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance);
+
+  double radius() const { return radius_; }       ///< Of the ball, mm.
+  double tolerance() const { return tolerance_; } ///< As given, mm.
+
+  /** Points that the ball does not reach, in the order of the graph. */
+  const std::vector<UnreachedPoint>& unreached() const { return unreached_; }
+  /** Foot and normal of point \p i of the graph. */
+  Eigen::Vector3d position(std::size_t i) const { return feet_.position(place_[i]); }
+  Eigen::Vector3d normal(std::size_t i) const { return patches_[place_[i]].normal.cast<double>(); }
+  /** True if a point that the ball does not reach lies within \p distance of \p place. */
+  bool isNearUnreached(const Eigen::Vector3d& place, double distance) const;
+
+  /** Radius of the largest free ball that touches the surface at \p foot, where its outer normal is \p normal; at most radius(). */
+  double reach(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal) const;
+  /** Centre of the ball for the contact \p foot: foot + radius() normal where that is free, else the free place nearest to the largest
+   *  ball that touches there. Not finite if there is none: the surface closes round the place. */
+  Eigen::Vector3d centre(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal) const;
+  /** The first free centre from \p from along the unit vector \p direction. */
+  Eigen::Vector3d freeAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const;
+  /** How much deeper than tolerance() the surface is in the ball at \p centre, mm; 0 if that is free. */
+  double excess(const Eigen::Vector3d& centre) const;
+  /** Height of the material that the ball leaves above each unreached point, mm. */
+  std::vector<float> heightsLeft() const;
+
+private:
+  /** A quadric about a point: along direction1 and across it. */
+  struct Patch {
+    Eigen::Vector3f normal = Eigen::Vector3f::UnitZ(), direction1 = Eigen::Vector3f::UnitX();
+    float curvature1 = 0.0f, curvature2 = 0.0f;
+    float extent = 0.0f; ///< mm
+  };
+
+  void fitPatches(const SurfaceGraph& graph, const MlsSurface& fit);
+  void findUnreached(const SurfaceGraph& graph);
+  void averageNormals();
+  Eigen::Vector3d nearestOn(std::size_t place, const Eigen::Vector3d& from) const;
+  /** The point of the surface nearest to \p from, if it is nearer than \p within. Near \p own, the steps between neighbouring patches
+   *  would count as hollows: points there are left out. */
+  bool nearest(const Eigen::Vector3d& from, double within, Eigen::Vector3d& point, const Eigen::Vector3d* own = nullptr) const;
+  /** Mean normal of the surface \p within a distance of \p from; of the whole surface if that is not clear. */
+  Eigen::Vector3d wayOut(const Eigen::Vector3d& from, double within) const;
+  bool isFreeAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& direction, Eigen::Vector3d& free) const;
+  Eigen::Vector3d slid(Eigen::Vector3d centre, const Eigen::Vector3d& target) const;
+  bool isOutside(const Eigen::Vector3d& centre) const;
+
+  double radius_, tolerance_;
+  double own_; // mm
+  PointBlocks feet_;
+  std::vector<Patch> patches_;                 // in the order of feet_
+  std::vector<std::uint32_t> place_;           // in feet_, of each point of the graph
+  std::vector<Eigen::Vector3f> block_normals_; // mean of each block of feet_
+  std::vector<UnreachedPoint> unreached_;
+  PointBlocks unreached_feet_;
+  Eigen::Vector3d side_;
+  float widest_ = 0.0f; // extent of a patch
+};
+
+/** The tolerance for a surface: three standard deviations of the fit, below which a scan shows nothing, at least \p least, mm. */
+double reachTolerance(const MlsSurface& fit, double least);
+
+} // namespace pcl_spiral

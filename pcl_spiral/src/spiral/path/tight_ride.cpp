@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tight_ride.h"
+
+#include "path_feet.h"
+
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/pass_ranges.h>
+#include <pcl_spiral/spiral/impl/tight_report.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr int most_rounds = 8;       // of halved moves
+constexpr int most_bisections = 10;  // of a jump from place to place
+constexpr double least_piece = 0.05; // spacings: shorter moves are not halved again
+
+/** A point of the path with its ball. */
+struct Ridden {
+  Eigen::Vector3d foot, normal, centre;
+  float turn = 0.0f;
+  std::uint8_t over_gap = 0;
+  bool begins_pass = false;
+  bool fresh = false; ///< the move to it is still to be checked
+  bool lifted = false;
+};
+
+class Ride {
+public:
+  Ride(const Surface& surface, const BallReach& reach, const SpiralSettings& settings, double longest_step)
+  : surface_(surface), reach_(reach), radius_(settings.tool_radius), chord_error_(settings.chord_error), longest_(longest_step)
+  {}
+
+  bool take(const SpiralPath& path);
+  void halveMoves();
+  void joinJumps();
+  /** The first point without a free place; null if there is none. */
+  const Ridden* unfree() const;
+  void write(SpiralPath& path) const;
+
+private:
+  Eigen::Vector3d contact(const Ridden& point) const
+  {
+    return point.lifted ? Eigen::Vector3d(point.centre - radius_ * point.normal) : point.foot;
+  }
+  void place(Ridden& point) const;
+  bool halve();
+  void join(const Ridden& from, const Ridden& to, int depth, std::vector<Ridden>& points) const;
+
+  const Surface& surface_;
+  const BallReach& reach_;
+  double radius_, chord_error_, longest_;
+  std::vector<Ridden> points_;
+};
+
+void
+Ride::place(Ridden& point) const
+{
+  const Eigen::Vector3d touching = point.foot + radius_ * point.normal;
+  point.centre = reach_.isNearUnreached(point.foot, 2.0 * surface_.spacing()) ? reach_.centre(point.foot, point.normal) : touching;
+  point.lifted = point.centre != touching;
+}
+
+bool
+Ride::take(const SpiralPath& path)
+{
+  points_.resize(path.contacts.size());
+  const auto count = static_cast<std::int64_t>(points_.size());
+  bool lifted = false;
+#pragma omp parallel for schedule(dynamic, 256) reduction(|| : lifted)
+  for (std::int64_t i = 0; i < count; ++i) {
+    Ridden& point = points_[i];
+    point.foot = path.contacts[i];
+    point.normal = path.normals[i];
+    point.turn = path.turns[i];
+    point.over_gap = path.over_gap[i];
+    point.fresh = reach_.isNearUnreached(point.foot, longest_ + 2.0 * surface_.spacing());
+    place(point);
+    lifted = lifted || point.lifted;
+  }
+  for (const std::size_t pass : path.passes)
+    points_[pass].begins_pass = true;
+  return lifted;
+}
+
+/** Puts a point into the middle of each fresh move that needs one. \return whether there were any. */
+bool
+Ride::halve()
+{
+  std::vector<std::size_t> ends;
+  Polyline queries;
+  for (std::size_t i = 1; i < points_.size(); ++i) {
+    if (points_[i].fresh && !points_[i].begins_pass && (points_[i].foot - points_[i - 1].foot).norm() > least_piece * surface_.spacing()) {
+      ends.push_back(i);
+      queries.push_back(0.5 * (points_[i].foot + points_[i - 1].foot));
+    }
+    points_[i].fresh = false;
+  }
+  std::vector<SurfaceFoot> feet;
+  pathFeet(surface_, queries, feet);
+  std::vector<Ridden> middles(ends.size());
+  const auto count = static_cast<std::int64_t>(ends.size());
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::int64_t k = 0; k < count; ++k) {
+    const Ridden &from = points_[ends[k] - 1], &to = points_[ends[k]];
+    Ridden& middle = middles[k];
+    if (!feet[k].valid)
+      continue;
+    middle.foot = feet[k].position;
+    middle.normal = feet[k].normal;
+    middle.turn = 0.5f * (from.turn + to.turn);
+    middle.over_gap = isOverGap(surface_, middle.foot, feet[k].nearest, feet[k].nearest_distance);
+    place(middle);
+    const bool any = from.lifted || to.lifted || middle.lifted;
+    const double off = (middle.centre - 0.5 * (from.centre + to.centre)).norm();
+    middle.fresh = any && (off > chord_error_ || (contact(to) - contact(from)).norm() > longest_);
+  }
+  std::vector<Ridden> halved;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (next < ends.size() && ends[next] == i) {
+      if (middles[next].fresh) {
+        halved.push_back(middles[next]);
+        points_[i].fresh = true;
+      }
+      ++next;
+    }
+    halved.push_back(points_[i]);
+  }
+  const bool any = halved.size() > points_.size();
+  points_ = std::move(halved);
+  return any;
+}
+
+void
+Ride::halveMoves()
+{
+  for (int round = 0; round < most_rounds && halve(); ++round)
+    ;
+}
+
+/** Appends points between \p from and \p to, on the way from ball to ball, so that no move is too long or gouges. */
+void
+Ride::join(const Ridden& from, const Ridden& to, int depth, std::vector<Ridden>& points) const
+{
+  Ridden middle = from;
+  middle.begins_pass = false;
+  middle.lifted = true;
+  middle.foot = 0.5 * (from.foot + to.foot);
+  middle.normal = (from.normal + to.normal).norm() > 0.1 ? Eigen::Vector3d((from.normal + to.normal).normalized()) : from.normal;
+  middle.centre = 0.5 * (from.centre + to.centre);
+  middle.turn = 0.5f * (from.turn + to.turn);
+  const bool gouges = reach_.excess(middle.centre) > chord_error_;
+  if (depth >= most_bisections || (!gouges && (contact(to) - contact(from)).norm() <= longest_))
+    return;
+  if (gouges) {
+    const Eigen::Vector3d free = reach_.freeAlong(middle.centre, middle.normal);
+    if ((free - middle.centre).norm() < 2.0 * radius_)
+      middle.centre = free;
+  }
+  join(from, middle, depth + 1, points);
+  points.push_back(middle);
+  join(middle, to, depth + 1, points);
+}
+
+void
+Ride::joinJumps()
+{
+  std::vector<Ridden> joined;
+  joined.reserve(points_.size());
+  for (const Ridden& point : points_) {
+    if (!joined.empty() && !point.begins_pass && (joined.back().lifted || point.lifted)) {
+      const Ridden before = joined.back();
+      join(before, point, 0, joined);
+    }
+    joined.push_back(point);
+  }
+  points_ = std::move(joined);
+}
+
+const Ridden*
+Ride::unfree() const
+{
+  const auto found = std::find_if(points_.begin(), points_.end(), [](const Ridden& point) { return !point.centre.allFinite(); });
+  return found == points_.end() ? nullptr : &*found;
+}
+
+void
+Ride::write(SpiralPath& path) const
+{
+  path = SpiralPath();
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Ridden& point = points_[i];
+    if (point.begins_pass)
+      path.passes.push_back(i);
+    path.contacts.push_back(contact(point));
+    path.feet.push_back(point.foot);
+    path.lifts.push_back(static_cast<float>((path.contacts.back() - point.foot).norm()));
+    path.normals.push_back(point.normal);
+    path.turns.push_back(point.turn);
+    path.over_gap.push_back(point.over_gap);
+  }
+}
+
+} // namespace
+
+Status
+rideTightPlaces(const Surface& surface, const BallReach* given, const SpiralSettings& settings, double longest_step, SpiralPath& path)
+{
+  const std::unique_ptr<BallReach> own = given ? nullptr : makeReach(surface, settings);
+  const BallReach& reach = given ? *given : *own;
+  if (reach.unreached().empty())
+    return Status::success();
+  Ride ride(surface, reach, settings, longest_step);
+  if (!ride.take(path))
+    return Status::success();
+  if (!ride.unfree()) {
+    ride.halveMoves();
+    ride.joinJumps();
+  }
+  if (const Ridden* const point = ride.unfree())
+    return {StatusCode::Failed,
+            textOf("the ball of radius ", settings.tool_radius, " mm finds no free place over ", placeText(point->foot), " in turn ",
+                   point->turn, ": the surface closes round it; use a smaller tool (setToolRadius): a radius of ",
+                   0.9 * reach.reach(point->foot, point->normal), " mm reaches that place")};
+  ride.write(path);
+  return Status::success();
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/surface/impl/ball_reach.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double patch_spacings = 0.75; // half the width of a patch: neighbouring patches overlap
+constexpr double own_spacings = 2.5;    // radius about a foot within which fits of neighbouring points share most of their points
+constexpr double deviations = 3.0;      // of the fit: depths below that are not known
+constexpr int most_shrinks = 40;        // of the ball at one foot; a few are usual
+constexpr double settled = 1e-4;        // of the radius: the ball shrinks no more
+constexpr std::size_t chunk = 1u << 16; // points fitted together
+
+/** Area about each point: a third of its triangles; without triangles the square of its spacing. */
+std::vector<float>
+pointAreas(const SurfaceGraph& graph)
+{
+  std::vector<float> areas(graph.size(), 0.0f);
+  const Triangulation& triangles = graph.triangulation();
+  for (std::size_t t = 0; t < triangles.triangleCount(); ++t) {
+    const auto& [a, b, c] = triangles.triangle(t);
+    const Eigen::Vector3d ab = graph.position(b) - graph.position(a), ac = graph.position(c) - graph.position(a);
+    const auto third = static_cast<float>(ab.cross(ac).norm() / 6.0);
+    for (const std::uint32_t corner : triangles.triangle(t))
+      areas[corner] += third;
+  }
+  if (triangles.triangleCount() == 0)
+    for (std::size_t i = 0; i < areas.size(); ++i)
+      areas[i] = static_cast<float>(graph.spacing(i) * graph.spacing(i));
+  return areas;
+}
+
+} // namespace
+
+double
+reachTolerance(const MlsSurface& fit, double least)
+{
+  return std::max(least, deviations * fit.fitNoise());
+}
+
+BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance)
+: radius_(radius), tolerance_(std::min(tolerance, 0.1 * radius)), own_(own_spacings * graph.spacing()), side_(graph.meanNormal())
+{
+  fitPatches(graph, fit);
+  findUnreached(graph);
+  if (!unreached_.empty())
+    averageNormals();
+}
+
+void
+BallReach::fitPatches(const SurfaceGraph& graph, const MlsSurface& fit)
+{
+  const std::size_t size = graph.size();
+  std::vector<Eigen::Vector3f> positions(size);
+  std::vector<Patch> fitted(size);
+  std::vector<Eigen::Vector3d> queries;
+  std::vector<SurfaceFoot> feet;
+  for (std::size_t begin = 0; begin < size; begin += chunk) {
+    queries.clear();
+    for (std::size_t i = begin; i < std::min(size, begin + chunk); ++i)
+      queries.push_back(graph.position(i));
+    fit.project(queries, feet);
+    for (std::size_t k = 0; k < feet.size(); ++k) {
+      const std::size_t i = begin + k;
+      const SurfaceFoot& foot = feet[k];
+      Patch& patch = fitted[i];
+      patch.extent = static_cast<float>(patch_spacings * graph.spacing(i));
+      widest_ = std::max(widest_, patch.extent);
+      positions[i] = (foot.valid ? foot.position : queries[k]).cast<float>();
+      patch.normal = (foot.valid ? foot.normal : graph.normal(i)).cast<float>();
+      patch.direction1 = foot.valid ? Eigen::Vector3f(foot.direction1.cast<float>()) : patch.normal.unitOrthogonal();
+      patch.curvature1 = foot.valid ? static_cast<float>(foot.curvature1) : 0.0f;
+      patch.curvature2 = foot.valid ? static_cast<float>(foot.curvature2) : 0.0f;
+    }
+  }
+  feet_ = PointBlocks(std::move(positions));
+  patches_.resize(size);
+  place_.resize(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    patches_[i] = fitted[feet_.originalIndex(i)];
+    place_[feet_.originalIndex(i)] = static_cast<std::uint32_t>(i);
+  }
+}
+
+void
+BallReach::findUnreached(const SurfaceGraph& graph)
+{
+  const auto size = static_cast<std::int64_t>(place_.size());
+  std::vector<float> reaches(place_.size());
+#pragma omp parallel for schedule(dynamic, 1024)
+  for (std::int64_t i = 0; i < size; ++i)
+    reaches[i] = static_cast<float>(reach(position(i), normal(i)));
+  const auto whole = static_cast<float>(radius_);
+  if (std::none_of(reaches.begin(), reaches.end(), [whole](float r) { return r < whole; }))
+    return;
+  const std::vector<float> areas = pointAreas(graph);
+  std::vector<Eigen::Vector3f> places;
+  for (std::size_t i = 0; i < reaches.size(); ++i)
+    if (reaches[i] < whole) {
+      unreached_.push_back({static_cast<std::uint32_t>(i), reaches[i], areas[i]});
+      places.push_back(feet_.point(place_[i]));
+    }
+  unreached_feet_ = PointBlocks(std::move(places));
+}
+
+bool
+BallReach::isNearUnreached(const Eigen::Vector3d& place, double distance) const
+{
+  return !unreached_.empty() && (unreached_feet_.position(unreached_feet_.nearest(place)) - place).norm() <= distance;
+}
+
+Eigen::Vector3d
+BallReach::nearestOn(std::size_t place, const Eigen::Vector3d& from) const
+{
+  const Patch& patch = patches_[place];
+  const Eigen::Vector3d n = patch.normal.cast<double>(), d1 = patch.direction1.cast<double>(), d2 = n.cross(d1);
+  const Eigen::Vector3d foot = feet_.position(place), away = from - foot;
+  const double height = away.dot(n);
+  const auto along = [&](double aside, double curvature) {
+    const double widening = 1.0 + height * curvature; // from the patch to the parallel surface through the point
+    const double t = widening > 0.05 ? aside / widening : std::copysign(1e30, aside);
+    return std::clamp(t, -static_cast<double>(patch.extent), static_cast<double>(patch.extent));
+  };
+  const double t1 = along(away.dot(d1), patch.curvature1), t2 = along(away.dot(d2), patch.curvature2);
+  return foot + t1 * d1 + t2 * d2 - 0.5 * (patch.curvature1 * t1 * t1 + patch.curvature2 * t2 * t2) * n;
+}
+
+bool
+BallReach::nearest(const Eigen::Vector3d& from, double within, Eigen::Vector3d& point, const Eigen::Vector3d* own) const
+{
+  if (!(within > 0.0))
+    return false;
+  const Eigen::Vector3f query = from.cast<float>();
+  double best = within;
+  bool found = false;
+  const auto reachOfPoints = [&] { // a patch is nearer than its point by this at most
+    const double sideways = 1.5 * widest_;
+    return best + std::min(sideways, sideways * sideways / (2.0 * best));
+  };
+  double far = reachOfPoints();
+  feet_.forBlocks([&](const Box& box) { return box.squaredDistance(query.data()) <= static_cast<float>(far * far); },
+                  [&](std::size_t block) {
+                    for (std::size_t i = feet_.blockBegin(block); i < feet_.blockEnd(block); ++i) {
+                      if ((feet_.point(i) - query).squaredNorm() > static_cast<float>(far * far))
+                        continue;
+                      const Eigen::Vector3d on = nearestOn(i, from);
+                      const double distance = (on - from).norm();
+                      if (distance >= best || (own && (on - *own).squaredNorm() < own_ * own_))
+                        continue;
+                      best = distance;
+                      far = reachOfPoints();
+                      point = on;
+                      found = true;
+                    }
+                  });
+  return found;
+}
+
+double
+BallReach::reach(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal) const
+{
+  double radius = radius_;
+  Eigen::Vector3d point;
+  for (int i = 0; i < most_shrinks && nearest(foot + radius * normal, radius - tolerance_, point, &foot); ++i) {
+    // The ball that touches at the foot and has the point as deep in it as the tolerance.
+    const Eigen::Vector3d apart = point - foot;
+    const double rise = apart.dot(normal) - tolerance_;
+    const double smaller = rise > 0.0 ? (apart.squaredNorm() - tolerance_ * tolerance_) / (2.0 * rise) : radius;
+    if (!(smaller < radius) || !(smaller > tolerance_))
+      break;
+    const bool done = radius - smaller < settled * radius;
+    radius = smaller;
+    if (done)
+      break;
+  }
+  return radius;
+}
+
+} // namespace pcl_spiral

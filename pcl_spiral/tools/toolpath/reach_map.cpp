@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reach_map.h"
+
+#include "terminal/file_names.h"
+
+#include "common/formatted_text.h"
+#include "io/byte_file.h"
+#include <pcl_spiral/surface/impl/ball_reach.h>
+
+#include <vector>
+
+using namespace pcl_spiral;
+
+namespace {
+
+constexpr double largest = 4.0;     // tool radii
+constexpr double noise_share = 0.1; // of the chord error, as for the path
+
+std::string
+headOf(const std::string& extension, std::size_t points)
+{
+  if (extension == ".csv")
+    return "x,y,z,radius\n";
+  if (extension == ".ply")
+    return formatted("ply\nformat ascii 1.0\nelement vertex %zu\nproperty float x\nproperty float y\nproperty float z\n"
+                     "property float radius\nend_header\n",
+                     points);
+  return formatted("# .PCD v0.7\nVERSION 0.7\nFIELDS x y z radius\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH %zu\nHEIGHT 1\n"
+                   "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS %zu\nDATA ascii\n",
+                   points, points);
+}
+
+} // namespace
+
+void
+writeReachMap(const Job& job, const Surface& surface, const std::string& file)
+{
+  const double radius = largest * job.settings.tool_radius;
+  const BallReach reach(surface.graph(), surface.fit(), radius, reachTolerance(surface.fit(), noise_share * job.settings.chord_error));
+  std::vector<float> radii(surface.size(), static_cast<float>(radius));
+  for (const UnreachedPoint& point : reach.unreached())
+    radii[point.index] = point.reach;
+  const std::string extension = extensionOf(job.reach);
+  const char* const row = extension == ".csv" ? "%.6f,%.6f,%.6f,%.4f\n" : "%.6f %.6f %.6f %.4f\n";
+  ByteFile out(file);
+  out.write(headOf(extension, radii.size()));
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const Eigen::Vector3d place = surface.position(i);
+    out.write(formatted(row, place.x(), place.y(), place.z(), radii[i]));
+  }
+  out.close();
+}

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The largest ball that reaches a place, and where a larger one rests, against parts in closed form.
+#include "support/tight_parts.h"
+
+#include <pcl_spiral/surface/impl/ball_reach.h>
+#include <pcl_spiral/surface/scanned_surface.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <omp.h>
+
+namespace {
+
+using namespace pcl_spiral;
+using namespace pcl_spiral::test;
+using Eigen::Vector3d;
+
+Surface::ConstPtr
+surfaceOf(const pcl::PointCloud<pcl::PointXYZ>::Ptr& cloud)
+{
+  ScannedSurface<pcl::PointXYZ> scanned;
+  scanned.setInputCloud(cloud);
+  Surface::ConstPtr surface;
+  scanned.compute(surface);
+  EXPECT_TRUE(scanned.getStatus().ok()) << scanned.getStatus().message();
+  return surface;
+}
+
+BallReach
+reachOf(const Surface& surface, double radius)
+{
+  return BallReach(surface.graph(), surface.fit(), radius, reachTolerance(surface.fit(), 0.0005));
+}
+
+/** The deepest that balls over the unreached points, and their places, are in the true surface. */
+double
+deepest(const TightPart& part, const BallReach& reach)
+{
+  double depth = 0.0;
+  for (const UnreachedPoint& point : reach.unreached()) {
+    if (part.half_width > 0.0 && std::abs(reach.position(point.index).y()) > part.half_width - 1.0)
+      continue; // it may slide over the end of the part
+    const Vector3d centre = reach.centre(reach.position(point.index), reach.normal(point.index));
+    if (!centre.allFinite())
+      return reach.radius();
+    depth = std::max(depth, reach.radius() - part.distance(centre));
+  }
+  return depth;
+}
+
+TEST(BallReach, RestsInAValley)
+{
+  for (const double noise : {0.0, 0.01})
+    for (const double slope : {0.4, 0.7, 1.2}) {
+      const double fillet = 3.0, ball = 6.0, half_width = 5.0;
+      const TightPart part = valley(slope, fillet, 20.0 * std::cos(slope) + 4.0, half_width);
+      const auto surface = surfaceOf(part.scan(0.4, noise, 3));
+      const BallReach reach = reachOf(*surface, ball);
+      const double error = 0.01 + 3.0 * noise;
+      double area = 0.0, off = 0.0, least = ball, sideways = 0.0;
+      const auto heights = reach.heightsLeft();
+      float highest = 0.0f;
+      for (std::size_t k = 0; k < reach.unreached().size(); ++k) {
+        const UnreachedPoint& point = reach.unreached()[k];
+        const Vector3d foot = reach.position(point.index), centre = reach.centre(foot, reach.normal(point.index));
+        least = std::min<double>(least, point.reach);
+        if (std::abs(foot.y()) > half_width - 2.0)
+          continue;
+        area += point.area;
+        highest = std::max(highest, heights[k]);
+        off = std::max(off, std::abs(centre.z() - valleyCentre(slope, fillet, ball)));
+        sideways = std::max(sideways, std::abs(centre.x()));
+        // Height in closed form: distance of the foot from the resting ball.
+        const double left = std::hypot(foot.x(), foot.z() - valleyCentre(slope, fillet, ball)) - ball;
+        EXPECT_NEAR(heights[k], left, 3.0 * error) << foot.transpose();
+      }
+      const double unreached = 2.0 * (fillet * slope + (ball - fillet) * std::tan(slope)) * (2.0 * half_width - 4.0);
+      std::printf("  noise %g, slope %g: centre off by %.4f, area %.1f of %.1f, smallest ball %.3f, highest %.4f\n", noise, slope, off,
+                  area, unreached, least, highest);
+      EXPECT_LT(sideways, 0.1);
+      EXPECT_LT(off, 3.0 * error / std::cos(slope));
+      EXPECT_NEAR(highest, (ball - fillet) * (1.0 / std::cos(slope) - 1.0), 3.0 * error);
+      EXPECT_NEAR(area, unreached, 0.15 * unreached);
+      EXPECT_LT(least, 1.02 * fillet);
+      EXPECT_GT(least, 0.87 * fillet); // the fits round the ends of the fillet: never too large a ball is named
+      EXPECT_LT(deepest(part, reach), reach.tolerance() + error);
+    }
+}
+
+TEST(BallReach, RestsOnTheRimOfAPit)
+{
+  const double pit = 4.0, rim = 1.5;
+  const TightPart part = pittedPlane(pit, rim, 25.0);
+  const auto surface = surfaceOf(part.scan(0.3, 0.0, 5));
+  EXPECT_TRUE(reachOf(*surface, 3.2).unreached().empty());
+  for (const double ball : {5.0, 8.0}) {
+    const BallReach reach = reachOf(*surface, ball);
+    ASSERT_GT(reach.unreached().size(), 100U);
+    double off = 0.0, sideways = 0.0;
+    for (const UnreachedPoint& point : reach.unreached()) {
+      const Vector3d foot = reach.position(point.index), centre = reach.centre(foot, reach.normal(point.index));
+      if (std::hypot(foot.x(), foot.y()) > 0.8 * pit)
+        continue;
+      off = std::max(off, std::abs(centre.z() - pitCentre(pit, rim, ball)));
+      sideways = std::max(sideways, std::hypot(centre.x(), centre.y()));
+      EXPECT_NEAR(point.reach, pit, 0.07 * pit);
+    }
+    std::printf("  ball %g: centre off by %.4f, %.4f sideways\n", ball, off, sideways);
+    EXPECT_LT(off, 0.03);
+    EXPECT_LT(sideways, 0.03);
+    EXPECT_LT(deepest(part, reach), reach.tolerance() + 0.01);
+  }
+}
+
+TEST(BallReach, LiesBesideASphereOnAPlane)
+{
+  const double sphere = 10.0, fillet = 1.0, ball = 4.0;
+  const TightPart part = ballOnPlane(sphere, fillet, 24.0);
+  const auto surface = surfaceOf(part.scan(0.35, 0.0, 7));
+  const BallReach reach = reachOf(*surface, ball);
+  ASSERT_GT(reach.unreached().size(), 100U);
+  double off = 0.0;
+  for (const UnreachedPoint& point : reach.unreached()) {
+    const Vector3d foot = reach.position(point.index), centre = reach.centre(foot, reach.normal(point.index));
+    off = std::max(off, std::hypot(std::hypot(centre.x(), centre.y()) - besideSphere(sphere, ball), centre.z() - ball));
+  }
+  std::printf("  centre off by %.4f\n", off);
+  EXPECT_LT(off, 0.05);
+  EXPECT_LT(deepest(part, reach), reach.tolerance() + 0.01);
+}
+
+TEST(BallReach, IsTheSameForAnyNumberOfThreads)
+{
+  const TightPart part = valley(0.7, 3.0, 15.0, 8.0);
+  const auto surface = surfaceOf(part.scan(0.4, 0.01, 3));
+  std::vector<float> first;
+  for (const int threads : {1, 2}) {
+    omp_set_num_threads(threads);
+    const BallReach reach = reachOf(*surface, 6.0);
+    std::vector<float> found = reach.heightsLeft();
+    for (const UnreachedPoint& point : reach.unreached())
+      found.insert(found.end(), {static_cast<float>(point.index), point.reach, point.area});
+    if (first.empty())
+      first = found;
+    EXPECT_EQ(found, first);
+  }
+}
+
+} // namespace
