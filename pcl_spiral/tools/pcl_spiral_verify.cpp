@@ -56,6 +56,7 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, std
   JudgeSettings settings = job.settings;
   settings.mesh = part.mesh;
   settings.side = part.side;
+  settings.part_at = part.chosen.part_at;
   settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
   if (part.mesh && part.mesh->counts().closed) // only the faces that the path touches are judged
     reference.reset();
@@ -68,6 +69,10 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, std
   if (!status.ok())
     throw FileError(file, inOptions(status.message()));
   judged.verification.broken = inOptions(brokenLimits(job.limits, judged.verification));
+  constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
+  const double allowed = settings.chord_error + deviations * reference->noise();
+  for (const std::string& fault : faultsBeside(part, *judged.path, settings.tool_radius, allowed))
+    judged.verification.broken.push_back(fault);
   judged.verification.unproven = inOptions(unprovenLimits(job.limits, judged.verification));
   return judged;
 }
@@ -78,7 +83,8 @@ run(const VerifyJob& job)
 {
   VerifyOutputs outputs(job);
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // errors are reported below, once
-  const JudgedPart part = readPart(job.scan, job.read, job.mesh, job.settings.side);
+  const JudgedPart part = readPart(job.scan, job.read, job.mesh, job.settings.side,
+                                   {job.part, job.settings.tool_radius, job.settings.flip_normals, job.settings.threads});
   warn(job, part.warnings);
   std::shared_ptr<const ReferenceSurface> reference;
   bool all_hold = true;

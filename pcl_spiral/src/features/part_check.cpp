@@ -32,8 +32,7 @@ checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vecto
                   parts.end());
     return {StatusCode::InvalidInput,
             textOf("the cloud has ", parts.size(), " separate parts: ", partsText(parts),
-                   large ? "; keep only the largest one (setLargestPart), or only the one to be machined, and remove the "
-                           "others from the cloud"
+                   large ? "; keep only the largest one (setLargestPart), or only the one to be machined, by a place on it (setPartAt)"
                          : "; this is too many: the scan is disconnected, so scan more densely, or keep only the "
                            "largest part (setLargestPart)")};
   }

@@ -6,8 +6,38 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
 
 namespace pcl_spiral {
+namespace {
+
+/** Call \p visit(part, point) for the corners of all triangles. */
+template <typename Visit>
+void
+forCorners(const SurfaceGraph& graph, const SurfaceParts& parts, Visit visit)
+{
+  const Triangulation& mesh = graph.triangulation();
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
+    for (const std::uint32_t v : mesh.triangle(t))
+      visit(parts.of_triangle[t], graph.position(v));
+}
+
+/** Set place and box of all parts. */
+void
+addPlaces(const SurfaceGraph& graph, SurfaceParts& parts)
+{
+  std::vector<double> nearest(parts.parts.size(), std::numeric_limits<double>::max());
+  forCorners(graph, parts, [&](std::uint32_t p, const Eigen::Vector3d& corner) {
+    SurfacePart& part = parts.parts[p];
+    part.box.extend(corner);
+    if (const double off = (corner - part.centre).squaredNorm(); off < nearest[p]) {
+      nearest[p] = off;
+      part.place = corner;
+    }
+  });
+}
+
+} // namespace
 
 SurfaceParts
 surfaceParts(const SurfaceGraph& graph)
@@ -29,7 +59,22 @@ surfaceParts(const SurfaceGraph& graph)
   for (SurfacePart& part : result.parts)
     if (part.area > 0.0)
       part.centre /= part.area;
+  addPlaces(graph, result);
   return result;
+}
+
+std::size_t
+nearestPart(const SurfaceGraph& graph, const SurfaceParts& parts, const Eigen::Vector3d& place, double& distance)
+{
+  std::size_t nearest = 0;
+  distance = std::numeric_limits<double>::max();
+  forCorners(graph, parts, [&](std::uint32_t p, const Eigen::Vector3d& corner) {
+    if (const double off = (corner - place).norm(); off < distance) {
+      distance = off;
+      nearest = p;
+    }
+  });
+  return nearest;
 }
 
 bool
@@ -60,7 +105,7 @@ partsText(const std::vector<SurfacePart>& parts)
   constexpr std::size_t most_named = 4;
   std::string list;
   for (std::size_t i = 0; i < std::min(parts.size(), most_named); ++i)
-    list += textOf(i > 0 ? ", " : "", parts[i].area, " mm2 at ", placeText(parts[i].centre));
+    list += textOf(i > 0 ? ", " : "", parts[i].area, " mm2 at ", placeText(parts[i].place));
   if (parts.size() > most_named)
     list += textOf(" and ", parts.size() - most_named, " more");
   return list;

@@ -10,6 +10,7 @@
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/ridge/ridge_rows.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
+#include <pcl_spiral/surface/surface.h>
 
 #include <array>
 #include <optional>
@@ -29,6 +30,11 @@ struct ChoiceNames<LengthUnit> {
                                                                             {LengthUnit::Inch, "inch"},
                                                                             {LengthUnit::Foot, "ft"},
                                                                             {LengthUnit::SurveyFoot, "us-ft"}}};
+};
+template <>
+struct ChoiceNames<ClusterHandling> {
+  static constexpr std::array<std::pair<ClusterHandling, const char*>, 2> words{
+      {{ClusterHandling::Refuse, "refuse"}, {ClusterHandling::LeaveOut, "leave-out"}}};
 };
 template <>
 struct ChoiceNames<BoundaryMode> {

@@ -7,6 +7,9 @@
 #include <pcl_spiral/features/impl/surface_parts.h>
 #include <pcl_spiral/surface/impl/side_text.h>
 
+#include "cleaning/standing_clusters.h"
+#include "part_choice.h"
+
 #include <algorithm>
 #include <type_traits>
 #include <utility>
@@ -50,15 +53,17 @@ public:
 
   Status make(SurfacePoints points)
   {
-    given_ = points.positions.size();
+    all_ = points.positions;
     parts_.source = std::move(points.source);
     normals_ = std::move(points.normals);
     if (const Status status = build(std::move(points.positions)); !status.ok())
       return status;
-    if (settings_.largest_part)
-      if (const Status status = keepLargestPart(); !status.ok())
+    if (settings_.largest_part || settings_.part_at)
+      if (const Status status = keepOnePart(); !status.ok())
         return status;
     if (const Status status = leaveSpecksOut(); !status.ok())
+      return status;
+    if (const Status status = checkClusters(); !status.ok())
       return status;
     finish();
     return Status::success();
@@ -78,7 +83,7 @@ private:
     parts_.counts.isolated += source.strays.size();
     parts_.counts.surplus += source.surplus;
     if (settings_.strict && static_cast<double>(source.strays.size()) > most_isolated * static_cast<double>(given))
-      return disconnected(source.strays.size(), given);
+      return disconnected(source.strays, given);
     if (source.indices.size() == given)
       return Status::success();
     for (std::uint32_t i = 0; i < given; ++i)
@@ -96,7 +101,7 @@ private:
 
   void mark(std::uint32_t i, LeftOut reason)
   {
-    why_.resize(given_, -1);
+    why_.resize(all_.size(), -1);
     why_[placeOf(i)] = static_cast<std::int8_t>(reason);
   }
 
@@ -117,31 +122,35 @@ private:
       select(normals_);
   }
 
-  Status disconnected(std::size_t isolated, std::size_t given) const
+  /** \p outliers of the \p given points. */
+  Status disconnected(const std::vector<std::uint32_t>& outliers, std::size_t given) const
   {
+    std::vector<Eigen::Vector3f> isolated;
+    for (const std::uint32_t i : outliers)
+      isolated.push_back(all_[placeOf(i)]);
+    const StandingPoints lie = standingPoints(parts_.graph, isolated);
     const Box box = parts_.graph.blocks().box();
     return {StatusCode::InvalidInput,
-            textOf(isolated, " of ", given, " points are isolated, far from the densest part of the cloud, which lies around ",
+            textOf(isolated.size(), " of ", given, " points are isolated, far from the densest part of the cloud, which lies around ",
                    placeText(middleOf(box)), ", is ", box.diagonal(), " mm across and has a point every ", parts_.graph.spacing(),
-                   " mm: the scan is disconnected; leave that part out, or thin the cloud to "
-                   "an even spacing (setThinning)")};
+                   " mm; half of them are more than ", lie.median_height, " mm above or below its surface, the farthest ",
+                   lie.largest_height,
+                   " mm: the scan is disconnected; where trees or flying points are, crop the scan to the part "
+                   "(setCrop); otherwise leave that part out, or thin the cloud to an even spacing (setThinning)")};
   }
 
-  Status keepLargestPart()
+  Status keepOnePart()
   {
     SurfaceParts found = surfaceParts(parts_.graph);
+    std::size_t kept = 0;
+    if (const Status status = choosePart(parts_.graph, found, settings_, kept); !status.ok())
+      return status;
     if (found.parts.size() < 2)
       return Status::success();
-    const auto largest = std::max_element(found.parts.begin(), found.parts.end(),
-                                          [](const SurfacePart& a, const SurfacePart& b) { return a.area < b.area; });
-    const auto kept = static_cast<std::size_t>(largest - found.parts.begin());
     const std::vector<std::uint8_t> apart = apartFrom(parts_.graph, found, kept);
-    const SurfacePart part = *largest;
-    found.parts.erase(largest);
-    parts_.counts.separate_parts = found.parts.size();
+    parts_.counts.separate_parts = found.parts.size() - 1;
     parts_.counts.other_part = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
-    parts_.warnings.push_back(textOf("kept only the largest of ", found.parts.size() + 1, " separate parts, ", partsText({part}),
-                                     "; left out the others, with ", parts_.counts.other_part, " points: ", partsText(found.parts)));
+    parts_.warnings.push_back(keptPartText(parts_.graph.size(), parts_.counts.other_part, found, settings_, kept));
     return keepPart(apart, LeftOut::OtherPart);
   }
 
@@ -178,6 +187,38 @@ private:
     return build(std::move(points));
   }
 
+  /** Refuse clusters on the surface, leave them out, or warn of them. */
+  Status checkClusters()
+  {
+    std::vector<Eigen::Vector3f> points;
+    for (std::size_t i = 0; i < why_.size(); ++i)
+      if (why_[i] == static_cast<std::int8_t>(LeftOut::Isolated) || why_[i] == static_cast<std::int8_t>(LeftOut::Speck))
+        points.push_back(all_[i]);
+    const std::size_t outliers = points.size();
+    const auto& doubtful = parts_.graph.doubtfulPoints();
+    for (const std::uint32_t i : doubtful)
+      points.push_back(parts_.graph.blocks().point(i));
+    const std::vector<StandingCluster> found = standingPoints(parts_.graph, points).clusters;
+    if (found.empty())
+      return Status::success();
+    const std::string text = clustersText(found);
+    if (settings_.clusters == ClusterHandling::Refuse && settings_.strict)
+      return {StatusCode::InvalidInput,
+              text + "; a path would go through what is there: take it off and scan again, keep the cutter out of there (addKeepOut), "
+                     "or leave the points out if they are false echoes (setClusterHandling)"};
+    parts_.warnings.push_back(text + "; a path may go through what is there");
+    if (settings_.clusters == ClusterHandling::Refuse)
+      return Status::success();
+    std::vector<std::uint8_t> apart(parts_.graph.size(), 0);
+    for (const StandingCluster& cluster : found)
+      for (const std::uint32_t i : cluster.points)
+        if (i >= outliers)
+          apart[doubtful[i - outliers]] = 1;
+    const auto left_out = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
+    parts_.counts.speck += left_out;
+    return left_out > 0 ? keepPart(apart, LeftOut::Speck) : Status::success();
+  }
+
   void finish()
   {
     SurfaceCounts& counts = parts_.counts;
@@ -204,7 +245,7 @@ private:
   const SurfaceSettings& settings_;
   Surface::Parts& parts_;
   std::vector<std::int8_t>& why_;
-  std::size_t given_ = 0;
+  std::vector<Eigen::Vector3f> all_; ///< the points given
   std::vector<std::uint32_t> place_; ///< indices of the points in use among those given; empty: all of them, in order
   std::vector<Eigen::Vector3f> normals_;
 };

@@ -113,10 +113,10 @@ plan(const Job& job)
   }
   const DrivePasses passes = drivePasses(job, surface, bar, result);
   clock.end("drive path");
-  const std::vector<ToolLocations> located =
-      job.no_gouge_check ? standAtContacts(job, passes) : locateCutter(job, surface, passes, bar, result);
+  std::vector<ToolLocations> located = job.no_gouge_check ? standAtContacts(job, passes) : locateCutter(job, surface, passes, bar, result);
   clock.end("locations");
   bar.clear();
+  leaveKeepOuts(job, located, result);
   requireNoCollision(job, located, result.locations);
   takePoses(CutterProfile(job.cutter), located, result);
   if (result.passes.empty())

@@ -30,6 +30,8 @@ prepare(Judge& judge, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, cons
   judge.setNumberOfThreads(settings.threads);
   if (settings.surface || settings.mesh)
     return; // oriented already
+  if (settings.part_at)
+    judge.setPartAt(*settings.part_at);
   judge.setFlipNormals(settings.flip_normals);
   setSide(settings.side, judge);
 }

@@ -18,6 +18,7 @@ struct JudgeSettings {
   pcl_spiral::Surface::ConstPtr surface;            ///< of the scan, if it exists already; null: it is made
   pcl_spiral::SurfaceMesh::ConstPtr mesh = nullptr; ///< to judge by instead of a scan; null: by the scan
   double sample_spacing = 0.0;                      ///< of its samples, mm; 0: chosen automatically
+  std::optional<Eigen::Vector3d> part_at;           ///< of several separate parts judge by the one nearest to this place
 };
 
 /** Values behind the figures, mm; see DeviationEstimation and MaterialRemoval. */

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "judge.h"
+#include "terminal/part_choice.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
 
@@ -27,6 +28,12 @@ void addScanOptions(boost::program_options::options_description& options);
 
 /** --tool-radius with \p radius_meaning as its help, --scallop, --chord-error, --view-point, --flip-normals */
 void addCutterOptions(boost::program_options::options_description& options, const char* radius_meaning);
+
+/** --part-at, --crop, --keep-out */
+void addPartOptions(boost::program_options::options_description& options);
+
+/** The choice of the part. \throw UsageError */
+PartChoice partChoice(const boost::program_options::variables_map& given);
 
 /** How to read the scan. \throw UsageError */
 pcl_spiral::ReadOptions scanOptions(const boost::program_options::variables_map& given);

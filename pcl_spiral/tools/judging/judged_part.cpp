@@ -4,20 +4,26 @@
 #include "terminal/scan_places.h"
 #include "terminal/setter_names.h"
 
+#include "verify/ball_way.h"
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
 
 using namespace pcl_spiral;
 
 JudgedPart
-readPart(const std::string& file, const ReadOptions& read, const std::optional<MeshChoice>& mesh, const ScanSide& side)
+readPart(const std::string& file, const ReadOptions& read, const std::optional<MeshChoice>& mesh, const ScanSide& side,
+         const JudgedRegion& region)
 {
   JudgedPart part;
   if (!mesh) {
-    const Scan scan = readCloud(file, read);
+    Scan scan = readCloud(file, read);
     setScanShift(scan.shift);
+    const std::optional<Eigen::Vector3d> view_point = fromScan(side.view_point);
+    part.side = sideOf(scan, view_point);
+    part.chosen = choosePart(region.choice, file, read, region.tool_radius, {part.side, region.flip_normals, region.threads}, scan);
+    part.side = sideOf(scan, view_point);
     part.cloud = scan.cloud;
-    part.side = sideOf(scan, fromScan(side.view_point));
     part.warnings = inOptions(scan.warnings);
     return part;
   }
@@ -27,4 +33,16 @@ readPart(const std::string& file, const ReadOptions& read, const std::optional<M
   if (const Status status = SurfaceMesh::make(*faces.mesh, mesh->settings, part.mesh); !status.ok())
     throw FileError(file, inOptions(status.message()));
   return part;
+}
+
+std::vector<std::string>
+faultsBeside(const JudgedPart& part, const pcl::PointCloud<ToolpathPoint>& path, double tool_radius, double allowed)
+{
+  std::vector<std::string> faults;
+  if (const auto entry = deepestEntry(path, tool_radius, part.chosen.keep_outs))
+    faults.push_back(textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place)));
+  if (const auto cut = deepestPoint(path, tool_radius, part.chosen.beside); cut && cut->depth > allowed)
+    faults.push_back(
+        textOf("the ball cuts ", cut->depth, " mm into the scan at ", placeText(cut->place), ", beside the part that was chosen"));
+  return faults;
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "judge_options.h"
+#include "terminal/part_choice.h"
 
 #include <string>
 #include <vector>
@@ -13,9 +14,24 @@ struct JudgedPart {
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud; ///< the scan; null: there is a mesh
   ScanSide side;                                  ///< of the scan
   pcl_spiral::SurfaceMesh::ConstPtr mesh;
+  ChosenPart chosen;                 ///< of the scan
   std::vector<std::string> warnings; ///< from reading
 };
 
-/** Reads the scan or the mesh and sets the shift of the run. \p side holds --view-point, if it was given. \throw pcl_spiral::FileError */
+/** Which points of a scan are judged, and by what cutter they are cut. */
+struct JudgedRegion {
+  PartChoice choice;
+  double tool_radius = 0.0; ///< mm
+  bool flip_normals = false;
+  unsigned int threads = 0;
+};
+
+/** Reads the scan or the mesh and sets the shift of the run. \p side holds --view-point, if it was given. \throw pcl_spiral::FileError,
+ * UsageError */
 JudgedPart readPart(const std::string& file, const pcl_spiral::ReadOptions& read, const std::optional<MeshChoice>& mesh,
-                    const ScanSide& side);
+                    const ScanSide& side, const JudgedRegion& region = {});
+
+/** What is wrong where the path meets the limits of the part: its ball enters a keep-out, or cuts into the scan beside. Empty: nothing.
+ *  \p allowed: depth of a cut that counts as none, mm. */
+std::vector<std::string> faultsBeside(const JudgedPart& part, const pcl::PointCloud<pcl_spiral::ToolpathPoint>& path, double tool_radius,
+                                      double allowed);

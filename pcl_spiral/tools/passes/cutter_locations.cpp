@@ -64,6 +64,33 @@ requireNoCollision(const PassJob& job, const std::vector<ToolLocations>& located
 }
 
 void
+leaveKeepOuts(const PassJob& job, std::vector<ToolLocations>& located, PassResult& result)
+{
+  const CutterProfile cutter(job.cutter);
+  const auto low = [&](const ToolLocation& l) -> Eigen::Vector3d { return l.tip + cutter.cornerRadius() * l.axis; };
+  const auto high = [&](const ToolLocation& l) -> Eigen::Vector3d { return low(l) + job.cutter.flank_length * l.axis; };
+  const auto enters = [&](const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
+    return std::any_of(result.chosen.keep_outs.begin(), result.chosen.keep_outs.end(),
+                       [&](const Prism& prism) { return prism.distance(begin, end) < cutter.radius(); });
+  };
+  for (ToolLocations& pass : located) {
+    const ToolLocation* before = nullptr;
+    for (ToolLocation& l : pass) {
+      if (l.state == LocationState::NoCloud || result.chosen.keep_outs.empty())
+        continue;
+      const bool moves_in = before && (enters(low(*before), low(l)) || enters(high(*before), high(l)));
+      before = nullptr;
+      if (moves_in || enters(low(l), high(l))) {
+        l.state = LocationState::NoCloud;
+        ++result.kept_out;
+      }
+      else
+        before = &l;
+    }
+  }
+}
+
+void
 takePoses(const CutterProfile& cutter, const std::vector<ToolLocations>& located, PassResult& result)
 {
   for (const ToolLocations& pass : located) {
@@ -93,9 +120,12 @@ warnOfLocations(const PassJob& job, PassResult& result)
 {
   std::vector<std::string>& warnings = result.warnings;
   warnings.insert(warnings.end(), result.locations.warnings.begin(), result.locations.warnings.end());
-  if (result.off_scan > 0)
-    warnings.push_back(
-        textOf(result.off_scan, " locations have no part of the surface below the cutter and were left out; passes are interrupted there"));
+  if (result.kept_out > 0)
+    warnings.push_back(textOf(result.kept_out, " locations were left out because the cutter would enter a keep-out there; passes are "
+                                               "interrupted (--keep-out)"));
+  if (result.off_scan > result.kept_out)
+    warnings.push_back(textOf(result.off_scan - result.kept_out,
+                              " locations have no part of the surface below the cutter and were left out; passes are interrupted there"));
   if (result.bisection.unresolved > 0)
     warnings.push_back(textOf(result.bisection.unresolved, " moves exceed the tolerance of ", job.tolerance,
                               " mm, the worst by an error of ", result.bisection.largest_error, " mm at ",

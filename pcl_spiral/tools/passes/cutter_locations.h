@@ -23,6 +23,10 @@ std::vector<pcl_spiral::ToolLocations> locateCutter(const PassJob& job, const pc
 void requireNoCollision(const PassJob& job, const std::vector<pcl_spiral::ToolLocations>& located,
                         const pcl_spiral::LocationFigures& figures);
 
+/** Marks the locations where the cutter enters a keep-out, and those at the end of a move through one, as off the part. The cutter is
+ *  taken as a cylinder round its axis; a ball is taken as it is. */
+void leaveKeepOuts(const PassJob& job, std::vector<pcl_spiral::ToolLocations>& located, PassResult& result);
+
 /** Puts the passes into \p result without the locations off the part; a pass is cut in two there. */
 void takePoses(const pcl_spiral::CutterProfile& cutter, const std::vector<pcl_spiral::ToolLocations>& located, PassResult& result);
 

@@ -92,6 +92,8 @@ checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vec
   }
   inputs.push_back({"the machine's file", job.program.machine_file});
   inputs.push_back({"the job file", job.config_file});
+  for (const InputName& polygon : polygonFiles(job.choice))
+    inputs.push_back(polygon);
   for (auto file = files.begin(); file != files.end(); ++file) {
     requireNoInput(*file, inputs);
     if (std::find(files.begin(), file, *file) != file)

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "terminal/part_choice.h"
 #include "terminal/scan_side.h"
 
 #include <pcl_spiral/common/impl/stage_clock.h>
@@ -23,6 +24,8 @@ struct PassResult {
   pcl_spiral::OuterSide side;                          ///< what decided it
   pcl_spiral::SurfaceMesh::ConstPtr mesh;              ///< the part if it is a mesh; null for a scan
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole_scan; ///< with the outliers that were left out
+  ChosenPart chosen;                                   ///< of the scan
+  std::size_t kept_out = 0;                            ///< locations left out because of keep-outs
   pcl_spiral::LocationFigures locations;
   pcl_spiral::BisectionFigures bisection;
   std::vector<pcl_spiral::ToolPoses> passes; ///< in travel order, without locations off the part

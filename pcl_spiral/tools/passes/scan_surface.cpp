@@ -50,6 +50,8 @@ surfaceOf(const PassJob& job, ProgressBar& bar, const PassResult& result)
   scanned.setStrict(false); // a rough surface is accepted, with a warning
   scanned.setQuiet(true);
   setSurface(job, scanned);
+  if (result.chosen.part_at)
+    scanned.setPartAt(*result.chosen.part_at);
   setSide(result.asked_side, scanned);
   scanned.setFlipNormals(job.flip_scan);
   scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.3 * share, stage); });
@@ -84,6 +86,9 @@ readScan(const PassJob& job, ProgressBar& bar, PassResult& result, StageClock& c
   clock.end("reading");
   if (cancelled())
     throw Cancelled();
+  // With no radius: locations that enter a keep-out are left out later, so any cutter goes as near as it can.
+  result.asked_side = sideOf(result.scan, job.view_point);
+  result.chosen = choosePart(job.choice, job.scan, job.read, 0.0, {result.asked_side, job.flip_scan, job.threads}, result.scan);
   if (job.leave_out_strays) {
     bar.update(0.0, "strays");
     leaveOutStrays(job, result);

@@ -19,7 +19,7 @@ template <typename Stage>
 void
 setSurface(const PassJob& job, Stage& stage)
 {
-  stage.setLargestPart(job.largest_part);
+  stage.setLargestPart(job.largest_part && !job.choice.part_at);
   stage.setThinning(job.thinning);
   stage.setNumberOfThreads(job.threads);
 }

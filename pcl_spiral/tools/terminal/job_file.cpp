@@ -79,11 +79,11 @@ readJobFile(const std::string& file, const OptionTable& table)
     }
     std::string list;
     for (const YAML::Node& item : entry.second) {
-      if (name == "output" && !(report && isSame(scalar(file, item), file)))
+      if (mayRepeat(name) && !(name == "output" && report && isSame(scalar(file, item), file)))
         values.emplace_back(name, scalar(file, item));
       list += (list.empty() ? "" : ",") + scalar(file, item);
     }
-    if (name != "output")
+    if (!mayRepeat(name))
       values.emplace_back(name, list);
   }
   return values;

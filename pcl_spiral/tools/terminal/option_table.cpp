@@ -61,6 +61,12 @@ suggestion(const OptionTable& table, const std::string& name)
   return nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?";
 }
 
+bool
+mayRepeat(const std::string& name)
+{
+  return name == "output" || name == "keep-out";
+}
+
 Option
 numberOption(const std::string& name, const std::string& argument, const std::string& help, double& target)
 {

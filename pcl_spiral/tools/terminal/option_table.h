@@ -37,6 +37,9 @@ void addOptions(OptionGroup& group, const std::vector<Option>& more);
 /** The option of that name; null if there is none. */
 const Option* findOption(const OptionTable& table, const std::string& name);
 
+/** Whether the option of that name may be given several times. */
+bool mayRepeat(const std::string& name);
+
 /** "; did you mean 'scallop'?" if an option's name is similar; otherwise empty. */
 std::string suggestion(const OptionTable& table, const std::string& name);
 

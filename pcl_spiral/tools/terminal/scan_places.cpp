@@ -155,6 +155,8 @@ inScan(SpiralReport report)
       *place = inScan(*place);
   for (HoleReport& hole : report.holes)
     hole.place = inScan(hole.place);
+  for (TightPlace& tight : report.tight_places)
+    tight.place = inScan(tight.place);
   for (BoundaryLoop& loop : report.loops)
     for (Eigen::Vector3d& place : loop.curve)
       place = inScan(place);
@@ -171,9 +173,9 @@ inScan(Verification v)
   RemovalFigures& r = v.removal;
   for (PlacedValue* value :
        {&d.max, &d.rim_max, &d.gap_max, &d.crease_max, &d.normal_error, &d.first_opposed, &d.first_inward, &d.wobble.max, &d.motion.gap,
-        &d.motion.turn, &d.motion.axis_change, &d.motion.normal_change, &r.gouge, &r.rim_gouge, &r.crease_gouge, &v.tip_error})
+        &d.motion.turn, &d.motion.axis_change, &d.motion.normal_change, &d.lift_max, &r.gouge, &r.rim_gouge, &r.crease_gouge, &v.tip_error})
     value->position = inScan(value->position);
-  for (StockFigures* figures : {&r.stock, &r.scallop, &r.rim, &r.crease})
+  for (StockFigures* figures : {&r.stock, &r.scallop, &r.rim, &r.unreached, &r.crease})
     moveBack(*figures);
   for (std::vector<std::string>* messages : {&d.warnings, &r.warnings, &v.broken, &v.unproven})
     *messages = inScan(std::move(*messages));

@@ -8,9 +8,13 @@
 namespace {
 
 /** Each first text is replaced by the second if the program has the first option in it. */
-constexpr std::array<std::pair<const char*, const char*>, 62> words{{
+constexpr std::array<std::pair<const char*, const char*>, 66> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
+    {"setPartAt", "--part-at"},
+    {"setClusterHandling", "--clusters leave-out"},
+    {"addKeepOut", "--keep-out"},
+    {"setCrop", "--crop"},
     {"setViewPoint", "--view-point"},
     {"setFlipNormals", "--flip-normals"},
     {"setOutlierRemoval", "--outliers"},

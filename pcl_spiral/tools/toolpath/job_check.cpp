@@ -59,7 +59,7 @@ checkMesh(const Job& job)
   const auto& known = pcl_spiral::meshExtensions();
   if (const std::string extension = extensionOf(job.scan); std::find(known.begin(), known.end(), extension) == known.end())
     throw UsageError(job.scan + ": --mesh reads .stl .obj and .ply, and '" + extension + "' holds no faces; for points leave --mesh out");
-  for (const char* option : {"columns", "view-point", "thin", "outliers"})
+  for (const char* option : {"columns", "view-point", "thin", "outliers", "crop", "keep-out"})
     if (job.given.count(option) > 0)
       throw UsageError(std::string("--") + option + " belongs to scans, and --mesh is given: " +
                        (std::string(option) == "view-point" ? "the faces define the side (--flip-normals turns them); " : "") +
@@ -91,6 +91,7 @@ checkOutputs(const Job& job)
   const std::vector<std::string> files = filesOf(job);
   for (std::size_t i = 0; i < files.size(); ++i) {
     requireNoInput(files[i], {{"the scan", job.scan}, {"the machine's file", job.program.machine_file}, {"the job file", job.config_file}});
+    requireNoInput(files[i], polygonFiles(job.part));
     if (std::find(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(i), files[i]) !=
         files.begin() + static_cast<std::ptrdiff_t>(i))
       throw UsageError("-o " + files[i] + ": is given twice");

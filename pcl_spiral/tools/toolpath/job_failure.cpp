@@ -44,7 +44,7 @@ inMesh(std::string message)
 std::string
 inWords(const Job& job, const std::string& message)
 {
-  return inOptions(job.mesh ? inMesh(message) : message);
+  return withFilePlaces(inOptions(job.mesh ? inMesh(message) : message), job.read);
 }
 
 void

@@ -139,7 +139,7 @@ spiral(SpiralSettings& s)
 OptionGroup
 surface(Job& job)
 {
-  return {
+  OptionGroup group{
       "Surface",
       {switchOption("mesh",
                     "the file is a mesh, .stl .obj .ply: the path follows samples of the curved surface behind its faces, and the faces "
@@ -154,6 +154,8 @@ surface(Job& job)
        numberOption("thin", "EDGE", "keep one point per cube of this edge, mm; default 0, no thinning: --thin 2", job.settings.thinning),
        {"outliers", "K,SIGMA", "remove points farther than SIGMA standard deviations from their K neighbours: --outliers 16,3",
         [&job](const std::string& value) { setOutliers(job, value); }}}};
+  addOptions(group, partOptions(job.part));
+  return group;
 }
 
 OptionGroup

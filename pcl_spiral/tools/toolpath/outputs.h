@@ -6,6 +6,7 @@
 
 #include "job.h"
 #include "judging/judge.h"
+#include "terminal/part_choice.h"
 #include "terminal/scan_side.h"
 
 #include "io/output_files.h"
@@ -30,8 +31,10 @@ struct SampledMesh {
 
 /** The result of a run. */
 struct Result {
-  pcl_spiral::Scan scan; ///< or the samples of the mesh
-  ScanSide side;         ///< what decides the side of the scan
+  pcl_spiral::Scan scan;                               ///< or the samples of the mesh
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole_scan; ///< with what the choice of the part left out
+  ChosenPart part;
+  ScanSide side; ///< what decides the side of the scan
   std::optional<SampledMesh> mesh;
   pcl_spiral::SpiralSettings settings; ///< as used
   pcl::PointCloud<pcl_spiral::ToolpathPoint>::Ptr path = pcl::make_shared<pcl::PointCloud<pcl_spiral::ToolpathPoint>>();

@@ -17,6 +17,6 @@ addProgram(const Job& job, const Machine& machine, Result& result)
   tool.cutter = CutterShape::ball(s.tool_radius);
   tool.tolerance = s.chord_error + deviations * result.report.noise;
   tool.threads = s.threads;
-  requireFreeLeads(job.scan, result.scan.cloud, tool, *result.program, job.program.accept_collisions, job.quiet, result.report.warnings);
+  requireFreeLeads(job.scan, result.whole_scan, tool, *result.program, job.program.accept_collisions, job.quiet, result.report.warnings);
   clock.end("machine");
 }

@@ -10,9 +10,22 @@
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
+#include "verify/ball_way.h"
+#include <pcl_spiral/common/impl/message.h>
+
 using namespace pcl_spiral;
 
 namespace {
+
+/** Sets which points of the scan are the part. */
+template <typename Stage>
+void
+setPart(const Job& job, const Result& result, Stage& stage)
+{
+  if (result.part.part_at)
+    stage.setPartAt(*result.part.part_at);
+  stage.setClusterHandling(job.part.clusters);
+}
 
 /** The surface of the samples of a mesh, or the one that planning, verification and the map of reach share. */
 Surface::ConstPtr
@@ -29,6 +42,7 @@ surfaceOf(const Job& job, const Result& result, ProgressBar& bar)
   scanned.setThinning(result.mesh ? 0.0 : job.settings.thinning);
   if (job.settings.outlier_neighbours > 0 && !result.mesh)
     scanned.setOutlierRemoval(job.settings.outlier_neighbours, job.settings.outlier_deviations);
+  setPart(job, result, scanned);
   scanned.setNumberOfThreads(job.settings.threads);
   scanned.setQuiet(true);
   scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.25 * share, stage); });
@@ -50,6 +64,11 @@ readInput(const Job& job, ProgressBar& bar, StageClock& clock, Result& result)
     result.scan.warnings = inOptions(result.scan.warnings);
     result.side = sideOf(result.scan, fromScan(job.settings.view_point));
   }
+  result.whole_scan = result.scan.cloud;
+  result.part = choosePart(job.part, job.scan, job.read, job.settings.tool_radius,
+                           {result.side, job.settings.flip_normals, job.settings.threads}, result.scan);
+  if (job.part.cuts())
+    result.side = sideOf(result.scan, fromScan(job.settings.view_point));
   clock.end("reading");
   if (cancelled())
     throw Cancelled();
@@ -61,6 +80,18 @@ readInput(const Job& job, ProgressBar& bar, StageClock& clock, Result& result)
   clock.end("surface");
 }
 
+/** Least width of a hole, mm: the holes that keep-outs leave must not count as gaps in the data. */
+double
+keepOutHoleSize(const Job& job, const Result& result)
+{
+  constexpr double share = 0.7; // of the polygon and the ball beside it: on slopes the ball needs less room on one side
+  double size = job.settings.hole_size;
+  for (const Prism& prism : result.part.keep_outs)
+    if (const double left = share * (prism.width() + 2.0 * job.settings.tool_radius); size == 0.0 || left < size)
+      size = left;
+  return size;
+}
+
 /** The settings for the generator. */
 SpiralSettings
 settingsFor(const Job& job, const Result& result)
@@ -70,11 +101,28 @@ settingsFor(const Job& job, const Result& result)
   settings.start_point = fromScan(settings.start_point);
   if (!result.mesh)
     settings.view_point = result.side.view_point;
+  settings.hole_size = keepOutHoleSize(job, result);
   if (result.mesh) {
     settings.hole_size = meshHoleSize(job, *result.mesh);
     settings.flip_normals = false; // the mesh is turned already
   }
   return settings;
+}
+
+/** \throw pcl_spiral::FileError if the ball enters a keep-out, or cuts into the scan beside it or beside the crop */
+void
+checkWay(const Job& job, const Result& result)
+{
+  constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
+  const double radius = job.settings.tool_radius, allowed = job.settings.chord_error + deviations * result.report.noise;
+  if (const auto entry = deepestEntry(*result.path, radius, result.part.keep_outs))
+    throw FileError(job.scan, textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place),
+                                     ": enlarge the polygon there by that much (--keep-out)"));
+  const auto cut = deepestPoint(*result.path, radius, result.part.beside);
+  if (cut && cut->depth > allowed)
+    throw FileError(job.scan, textOf("the ball would cut ", cut->depth, " mm into the scan at ", placeText(cut->place),
+                                     ", beside the part that was chosen: enlarge the keep-out so that it covers what stands there, or "
+                                     "change the crop (--keep-out, --crop)"));
 }
 
 } // namespace
@@ -93,6 +141,8 @@ plan(const Job& job)
     generator.setInputSurface(result.surface);
   else
     setSide(result.side, generator);
+  if (!result.surface)
+    setPart(job, result, generator);
   result.settings = settingsFor(job, result);
   generator.setSettings(result.settings);
   result.settings.flip_normals = job.settings.flip_normals;
@@ -101,6 +151,7 @@ plan(const Job& job)
   bar.clear();
   requireOk(job, result.mesh ? withSpacings(generator.getStatus(), *result.mesh) : generator.getStatus());
   result.report = generator.getReport();
+  checkWay(job, result);
   for (std::string& warning : result.report.warnings)
     warning = inWords(job, warning);
   if (result.mesh)

@@ -2,6 +2,7 @@
 #include "reach_map.h"
 
 #include "terminal/file_names.h"
+#include "terminal/scan_places.h"
 
 #include "common/formatted_text.h"
 #include "io/byte_file.h"
@@ -22,10 +23,10 @@ headOf(const std::string& extension, std::size_t points)
   if (extension == ".csv")
     return "x,y,z,radius\n";
   if (extension == ".ply")
-    return formatted("ply\nformat ascii 1.0\nelement vertex %zu\nproperty float x\nproperty float y\nproperty float z\n"
+    return formatted("ply\nformat ascii 1.0\nelement vertex %zu\nproperty double x\nproperty double y\nproperty double z\n"
                      "property float radius\nend_header\n",
                      points);
-  return formatted("# .PCD v0.7\nVERSION 0.7\nFIELDS x y z radius\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH %zu\nHEIGHT 1\n"
+  return formatted("# .PCD v0.7\nVERSION 0.7\nFIELDS x y z radius\nSIZE 8 8 8 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH %zu\nHEIGHT 1\n"
                    "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS %zu\nDATA ascii\n",
                    points, points);
 }
@@ -45,7 +46,7 @@ writeReachMap(const Job& job, const Surface& surface, const std::string& file)
   ByteFile out(file);
   out.write(headOf(extension, radii.size()));
   for (std::size_t i = 0; i < radii.size(); ++i) {
-    const Eigen::Vector3d place = surface.position(i);
+    const Eigen::Vector3d place = inScan(surface.position(i));
     out.write(formatted(row, place.x(), place.y(), place.z(), radii[i]));
   }
   out.close();

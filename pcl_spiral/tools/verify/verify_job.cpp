@@ -39,6 +39,7 @@ allOptions()
       "the scallops\n"
       ".vtp  a single path with the point data Deviation and Scallop, mm");
   addScanOptions(files);
+  addPartOptions(files);
   addMeshOptions(files);
   addCutterOptions(cutter, "radius of the ball cutter; required: --tool-radius 10");
   limits.add_options()("max-gouge", value("G"), "depth of gouges, mm: --max-gouge 0.01")(
@@ -126,6 +127,7 @@ fromMap(const po::variables_map& given)
   if (given.count("dialect") > 0)
     job.dialect = choiceValue<Dialect>("dialect", given["dialect"].as<std::string>());
   job.read = scanOptions(given);
+  job.part = partChoice(given);
   job.mesh = meshOptions(given);
   job.settings = cutterOptions(given);
   limit("max-gouge", job.limits.gouge);

@@ -63,6 +63,17 @@ public:
   void setLargestPart(bool alone) { settings_.largest_part = alone; }
   bool getLargestPart() const { return settings_.largest_part; } ///< The value of setLargestPart.
 
+  /** Of several separate parts keep the one nearest to \p place. Fails if no point of the surface is within ten spacings of it. Comes
+   *  before setLargestPart. */
+  void setPartAt(const Eigen::Vector3d& place) { settings_.part_at = place; }
+  const std::optional<Eigen::Vector3d>& getPartAt() const { return settings_.part_at; } ///< The value of setPartAt.
+  void clearPartAt() { settings_.part_at.reset(); }                                     ///< Takes back setPartAt.
+
+  /** What to do with two or more points near each other that stand off the surface by more than its noise. Single ones are left
+   *  out. ClusterHandling::Refuse by default; unless strict they are left out, with a warning. */
+  void setClusterHandling(ClusterHandling handling) { settings_.clusters = handling; }
+  ClusterHandling getClusterHandling() const { return settings_.clusters; } ///< The value of setClusterHandling.
+
   /** Keep one point in each voxel of this edge length, the one nearest to the centroid of the voxel; 0, the default: all. */
   void setThinning(double voxel_edge) { settings_.thinning = voxel_edge; }
   double getThinning() const { return settings_.thinning; } ///< The value of setThinning.

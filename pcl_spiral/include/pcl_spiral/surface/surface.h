@@ -20,18 +20,26 @@
 
 namespace pcl_spiral {
 
+/** What to do with points that stand off the surface together: a screw, a clamp, weld spatter; or several false echoes. */
+enum class ClusterHandling {
+  Refuse,  ///< fail, with place, size and height of each
+  LeaveOut ///< leave them out as outliers, with a warning: a path goes through them
+};
+
 /** Settings of ScannedSurface; its setters explain them. Lengths in mm. */
 struct SurfaceSettings {
-  std::optional<Eigen::Vector3d> view_point; ///< normals face it; absent: towards +z as a whole
-  bool flip_normals = false;                 ///< turn all normals to the other side
-  bool largest_part = false;                 ///< keep only the part with the largest area if there are several
-  double thinning = 0.0;                     ///< voxel edge of the thinning filter; 0: no thinning
-  int outlier_neighbours = 0;                ///< of the statistical outlier filter; 0: no filter
-  double outlier_deviations = 3.0;           ///< its threshold in standard deviations
-  int neighbours = 32;                       ///< in one neighbourhood, to start with
-  double alpha = 3.0;                        ///< radius of the largest circle without points that is still surface, in spacings
-  bool trust_normals = true;                 ///< refuse input normals without a common side; false: do not use them, and warn
-  bool strict = true;                        ///< refuse a scan that is no single sheet or is badly connected
+  std::optional<Eigen::Vector3d> view_point;          ///< normals face it; absent: towards +z as a whole
+  bool flip_normals = false;                          ///< turn all normals to the other side
+  bool largest_part = false;                          ///< keep only the part with the largest area if there are several
+  std::optional<Eigen::Vector3d> part_at;             ///< of several parts keep the one nearest to this place
+  ClusterHandling clusters = ClusterHandling::Refuse; ///< what to do with points that stand off the surface together
+  double thinning = 0.0;                              ///< voxel edge of the thinning filter; 0: no thinning
+  int outlier_neighbours = 0;                         ///< of the statistical outlier filter; 0: no filter
+  double outlier_deviations = 3.0;                    ///< its threshold in standard deviations
+  int neighbours = 32;                                ///< in one neighbourhood, to start with
+  double alpha = 3.0;                                 ///< radius of the largest circle without points that is still surface, in spacings
+  bool trust_normals = true;                          ///< refuse input normals without a common side; false: do not use them, and warn
+  bool strict = true;                                 ///< refuse a scan that is no single sheet or is badly connected
 };
 
 /** Name of the first setter that \p asked uses and \p made does not agree with; empty if there is none. A setting
@@ -48,7 +56,7 @@ struct SurfaceCounts {
   std::size_t surplus = 0;        ///< much closer together than the points around them, as along scan lines
   std::size_t isolated = 0;       ///< single points off the surface
   std::size_t speck = 0;          ///< in clusters apart from the surface
-  std::size_t other_part = 0;     ///< in separate parts other than the largest, left out on request
+  std::size_t other_part = 0;     ///< in separate parts other than the one kept, left out on request
   std::size_t used = 0;           ///< points of the surface
   std::size_t separate_parts = 0; ///< left out on request
   std::size_t guessed = 0;        ///< points put into gaps, in addition to those used
@@ -65,7 +73,7 @@ enum class LeftOut : std::uint8_t {
   Surplus,  ///< much closer to its neighbours than the points around it
   Isolated, ///< a single point off the surface
   Speck,    ///< in a cluster apart from the surface
-  OtherPart ///< in a part other than the largest
+  OtherPart ///< in a part other than the one kept
 };
 
 /** Finite and different points of the cloud that are not part of the surface. Parallel arrays, indices ascending. */
@@ -155,7 +163,7 @@ struct SurfacePoints {
 };
 
 /** Make a surface from \p points by \p settings, whose filters must have run before. Leave out outliers, surplus points and
- *  clusters, orient the normals, and with largest_part keep the largest part. \p why has one entry per given point: why it was
+ *  clusters, orient the normals, and keep one part, with part_at or largest_part. \p why has one entry per given point: why it was
  *  left out, or -1 if it was kept; empty if none was left out. \p counts holds what was dropped before. Fails on fewer than 50
  *  points, if the points form no surface, and when strict, if more than a tenth of them are isolated. The noise is not checked
  *  here; checkSingleSheet checks it for ScannedSurface. */

@@ -71,6 +71,15 @@ public:
   void setLargestPart(bool alone) { scanned_.setLargestPart(alone); }
   bool getLargestPart() const { return scanned_.getLargestPart(); } ///< The value of setLargestPart.
 
+  /** \see ScannedSurface::setPartAt */
+  void setPartAt(const Eigen::Vector3d& place) { scanned_.setPartAt(place); }
+  const std::optional<Eigen::Vector3d>& getPartAt() const { return scanned_.getPartAt(); } ///< The value of setPartAt.
+  void clearPartAt() { scanned_.clearPartAt(); }                                           ///< Takes back setPartAt.
+
+  /** \see ScannedSurface::setClusterHandling */
+  void setClusterHandling(ClusterHandling handling) { scanned_.setClusterHandling(handling); }
+  ClusterHandling getClusterHandling() const { return scanned_.getClusterHandling(); } ///< The value of setClusterHandling.
+
   /** Threads to use; 0, the default, means all. The output does not depend on it. */
   void setNumberOfThreads(unsigned int threads = 0) { scanned_.setNumberOfThreads(threads); }
   unsigned int getNumberOfThreads() const { return scanned_.getNumberOfThreads(); } ///< The value of setNumberOfThreads.

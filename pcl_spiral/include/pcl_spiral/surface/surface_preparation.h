@@ -66,6 +66,15 @@ public:
   void setLargestPart(bool alone) { scanned_.setLargestPart(alone); }
   bool getLargestPart() const { return scanned_.getLargestPart(); } ///< The value of setLargestPart.
 
+  /** \see ScannedSurface::setPartAt */
+  void setPartAt(const Eigen::Vector3d& place) { scanned_.setPartAt(place); }
+  const std::optional<Eigen::Vector3d>& getPartAt() const { return scanned_.getPartAt(); } ///< The value of setPartAt.
+  void clearPartAt() { scanned_.clearPartAt(); }                                           ///< Takes back setPartAt.
+
+  /** \see ScannedSurface::setClusterHandling */
+  void setClusterHandling(ClusterHandling handling) { scanned_.setClusterHandling(handling); }
+  ClusterHandling getClusterHandling() const { return scanned_.getClusterHandling(); } ///< The value of setClusterHandling.
+
   /** \see ScannedSurface::setViewPoint */
   void setViewPoint(const Eigen::Vector3d& point) { scanned_.setViewPoint(point); }
   const std::optional<Eigen::Vector3d>& getViewPoint() const { return scanned_.getViewPoint(); } ///< The value of setViewPoint.

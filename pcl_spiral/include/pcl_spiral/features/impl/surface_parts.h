@@ -6,6 +6,8 @@
 
 #include <pcl_spiral/graph/impl/surface_graph.h>
 
+#include <Eigen/Geometry>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -18,6 +20,8 @@ struct SurfacePart {
   std::size_t triangles = 0;
   double area = 0.0;                                ///< mm2
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< mean, weighted by area
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< its point nearest to the centre
+  Eigen::AlignedBox3d box;                          ///< around its points
 };
 
 /** The parts of the surface of a graph, by decreasing number of triangles. */
@@ -46,7 +50,10 @@ bool isSpeck(const SurfacePart& part, const SurfacePart& first, std::size_t all_
 /** What the other parts are. \p parts by decreasing number of triangles; \p share: the largest of a cluster. */
 OtherParts otherParts(const std::vector<SurfacePart>& parts, double share);
 
-/** "7854 mm2 at (1, 2, 3), 12 mm2 at (4, 5, 6) and 7 more": \p parts as text, the first few listed. */
+/** The part with a point nearest to \p place, and the distance of that point, mm. */
+std::size_t nearestPart(const SurfaceGraph& graph, const SurfaceParts& parts, const Eigen::Vector3d& place, double& distance);
+
+/** "7854 mm2 at (1, 2, 3), 12 mm2 at (4, 5, 6) and 7 more": \p parts as text with a point of each, the first few listed. */
 std::string partsText(const std::vector<SurfacePart>& parts);
 
 /** For each point of the graph: 1 if it belongs only to parts other than number \p part. A point without a triangle

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_spiral/cleaning/part_region.h>
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/search/impl/usable_points.h>
+
+#include <pcl/console/print.h>
+#include <pcl/filters/impl/filter_indices.hpp>
+#include <pcl/impl/pcl_base.hpp>
+
+#include <utility>
+
+namespace pcl_spiral {
+
+template <typename PointT, typename PointNT>
+Status
+PartRegion<PointT, PointNT>::check() const
+{
+  if (crop_ && !crop_->fault().empty())
+    return {StatusCode::InvalidArgument, "the polygon of the crop is no area: " + crop_->fault()};
+  for (const Prism& prism : keep_outs_)
+    if (!prism.fault().empty())
+      return {StatusCode::InvalidArgument, "the polygon of a keep-out is no area: " + prism.fault()};
+  if (!(tool_radius_ >= 0.0) || !(margin_ >= 0.0))
+    return {StatusCode::InvalidArgument, textOf("the tool radius is ", tool_radius_, " mm and the margin ", margin_,
+                                                " mm: neither may be below 0 (setToolRadius, setMargin)")};
+  if (normals_ && normals_->size() != this->input_->size())
+    return {StatusCode::InvalidInput, textOf("there are ", normals_->size(), " normals for ", this->input_->size(),
+                                             " points: call setInputNormals with one a point, or with none")};
+  return checkIndices(this->indices_.get(), this->input_->size());
+}
+
+/** Whether point \p i is to be cut; counts it otherwise. */
+template <typename PointT, typename PointNT>
+bool
+PartRegion<PointT, PointNT>::keeps(std::size_t i)
+{
+  const PointT& point = (*this->input_)[i];
+  if (!pcl::isFinite(point))
+    return false;
+  const Eigen::Vector3d p = point.getVector3fMap().template cast<double>();
+  if ((crop_box_ && !crop_box_->contains(p)) || (crop_ && !crop_->contains(p))) {
+    ++figures_.cropped;
+    return false;
+  }
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  if (normals_)
+    normal = (*normals_)[i].getNormalVector3fMap().template cast<double>();
+  const bool known = normal.squaredNorm() > 0.0;
+  const Eigen::Vector3d centre = known ? Eigen::Vector3d(p + tool_radius_ * normal.normalized()) : p;
+  const double least = margin_ + (known ? 1.0 : 2.0) * tool_radius_;
+  for (const Prism& prism : keep_outs_)
+    if (prism.distance(centre) <= least) {
+      ++(prism.contains(p) ? figures_.kept_out : figures_.too_close);
+      return false;
+    }
+  return true;
+}
+
+template <typename PointT, typename PointNT>
+void
+PartRegion<PointT, PointNT>::applyFilter(pcl::Indices& indices)
+{
+  figures_ = RegionFigures();
+  pcl::Indices kept, removed;
+  status_ = check();
+  if (!status_.ok()) {
+    PCL_ERROR("[pcl_spiral::PartRegion::filter] %s\n", status_.message().c_str());
+    removed = *this->indices_;
+  }
+  else {
+    for (const auto index : *this->indices_)
+      (keeps(static_cast<std::size_t>(index)) ? kept : removed).push_back(index);
+    if (this->negative_)
+      kept.swap(removed);
+  }
+  indices = std::move(kept);
+  if (this->extract_removed_indices_)
+    *this->removed_indices_ = std::move(removed);
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Groups of outliers that stand on the surface. Private.
+ */
+#pragma once
+
+#include <pcl_spiral/graph/impl/surface_graph.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Points near each other that stand off the surface: a screw, a clamp, spatter. Lengths in mm. */
+struct StandingCluster {
+  std::vector<std::uint32_t> points;               ///< indices of those given
+  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< its mean
+  double size = 0.0;                               ///< diagonal of its box
+  double height = 0.0;                             ///< of its highest point over the surface
+};
+
+/** Heights of points over a surface, and what can be seen from them. */
+struct StandingPoints {
+  std::vector<StandingCluster> clusters; ///< the highest first
+  double median_height = 0.0;            ///< of all points over the surface, without sign
+  double largest_height = 0.0;           ///< without sign
+};
+
+/** Which of \p points, outliers and doubtful points of \p graph, stand off its surface together.
+ *
+ *  A point stands off the surface if its height over the surface of its neighbours, on the outer side, is more than eight times
+ *  the noise, theirs and the usual one, and 0.3 of the spacing, and it is not beyond the rim by more than a spacing.
+ *  Steps of two spacings link the points of a cluster. False echoes that fly about at random meet by chance: how often is estimated
+ *  from the pairs two to six spacings apart, which are eight times as many on a plane, and more in space. Groups of a size that is
+ *  expected 0.3 times or more are no clusters. The surface is that of spikeOutliers, fitted to the points of the graph that are not
+ *  doubtful. */
+StandingPoints standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& points);
+
+/** "9 clusters of points stand off the surface: 6 points at (1, 2, 3), 10 mm across and 5.4 mm high, ... and 5 more" */
+std::string clustersText(const std::vector<StandingCluster>& clusters);
+
+} // namespace pcl_spiral

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Whether the ball of a path enters places that are not to be cut.
+ */
+#pragma once
+
+#include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/core/prism.h>
+
+#include <pcl/point_types.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Where the ball is deepest in something. */
+struct BallEntry {
+  double depth = 0.0;    ///< mm
+  Eigen::Vector3d place; ///< of the contact for a prism; of the point for points
+};
+
+/** Centres of the ball of radius \p radius along \p path, at its points; lifts are between pass ends. */
+std::vector<Eigen::Vector3d> ballCentres(const pcl::PointCloud<ToolpathPoint>& path, double radius);
+
+/** How deep the ball enters \p prisms on its moves along \p path; absent if it does not. Lifts are not looked at. */
+std::optional<BallEntry> deepestEntry(const pcl::PointCloud<ToolpathPoint>& path, double radius, const std::vector<Prism>& prisms);
+
+/** How deep \p points are in the ball on its moves along \p path; absent if none is in it. Lifts are not looked at. */
+std::optional<BallEntry> deepestPoint(const pcl::PointCloud<ToolpathPoint>& path, double radius,
+                                      const std::vector<Eigen::Vector3f>& points);
+
+} // namespace pcl_spiral

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Which points of a scan are the part to be machined: the same options in all programs that read a scan.
+ */
+#pragma once
+
+#include "file_names.h"
+#include "option_table.h"
+#include "scan_side.h"
+
+#include <pcl_spiral/core/prism.h>
+#include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/surface/surface.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/** The options as given; their coordinates are those of the file of the scan. */
+struct PartChoice {
+  std::optional<Eigen::Vector3d> part_at; ///< a place on the part
+  std::string crop;                       ///< a box, or the file of a polygon
+  std::vector<std::string> keep_outs;     ///< files of polygons
+  pcl_spiral::ClusterHandling clusters = pcl_spiral::ClusterHandling::Refuse;
+
+  bool cuts() const { return !crop.empty() || !keep_outs.empty(); } ///< whether points are left out by their place
+};
+
+/** --part-at, --crop, --keep-out */
+std::vector<Option> placeOptions(PartChoice& choice);
+
+/** These and --clusters, for a program that refuses clusters. */
+std::vector<Option> partOptions(PartChoice& choice);
+
+/** The files that are read for the choice. */
+std::vector<InputName> polygonFiles(const PartChoice& choice);
+
+/** \p place, in the coordinates of the file, in those of the scan that was read: mm, without the origin. */
+Eigen::Vector3d placeInScan(const Eigen::Vector3d& place, const pcl_spiral::ReadOptions& read);
+
+/** What is left of a scan when the part is chosen. */
+struct ChosenPart {
+  std::vector<pcl_spiral::Prism> keep_outs; ///< in the coordinates of the scan that was read
+  std::vector<Eigen::Vector3f> beside;      ///< points left out by their place, without those in a keep-out
+  std::optional<Eigen::Vector3d> part_at;   ///< in the coordinates of the scan that was read
+};
+
+/** How the side of a scan is found, to know where the ball stands. */
+struct PartSide {
+  const ScanSide& side;
+  bool flip_normals = false;
+  unsigned int threads = 0;
+};
+
+/** Removes from \p scan, which was read from \p file, the points outside the crop and those that a ball of \p tool_radius cannot
+ *  touch without entering a keep-out (radius 0: those in a keep-out); adds to its warnings how many.
+ *  \throw pcl_spiral::FileError, UsageError */
+ChosenPart choosePart(const PartChoice& choice, const std::string& file, const pcl_spiral::ReadOptions& read, double tool_radius,
+                      const PartSide& side, pcl_spiral::Scan& scan);
+
+/** \p message with the places of parts ("mm2 at (1, 2, 3)") also in the coordinates of the file, if these are others. */
+std::string withFilePlaces(const std::string& message, const pcl_spiral::ReadOptions& read);
