@@ -181,7 +181,7 @@ groupsOf(const std::vector<Eigen::Vector3f>& points, const std::vector<std::uint
 StandingPoints
 standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& points)
 {
-  constexpr double over_noise = 8.0, over_spacing = 0.3;
+  constexpr double over_noise = 8.0, far_over_noise = 12.0, over_spacing = 0.3;
   StandingPoints found;
   if (points.empty())
     return found;
@@ -209,8 +209,9 @@ standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& po
   const double reach = link * graph.spacing();
   std::vector<StandingCluster> groups = groupsOf(standing, members, standing_heights, reach);
   const std::size_t least = leastCluster(groups, reach);
+  const auto isFar = [&](std::uint32_t i) { return heights[i].value > far_over_noise * std::max(heights[i].noise, noise); };
   for (const StandingCluster& group : groups)
-    if (group.points.size() >= least)
+    if (group.points.size() >= least && std::count_if(group.points.begin(), group.points.end(), isFar) > 1)
       found.clusters.push_back(group);
   std::stable_sort(found.clusters.begin(), found.clusters.end(),
                    [](const StandingCluster& a, const StandingCluster& b) { return a.height > b.height; });
