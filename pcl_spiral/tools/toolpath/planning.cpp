@@ -72,7 +72,8 @@ readInput(const Job& job, ProgressBar& bar, StageClock& clock, Result& result)
   clock.end("reading");
   if (cancelled())
     throw Cancelled();
-  if (!job.mesh && job.reach.empty() && !(job.verify && judgedByTheSameSurface(job.settings)))
+  const bool one_part = job.part.part_at || job.settings.largest_part; // the other parts are looked at again when the path is there
+  if (!job.mesh && job.reach.empty() && !one_part && !(job.verify && judgedByTheSameSurface(job.settings)))
     return;
   result.surface = surfaceOf(job, result, bar);
   if (result.mesh)
@@ -118,11 +119,15 @@ checkWay(const Job& job, const Result& result)
   if (const auto entry = deepestEntry(*result.path, radius, result.part.keep_outs))
     throw FileError(job.scan, textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place),
                                      ": enlarge the polygon there by that much (--keep-out)"));
-  const auto cut = deepestPoint(*result.path, radius, result.part.beside);
+  std::vector<Eigen::Vector3f> beside = result.part.beside;
+  for (std::size_t i = 0; result.surface && !result.mesh && i < result.surface->leftOut().why.size(); ++i)
+    if (result.surface->leftOut().why[i] == LeftOut::OtherPart)
+      beside.push_back(result.surface->leftOut().positions[i]);
+  const auto cut = deepestPoint(*result.path, radius, beside);
   if (cut && cut->depth > allowed)
     throw FileError(job.scan, textOf("the ball would cut ", cut->depth, " mm into the scan at ", placeText(cut->place),
-                                     ", beside the part that was chosen: enlarge the keep-out so that it covers what stands there, or "
-                                     "change the crop (--keep-out, --crop)"));
+                                     ", beside the part that was chosen: keep out of what stands there with a polygon that covers it "
+                                     "(--keep-out), or change the crop (--crop)"));
 }
 
 } // namespace
