@@ -24,6 +24,23 @@ forWays(const pcl::PointCloud<ToolpathPoint>& path, double radius, Visit visit)
   }
 }
 
+/** Adds places on the axis of the shank above the ball, from path points that are a part of the radius apart. */
+void
+addShank(const pcl::PointCloud<ToolpathPoint>& path, double radius, std::vector<Eigen::Vector3f>& places)
+{
+  constexpr double apart = 0.25, step = 0.5; // of the radius
+  const std::vector<Eigen::Vector3d> centres = ballCentres(path, radius);
+  Eigen::Vector3d last = Eigen::Vector3d::Constant(1e30);
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    if ((centres[i] - last).norm() < apart * radius)
+      continue;
+    last = centres[i];
+    const Eigen::Vector3d axis(path[i].axis_x, path[i].axis_y, path[i].axis_z);
+    for (double above = step; above <= shank_radii; above += step)
+      places.push_back((centres[i] + above * radius * axis).cast<float>());
+  }
+}
+
 } // namespace
 
 std::vector<Eigen::Vector3d>
@@ -59,6 +76,7 @@ deepestPoint(const pcl::PointCloud<ToolpathPoint>& path, double radius, const st
   });
   if (places.empty() || points.empty())
     return std::nullopt;
+  addShank(path, radius, places);
   const PointBlocks blocks(std::move(places));
   std::vector<double> depths(points.size(), 0.0);
 #pragma omp parallel for schedule(dynamic, 256)

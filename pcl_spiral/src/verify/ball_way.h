@@ -16,6 +16,9 @@
 
 namespace pcl_spiral {
 
+/** Length of the shank above the ball's centre, radii: it is taken as thick as the ball. */
+constexpr double shank_radii = 10.0;
+
 /** Where the ball is deepest in something. */
 struct BallEntry {
   double depth = 0.0;    ///< mm
@@ -28,7 +31,8 @@ std::vector<Eigen::Vector3d> ballCentres(const pcl::PointCloud<ToolpathPoint>& p
 /** How deep the ball enters \p prisms on its moves along \p path; absent if it does not. Lifts are not looked at. */
 std::optional<BallEntry> deepestEntry(const pcl::PointCloud<ToolpathPoint>& path, double radius, const std::vector<Prism>& prisms);
 
-/** How deep \p points are in the ball on its moves along \p path; absent if none is in it. Lifts are not looked at. */
+/** How deep \p points are in the ball and its shank on their moves along \p path; absent if none is in them. The scanner sees the top of
+ *  a clamp and not its walls: the shank meets the top. Lifts are not looked at. */
 std::optional<BallEntry> deepestPoint(const pcl::PointCloud<ToolpathPoint>& path, double radius,
                                       const std::vector<Eigen::Vector3f>& points);
 

@@ -125,7 +125,8 @@ checkWay(const Job& job, const Result& result)
       beside.push_back(result.surface->leftOut().positions[i]);
   const auto cut = deepestPoint(*result.path, radius, beside);
   if (cut && cut->depth > allowed)
-    throw FileError(job.scan, textOf("the ball would cut ", cut->depth, " mm into the scan at ", placeText(cut->place),
+    throw FileError(job.scan, textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", cut->depth,
+                                     " mm into the scan at ", placeText(cut->place),
                                      ", beside the part that was chosen: keep out of what stands there with a polygon that covers it "
                                      "(--keep-out), or change the crop (--crop)"));
 }
