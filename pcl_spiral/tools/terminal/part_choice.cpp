@@ -162,7 +162,8 @@ placeInScan(const Eigen::Vector3d& place, const ReadOptions& read)
 }
 
 ChosenPart
-choosePart(const PartChoice& choice, const std::string& file, const ReadOptions& asked, double tool_radius, const PartSide& side, Scan& scan)
+choosePart(const PartChoice& choice, const std::string& file, const ReadOptions& asked, double tool_radius, const PartSide& side,
+           Scan& scan)
 {
   const ReadOptions read = readAsScan(asked);
   ChosenPart part;

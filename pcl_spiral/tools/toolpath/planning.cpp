@@ -2,8 +2,8 @@
 #include "planning.h"
 #include "job_failure.h"
 #include "mesh_input.h"
-#include "terminal/scan_places.h"
 #include "path_judging.h"
+#include "terminal/scan_places.h"
 #include "terminal/setter_names.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
