@@ -42,7 +42,7 @@ faultsBeside(const JudgedPart& part, const pcl::PointCloud<ToolpathPoint>& path,
   if (const auto entry = deepestEntry(path, tool_radius, part.chosen.keep_outs))
     faults.push_back(textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place)));
   if (const auto cut = deepestPoint(path, tool_radius, part.chosen.beside); cut && cut->depth > allowed)
-    faults.push_back(
-        textOf("the ball cuts ", cut->depth, " mm into the scan at ", placeText(cut->place), ", beside the part that was chosen"));
+    faults.push_back(textOf("the ball or its shank, taken as ", shank_radii, " radii long, cuts ", cut->depth, " mm into the scan at ",
+                            placeText(cut->place), ", beside the part that was chosen"));
   return faults;
 }

@@ -61,9 +61,9 @@ void writeToolpathPCD(const std::string& file, const pcl::PointCloud<ToolpathPoi
 void writeToolpathPLY(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path,
                       const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
-/** Writes one polyline per pass, with point data Normals, ToolAxis, Feed (if known), Turn, ArcLength, OverGap and Lift (if any is not 0), Tip (if
- *  tips are given), and
- *  Deviation and Scallop from \p values, if given. \throw FileError, std::invalid_argument for values that are not one per point */
+/** Writes one polyline per pass, with point data Normals, ToolAxis, Feed (if known), Turn, ArcLength, OverGap and Lift (if any is not
+ *  0), Tip (if tips are given), and Deviation and Scallop from \p values, if given. \throw FileError, std::invalid_argument for values
+ *  that are not one per point */
 void writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion,
                       const PathValues& values = {});
 
