@@ -104,7 +104,7 @@ TEST(StandingClusters, AreRefusedWithPlaceSizeAndHeight)
 {
   std::uint32_t seed = 0;
   for (const int points : {2, 3, 6, 12, 25, 50})
-    for (const double height : {0.5, 1.0, 2.0, 5.0, 10.0})
+    for (const double height : {0.5, 2.0, 10.0})
       for (const bool at_rim : {false, true}) {
         const Cloud::Ptr cloud = dome(++seed);
         std::mt19937 random(seed);
@@ -177,7 +177,7 @@ TEST(StandingClusters, SingleEchoesGoAsBefore)
 TEST(StandingClusters, EchoesThatFlyAtRandomAreNoCluster)
 {
   int refused = 0;
-  for (std::uint32_t seed = 1; seed <= 30; ++seed) {
+  for (std::uint32_t seed = 1; seed <= 16; ++seed) {
     const Cloud::Ptr cloud = dome(seed);
     std::mt19937 random(100 + seed);
     std::uniform_real_distribution<double> side(-0.65 * rim, 0.65 * rim), height(-20.0, 20.0);
@@ -185,7 +185,7 @@ TEST(StandingClusters, EchoesThatFlyAtRandomAreNoCluster)
       add(*cloud, onDome(side(random), side(random), height(random)));
     refused += !statusOf(cloud).ok();
   }
-  EXPECT_LE(refused, 3) << "two echoes that meet by chance look like a thing of two points, of 30 scans";
+  EXPECT_LE(refused, 1) << "of 16 scans: two echoes that meet by chance look like a thing of two points";
 }
 
 TEST(StandingClusters, TheDoorHasOneAndOtherScansHaveNone)
