@@ -337,6 +337,42 @@ TEST(ToolpathFiles, CsvFilesOfEarlierVersionsAreRead)
   EXPECT_EQ(file.tips[2].x(), 5.0);
 }
 
+TEST(ToolpathFiles, RowsInAnotherOrderAreRefusedAndSortingHelps)
+{
+  const ScratchFolder folder;
+  const std::string file = folder.path("path.csv");
+  writeToolpathCSV(file, spiral(500), motion);
+  std::istringstream in(readText(file));
+  std::string head, row;
+  std::getline(in, head);
+  std::vector<std::string> rows;
+  while (std::getline(in, row))
+    rows.push_back(row);
+  std::vector<std::string> shuffled;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    shuffled.push_back(rows[(i * 211) % 499]);
+  const auto write = [&](const std::vector<std::string>& lines) {
+    std::string text = head + "\n";
+    for (const std::string& line : lines)
+      text += line + "\n";
+    writeText(file, text);
+  };
+  write(std::vector<std::string>(rows.rbegin(), rows.rend()));
+  try {
+    readToolpath(file);
+    FAIL() << "rows from the end to the start";
+  }
+  catch (const FileError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("the arc length falls at 499 of 500 points, first at point 2; sort the rows by arc_length"), std::string::npos)
+        << message;
+  }
+  write(shuffled);
+  EXPECT_THROW(readToolpath(file), FileError);
+  write(rows);
+  EXPECT_EQ(readToolpath(file).path.size(), 500u);
+}
+
 TEST(ToolpathFiles, EveryPolylineIsAPassWhateverTheArcLengthsSay)
 {
   const ScratchFolder folder;

@@ -93,6 +93,21 @@ fromColumns(const PointTable& table, const Eigen::Vector3d& origin, const Names&
   return file;
 }
 
+/** Refuses rows in another order than that of the path. Passes that were put together may begin at 0 again, each once. */
+void
+requireOrder(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path)
+{
+  constexpr std::size_t rows_per_pass = 10; // at least
+  std::size_t falls = 0, first = 0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+    if (path[i].arc_length < path[i - 1].arc_length && falls++ == 0)
+      first = i;
+  if (falls * rows_per_pass > path.size())
+    throw FileError(file, "the points are not in the order of the path: the arc length falls at " + std::to_string(falls) + " of " +
+                              std::to_string(path.size()) + " points, first at point " + std::to_string(first + 1) +
+                              "; sort the rows by arc_length");
+}
+
 /** Keeps the arc length unchanged on the way to each of \p passes: each polyline is a separate pass. */
 void
 liftBetween(const std::vector<std::size_t>& passes, pcl::PointCloud<ToolpathPoint>& path)
@@ -122,7 +137,9 @@ readToolpath(const std::string& file, const Eigen::Vector3d& origin)
     wanted.insert(wanted.end(), last.begin(), last.end());
     wanted.insert(wanted.end(), later.begin(), later.end());
     const Eigen::Vector3d added = extension == ".pcd" ? originOf(file, bytes) : Eigen::Vector3d::Zero();
-    return fromColumns(table_of(file, bytes, wanted), origin - added, later);
+    ToolpathFile read = fromColumns(table_of(file, bytes, wanted), origin - added, later);
+    requireOrder(file, read.path);
+    return read;
   };
   const auto readText = [](const auto&... of) { return readTextTable(of...); };
   const auto readPcd = [](const auto&... of) { return readPcdTable(of...); };
