@@ -130,6 +130,23 @@ TEST(MaterialRemoval, ASpiralOnADiscLeavesWhatItShouldAtItsBestLength)
   EXPECT_NEAR(f.area, M_PI * disc * disc, 0.002 * M_PI * disc * disc);
 }
 
+TEST(MaterialRemoval, APartOfAPathIsNoMoreEfficientThanAWhole)
+{
+  const double disc = 100.0, pitch = exactStepOver(R, h, 0.0);
+  const SurfacePtr surface = flat(Region({circle({0, 0}, disc)}));
+  for (const double share : {0.02, 0.3, 0.7}) {
+    PassBuilder builder(*surface);
+    for (double t = 0.0, r = 0.0; r < share * disc; t += std::min(0.3, std::sqrt(8.0 * 2e-4 / std::max(r, 0.1)))) {
+      r = pitch * t / (2.0 * M_PI);
+      builder.add({r * std::cos(t), r * std::sin(t)}, 0.0);
+    }
+    const auto f = measured(*surface, builder.path(), 40000);
+    EXPECT_LE(f.efficiency, 1.0) << share;
+    EXPECT_GT(f.efficiency, share > 0.1 ? 0.9 : 0.0) << share;
+    EXPECT_NEAR(f.area, M_PI * disc * disc, 0.005 * M_PI * disc * disc);
+  }
+}
+
 TEST(MaterialRemoval, AMissingPassIsFoundInItsPlace)
 {
   const SurfacePtr surface = plane();

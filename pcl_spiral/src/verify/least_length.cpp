@@ -8,7 +8,8 @@
 namespace pcl_spiral {
 
 double
-leastLength(const ReferenceSurface& reference, const std::vector<float>& steps, const std::vector<Eigen::Vector3f>& feet, double& area)
+leastLength(const ReferenceSurface& reference, const std::vector<float>& steps, const std::vector<Eigen::Vector3f>& feet, double rim_share,
+            double& area)
 {
   const Triangulation& mesh = reference.graph().triangulation();
   std::vector<std::size_t> sizes;
@@ -31,9 +32,9 @@ leastLength(const ReferenceSurface& reference, const std::vector<float>& steps, 
   }
   if (count == 0)
     return 0.0;
-  area += reference.rimStrip();
-  passes += reference.rimStrip() * static_cast<double>(count) / step_sum;
-  return passes + 0.5 * reference.rimLength();
+  area += rim_share * reference.rimStrip();
+  passes += rim_share * reference.rimStrip() * static_cast<double>(count) / step_sum;
+  return passes + 0.5 * rim_share * reference.rimLength();
 }
 
 } // namespace pcl_spiral

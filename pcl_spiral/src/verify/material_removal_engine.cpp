@@ -37,6 +37,8 @@ public:
 private:
   void count(std::size_t i, const SampleResult& result);
   void finish(StockFigures& figures, std::vector<float>& heights, const PlacedValue& max);
+  std::vector<float> cutSteps() const;
+  void measureEfficiency();
 
   const ReferenceSurface& reference_;
   const CutterPath& path_;
@@ -189,6 +191,34 @@ Measurement::finish(StockFigures& figures, std::vector<float>& heights, const Pl
   figures.p999 = quantile(heights, 0.999);
 }
 
+/** Step-overs at the points that the path cuts down to the limit, 0 elsewhere. */
+std::vector<float>
+Measurement::cutSteps() const
+{
+  constexpr double deviations = 3.0; // of the fit
+  const auto most = static_cast<float>(figures_.limit + deviations * reference_.fitNoise());
+  std::vector<float> steps = steps_;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (!(heights_.stock[i] <= most))
+      steps[i] = 0.0f;
+  return steps;
+}
+
+/** Compares the path with the least length for what it cuts: a part of a path is no better than the whole. */
+void
+Measurement::measureEfficiency()
+{
+  const std::vector<float> cut = cutSteps();
+  double inside = 0.0, cut_inside = 0.0, with_rim = 0.0;
+  leastLength(reference_, steps_, feet_, 0.0, inside);
+  leastLength(reference_, cut, feet_, 0.0, cut_inside);
+  figures_.area = inside > 0.0 ? inside + reference_.rimStrip() : 0.0;
+  figures_.least_length = leastLength(reference_, cut, feet_, inside > 0.0 ? cut_inside / inside : 0.0, with_rim);
+  figures_.path_length = cutLength(path_);
+  if (figures_.path_length > 0.0)
+    figures_.efficiency = figures_.least_length / figures_.path_length;
+}
+
 void
 Measurement::finish()
 {
@@ -204,10 +234,7 @@ Measurement::finish()
   figures_.crease_gouge = extremes_.crease_gouge;
   finish(figures_.scallop, ridge_, extremes_.scallop);
   figures_.rim_length = reference_.rimLength();
-  figures_.least_length = leastLength(reference_, steps_, feet_, figures_.area);
-  figures_.path_length = cutLength(path_);
-  if (figures_.path_length > 0.0)
-    figures_.efficiency = figures_.least_length / figures_.path_length;
+  measureEfficiency();
   if (figures_.gouge.value > settings_.tool_radius)
     figures_.warnings.push_back("the middle of the cutter is inside the material at path point " + std::to_string(figures_.gouge.index) +
                                 ": the path's normals are reversed there, or the reference is seen from its other side");

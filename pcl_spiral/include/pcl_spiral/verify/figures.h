@@ -112,7 +112,7 @@ struct RemovalFigures {
   double reach = 0.0;                ///< as used
   double area = 0.0;                 ///< mm^2
   double rim_length = 0.0;           ///< mm
-  double least_length = 0.0;         ///< mm: no path of this scallop height is much shorter, see leastLength
+  double least_length = 0.0;         ///< mm: no path that cuts the same places to this scallop height is much shorter
   double path_length = 0.0;          ///< mm
   double efficiency = 0.0;           ///< eta = least_length / path_length
   double noise = 0.0;                ///< see ReferenceSurface::noise

@@ -44,10 +44,10 @@ Status measureRemovedMaterial(const ReferenceSurface& reference, const CutterPat
                               RemovalFigures& figures);
 
 /** Length that a path of constant scallop height needs at least: the integral of dA over
- *  the largest step-over, which is the one across the smallest curvature, plus half the
+ *  the largest step-over, which is the one across the smallest curvature, plus half of \p rim_share of the
  *  rim, where half of the pass lies outside the part. \p steps and \p feet: one per point
- *  of the graph; the step is 0 where there is none. \p area is that of the part, mm^2. */
+ *  of the graph; the step is 0 where there is none. \p area is that of the part with steps and of that share of its rim, mm^2. */
 double leastLength(const ReferenceSurface& reference, const std::vector<float>& steps, const std::vector<Eigen::Vector3f>& feet,
-                   double& area);
+                   double rim_share, double& area);
 
 } // namespace pcl_spiral
