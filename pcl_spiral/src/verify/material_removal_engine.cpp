@@ -213,8 +213,9 @@ Measurement::measureEfficiency()
   leastLength(reference_, steps_, feet_, 0.0, inside);
   leastLength(reference_, cut, feet_, 0.0, cut_inside);
   figures_.area = inside > 0.0 ? inside + reference_.rimStrip() : 0.0;
-  figures_.least_length = leastLength(reference_, cut, feet_, inside > 0.0 ? cut_inside / inside : 0.0, with_rim);
   figures_.path_length = cutLength(path_);
+  const double least = leastLength(reference_, cut, feet_, inside > 0.0 ? cut_inside / inside : 0.0, with_rim);
+  figures_.least_length = std::min(least, figures_.path_length); // the path itself cuts these places; its last pass cuts half a step more
   if (figures_.path_length > 0.0)
     figures_.efficiency = figures_.least_length / figures_.path_length;
 }
