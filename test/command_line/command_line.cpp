@@ -328,6 +328,20 @@ TEST_F(CommandLine, UnitsAndThreadsDoNotChangeThePath)
   EXPECT_NEAR(a.back().arc_length, b.back().arc_length, 1e-3 * a.back().arc_length);
 }
 
+TEST_F(CommandLine, LimitsOfTheCheckDecideWhetherThePathIsWritten)
+{
+  const RunResult kept = make("cap.xyz", {"--max-gouge", "0.05", "--max-uncut", "1", "-o", "kept.csv", "-o", "kept.json"});
+  EXPECT_EQ(kept.code, 0) << kept.err;
+  EXPECT_NE(readText(folder_.path("kept.json")).find("\"gouge\""), std::string::npos) << "checked without --verify";
+  const std::size_t before = folder_.count();
+  const RunResult broken = make("cap.xyz", {"--max-scallop", "0.0001", "-o", "broken.csv", "-o", "broken.json"});
+  EXPECT_EQ(broken.code, 1);
+  EXPECT_NE(broken.err.find("a limit is broken: --max-scallop 0.0001"), std::string::npos) << broken.err;
+  EXPECT_EQ(folder_.count(), before);
+  expectRefused({"cap.xyz", "--tool-radius", "3", "--scallop", "0.02", "--max-gouge", "-1", "-o", "b.csv"}, 2,
+                {"--max-gouge -1", "0 or more"});
+}
+
 TEST_F(CommandLine, AReportMakesItsRunAgain)
 {
   std::ostringstream text; // a scan that needs its options: columns in another order, metres, map coordinates

@@ -8,6 +8,7 @@
 #include "terminal/option_table.h"
 #include "terminal/part_choice.h"
 #include "terminal/scan_places.h"
+#include "verify/verification.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
@@ -32,6 +33,7 @@ struct Job {
   bool mesh = false;           ///< the scan is a mesh, and its faces are used
   double sample_spacing = 0.0; ///< of the samples of the mesh, mm; 0: found from the mesh
   bool verify = false;         ///< check the path against the scan or the mesh
+  pcl_spiral::Limits limits;   ///< of the check
   bool verbose = false;
   bool quiet = false;
   bool help = false;

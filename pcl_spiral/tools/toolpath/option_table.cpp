@@ -158,15 +158,33 @@ surface(Job& job)
   return group;
 }
 
+/** A limit of the check, which is then made; \p what it limits. */
+Option
+limitOption(const std::string& name, const std::string& argument, const std::string& what, bool& verify, std::optional<double>& limit)
+{
+  return {name, argument, "check the path, and write nothing if this is exceeded: " + what,
+          [name, &verify, &limit](const std::string& value) {
+            limit = numberValue(name, value);
+            if (!(*limit >= 0.0))
+              throw UsageError("--" + name + " " + value + ": give 0 or more");
+            verify = true;
+          }};
+}
+
 OptionGroup
 running(Job& job)
 {
-  return {"Run",
-          {threadsOption("the path does not depend on it", job.settings.threads),
-           switchOption("verify", "check the path against the scan or mesh: deviation, scallop, gouge; about doubles the time", job.verify),
-           switchOption("verbose", "print more: the time of each stage", job.verbose),
-           switchOption("quiet", "print only errors", job.quiet), switchOption("help", "print this text", job.help),
-           switchOption("version", "print the version", job.version)}};
+  return {
+      "Run",
+      {threadsOption("the path does not depend on it", job.settings.threads),
+       switchOption("verify", "check the path against the scan or mesh: deviation, scallop, gouge; about doubles the time", job.verify),
+       limitOption("max-gouge", "G", "depth of gouges, mm: --max-gouge 0.01", job.verify, job.limits.gouge),
+       limitOption("max-scallop", "S", "height of ridges and of stock at the rim, mm: --max-scallop 0.06", job.verify, job.limits.scallop),
+       limitOption("max-deviation", "D", "distance of the contacts from the surface, mm: --max-deviation 0.02", job.verify,
+                   job.limits.deviation),
+       limitOption("max-uncut", "P", "points of the surface that are not cut, percent: --max-uncut 0", job.verify, job.limits.uncut),
+       switchOption("verbose", "print more: the time of each stage", job.verbose), switchOption("quiet", "print only errors", job.quiet),
+       switchOption("help", "print this text", job.help), switchOption("version", "print the version", job.version)}};
 }
 
 } // namespace

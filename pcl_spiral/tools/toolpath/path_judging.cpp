@@ -3,6 +3,7 @@
 #include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 
+#include "verify/limit_verdicts.h"
 #include <pcl_spiral/io/file_error.h>
 
 using namespace pcl_spiral;
@@ -12,6 +13,16 @@ judgedByTheSameSurface(const SpiralSettings& settings)
 {
   return settings.thinning == 0.0 && settings.outlier_neighbours == 0;
 }
+
+namespace {
+
+std::string
+moreOf(std::size_t broken)
+{
+  return broken > 1 ? "; and " + std::to_string(broken - 1) + " more" : std::string();
+}
+
+} // namespace
 
 void
 judge(const Job& job, Result& result)
@@ -44,5 +55,10 @@ judge(const Job& job, Result& result)
     throw FileError(job.scan, "the path was made but could not be checked: " + inOptions(status.message()));
   if (!settings.surface)
     result.report.passes += reference->scanned().counts().passes;
+  verification.broken = inOptions(brokenLimits(job.limits, verification));
+  verification.unproven = inOptions(unprovenLimits(job.limits, verification));
+  if (!verification.broken.empty())
+    throw FileError(job.scan,
+                    "the path was made, but a limit is broken: " + verification.broken.front() + moreOf(verification.broken.size()));
   result.verification = std::move(verification);
 }
