@@ -108,13 +108,12 @@ judgePlaces(const Scene& s, const std::vector<PathRow>& rows, double tolerance, 
     faults.push_back(text("beyond the rim by", off.value, off.place));
 }
 
-void
-judgeBodies(const Scene& s, const std::vector<Eigen::Vector3d>& centres, double tolerance, std::vector<std::string>& faults)
+/** The deepest of \p points in the ball at the \p centres, with the centre. */
+Worst
+deepest(const Scene& s, const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& centres)
 {
-  if (s.bodies.empty())
-    return;
   pcl::KdTreeFLANN<pcl::PointXYZ> tree;
-  tree.setInputCloud(test::toCloud(s.bodies));
+  tree.setInputCloud(test::toCloud(points));
   std::vector<int> found(1);
   std::vector<float> squared(1);
   Worst entered;
@@ -122,6 +121,19 @@ judgeBodies(const Scene& s, const std::vector<Eigen::Vector3d>& centres, double 
     tree.nearestKSearch(pcl::PointXYZ(float(c.x()), float(c.y()), float(c.z())), 1, found, squared);
     entered.add(s.radius - std::sqrt(squared[0]), c);
   }
+  return entered;
+}
+
+/** Samples find the far side of a valley, where the search for the nearest place on the surface may stay on the near side. */
+void
+judgeBodies(const Scene& s, const std::vector<Eigen::Vector3d>& centres, double tolerance, std::vector<std::string>& faults)
+{
+  const Worst gouge = deepest(s, test::sampleUniform(*s.part, 10 * samples, 98).points, centres);
+  if (gouge.value > tolerance)
+    faults.push_back(text("gouge of samples", gouge.value, gouge.place));
+  if (s.bodies.empty())
+    return;
+  const Worst entered = deepest(s, s.bodies, centres);
   if (entered.value > tolerance)
     faults.push_back(text("the ball enters a body by", entered.value, entered.place));
 }

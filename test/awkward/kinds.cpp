@@ -47,7 +47,9 @@ tableAndClamps(Scene& s, test::Random& random)
     addBox(s, clamp);
   }
   const Vector3d on = innerPlace(*s.part, 10.0, random);
-  s.steps = {{{}, Outcome::PathOrRefusal, {"part-at"}}, {{"--part-at", s.place(on)}, Outcome::Path, {}}};
+  s.steps = {{{}, Outcome::PathOrRefusal, {"part-at"}},
+             {{"--part-at", s.place(on)}, Outcome::PathOrRefusal, {"shank"}},
+             {{"--part-at", s.place(on), "--tilt", "0"}, Outcome::PathOrRefusal, {"shank"}}};
 }
 
 /** A clamp stands on the part. */
@@ -190,7 +192,7 @@ tightFillet(Scene& s, test::Random& random)
   s.motion = levelMotion(random, 100.0);
   const double around = 2.0 * s.radius;
   s.exempt = [around](const Vector3d& x) { return std::abs(x.x()) < around; };
-  s.steps = {{{}, Outcome::Path, {"at (", "reach|stays"}}, {{"--tight", "refuse"}, Outcome::Refusal, {"tight", "at ("}}};
+  s.steps = {{{}, Outcome::Path, {"reach|lifted"}}, {{"--tight", "refuse"}, Outcome::Refusal, {"tight", "at ("}}};
 }
 
 /** Twenty times as long as wide. */

@@ -128,7 +128,7 @@ checkWay(const Job& job, const Result& result)
     throw FileError(job.scan, textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", cut->depth,
                                      " mm into the scan at ", placeText(cut->place),
                                      ", beside the part that was chosen: keep out of what stands there with a polygon that covers it "
-                                     "(--keep-out), or change the crop (--crop)"));
+                                     "(--keep-out), tilt the tool less (--tilt), or change the crop (--crop)"));
 }
 
 } // namespace

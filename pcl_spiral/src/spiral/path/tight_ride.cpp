@@ -15,9 +15,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int most_rounds = 8;       // of halved moves
-constexpr int most_bisections = 10;  // of a jump from place to place
-constexpr double least_piece = 0.05; // spacings: shorter moves are not halved again
+constexpr int most_rounds = 8;        // of halved moves
+constexpr int most_bisections = 10;   // of a jump from place to place
+constexpr double least_piece = 0.05;  // spacings: shorter moves are not halved again
+constexpr double near_spacings = 6.0; // an unreached place is no farther from an unreached point: the widest void between points
 
 /** A point of the path with its ball. */
 struct Ridden {
@@ -61,7 +62,8 @@ void
 Ride::place(Ridden& point) const
 {
   const Eigen::Vector3d touching = point.foot + radius_ * point.normal;
-  point.centre = reach_.isNearUnreached(point.foot, 2.0 * surface_.spacing()) ? reach_.centre(point.foot, point.normal) : touching;
+  point.centre =
+      reach_.isNearUnreached(point.foot, near_spacings * surface_.spacing()) ? reach_.centre(point.foot, point.normal) : touching;
   point.lifted = point.centre != touching;
 }
 
@@ -78,7 +80,7 @@ Ride::take(const SpiralPath& path)
     point.normal = path.normals[i];
     point.turn = path.turns[i];
     point.over_gap = path.over_gap[i];
-    point.fresh = reach_.isNearUnreached(point.foot, longest_ + 2.0 * surface_.spacing());
+    point.fresh = reach_.isNearUnreached(point.foot, longest_ + near_spacings * surface_.spacing());
     place(point);
     lifted = lifted || point.lifted;
   }
