@@ -111,7 +111,7 @@ TEST(Drive, AColumnByAHelixForAnyCutter)
   expectHas(done.out, "rotary axes     ");
   // The axis points out of the column, and the tip of the flat end is near its contact, inside the cutter.
   for (const std::vector<double>& row : rows(readText(folder.path("a.csv")))) {
-    ASSERT_EQ(row.size(), 16U);
+    ASSERT_EQ(row.size(), 17U);
     const double tip = std::hypot(row[8], row[9]);
     ASSERT_NEAR(std::atan2(row[12], row[11]), std::atan2(row[9], row[8]), 0.02);
     ASSERT_GT(tip, 19.0 - 0.1);

@@ -207,8 +207,9 @@ TEST_F(ShiftedScan, MessagesNameThePlacesOfTheScan)
   const RunResult refused = toolpath({"two.xyz", "--units", "m", "-o", "two.csv"});
   EXPECT_EQ(refused.code, 1);
   expectHas(refused.err, "2 separate parts");
-  expectHas(refused.err, "(3937753");
-  expectHas(refused.err, "(3937758");
+  expectHas(refused.err, "(393775400."); // the middle of each
+  expectHas(refused.err, "(393775900.");
+  expectHas(refused.err, "in the file 393775.4");
 }
 
 TEST_F(ShiftedScan, WrongUnitIsNamedAndTheRemedyWorks)

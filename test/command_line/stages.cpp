@@ -14,9 +14,11 @@ namespace {
 using Json = nlohmann::ordered_json; // keeps the order of the file
 using Names = std::vector<std::string>;
 
-const Names radial_chain{"reading", "surface", "boundaries", "radial lines", "spiral", "projection", "tool axis", "path", "writing"};
-const Names scallop_chain{"reading",    "surface",   "boundaries", "step-over field", "scallop loops", "linking", "coverage",
-                          "projection", "tool axis", "path",       "writing"};
+const Names radial_chain{"reading",   "surface", "boundaries", "reach of the ball", "radial lines", "spiral", "projection",
+                         "tool axis", "path",    "writing"};
+const Names scallop_chain{"reading",         "surface",       "boundaries", "reach of the ball",
+                          "step-over field", "scallop loops", "linking",    "coverage",
+                          "projection",      "tool axis",     "path",       "writing"};
 
 struct MadeRun {
   RunResult result;

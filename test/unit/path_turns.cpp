@@ -108,7 +108,7 @@ TEST(PathTurns, AReversalIsRefusedWithPlaceAngleCountAndRemedy)
   spike(3600);
   spike(4400);
   spike(400);  // in the first turn
-  spike(6000); // in the last
+  spike(6100); // in the last, elsewhere along it
   PathFigures figures;
   measureTurns(path, ballOfFive(), figures);
   EXPECT_EQ(figures.reversals.count, 2u);
@@ -124,7 +124,56 @@ TEST(PathTurns, AReversalIsRefusedWithPlaceAngleCountAndRemedy)
   EXPECT_NE(checkReversals(figures.reversals, centred).message().find("setCenter"), std::string::npos);
 }
 
-TEST(PathTurns, TheRemedyOfAReversalWorksOnTheSameScan)
+TEST(PathTurns, ReversalsAtCornersOfTheOutlineAreAllowed)
+{
+  // Turns like a rhombus, which turn by 180 - 2 atan(0.15) = 162.9 degrees at two corners.
+  SpiralPath path = spiral(8.0, 800, [](double turn) {
+    const double t = 2.0 * pi * turn;
+    return 1.5 * turn / (std::abs(std::cos(t)) + std::abs(std::sin(t)) / 0.15);
+  });
+  PathFigures figures;
+  measureTurns(path, ballOfFive(), figures);
+  EXPECT_GE(figures.reversals.count, 11u);
+  EXPECT_EQ(figures.reversals.at_corners, figures.reversals.count);
+  EXPECT_NEAR(figures.reversals.angle, 162.9, 2.0);
+  EXPECT_TRUE(checkReversals(figures.reversals, ballOfFive()).ok());
+  path.contacts[3350] *= 1.3; // a spike at another place
+  measureTurns(path, ballOfFive(), figures);
+  EXPECT_EQ(figures.reversals.at_corners + 1, figures.reversals.count);
+  EXPECT_EQ(figures.reversals.place, path.contacts[3350]);
+  EXPECT_FALSE(checkReversals(figures.reversals, ballOfFive()).ok());
+}
+
+namespace {
+
+SpiralToolpathGenerator<pcl::PointXYZ>
+generatorOn(const PlaneLoop& outline)
+{
+  SpiralToolpathGenerator<pcl::PointXYZ> generator;
+  generator.setInputCloud(toCloud(sampleUniform(*flat(Region({outline})), 12000, 3).points));
+  generator.setToolRadius(3.0);
+  generator.setScallopHeight(0.02);
+  generator.setQuiet(true);
+  return generator;
+}
+
+/** The default and the method that messages advise must make a path. */
+void
+expectRemedyWorks(SpiralToolpathGenerator<pcl::PointXYZ>& generator)
+{
+  Path path;
+  for (const SpiralMethod method : {SpiralMethod::ConstantScallop, SpiralMethod::Shortest}) {
+    generator.setMethod(method);
+    generator.compute(path);
+    ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+    EXPECT_EQ(generator.getReport().method, SpiralMethod::ConstantScallop);
+    EXPECT_GT(generator.getReport().turn_radius, 0.0);
+  }
+}
+
+} // namespace
+
+TEST(PathTurns, RadialTurnsIntoSharpCornersOfTheOutlineAreNamed)
 {
   // A lens: its rim turns by 157 degrees at two corners, which all radial turns keep.
   PlaneLoop lens;
@@ -134,24 +183,35 @@ TEST(PathTurns, TheRemedyOfAReversalWorksOnTheSameScan)
       const double t = half * (-1.0 + i / 200.0);
       lens.emplace_back(-side * radius * std::sin(t), side * radius * (std::cos(t) - std::cos(half)));
     }
-  SpiralToolpathGenerator<pcl::PointXYZ> generator;
-  generator.setInputCloud(toCloud(sampleUniform(*flat(Region({lens})), 12000, 3).points));
-  generator.setToolRadius(3.0);
-  generator.setScallopHeight(0.02);
-  generator.setQuiet(true);
+  SpiralToolpathGenerator<pcl::PointXYZ> generator = generatorOn(lens);
+  generator.setMethod(SpiralMethod::Radial);
+  Path path;
+  generator.compute(path);
+  ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+  EXPECT_GT(generator.getReport().reversals, 0u);
+  bool named = false;
+  for (const std::string& warning : generator.getReport().warnings)
+    named = named || (warning.find("turns back") != std::string::npos && warning.find("setMethod") != std::string::npos);
+  EXPECT_TRUE(named);
+  expectRemedyWorks(generator);
+}
+
+TEST(PathTurns, TheRemedyOfTurnsThatCrossWorksOnTheSameScan)
+{
+  PlaneLoop arc; // about the middle of its circle, radial turns cross
+  for (const double side : {1.0, -1.0})
+    for (int i = 0; i <= 400; ++i) {
+      const double t = side * 1.2 * (-1.0 + i / 200.0);
+      arc.emplace_back((30.0 + 8.0 * side) * std::cos(t), (30.0 + 8.0 * side) * std::sin(t));
+    }
+  SpiralToolpathGenerator<pcl::PointXYZ> generator = generatorOn(arc);
   generator.setMethod(SpiralMethod::Radial);
   Path path;
   generator.compute(path);
   ASSERT_FALSE(generator.getStatus().ok());
-  EXPECT_NE(generator.getStatus().message().find("setMethod"), std::string::npos) << generator.getStatus().message();
-  EXPECT_GT(generator.getReport().reversals, 0u);
-  generator.setMethod(SpiralMethod::ConstantScallop);
-  generator.compute(path);
-  EXPECT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
-  EXPECT_GT(generator.getReport().turn_radius, 0.0);
-  generator.setMethod(SpiralMethod::Shortest);
-  generator.compute(path);
-  EXPECT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+  EXPECT_NE(generator.getStatus().message().find("crosses itself"), std::string::npos) << generator.getStatus().message();
+  EXPECT_NE(generator.getStatus().message().find("constant scallop height (setMethod)"), std::string::npos);
+  expectRemedyWorks(generator);
 }
 
 TEST(PathTurns, LeastLengthIsTheSameForBothMethods)

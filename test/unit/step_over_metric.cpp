@@ -34,10 +34,17 @@ TEST(StepOverMetric, FollowsTheCurvatureAcrossTheFeed)
   }
 }
 
-TEST(StepOverMetric, AHollowAsTightAsTheBallIsNoWiderThanLaidDown)
+TEST(StepOverMetric, WhereTheBallHardlyFitsStepOversAreAtMostThoseOfATwentieth)
 {
-  const StepOverMetric metric = stepOverMetric(Vector3d::UnitZ(), Vector3d::UnitX(), -0.3, -0.3, 5.0, 0.1);
-  EXPECT_NEAR(longestStepOver(metric), *stepOver(5.0, 0.0, 0.1) / std::sqrt(0.05), 1e-3);
+  const auto longest = [](double curvature) {
+    return longestStepOver(stepOverMetric(Vector3d::UnitZ(), Vector3d::UnitX(), curvature, curvature, 5.0, 0.1));
+  };
+  const double flat = *stepOver(5.0, 0.0, 0.1);
+  EXPECT_NEAR(longest(-0.19), flat / std::sqrt(0.05), 1e-3);  // 1 + R k = 0.05
+  EXPECT_NEAR(longest(-0.2), flat / std::sqrt(0.05), 1e-3);   // as tight as the ball
+  EXPECT_NEAR(longest(-0.205), flat / std::sqrt(0.05), 1e-3); // -0.025
+  EXPECT_NEAR(longest(-0.3), flat / std::sqrt(0.5), 1e-3);    // -0.5: the ball rests on the sides
+  EXPECT_NEAR(longest(-3.0), flat, 1e-3);                     // a crevice, as a plane
 }
 
 TEST(StepOverMetric, MeansAreWeighted)

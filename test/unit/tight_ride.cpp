@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Paths over places that the ball does not reach, against parts in closed form: no gouge, and what stays is reported.
+#include "support/sampling.h"
+#include "support/surfaces.h"
 #include "support/tight_parts.h"
 
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <random>
 
@@ -184,6 +187,32 @@ TEST_P(TightRide, IsJudgedRight)
   EXPECT_LT(std::abs(d.max.value), 0.02);
   EXPECT_GT(d.lifted, 100U);
   EXPECT_EQ(d.unmeasured, 0U);
+}
+
+TEST(TightRideOf, ABallThatReachesLessThanHalfIsRefusedAndTheRemedyWorks)
+{
+  Cloud::Ptr bowl = std::make_shared<Cloud>(); // of radius 30, 50 degrees to each side
+  const Sampled samples = sampleUniform(*ball(30.0, Region({circle({0, 0}, 23.0)})), 6000, 5);
+  for (const Vector3d& p : samples.points)
+    bowl->push_back(pcl::PointXYZ(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(-p.z())));
+  SpiralToolpathGenerator<pcl::PointXYZ> spiral;
+  spiral.setInputCloud(bowl);
+  spiral.setQuiet(true);
+  spiral.setToolRadius(40.0);
+  spiral.setScallopHeight(scallop);
+  Path path;
+  spiral.compute(path);
+  ASSERT_EQ(spiral.getStatus().code(), StatusCode::InvalidArgument) << spiral.getStatus().message();
+  EXPECT_TRUE(path.empty());
+  const std::string& message = spiral.getStatus().message();
+  const std::string remedy = "Use a ball of radius ";
+  ASSERT_NE(message.find(remedy), std::string::npos) << message;
+  const double radius = std::strtod(message.c_str() + message.find(remedy) + remedy.size(), nullptr);
+  EXPECT_GT(radius, 0.8 * 30.0);
+  EXPECT_LT(radius, 30.0);
+  spiral.setToolRadius(radius);
+  spiral.compute(path);
+  EXPECT_TRUE(spiral.getStatus().ok()) << spiral.getStatus().message();
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, TightRide, ::testing::Values(SpiralMethod::Radial, SpiralMethod::ConstantScallop));

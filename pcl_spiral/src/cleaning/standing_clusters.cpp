@@ -17,7 +17,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double link = 2.0; // spacings
+constexpr double link = 2.0;           // spacings
+constexpr std::size_t least_patch = 2; // points
 
 /** Height of a point over the surface. */
 struct Height {
@@ -25,6 +26,24 @@ struct Height {
   double noise = 0.0; ///< of the neighbours about the surface
   bool over = false;  ///< over the surface, not beside its rim
 };
+
+/** Leave out points with fewer than \p least of them in their group: single ones of a cluster that stands off the surface. */
+void
+dropSmallGroups(std::vector<Eigen::Vector3f>& points, std::vector<Eigen::Vector3f>& normals, double reach, std::size_t least)
+{
+  const std::vector<std::uint32_t> group = pointGroups(points, reach);
+  std::vector<std::size_t> sizes(points.size(), 0);
+  for (const std::uint32_t g : group)
+    ++sizes[g];
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (sizes[group[i]] >= least) {
+      points[kept] = points[i];
+      normals[kept++] = normals[i];
+    }
+  points.resize(kept);
+  normals.resize(kept);
+}
 
 /** The points of a graph that are surely on its surface. */
 struct SurePoints {
@@ -43,6 +62,7 @@ struct SurePoints {
         points.push_back(graph.blocks().point(i));
         unsorted.push_back(graph.normals()[i]);
       }
+    dropSmallGroups(points, unsorted, link * spacing, least_patch);
     blocks = PointBlocks(std::move(points));
     normals.resize(unsorted.size());
     for (std::size_t i = 0; i < unsorted.size(); ++i)

@@ -20,6 +20,9 @@ reportSpacing(const PathFigures& path, SpiralReport& report)
     report.closest_place = path.closest.place;
   }
   report.reversals = path.reversals.count;
+  if (path.reversals.at_corners > 0)
+    report.warnings.push_back(reversalText(path.reversals) + ": the outline has corners as sharp; constant scallop height (setMethod) "
+                                                             "goes into them with fewer turns");
   if (!(report.least_length > 0.0) || !(report.path_length > 0.0))
     return;
   report.efficiency = report.least_length / report.path_length;

@@ -89,7 +89,8 @@ struct AxisFigures {
  *  passes. */
 struct PathReversals {
   std::size_t count = 0;                           ///< of such places
-  double angle = 0.0;                              ///< degrees, the largest
+  std::size_t at_corners = 0;                      ///< of them, at corners of the outline that are as sharp
+  double angle = 0.0;                              ///< degrees, the largest; if there are any, of those away from corners
   double turn = 0.0;                               ///< in which the largest is
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< of the largest
 };

@@ -13,6 +13,81 @@ namespace {
 
 constexpr double reversal = 150.0; // degrees
 constexpr double whole = 1.0;      // turns at each end of a pass
+constexpr double beside = 0.02;    // turns: this near, a corner of the outline and a corner of the path are one
+constexpr double as_sharp = 10.0;  // degrees: a turn may be sharper than the outline by this
+
+/** A place where the path changes its direction, by \p angle, degrees. */
+struct Bend {
+  std::size_t at;
+  double angle;
+};
+
+/** All bends of at least \p least degrees. */
+std::vector<Bend>
+findBends(const TurnedPath& path, double least)
+{
+  std::vector<Bend> bends;
+  std::size_t before = 0; // the last point at another place
+  for (std::size_t i = 1; i + 1 < path.places.size(); ++i) {
+    if (beginsPass(path.passes, i))
+      before = i;
+    const Eigen::Vector3d in = path.places[i] - path.places[before], out = path.places[i + 1] - path.places[i];
+    if (!(out.norm() > 0.0)) // the next move begins at the same place
+      continue;
+    before = i;
+    if (!(in.norm() > 0.0) || beginsPass(path.passes, i + 1))
+      continue;
+    const double angle = std::acos(std::clamp(in.dot(out) / (in.norm() * out.norm()), -1.0, 1.0)) / degree;
+    if (angle > least)
+      bends.push_back({i, angle});
+  }
+  return bends;
+}
+
+double
+lengthOf(const Polyline& places, std::size_t begin, std::size_t end)
+{
+  double length = 0.0;
+  for (std::size_t i = begin + 1; i < end; ++i)
+    length += (places[i] - places[i - 1]).norm();
+  return length;
+}
+
+/** The turn along the rim of \p pass: the longer one of its first and its last. */
+PassRange
+rimTurn(const TurnedPath& path, const PassRange& pass)
+{
+  const auto near = [&](std::size_t i, std::size_t end) { return std::abs(path.turns[i] - path.turns[end]) <= whole; };
+  std::size_t first = pass.begin, last = pass.end;
+  while (first < pass.end && near(first, pass.begin))
+    ++first;
+  while (last > pass.begin && near(last - 1, pass.end - 1))
+    --last;
+  const bool at_end = lengthOf(path.places, last, pass.end) >= lengthOf(path.places, pass.begin, first);
+  return at_end ? PassRange{last, pass.end} : PassRange{pass.begin, first};
+}
+
+/** Direction of travel along \p rim, one turn, at the share \p at of it; zero if it has no move there. */
+Eigen::Vector3d
+directionAt(const TurnedPath& path, const PassRange& rim, double at)
+{
+  const double from = path.turns[rim.begin], share = at - std::floor(at);
+  for (std::size_t i = rim.begin + 1; i < rim.end; ++i)
+    if (std::abs(path.turns[i] - from) > share && (path.places[i] - path.places[i - 1]).norm() > 0.0)
+      return (path.places[i] - path.places[i - 1]).normalized();
+  return Eigen::Vector3d::Zero();
+}
+
+/** How much the outline turns, in degrees, near the place where it meets the radial line of \p turn; \p rim is the turn along it. */
+double
+bendOfOutline(const TurnedPath& path, const PassRange& rim, double turn)
+{
+  if (rim.begin == rim.end)
+    return 0.0;
+  const double from = path.turns[rim.begin], at = path.turns[rim.end - 1] < from ? from - turn : turn - from;
+  const Eigen::Vector3d in = directionAt(path, rim, at - beside), out = directionAt(path, rim, at + beside);
+  return in.isZero() || out.isZero() ? 0.0 : std::acos(std::clamp(in.dot(out), -1.0, 1.0)) / degree;
+}
 
 } // namespace
 
@@ -34,27 +109,26 @@ PathReversals
 findReversals(const TurnedPath& path, const std::vector<std::uint8_t>& counted)
 {
   PathReversals found;
-  const double least = std::cos(reversal * pi / 180.0);
-  double sharpest = least;
-  std::size_t before = 0; // the last point at another place
-  for (std::size_t i = 1; i + 1 < path.places.size(); ++i) {
-    if (beginsPass(path.passes, i))
-      before = i;
-    const Eigen::Vector3d in = path.places[i] - path.places[before], out = path.places[i + 1] - path.places[i];
-    if (!(out.norm() > 0.0)) // the next move begins at the same place
+  double sharpest = 0.0, sharpest_corner = 0.0;
+  const std::vector<Bend> bends = findBends(path, reversal);
+  for (const PassRange& pass : passRanges(path.passes, path.places.size())) {
+    if (pass.begin >= pass.end)
       continue;
-    before = i;
-    if (!(in.norm() > 0.0) || beginsPass(path.passes, i + 1) || !counted[i])
-      continue;
-    const double cosine = in.dot(out) / (in.norm() * out.norm());
-    if (cosine >= least)
-      continue;
-    ++found.count;
-    if (cosine < sharpest) {
-      sharpest = cosine;
-      found.place = path.places[i];
-      found.turn = path.turns[i];
-      found.angle = std::acos(std::max(-1.0, cosine)) * 180.0 / pi;
+    const PassRange rim = rimTurn(path, pass);
+    for (const Bend& bend : bends) {
+      if (bend.at < pass.begin || bend.at >= pass.end || !counted[bend.at])
+        continue;
+      const bool at_corner = bend.angle < bendOfOutline(path, rim, path.turns[bend.at]) + as_sharp;
+      ++found.count;
+      found.at_corners += at_corner;
+      double& most = at_corner ? sharpest_corner : sharpest;
+      const bool named = at_corner ? sharpest == 0.0 && bend.angle > most : bend.angle > most;
+      most = std::max(most, bend.angle);
+      if (named) {
+        found.angle = bend.angle;
+        found.turn = path.turns[bend.at];
+        found.place = path.places[bend.at];
+      }
     }
   }
   return found;

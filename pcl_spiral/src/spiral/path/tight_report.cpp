@@ -12,7 +12,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double noise_share = 0.1; // of the chord error: the least tolerance
+constexpr double noise_share = 0.1;   // of the chord error: the least tolerance
+constexpr double least_reached = 0.5; // of the points
+constexpr double well_reached = 0.9;  // of the points
+constexpr double surely = 0.95;       // of the largest radius there
 
 /** Places where more than the scallop height stays, the highest stock first. */
 std::vector<TightPlace>
@@ -62,6 +65,25 @@ makeReach(const Surface& surface, const SpiralSettings& settings)
     return nullptr;
   return std::make_unique<BallReach>(surface.graph(), surface.fit(), settings.tool_radius,
                                      reachTolerance(surface.fit(), noise_share * settings.chord_error));
+}
+
+Status
+checkReach(const BallReach* reach)
+{
+  if (!reach || reach->unreached().empty())
+    return Status::success();
+  std::vector<UnreachedPoint> tight = reach->unreached();
+  const auto all = static_cast<double>(reach->size());
+  const double reached = 1.0 - static_cast<double>(tight.size()) / all;
+  if (reached >= least_reached)
+    return Status::success();
+  std::sort(tight.begin(), tight.end(),
+            [](const UnreachedPoint& a, const UnreachedPoint& b) { return a.reach != b.reach ? a.reach < b.reach : a.index < b.index; });
+  const auto missed = static_cast<std::size_t>((1.0 - well_reached) * all);
+  return {StatusCode::InvalidArgument,
+          textOf("a ball of radius ", reach->radius(), " mm reaches only ", 100.0 * reached, " % of the surface; at ",
+                 placeText(reach->position(tight.front().index)), " only one of ", tight.front().reach, " mm fits. Use a ball of radius ",
+                 surely * tight[missed].reach, " mm or less, which reaches nine tenths of it (setToolRadius)")};
 }
 
 void

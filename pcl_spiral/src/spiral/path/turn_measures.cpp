@@ -48,7 +48,7 @@ constantScallopRemedy(const SpiralSettings& settings)
 Status
 checkReversals(const PathReversals& reversals, const SpiralSettings& settings)
 {
-  if (reversals.count == 0 || settings.method == SpiralMethod::ConstantScallop)
+  if (reversals.count == reversals.at_corners || settings.method == SpiralMethod::ConstantScallop)
     return Status::success();
   return {StatusCode::Failed, reversalText(reversals) + ": " + constantScallopRemedy(settings)};
 }

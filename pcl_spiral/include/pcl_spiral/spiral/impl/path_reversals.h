@@ -25,13 +25,15 @@ struct TurnedPath {
  *  along a boundary: corners of the outline are legitimate there, and the turns next to them meet them. */
 std::vector<std::uint8_t> betweenEnds(const TurnedPath& path);
 
-/** Turns of more than 150 degrees from one move to the next, at points that \p counted marks. */
+/** Turns of more than 150 degrees from one move to the next, at points that \p counted marks. The turn along the rim shows which of them
+ *  are at corners of the outline that are as sharp, to 10 degrees. */
 PathReversals findReversals(const TurnedPath& path, const std::vector<std::uint8_t>& counted);
 
 /** The same between the ends of a \p curve that is not yet on the surface. */
 PathReversals curveReversals(const std::vector<SpiralPoint>& curve);
 
-/** Ok, or an error with the remedy; SpiralMethod::ConstantScallop, whose fingers turn back, may have them. */
+/** Ok, or an error with the remedy. Reversals at corners of the outline are allowed, and all those of SpiralMethod::ConstantScallop, whose
+ *  fingers turn back. */
 Status checkReversals(const PathReversals& reversals, const SpiralSettings& settings);
 
 /** The remedy for turns that cross or turn back: the other method, without the settings that it does not take. */

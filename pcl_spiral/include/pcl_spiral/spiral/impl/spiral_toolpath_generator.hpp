@@ -186,13 +186,16 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
     report_.loops = given_loops_;
     reportNoise(*surface, settings_, report_);
     reach = makeReach(*surface, settings_);
-    return makeOnLines(surface, *given_lines_, clock, turns);
+    const Status reached = checkReach(reach.get());
+    return reached.ok() ? makeOnLines(surface, *given_lines_, clock, turns) : reached;
   }
   std::vector<BoundaryLoop> loops;
   if (const Status status = makeLoops(surface, loops); !status.ok())
     return status;
   clock.end("boundaries");
   reach = makeReach(*surface, settings_);
+  if (const Status status = checkReach(reach.get()); !status.ok())
+    return status;
   clock.end("reach of the ball");
   switch (methodAsked(settings_)) {
   case SpiralMethod::ConstantScallop: {

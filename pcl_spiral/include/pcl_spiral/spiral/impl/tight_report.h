@@ -16,6 +16,10 @@ namespace pcl_spiral {
 /** Reach of the ball of \p settings on \p surface; null with TightHandling::Refuse. */
 std::unique_ptr<BallReach> makeReach(const Surface& surface, const SpiralSettings& settings);
 
+/** Ok, or an error if \p reach misses more than half of the points: that is the wrong cutter for the part, or the wrong unit. Names the
+ *  tightest place and the radius that reaches nine tenths of the points. Ok for null. */
+Status checkReach(const BallReach* reach);
+
 /** Places of \p reach where more than the scallop height stays, and lifts of \p path, with a warning if there are such places. */
 void reportTight(const BallReach& reach, const SpiralPath& path, const SpiralSettings& settings, SpiralReport& report);
 

@@ -37,6 +37,7 @@ public:
   double radius() const { return radius_; }       ///< Of the ball, mm.
   double tolerance() const { return tolerance_; } ///< As given, mm.
 
+  std::size_t size() const { return place_.size(); } ///< Points of the graph.
   /** Points that the ball does not reach, in the order of the graph. */
   const std::vector<UnreachedPoint>& unreached() const { return unreached_; }
   /** Foot and normal of point \p i of the graph. */
