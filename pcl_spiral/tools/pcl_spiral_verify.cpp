@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks toolpath files against the raw scan or a mesh.
 #include "judging/figures_table.h"
+#include "judging/path_contacts.h"
 #include "judging/tip_check.h"
 #include "terminal/program_main.h"
 #include "terminal/scan_places.h"
@@ -8,11 +9,13 @@
 #include "terminal/terminal.h"
 #include "verify/judged_program.h"
 #include "verify/outputs.h"
+#include "verify/scan_reference.h"
 #include "verify/verify_job.h"
 
 #include "verify/limit_verdicts.h"
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/toolpath_reader.h>
+#include <pcl_spiral/verify/impl/profile_sweep.h>
 
 #include <pcl/console/print.h>
 
@@ -32,14 +35,26 @@ warn(const VerifyJob& job, const std::vector<std::string>& warnings)
       std::cerr << "pcl_spiral_verify: warning: " << inScan(warning) << '\n';
 }
 
+/** \p reference is made from the scan if it is null and the file has no contacts. */
 void
-readPath(const VerifyJob& job, const std::string& file, JudgedPath& judged)
+readPath(const VerifyJob& job, const JudgedPart& part, const std::string& file, std::shared_ptr<const ReferenceSurface>& reference,
+         JudgedPath& judged)
 {
   ToolpathFile read = readToolpath(file, scanShift());
-  if (const std::string warning = checkTips(read, job.settings.tool_radius, judged.verification); !warning.empty())
+  if (!read.has_contacts) {
+    if (part.mesh)
+      throw FileError(file, "holds tips and axes without contacts, and is judged by a scan: leave --mesh out, so that the vertices of the "
+                            "mesh are the scan");
+    if (!reference)
+      reference = scanReference(job, part);
+    findContacts(*reference, job.settings.cutter, read);
+  }
+  else if (const std::string warning = checkTips(read, job.settings.cutter, judged.verification); !warning.empty())
     warn(job, {file + ": " + warning});
   *judged.path = std::move(read.path);
   judged.feed = std::move(read.feed);
+  if (!isBall(job.settings.cutter))
+    judged.tips = std::move(read.tips);
 }
 
 /** \p reference is the fit to the scan or the mesh, made for the first path. */
@@ -51,10 +66,11 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, std
   if (isProgramFile(file))
     readJudgedProgram(job, part, file, reference, judged);
   else
-    readPath(job, file, judged);
+    readPath(job, part, file, reference, judged);
   ProgressBar bar(job.quiet);
   JudgeSettings settings = job.settings;
   settings.mesh = part.mesh;
+  settings.tips = judged.tips;
   settings.side = part.side;
   settings.part_at = part.chosen.part_at;
   settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
@@ -71,7 +87,7 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, std
   judged.verification.broken = inOptions(brokenLimits(job.limits, judged.verification));
   constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
   const double allowed = settings.chord_error + deviations * reference->noise();
-  for (const std::string& fault : faultsBeside(part, *judged.path, settings.tool_radius, allowed))
+  for (const std::string& fault : faultsBeside(part, judged.path, settings, allowed))
     judged.verification.broken.push_back(fault);
   judged.verification.unproven = inOptions(unprovenLimits(job.limits, judged.verification));
   return judged;
@@ -84,7 +100,7 @@ run(const VerifyJob& job)
   VerifyOutputs outputs(job);
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // errors are reported below, once
   const JudgedPart part = readPart(job.scan, job.read, job.mesh, job.settings.side,
-                                   {job.part, job.settings.tool_radius, job.settings.flip_normals, job.settings.threads});
+                                   {job.part, job.settings.cutter.radius, job.settings.flip_normals, job.settings.threads});
   warn(job, part.warnings);
   std::shared_ptr<const ReferenceSurface> reference;
   bool all_hold = true;

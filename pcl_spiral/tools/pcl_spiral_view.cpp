@@ -43,13 +43,18 @@ judgedScene(const ViewJob& job)
   settings.mesh = part.mesh;
   settings.side = part.side;
   settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
-  const auto path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(readToolpath(job.path, scanShift()).path);
+  ToolpathFile read = readToolpath(job.path, scanShift());
+  if (!read.has_contacts)
+    throw FileError(job.path, "holds tips and axes without contacts: write contacts with 'pcl_spiral_verify SCAN PATH --tool-radius R -o "
+                              "PATH.vtp' and show that file");
+  const auto path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(std::move(read.path));
+  settings.tips = std::move(read.tips);
   std::shared_ptr<const ReferenceSurface> reference;
   Verification verification;
   verification.path = job.path;
   Heights heights;
   ProgressBar bar(job.quiet);
-  const auto judge = job.settings.tool_radius > 0.0 ? judgePath : judgeDeviation;
+  const auto judge = job.settings.cutter.radius > 0.0 ? judgePath : judgeDeviation;
   const Status status = judge(
       part.cloud, path, settings, [&](double share, const std::string& stage) { return bar.update(share, stage); }, reference, verification,
       heights);

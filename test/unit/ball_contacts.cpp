@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contacts of balls above and in a sphere that is known exactly.
 #include <pcl_spiral/surface/scanned_surface.h>
-#include <pcl_spiral/verify/impl/ball_contacts.h>
+#include <pcl_spiral/verify/impl/cutter_contacts.h>
 
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ TEST(BallContacts, HeightAndNormalAreThoseOfTheSphere)
     const Eigen::Vector3d direction = Eigen::Vector3d(0.35 * unit(random), 0.35 * unit(random) * 0.5, 1.0).normalized();
     centres.push_back(middle + (sphere + ball + height(random)) * direction);
   }
-  const std::vector<BallContact> contacts = ballContacts(reference, centres, ball);
+  const std::vector<NearestContact> contacts = ballContacts(reference, centres, ball);
   ASSERT_EQ(contacts.size(), centres.size());
   for (std::size_t i = 0; i < centres.size(); ++i) {
     ASSERT_TRUE(contacts[i].valid) << i;

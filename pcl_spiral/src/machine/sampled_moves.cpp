@@ -36,14 +36,18 @@ public:
   }
 
 private:
-  Eigen::Vector3d armEnd(const ToolPose& pose) const { return pose.tip + sampling_.arm * pose.axis; }
-
   bool isStraight(double a, const ToolPose& at_a, double b, const ToolPose& at_b) const
   {
-    const Eigen::Vector3d begin = armEnd(at_a), way = armEnd(at_b) - begin;
+    return isStraight(sampling_.arm, a, at_a, b, at_b) && (!sampling_.tip_too || isStraight(0.0, a, at_a, b, at_b));
+  }
+
+  bool isStraight(double arm, double a, const ToolPose& at_a, double b, const ToolPose& at_b) const
+  {
+    const auto end = [arm](const ToolPose& pose) -> Eigen::Vector3d { return pose.tip + arm * pose.axis; };
+    const Eigen::Vector3d begin = end(at_a), way = end(at_b) - begin;
     const double length = way.squaredNorm();
     for (double f : {0.25, 0.5, 0.75}) {
-      const Eigen::Vector3d off = armEnd(at(a + f * (b - a))) - begin;
+      const Eigen::Vector3d off = end(at(a + f * (b - a))) - begin;
       const double along = length > 0.0 ? std::clamp(off.dot(way) / length, 0.0, 1.0) : 0.0;
       if ((off - along * way).norm() > sampling_.tolerance)
         return false;

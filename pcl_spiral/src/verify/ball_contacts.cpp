@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/verify/impl/ball_contacts.h>
+#include <pcl_spiral/verify/impl/cutter_contacts.h>
 #include <pcl_spiral/verify/impl/cutter_sweep.h>
 
 #include <cmath>
@@ -11,10 +11,10 @@ namespace {
 constexpr int rounds = 4; // each brings the foot nearer by the misfit of a quadric
 
 /** The contact by the quadric about \p foot. */
-BallContact
+NearestContact
 contactBy(const SurfaceFoot& foot, const Eigen::Vector3d& centre, double radius, double reach)
 {
-  BallContact contact;
+  NearestContact contact;
   const SurfaceHeight nearest = heightAbove(foot, centre, reach);
   const Eigen::Vector3d way = centre - nearest.place;
   contact.normal = way.norm() > 1e-6 ? Eigen::Vector3d(std::copysign(1.0, nearest.height) * way.normalized()) : foot.normal;
@@ -26,14 +26,14 @@ contactBy(const SurfaceFoot& foot, const Eigen::Vector3d& centre, double radius,
 
 } // namespace
 
-std::vector<BallContact>
+std::vector<NearestContact>
 ballContacts(const ReferenceSurface& reference, const std::vector<Eigen::Vector3d>& centres, double radius)
 {
   const PointBlocks& points = reference.graph().blocks();
   const double reach = 2.0 * reference.fitRadius();
   std::vector<Eigen::Vector3d> queries(centres.size());
   std::vector<SurfaceFoot> feet;
-  std::vector<BallContact> contacts(centres.size());
+  std::vector<NearestContact> contacts(centres.size());
   const auto size = static_cast<std::int64_t>(centres.size());
 #pragma omp parallel for schedule(static)
   for (std::int64_t i = 0; i < size; ++i)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ball_way.h"
 
+#include <pcl_spiral/search/impl/move_index.h>
 #include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <algorithm>
@@ -14,9 +15,8 @@ namespace {
 /** Call \p visit(point, begin, end) for the straight ways of the ball's centre, with the point where each begins. */
 template <typename Visit>
 void
-forWays(const pcl::PointCloud<ToolpathPoint>& path, double radius, Visit visit)
+forWays(const pcl::PointCloud<ToolpathPoint>& path, const std::vector<Eigen::Vector3d>& centres, Visit visit)
 {
-  const std::vector<Eigen::Vector3d> centres = ballCentres(path, radius);
   for (std::size_t i = 0; i < centres.size(); ++i) {
     const std::size_t next = std::min(i + 1, centres.size() - 1);
     const double distance = (path[next].getVector3fMap() - path[i].getVector3fMap()).norm();
@@ -53,10 +53,11 @@ ballCentres(const pcl::PointCloud<ToolpathPoint>& path, double radius)
 }
 
 std::optional<BallEntry>
-deepestEntry(const pcl::PointCloud<ToolpathPoint>& path, double radius, const std::vector<Prism>& prisms)
+deepestEntry(const pcl::PointCloud<ToolpathPoint>& path, const std::vector<Eigen::Vector3d>& centres, double radius,
+             const std::vector<Prism>& prisms)
 {
   BallEntry deepest;
-  forWays(path, radius, [&](std::size_t i, const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
+  forWays(path, centres, [&](std::size_t i, const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
     for (const Prism& prism : prisms)
       if (const double depth = radius - prism.distance(begin, end); depth > deepest.depth)
         deepest = {depth, path[i].getVector3fMap().cast<double>()};
@@ -69,7 +70,7 @@ deepestPoint(const pcl::PointCloud<ToolpathPoint>& path, double radius, const st
 {
   constexpr double step = 0.02; // of the radius: between places on a way; the depth is then known to a 20000th of the radius
   std::vector<Eigen::Vector3f> places;
-  forWays(path, radius, [&](std::size_t, const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
+  forWays(path, ballCentres(path, radius), [&](std::size_t, const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
     const auto pieces = static_cast<int>(std::ceil((end - begin).norm() / (step * radius)));
     for (int k = 0; k < std::max(1, pieces); ++k)
       places.emplace_back((begin + (end - begin) * k / std::max(1, pieces)).cast<float>());
@@ -87,6 +88,24 @@ deepestPoint(const pcl::PointCloud<ToolpathPoint>& path, double radius, const st
     }
   const auto most = std::max_element(depths.begin(), depths.end());
   if (!(*most > 0.0))
+    return std::nullopt;
+  return BallEntry{*most, points[static_cast<std::size_t>(most - depths.begin())].cast<double>()};
+}
+
+std::optional<BallEntry>
+deepestPoint(const CutterSweep& sweep, const std::vector<Eigen::Vector3f>& points)
+{
+  const MoveIndex index(sweep.centres());
+  std::vector<double> depths(points.size(), 0.0);
+#pragma omp parallel for schedule(dynamic, 256)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(points.size()); ++i) {
+    const Eigen::Vector3d place = points[i].cast<double>();
+    index.search(
+        place, [&] { return sweep.boundingRadius(); },
+        [&](std::size_t move) { depths[i] = std::max(depths[i], sweep.depth(move, place)); });
+  }
+  const auto most = std::max_element(depths.begin(), depths.end());
+  if (most == depths.end() || !(*most > 0.0))
     return std::nullopt;
   return BallEntry{*most, points[static_cast<std::size_t>(most - depths.begin())].cast<double>()};
 }

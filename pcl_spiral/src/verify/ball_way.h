@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Whether the ball of a path enters places that are not to be cut.
+ *  Whether the cutter of a path enters places that are not to be cut.
  */
 #pragma once
 
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/core/prism.h>
+#include <pcl_spiral/verify/impl/cutter_sweep.h>
 
 #include <pcl/point_types.h>
 
@@ -28,12 +29,17 @@ struct BallEntry {
 /** Centres of the ball of radius \p radius along \p path, at its points; lifts are between pass ends. */
 std::vector<Eigen::Vector3d> ballCentres(const pcl::PointCloud<ToolpathPoint>& path, double radius);
 
-/** How deep the ball enters \p prisms on its moves along \p path; absent if it does not. Lifts are not looked at. */
-std::optional<BallEntry> deepestEntry(const pcl::PointCloud<ToolpathPoint>& path, double radius, const std::vector<Prism>& prisms);
+/** How deep a ball about \p centres, one for each point of \p path, enters \p prisms on its moves; absent if it does not. Lifts are not
+ *  looked at. */
+std::optional<BallEntry> deepestEntry(const pcl::PointCloud<ToolpathPoint>& path, const std::vector<Eigen::Vector3d>& centres,
+                                      double radius, const std::vector<Prism>& prisms);
 
 /** How deep \p points are in the ball and its shank on their moves along \p path; absent if none is in them. The scanner sees the top of
  *  a clamp and not its walls: the shank meets the top. Lifts are not looked at. */
 std::optional<BallEntry> deepestPoint(const pcl::PointCloud<ToolpathPoint>& path, double radius,
                                       const std::vector<Eigen::Vector3f>& points);
+
+/** How deep \p points are in the cutter of \p sweep; absent if none is. */
+std::optional<BallEntry> deepestPoint(const CutterSweep& sweep, const std::vector<Eigen::Vector3f>& points);
 
 } // namespace pcl_spiral

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl_spiral {
 namespace {
@@ -122,6 +123,14 @@ bool
 BallSweep::contains(std::size_t move, const Eigen::Vector3d& x) const
 {
   return !isLift(move) && squaredDistanceToSegment(x, centres()[move], centres()[move + 1]) <= boundingRadius() * boundingRadius();
+}
+
+double
+BallSweep::depth(std::size_t move, const Eigen::Vector3d& x) const
+{
+  if (isLift(move))
+    return -std::numeric_limits<double>::infinity();
+  return boundingRadius() - std::sqrt(squaredDistanceToSegment(x, centres()[move], centres()[move + 1]));
 }
 
 SurfaceHeight

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace pcl_spiral {
 namespace {
@@ -24,10 +25,7 @@ public:
   Measurement(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& settings,
               const ProgressCallback& progress, RemovalHeights& heights, RemovalFigures& figures)
   : reference_(reference), path_(path), sweep_(sweep), settings_(settings), progress_(progress), heights_(heights), figures_(figures),
-    index_(sweep.centres()),
-    ball_(reference.graph(), reference.surface(), settings.tool_radius,
-          reachTolerance(reference.surface(), std::max(noise_share * settings.chord_error, fit_share * reference.fitNoise()))),
-    sampler_(reference, sweep, index_, settings, figures.reach, ball_)
+    index_(sweep.centres()), ball_(makeBall(reference, settings)), sampler_(reference, sweep, index_, settings, figures.reach, ball_.get())
   {}
 
   bool overReference();
@@ -35,6 +33,15 @@ public:
   void finish();
 
 private:
+  /** Null: everything is reached. */
+  static std::unique_ptr<const BallReach> makeBall(const ReferenceSurface& reference, const RemovalSettings& settings)
+  {
+    const double radius = settings.corner_radius.value_or(settings.tool_radius);
+    const double noise = std::max(noise_share * settings.chord_error, fit_share * reference.fitNoise());
+    return radius > 0.0
+               ? std::make_unique<BallReach>(reference.graph(), reference.surface(), radius, reachTolerance(reference.surface(), noise))
+               : nullptr;
+  }
   void count(std::size_t i, const SampleResult& result);
   void finish(StockFigures& figures, std::vector<float>& heights, const PlacedValue& max);
   std::vector<float> cutSteps() const;
@@ -48,7 +55,7 @@ private:
   RemovalHeights& heights_;
   RemovalFigures& figures_;
   MoveIndex index_;
-  BallReach ball_;
+  std::unique_ptr<const BallReach> ball_;
   RemovalSampler sampler_;
   RemovalExtremes extremes_;
   std::vector<float> main_, ridge_, rim_, crease_, unreached_, steps_;
@@ -229,9 +236,11 @@ Measurement::finish()
   finish(figures_.rim, rim_, extremes_.rim);
   finish(figures_.crease, crease_, extremes_.crease);
   finish(figures_.unreached, unreached_, extremes_.unreached);
-  figures_.fitting_radius = ball_.radius();
-  for (const UnreachedPoint& point : ball_.unreached())
-    figures_.fitting_radius = std::min<double>(figures_.fitting_radius, point.reach);
+  if (ball_) {
+    figures_.fitting_radius = ball_->radius();
+    for (const UnreachedPoint& point : ball_->unreached())
+      figures_.fitting_radius = std::min<double>(figures_.fitting_radius, point.reach);
+  }
   figures_.crease_gouge = extremes_.crease_gouge;
   finish(figures_.scallop, ridge_, extremes_.scallop);
   figures_.rim_length = reference_.rimLength();

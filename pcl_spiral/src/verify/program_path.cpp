@@ -2,7 +2,8 @@
 #include "verify/program_path.h"
 
 #include <pcl_spiral/machine/impl/sampled_moves.h>
-#include <pcl_spiral/verify/impl/ball_contacts.h>
+#include <pcl_spiral/verify/impl/cutter_contacts.h>
+#include <pcl_spiral/verify/impl/profile_sweep.h>
 
 #include <utility>
 
@@ -22,7 +23,7 @@ SampledRuns
 sampledRuns(const MachineProgram& program, const ProgramPathSettings& settings)
 {
   const Kinematics kinematics(program.machine);
-  const MoveSampling sampling{settings.ball_radius, settings.tolerance, settings.axis_arcs};
+  const MoveSampling sampling{settings.cutter.radius, settings.tolerance, settings.axis_arcs, !isBall(settings.cutter)};
   SampledRuns runs;
   const auto add = [&](const ToolPose& pose, std::size_t block) {
     runs.poses.push_back(pose);
@@ -44,7 +45,7 @@ sampledRuns(const MachineProgram& program, const ProgramPathSettings& settings)
 
 class PathMaker {
 public:
-  PathMaker(const SampledRuns& runs, std::vector<BallContact> contacts, const ProgramPathSettings& settings, MachineProgram& program)
+  PathMaker(const SampledRuns& runs, std::vector<NearestContact> contacts, const ProgramPathSettings& settings, MachineProgram& program)
   : runs_(runs), contacts_(std::move(contacts)), settings_(settings), program_(program)
   {}
 
@@ -109,6 +110,7 @@ private:
         point.arc_length += (point.getVector3fMap() - path.back().getVector3fMap()).norm();
       path.push_back(point);
       result_.blocks.push_back(runs_.blocks[i]);
+      result_.tips.push_back(runs_.poses[i].tip);
     }
     ++result_.passes;
   }
@@ -116,7 +118,7 @@ private:
   ToolpathPoint pointAt(std::size_t i) const
   {
     const ToolPose& pose = runs_.poses[i];
-    const BallContact& contact = contacts_[i];
+    const NearestContact& contact = contacts_[i];
     ToolpathPoint point;
     point.getVector3fMap() = (contact.valid ? contact.position : pose.tip).cast<float>();
     point.getNormalVector3fMap() = (contact.valid ? contact.normal : pose.axis).cast<float>();
@@ -126,7 +128,7 @@ private:
   }
 
   const SampledRuns& runs_;
-  std::vector<BallContact> contacts_;
+  std::vector<NearestContact> contacts_;
   const ProgramPathSettings& settings_;
   MachineProgram& program_;
   ProgramPath result_;
@@ -138,11 +140,11 @@ ProgramPath
 programPath(const ReferenceSurface& reference, const ProgramPathSettings& settings, MachineProgram& program)
 {
   const SampledRuns runs = sampledRuns(program, settings);
-  std::vector<Eigen::Vector3d> centres;
-  centres.reserve(runs.poses.size());
+  std::vector<CutterPlace> places;
+  places.reserve(runs.poses.size());
   for (const ToolPose& pose : runs.poses)
-    centres.push_back(pose.tip + settings.ball_radius * pose.axis);
-  return PathMaker(runs, ballContacts(reference, centres, settings.ball_radius), settings, program).make();
+    places.push_back({pose.tip, pose.axis});
+  return PathMaker(runs, cutterContacts(reference, places, settings.cutter), settings, program).make();
 }
 
 } // namespace pcl_spiral

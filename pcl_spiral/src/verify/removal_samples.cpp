@@ -32,25 +32,24 @@ RemovalExtremes::merge(const RemovalExtremes& later)
 }
 
 RemovalSampler::RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index,
-                               const RemovalSettings& settings, double reach, const BallReach& ball)
+                               const RemovalSettings& settings, double reach, const BallReach* ball)
 : reference_(reference), sweep_(sweep), settings_(settings), ball_(ball),
+  step_radius_(settings.step_radius > 0.0 ? settings.step_radius : settings.tool_radius),
   field_(sweep, index, std::max(shallow_start * settings.scallop_height, settings.chord_error), reach), fit_radius_(reference.fitRadius())
 {}
 
 double
 RemovalSampler::largestStep(const SurfaceFoot& foot) const
 {
-  const double radius = settings_.tool_radius;
-  const double curvature = std::clamp(foot.curvature2, hollowest / radius, 1.0 / settings_.scallop_height);
-  return stepOver(radius, curvature, settings_.scallop_height).value_or(0.0);
+  const double curvature = std::clamp(foot.curvature2, hollowest / step_radius_, 1.0 / settings_.scallop_height);
+  return stepOver(step_radius_, curvature, settings_.scallop_height).value_or(0.0);
 }
 
 double
 RemovalSampler::stepAcross(const SurfaceFoot& foot, const Eigen::Vector3d& w) const
 {
-  const double radius = settings_.tool_radius;
-  const double curvature = std::clamp(foot.normalCurvature(w), hollowest / radius, 1.0 / settings_.scallop_height);
-  return stepOver(radius, curvature, settings_.scallop_height).value_or(0.0);
+  const double curvature = std::clamp(foot.normalCurvature(w), hollowest / step_radius_, 1.0 / settings_.scallop_height);
+  return stepOver(step_radius_, curvature, settings_.scallop_height).value_or(0.0);
 }
 
 Zone
@@ -58,7 +57,7 @@ RemovalSampler::zoneOf(const SurfaceFoot& foot, const Eigen::Vector3d& position,
 {
   if (reference_.inCreaseBand(position))
     return Zone::Crease;
-  if (ball_.isNearUnreached(position, reference_.graph().spacing()))
+  if (ball_ && ball_->isNearUnreached(position, reference_.graph().spacing()))
     return Zone::Unreached;
   return foot.overhang > 0.0 || reference_.rimDistance(position, step) < step ? Zone::Rim : Zone::Main;
 }
@@ -152,8 +151,9 @@ RemovalSampler::takeGouge(std::size_t move, double f, const SurfaceFoot& nearest
   // The extended quadric gives the place to test; the surface itself gives how deep the cutter is there.
   const SurfaceFoot& foot = feet.front().valid ? feet.front() : nearest;
   const SurfaceHeight lowest = sweep_.lowest(move, f, foot, 0.0);
-  if (lowest.height < -sweep_.boundingRadius() || reference_.inGap(foot.position))
-    return; // its middle is behind the foot: another side of the part, or so deep that the reference points show it
+  const Eigen::Vector3d middle = (1.0 - f) * sweep_.centres()[move] + f * sweep_.centres()[move + 1];
+  if ((middle - foot.position).dot(foot.normal) < 0.0 || reference_.inGap(foot.position))
+    return; // another side of the part, or so deep that the reference points show it
   PlacedValue& gouge = reference_.inCreaseBand(foot.position) ? extremes.crease_gouge
                        : foot.overhang > 0.0                  ? extremes.rim_gouge
                                                               : extremes.gouge;

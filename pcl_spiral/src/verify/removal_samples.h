@@ -38,9 +38,9 @@ struct SampleResult {
 /** Measures places one by one. */
 class RemovalSampler {
 public:
-  /** \p ball: what a ball of the tool radius reaches. */
+  /** \p ball: what the cutter reaches; null: everything. */
   RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index, const RemovalSettings& settings,
-                 double reach, const BallReach& ball);
+                 double reach, const BallReach* ball);
 
   /** Over the foot of a reference point; for one in the crease band over its place in the mesh. \p guess: the move tried first; it becomes
    *  the move found. */
@@ -61,7 +61,8 @@ private:
   const ReferenceSurface& reference_;
   const CutterSweep& sweep_;
   const RemovalSettings& settings_;
-  const BallReach& ball_;
+  const BallReach* ball_;
+  double step_radius_;
   StockField field_;
   double fit_radius_;
 };

@@ -4,6 +4,7 @@
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 
+#include "io/report/cutter_text.h"
 #include "io/report/html_page.h"
 #include "io/report/verification_html.h"
 #include "io/setting_names.h"
@@ -14,15 +15,6 @@
 using namespace pcl_spiral;
 
 namespace {
-
-std::string
-cutterText(const CutterShape& c)
-{
-  return textOf("radius ", c.radius, " mm, corner ", c.corner_radius, " mm") +
-         (c.flank_length > 0.0 || c.flank_angle > 0.0
-              ? textOf(", flank ", c.flank_length, " mm long, ", c.flank_angle, "\u00b0 to the axis")
-              : std::string());
-}
 
 void
 addPath(HtmlPage& page, const Job& job, const Result& result)

@@ -96,7 +96,8 @@ judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::Point
   MaterialRemoval<pcl::PointXYZ> removal;
   prepare(removal, scan, path, settings);
   removal.setReferenceSurface(reference);
-  removal.setToolRadius(settings.tool_radius);
+  removal.setCutter(settings.cutter);
+  removal.setInputTips(settings.tips);
   removal.setScallopHeight(settings.scallop_height);
   removal.setProgressCallback([&](double share, const std::string&) { return progress(0.3 + 0.7 * share, "removed material"); });
   removal.compute(values);

@@ -7,12 +7,16 @@
 #include "terminal/scan_side.h"
 #include "verify/verification.h"
 #include <pcl_spiral/common/impl/progress.h>
+#include <pcl_spiral/core/cutter_profile.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/verify/deviation_estimation.h>
 
 /** Settings for judging a path. */
 struct JudgeSettings {
-  double tool_radius = 0.0, scallop_height = 0.0, chord_error = 0.0; ///< mm
-  ScanSide side;                                                     ///< what decides the side of the scan
+  pcl_spiral::CutterShape cutter;                 ///< radius 0: not given
+  pcl_spiral::Polyline tips;                      ///< of the path, one per point; empty: from its contacts
+  double scallop_height = 0.0, chord_error = 0.0; ///< mm
+  ScanSide side;                                  ///< what decides the side of the scan
   bool flip_normals = false;
   unsigned int threads = 0;
   pcl_spiral::Surface::ConstPtr surface;            ///< of the scan, if it exists already; null: it is made

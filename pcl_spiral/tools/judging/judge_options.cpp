@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "judge_options.h"
 
+#include "terminal/cutter_shape.h"
 #include "terminal/option_table.h"
 #include "terminal/option_values.h"
 #include "terminal/scan_places.h"
@@ -49,8 +50,10 @@ addScanOptions(po::options_description& options)
 void
 addCutterOptions(po::options_description& options, const char* radius_meaning)
 {
-  options.add_options()("tool-radius", value("R"),
-                        radius_meaning)("scallop", value("H"), "scallop height that the path was made for; default 0.05: --scallop 0.02")(
+  options.add_options()("tool-radius", value("R"), radius_meaning)("corner-radius", value("r"), corner_radius_help)(
+      "flank-length", value("L"), "length of the cutting flank, along the flank; default 0: --flank-length 20")(
+      "flank-angle", value("A"), flank_angle_help)("scallop", value("H"),
+                                                   "scallop height that the path was made for; default 0.05: --scallop 0.02")(
       "chord-error", value("E"), "chord error that the path was made for; default 0.005: --chord-error 0.002")(
       "view-point", value("X,Y,Z"), view_point_help)("flip-normals", "the cutter is on the other side of the scan or mesh");
 }
@@ -62,7 +65,7 @@ addPartOptions(po::options_description& options)
                         "a place on the part, in the coordinates of the file, as given for the path: --part-at 120,80,15")(
       "crop", value("BOX|FILE"), "only points inside are part of the scan, as given for the path: --crop 0,200,0,150")(
       "keep-out", po::value<std::vector<std::string>>()->value_name("FILE"),
-      "polygon whose space the ball must not enter, as given for the path; may be given several times: --keep-out clamp.txt");
+      "polygon whose space the cutter must not enter, as given for the path; may be given several times: --keep-out clamp.txt");
 }
 
 PartChoice
@@ -106,15 +109,23 @@ cutterOptions(const po::variables_map& given)
   };
   if (given.count("view-point") > 0)
     settings.side = {nullptr, placeValue("view-point", text("view-point")), true};
-  read("tool-radius", settings.tool_radius);
+  read("tool-radius", settings.cutter.radius);
+  read("corner-radius", settings.cutter.corner_radius);
+  read("flank-length", settings.cutter.flank_length);
+  read("flank-angle", settings.cutter.flank_angle);
   read("scallop", settings.scallop_height);
   read("chord-error", settings.chord_error);
   if (given.count("threads") > 0)
     threadsOption("", settings.threads).set(text("threads"));
   const bool radius_given = given.count("tool-radius") > 0;
-  require(!radius_given || settings.tool_radius > 0.0, "--tool-radius must be above 0 mm, such as 10");
-  require(settings.scallop_height > 0.0 && (!radius_given || settings.scallop_height < settings.tool_radius),
+  require(!radius_given || settings.cutter.radius > 0.0, "--tool-radius must be above 0 mm, such as 10");
+  require(settings.scallop_height > 0.0 && (!radius_given || settings.scallop_height < settings.cutter.radius),
           "--scallop must be above 0 mm and below the tool radius, such as 0.05");
+  for (const char* name : {"corner-radius", "flank-length", "flank-angle"})
+    require(radius_given || given.count(name) == 0,
+            "--" + std::string(name) + ": no --tool-radius is given; give the radius of the cutter too");
+  if (radius_given)
+    completeCutter(given.count("corner-radius") > 0, settings.cutter);
   require(settings.chord_error > 0.0, "--chord-error must be above 0 mm, such as 0.005");
   return settings;
 }

@@ -26,7 +26,8 @@ struct MeshChoice {
 /** --units, --origin, --columns */
 void addScanOptions(boost::program_options::options_description& options);
 
-/** --tool-radius with \p radius_meaning as its help, --scallop, --chord-error, --view-point, --flip-normals */
+/** --tool-radius with \p radius_meaning as its help, --corner-radius, --flank-length, --flank-angle,
+ * --scallop, --chord-error, --view-point, --flip-normals */
 void addCutterOptions(boost::program_options::options_description& options, const char* radius_meaning);
 
 /** --part-at, --crop, --keep-out */
@@ -44,7 +45,7 @@ void addMeshOptions(boost::program_options::options_description& options);
 /** Settings of the mesh; none without --mesh. \throw UsageError if an option does not fit the part */
 std::optional<MeshChoice> meshOptions(const boost::program_options::variables_map& given);
 
-/** Cutter, finish and --threads; the tool radius is 0 if it is not given. \throw UsageError if values do not fit each
+/** Cutter, finish and --threads; the radius of the cutter is 0 if it is not given. \throw UsageError if values do not fit each
  * other */
 JudgeSettings cutterOptions(const boost::program_options::variables_map& given);
 

@@ -8,6 +8,9 @@
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
+#include <pcl_spiral/verify/impl/profile_sweep.h>
+
+#include <memory>
 
 using namespace pcl_spiral;
 
@@ -35,14 +38,58 @@ readPart(const std::string& file, const ReadOptions& read, const std::optional<M
   return part;
 }
 
+namespace {
+
+/** The middles of balls about the whole cutter between corner and flank, as pcl_spiral_drive keeps it out. */
+std::vector<std::vector<Eigen::Vector3d>>
+keptOutWays(const pcl::PointCloud<ToolpathPoint>& path, const CutterShape& cutter, const Polyline& tips)
+{
+  if (isBall(cutter) || tips.empty())
+    return {ballCentres(path, cutter.radius)};
+  std::vector<std::vector<Eigen::Vector3d>> ways(2);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const Eigen::Vector3d axis = path[i].getAxisVector3fMap().cast<double>();
+    ways[0].push_back(tips[i] + cutter.corner_radius * axis);
+    ways[1].push_back(ways[0].back() + cutter.flank_length * axis);
+  }
+  return ways;
+}
+
+/** The deepest point of the scan beside the part; \p words: what cuts into it. */
+std::optional<BallEntry>
+cutBeside(const JudgedPart& part, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings, std::string& words)
+{
+  const CutterShape& cutter = settings.cutter;
+  if (isBall(cutter)) {
+    words = textOf("the ball or its shank, taken as ", shank_radii, " radii long,");
+    return deepestPoint(*path, cutter.radius, part.chosen.beside);
+  }
+  words = "the cutter";
+  CutterPath moves;
+  std::unique_ptr<CutterSweep> sweep;
+  if (part.chosen.beside.empty() || !readCutterPath(path, moves).ok() || !makeSweep(moves, cutter, settings.tips, sweep).ok())
+    return std::nullopt;
+  return deepestPoint(*sweep, part.chosen.beside);
+}
+
+} // namespace
+
 std::vector<std::string>
-faultsBeside(const JudgedPart& part, const pcl::PointCloud<ToolpathPoint>& path, double tool_radius, double allowed)
+faultsBeside(const JudgedPart& part, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings, double allowed)
 {
   std::vector<std::string> faults;
-  if (const auto entry = deepestEntry(path, tool_radius, part.chosen.keep_outs))
-    faults.push_back(textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place)));
-  if (const auto cut = deepestPoint(path, tool_radius, part.chosen.beside); cut && cut->depth > allowed)
-    faults.push_back(textOf("the ball or its shank, taken as ", shank_radii, " radii long, cuts ", cut->depth, " mm into the scan at ",
-                            placeText(cut->place), ", beside the part that was chosen"));
+  const char* cutter = isBall(settings.cutter) ? "ball" : "cutter";
+  std::optional<BallEntry> entry;
+  if (!part.chosen.keep_outs.empty())
+    for (const auto& way : keptOutWays(*path, settings.cutter, settings.tips))
+      if (const auto found = deepestEntry(*path, way, settings.cutter.radius, part.chosen.keep_outs);
+          found && (!entry || found->depth > entry->depth))
+        entry = found;
+  if (entry)
+    faults.push_back(textOf("the ", cutter, " enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place)));
+  std::string words;
+  if (const auto cut = cutBeside(part, path, settings, words); cut && cut->depth > allowed)
+    faults.push_back(
+        textOf(words, " cuts ", cut->depth, " mm into the scan at ", placeText(cut->place), ", beside the part that was chosen"));
   return faults;
 }

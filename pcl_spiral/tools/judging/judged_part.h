@@ -31,7 +31,7 @@ struct JudgedRegion {
 JudgedPart readPart(const std::string& file, const pcl_spiral::ReadOptions& read, const std::optional<MeshChoice>& mesh,
                     const ScanSide& side, const JudgedRegion& region = {});
 
-/** What is wrong where the path meets the limits of the part: its ball enters a keep-out, or cuts into the scan beside. Empty: nothing.
- *  \p allowed: depth of a cut that counts as none, mm. */
-std::vector<std::string> faultsBeside(const JudgedPart& part, const pcl::PointCloud<pcl_spiral::ToolpathPoint>& path, double tool_radius,
-                                      double allowed);
+/** What is wrong where the path meets the limits of the part: its cutter enters a keep-out, or cuts into the scan beside. Empty: nothing.
+ *  \p settings: cutter and tips. \p allowed: depth of a cut that counts as none, mm. */
+std::vector<std::string> faultsBeside(const JudgedPart& part, const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path,
+                                      const JudgeSettings& settings, double allowed);

@@ -24,7 +24,7 @@ reportOf(const pcl::PointCloud<ToolpathPoint>& path, const JudgeSettings& settin
   for (BoundaryLoop& loop : report.loops)
     loop.indices.clear(); // of the surface's points, not of the scan's
   report.turns = static_cast<std::size_t>(std::max(1L, std::lround(path.back().turn)));
-  const double on_plane = std::sqrt(8.0 * settings.tool_radius * settings.scallop_height);
+  const double on_plane = std::sqrt(8.0 * settings.cutter.radius * settings.scallop_height);
   const double mean = removal.area > 0.0 ? removal.area / removal.path_length : on_plane;
   report.path_length = removal.path_length;
   report.smallest_step_over = report.largest_step_over = mean;
@@ -42,7 +42,7 @@ judgedScene(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::Poi
   scene.part.cloud = surface.mesh() ? heights.points : scan;
   scene.part.mesh = settings.mesh;
   scene.part.path = path;
-  scene.part.settings.tool_radius = settings.tool_radius;
+  scene.part.settings.tool_radius = settings.cutter.radius;
   scene.part.settings.scallop_height = settings.scallop_height;
   scene.part.settings.chord_error = settings.chord_error;
   scene.part.settings.view_point = settings.side.view_point;

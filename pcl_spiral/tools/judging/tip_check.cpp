@@ -3,14 +3,44 @@
 
 #include <pcl_spiral/io/toolpath_writer.h>
 
+#include <pcl_spiral/verify/impl/profile_depth.h>
+#include <pcl_spiral/verify/impl/profile_sweep.h>
+
+#include <cmath>
 #include <sstream>
 
 using namespace pcl_spiral;
 
+namespace {
+
+constexpr double rounding = 0.001; // mm: of the single precision of contacts, on parts of a few metres
+
 std::string
-checkTips(const ToolpathFile& file, double tool_radius, Verification& verification)
+checkContacts(const ToolpathFile& file, const CutterShape& cutter, Verification& verification)
 {
-  constexpr double rounding = 0.001; // mm: of the single precision of contacts, on parts of a few metres
+  const ProfileDepth profile{CutterProfile(cutter)};
+  for (std::size_t i = 0; i < file.tips.size(); ++i) {
+    const ToolpathPoint& point = file.path[i];
+    const Eigen::Vector3d contact = point.getVector3fMap().cast<double>();
+    const double off = std::abs(profile.at(contact, file.tips[i], point.getAxisVector3fMap().cast<double>()));
+    if (!(off > rounding))
+      continue;
+    ++verification.tips_off;
+    if (off > verification.tip_error.value)
+      verification.tip_error = {off, contact, i};
+  }
+  if (verification.tips_off == 0)
+    return "";
+  std::ostringstream text;
+  text << verification.tips_off << " of " << file.tips.size() << " tool tips do not bring this cutter to their contact, by up to "
+       << verification.tip_error.value << " mm at path point " << verification.tip_error.index
+       << ": give the cutter that the path was made for (--tool-radius, --corner-radius, --flank-length, --flank-angle)";
+  return text.str();
+}
+
+std::string
+checkBall(const ToolpathFile& file, double tool_radius, Verification& verification)
+{
   double along = 0.0, squared = 0.0; // least squares of tip - contact = radius (normal - axis)
   for (std::size_t i = 0; i < file.tips.size(); ++i) {
     const ToolpathPoint& point = file.path[i];
@@ -36,4 +66,12 @@ checkTips(const ToolpathFile& file, double tool_radius, Verification& verificati
   else
     text << ": the machine would not go where the contacts say; make the file again";
   return text.str();
+}
+
+} // namespace
+
+std::string
+checkTips(const ToolpathFile& file, const CutterShape& cutter, Verification& verification)
+{
+  return isBall(cutter) ? checkBall(file, cutter.radius, verification) : checkContacts(file, cutter, verification);
 }

@@ -3,14 +3,13 @@
 
 #include "pass_files.h"
 #include "program/program_check.h"
+#include "terminal/cutter_shape.h"
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
 
 #include <pcl_spiral/common/impl/message.h>
-#include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
-#include <cmath>
 
 using namespace pcl_spiral;
 
@@ -36,13 +35,8 @@ isBall(const PassJob& job)
 void
 completeCutter(PassJob& job)
 {
-  CutterShape& c = job.cutter;
-  if (!isGiven(job, "corner-radius")) {
-    const double angle = c.flank_angle * degree;
-    c.corner_radius = (c.radius - c.flank_length * std::sin(angle)) / std::cos(angle);
-  }
-  if (const std::string fault = faultOf(c); !fault.empty())
-    throw UsageError("the cutter of --tool-radius, --corner-radius, --flank-length and --flank-angle: " + fault);
+  const CutterShape& c = job.cutter;
+  completeCutter(isGiven(job, "corner-radius"), job.cutter);
   if (const std::string fault = faultOf(job.holder); !fault.empty())
     throw UsageError("--holder: " + fault);
   if (isGiven(job, "holder-clearance") && job.holder.empty())

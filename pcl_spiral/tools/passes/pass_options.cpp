@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pass_options.h"
+#include "terminal/cutter_shape.h"
 #include "terminal/scan_places.h"
 
 #include <algorithm>
@@ -67,11 +68,10 @@ cutterOptions(PassJob& job, const std::string& need)
 {
   return {"Cutter (mm, degrees): tapered bull-nose and its special cases",
           {numberOption("tool-radius", "R", "radius at the upper end of the flank; " + need + ": --tool-radius 6", job.cutter.radius),
-           numberOption("corner-radius", "r", "corner radius; default the largest possible, a ball: --corner-radius 1",
-                        job.cutter.corner_radius),
+           numberOption("corner-radius", "r", corner_radius_help, job.cutter.corner_radius),
            numberOption("flank-length", "L", "length of the cutting flank, along the flank; default 0: --flank-length 20",
                         job.cutter.flank_length),
-           numberOption("flank-angle", "A", "angle between flank and axis; default 0: --flank-angle 5", job.cutter.flank_angle),
+           numberOption("flank-angle", "A", flank_angle_help, job.cutter.flank_angle),
            {"holder", "SEGMENTS",
             "shank and holder above the flank, upwards, each part as radius,length or lower,upper,length: --holder 6,40/20,25,60",
             [&job](const std::string& value) { job.holder = segmentsOf(value); }},

@@ -8,7 +8,7 @@
 namespace {
 
 /** Each first text is replaced by the second if the program has the first option in it. */
-constexpr std::array<std::pair<const char*, const char*>, 66> words{{
+constexpr std::array<std::pair<const char*, const char*>, 68> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setPartAt", "--part-at"},
@@ -35,6 +35,8 @@ constexpr std::array<std::pair<const char*, const char*>, 66> words{{
     {"setRimOverhang", "--rim"},
     {"setLeastTurnRadius", "--turn-radius"},
     {"setToolRadius", "--tool-radius"},
+    {"setCutter", "--tool-radius, --corner-radius, --flank-length and --flank-angle"},
+    {"setInputTips", "columns tip_x, tip_y, tip_z of a .csv"},
     {"setScallopHeight", "--scallop"},
     {"setScallop", "--scallop"},
     {"setPlaneDirection", "--direction"},

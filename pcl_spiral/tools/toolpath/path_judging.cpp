@@ -32,7 +32,7 @@ judge(const Job& job, Result& result)
   ProgressBar bar(job.quiet);
   const SpiralSettings& s = job.settings;
   JudgeSettings settings;
-  settings.tool_radius = s.tool_radius;
+  settings.cutter = CutterShape::ball(s.tool_radius);
   settings.scallop_height = s.scallop_height;
   settings.chord_error = s.chord_error;
   settings.side = result.side;

@@ -116,7 +116,7 @@ checkWay(const Job& job, const Result& result)
 {
   constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
   const double radius = job.settings.tool_radius, allowed = job.settings.chord_error + deviations * result.report.noise;
-  if (const auto entry = deepestEntry(*result.path, radius, result.part.keep_outs))
+  if (const auto entry = deepestEntry(*result.path, ballCentres(*result.path, radius), radius, result.part.keep_outs))
     throw FileError(job.scan, textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place),
                                      ": enlarge the polygon there by that much (--keep-out)"));
   std::vector<Eigen::Vector3f> beside = result.part.beside;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "judged_program.h"
+#include "scan_reference.h"
 
 #include "terminal/file_names.h"
 #include "terminal/setter_names.h"
@@ -13,6 +14,7 @@
 #include <pcl_spiral/io/machine_reader.h>
 #include <pcl_spiral/io/program_reader.h>
 #include <pcl_spiral/surface/scanned_surface.h>
+#include <pcl_spiral/verify/impl/profile_sweep.h>
 #include <pcl_spiral/verify/lead_check.h>
 
 #include <algorithm>
@@ -20,27 +22,6 @@
 using namespace pcl_spiral;
 
 namespace {
-
-std::shared_ptr<const ReferenceSurface>
-referenceOf(const VerifyJob& job, const JudgedPart& part)
-{
-  ScannedSurface<pcl::PointXYZ> scanned;
-  scanned.setInputCloud(part.cloud);
-  scanned.setStrict(false); // a rough reference is accepted, with a warning
-  scanned.setFlipNormals(job.settings.flip_normals);
-  setSide(part.side, scanned);
-  scanned.setNumberOfThreads(job.settings.threads);
-  ProgressBar bar(job.quiet);
-  scanned.setProgressCallback([&bar](double share, const std::string&) { return bar.update(share, "reference"); });
-  Surface::ConstPtr surface;
-  scanned.compute(surface);
-  bar.clear();
-  if (cancelled())
-    throw Cancelled();
-  if (!scanned.getStatus().ok())
-    throw FileError(job.scan, inOptions(scanned.getStatus().message()));
-  return std::make_shared<ReferenceSurface>(surface);
-}
 
 std::string
 textOfCollision(const LeadFigures& figures, const ProgramFile& read)
@@ -62,7 +43,7 @@ checkOtherMoves(const VerifyJob& job, const JudgedPart& part, const ReferenceSur
   ProgressBar bar(job.quiet);
   LeadCheck<pcl::PointXYZ> check;
   check.setInputCloud(part.cloud);
-  check.setCutter(CutterShape::ball(job.settings.tool_radius));
+  check.setCutter(job.settings.cutter);
   check.setTolerance(job.settings.chord_error + deviations * reference.noise());
   check.setLargestEcho(largest_echo);
   check.setNumberOfThreads(job.settings.threads);
@@ -86,7 +67,7 @@ checkOtherMoves(const VerifyJob& job, const JudgedPart& part, const ReferenceSur
 void
 checkPace(const VerifyJob& job, const ProgramFile& read, Verification& verification)
 {
-  const std::vector<HurriedBlock> hurried = hurriedBlocks(read.program, job.settings.tool_radius);
+  const std::vector<HurriedBlock> hurried = hurriedBlocks(read.program, job.settings.cutter.corner_radius);
   if (!hurried.empty())
     verification.program->warnings.push_back(
         textOf("line ", read.lines[hurried.front().block], ": the cutter moves ", hurried.front().times,
@@ -111,9 +92,9 @@ readJudgedProgram(const VerifyJob& job, const JudgedPart& part, const std::strin
   const std::optional<Machine> machine = job.machine_file.empty() ? std::nullopt : std::optional(readMachine(job.machine_file));
   ProgramFile read = readProgram(file, machine, job.dialect);
   if (!reference)
-    reference = referenceOf(job, part);
+    reference = scanReference(job, part);
   ProgramPathSettings settings;
-  settings.ball_radius = job.settings.tool_radius;
+  settings.cutter = job.settings.cutter;
   settings.tolerance = 0.2 * job.settings.chord_error;
   settings.air = std::max(20.0 * job.settings.scallop_height, 10.0 * reference->noise());
   settings.axis_arcs = read.axis_arcs;
@@ -142,4 +123,6 @@ readJudgedProgram(const VerifyJob& job, const JudgedPart& part, const std::strin
                               all);
   }
   *judged.path = path.path;
+  if (!isBall(job.settings.cutter))
+    judged.tips = path.tips;
 }

@@ -47,7 +47,7 @@ VerifyOutputs::take(const JudgedPart& part, const ReferenceSurface& surface, con
   }
   for (std::size_t i = 0; i < files_.size(); ++i)
     if (extensionOf(files_.path(i)) == ".vtp")
-      writeToolpath(files_.temporary(i), *judged.path, {job_.settings.tool_radius, 0.0, {}, {}, scanShift()},
+      writeToolpath(files_.temporary(i), *judged.path, {job_.settings.cutter.radius, 0.0, judged.tips, {}, scanShift()},
                     {judged.feed, judged.heights.deviation, judged.heights.scallop});
   verifications_.push_back(inScan(judged.verification));
 }
@@ -55,15 +55,9 @@ VerifyOutputs::take(const JudgedPart& part, const ReferenceSurface& surface, con
 void
 VerifyOutputs::finish(const JudgedPart& part)
 try {
-  const VerificationRun run{job_.scan,
-                            job_.read.unit,
-                            job_.settings.tool_radius,
-                            job_.settings.scallop_height,
-                            job_.settings.chord_error,
-                            inScan(part.warnings),
-                            job_.limits,
-                            mesh_,
-                            scanShift()};
+  const VerificationRun run{
+      job_.scan,   job_.read.unit, job_.settings.cutter, job_.settings.scallop_height, job_.settings.chord_error, inScan(part.warnings),
+      job_.limits, mesh_,          scanShift()};
   const std::string title = std::filesystem::path(job_.paths.front()).filename().string() + (job_.paths.size() > 1 ? " and others" : "");
   std::size_t i = 0;
   for (const std::string& output : job_.outputs) {

@@ -14,7 +14,8 @@
 /** A path and its judgement. */
 struct JudgedPath {
   pcl::PointCloud<pcl_spiral::ToolpathPoint>::Ptr path = pcl::make_shared<pcl::PointCloud<pcl_spiral::ToolpathPoint>>();
-  std::vector<double> feed; ///< mm/min; empty if its file has none
+  std::vector<double> feed;  ///< mm/min; empty if its file has none
+  pcl_spiral::Polyline tips; ///< of a cutter that is no ball; empty: from its contacts
   pcl_spiral::Verification verification;
   Heights heights;
 };

@@ -24,7 +24,8 @@ allOptions()
   constexpr unsigned int width = 110;
   const auto value = [](const char* name) { return po::value<std::string>()->value_name(name); };
   const auto values = [](const char* name) { return po::value<std::vector<std::string>>()->value_name(name); };
-  po::options_description files("Files", width, width / 2), cutter("Cutter and finish (mm)", width, width / 2),
+  po::options_description files("Files", width, width / 2),
+      cutter("Cutter (tapered bull-nose and its special cases) and finish (mm, degrees)", width, width / 2),
       limits("Limits: if one is broken, the exit code is 1", width, width / 2), run("Run", width, width / 2);
   files.add_options()(
       "file", values("FILE"),
@@ -41,7 +42,7 @@ allOptions()
   addScanOptions(files);
   addPartOptions(files);
   addMeshOptions(files);
-  addCutterOptions(cutter, "radius of the ball cutter; required: --tool-radius 10");
+  addCutterOptions(cutter, "radius at the upper end of the flank; required: --tool-radius 10");
   limits.add_options()("max-gouge", value("G"), "depth of gouges, mm: --max-gouge 0.01")(
       "max-scallop", value("S"), "height of ridges and of stock at the rim, mm: --max-scallop 0.06")(
       "max-deviation", value("D"), "distance of the contacts from the surface, mm: --max-deviation 0.02")(
@@ -86,7 +87,7 @@ check(const VerifyJob& job, bool radius_given)
 {
   require(!job.scan.empty(), "no scan is given; give the scan and then the paths, such as part.pcd part.csv");
   require(!job.paths.empty(), "no path is given after the scan; give at least one, such as part.csv");
-  require(radius_given, "no --tool-radius is given; give the radius of the ball cutter in mm, such as --tool-radius 10");
+  require(radius_given, "no --tool-radius is given; give the radius of the cutter in mm, such as --tool-radius 10");
   for (const std::string& output : job.outputs) {
     const std::string extension = extensionOf(output);
     const std::vector<std::string> known{".json", ".html", ".png", ".vtp"};

@@ -24,7 +24,7 @@ allOptions()
                       "the scan, or with --mesh the mesh, then the path: .csv .pcd .ply .vtp; --file itself can be left out");
   addScanOptions(files);
   addMeshOptions(files);
-  addCutterOptions(cutter, "radius of the ball cutter; without it the stock map and the histogram stay empty: "
+  addCutterOptions(cutter, "radius at the upper end of the flank; without it the stock map and the histogram stay empty: "
                            "--tool-radius 10");
   run.add_options()("threads", po::value<std::string>()->value_name("N"), "number of threads; default 0, all: --threads 4")(
       "quiet", "print only errors")("help,h", "print this text")("version", "print the version");

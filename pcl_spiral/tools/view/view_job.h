@@ -17,7 +17,7 @@ struct ViewJob {
   std::string scan, path;
   pcl_spiral::ReadOptions read;
   std::optional<MeshChoice> mesh; ///< absent: the first file is a scan
-  JudgeSettings settings;         ///< tool radius 0: not given
+  JudgeSettings settings;         ///< cutter with radius 0: not given
   bool quiet = false;
   bool help = false;
   bool version = false;

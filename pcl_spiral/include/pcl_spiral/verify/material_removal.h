@@ -4,13 +4,18 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/cutter_profile.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/verify/figures.h>
 #include <pcl_spiral/verify/impl/material_removal_engine.h>
 #include <pcl_spiral/verify/impl/reference_input.h>
 
+#include <utility>
+#include <vector>
+
 namespace pcl_spiral {
 
-/** Stock left or gouge at every point of a scan, after a ball cutter has run along a toolpath in straight
+/** Stock left or gouge at every point of a scan, after a cutter has run along a toolpath in straight
  *  lines; also the ridges between turns, and the length of the path against the least possible length.
  *
  *  setInputCloud takes the reference: the raw scan, that of the planner or another
@@ -22,9 +27,20 @@ public:
   using Ptr = pcl::shared_ptr<MaterialRemoval>;            ///< A shared pointer.
   using ConstPtr = pcl::shared_ptr<const MaterialRemoval>; ///< A shared pointer to a constant one.
 
-  /** Radius of the ball cutter, mm. Must be set. */
-  void setToolRadius(double radius) { tool_radius_ = radius; }
-  double getToolRadius() const { return tool_radius_; } ///< The value of setToolRadius.
+  /** Radius of a ball cutter, mm. This or setCutter must be set. */
+  void setToolRadius(double radius) { cutter_ = CutterShape::ball(radius); }
+  double getToolRadius() const { return cutter_.radius; } ///< Radius of the cutter, mm.
+
+  /** Any cutter. Unless it is a ball without a flank, the path needs tool axes. Its flank counts, and a shank above it as wide as its top,
+   *  up to twice the radius above the tip. The least length of a path is that of a ball which leaves the same scallop on a plane across
+   *  the axis. */
+  void setCutter(const CutterShape& cutter) { cutter_ = cutter; }
+  const CutterShape& getCutter() const { return cutter_; } ///< The value of setCutter.
+
+  /** Tool tips, one for each point of the toolpath, mm; not used for a ball. Empty, the default: the cutter touches at the contacts.
+   *  A flat end or a flank touches along an area or a line, so the contact alone does not tell where it is. */
+  void setInputTips(Polyline tips) { tips_ = std::move(tips); }
+  const Polyline& getInputTips() const { return tips_; } ///< The value of setInputTips.
 
   /** Scallop height asked of the path, mm. Must be set, below the radius. */
   void setScallopHeight(double height) { scallop_height_ = height; }
@@ -50,7 +66,9 @@ private:
   Status checkCloud() const;
   void write(const RemovalHeights& heights, pcl::PointCloud<pcl::PointXYZI>& output);
 
-  double tool_radius_ = 0.0, scallop_height_ = 0.0, reach_ = 0.0;
+  CutterShape cutter_;
+  Polyline tips_;
+  double scallop_height_ = 0.0, reach_ = 0.0;
   RemovalFigures figures_;
   std::vector<float> ridge_heights_;
 };

@@ -40,6 +40,8 @@ PointTable readLasTable(const std::string& file, std::string_view bytes);
 PointTable readPtsTable(const std::string& file, std::string_view bytes);
 /** Points, Normals, ToolAxis, ArcLength, Turn and, if present, Feed of a polyline written by this library. */
 PointTable readVtpTable(const std::string& file, std::string_view bytes);
+/** The columns of Tip, if present. */
+PointTable readVtpTips(const std::string& file, std::string_view bytes);
 /** First points of its second and of each further polyline; the points of all polylines are in order. */
 std::vector<std::size_t> readVtpPasses(const std::string& file, std::string_view bytes);
 /** @} */

@@ -246,6 +246,16 @@ readVtpTable(const std::string& file, std::string_view bytes)
   return table;
 }
 
+PointTable
+readVtpTips(const std::string& file, std::string_view bytes)
+{
+  const VtpFile vtp(file, bytes);
+  PointTable table;
+  if (vtp.has("Tip"))
+    vtp.append(table, "Tip", 3);
+  return table;
+}
+
 std::vector<std::size_t>
 readVtpPasses(const std::string& file, std::string_view bytes)
 {

@@ -2,6 +2,7 @@
 #include "io/byte_file.h"
 #include "io/pcd_origin.h"
 #include "point_table.h"
+#include "read_tips.h"
 #include "text_scan.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace pcl_spiral {
 namespace {
@@ -144,6 +146,8 @@ readToolpath(const std::string& file, const Eigen::Vector3d& origin)
   const auto readText = [](const auto&... of) { return readTextTable(of...); };
   const auto readPcd = [](const auto&... of) { return readPcdTable(of...); };
   const auto readPly = [](const auto&... of) { return readPlyTable(of...); };
+  if (extension == ".csv" && holdsOnlyTips(readBytes(file)))
+    return readTips(file, origin);
   if (extension == ".csv")
     return readColumns(readText, {"cc_x", "cc_y", "cc_z", "normal_x", "normal_y", "normal_z"}, {"feed", "tip_x", "tip_y", "tip_z"});
   if (extension == ".pcd")
@@ -154,6 +158,9 @@ readToolpath(const std::string& file, const Eigen::Vector3d& origin)
     const auto bytes = readBytes(file);
     ToolpathFile read = fromColumns(readVtpTable(file, bytes), origin);
     liftBetween(readVtpPasses(file, bytes), read.path);
+    if (const PointTable tips = readVtpTips(file, bytes); !tips.empty())
+      for (std::size_t i = 0; i < read.path.size(); ++i)
+        read.tips.push_back(Eigen::Vector3d(tips[0][i], tips[1][i], tips[2][i]) - origin);
     return read;
   }
   throw FileError(file, "extension '" + extension + "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");

@@ -228,7 +228,8 @@ writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles&
     for (const std::string& warning : warningsOf(*verification))
       if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
         warnings.push_back(warning);
-    const VerificationRun run{files.scan, files.unit, settings.tool_radius, settings.scallop_height, settings.chord_error, {}, {}};
+    const VerificationRun run{
+        files.scan, files.unit, CutterShape::ball(settings.tool_radius), settings.scallop_height, settings.chord_error, {}, {}};
     html.addPart("Verification");
     addVerification(html, run, *verification, judged);
   }

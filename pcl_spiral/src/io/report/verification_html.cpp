@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification_html.h"
 
+#include "cutter_text.h"
 #include "io/setting_names.h"
 #include "verify/figure_text.h"
 #include "verify/limit_verdicts.h"
@@ -195,7 +196,7 @@ void
 writeVerificationHTML(const std::string& file, const ReportPage& page, const VerificationRun& run,
                       const std::vector<Verification>& verifications, const std::vector<std::vector<ReportPicture>>& pictures)
 {
-  HtmlPage html(page.title, formatted("Toolpath judged by a %s; ball cutter, radius %g mm", run.mesh ? "mesh" : "scan", run.tool_radius));
+  HtmlPage html(page.title, std::string("Toolpath judged by a ") + (run.mesh ? "mesh" : "scan") + "; cutter of " + cutterText(run.cutter));
   for (std::size_t i = 0; i < verifications.size(); ++i) {
     const Verification& v = verifications[i];
     if (verifications.size() > 1)
@@ -214,7 +215,7 @@ writeVerificationHTML(const std::string& file, const ReportPage& page, const Ver
     addMesh(rows, *run.mesh);
   for (const Verification& v : verifications)
     rows.push_back({"Path", formatted("%zu points, ", v.deviation.points) + v.path});
-  rows.push_back({"Ball cutter, radius R", formatted("%g mm", run.tool_radius)});
+  rows.push_back({"Cutter", cutterText(run.cutter)});
   rows.push_back({"Scallop height asked for, h", formatted("%g mm", run.scallop_height)});
   rows.push_back({"Chord error asked for, e", formatted("%g mm", run.chord_error)});
   html.addTable(rows, false);

@@ -6,6 +6,7 @@
 
 #include "report_page.h"
 #include "verify/verification.h"
+#include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 
@@ -27,10 +28,10 @@ struct JudgedMesh {
 struct VerificationRun {
   std::string scan;                         ///< or mesh
   LengthUnit unit = LengthUnit::Millimetre; ///< of the numbers in the scan
-  double tool_radius = 0.0;                 ///< mm
-  double scallop_height = 0.0;              ///< mm
-  double chord_error = 0.0;                 ///< mm
-  std::vector<std::string> warnings;        ///< from reading
+  CutterShape cutter;
+  double scallop_height = 0.0;       ///< mm
+  double chord_error = 0.0;          ///< mm
+  std::vector<std::string> warnings; ///< from reading
   Limits limits;
   std::optional<JudgedMesh> mesh = std::nullopt;   ///< absent: a scan
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of map coordinates, mm, see Scan::shift; places are in the coordinates of the scan

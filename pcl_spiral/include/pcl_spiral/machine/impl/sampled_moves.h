@@ -15,6 +15,7 @@ struct MoveSampling {
   double arm = 0.0;        ///< from the tip along the axis to the point whose way counts: the radius of a ball, mm
   double tolerance = 1e-3; ///< of that point from the straight line between samples, mm
   bool axis_arcs = false;  ///< the axis moves along an arc; false: as the rotary axes turn it
+  bool tip_too = false;    ///< the tip keeps the tolerance, too
 };
 
 /** The pose at the end of \p block. */

@@ -23,9 +23,8 @@ struct SurfaceHeight {
 /** A cutter of revolution at every point of a path, moved in straight
  *  lines from one point to the next, except at lifts.
  *
- *  Search and figures use only these functions of a cutter. A profile other than the ball
- *  needs its own class, which keeps the tool axes of the path if its shape needs them. Only
- *  the cutting part counts: shank and holder belong to collision checks. Lengths in mm. */
+ *  Search and figures use only these functions of a cutter: BallSweep, and ProfileSweep for any
+ *  other. Holders belong to collision checks. Lengths in mm. */
 class CutterSweep {
 public:
   virtual ~CutterSweep() = default;
@@ -43,6 +42,8 @@ public:
   virtual bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double& t) const = 0;
   /** Whether \p x lies in the solid swept along \p move. */
   virtual bool contains(std::size_t move, const Eigen::Vector3d& x) const = 0;
+  /** The shortest way out of the cutter from \p x, where it is deepest in it on \p move; negative outside, -infinity on a lift. */
+  virtual double depth(std::size_t move, const Eigen::Vector3d& x) const = 0;
   /** Height of the cutter above the surface about \p foot, a quadric no wider than \p reach,
    *  at the share \p f of \p move. Negative: how deep it cuts below the surface. */
   virtual SurfaceHeight lowest(std::size_t move, double f, const SurfaceFoot& foot, double reach) const = 0;
@@ -68,6 +69,7 @@ public:
 
   bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double& t) const override;
   bool contains(std::size_t move, const Eigen::Vector3d& x) const override;
+  double depth(std::size_t move, const Eigen::Vector3d& x) const override;
   SurfaceHeight lowest(std::size_t move, double f, const SurfaceFoot& foot, double reach) const override;
 };
 

@@ -3,9 +3,11 @@
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/verify/impl/profile_sweep.h>
 #include <pcl_spiral/verify/material_removal.h>
 
 #include <limits>
+#include <memory>
 
 namespace pcl_spiral {
 
@@ -71,11 +73,13 @@ MaterialRemoval<PointT>::compute(pcl::PointCloud<pcl::PointXYZI>& output)
   this->status_ = this->prepare(path);
   if (this->status_.ok())
     this->status_ = checkCloud();
-  if (this->status_.ok()) {
-    const BallSweep ball(path.contacts, path.normals, tool_radius_, path.passes);
-    const RemovalSettings settings{tool_radius_, scallop_height_, this->chord_error_, reach_};
-    this->status_ = measureRemovedMaterial(*this->reference_, path, ball, settings, this->progress_, heights, figures_);
-  }
+  std::unique_ptr<CutterSweep> sweep;
+  if (this->status_.ok())
+    this->status_ = makeSweep(path, cutter_, tips_, sweep);
+  if (this->status_.ok())
+    this->status_ =
+        measureRemovedMaterial(*this->reference_, path, *sweep, removalSettings(cutter_, scallop_height_, this->chord_error_, reach_),
+                               this->progress_, heights, figures_);
   this->tellFailure("MaterialRemoval");
   if (!this->status_.ok())
     return;

@@ -11,6 +11,7 @@
 #include <pcl_spiral/verify/impl/reference_surface.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,12 @@ namespace pcl_spiral {
 
 /** What was asked of the path. Lengths in mm. */
 struct RemovalSettings {
-  double tool_radius = 0.0;    ///< of the ball, or of a ball that leaves the same scallop
+  double tool_radius = 0.0;    ///< of the cutter
   double scallop_height = 0.0; ///< allowed between turns
   double chord_error = 0.005;  ///< allowed between a linear move and the surface curve
   double reach = 0.0; ///< how far above the surface stock is looked for; 0: 20 scallop heights, and at least ten times the scan's noise
+  double step_radius = 0.0;            ///< of a ball that leaves the same scallop; 0: tool_radius
+  std::optional<double> corner_radius; ///< of the ball that must fit into hollows; 0: a sharp edge, which reaches all; absent: tool_radius
 };
 
 /** Heights at each point of the reference's graph; NaN where there is none. */
