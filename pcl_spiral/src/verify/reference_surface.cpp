@@ -59,6 +59,8 @@ ReferenceSurface::findRim()
     }
     rims_.push_back(loop.curve);
     rims_.back().push_back(loop.curve.front());
+    outermost_.push_back(loop.points);
+    outermost_.back().push_back(loop.points.front());
     rim_length_ += loop.length;
   }
   indexRims();
@@ -73,6 +75,8 @@ ReferenceSurface::indexRims()
 {
   for (const Polyline& rim : rims_) // the rims do not move any more
     rim_index_.push_back(std::make_unique<MoveIndex>(rim));
+  for (const Polyline& line : outermost_)
+    outermost_index_.push_back(std::make_unique<MoveIndex>(line));
 }
 
 void
@@ -125,6 +129,26 @@ ReferenceSurface::rimDistance(const Eigen::Vector3d& p, double limit) const
   for (const auto& index : rim_index_)
     index->nearest(p, limit, point);
   return limit;
+}
+
+double
+ReferenceSurface::outermostDistance(const Eigen::Vector3d& p, double limit) const
+{
+  limit = rimDistance(p, limit);
+  Eigen::Vector3d point;
+  for (const auto& index : outermost_index_)
+    index->nearest(p, limit, point);
+  return limit;
+}
+
+std::optional<Eigen::Vector3d>
+ReferenceSurface::nearestOnRim(const Eigen::Vector3d& p, double limit) const
+{
+  Eigen::Vector3d point;
+  bool found = false;
+  for (const auto& index : rim_index_)
+    found = index->nearest(p, limit, point) || found;
+  return found ? std::optional(point) : std::nullopt;
 }
 
 std::vector<std::string>

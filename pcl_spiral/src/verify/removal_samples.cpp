@@ -72,6 +72,44 @@ RemovalSampler::takeRidge(const SurfaceFoot& foot, const Ridge& ridge, double st
     *height = static_cast<float>(ridge.height);
 }
 
+/** Whether the ray from a foot into the material may leave the part within \p depth: under the rim, or through a ridge. */
+bool
+RemovalSampler::leavesPart(const SurfaceFoot& foot, double depth) const
+{
+  constexpr double shorter = 0.9; // way to the nearest point: the surface bends at least that little
+  if (foot.overhang > 0.0 || reference_.outermostDistance(foot.position, depth) < depth)
+    return true;
+  if (depth < reference_.graph().spacing())
+    return false;
+  const PointBlocks& points = reference_.graph().blocks();
+  const Eigen::Vector3d end = foot.position - depth * foot.normal;
+  return (points.position(points.nearest(end)) - end).norm() < shorter * depth;
+}
+
+/** Whether the ray from a foot down to \p depth runs beside the middles of the balls that it meets: then it follows their way, or a fit is
+ *  wrong, as at edges that a coarse scan misses. Down to a middle, some place of it is as deep as half its length. */
+bool
+RemovalSampler::grazesBall(const SurfaceFoot& foot, double depth) const
+{
+  constexpr int places = 8;
+  constexpr double share = 0.4; // of the depth
+  for (int i = 0; i <= places; ++i)
+    if (field_.depthAt(foot.position - depth * i / places * foot.normal) >= share * depth)
+      return false;
+  return true;
+}
+
+Stock
+RemovalSampler::stockAt(const SurfaceFoot& foot, std::size_t guess) const
+{
+  Stock stock = field_.at(foot.position, foot.normal, guess);
+  const double along_ray = -stock.height;
+  if (along_ray > std::max(shallow_start * settings_.scallop_height, settings_.chord_error) &&
+      (leavesPart(foot, along_ray) || (!settings_.corner_radius && grazesBall(foot, along_ray))))
+    stock.height = -std::min(along_ray, field_.depthAt(foot.position));
+  return stock;
+}
+
 SampleResult
 RemovalSampler::at(const SurfaceFoot& foot, std::size_t& guess, RemovalExtremes& extremes) const
 {
@@ -80,7 +118,7 @@ RemovalSampler::at(const SurfaceFoot& foot, std::size_t& guess, RemovalExtremes&
   if (!foot.valid)
     return result;
   const double largest = largestStep(foot);
-  const Stock stock = field_.at(foot.position, foot.normal, guess);
+  const Stock stock = stockAt(foot, guess);
   result.zone = zoneOf(foot, foot.position, largest);
   result.met = stock.met;
   result.move = stock.move;
@@ -148,8 +186,13 @@ RemovalSampler::takeGouge(std::size_t move, double f, const SurfaceFoot& nearest
 {
   std::vector<SurfaceFoot> feet;
   reference_.surface().project({place}, feet);
-  // The extended quadric gives the place to test; the surface itself gives how deep the cutter is there.
-  const SurfaceFoot& foot = feet.front().valid ? feet.front() : nearest;
+  // The extended quadric gives the place to test; the surface itself gives how deep the cutter is there, up to the rim.
+  SurfaceFoot foot = feet.front().valid ? feet.front() : nearest;
+  if (foot.overhang > 0.0)
+    if (const auto rim = reference_.nearestOnRim(foot.position, foot.overhang + fit_radius_)) {
+      const SurfaceFoot at_rim = reference_.surface().project(*rim);
+      foot = at_rim.valid ? at_rim : foot;
+    }
   const SurfaceHeight lowest = sweep_.lowest(move, f, foot, 0.0);
   const Eigen::Vector3d middle = (1.0 - f) * sweep_.centres()[move] + f * sweep_.centres()[move + 1];
   if ((middle - foot.position).dot(foot.normal) < 0.0 || reference_.inGap(foot.position))

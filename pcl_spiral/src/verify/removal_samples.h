@@ -55,6 +55,10 @@ private:
   double stepAcross(const SurfaceFoot& foot, const Eigen::Vector3d& w) const;
   /** The depth that the cutter cuts off the surface next to \p place; off \p nearest if there is no surface. */
   void takeGouge(std::size_t move, double f, const SurfaceFoot& nearest, const Eigen::Vector3d& place, RemovalExtremes& extremes) const;
+  bool leavesPart(const SurfaceFoot& foot, double depth) const;
+  bool grazesBall(const SurfaceFoot& foot, double depth) const;
+  /** The stock at a foot; where its ray does not show how deep the cutter is, the depth of the foot in it. */
+  Stock stockAt(const SurfaceFoot& foot, std::size_t guess) const;
   Zone zoneOf(const SurfaceFoot& foot, const Eigen::Vector3d& position, double step) const;
   void takeRidge(const SurfaceFoot& foot, const Ridge& ridge, double step, RemovalExtremes& extremes, float* height) const;
 

@@ -67,6 +67,15 @@ StockField::at(const Eigen::Vector3d& x, const Eigen::Vector3d& n, std::size_t g
   }
 }
 
+double
+StockField::depthAt(const Eigen::Vector3d& x) const
+{
+  double most = 0.0;
+  index_.search(
+      x, [&] { return sweep_.boundingRadius() - most; }, [&](std::size_t move) { most = std::max(most, sweep_.depth(move, x)); });
+  return most;
+}
+
 Eigen::Vector3d
 StockField::across(const SurfaceFoot& foot, std::size_t move) const
 {

@@ -48,6 +48,9 @@ public:
   /** Stock over a place: the smallest t at which x + t n lies in the swept solid. \p guess: the move tried first. */
   Stock at(const Eigen::Vector3d& x, const Eigen::Vector3d& n, std::size_t guess) const;
 
+  /** The shortest way out of the cutter from \p x, the longest of all moves; 0 if it is in none. */
+  double depthAt(const Eigen::Vector3d& x) const;
+
   /** Unit direction across the feed of \p move at \p foot; zero where the move is along the surface normal. */
   Eigen::Vector3d across(const SurfaceFoot& foot, std::size_t move) const;
 

@@ -122,7 +122,7 @@ addGouges(FigureTable& table, const RemovalFigures& r, const Limits& limits)
       .limited("Limits::gouge", limits.gouge, r.gouge.value, "", true);
   table.placed("material/rim_gouge", r.rim_gouge, height)
       .knownIf(r.rim_gouge.value > 0.0)
-      .named("Gouge beyond the outermost scan points, deepest")
+      .named("Gouge at the rim, just outside the outermost scan points, deepest")
       .limited("Limits::gouge", limits.gouge, r.rim_gouge.value, " beyond the rim");
 }
 

@@ -100,7 +100,7 @@ struct RemovalFigures {
   StockFigures scallop;   ///< at the tops of the ridges next to these points; max also next to every path point and between path points
   StockFigures rim;       ///< at the reference points within one step-over of the rim
   PlacedValue gouge;      ///< deepest, at reference points and along every move; 0 if there is none
-  PlacedValue rim_gouge;  ///< the same for moves just outside the outermost points, below the extended surface; not looked for in gaps
+  PlacedValue rim_gouge;  ///< the same at the rim, just outside the outermost points; not looked for in gaps
   StockFigures unreached; ///< at the reference points that a ball of this radius does not reach, and within one spacing of them. Not
                           ///< part of the other figures
   double fitting_radius = 0.0;       ///< of the largest ball that reaches everything, at most that of the tool; mm

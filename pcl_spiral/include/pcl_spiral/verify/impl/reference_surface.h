@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,10 @@ public:
   double rimStrip() const { return rim_strip_; }
   /** Distance to the rim (outer loop and real holes), at most \p limit. */
   double rimDistance(const Eigen::Vector3d& p, double limit) const;
+  /** The same, and to the line through the outermost points. */
+  double outermostDistance(const Eigen::Vector3d& p, double limit) const;
+  /** The place of the rim nearest to \p p, if it is nearer than \p limit. */
+  std::optional<Eigen::Vector3d> nearestOnRim(const Eigen::Vector3d& p, double limit) const;
   /** Whether a place on the surface lies inside a gap of the scan, where there is no data to judge by. */
   bool inGap(const Eigen::Vector3d& p) const;
   /** Half the width of the band about the creases of a mesh, mm: the reach of a fit; 0 without creases. */
@@ -99,6 +104,8 @@ private:
   std::vector<BoundaryLoop> loops_;
   std::vector<Polyline> rims_; ///< closed: the first point is repeated at the end
   std::vector<std::unique_ptr<MoveIndex>> rim_index_;
+  std::vector<Polyline> outermost_; ///< lines through the outermost points, closed as rims_
+  std::vector<std::unique_ptr<MoveIndex>> outermost_index_;
   std::vector<Gap> gaps_;
   double rim_length_ = 0.0, rim_strip_ = 0.0;
   std::vector<std::string> warnings_;
