@@ -150,3 +150,25 @@ TEST_F(JudgedCutter, TipsOfABallAreEnoughToo)
   const RunResult result = verify("tips.csv", {"--tool-radius", "3", "--max-gouge", "0.008", "--max-scallop", "0.06", "--max-uncut", "0"});
   EXPECT_EQ(result.code, 0) << result.out << result.err;
 }
+
+TEST_F(JudgedCutter, TheSurfaceAfterCuttingIsWritten)
+{
+  const RunResult result = verify("rows.csv", bull_nose + Arguments{"--stock", "left.ply", "--stock", "left.stl"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(readText(folder_.path("left.ply")).find("property float stock"), std::string::npos);
+  EXPECT_GT(readText(folder_.path("left.stl")).size(), 50u * 5000u);
+  const RunResult kind = verify("rows.csv", bull_nose + Arguments{"--stock", "left.txt"});
+  EXPECT_EQ(kind.code, 2);
+  EXPECT_NE(kind.err.find("left.ply"), std::string::npos) << kind.err;
+  const RunResult two = verify("rows.csv", bull_nose + Arguments{"rows.vtp", "--stock", "left.ply"});
+  EXPECT_EQ(two.code, 2);
+  EXPECT_NE(two.err.find("only one path"), std::string::npos) << two.err;
+  const RunResult input = verify("rows.csv", bull_nose + Arguments{"--stock", "left.ply", "-o", "left.ply"});
+  EXPECT_EQ(input.code, 2);
+  const RunResult made =
+      endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM,
+                         {"cap.xyz", "--tool-radius", "3", "--scallop", "0.05", "-o", "path.csv", "--stock", "path_left.ply"}, folder_),
+            folder_);
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(readText(folder_.path("path_left.ply")).find("property float stock"), std::string::npos);
+}

@@ -25,7 +25,8 @@ struct Job {
   std::string scan;
   std::string config_file;
   std::vector<std::string> outputs;
-  std::string reach; ///< file for the map of the largest balls that reach the points; empty: none
+  std::string reach;              ///< file for the map of the largest balls that reach the points; empty: none
+  std::vector<std::string> stock; ///< files for the surface after cutting; with verify
   pcl_spiral::ReadOptions read = readFindingOrigin();
   pcl_spiral::SpiralSettings settings;
   PartChoice part; ///< of the scan

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job_check.h"
+#include "judging/stock_option.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
@@ -88,6 +89,7 @@ checkOutputs(const Job& job)
   if (const std::string extension = extensionOf(job.reach);
       !job.reach.empty() && extension != ".csv" && extension != ".pcd" && extension != ".ply")
     throw UsageError("--reach " + job.reach + ": the map of reach is a .csv, .pcd or .ply file; give one of these, such as reach.ply");
+  checkStockFiles(job.stock);
   const std::vector<std::string> files = filesOf(job);
   for (std::size_t i = 0; i < files.size(); ++i) {
     requireNoInput(files[i], {{"the scan", job.scan}, {"the machine's file", job.program.machine_file}, {"the job file", job.config_file}});
@@ -124,6 +126,7 @@ filesOf(const Job& job)
       files.push_back(output);
   if (!job.reach.empty())
     files.push_back(job.reach);
+  files.insert(files.end(), job.stock.begin(), job.stock.end());
   return files;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_table.h"
+#include "judging/stock_option.h"
 #include "program/program_options.h"
 #include "terminal/scan_places.h"
 
@@ -57,6 +58,11 @@ files(Job& job)
                   "map of the largest ball that reaches each point of the scan: .csv .pcd .ply with x, y, z and radius, up to four tool "
                   "radii: --reach reach.ply",
                   job.reach),
+       {"stock", "FILE", stock_help + std::string("; checks the path, as --verify does"),
+        [&job](const std::string& value) {
+          job.stock.push_back(value);
+          job.verify = true;
+        }},
        choiceOption("units", units_help, job.read.unit),
        originOption(job.read),
        {"columns", "NAMES", "names of the columns of a text file, from the left; x, y and z are used: --columns id,x,y,z",

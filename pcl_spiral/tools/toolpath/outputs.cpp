@@ -10,6 +10,7 @@
 #include "terminal/terminal.h"
 
 #include "io/report/report_writer.h"
+#include "io/write/stock_files.h"
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
 #include <pcl_spiral/io/toolpath_writer.h>
@@ -137,6 +138,8 @@ try {
   }
   if (!job.reach.empty())
     writeReachMap(job, *result.surface, files.temporary(i++));
+  for (std::size_t k = 0; k < job.stock.size(); ++k)
+    writeStock(files.temporary(i++), result.left, scanShift());
   clock.end("writing");
   for (const std::string& report : reports) {
     if (cancelled())

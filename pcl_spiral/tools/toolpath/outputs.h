@@ -10,6 +10,7 @@
 #include "terminal/scan_side.h"
 
 #include "io/output_files.h"
+#include "verify/stock_mesh.h"
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/machine/machine_program.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
@@ -42,6 +43,7 @@ struct Result {
   pcl_spiral::Surface::ConstPtr surface; ///< of the samples of the mesh; or of the scan, if planning and verification share one
   std::optional<pcl_spiral::Verification> verification; ///< if the path was judged
   Heights heights;                                      ///< the values behind it
+  pcl_spiral::StockMesh left;                           ///< the surface after cutting, with --stock
   std::optional<pcl_spiral::MachineProgram> program;    ///< if a machine is given
 };
 

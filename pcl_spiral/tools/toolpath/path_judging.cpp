@@ -60,5 +60,7 @@ judge(const Job& job, Result& result)
   if (!verification.broken.empty())
     throw FileError(job.scan,
                     "the path was made, but a limit is broken: " + verification.broken.front() + moreOf(verification.broken.size()));
+  if (!job.stock.empty())
+    result.left = stockMesh(*reference, result.heights.stock);
   result.verification = std::move(verification);
 }

@@ -6,6 +6,7 @@
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 
+#include "io/write/stock_files.h"
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
@@ -49,6 +50,11 @@ VerifyOutputs::take(const JudgedPart& part, const ReferenceSurface& surface, con
     if (extensionOf(files_.path(i)) == ".vtp")
       writeToolpath(files_.temporary(i), *judged.path, {job_.settings.cutter.radius, 0.0, judged.tips, {}, scanShift()},
                     {judged.feed, judged.heights.deviation, judged.heights.scallop});
+  if (!job_.stock.empty()) {
+    const StockMesh left = stockMesh(surface, judged.heights.stock);
+    for (std::size_t i = 0; i < job_.stock.size(); ++i)
+      writeStock(files_.temporary(files_.size() - job_.stock.size() + i), left, scanShift());
+  }
   verifications_.push_back(inScan(judged.verification));
 }
 

@@ -3,6 +3,7 @@
 
 #include "judged_program.h"
 #include "judging/judge_options.h"
+#include "judging/stock_option.h"
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
 #include "terminal/setter_names.h"
@@ -38,7 +39,7 @@ allOptions()
       ".html  report to read and print, with the pictures, in one file\n"
       ".png  picture of the deviation, of a single path; also NAME_stock.png: stock map, and NAME_histogram.png: heights of "
       "the scallops\n"
-      ".vtp  a single path with the point data Deviation and Scallop, mm");
+      ".vtp  a single path with the point data Deviation and Scallop, mm")("stock", values("FILE"), stock_help);
   addScanOptions(files);
   addPartOptions(files);
   addMeshOptions(files);
@@ -66,7 +67,7 @@ refuseInputs(const VerifyJob& job)
   for (const std::string& file : filesOf(job))
     for (const std::string& input : inputs)
       require(!std::filesystem::equivalent(file, input, error),
-              "-o " + file + ": this is " + input + ", which is read; give the output another name");
+              file + ": this is " + input + ", which is read; give the output another name");
 }
 
 /** Programs need their machine, and the machine needs a program. */
@@ -97,6 +98,9 @@ check(const VerifyJob& job, bool radius_given)
             "-o " + output + ": shows one path, and " + std::to_string(job.paths.size()) +
                 " are given; give only one path, or write .json or .html");
   }
+  checkStockFiles(job.stock);
+  require(job.stock.empty() || job.paths.size() == 1,
+          "--stock: shows what one path leaves, and " + std::to_string(job.paths.size()) + " are given; give only one path");
   checkPrograms(job);
   refuseInputs(job);
 }
@@ -123,6 +127,8 @@ fromMap(const po::variables_map& given)
   }
   if (given.count("output") > 0)
     job.outputs = given["output"].as<std::vector<std::string>>();
+  if (given.count("stock") > 0)
+    job.stock = given["stock"].as<std::vector<std::string>>();
   if (given.count("machine") > 0)
     job.machine_file = given["machine"].as<std::string>();
   if (given.count("dialect") > 0)
@@ -159,6 +165,7 @@ filesOf(const VerifyJob& job)
         files.push_back(besideName(output, picture.suffix));
     else
       files.push_back(output);
+  files.insert(files.end(), job.stock.begin(), job.stock.end());
   return files;
 }
 

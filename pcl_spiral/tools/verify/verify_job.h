@@ -23,6 +23,7 @@ struct VerifyJob {
   std::string scan;
   std::vector<std::string> paths;
   std::vector<std::string> outputs; ///< .json .html .png .vtp
+  std::vector<std::string> stock;   ///< files for the surface after cutting: .ply .stl
   pcl_spiral::ReadOptions read;
   std::optional<MeshChoice> mesh;             ///< absent: the first file is a scan
   PartChoice part;                            ///< of the scan
@@ -41,7 +42,7 @@ VerifyJob parseVerifyCommandLine(int argc, const char* const* argv);
 /** The pictures of an output NAME.png, itself first. */
 const std::vector<PictureName>& verifyPictures();
 
-/** Every file that the job writes: the outputs, and the pictures beside each NAME.png. */
+/** Every file that the job writes: the outputs, with the pictures beside each NAME.png, then those of the stock. */
 std::vector<std::string> filesOf(const VerifyJob& job);
 
 void printVerifyHelp(std::ostream& out);

@@ -38,7 +38,7 @@ struct RemovalHeights {
  *  the part, under a rim or through a ridge, or only grazes balls, it is the shortest way out of the cutter
  *  from x. x is the foot of a reference point on the local fit of the surface. Ridges are V-shaped, so points
  *  miss their tops: from each point the top is looked for across the feed on the local fit.
- * A gouge is also looked for along each move: the depth
+ *  A gouge is also looked for along each move: the depth
  *  of the cutter below the fits at the contacts of its ends (and between, if a move is longer than twice
  *  the radius of a fit). Every figure includes the noise of the fit; max and gouge include its extremes.
  *

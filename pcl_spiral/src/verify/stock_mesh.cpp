@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verify/stock_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr std::size_t chunk = 1u << 16; // points fitted together
+
+} // namespace
+
+StockMesh
+stockMesh(const ReferenceSurface& reference, const std::vector<float>& stock)
+{
+  const SurfaceGraph& graph = reference.graph();
+  StockMesh mesh;
+  std::vector<std::uint32_t> number(graph.size(), Triangulation::none); // of the points that are kept
+  std::vector<Eigen::Vector3d> queries;
+  std::vector<SurfaceFoot> feet;
+  for (std::size_t begin = 0; begin < graph.size(); begin += chunk) {
+    const std::size_t end = std::min(graph.size(), begin + chunk);
+    queries.clear();
+    for (std::size_t i = begin; i < end; ++i)
+      queries.push_back(graph.position(i));
+    reference.surface().project(queries, feet);
+    for (std::size_t i = begin; i < end; ++i) {
+      const SurfaceFoot foot = reference.inCreaseBand(queries[i - begin]) ? reference.meshPlace(i) : feet[i - begin];
+      const std::uint32_t source = reference.scanned().sourceIndex(i);
+      if (!foot.valid || source >= stock.size() || std::isnan(stock[source]))
+        continue;
+      number[i] = static_cast<std::uint32_t>(mesh.places.size());
+      mesh.places.push_back((foot.position + static_cast<double>(stock[source]) * foot.normal).cast<float>());
+      mesh.stock.push_back(stock[source]);
+    }
+  }
+  const Triangulation& triangles = graph.triangulation();
+  for (std::size_t t = 0; t < triangles.triangleCount(); ++t) {
+    Triangulation::Triangle corners = triangles.triangle(t);
+    for (std::uint32_t& corner : corners)
+      corner = number[corner];
+    if (std::find(corners.begin(), corners.end(), Triangulation::none) == corners.end())
+      mesh.triangles.push_back(corners);
+  }
+  return mesh;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  The surface of a scan after cutting.
+ */
+#pragma once
+
+#include <pcl_spiral/graph/impl/triangulation.h>
+#include <pcl_spiral/verify/impl/reference_surface.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Triangles over the tops of the stock. Lengths in mm. */
+struct StockMesh {
+  std::vector<Eigen::Vector3f> places;            ///< foot of each point on the fitted surface, raised by its stock
+  std::vector<float> stock;                       ///< of each place; negative: gouge
+  std::vector<Triangulation::Triangle> triangles; ///< counter-clockwise seen from outside; empty: the surface has none
+};
+
+/** The mesh of the points with a measured stock, in the order of the surface. \p stock: one value for each point that the reference was
+ *  made of, as MaterialRemoval gives it. */
+StockMesh stockMesh(const ReferenceSurface& reference, const std::vector<float>& stock);
+
+} // namespace pcl_spiral

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stock_option.h"
+
+#include "terminal/file_names.h"
+#include "terminal/terminal.h"
+
+void
+checkStockFiles(const std::vector<std::string>& files)
+{
+  for (const std::string& file : files)
+    if (const std::string extension = extensionOf(file); extension != ".ply" && extension != ".stl")
+      throw UsageError("--stock " + file + ": the surface after cutting is a .ply or .stl file; give one of these, such as left.ply");
+}
