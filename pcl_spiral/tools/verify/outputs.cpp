@@ -53,14 +53,17 @@ VerifyOutputs::take(const JudgedPart& part, const ReferenceSurface& surface, con
 }
 
 void
-VerifyOutputs::finish(const JudgedPart& part)
+VerifyOutputs::finish(const std::vector<JudgedPart>& parts)
 try {
+  std::vector<std::string> warnings;
+  for (const JudgedPart& part : parts)
+    warnings.insert(warnings.end(), part.warnings.begin(), part.warnings.end());
   const VerificationRun run{job_.scan,
                             job_.read.unit,
                             job_.settings.tool_radius,
                             job_.settings.scallop_height,
                             job_.settings.chord_error,
-                            inScan(part.warnings),
+                            inScan(warnings),
                             job_.limits,
                             mesh_,
                             scanShift()};
