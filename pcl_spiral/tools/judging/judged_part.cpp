@@ -44,12 +44,6 @@ regionOf(const std::string& file, const ReadOptions& read, const NamedRegion& re
 
 } // namespace
 
-JudgedPart
-readPart(const std::string& file, const ReadOptions& read, const std::optional<MeshChoice>& mesh, const ScanSide& side)
-{
-  return readParts(file, read, mesh, side, {}).front();
-}
-
 std::vector<JudgedPart>
 readParts(const std::string& file, const ReadOptions& read, const std::optional<MeshChoice>& mesh, const ScanSide& side,
           const JudgedRegion& asked)

@@ -29,12 +29,8 @@ struct JudgedRegion {
   unsigned int threads = 0;
 };
 
-/** Reads the scan or the mesh and sets the shift of the run. \p side holds --view-point, if it was given. \throw pcl_spiral::FileError,
- * UsageError */
-JudgedPart readPart(const std::string& file, const pcl_spiral::ReadOptions& read, const std::optional<MeshChoice>& mesh,
-                    const ScanSide& side);
-
-/** The same with each region of a scan that was chosen, at least one. */
+/** Reads the scan or the mesh, of a scan each region that was chosen, at least one, and sets the shift of the run. \p side holds
+ *  --view-point, if it was given. \throw pcl_spiral::FileError, UsageError */
 std::vector<JudgedPart> readParts(const std::string& file, const pcl_spiral::ReadOptions& read, const std::optional<MeshChoice>& mesh,
                                   const ScanSide& side, const JudgedRegion& asked);
 

@@ -184,6 +184,13 @@ placeInScan(const Eigen::Vector3d& place, const ReadOptions& read)
   return millimetres(read.unit) * (place - read.origin);
 }
 
+Eigen::Vector3d
+placeInFile(const Eigen::Vector3d& place, const ReadOptions& asked)
+{
+  const ReadOptions read = readAsScan(asked);
+  return place / millimetres(read.unit) + read.origin;
+}
+
 ChosenPart
 choosePart(const PartChoice& choice, const std::string& file, const ReadOptions& asked, double tool_radius, const PartSide& side,
            Scan& scan)

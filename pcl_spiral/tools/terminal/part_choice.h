@@ -39,6 +39,9 @@ std::vector<InputName> polygonFiles(const PartChoice& choice);
 /** \p place, in the coordinates of the file, in those of the scan that was read: mm, without the origin. */
 Eigen::Vector3d placeInScan(const Eigen::Vector3d& place, const pcl_spiral::ReadOptions& read);
 
+/** The reverse. */
+Eigen::Vector3d placeInFile(const Eigen::Vector3d& place, const pcl_spiral::ReadOptions& asked);
+
 /** What is left of a scan when the part is chosen. */
 struct ChosenPart {
   std::vector<pcl_spiral::Prism> keep_outs; ///< in the coordinates of the scan that was read
