@@ -37,20 +37,26 @@ warn(const VerifyJob& job, const std::vector<std::string>& warnings)
 
 /** \p reference is made from the scan if it is null and the file has no contacts. */
 void
-readPath(const VerifyJob& job, const JudgedPart& part, const std::string& file, std::shared_ptr<const ReferenceSurface>& reference,
-         JudgedPath& judged)
+readPath(const VerifyJob& job, const JudgedPart& part, const std::string& file, const JudgedPasses& passes,
+         std::shared_ptr<const ReferenceSurface>& reference, JudgedPath& judged)
 {
   ToolpathFile read = readToolpath(file, scanShift());
   if (!read.has_contacts) {
     if (part.mesh)
       throw FileError(file, "holds tips and axes without contacts, and is judged by a scan: leave --mesh out, so that the vertices of the "
                             "mesh are the scan");
+    if (passes.all)
+      throw FileError(file, "holds tips and axes without contacts: give one region at a time");
     if (!reference)
       reference = scanReference(job, part);
     findContacts(*reference, job.settings.cutter, read);
   }
   else if (const std::string warning = checkTips(read, job.settings.cutter, judged.verification); !warning.empty())
-    warn(job, {file + ": " + warning});
+    warn(job, {nameOf(judged.verification) + ": " + warning});
+  if (passes.all)
+    read = passes.all->of(passes.region, read);
+  if (passes.all && read.path.empty())
+    throw FileError(file, "no pass of the path is on this region; give the regions that the path was made for");
   *judged.path = std::move(read.path);
   judged.feed = std::move(read.feed);
   if (!isBall(job.settings.cutter))
@@ -59,14 +65,16 @@ readPath(const VerifyJob& job, const JudgedPart& part, const std::string& file, 
 
 /** \p reference is the fit to the scan or the mesh, made for the first path. */
 JudgedPath
-judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, std::shared_ptr<const ReferenceSurface>& reference)
+judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, const JudgedPasses& passes,
+      std::shared_ptr<const ReferenceSurface>& reference)
 {
   JudgedPath judged;
   judged.verification.path = file;
+  judged.verification.region = part.region;
   if (isProgramFile(file))
-    readJudgedProgram(job, part, file, reference, judged);
+    readJudgedProgram(job, part, file, passes, reference, judged);
   else
-    readPath(job, part, file, reference, judged);
+    readPath(job, part, file, passes, reference, judged);
   ProgressBar bar(job.quiet);
   JudgeSettings settings = job.settings;
   settings.mesh = part.mesh;
@@ -87,36 +95,49 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, std
   judged.verification.broken = inOptions(brokenLimits(job.limits, judged.verification));
   constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
   const double allowed = settings.chord_error + deviations * reference->noise();
-  for (const std::string& fault : faultsBeside(part, judged.path, settings, allowed))
+  for (const std::string& fault : faultsBeside(part, reference->scanned(), judged.path, settings, allowed))
     judged.verification.broken.push_back(fault);
   judged.verification.unproven = inOptions(unprovenLimits(job.limits, judged.verification));
   return judged;
 }
 
-/** Judges every path. \return whether all limits hold */
+/** Judges a path by one region. \return whether all limits hold */
+bool
+judgeAndShow(const VerifyJob& job, const JudgedPart& part, const std::string& file, const JudgedPasses& passes,
+             std::shared_ptr<const ReferenceSurface>& reference, VerifyOutputs& outputs)
+{
+  const JudgedPath judged = inRegion(part.region, [&] { return judge(job, part, file, passes, reference); });
+  if (!job.quiet) {
+    std::cout << shiftLine();
+    if (!part.mesh)
+      std::cout << sideLine(part.side, judged.verification.side) << '\n';
+    printFigures(inScan(judged.verification));
+  }
+  warn(job, warningsOf(judged.verification));
+  outputs.take(part, *reference, judged);
+  return judged.verification.broken.empty();
+}
+
+/** Judges every path by every region. \return whether all limits hold */
 bool
 run(const VerifyJob& job)
 {
   VerifyOutputs outputs(job);
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // errors are reported below, once
-  const JudgedPart part = readPart(job.scan, job.read, job.mesh, job.settings.side,
-                                   {job.part, job.settings.cutter.radius, job.settings.flip_normals, job.settings.threads});
-  warn(job, part.warnings);
-  std::shared_ptr<const ReferenceSurface> reference;
+  const std::vector<JudgedPart> parts =
+      readParts(job.scan, job.read, job.mesh, job.settings.side,
+                {job.part, job.regions, job.settings.cutter.radius, job.settings.flip_normals, job.settings.threads});
+  for (const JudgedPart& part : parts)
+    warn(job, part.warnings);
+  std::vector<std::shared_ptr<const ReferenceSurface>> references(parts.size());
+  for (std::size_t k = 0; parts.size() > 1 && k < parts.size(); ++k)
+    references[k] = inRegion(parts[k].region, [&] { return scanReference(job, parts[k]); });
+  const auto passes = parts.size() > 1 ? std::make_unique<RegionPasses>(references) : nullptr;
   bool all_hold = true;
-  for (const std::string& file : job.paths) {
-    const JudgedPath judged = judge(job, part, file, reference);
-    all_hold = all_hold && judged.verification.broken.empty();
-    if (!job.quiet) {
-      std::cout << shiftLine();
-      if (!part.mesh)
-        std::cout << sideLine(part.side, judged.verification.side) << '\n';
-      printFigures(inScan(judged.verification));
-    }
-    warn(job, warningsOf(judged.verification));
-    outputs.take(part, *reference, judged);
-  }
-  outputs.finish(part);
+  for (const std::string& file : job.paths)
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      all_hold = judgeAndShow(job, parts[k], file, {passes.get(), k}, references[k], outputs) && all_hold;
+  outputs.finish(parts);
   return all_hold;
 }
 

@@ -32,16 +32,36 @@ requireWindow()
                              "'xvfb-run -a pcl_spiral_verify SCAN PATH --tool-radius R -o verified.png'");
 }
 
-VerificationScene
-judgedScene(const ViewJob& job)
+JudgedPart
+shownPart(const ViewJob& job)
 {
-  const JudgedPart part = readPart(job.scan, job.read, job.mesh, job.settings.side);
+  const JudgedRegion asked{job.part, job.regions, job.settings.cutter.radius, job.settings.flip_normals, job.settings.threads};
+  const JudgedPart part = readParts(job.scan, job.read, job.mesh, job.settings.side, asked).front();
   if (!job.quiet)
     for (const std::string& warning : part.warnings)
       std::cerr << "pcl_spiral_view: warning: " << inScan(warning) << '\n';
+  return part;
+}
+
+/** A scan without a path. */
+VerificationScene
+scanScene(const ViewJob& job)
+{
+  VerificationScene scene;
+  scene.part.title = titleWithShift(std::filesystem::path(job.scan).filename().string());
+  scene.part.cloud = shownPart(job).cloud;
+  scene.part.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
+  return scene;
+}
+
+VerificationScene
+judgedScene(const ViewJob& job)
+{
+  const JudgedPart part = shownPart(job);
   JudgeSettings settings = job.settings;
   settings.mesh = part.mesh;
   settings.side = part.side;
+  settings.part_at = part.chosen.part_at;
   settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
   ToolpathFile read = readToolpath(job.path, scanShift());
   if (!read.has_contacts)
@@ -66,14 +86,27 @@ judgedScene(const ViewJob& job)
   return judgedScene(part.cloud, path, settings, *reference, verification, heights);
 }
 
+/** The option that chooses this part; it is printed, too. */
+std::string
+optionOf(const PartSelection& part)
+{
+  const std::string text = part.place.empty() ? "wrote " + part.file + ", with " + std::to_string(part.points) +
+                                                    " points inside, for --crop, --region or --keep-out"
+                                              : "--part-at " + part.place;
+  std::cout << text << std::endl;
+  return text;
+}
+
 void
 run(const ViewJob& job)
 {
   requireWindow();
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
-  SpiralViewer viewer(judgedScene(job));
+  SpiralViewer viewer(job.path.empty() ? scanScene(job) : judgedScene(job));
+  viewer.setFileCoordinates([&job](const Eigen::Vector3d& place) { return placeInFile(place, job.read); });
+  viewer.setChoiceCallback(optionOf);
   viewer.setRemedy("Start again with the cutter's radius, such as --tool-radius 10 --scallop 0.05");
-  viewer.setPictureStem(std::filesystem::path(job.path).stem().string() + "_view");
+  viewer.setPictureStem(std::filesystem::path(job.path.empty() ? job.scan : job.path).stem().string() + "_view");
   viewer.setCloseRequest(cancelled);
   viewer.run();
 }

@@ -78,7 +78,9 @@ TEST_F(View, WrongCallsAreRefused)
 {
   const std::vector<std::pair<Arguments, std::string>> calls{
       {{}, "0 files are given"},
-      {{"disc.xyz"}, "1 files are given"},
+      {{"disc.ply", "--mesh"}, "a mesh is shown with a path"},
+      {{"disc.xyz", "--tool-radius", "4"}, "belong to a path"},
+      {{"disc.xyz", "a.csv", "--part-at", "0,0,0", "--part-at", "9,0,0"}, "the window shows one region"},
       {{"disc.xyz", "a.csv", "b.csv"}, "3 files are given"},
       {{"disc.xyz", "a.csv", "--tool-radius", "x"}, "--tool-radius x"},
       {{"disc.xyz", "a.csv", "--tool-radius", "0"}, "--tool-radius must be above 0"},

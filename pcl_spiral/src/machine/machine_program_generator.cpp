@@ -197,7 +197,9 @@ MachineProgramGenerator::check() const
                 "it must not be below 0"),
         require(s.lead_length > 0.0 && std::isfinite(s.lead_length), "lead length", s.lead_length, "it must be above 0 mm"),
         require(s.clearance > 0.0 && std::isfinite(s.clearance), "clearance", s.clearance, "it must be above 0 mm"),
-        require(s.rapid_height > 0.0 && std::isfinite(s.rapid_height), "rapid height", s.rapid_height, "it must be above 0 mm")})
+        require(s.rapid_height > 0.0 && std::isfinite(s.rapid_height), "rapid height", s.rapid_height, "it must be above 0 mm"),
+        require(s.clear_box.isEmpty() || s.clear_box.sizes().allFinite(), "size of the box to clear", s.clear_box.sizes().maxCoeff(),
+                "it must be finite")})
     if (!fault.empty())
       return {StatusCode::InvalidArgument, fault};
   return Status::success();
@@ -223,6 +225,8 @@ MachineProgramGenerator::computeProgram(MachineProgram& program) const
   for (const MachinePass& pass : passes)
     for (const MachineLocation& location : pass.path)
       top = std::max(top, location.pose.tip.dot(up));
+  for (int corner = 0; corner < 8 && !settings_.clear_box.isEmpty(); ++corner)
+    top = std::max(top, settings_.clear_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)).dot(up));
   const ToolLeads leads(kinematics, settings_, up, top + settings_.rapid_height);
   for (const MachinePass& pass : passes)
     for (const TurnPass& turn : pass.turns) {

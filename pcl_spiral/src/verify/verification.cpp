@@ -5,6 +5,12 @@
 
 namespace pcl_spiral {
 
+std::string
+nameOf(const Verification& verification)
+{
+  return verification.path + (verification.region.empty() ? "" : ", ") + verification.region;
+}
+
 double
 uncutPercent(const RemovalFigures& removal)
 {

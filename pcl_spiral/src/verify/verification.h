@@ -35,7 +35,8 @@ struct ProgramFigures {
 
 /** A toolpath's figures. */
 struct Verification {
-  std::string path; ///< file name; empty for one that has just been made
+  std::string path;   ///< file name; empty for one that has just been made
+  std::string region; ///< of the scan, to which these passes belong; empty: it has only one
   DeviationFigures deviation;
   RemovalFigures removal;
   std::size_t tips_off = 0;              ///< points whose tool tip in the file is not that of the cutter at their contact
@@ -46,6 +47,9 @@ struct Verification {
   double seconds = 0.0;                  ///< of judging, and of making the reference surface if this path was the first
   std::vector<std::string> unproven;     ///< limits that the noise is too large for, in words; see unprovenLimits
 };
+
+/** File and region. */
+std::string nameOf(const Verification& verification);
 
 /** Reference points that the cutter leaves untouched, those of the rim band too; percent of all. */
 double uncutPercent(const RemovalFigures& removal);

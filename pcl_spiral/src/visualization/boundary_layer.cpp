@@ -135,6 +135,7 @@ boundariesTitle(const PictureScene& scene)
   return scene.title + (!report.radial_lines.empty()    ? ": boundaries and radial lines"
                         : !report.scallop_lines.empty() ? ": boundaries, loops and fingers"
                         : scene.mesh                    ? ": the mesh and its boundaries"
+                        : scene.path->empty()           ? ": the scan"
                                                         : ": the scan and its boundaries");
 }
 
@@ -144,6 +145,8 @@ partInWords(const PictureScene& scene)
   if (scene.mesh)
     return std::to_string(scene.mesh->faceCount()) + " faces, " + std::to_string(scene.mesh->vertexCount()) + " vertices";
   const SpiralReport& report = scene.report;
+  if (scene.path->empty())
+    return std::to_string(scene.cloud->size()) + " points";
   return std::to_string(report.used_points) + " points, spacing " + formatted("%.3g mm", report.spacing) +
          formatted(", noise %.2g mm", report.noise);
 }

@@ -4,6 +4,8 @@
 #include <pcl_spiral/cleaning/impl/clean_graph.h>
 #include <pcl_spiral/search/impl/point_selection.h>
 
+#include <pcl/common/point_tests.h>
+
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkIdList.h>
@@ -51,6 +53,15 @@ measurePath(const PictureScene& scene, DisplaySurface& surface)
       extend(surface, p);
   const bool clear = weight > 0.0 && surface.outward.norm() > least_mean_normal * weight;
   surface.outward = clear ? surface.outward.normalized() : Eigen::Vector3d::Zero().eval();
+}
+
+/** Without a path the whole scan is shown. */
+void
+measureScan(const PictureScene& scene, DisplaySurface& surface)
+{
+  for (const pcl::PointXYZ& point : *scene.cloud)
+    if (pcl::isFinite(point))
+      extend(surface, point.getVector3fMap().cast<double>());
 }
 
 /** Limits the scan to a box round the part, larger by \p beyond of the box's size. */
@@ -116,6 +127,28 @@ graphOf(std::vector<Eigen::Vector3f> points, const SpiralSettings& settings)
   return graph;
 }
 
+/** The points of the scan alone: without a path nothing says which of them are a part. */
+void
+addPoints(const PictureScene& scene, const Eigen::Vector3d& up, DisplaySurface& surface)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> heights;
+  heights->SetName("Height");
+  for (const Eigen::Vector3f& p : shownPoints(scene, surface)) {
+    points->InsertNextPoint(p.x(), p.y(), p.z());
+    heights->InsertNextValue(static_cast<float>(p.cast<double>().dot(up)));
+  }
+  const Eigen::Vector3d size = surface.high - surface.low;
+  surface.spacing = std::sqrt(size.x() * size.y() / static_cast<double>(std::max<vtkIdType>(1, points->GetNumberOfPoints())));
+  surface.mesh = vtkSmartPointer<vtkPolyData>::New();
+  surface.mesh->SetPoints(points);
+  surface.mesh->GetPointData()->SetScalars(heights);
+  vtkNew<vtkCellArray> dots;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    dots->InsertNextCell(1, &i);
+  surface.mesh->SetVerts(dots);
+}
+
 /** Triangles over the scan. */
 void
 addScan(const PictureScene& scene, const Eigen::Vector3d& up, DisplaySurface& surface)
@@ -153,6 +186,8 @@ displaySurface(const PictureScene& scene, double beyond)
 {
   DisplaySurface surface;
   measurePath(scene, surface);
+  if (scene.path->empty())
+    measureScan(scene, surface);
   measurePart(scene, beyond, surface);
   const Eigen::Vector3d up = surface.outward.isZero() ? Eigen::Vector3d::UnitZ() : surface.outward;
   surface.of_mesh = scene.mesh != nullptr;
@@ -160,6 +195,8 @@ displaySurface(const PictureScene& scene, double beyond)
     surface.mesh = meshTriangles(*scene.mesh, (surface.high - surface.low).norm(), up);
     surface.spacing = scene.report.spacing;
   }
+  else if (scene.path->empty())
+    addPoints(scene, up, surface);
   else
     addScan(scene, up, surface);
   return surface;

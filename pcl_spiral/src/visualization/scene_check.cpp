@@ -17,9 +17,9 @@ check(const std::vector<float>& values, std::size_t points, const char* what)
 } // namespace
 
 VerificationScene
-checkedScene(VerificationScene scene)
+checkedScene(VerificationScene scene, bool with_path)
 {
-  if (!scene.part.cloud || !scene.part.path || scene.part.path->empty())
+  if (!scene.part.cloud || !scene.part.path || (with_path && scene.part.path->empty()))
     throw std::invalid_argument("pictures of a verification need the reference and the path");
   check(scene.deviation, scene.part.path->size(), "deviations");
   check(scene.stock, scene.part.cloud->size(), "heights of stock");

@@ -8,8 +8,8 @@
 
 namespace pcl_spiral {
 
-/** Returns \p scene. \throw std::invalid_argument if values are given but not one per point, or without a
+/** Returns \p scene. \throw std::invalid_argument if values are given but not one per point, or if \p with_path and there is no
  * path */
-VerificationScene checkedScene(VerificationScene scene);
+VerificationScene checkedScene(VerificationScene scene, bool with_path = true);
 
 } // namespace pcl_spiral

@@ -26,7 +26,7 @@ files(Job& job)
         ".apt .cls  CLDATA, one pass    .yaml  robot frames, one pass of a ball cutter\n"
         ".json  report: settings, counts, states, collisions, times; .html readable, with pictures\n"
         ".png  picture of the passes on the part; with a machine also NAME_rotary.png: rotary angles",
-        [&job](const std::string& value) { job.outputs.push_back(value); }},
+        [&job](const std::string& value) { job.outputs.push_back(value); }, true},
        switchOption("mesh",
                     "the file is a mesh, .stl .obj .ply, and its faces are used: planes cut the curved surface behind "
                     "them; without --mesh its vertices are a scan",

@@ -72,7 +72,7 @@ printFigures(const Verification& verification)
 {
   const FigureTable table = figuresOf(verification);
   if (!verification.path.empty())
-    print("path", verification.path + filled(": {deviation/points} points, {motion/length}", table));
+    print("path", nameOf(verification) + filled(": {deviation/points} points, {motion/length}", table));
   for (const Line& line : lines) {
     const char* const text = allKnown(line.text, table) ? line.text : line.if_none;
     if (text)

@@ -61,10 +61,14 @@ addCutterOptions(po::options_description& options, const char* radius_meaning)
 void
 addPartOptions(po::options_description& options)
 {
-  options.add_options()("part-at", value("X,Y,Z"),
-                        "a place on the part, in the coordinates of the file, as given for the path: --part-at 120,80,15")(
+  const auto values = [](const char* name) { return po::value<std::vector<std::string>>()->value_name(name); };
+  options.add_options()("part-at", values("X,Y,Z"),
+                        "a place on the part, in the coordinates of the file, as given for the path; once for each region: "
+                        "--part-at 120,80,15")(
+      "region", values("FILE"),
+      "polygon of a region, as given for the path; once for each region, which are judged one by one: --region left.txt")(
       "crop", value("BOX|FILE"), "only points inside are part of the scan, as given for the path: --crop 0,200,0,150")(
-      "keep-out", po::value<std::vector<std::string>>()->value_name("FILE"),
+      "keep-out", values("FILE"),
       "polygon whose space the cutter must not enter, as given for the path; may be given several times: --keep-out clamp.txt");
 }
 
@@ -72,12 +76,22 @@ PartChoice
 partChoice(const po::variables_map& given)
 {
   PartChoice choice;
-  if (given.count("part-at") > 0)
-    choice.part_at = placeValue("part-at", given["part-at"].as<std::string>());
   if (given.count("crop") > 0)
     choice.crop = given["crop"].as<std::string>();
   if (given.count("keep-out") > 0)
     choice.keep_outs = given["keep-out"].as<std::vector<std::string>>();
+  return choice;
+}
+
+RegionChoice
+regionChoice(const po::variables_map& given)
+{
+  RegionChoice choice;
+  if (given.count("part-at") > 0)
+    for (const std::string& place : given["part-at"].as<std::vector<std::string>>())
+      choice.places.push_back(placeValue("part-at", place));
+  if (given.count("region") > 0)
+    choice.polygons = given["region"].as<std::vector<std::string>>();
   return choice;
 }
 
@@ -148,7 +162,7 @@ meshOptions(const po::variables_map& given)
   const bool mesh = given.count("mesh") > 0;
   for (const char* name : {"crease-angle", "sample-spacing"})
     require(mesh || given.count(name) == 0, "--" + std::string(name) + " belongs to meshes; add --mesh, or leave it out");
-  for (const char* name : {"columns", "view-point", "part-at", "crop", "keep-out"})
+  for (const char* name : {"columns", "view-point", "part-at", "region", "crop", "keep-out"})
     require(!mesh || given.count(name) == 0, "--" + std::string(name) +
                                                  " belongs to scans; the faces of a mesh define its side: leave "
                                                  "it out, or turn the mesh over (--flip-normals)");

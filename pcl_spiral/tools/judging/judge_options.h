@@ -5,7 +5,7 @@
 #pragma once
 
 #include "judge.h"
-#include "terminal/part_choice.h"
+#include "terminal/region_choice.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
 
@@ -30,11 +30,14 @@ void addScanOptions(boost::program_options::options_description& options);
  * --scallop, --chord-error, --view-point, --flip-normals */
 void addCutterOptions(boost::program_options::options_description& options, const char* radius_meaning);
 
-/** --part-at, --crop, --keep-out */
+/** --part-at, --region, --crop, --keep-out */
 void addPartOptions(boost::program_options::options_description& options);
 
-/** The choice of the part. \throw UsageError */
+/** Crop and keep-outs. */
 PartChoice partChoice(const boost::program_options::variables_map& given);
+
+/** The regions. \throw UsageError */
+RegionChoice regionChoice(const boost::program_options::variables_map& given);
 
 /** How to read the scan. \throw UsageError */
 pcl_spiral::ReadOptions scanOptions(const boost::program_options::variables_map& given);

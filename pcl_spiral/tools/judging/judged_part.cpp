@@ -14,31 +14,36 @@
 
 using namespace pcl_spiral;
 
+namespace {
+
 JudgedPart
-readPart(const std::string& file, const ReadOptions& read, const std::optional<MeshChoice>& mesh, const ScanSide& side,
-         const JudgedRegion& region)
+meshPart(const std::string& file, const ReadOptions& read, const MeshChoice& mesh)
 {
   JudgedPart part;
-  if (!mesh) {
-    Scan scan = readCloud(file, read);
-    setScanShift(scan.shift);
-    const std::optional<Eigen::Vector3d> view_point = fromScan(side.view_point);
-    part.side = sideOf(scan, view_point);
-    part.chosen = choosePart(region.choice, file, read, region.tool_radius, {part.side, region.flip_normals, region.threads}, scan);
-    part.side = sideOf(scan, view_point);
-    part.cloud = scan.cloud;
-    part.warnings = inOptions(scan.warnings);
-    return part;
-  }
   const MeshFile faces = readMesh(file, read);
   setScanShift(faces.shift);
   part.warnings = inOptions(faces.warnings);
-  if (const Status status = SurfaceMesh::make(*faces.mesh, mesh->settings, part.mesh); !status.ok())
+  if (const Status status = SurfaceMesh::make(*faces.mesh, mesh.settings, part.mesh); !status.ok())
     throw FileError(file, inOptions(status.message()));
   return part;
 }
 
-namespace {
+/** One region of the scan; \p scan was read with \p warnings. */
+JudgedPart
+regionOf(const std::string& file, const ReadOptions& read, const NamedRegion& region, const std::optional<Eigen::Vector3d>& view_point,
+         const JudgedRegion& asked, Scan scan)
+{
+  JudgedPart part;
+  part.region = region.name;
+  part.whole = scan.cloud;
+  scan.warnings.clear();
+  part.side = sideOf(scan, view_point);
+  part.chosen = choosePart(region.part, file, read, asked.tool_radius, {part.side, asked.flip_normals, asked.threads}, scan);
+  part.side = sideOf(scan, view_point);
+  part.cloud = scan.cloud;
+  part.warnings = ofRegion(region.name, inOptions(scan.warnings));
+  return part;
+}
 
 /** The middles of balls about the whole cutter between corner and flank, as pcl_spiral_drive keeps it out. */
 std::vector<std::vector<Eigen::Vector3d>>
@@ -55,27 +60,47 @@ keptOutWays(const pcl::PointCloud<ToolpathPoint>& path, const CutterShape& cutte
   return ways;
 }
 
-/** The deepest point of the scan beside the part; \p words: what cuts into it. */
+/** The deepest of the points \p beside the part; \p words: what cuts into it. */
 std::optional<BallEntry>
-cutBeside(const JudgedPart& part, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings, std::string& words)
+cutBeside(const std::vector<Eigen::Vector3f>& beside, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
+          std::string& words)
 {
   const CutterShape& cutter = settings.cutter;
   if (isBall(cutter)) {
     words = textOf("the ball or its shank, taken as ", shank_radii, " radii long,");
-    return deepestPoint(*path, cutter.radius, part.chosen.beside);
+    return deepestPoint(*path, cutter.radius, beside);
   }
   words = "the cutter";
   CutterPath moves;
   std::unique_ptr<CutterSweep> sweep;
-  if (part.chosen.beside.empty() || !readCutterPath(path, moves).ok() || !makeSweep(moves, cutter, settings.tips, sweep).ok())
+  if (beside.empty() || !readCutterPath(path, moves).ok() || !makeSweep(moves, cutter, settings.tips, sweep).ok())
     return std::nullopt;
-  return deepestPoint(*sweep, part.chosen.beside);
+  return deepestPoint(*sweep, beside);
 }
 
 } // namespace
 
+std::vector<JudgedPart>
+readParts(const std::string& file, const ReadOptions& read, const std::optional<MeshChoice>& mesh, const ScanSide& side,
+          const JudgedRegion& asked)
+{
+  if (mesh)
+    return {meshPart(file, read, *mesh)};
+  const Scan scan = readCloud(file, read);
+  setScanShift(scan.shift);
+  const std::optional<Eigen::Vector3d> view_point = fromScan(side.view_point);
+  std::vector<JudgedPart> parts;
+  for (const NamedRegion& region : regionsOf(asked.choice, asked.regions, read))
+    parts.push_back(inRegion(region.name, [&] { return regionOf(file, read, region, view_point, asked, scan); }));
+  std::vector<std::string>& warnings = parts.front().warnings;
+  const std::vector<std::string> reading = inOptions(scan.warnings);
+  warnings.insert(warnings.begin(), reading.begin(), reading.end());
+  return parts;
+}
+
 std::vector<std::string>
-faultsBeside(const JudgedPart& part, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings, double allowed)
+faultsBeside(const JudgedPart& part, const Surface& reference, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path,
+             const JudgeSettings& settings, double allowed)
 {
   std::vector<std::string> faults;
   const char* cutter = isBall(settings.cutter) ? "ball" : "cutter";
@@ -87,8 +112,12 @@ faultsBeside(const JudgedPart& part, const pcl::PointCloud<ToolpathPoint>::Const
         entry = found;
   if (entry)
     faults.push_back(textOf("the ", cutter, " enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place)));
+  std::vector<Eigen::Vector3f> beside = part.chosen.beside;
+  for (std::size_t i = 0; !part.mesh && i < reference.leftOut().why.size(); ++i)
+    if (reference.leftOut().why[i] == LeftOut::OtherPart)
+      beside.push_back(reference.leftOut().positions[i]);
   std::string words;
-  if (const auto cut = cutBeside(part, path, settings, words); cut && cut->depth > allowed)
+  if (const auto cut = cutBeside(beside, path, settings, words); cut && cut->depth > allowed)
     faults.push_back(
         textOf(words, " cuts ", cut->depth, " mm into the scan at ", placeText(cut->place), ", beside the part that was chosen"));
   return faults;

@@ -5,33 +5,37 @@
 #pragma once
 
 #include "judge_options.h"
-#include "terminal/part_choice.h"
+#include "terminal/region_choice.h"
 
 #include <string>
 #include <vector>
 
 struct JudgedPart {
+  std::string region;                             ///< its name; empty: it is the only one
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud; ///< the scan; null: there is a mesh
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole; ///< the scan with what the choice of the part left out
   ScanSide side;                                  ///< of the scan
   pcl_spiral::SurfaceMesh::ConstPtr mesh;
   ChosenPart chosen;                 ///< of the scan
   std::vector<std::string> warnings; ///< from reading
 };
 
-/** Which points of a scan are judged, and by what cutter they are cut. */
+/** Which points of a scan are judged, in how many regions, and by what cutter they are cut. */
 struct JudgedRegion {
   PartChoice choice;
+  RegionChoice regions = {};
   double tool_radius = 0.0; ///< mm
   bool flip_normals = false;
   unsigned int threads = 0;
 };
 
-/** Reads the scan or the mesh and sets the shift of the run. \p side holds --view-point, if it was given. \throw pcl_spiral::FileError,
- * UsageError */
-JudgedPart readPart(const std::string& file, const pcl_spiral::ReadOptions& read, const std::optional<MeshChoice>& mesh,
-                    const ScanSide& side, const JudgedRegion& region = {});
+/** Reads the scan or the mesh, of a scan each region that was chosen, at least one, and sets the shift of the run. \p side holds
+ *  --view-point, if it was given. \throw pcl_spiral::FileError, UsageError */
+std::vector<JudgedPart> readParts(const std::string& file, const pcl_spiral::ReadOptions& read, const std::optional<MeshChoice>& mesh,
+                                  const ScanSide& side, const JudgedRegion& asked);
 
-/** What is wrong where the path meets the limits of the part: its cutter enters a keep-out, or cuts into the scan beside. Empty: nothing.
- *  \p settings: cutter and tips. \p allowed: depth of a cut that counts as none, mm. */
-std::vector<std::string> faultsBeside(const JudgedPart& part, const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path,
-                                      const JudgeSettings& settings, double allowed);
+/** What is wrong where the path meets the limits of the part: its cutter enters a keep-out, or cuts into the scan beside, also into the
+ *  parts that \p reference leaves out. Empty: nothing. \p settings: cutter and tips. \p allowed: depth of a cut that counts as none, mm. */
+std::vector<std::string> faultsBeside(const JudgedPart& part, const pcl_spiral::Surface& reference,
+                                      const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
+                                      double allowed);

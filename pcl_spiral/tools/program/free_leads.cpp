@@ -73,5 +73,5 @@ requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointX
   else
     throw FileError(scan_name, textOfCollision(tool, obstacles) +
                                    ": lean the tool axis another way, take another --lead-in or --lead-length, a "
-                                   "slimmer or longer tool, or --accept-collisions to write the program anyway");
+                                   "slimmer or longer tool, or --accept-collisions to write the output anyway");
 }

@@ -31,7 +31,10 @@ programOptions(ProgramJob& program)
        numberOption("lead-length", "L", "length of the lead, or radius of the arc; default 2: --lead-length 5", settings.lead_length),
        numberOption("clearance", "L", "the feed begins at this distance from the lead, along the tool axis; default 5: --clearance 3",
                     settings.clearance),
-       numberOption("rapid-height", "L", "height of rapids above the highest tip; default 50: --rapid-height 100", settings.rapid_height),
+       numberOption("rapid-height", "L",
+                    "height of rapids above the highest tip, and above the scan if the part is chosen; default 50: "
+                    "--rapid-height 100",
+                    settings.rapid_height),
        switchOption("accept-collisions",
                     "write the output even if the tool would touch the scan on its way to the path, or its holder would",
                     program.accept_collisions),

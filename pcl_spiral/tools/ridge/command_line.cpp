@@ -33,7 +33,7 @@ files(Job& job)
         ".json  report: settings, results for both lines, times\n"
         ".png  picture of the rows on the ridge; also NAME_lines.png: both lines with frames, NAME_normals.png: error of the "
         "published normal, and with a machine NAME_rotary.png: rotary angles",
-        [&job](const std::string& value) { job.outputs.push_back(value); }},
+        [&job](const std::string& value) { job.outputs.push_back(value); }, true},
        textOption("scan", "FILE",
                   "scan of the whole part: with --through both lines are found in it; a cutter does not gouge it: --scan part.pcd",
                   job.scan)}};

@@ -70,7 +70,7 @@ setValues(const OptionTable& table, const std::vector<std::string>& files, const
 {
   std::map<std::string, std::string> seen;
   for (const auto& [name, value] : values) {
-    const bool again = !mayRepeat(name) && !seen.emplace(name, value).second;
+    const bool again = !mayRepeat(table, name) && !seen.emplace(name, value).second;
     if (again && std::find(files.begin(), files.end(), name) != files.end())
       throw UsageError(value + " is a second " + name + ", after " + seen[name] + "; give one " + name +
                        ", and write -o before every output");

@@ -5,6 +5,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <filesystem>
 
 using pcl_spiral::FileError;
@@ -50,6 +51,14 @@ jobOf(const std::string& file, const YAML::Node& root)
   return root;
 }
 
+/** Whether \p list is one value, such as a place: [120, 80, 15]. */
+bool
+isOneValue(const YAML::Node& list)
+{
+  double number = 0.0;
+  return std::all_of(list.begin(), list.end(), [&](const YAML::Node& item) { return YAML::convert<double>::decode(item, number); });
+}
+
 /** Whether \p output is \p file: a report is not an output of the run that it describes again. */
 bool
 isSame(const std::string& output, const std::string& file)
@@ -77,13 +86,14 @@ readJobFile(const std::string& file, const OptionTable& table)
       values.emplace_back(name, scalar(file, entry.second));
       continue;
     }
+    const bool one = !mayRepeat(table, name) || isOneValue(entry.second);
     std::string list;
     for (const YAML::Node& item : entry.second) {
-      if (mayRepeat(name) && !(name == "output" && report && isSame(scalar(file, item), file)))
+      if (!one && !(name == "output" && report && isSame(scalar(file, item), file)))
         values.emplace_back(name, scalar(file, item));
       list += (list.empty() ? "" : ",") + scalar(file, item);
     }
-    if (!mayRepeat(name))
+    if (one)
       values.emplace_back(name, list);
   }
   return values;

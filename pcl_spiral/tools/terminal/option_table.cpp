@@ -62,9 +62,10 @@ suggestion(const OptionTable& table, const std::string& name)
 }
 
 bool
-mayRepeat(const std::string& name)
+mayRepeat(const OptionTable& table, const std::string& name)
 {
-  return name == "output" || name == "keep-out";
+  const Option* const option = findOption(table, name);
+  return option && option->repeats;
 }
 
 Option

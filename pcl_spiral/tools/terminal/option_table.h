@@ -20,6 +20,7 @@ struct Option {
   std::string argument; ///< name of the value in the help; empty: a switch without a value
   std::string help;
   std::function<void(const std::string& value)> set; ///< throws UsageError
+  bool repeats = false;                              ///< may be given several times
 };
 
 /** Options that belong together in the help. */
@@ -38,7 +39,7 @@ void addOptions(OptionGroup& group, const std::vector<Option>& more);
 const Option* findOption(const OptionTable& table, const std::string& name);
 
 /** Whether the option of that name may be given several times. */
-bool mayRepeat(const std::string& name);
+bool mayRepeat(const OptionTable& table, const std::string& name);
 
 /** "; did you mean 'scallop'?" if an option's name is similar; otherwise empty. */
 std::string suggestion(const OptionTable& table, const std::string& name);

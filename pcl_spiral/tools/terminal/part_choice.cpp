@@ -92,27 +92,53 @@ surfaceNormals(const std::string& file, const PartSide& side, const Scan& scan, 
   return normals;
 }
 
-/** Keeps of \p scan what \p region selects; adds the points left out that are not in a keep-out to \p beside. */
+/** A scan that points are taken away from. */
+struct CutScan {
+  const PartChoice& choice;
+  const std::string& file;
+  const ReadOptions& read;
+  Scan& scan;
+  ChosenPart& part; ///< with all keep-outs
+};
+
+/** Keeps what \p region selects; adds the points left out that are not in a keep-out to those beside the part. */
 void
-cut(Region& region, const std::string& file, const ReadOptions& read, Scan& scan, std::vector<Eigen::Vector3f>& beside)
+cut(Region& region, CutScan& from)
 {
+  Scan& scan = from.scan;
   region.setInputCloud(scan.cloud);
   pcl::Indices kept;
   region.filter(kept);
   if (!region.getStatus().ok())
-    throw FileError(file, inOptions(region.getStatus().message()));
+    throw FileError(from.file, inOptions(region.getStatus().message()));
   if (kept.empty())
-    throw UsageError(file + ": no point is left after --crop and --keep-out; the scan lies " + fileBox(scan, read) +
-                     ": give a larger crop, or smaller keep-outs");
+    throw UsageError(from.file + ": no point is left after --crop" + (from.choice.region.empty() ? "" : ", --region") +
+                     " and --keep-out; the scan lies " + fileBox(scan, from.read) + ": give a larger crop" +
+                     (from.choice.region.empty() ? "" : " or region") + ", or smaller keep-outs");
   for (const auto i : *region.getRemovedIndices()) {
     const pcl::PointXYZ& p = (*scan.cloud)[static_cast<std::size_t>(i)];
     const auto contains = [&](const Prism& prism) { return prism.contains(p.getVector3fMap().cast<double>()); };
-    if (pcl::isFinite(p) && std::none_of(region.getKeepOuts().begin(), region.getKeepOuts().end(), contains))
-      beside.push_back(p.getVector3fMap());
+    if (pcl::isFinite(p) && std::none_of(from.part.keep_outs.begin(), from.part.keep_outs.end(), contains))
+      from.part.beside.push_back(p.getVector3fMap());
   }
   scan.cloud = selected(*scan.cloud, kept);
   if (scan.normals)
     scan.normals = selected(*scan.normals, kept);
+}
+
+/** Adds what was left out to the warnings of the scan, which had \p all points. */
+void
+warnOfCuts(const PartChoice& choice, const RegionFigures& figures, std::size_t all, double tool_radius, Scan& scan)
+{
+  const bool region = !choice.region.empty();
+  if (!choice.crop.empty() || region)
+    scan.warnings.push_back(textOf(figures.cropped, " of ", all, " points are outside the ", region ? "region" : "crop",
+                                   " and were left out (", region ? "--region" : "--crop", ")"));
+  if (!choice.keep_outs.empty())
+    scan.warnings.push_back(
+        textOf(figures.kept_out, " of ", all, " points are in a keep-out",
+               tool_radius > 0.0 ? textOf(", and ", figures.too_close, " so near to one that the ball would enter it") : "",
+               ": they are not cut (--keep-out)"));
 }
 
 } // namespace
@@ -131,19 +157,16 @@ placeOptions(PartChoice& choice)
           {"keep-out", "FILE",
            "the cutter does not enter the space over and under this polygon; may be given several times; one corner per line: x y, "
            "extended along z, or x y z, extended along its mean normal: --keep-out clamp.txt",
-           [&choice](const std::string& value) { choice.keep_outs.push_back(value); }}};
+           [&choice](const std::string& value) { choice.keep_outs.push_back(value); }, true}};
 }
 
-std::vector<Option>
-partOptions(PartChoice& choice)
+Option
+clustersOption(PartChoice& choice)
 {
-  std::vector<Option> options = placeOptions(choice);
-  options.push_back(
-      choiceOption("clusters",
-                   "two or more points near each other that stand off the surface, as a screw or spatter, are refused, or left out "
-                   "as false echoes, and the path goes through them; default refuse: --clusters leave-out",
-                   choice.clusters));
-  return options;
+  return choiceOption("clusters",
+                      "two or more points near each other that stand off the surface, as a screw or spatter, are refused, or left out "
+                      "as false echoes, and the path goes through them; default refuse: --clusters leave-out",
+                      choice.clusters);
 }
 
 std::vector<InputName>
@@ -161,6 +184,13 @@ placeInScan(const Eigen::Vector3d& place, const ReadOptions& read)
   return millimetres(read.unit) * (place - read.origin);
 }
 
+Eigen::Vector3d
+placeInFile(const Eigen::Vector3d& place, const ReadOptions& asked)
+{
+  const ReadOptions read = readAsScan(asked);
+  return place / millimetres(read.unit) + read.origin;
+}
+
 ChosenPart
 choosePart(const PartChoice& choice, const std::string& file, const ReadOptions& asked, double tool_radius, const PartSide& side,
            Scan& scan)
@@ -171,7 +201,10 @@ choosePart(const PartChoice& choice, const std::string& file, const ReadOptions&
     part.part_at = placeInScan(*choice.part_at, read);
   if (!choice.cuts())
     return part;
-  Region region(true);
+  const std::size_t all = scan.cloud->size();
+  Region inside(true), region(true);
+  if (!choice.region.empty())
+    inside.setCrop(readPolygon(choice.region, read));
   if (isBox(choice.crop))
     region.setCropBox(boxOf(choice.crop, read));
   else if (!choice.crop.empty())
@@ -180,24 +213,22 @@ choosePart(const PartChoice& choice, const std::string& file, const ReadOptions&
     part.keep_outs.push_back(readPolygon(keep_out, read));
     region.addKeepOut(part.keep_outs.back());
   }
-  const std::size_t all = scan.cloud->size();
-  cut(region, file, read, scan, part.beside); // first what stands there, which would disturb the normals beside it
+  CutScan from{choice, file, read, scan, part};
+  cut(region, from); // first what stands there, which would disturb the normals beside it
   RegionFigures figures = region.getFigures();
+  if (!choice.region.empty()) {
+    cut(inside, from);
+    figures.cropped += inside.getFigures().cropped;
+  }
   if (!part.keep_outs.empty() && tool_radius > 0.0) {
     double spacing = 0.0;
     region.setInputNormals(surfaceNormals(file, side, scan, spacing));
     region.setToolRadius(tool_radius);
     region.setMargin(spacing); // the outline may lie up to a spacing beyond the last points
-    cut(region, file, read, scan, part.beside);
+    cut(region, from);
     figures.too_close = region.getFigures().too_close;
   }
-  if (!choice.crop.empty())
-    scan.warnings.push_back(textOf(figures.cropped, " of ", all, " points are outside the crop and were left out (--crop)"));
-  if (!part.keep_outs.empty())
-    scan.warnings.push_back(
-        textOf(figures.kept_out, " of ", all, " points are in a keep-out",
-               tool_radius > 0.0 ? textOf(", and ", figures.too_close, " so near to one that the ball would enter it") : "",
-               ": they are not cut (--keep-out)"));
+  warnOfCuts(choice, figures, all, tool_radius, scan);
   return part;
 }
 

@@ -20,23 +20,27 @@
 struct PartChoice {
   std::optional<Eigen::Vector3d> part_at; ///< a place on the part
   std::string crop;                       ///< a box, or the file of a polygon
+  std::string region;                     ///< the file of a polygon; empty: all that the crop leaves
   std::vector<std::string> keep_outs;     ///< files of polygons
   pcl_spiral::ClusterHandling clusters = pcl_spiral::ClusterHandling::Refuse;
 
-  bool cuts() const { return !crop.empty() || !keep_outs.empty(); } ///< whether points are left out by their place
+  bool cuts() const { return !crop.empty() || !region.empty() || !keep_outs.empty(); } ///< whether points are left out by their place
 };
 
 /** --part-at, --crop, --keep-out */
 std::vector<Option> placeOptions(PartChoice& choice);
 
-/** These and --clusters, for a program that refuses clusters. */
-std::vector<Option> partOptions(PartChoice& choice);
+/** --clusters, for a program that refuses clusters. */
+Option clustersOption(PartChoice& choice);
 
 /** The files that are read for the choice. */
 std::vector<InputName> polygonFiles(const PartChoice& choice);
 
 /** \p place, in the coordinates of the file, in those of the scan that was read: mm, without the origin. */
 Eigen::Vector3d placeInScan(const Eigen::Vector3d& place, const pcl_spiral::ReadOptions& read);
+
+/** The reverse. */
+Eigen::Vector3d placeInFile(const Eigen::Vector3d& place, const pcl_spiral::ReadOptions& asked);
 
 /** What is left of a scan when the part is chosen. */
 struct ChosenPart {

@@ -168,13 +168,36 @@ printStages(const Result& result, double seconds)
   printStage("the rest", std::max(0.0, rest), seconds);
 }
 
+/** Prints what the regions make together. */
+void
+printTogether(const Job& job, const Result& result)
+{
+  const pcl_spiral::SpiralReport& report = result.report;
+  std::printf("all regions     %zu, %zu passes, %zu points, %.3f m, machining time %s\n", result.regions.size(),
+              report.pass_begins.size() + 1, report.path_points, report.path_length / 1000.0,
+              duration(60.0 * report.path_length / job.settings.feed).c_str());
+  std::printf("links           %zu between regions, retracted to %.4g mm along z, clear of the scan\n", result.links.count,
+              result.links.height);
+}
+
 } // namespace
 
 void
 printSummary(const Job& job, const Result& result, double seconds)
 {
-  printSurface(job, result);
-  printPath(job, inScan(result.report));
+  for (const Result& region : result.regions) {
+    std::printf("%s\n", region.region.c_str());
+    printSurface(job, region);
+    printPath(job, inScan(region.report));
+    if (region.verification)
+      printFigures(inScan(*region.verification));
+  }
+  if (result.regions.empty()) {
+    printSurface(job, result);
+    printPath(job, inScan(result.report));
+  }
+  else
+    printTogether(job, result);
   if (result.program)
     printProgram(*result.program);
   std::printf("time            %s\n", duration(seconds).c_str());

@@ -6,7 +6,7 @@
 
 #include "program/program_job.h"
 #include "terminal/option_table.h"
-#include "terminal/part_choice.h"
+#include "terminal/region_choice.h"
 #include "terminal/scan_places.h"
 #include "verify/verification.h"
 
@@ -29,7 +29,8 @@ struct Job {
   std::vector<std::string> stock; ///< files for the surface after cutting; with verify
   pcl_spiral::ReadOptions read = readFindingOrigin();
   pcl_spiral::SpiralSettings settings;
-  PartChoice part; ///< of the scan
+  PartChoice part;      ///< of the scan; with several regions that of the present one
+  RegionChoice regions; ///< of the scan
   ProgramJob program;
   bool mesh = false;           ///< the scan is a mesh, and its faces are used
   double sample_spacing = 0.0; ///< of the samples of the mesh, mm; 0: found from the mesh

@@ -60,7 +60,7 @@ checkMesh(const Job& job)
   const auto& known = pcl_spiral::meshExtensions();
   if (const std::string extension = extensionOf(job.scan); std::find(known.begin(), known.end(), extension) == known.end())
     throw UsageError(job.scan + ": --mesh reads .stl .obj and .ply, and '" + extension + "' holds no faces; for points leave --mesh out");
-  for (const char* option : {"columns", "view-point", "thin", "outliers", "crop", "keep-out"})
+  for (const char* option : {"columns", "view-point", "thin", "outliers", "crop", "region", "keep-out"})
     if (job.given.count(option) > 0)
       throw UsageError(std::string("--") + option + " belongs to scans, and --mesh is given: " +
                        (std::string(option) == "view-point" ? "the faces define the side (--flip-normals turns them); " : "") +
@@ -93,11 +93,26 @@ checkOutputs(const Job& job)
   const std::vector<std::string> files = filesOf(job);
   for (std::size_t i = 0; i < files.size(); ++i) {
     requireNoInput(files[i], {{"the scan", job.scan}, {"the machine's file", job.program.machine_file}, {"the job file", job.config_file}});
-    requireNoInput(files[i], polygonFiles(job.part));
+    requireNoInput(files[i], polygonFiles(job.part, job.regions));
     if (std::find(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(i), files[i]) !=
         files.begin() + static_cast<std::ptrdiff_t>(i))
       throw UsageError("-o " + files[i] + ": is given twice");
   }
+}
+
+/** What one run of several regions cannot do. */
+void
+checkRegions(const Job& job)
+{
+  if (!job.regions.several())
+    return;
+  if (job.given.count("center") > 0)
+    throw UsageError("--center belongs to one region, and several are given (--part-at, --region); leave it out, or make one run a region");
+  for (const std::string& output : job.outputs)
+    if (job.verify && extensionOf(output) == ".png")
+      throw UsageError("-o " + output +
+                       ": with --verify it shows one region, and several are given (--part-at, --region); write .html, "
+                       "or leave --verify and its limits out");
 }
 
 } // namespace
@@ -138,7 +153,8 @@ checkJob(const Job& job)
   checkCutter(job);
   checkMesh(job);
   checkOutputs(job);
+  checkRegions(job);
   checkProgram(job.program, job.outputs, job.given);
-  if (job.given.count("accept-collisions") > 0 && !hasProgram(job.program, job.outputs))
+  if (job.given.count("accept-collisions") > 0 && !job.regions.several() && !hasProgram(job.program, job.outputs))
     throw UsageError("--accept-collisions: no output is a program, and only the leads of a program are checked; leave it out");
 }

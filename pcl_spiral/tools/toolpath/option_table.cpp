@@ -53,7 +53,7 @@ files(Job& job)
         ".html  report to read and print, with the pictures, in one file\n"
         ".png  picture of the spiral on the surface; also NAME_lines.png: loops and radial lines; with --verify also "
         "NAME_deviation.png, NAME_stock.png, NAME_histogram.png; with a program NAME_rotary.png",
-        [&job](const std::string& value) { job.outputs.push_back(value); }},
+        [&job](const std::string& value) { job.outputs.push_back(value); }, true},
        textOption("reach", "FILE",
                   "map of the largest ball that reaches each point of the scan: .csv .pcd .ply with x, y, z and radius, up to four tool "
                   "radii: --reach reach.ply",
@@ -160,7 +160,8 @@ surface(Job& job)
        numberOption("thin", "EDGE", "keep one point per cube of this edge, mm; default 0, no thinning: --thin 2", job.settings.thinning),
        {"outliers", "K,SIGMA", "remove points farther than SIGMA standard deviations from their K neighbours: --outliers 16,3",
         [&job](const std::string& value) { setOutliers(job, value); }}}};
-  addOptions(group, partOptions(job.part));
+  addOptions(group, regionOptions(job.part, job.regions));
+  addOptions(group, {clustersOption(job.part)});
   return group;
 }
 

@@ -29,8 +29,16 @@ hasPictures(const std::string& output)
   return extensionOf(output) == ".png" || extensionOf(output) == ".html";
 }
 
-void
-draw(const Result& result, const std::string& title, PictureFiles& pictures)
+const std::vector<PictureKind> judging_kinds{PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram};
+
+/** The pictures of the run, and those of the check of each region. */
+struct Pictures {
+  PictureFiles files;
+  std::vector<std::vector<ReportPicture>> of_regions;
+};
+
+VerificationScene
+sceneOf(const Result& result, const std::string& title)
 {
   VerificationScene scene;
   scene.part = {title,
@@ -39,11 +47,15 @@ draw(const Result& result, const std::string& title, PictureFiles& pictures)
                 result.path,
                 result.settings,
                 result.report};
-  pictures.drawPath(scene.part, true);
-  if (result.program)
-    pictures.drawProgram(title, *result.program);
+  return scene;
+}
+
+void
+drawJudging(const Result& result, const std::string& title, PictureFiles& pictures)
+{
   if (!result.verification)
     return;
+  VerificationScene scene = sceneOf(result, title);
   scene.deviation = result.heights.deviation;
   scene.stock = result.heights.stock;
   scene.ridges = result.heights.ridges;
@@ -52,14 +64,38 @@ draw(const Result& result, const std::string& title, PictureFiles& pictures)
   pictures.drawJudging(scene);
 }
 
+void
+draw(const Result& result, const std::string& title, Pictures& pictures)
+{
+  pictures.files.drawPath(sceneOf(result, title).part, true);
+  if (result.program)
+    pictures.files.drawProgram(title, *result.program);
+  drawJudging(result, title, pictures.files);
+  for (const Result& region : result.regions) {
+    drawJudging(region, region.region, pictures.files);
+    pictures.of_regions.push_back(region.verification ? pictures.files.forReport(judging_kinds) : std::vector<ReportPicture>());
+  }
+}
+
 bool
 isReport(const std::string& output)
 {
   return extensionOf(output) == ".json" || extensionOf(output) == ".html";
 }
 
+RegionReport
+reportOf(const Result& region, const std::vector<std::vector<ReportPicture>>& judged, std::size_t index)
+{
+  RegionReport report{region.region, inScan(region.report), std::nullopt, {}};
+  if (region.verification)
+    report.verification = inScan(*region.verification);
+  if (index < judged.size())
+    report.judged = judged[index];
+  return report;
+}
+
 void
-writeReport(const Job& job, const Result& result, const std::string& title, PictureFiles& pictures, const std::string& file)
+writeReport(const Job& job, const Result& result, const std::string& title, const Pictures& pictures, const std::string& file)
 {
   RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings, {}, job.options};
   run.shift = scanShift();
@@ -73,12 +109,15 @@ writeReport(const Job& job, const Result& result, const std::string& title, Pict
     if (*place)
       *place = inScan(**place);
   const SpiralReport report = inScan(result.report);
+  std::vector<RegionReport> regions;
+  for (const Result& region : result.regions)
+    regions.push_back(reportOf(region, pictures.of_regions, regions.size()));
   if (extensionOf(file) == ".json")
-    writeReportJSON(file, run, settings, report, verification);
+    writeReportJSON(file, run, settings, report, verification, regions);
   else
     writeReportHTML(file, {title, madeBy("pcl_spiral_toolpath"), job.command}, run, settings, report,
-                    pictures.forReport({PictureKind::Spiral, PictureKind::Lines, PictureKind::Rotary}), verification,
-                    pictures.forReport({PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram}));
+                    pictures.files.forReport({PictureKind::Spiral, PictureKind::Lines, PictureKind::Rotary}), verification,
+                    pictures.files.forReport(judging_kinds), regions);
 }
 
 /** A program, CLDATA or robot frames. */
@@ -111,11 +150,12 @@ void
 writeOutputs(const Job& job, Result& result, OutputFiles& files)
 try {
   for (const std::string& output : job.outputs)
-    requireOnePass(result.report.pass_begins.size() + 1, output, "leave --one-way out");
+    requireOnePass(result.report.pass_begins.size() + 1, output,
+                   result.regions.empty() ? "leave --one-way out" : "make one run for each region");
   const ToolpathMotion motion{job.settings.tool_radius, job.settings.feed, {}, result.report.pass_begins, scanShift()};
   const PathValues values{{}, result.heights.deviation, result.heights.scallop};
   const std::string title = titleWithShift(std::filesystem::path(job.scan).filename().string());
-  PictureFiles pictures;
+  Pictures pictures;
   StageClock clock(result.report.stages);
   if (std::any_of(job.outputs.begin(), job.outputs.end(), hasPictures)) {
     draw(result, title, pictures);
@@ -128,7 +168,7 @@ try {
       throw Cancelled();
     if (extensionOf(output) == ".png")
       for (const PictureName& picture : picturesOf(job))
-        pictures.copy(picture.kind, files.temporary(i++));
+        pictures.files.copy(picture.kind, files.temporary(i++));
     else if (isReport(output))
       reports.push_back(files.temporary(i++));
     else if (isProgram(output) || isExchange(output))
@@ -137,7 +177,7 @@ try {
       writeToolpath(files.temporary(i++), *result.path, motion, values);
   }
   if (!job.reach.empty())
-    writeReachMap(job, *result.surface, files.temporary(i++));
+    writeReachMap(job, result, files.temporary(i++));
   for (std::size_t k = 0; k < job.stock.size(); ++k)
     writeStock(files.temporary(i++), result.left, scanShift());
   clock.end("writing");

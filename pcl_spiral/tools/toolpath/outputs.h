@@ -30,8 +30,17 @@ struct SampledMesh {
   std::vector<std::uint32_t> faces;               ///< of the mesh as given, one per sample
 };
 
-/** The result of a run. */
+/** The ways of the tool from region to region. Lengths in mm. */
+struct RegionLinks {
+  std::size_t count = 0;
+  double height = 0.0; ///< of the highest tip, along the direction of the first rotary axis
+};
+
+/** The result of a run, or of one region of it. */
 struct Result {
+  std::string region;                                  ///< its name; empty: the run
+  std::vector<Result> regions;                         ///< if there are several; all else is then of all together
+  RegionLinks links;                                   ///< between the regions
   pcl_spiral::Scan scan;                               ///< or the samples of the mesh
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole_scan; ///< with what the choice of the part left out
   ChosenPart part;

@@ -22,13 +22,9 @@ moreOf(std::size_t broken)
   return broken > 1 ? "; and " + std::to_string(broken - 1) + " more" : std::string();
 }
 
-} // namespace
-
 void
-judge(const Job& job, Result& result)
+judgeOne(const Job& job, Result& result)
 {
-  if (!job.verify)
-    return;
   ProgressBar bar(job.quiet);
   const SpiralSettings& s = job.settings;
   JudgeSettings settings;
@@ -36,6 +32,7 @@ judge(const Job& job, Result& result)
   settings.scallop_height = s.scallop_height;
   settings.chord_error = s.chord_error;
   settings.side = result.side;
+  settings.part_at = result.part.part_at;
   settings.flip_normals = s.flip_normals;
   settings.threads = s.threads;
   settings.sample_spacing = job.sample_spacing;
@@ -63,4 +60,22 @@ judge(const Job& job, Result& result)
   if (!job.stock.empty())
     result.left = stockMesh(*reference, result.heights.stock);
   result.verification = std::move(verification);
+}
+
+} // namespace
+
+void
+judge(const Job& job, Result& result)
+{
+  if (!job.verify)
+    return;
+  if (result.regions.empty())
+    return judgeOne(job, result);
+  for (Result& region : result.regions) {
+    const int before = region.report.passes;
+    inRegion(region.region, [&] { judgeOne(job, region); });
+    result.report.passes += region.report.passes - before;
+    for (const auto values : {&Heights::deviation, &Heights::scallop})
+      (result.heights.*values).insert((result.heights.*values).end(), (region.heights.*values).begin(), (region.heights.*values).end());
+  }
 }

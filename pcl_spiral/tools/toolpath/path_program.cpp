@@ -2,21 +2,34 @@
 #include "path_program.h"
 #include "program/free_leads.h"
 #include "program/machine_moves.h"
+#include "region_links.h"
 
 using namespace pcl_spiral;
 
-void
-addProgram(const Job& job, const Machine& machine, Result& result)
+MachineProgram
+freeProgram(const Job& job, const Machine& machine, const std::vector<ToolPoses>& passes, Result& result, std::vector<std::string>& made)
 {
   constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
-  StageClock clock(result.report.stages);
   const SpiralSettings& s = job.settings;
-  result.program =
-      makeProgram(job.program, machine, s.feed, s.tool_radius, ballPasses(*result.path, s.tool_radius), result.report.warnings);
+  ProgramJob asked = job.program;
+  asked.settings.clear_box = boxToClear(job, result);
+  MachineProgram program = makeProgram(asked, machine, s.feed, s.tool_radius, passes, made);
   LedTool tool;
   tool.cutter = CutterShape::ball(s.tool_radius);
   tool.tolerance = s.chord_error + deviations * result.report.noise;
   tool.threads = s.threads;
-  requireFreeLeads(job.scan, result.whole_scan, tool, *result.program, job.program.accept_collisions, job.quiet, result.report.warnings);
+  requireFreeLeads(job.scan, result.whole_scan, tool, program, job.program.accept_collisions, job.quiet, result.report.warnings);
+  return program;
+}
+
+void
+addProgram(const Job& job, const Machine& machine, Result& result)
+{
+  StageClock clock(result.report.stages);
+  std::vector<std::string> made;
+  result.program = freeProgram(job, machine, ballPasses(*result.path, job.settings.tool_radius), result, made);
+  result.report.warnings.insert(result.report.warnings.end(), made.begin(), made.end());
+  if (!result.regions.empty())
+    result.links = linksOf(result, *result.program);
   clock.end("machine");
 }

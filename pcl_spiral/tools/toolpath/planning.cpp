@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
 #include "job_failure.h"
+#include "joined_regions.h"
 #include "mesh_input.h"
 #include "path_judging.h"
 #include "terminal/scan_places.h"
@@ -52,8 +53,9 @@ surfaceOf(const Job& job, const Result& result, ProgressBar& bar)
   return surface;
 }
 
+/** Reads the scan, or the samples of the mesh: what all regions share. */
 void
-readInput(const Job& job, ProgressBar& bar, StageClock& clock, Result& result)
+readInput(const Job& job, ProgressBar& bar, Result& result)
 {
   bar.update(0.0, "reading " + job.scan);
   if (job.mesh)
@@ -65,6 +67,12 @@ readInput(const Job& job, ProgressBar& bar, StageClock& clock, Result& result)
     result.side = sideOf(result.scan, fromScan(job.settings.view_point));
   }
   result.whole_scan = result.scan.cloud;
+}
+
+/** Takes the points of the part out of the scan, and makes their surface if more than the planner needs it. */
+void
+choosePoints(const Job& job, ProgressBar& bar, StageClock& clock, Result& result)
+{
   result.part = choosePart(job.part, job.scan, job.read, job.settings.tool_radius,
                            {result.side, job.settings.flip_normals, job.settings.threads}, result.scan);
   if (job.part.cuts())
@@ -131,16 +139,14 @@ checkWay(const Job& job, const Result& result)
                                      "(--keep-out), tilt the tool less (--tilt), or change the crop (--crop)"));
 }
 
-} // namespace
-
+/** The path over the region that job.part chooses. \p result has what readInput gave. */
 Result
-plan(const Job& job)
+planned(const Job& job, ProgressBar& bar, Result result)
 {
-  ProgressBar bar(job.quiet);
-  Result result;
+  result.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
   std::vector<StageCost> stages;
   StageClock clock(stages);
-  readInput(job, bar, clock, result);
+  choosePoints(job, bar, clock, result);
   SpiralToolpathGenerator<pcl::PointXYZ> generator;
   generator.setInputCloud(result.scan.cloud);
   if (result.surface)
@@ -166,5 +172,29 @@ plan(const Job& job)
   if (result.surface)
     result.report.passes += result.surface->counts().passes;
   result.report.stages.insert(result.report.stages.begin(), stages.begin(), stages.end());
+  return result;
+}
+
+} // namespace
+
+Result
+plan(const Job& job)
+{
+  ProgressBar bar(job.quiet);
+  Result input;
+  std::vector<StageCost> stages;
+  StageClock clock(stages);
+  readInput(job, bar, input);
+  clock.end("reading");
+  const std::vector<NamedRegion> named = regionsOf(job.part, job.regions, job.read);
+  std::vector<Result> regions;
+  for (const NamedRegion& region : named) {
+    Job one = job;
+    one.part = region.part;
+    regions.push_back(inRegion(region.name, [&] { return planned(one, bar, input); }));
+    regions.back().region = region.name;
+  }
+  Result result = regions.size() == 1 ? std::move(regions.front()) : joined(job, input, std::move(regions));
+  addStage(stages.front(), result.report.stages);
   return result;
 }

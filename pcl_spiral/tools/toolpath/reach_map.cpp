@@ -31,23 +31,41 @@ headOf(const std::string& extension, std::size_t points)
                    points, points);
 }
 
-} // namespace
-
-void
-writeReachMap(const Job& job, const Surface& surface, const std::string& file)
+/** Of each point of \p surface. */
+std::vector<float>
+reachOf(const Job& job, const Surface& surface)
 {
   const double radius = largest * job.settings.tool_radius;
   const BallReach reach(surface.graph(), surface.fit(), radius, reachTolerance(surface.fit(), noise_share * job.settings.chord_error));
   std::vector<float> radii(surface.size(), static_cast<float>(radius));
   for (const UnreachedPoint& point : reach.unreached())
     radii[point.index] = point.reach;
+  return radii;
+}
+
+} // namespace
+
+void
+writeReachMap(const Job& job, const Result& result, const std::string& file)
+{
+  std::vector<Surface::ConstPtr> surfaces;
+  for (const Result& region : result.regions)
+    surfaces.push_back(region.surface);
+  if (surfaces.empty())
+    surfaces.push_back(result.surface);
+  std::size_t points = 0;
+  for (const Surface::ConstPtr& surface : surfaces)
+    points += surface->size();
   const std::string extension = extensionOf(job.reach);
   const char* const row = extension == ".csv" ? "%.6f,%.6f,%.6f,%.4f\n" : "%.6f %.6f %.6f %.4f\n";
   ByteFile out(file);
-  out.write(headOf(extension, radii.size()));
-  for (std::size_t i = 0; i < radii.size(); ++i) {
-    const Eigen::Vector3d place = inScan(surface.position(i));
-    out.write(formatted(row, place.x(), place.y(), place.z(), radii[i]));
+  out.write(headOf(extension, points));
+  for (const Surface::ConstPtr& surface : surfaces) {
+    const std::vector<float> radii = reachOf(job, *surface);
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+      const Eigen::Vector3d place = inScan(surface->position(i));
+      out.write(formatted(row, place.x(), place.y(), place.z(), radii[i]));
+    }
   }
   out.close();
 }

@@ -4,12 +4,10 @@
  */
 #pragma once
 
-#include "job.h"
-
-#include <pcl_spiral/surface/surface.h>
+#include "outputs.h"
 
 #include <string>
 
-/** Writes x, y, z of each point of \p surface and the radius of the largest ball that reaches it, at most four tool radii, mm. The kind of
- *  \p file is that of the name in the job. \throw pcl_spiral::FileError */
-void writeReachMap(const Job& job, const pcl_spiral::Surface& surface, const std::string& file);
+/** Writes x, y, z of each point of the surface of \p result, or of its regions, and the radius of the largest ball that reaches it, at
+ *  most four tool radii, mm. The kind of \p file is that of the name in the job. \throw pcl_spiral::FileError */
+void writeReachMap(const Job& job, const Result& result, const std::string& file);

@@ -42,7 +42,7 @@ checkOtherMoves(const VerifyJob& job, const JudgedPart& part, const ReferenceSur
   constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
   ProgressBar bar(job.quiet);
   LeadCheck<pcl::PointXYZ> check;
-  check.setInputCloud(part.cloud);
+  check.setInputCloud(part.whole);
   check.setCutter(job.settings.cutter);
   check.setTolerance(job.settings.chord_error + deviations * reference.noise());
   check.setLargestEcho(largest_echo);
@@ -61,6 +61,22 @@ checkOtherMoves(const VerifyJob& job, const JudgedPart& part, const ReferenceSur
   else if (check.getFigures().collided > 0)
     verification.program->warnings.push_back(textOfCollision(check.getFigures(), read) +
                                              ": only single points off the surface are there, usually false echoes");
+}
+
+/** The cutting way of the blocks \p own of \p program, which learns where the leads are. */
+ProgramPath
+pathOf(const ReferenceSurface& reference, const ProgramPathSettings& settings, const std::vector<std::size_t>& own, MachineProgram& program)
+{
+  MachineProgram some = program;
+  some.blocks.clear();
+  for (const std::size_t block : own)
+    some.blocks.push_back(program.blocks[block]);
+  ProgramPath path = programPath(reference, settings, some);
+  for (std::size_t i = 0; i < own.size(); ++i)
+    program.blocks[own[i]].section = some.blocks[i].section;
+  for (std::size_t& block : path.blocks)
+    block = own[block];
+  return path;
 }
 
 /** Warns where a block seems to be missing. */
@@ -86,8 +102,8 @@ isProgramFile(const std::string& file)
 }
 
 void
-readJudgedProgram(const VerifyJob& job, const JudgedPart& part, const std::string& file, std::shared_ptr<const ReferenceSurface>& reference,
-                  JudgedPath& judged)
+readJudgedProgram(const VerifyJob& job, const JudgedPart& part, const std::string& file, const JudgedPasses& passes,
+                  std::shared_ptr<const ReferenceSurface>& reference, JudgedPath& judged)
 {
   const std::optional<Machine> machine = job.machine_file.empty() ? std::nullopt : std::optional(readMachine(job.machine_file));
   ProgramFile read = readProgram(file, machine, job.dialect);
@@ -98,7 +114,8 @@ readJudgedProgram(const VerifyJob& job, const JudgedPart& part, const std::strin
   settings.tolerance = 0.2 * job.settings.chord_error;
   settings.air = std::max(20.0 * job.settings.scallop_height, 10.0 * reference->noise());
   settings.axis_arcs = read.axis_arcs;
-  const ProgramPath path = programPath(*reference, settings, read.program);
+  const ProgramPath path = passes.all ? pathOf(*reference, settings, passes.all->of(passes.region, read.program), read.program)
+                                      : programPath(*reference, settings, read.program);
   ProgramFigures program;
   program.language = read.language;
   program.blocks = read.program.blocks.size();

@@ -59,10 +59,13 @@ VerifyOutputs::take(const JudgedPart& part, const ReferenceSurface& surface, con
 }
 
 void
-VerifyOutputs::finish(const JudgedPart& part)
+VerifyOutputs::finish(const std::vector<JudgedPart>& parts)
 try {
+  std::vector<std::string> warnings;
+  for (const JudgedPart& part : parts)
+    warnings.insert(warnings.end(), part.warnings.begin(), part.warnings.end());
   const VerificationRun run{
-      job_.scan,   job_.read.unit, job_.settings.cutter, job_.settings.scallop_height, job_.settings.chord_error, inScan(part.warnings),
+      job_.scan,   job_.read.unit, job_.settings.cutter, job_.settings.scallop_height, job_.settings.chord_error, inScan(warnings),
       job_.limits, mesh_,          scanShift()};
   const std::string title = std::filesystem::path(job_.paths.front()).filename().string() + (job_.paths.size() > 1 ? " and others" : "");
   std::size_t i = 0;

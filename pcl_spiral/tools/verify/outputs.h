@@ -30,7 +30,7 @@ public:
   /** Draws the pictures and writes the .vtp file of a path, if they were asked for. */
   void take(const JudgedPart& part, const pcl_spiral::ReferenceSurface& surface, const JudgedPath& judged);
   /** Writes the other files and moves all files to their places. \throw pcl_spiral::FileError, Cancelled */
-  void finish(const JudgedPart& part);
+  void finish(const std::vector<JudgedPart>& parts);
 
 private:
   const VerifyJob& job_;

@@ -17,6 +17,8 @@ scanReference(const VerifyJob& job, const JudgedPart& part)
   scanned.setStrict(false); // a rough reference is accepted, with a warning
   scanned.setFlipNormals(job.settings.flip_normals);
   setSide(part.side, scanned);
+  if (part.chosen.part_at)
+    scanned.setPartAt(*part.chosen.part_at);
   scanned.setNumberOfThreads(job.settings.threads);
   ProgressBar bar(job.quiet);
   scanned.setProgressCallback([&bar](double share, const std::string&) { return bar.update(share, "reference"); });

@@ -97,6 +97,8 @@ check(const VerifyJob& job, bool radius_given)
     require(job.paths.size() == 1 || extension == ".json" || extension == ".html",
             "-o " + output + ": shows one path, and " + std::to_string(job.paths.size()) +
                 " are given; give only one path, or write .json or .html");
+    require(!job.regions.several() || extension == ".json" || extension == ".html",
+            "-o " + output + ": shows one region, and several are given (--part-at, --region); give one, or write .json or .html");
   }
   checkStockFiles(job.stock);
   require(job.stock.empty() || job.paths.size() == 1,
@@ -135,6 +137,7 @@ fromMap(const po::variables_map& given)
     job.dialect = choiceValue<Dialect>("dialect", given["dialect"].as<std::string>());
   job.read = scanOptions(given);
   job.part = partChoice(given);
+  job.regions = regionChoice(given);
   job.mesh = meshOptions(given);
   job.settings = cutterOptions(given);
   limit("max-gouge", job.limits.gouge);

@@ -7,7 +7,7 @@
 #include "judging/judge.h"
 #include "judging/judge_options.h"
 #include "report/picture_files.h"
-#include "terminal/part_choice.h"
+#include "terminal/region_choice.h"
 
 #include "verify/verification.h"
 #include <pcl_spiral/io/cloud_reader.h>
@@ -27,6 +27,7 @@ struct VerifyJob {
   pcl_spiral::ReadOptions read;
   std::optional<MeshChoice> mesh;             ///< absent: the first file is a scan
   PartChoice part;                            ///< of the scan
+  RegionChoice regions;                       ///< of the scan
   std::string machine_file;                   ///< of programs; empty: none
   std::optional<pcl_spiral::Dialect> dialect; ///< of .nc programs; absent: found from their words
   JudgeSettings settings;

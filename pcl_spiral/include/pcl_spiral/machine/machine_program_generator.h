@@ -9,6 +9,8 @@
 
 #include <pcl/point_cloud.h>
 
+#include <Eigen/Geometry>
+
 namespace pcl_spiral {
 
 /** How the tool comes to the path and leaves it. */
@@ -28,6 +30,7 @@ struct ProgramSettings {
   double lead_length = 2.0;          ///< mm; for an arc its radius
   double clearance = 5.0;            ///< the feed begins this far along the tool axis from the lead, mm
   double rapid_height = 50.0;        ///< rapids cross at this height above the highest tip, mm
+  Eigen::AlignedBox3d clear_box;     ///< and above this box, of what stands beside the path; empty: there is none
 };
 
 /** Poses of a ball cutter along \p path, as one pass. On a path of several passes the lifts would cut: see ballPasses. */

@@ -25,6 +25,13 @@ enum class ViewerPage {
   Histogram       ///< of the ridge heights
 };
 
+/** What the user chose of the scan. */
+struct PartSelection {
+  std::string place;      ///< X,Y,Z in the coordinates of the file; empty: a polygon was drawn
+  std::string file;       ///< of the polygon, for readPolygon
+  std::size_t points = 0; ///< of the scan, inside the polygon
+};
+
 class ViewerSession;
 
 /** The views of the pictures in one window, to turn and zoom; the keys are listed on the screen.
@@ -35,15 +42,21 @@ class ViewerSession;
  *  pictures. A million points of the path and of the scan stay usable. Lengths in mm. */
 class SpiralViewer {
 public:
-  /** Opens the window. A scene without deviations or without stock has only the other views.
+  /** Opens the window. A scene without deviations or without stock has only the other views; one with an empty path has only the scan.
    *  \throw std::runtime_error without a display, std::invalid_argument as VerificationPictures */
   explicit SpiralViewer(VerificationScene scene);
   ~SpiralViewer();
 
   /** The advice that a view without values shows to the user. */
   void setRemedy(const std::string& remedy);
-  /** Saved views are STEM_1.png, STEM_2.png ...: the first name that does not exist. "view" by default. */
+  /** Saved views are STEM_1.png, STEM_2.png ..., and polygons STEM_lasso_1.txt ...: the first name that does not exist. "view" by
+   *  default. */
   void setPictureStem(const std::string& stem);
+  /** Turns a place of the scene into the coordinates of the file of the scan, for chosen places and polygons; without it they are those
+   *  of the scene. */
+  void setFileCoordinates(std::function<Eigen::Vector3d(const Eigen::Vector3d&)> in_file);
+  /** Called with each choice of a part; returns the message that the window shows for it. */
+  void setChoiceCallback(std::function<std::string(const PartSelection&)> chosen);
   /** Called repeatedly while run works; return true to end it. */
   void setCloseRequest(std::function<bool()> wanted);
 
@@ -53,6 +66,8 @@ public:
   ViewerPage getPage() const; ///< The view shown.
   /** The path point that the user chose. */
   std::optional<std::size_t> getChosenPoint() const;
+  /** The place of the scan that the user chose. */
+  std::optional<Eigen::Vector3d> getChosenPlace() const;
   /** The message of the last key or click. */
   const std::string& getMessage() const;
   /** Handles keys and mouse; valid as long as the viewer. */

@@ -213,33 +213,54 @@ addTimes(HtmlPage& page, const SpiralReport& report, const Verification* verific
   page.addTable(rows, true);
 }
 
+/** The figures of a judged path; adds its warnings to \p warnings, each once. */
+void
+addJudged(HtmlPage& page, const RunFiles& files, const SpiralSettings& settings, const Verification& verification,
+          const std::vector<ReportPicture>& pictures, std::vector<std::string>& warnings)
+{
+  for (const std::string& warning : warningsOf(verification))
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+      warnings.push_back(warning);
+  const VerificationRun run{files.scan, files.unit, CutterShape::ball(settings.tool_radius), settings.scallop_height, settings.chord_error, {}, {}};
+  addVerification(page, run, verification, pictures);
+}
+
+void
+addRegion(HtmlPage& page, const RunFiles& files, const SpiralSettings& settings, const RegionReport& region,
+          std::vector<std::string>& warnings)
+{
+  page.addPart(region.name);
+  if (region.verification)
+    addJudged(page, files, settings, *region.verification, region.judged, warnings);
+  addPath(page, region.report, settings);
+  addSurface(page, files.mesh, region.report);
+}
+
 } // namespace
 
 void
 writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files, const SpiralSettings& settings,
                 const SpiralReport& report, const std::vector<ReportPicture>& pictures, const Verification* verification,
-                const std::vector<ReportPicture>& judged)
+                const std::vector<ReportPicture>& judged, const std::vector<RegionReport>& regions)
 {
   HtmlPage html(page.title, formatted("Spiral toolpath over a scanned surface; ball cutter, radius %g mm, scallop %g mm",
                                       settings.tool_radius, settings.scallop_height));
   std::vector<std::string> warnings = files.warnings;
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
   if (verification) {
-    for (const std::string& warning : warningsOf(*verification))
-      if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
-        warnings.push_back(warning);
-    const VerificationRun run{
-        files.scan, files.unit, CutterShape::ball(settings.tool_radius), settings.scallop_height, settings.chord_error, {}, {}};
     html.addPart("Verification");
-    addVerification(html, run, *verification, judged);
+    addJudged(html, files, settings, *verification, judged, warnings);
   }
-  else
+  else if (regions.empty() || !regions.front().verification)
     html.addStatement(Tone::Neutral, "Not judged", {"pcl_spiral_verify checks deviation, scallop and gouge against the scan"});
-  html.addPart("Path and surface");
+  for (const RegionReport& region : regions)
+    addRegion(html, files, settings, region, warnings);
+  html.addPart(regions.empty() ? "Path and surface" : "All regions");
   for (const ReportPicture& picture : pictures)
     html.addPicture(picture);
   addPath(html, report, settings);
-  addSurface(html, files.mesh, report);
+  if (regions.empty())
+    addSurface(html, files.mesh, report);
   html.addPart("Run");
   addWarnings(html, warnings);
   addSettings(html, files, settings);

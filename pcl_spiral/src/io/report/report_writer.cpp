@@ -215,11 +215,30 @@ inputJson(const RunFiles& files)
   return {{"file", files.scan}, {"unit", choiceName(files.unit)}, {"origin", toJson(files.origin)}, {"shift", toJson(files.shift)}};
 }
 
+/** What a report has of the whole run, of one region. */
+Json
+regionJson(const RegionReport& region, double feed)
+{
+  const SpiralReport& report = region.report;
+  Json json = {{"region", region.name},
+               {"passes", report.pass_begins.size() + 1},
+               {"surface", surfaceJson(report)},
+               {"loops", loopsJson(report)},
+               {"holes", holesJson(report)},
+               {"path", pathJson(report, feed)},
+               {"not_reached", tightJson(report)},
+               {"seconds", secondsJson(report.stages)},
+               {"warnings", report.warnings}};
+  if (region.verification)
+    json["verification"] = verificationJson(*region.verification);
+  return json;
+}
+
 } // namespace
 
 void
 writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings, const SpiralReport& report,
-                const Verification* verification)
+                const Verification* verification, const std::vector<RegionReport>& regions)
 {
   std::vector<std::string> warnings = files.warnings;
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
@@ -240,6 +259,8 @@ writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSett
     json["mesh"] = meshJson(*files.mesh);
   if (verification)
     json["verification"] = verificationJson(*verification);
+  for (const RegionReport& region : regions)
+    json["regions"].push_back(regionJson(region, settings.feed));
   ByteFile out(file);
   out.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   out.close();

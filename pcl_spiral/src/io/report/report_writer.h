@@ -35,15 +35,24 @@ struct RunFiles {
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of map coordinates, mm, see Scan::shift; places are in the coordinates of the scan
 };
 
+/** One of several regions of a run. */
+struct RegionReport {
+  std::string name;
+  SpiralReport report;
+  std::optional<Verification> verification; ///< absent: not judged
+  std::vector<ReportPicture> judged;        ///< pictures of its verification
+};
+
 /** Input, settings, loops, counts, time and memory of each stage and warnings of a run, and the figures of the path if it was
- * judged (null: not judged). Units: mm, degrees, seconds, MB (10^6 bytes; see MemoryUse). \throw FileError */
+ * judged (null: not judged). Of several \p regions, \p report is of all together, and each is judged on its own. Units: mm, degrees,
+ * seconds, MB (10^6 bytes; see MemoryUse). \throw FileError */
 void writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings, const SpiralReport& report,
-                     const Verification* verification = nullptr);
+                     const Verification* verification = nullptr, const std::vector<RegionReport>& regions = {});
 
 /** The same as one HTML file that needs no other file, with \p pictures of the path and the pictures \p judged of its verification.
  *  \throw FileError */
 void writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files, const SpiralSettings& settings,
                      const SpiralReport& report, const std::vector<ReportPicture>& pictures, const Verification* verification = nullptr,
-                     const std::vector<ReportPicture>& judged = {});
+                     const std::vector<ReportPicture>& judged = {}, const std::vector<RegionReport>& regions = {});
 
 } // namespace pcl_spiral

@@ -10,7 +10,7 @@ optionsJson(const RunOptions& options)
 {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   for (const auto& [name, value] : options)
-    if (name == "output" || name == "keep-out") // these may be given several times
+    if (name == "output" || name == "keep-out" || name == "part-at" || name == "region") // these may be given several times
       json[name].push_back(value);
     else
       json[name] = value;

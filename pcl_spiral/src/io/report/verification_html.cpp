@@ -200,7 +200,7 @@ writeVerificationHTML(const std::string& file, const ReportPage& page, const Ver
   for (std::size_t i = 0; i < verifications.size(); ++i) {
     const Verification& v = verifications[i];
     if (verifications.size() > 1)
-      html.addPart(v.path);
+      html.addPart(nameOf(v));
     addVerification(html, run, v, i < pictures.size() ? pictures[i] : std::vector<ReportPicture>());
     addWarnings(html, warningsOf(v));
     html.addHeading("Time");
@@ -214,7 +214,7 @@ writeVerificationHTML(const std::string& file, const ReportPage& page, const Ver
   if (run.mesh)
     addMesh(rows, *run.mesh);
   for (const Verification& v : verifications)
-    rows.push_back({"Path", formatted("%zu points, ", v.deviation.points) + v.path});
+    rows.push_back({"Path", formatted("%zu points, ", v.deviation.points) + nameOf(v)});
   rows.push_back({"Cutter", cutterText(run.cutter)});
   rows.push_back({"Scallop height asked for, h", formatted("%g mm", run.scallop_height)});
   rows.push_back({"Chord error asked for, e", formatted("%g mm", run.chord_error)});

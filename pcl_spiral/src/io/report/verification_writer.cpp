@@ -48,6 +48,8 @@ writeVerificationJSON(const std::string& file, const VerificationRun& run, const
   Json paths = Json::array();
   for (const Verification& verification : verifications) {
     Json path = {{"file", verification.path}};
+    if (!verification.region.empty())
+      path["region"] = verification.region;
     path.update(verificationJson(verification));
     paths.push_back(path);
   }

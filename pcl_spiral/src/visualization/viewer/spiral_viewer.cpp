@@ -22,6 +22,18 @@ SpiralViewer::setPictureStem(const std::string& stem)
 }
 
 void
+SpiralViewer::setFileCoordinates(std::function<Eigen::Vector3d(const Eigen::Vector3d&)> in_file)
+{
+  session_->in_file = std::move(in_file);
+}
+
+void
+SpiralViewer::setChoiceCallback(std::function<std::string(const PartSelection&)> chosen)
+{
+  session_->chosen = std::move(chosen);
+}
+
+void
 SpiralViewer::setCloseRequest(std::function<bool()> wanted)
 {
   session_->close_wanted = std::move(wanted);
@@ -43,6 +55,12 @@ std::optional<std::size_t>
 SpiralViewer::getChosenPoint() const
 {
   return session_->choice.point;
+}
+
+std::optional<Eigen::Vector3d>
+SpiralViewer::getChosenPlace() const
+{
+  return session_->place;
 }
 
 const std::string&

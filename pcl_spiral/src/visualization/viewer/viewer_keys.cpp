@@ -28,7 +28,9 @@ constexpr KeyLine lines[] = {{"1", "part and boundaries"},
                              {"down up", "previous turn, next turn"},
                              {"c", "cutter at the chosen point on, off"},
                              {"drag", "rotate; with shift: move; wheel: zoom"},
-                             {"r", "show the whole part"},
+                             {"r  z", "show the whole part; look along z"},
+                             {"a", "place of the scanned point at the mouse"},
+                             {"l", "lasso: drag round it; a polygon file"},
                              {"p", "save the view as PNG"},
                              {"h", "this list on, off"},
                              {"q", "quit"}};
@@ -40,15 +42,30 @@ constexpr int key_width = 92, lowest = 72, most_pitch = 25, least_pitch = 12, ga
 std::optional<ViewerCommand>
 commandOf(const std::string& key)
 {
-  static const std::map<std::string, Command> commands{
-      {"1", Command::ShowBoundaries}, {"2", Command::ShowPath},          {"3", Command::ShowDeviation}, {"4", Command::ShowStock},
-      {"5", Command::ShowHistogram},  {"KP_1", Command::ShowBoundaries}, {"KP_2", Command::ShowPath},   {"KP_3", Command::ShowDeviation},
-      {"KP_4", Command::ShowStock},   {"KP_5", Command::ShowHistogram},  {"t", Command::ToggleTurns},   {"d", Command::GoToDeviation},
-      {"s", Command::GoToScallop},    {"g", Command::GoToGouge},         {"c", Command::ToggleCutter},  {"Right", Command::NextPoint},
-      {"Left", Command::LastPoint},   {"Up", Command::NextTurn},         {"Down", Command::LastTurn},   {"r", Command::ShowWhole},
-      {"p", Command::SavePicture},    {"h", Command::ToggleKeys},        {"q", Command::Close},         {"Escape", Command::Close}};
+  static const std::map<std::string, Command> commands{{"1", Command::ShowBoundaries}, {"2", Command::ShowPath},
+                                                       {"3", Command::ShowDeviation},  {"4", Command::ShowStock},
+                                                       {"5", Command::ShowHistogram},  {"KP_1", Command::ShowBoundaries},
+                                                       {"KP_2", Command::ShowPath},    {"KP_3", Command::ShowDeviation},
+                                                       {"KP_4", Command::ShowStock},   {"KP_5", Command::ShowHistogram},
+                                                       {"t", Command::ToggleTurns},    {"d", Command::GoToDeviation},
+                                                       {"s", Command::GoToScallop},    {"g", Command::GoToGouge},
+                                                       {"c", Command::ToggleCutter},   {"Right", Command::NextPoint},
+                                                       {"Left", Command::LastPoint},   {"Up", Command::NextTurn},
+                                                       {"Down", Command::LastTurn},    {"r", Command::ShowWhole},
+                                                       {"z", Command::LookDown},       {"a", Command::ChoosePlace},
+                                                       {"l", Command::DrawLasso},      {"p", Command::SavePicture},
+                                                       {"h", Command::ToggleKeys},     {"q", Command::Close},
+                                                       {"Escape", Command::Close}};
   const auto found = commands.find(key);
   return found == commands.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool
+needsPath(ViewerCommand command)
+{
+  constexpr Command others[] = {Command::ShowBoundaries, Command::ShowWhole,   Command::LookDown,   Command::ChoosePlace,
+                                Command::DrawLasso,      Command::SavePicture, Command::ToggleKeys, Command::Close};
+  return std::find(std::begin(others), std::end(others), command) == std::end(others);
 }
 
 void

@@ -28,6 +28,9 @@ enum class ViewerCommand {
   NextTurn,
   LastTurn,
   ShowWhole,
+  LookDown,
+  ChoosePlace,
+  DrawLasso,
   SavePicture,
   ToggleKeys,
   Close
@@ -35,6 +38,9 @@ enum class ViewerCommand {
 
 /** The command of a key, by the X name of the key; nothing for other keys. */
 std::optional<ViewerCommand> commandOf(const std::string& key);
+
+/** Whether a command shows or chooses something of a path. */
+bool needsPath(ViewerCommand command);
 
 /** Lists the keys in the right column, from \p below down; without \p all only the key of the list.
  */

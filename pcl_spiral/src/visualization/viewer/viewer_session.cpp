@@ -19,20 +19,29 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::chrono::milliseconds poll_interval(10);
+constexpr Color place_color{0.80, 0.0, 0.55};
 constexpr int message_bottom = 14, message_apart = 26, message_size = 18;
 
 } // namespace
 
 ViewerSession::ViewerSession(VerificationScene given)
-: scene(checkedScene(std::move(given))), surface(displaySurface(scene.part)), window(surface, "pcl_spiral: " + scene.part.title),
+: scene(checkedScene(std::move(given), false)), surface(displaySurface(scene.part)), window(surface, "pcl_spiral: " + scene.part.title),
   pages(scene, window), interactor(vtkSmartPointer<vtkRenderWindowInteractor>::New())
 {
   interactor->SetRenderWindow(window.window());
   interactor->SetInteractorStyle(style);
   style->pressed = [this](const std::string& key) { press(key); };
   style->clicked = [this](int x, int y) { click(x, y); };
-  style->moved = [this] { show(); };
-  style->zoomed = [this] { stale = true; };
+  style->moved = [this] {
+    window.setLasso({}); // it belongs to the view in which it was drawn
+    show();
+  };
+  style->zoomed = [this] {
+    window.setLasso({});
+    stale = true;
+  };
+  style->drawn = [this](int x, int y) { draw(x, y); };
+  style->closed = [this] { endLasso(); };
   window.setResized([this] { fill(); });
   vtkNew<vtkCallbackCommand> close; // the close button of the window
   close->SetClientData(this);
@@ -55,6 +64,8 @@ void
 ViewerSession::fill()
 {
   const int below = pages.fill(choice);
+  if (place)
+    window.addCircle(*place, place_color);
   addKeys(window.words(), window.page(), below, keys_listed);
   addText(window.words(), message, 30, message_bottom + (choice.point ? message_apart : 0), message_size);
   if (choice.point)
@@ -90,7 +101,12 @@ ViewerSession::press(const std::string& key)
   if (!command)
     return;
   message.clear();
-  obey(*command);
+  window.setLasso({});
+  style->lasso = false;
+  if (scene.part.path->empty() && needsPath(*command))
+    message = "there is no path: start again with the scan and a path";
+  else
+    obey(*command);
   if (*command != ViewerCommand::Close)
     show();
 }
@@ -136,6 +152,12 @@ ViewerSession::obey(ViewerCommand command)
     return stepTurn(-1.0);
   case ViewerCommand::ShowWhole:
     return window.reset();
+  case ViewerCommand::LookDown:
+    return window.lookDown();
+  case ViewerCommand::ChoosePlace:
+    return choosePlace(interactor->GetEventPosition()[0], interactor->GetEventPosition()[1]);
+  case ViewerCommand::DrawLasso:
+    return beginLasso();
   case ViewerCommand::SavePicture:
     return savePicture();
   case ViewerCommand::ToggleKeys:
@@ -227,6 +249,10 @@ ViewerSession::click(int x, int y)
   message.clear();
   if (choice.page == ViewerPage::Histogram)
     return;
+  if (scene.part.path->empty()) {
+    choosePlace(x, y);
+    return show();
+  }
   const ShownTurns shown = pages.turns(choice);
   const bool all = choice.page == ViewerPage::Stock || choice.page == ViewerPage::Boundaries;
   const auto found = pickPoint(
@@ -249,22 +275,6 @@ ViewerSession::pointInWords() const
     words += std::isnan(deviation) ? ", no surface there" : formatted(", deviation %+.4f mm", deviation);
   }
   return words;
-}
-
-void
-ViewerSession::savePicture()
-{
-  std::string file;
-  for (int i = 1; file.empty() || std::filesystem::exists(file); ++i)
-    file = picture_stem + "_" + std::to_string(i) + ".png";
-  show();
-  try {
-    writePNG(window.window(), file);
-    message = "saved " + file;
-  }
-  catch (const FileError& error) {
-    message = error.what();
-  }
 }
 
 } // namespace pcl_spiral

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "part_choosing.h"
 #include "viewer_keys.h"
 #include "viewer_pages.h"
 #include "viewer_style.h"
@@ -45,6 +46,9 @@ public:
   bool stale = false; ///< the page is for another distance of the camera
   std::string message, picture_stem = "view";
   std::function<bool()> close_wanted;
+  FileCoordinates in_file = [](const Eigen::Vector3d& place) { return place; };
+  std::function<std::string(const PartSelection&)> chosen = partInWords; ///< the message for a choice
+  std::optional<Eigen::Vector3d> place;                                  ///< of the scan, chosen
   vtkNew<ViewerStyle> style;
   vtkSmartPointer<vtkRenderWindowInteractor> interactor; ///< destroyed first: it uses all the others
 
@@ -58,8 +62,15 @@ private:
   void step(int points);
   void stepTurn(double turns);
   void savePicture();
+  void choosePlace(int x, int y);
+  void beginLasso();
+  void draw(int x, int y);
+  void endLasso();
   void choose(std::size_t point);
   std::string pointInWords() const;
+  std::string newFile(const std::string& kind) const;
+
+  std::vector<Eigen::Vector2d> lasso_; ///< pixels
 };
 
 } // namespace pcl_spiral

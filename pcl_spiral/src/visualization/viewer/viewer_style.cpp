@@ -24,16 +24,33 @@ ViewerStyle::OnKeyPress()
 }
 
 void
+ViewerStyle::OnMouseMove()
+{
+  if (drawing_)
+    drawn(Interactor->GetEventPosition()[0], Interactor->GetEventPosition()[1]);
+  else
+    Superclass::OnMouseMove();
+}
+
+void
 ViewerStyle::OnLeftButtonDown()
 {
   down_x_ = Interactor->GetEventPosition()[0];
   down_y_ = Interactor->GetEventPosition()[1];
-  Superclass::OnLeftButtonDown();
+  drawing_ = lasso;
+  if (drawing_)
+    drawn(down_x_, down_y_);
+  else
+    Superclass::OnLeftButtonDown();
 }
 
 void
 ViewerStyle::OnLeftButtonUp()
 {
+  if (drawing_) {
+    drawing_ = lasso = false;
+    return closed();
+  }
   Superclass::OnLeftButtonUp();
   const int x = Interactor->GetEventPosition()[0], y = Interactor->GetEventPosition()[1];
   if (std::abs(x - down_x_) < still && std::abs(y - down_y_) < still)

@@ -21,9 +21,14 @@ public:
   std::function<void(int x, int y)> clicked;           ///< without a drag; pixels from the lower left corner
   std::function<void()> moved;                         ///< the camera has stopped
   std::function<void()> zoomed;                        ///< by the wheel; more events may follow at once
+  std::function<void(int x, int y)> drawn;             ///< while the left button is down, if lasso is set
+  std::function<void()> closed;                        ///< the left button is up again, and lasso is not set any more
+
+  bool lasso = false; ///< the next drag with the left button draws and turns nothing
 
   void OnChar() override {}
   void OnKeyPress() override;
+  void OnMouseMove() override;
   void OnLeftButtonDown() override;
   void OnLeftButtonUp() override;
   void OnMiddleButtonUp() override;
@@ -37,6 +42,7 @@ protected:
 
 private:
   int down_x_ = 0, down_y_ = 0;
+  bool drawing_ = false;
 };
 
 } // namespace pcl_spiral

@@ -19,6 +19,7 @@ constexpr double side_margin = 136.0, top_margin = 130.0,
                  bottom_margin = 170.0; ///< pixels, for axes and text
 constexpr double axes_from = 0.4;       ///< of the scale of the whole part: with a nearer camera the axes are outside the view
 constexpr double scale_room = 160.0;
+constexpr Color lasso_color{0.80, 0.0, 0.55};
 constexpr int scale_left = 30, scale_bottom = 76;
 
 } // namespace
@@ -164,6 +165,30 @@ ViewerWindow::lookAt(const Eigen::Vector3d& place, const Eigen::Vector3d& normal
 }
 
 void
+ViewerWindow::lookDown()
+{
+  reset();
+  const Eigen::Vector3d middle = 0.5 * (surface_.low + surface_.high), eye = middle + 3.0 * size() * Eigen::Vector3d::UnitZ();
+  vtkCamera* const camera = view_->GetActiveCamera();
+  camera->SetFocalPoint(middle.data());
+  camera->SetPosition(eye.data());
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  const Eigen::Vector3d room = surface_.high - surface_.low;
+  const double pixel = std::max(room.x() / std::max(50.0, viewWidth() - 2.0 * side_margin),
+                                room.y() / std::max(50.0, page_.height - top_margin - bottom_margin));
+  camera->SetParallelScale(0.5 * page_.height * pixel);
+  readCamera();
+}
+
+Eigen::Vector3d
+ViewerWindow::placeAt(const Eigen::Vector2d& pixel) const
+{
+  const Eigen::Vector2d at = projection_.mm_per_pixel * (pixel - origin_);
+  const Eigen::Vector3d middle = 0.5 * (surface_.low + surface_.high), towards = projection_.towards();
+  return at.x() * projection_.right + at.y() * projection_.top + middle.dot(towards) * towards;
+}
+
+void
 ViewerWindow::readCamera()
 {
   vtkCamera* const camera = view_->GetActiveCamera();
@@ -208,6 +233,17 @@ ViewerWindow::beforeFrame()
     drawAxes(overlay_);
   for (const Mark& mark : marks_)
     addMark(overlay_, mark.marker, onScreen(mark.place), mark.color);
+  drawLasso();
+}
+
+void
+ViewerWindow::drawLasso()
+{
+  std::vector<std::array<Eigen::Vector2d, 2>> strokes;
+  for (std::size_t i = 0; i < lasso_.size(); ++i)
+    strokes.push_back({lasso_[i], lasso_[(i + 1) % lasso_.size()]});
+  if (!strokes.empty())
+    addStrokes(overlay_, strokes, lasso_color, 2.0f);
 }
 
 void

@@ -40,6 +40,12 @@ public:
   void reset();
   /** Shows \p across mm round a place, along \p normal. */
   void lookAt(const Eigen::Vector3d& place, const Eigen::Vector3d& normal, double across);
+  /** Shows the whole part along z, from above. */
+  void lookDown();
+  /** The place at \p pixel in the plane through the middle of the part that faces the viewer. */
+  Eigen::Vector3d placeAt(const Eigen::Vector2d& pixel) const;
+  /** A closed line over everything, pixels; empty: none. It stays until it is set again. */
+  void setLasso(const std::vector<Eigen::Vector2d>& corners) { lasso_ = corners; }
   /** Whether a place is in the view or within half a view beside it. */
   bool isNear(const Eigen::Vector3d& place) const override;
   void render();
@@ -60,6 +66,7 @@ private:
   void readCamera();
   void beforeFrame();
   void drawScale();
+  void drawLasso();
   int viewWidth() const; ///< pixels
   double size() const;   ///< of the part, mm
 
@@ -70,6 +77,7 @@ private:
   std::vector<vtkSmartPointer<vtkActor>> actors_, before_; ///< before_: removed by clear
   std::vector<Lifted> lifted_;
   std::vector<Mark> marks_;
+  std::vector<Eigen::Vector2d> lasso_;
   bool measures_ = false;
   double whole_scale_ = 1.0; ///< mm a pixel, of the whole part
   unsigned long observer_ = 0;

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Several regions of a scan in one run, each with its own path.
+ */
+#pragma once
+
+#include "part_choice.h"
+
+#include <pcl_spiral/io/file_error.h>
+
+#include <string>
+#include <vector>
+
+/** The options as given; their coordinates are those of the file of the scan. */
+struct RegionChoice {
+  std::vector<Eigen::Vector3d> places; ///< on separate parts
+  std::vector<std::string> polygons;   ///< files
+
+  /** Whether there are several regions, whatever is in the polygons. */
+  bool several() const { return places.size() > 1 || polygons.size() > 1; }
+};
+
+/** One region of a run. */
+struct NamedRegion {
+  PartChoice part;
+  std::string name; ///< such as "region 2 (--part-at 120,80,15)"; empty if it is the only one
+};
+
+/** --part-at, several times, --region, --crop, --keep-out */
+std::vector<Option> regionOptions(PartChoice& choice, RegionChoice& regions);
+
+/** Help of --part-at and --region, also for the programs that judge. */
+extern const char* const part_at_help;
+extern const char* const region_help;
+
+/** The files that are read for the choice. */
+std::vector<InputName> polygonFiles(const PartChoice& choice, const RegionChoice& regions);
+
+/** One region per polygon; of a polygon with places in it one per place, and without polygons one per place. All have the crop and the
+ *  keep-outs of \p choice. \throw UsageError for a place in no polygon, pcl_spiral::FileError */
+std::vector<NamedRegion> regionsOf(const PartChoice& choice, const RegionChoice& regions, const pcl_spiral::ReadOptions& read);
+
+/** Calls \p work for one region; errors that it throws name the region. */
+template <typename Work>
+auto
+inRegion(const std::string& name, Work work) -> decltype(work())
+{
+  if (name.empty())
+    return work();
+  try {
+    return work();
+  }
+  catch (const UsageError& error) {
+    throw UsageError(name + ": " + error.what());
+  }
+  catch (const pcl_spiral::FileError& error) {
+    throw pcl_spiral::FileError(name, error.what());
+  }
+}
+
+/** \p warnings with the name of their region. */
+std::vector<std::string> ofRegion(const std::string& name, std::vector<std::string> warnings);

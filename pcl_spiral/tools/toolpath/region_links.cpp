@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "region_links.h"
+
+#include "path_program.h"
+
+#include <pcl_spiral/verify/impl/false_echoes.h>
+
+#include <algorithm>
+
+using namespace pcl_spiral;
+
+namespace {
+
+/** The first and the last two poses of each pass: what decides how the tool comes and leaves. */
+std::vector<ToolPoses>
+passEnds(const Result& result)
+{
+  std::vector<ToolPoses> passes = ballPasses(*result.path, result.settings.tool_radius);
+  for (ToolPoses& pass : passes)
+    if (pass.size() > 4)
+      pass.erase(pass.begin() + 2, pass.end() - 2);
+  return passes;
+}
+
+} // namespace
+
+Eigen::AlignedBox3d
+boxToClear(const Job& job, const Result& result)
+{
+  Eigen::AlignedBox3d box;
+  if (!job.part.cuts() && job.regions.polygons.empty() && job.regions.places.empty())
+    return box;
+  std::vector<Eigen::Vector3f> points;
+  for (const pcl::PointXYZ& p : *result.whole_scan)
+    if (pcl::isFinite(p))
+      points.push_back(p.getVector3fMap());
+  for (const Eigen::Vector3f& p : withoutEchoes(points, largest_echo))
+    box.extend(p.cast<double>());
+  return box;
+}
+
+RegionLinks
+checkedLinks(const Job& job, Result& result)
+{
+  std::vector<std::string> unused; // warnings about a machine that is not asked for
+  const MachineProgram program = freeProgram(job, xyzacTrunnion(), passEnds(result), result, unused);
+  return linksOf(result, program);
+}
+
+RegionLinks
+linksOf(const Result& result, const MachineProgram& program)
+{
+  RegionLinks links{result.regions.size() - 1, 0.0};
+  bool begun = false;
+  for (const ProgramBlock& block : program.blocks) {
+    if (block.section != BlockSection::Position)
+      continue;
+    links.height = begun ? std::max(links.height, block.tip.z()) : block.tip.z();
+    begun = true;
+  }
+  return links;
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "region_passes.h"
+
+#include <pcl_spiral/core/impl/pass_ranges.h>
+
+#include <algorithm>
+#include <limits>
+
+using namespace pcl_spiral;
+
+namespace {
+
+constexpr std::size_t most_places = 1000; // of a pass that are looked at
+
+/** Feed moves between two rapids: the block before the first, and the last. */
+struct FeedRun {
+  std::size_t before = 0, last = 0;
+};
+
+std::vector<FeedRun>
+feedRuns(const MachineProgram& program)
+{
+  std::vector<FeedRun> runs;
+  for (std::size_t i = 1; i < program.blocks.size(); ++i) {
+    if (program.blocks[i].rapid)
+      continue;
+    if (i == 1 || program.blocks[i - 1].rapid)
+      runs.push_back({i - 1, i});
+    runs.back().last = i;
+  }
+  return runs;
+}
+
+} // namespace
+
+RegionPasses::RegionPasses(const std::vector<std::shared_ptr<const ReferenceSurface>>& references)
+{
+  for (const auto& reference : references) {
+    std::vector<Eigen::Vector3f> points;
+    for (std::size_t i = 0; i < reference->scanned().size(); ++i)
+      points.push_back(reference->scanned().position(i).cast<float>());
+    points_.push_back(std::make_unique<PointBlocks>(std::move(points)));
+  }
+}
+
+std::size_t
+RegionPasses::regionOf(const std::vector<Eigen::Vector3d>& places) const
+{
+  std::vector<std::size_t> votes(points_.size(), 0);
+  const std::size_t step = places.size() / most_places + 1;
+  for (std::size_t i = 0; i < places.size(); i += step) {
+    double least = std::numeric_limits<double>::max();
+    std::size_t nearest = 0;
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      const double distance = (points_[k]->position(points_[k]->nearest(places[i])) - places[i]).squaredNorm();
+      if (distance < least) {
+        least = distance;
+        nearest = k;
+      }
+    }
+    ++votes[nearest];
+  }
+  return static_cast<std::size_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());
+}
+
+ToolpathFile
+RegionPasses::of(std::size_t region, const ToolpathFile& file) const
+{
+  ToolpathFile own;
+  for (const PassRange& pass : passRanges(passBegins(file.path), file.path.size())) {
+    std::vector<Eigen::Vector3d> places;
+    for (std::size_t i = pass.begin; i < pass.end; ++i)
+      places.push_back(file.path[i].getVector3fMap().cast<double>());
+    if (regionOf(places) != region)
+      continue;
+    const double gap = own.path.empty() ? 0.0 : own.path.back().arc_length - file.path[pass.begin].arc_length;
+    for (std::size_t i = pass.begin; i < pass.end; ++i) {
+      own.path.push_back(file.path[i]);
+      own.path.back().arc_length += gap; // none is added on the way from pass to pass
+      if (!file.feed.empty())
+        own.feed.push_back(file.feed[i]);
+      if (!file.tips.empty())
+        own.tips.push_back(file.tips[i]);
+    }
+  }
+  return own;
+}
+
+std::vector<std::size_t>
+RegionPasses::of(std::size_t region, const MachineProgram& program) const
+{
+  std::vector<std::size_t> blocks;
+  for (const FeedRun& run : feedRuns(program)) {
+    std::vector<Eigen::Vector3d> tips;
+    for (std::size_t i = run.before; i <= run.last; ++i)
+      tips.push_back(program.blocks[i].tip);
+    if (regionOf(tips) == region)
+      for (std::size_t i = run.before; i <= run.last; ++i)
+        blocks.push_back(i);
+  }
+  return blocks;
+}
