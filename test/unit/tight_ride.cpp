@@ -215,6 +215,21 @@ TEST(TightRideOf, ABallThatReachesLessThanHalfIsRefusedAndTheRemedyWorks)
   EXPECT_TRUE(spiral.getStatus().ok()) << spiral.getStatus().message();
 }
 
+/** Oblique sections of the hollow must not make all turns closer: at even step-overs of the plane, the area needs this length. */
+TEST_P(TightRide, IsNotMuchLongerThanTheAreaNeeds)
+{
+  const double slope = 0.7, fillet = 3.0, ball = 6.0, half_width = 20.0, reach = 20.0;
+  const Made made = pathOver(valley(slope, fillet, reach, half_width).scan(0.5, 0.0, 11), GetParam(), ball);
+  ASSERT_FALSE(made.path->empty());
+  double length = 0.0;
+  for (std::size_t i = 1; i < made.path->size(); ++i)
+    length += ((*made.path)[i].getVector3fMap() - (*made.path)[i - 1].getVector3fMap()).norm();
+  const double side = fillet * slope + (reach - fillet * std::sin(slope)) / std::cos(slope);
+  const double needed = 2.0 * side * 2.0 * half_width / (2.0 * std::sqrt(scallop * (2.0 * ball - scallop)));
+  std::printf("  %.0f mm long, %.2f times what the area needs\n", length, length / needed);
+  EXPECT_LT(length, 1.6 * needed);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, TightRide, ::testing::Values(SpiralMethod::Radial, SpiralMethod::ConstantScallop));
 
 TEST(TightRideOf, TheSamePartInAnyOrderOrPlaceLeavesTheSame)
