@@ -81,6 +81,7 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, con
   settings.tips = judged.tips;
   settings.side = part.side;
   settings.part_at = part.chosen.part_at;
+  settings.clusters = job.part.clusters;
   settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
   if (part.mesh && part.mesh->counts().closed) // only the faces that the path touches are judged
     reference.reset();

@@ -184,13 +184,14 @@ groupsOf(const std::vector<Eigen::Vector3f>& points, const std::vector<std::uint
       boxes.emplace_back();
     }
     StandingCluster& own = groups[group[i]];
-    own.points.push_back(members[i]);
+    own.indices.push_back(members[i]);
+    own.positions.push_back(points[i]);
     own.place += points[i].cast<double>();
     own.height = std::max(own.height, heights[i]);
     boxes[group[i]].extend(points[i].cast<double>());
   }
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    groups[g].place /= static_cast<double>(groups[g].points.size());
+    groups[g].place /= static_cast<double>(groups[g].indices.size());
     groups[g].size = boxes[g].diagonal().norm();
   }
   return groups;
@@ -231,7 +232,7 @@ standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& po
   const std::size_t least = leastCluster(groups, reach);
   const auto isFar = [&](std::uint32_t i) { return heights[i].value > far_over_noise * std::max(heights[i].noise, noise); };
   for (const StandingCluster& group : groups)
-    if (group.points.size() >= least && std::count_if(group.points.begin(), group.points.end(), isFar) > 1)
+    if (group.indices.size() >= least && std::count_if(group.indices.begin(), group.indices.end(), isFar) > 1)
       found.clusters.push_back(group);
   std::stable_sort(found.clusters.begin(), found.clusters.end(),
                    [](const StandingCluster& a, const StandingCluster& b) { return a.height > b.height; });
@@ -245,11 +246,20 @@ clustersText(const std::vector<StandingCluster>& clusters)
   const std::size_t count = clusters.size();
   std::string list = textOf(count, count == 1 ? " cluster of points stands" : " clusters of points stand", " off the surface: ");
   for (std::size_t i = 0; i < std::min(count, most_named); ++i)
-    list += textOf(i > 0 ? ", " : "", clusters[i].points.size(), " points at ", placeText(clusters[i].place), ", ", clusters[i].size,
+    list += textOf(i > 0 ? ", " : "", clusters[i].indices.size(), " points at ", placeText(clusters[i].place), ", ", clusters[i].size,
                    " mm across and ", clusters[i].height, " mm high");
   if (count > most_named)
     list += textOf(" and ", count - most_named, " more");
   return list;
+}
+
+Status
+refusalOf(const std::vector<StandingCluster>& clusters)
+{
+  return {StatusCode::InvalidInput,
+          clustersText(clusters) +
+              "; a path would go through what is there: take it off and scan again, keep the cutter out of there (addKeepOut), ride over "
+              "it (setClusterHandling with Ride), or leave the points out if they are false echoes (setClusterHandling)"};
 }
 
 } // namespace pcl_spiral

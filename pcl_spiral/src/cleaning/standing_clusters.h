@@ -4,28 +4,21 @@
  */
 #pragma once
 
+#include <pcl_spiral/cleaning/standing_cluster.h>
+#include <pcl_spiral/common/status.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace pcl_spiral {
 
-/** Points near each other that stand off the surface: a screw, a clamp, spatter. Lengths in mm. */
-struct StandingCluster {
-  std::vector<std::uint32_t> points;               ///< indices of those given
-  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< its mean
-  double size = 0.0;                               ///< diagonal of its box
-  double height = 0.0;                             ///< of its highest point over the surface
-};
-
 /** Heights of points over a surface, and what can be seen from them. */
 struct StandingPoints {
-  std::vector<StandingCluster> clusters; ///< the highest first
+  std::vector<StandingCluster> clusters; ///< the highest first; their indices are among the points given
   double median_height = 0.0;            ///< of all points over the surface, without sign
   double largest_height = 0.0;           ///< without sign
 };
@@ -43,5 +36,8 @@ StandingPoints standingPoints(const SurfaceGraph& graph, const std::vector<Eigen
 
 /** "9 clusters of points stand off the surface: 6 points at (1, 2, 3), 10 mm across and 5.4 mm high, ... and 5 more" */
 std::string clustersText(const std::vector<StandingCluster>& clusters);
+
+/** Refuses a scan with \p clusters, with what can be done about them. */
+Status refusalOf(const std::vector<StandingCluster>& clusters);
 
 } // namespace pcl_spiral

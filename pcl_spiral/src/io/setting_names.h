@@ -33,8 +33,8 @@ struct ChoiceNames<LengthUnit> {
 };
 template <>
 struct ChoiceNames<ClusterHandling> {
-  static constexpr std::array<std::pair<ClusterHandling, const char*>, 2> words{
-      {{ClusterHandling::Refuse, "refuse"}, {ClusterHandling::LeaveOut, "leave-out"}}};
+  static constexpr std::array<std::pair<ClusterHandling, const char*>, 3> words{
+      {{ClusterHandling::Refuse, "refuse"}, {ClusterHandling::Ride, "ride"}, {ClusterHandling::LeaveOut, "leave-out"}}};
 };
 template <>
 struct ChoiceNames<BoundaryMode> {

@@ -34,6 +34,12 @@ pointAreas(const SurfaceGraph& graph)
   return areas;
 }
 
+bool
+isNear(const PointBlocks& points, const Eigen::Vector3d& place, double distance)
+{
+  return points.size() > 0 && (points.position(points.nearest(place)) - place).norm() <= distance;
+}
+
 } // namespace
 
 double
@@ -42,10 +48,11 @@ reachTolerance(const MlsSurface& fit, double least)
   return std::max(least, deviations * fit.fitNoise());
 }
 
-BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance)
+BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance, const BallObstacles& obstacles)
 : radius_(radius), tolerance_(std::min(tolerance, 0.1 * radius)), own_(own_spacings * graph.spacing()), side_(graph.meanNormal())
 {
   fitPatches(graph, fit);
+  setObstacles(obstacles);
   findUnreached(graph);
   if (!unreached_.empty())
     averageNormals();
@@ -91,17 +98,20 @@ BallReach::findUnreached(const SurfaceGraph& graph)
 {
   const auto size = static_cast<std::int64_t>(place_.size());
   std::vector<float> reaches(place_.size());
+  std::vector<std::uint8_t> covered(place_.size());
 #pragma omp parallel for schedule(dynamic, 1024)
-  for (std::int64_t i = 0; i < size; ++i)
+  for (std::int64_t i = 0; i < size; ++i) {
     reaches[i] = static_cast<float>(reach(position(i), normal(i)));
+    covered[i] = isCovered(i);
+  }
   const auto whole = static_cast<float>(radius_);
-  if (std::none_of(reaches.begin(), reaches.end(), [whole](float r) { return r < whole; }))
-    return;
-  const std::vector<float> areas = pointAreas(graph);
+  std::vector<float> areas;
   std::vector<Eigen::Vector3f> places;
   for (std::size_t i = 0; i < reaches.size(); ++i)
-    if (reaches[i] < whole) {
-      unreached_.push_back({static_cast<std::uint32_t>(i), reaches[i], areas[i]});
+    if (reaches[i] < whole || covered[i] != 0) {
+      if (areas.empty())
+        areas = pointAreas(graph);
+      unreached_.push_back({static_cast<std::uint32_t>(i), reaches[i], areas[i], covered[i] != 0});
       places.push_back(feet_.point(place_[i]));
     }
   unreached_feet_ = PointBlocks(std::move(places));
@@ -110,7 +120,13 @@ BallReach::findUnreached(const SurfaceGraph& graph)
 bool
 BallReach::isNearUnreached(const Eigen::Vector3d& place, double distance) const
 {
-  return !unreached_.empty() && (unreached_feet_.position(unreached_feet_.nearest(place)) - place).norm() <= distance;
+  return isNear(unreached_feet_, place, distance);
+}
+
+bool
+BallReach::isNearObstacle(const Eigen::Vector3d& place, double distance) const
+{
+  return isNear(obstacles_, place, distance);
 }
 
 Eigen::Vector3d
@@ -130,7 +146,7 @@ BallReach::nearestOn(std::size_t place, const Eigen::Vector3d& from) const
 }
 
 bool
-BallReach::nearest(const Eigen::Vector3d& from, double within, Eigen::Vector3d& point, const Eigen::Vector3d* own) const
+BallReach::nearestOnSurface(const Eigen::Vector3d& from, double within, Eigen::Vector3d& point, const Eigen::Vector3d* own) const
 {
   if (!(within > 0.0))
     return false;
@@ -165,7 +181,7 @@ BallReach::reach(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal) con
 {
   double radius = radius_;
   Eigen::Vector3d point;
-  for (int i = 0; i < most_shrinks && nearest(foot + radius * normal, radius - tolerance_, point, &foot); ++i) {
+  for (int i = 0; i < most_shrinks && nearestOnSurface(foot + radius * normal, radius - tolerance_, point, &foot); ++i) {
     // The ball that touches at the foot and has the point as deep in it as the tolerance.
     const Eigen::Vector3d apart = point - foot;
     const double rise = apart.dot(normal) - tolerance_;

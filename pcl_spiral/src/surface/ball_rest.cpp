@@ -165,7 +165,7 @@ BallReach::centre(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal) co
   const double largest = reach(foot, normal);
   const Eigen::Vector3d target = foot + largest * normal;
   if (largest >= radius_)
-    return target;
+    return overObstacles(target, normal);
   Eigen::Vector3d free;
   for (const double radii : around)
     if (isFreeAlong(target, wayOut(target, radii * radius_), free))

@@ -75,6 +75,16 @@ checkSingleSheet(const Surface& surface)
                  smoothingRemedy(surface.noise()))};
 }
 
+std::vector<Eigen::Vector3f>
+Surface::riddenPoints() const
+{
+  std::vector<Eigen::Vector3f> points;
+  if (settings().clusters == ClusterHandling::Ride)
+    for (const StandingCluster& cluster : clusters())
+      points.insert(points.end(), cluster.positions.begin(), cluster.positions.end());
+  return points;
+}
+
 void
 dropTriangulation(const Surface::ConstPtr& surface)
 {

@@ -8,6 +8,7 @@
 #include <pcl_spiral/surface/impl/side_text.h>
 
 #include "cleaning/standing_clusters.h"
+#include "count_warnings.h"
 #include "part_choice.h"
 
 #include <algorithm>
@@ -36,12 +37,6 @@ middleOf(const Box& box)
 {
   return 0.5 * (Eigen::Map<const Eigen::Vector3f>(box.low.data()).cast<double>() +
                 Eigen::Map<const Eigen::Vector3f>(box.high.data()).cast<double>());
-}
-
-const char*
-plural(std::size_t count, const char* one, const char* more)
-{
-  return count == 1 ? one : more;
 }
 
 /** The work of makeSurface. */
@@ -187,36 +182,51 @@ private:
     return build(std::move(points));
   }
 
+  /** Find clusters among the points left out and those that are doubtful. \p apart: one flag per point of the graph, 1 in a cluster. */
+  void findClusters(std::vector<std::uint8_t>& apart)
+  {
+    const auto& doubtful = parts_.graph.doubtfulPoints();
+    std::vector<std::uint32_t> given;
+    for (std::uint32_t i = 0; i < why_.size(); ++i)
+      if (why_[i] == static_cast<std::int8_t>(LeftOut::Isolated) || why_[i] == static_cast<std::int8_t>(LeftOut::Speck))
+        given.push_back(i);
+    const std::size_t outliers = given.size();
+    for (const std::uint32_t i : doubtful)
+      given.push_back(placeOf(parts_.graph.blocks().originalIndex(i)));
+    std::vector<Eigen::Vector3f> points;
+    for (const std::uint32_t i : given)
+      points.push_back(all_[i]);
+    parts_.clusters = standingPoints(parts_.graph, points).clusters;
+    apart.assign(parts_.graph.size(), 0);
+    for (StandingCluster& cluster : parts_.clusters)
+      for (std::uint32_t& i : cluster.indices) {
+        if (i >= outliers)
+          apart[doubtful[i - outliers]] = 1;
+        i = given[i];
+      }
+  }
+
   /** Refuse clusters on the surface, leave them out, or warn of them. */
   Status checkClusters()
   {
-    std::vector<Eigen::Vector3f> points;
-    for (std::size_t i = 0; i < why_.size(); ++i)
-      if (why_[i] == static_cast<std::int8_t>(LeftOut::Isolated) || why_[i] == static_cast<std::int8_t>(LeftOut::Speck))
-        points.push_back(all_[i]);
-    const std::size_t outliers = points.size();
-    const auto& doubtful = parts_.graph.doubtfulPoints();
-    for (const std::uint32_t i : doubtful)
-      points.push_back(parts_.graph.blocks().point(i));
-    const std::vector<StandingCluster> found = standingPoints(parts_.graph, points).clusters;
-    if (found.empty())
-      return Status::success();
-    const std::string text = clustersText(found);
-    if (settings_.clusters == ClusterHandling::Refuse && settings_.strict)
-      return {StatusCode::InvalidInput,
-              text + "; a path would go through what is there: take it off and scan again, keep the cutter out of there (addKeepOut), "
-                     "or leave the points out if they are false echoes (setClusterHandling)"};
-    parts_.warnings.push_back(text + "; a path may go through what is there");
-    if (settings_.clusters == ClusterHandling::Refuse)
-      return Status::success();
-    std::vector<std::uint8_t> apart(parts_.graph.size(), 0);
-    for (const StandingCluster& cluster : found)
-      for (const std::uint32_t i : cluster.points)
-        if (i >= outliers)
-          apart[doubtful[i - outliers]] = 1;
-    const auto left_out = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
-    parts_.counts.speck += left_out;
-    return left_out > 0 ? keepPart(apart, LeftOut::Speck) : Status::success();
+    constexpr int most_rounds = 4; // without the others, a last point of a cluster is seen to stand off, too
+    for (int round = 0; round < most_rounds; ++round) {
+      std::vector<std::uint8_t> apart;
+      findClusters(apart);
+      if (!parts_.clusters.empty() && settings_.clusters == ClusterHandling::Refuse && settings_.strict)
+        return refusalOf(parts_.clusters);
+      const auto left_out = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
+      if (left_out == 0 || settings_.clusters == ClusterHandling::Refuse)
+        break;
+      parts_.counts.speck += left_out;
+      if (const Status status = keepPart(apart, LeftOut::Speck); !status.ok())
+        return status;
+    }
+    if (!parts_.clusters.empty())
+      parts_.warnings.push_back(clustersText(parts_.clusters) + (settings_.clusters == ClusterHandling::Ride
+                                                                     ? "; the ball rides over what is there"
+                                                                     : "; a path may go through what is there"));
+    return Status::success();
   }
 
   void finish()
@@ -225,19 +235,8 @@ private:
     counts.used = parts_.graph.size();
     parts_.settings = settings_;
     parts_.side = parts_.graph.side();
-    if (counts.surplus > 0)
-      parts_.warnings.push_back(textOf(counts.surplus,
-                                       " surplus points were left out: they lie much closer to each other than to "
-                                       "the next scan line, or than points in the sparser part beside them; the path follows the others, ",
-                                       parts_.graph.spacing(), " mm apart"));
-    if (const std::size_t off = counts.strays(); off > 0) {
-      std::string message = textOf(off, plural(off, " outlier ", " outliers "), plural(off, "was", "were"), " left out: ");
-      if (counts.isolated > 0)
-        message += textOf(counts.isolated, " isolated");
-      if (counts.speck > 0)
-        message += textOf(counts.isolated > 0 ? ", " : "", counts.speck, " in clusters apart from the surface");
-      parts_.warnings.push_back(message);
-    }
+    for (std::string& warning : countWarnings(counts, parts_.graph.spacing()))
+      parts_.warnings.push_back(std::move(warning));
     for (std::string& warning : sideWarnings(parts_.side))
       parts_.warnings.push_back(std::move(warning));
   }
@@ -272,6 +271,7 @@ addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges
   parts.input_size = surface->inputSize();
   parts.side = surface->side();
   parts.warnings = surface->warnings();
+  parts.clusters = surface->clusters();
   SurfaceGraphOptions options = graphOptions(parts.settings);
   options.flip_normals = false; // the outer side is that of the surface given
   options.given_normals = surface->graph().normals();

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t chunk = 1u << 16; // places between progress reports
 constexpr double noise_share = 0.1;     // of the chord error, and
+constexpr double moves_share = 2.0;     // of the chord error: how far a path over clusters keeps from their points
 constexpr double fit_share = 5.0;       // of the noise of the fit: depth of a ball that does not count
 constexpr std::size_t block = 32;       // consecutive places: the move found at one is tried first at the next
 
@@ -39,7 +40,8 @@ private:
     const double radius = settings.corner_radius.value_or(settings.tool_radius);
     const double noise = std::max(noise_share * settings.chord_error, fit_share * reference.fitNoise());
     return radius > 0.0
-               ? std::make_unique<BallReach>(reference.graph(), reference.surface(), radius, reachTolerance(reference.surface(), noise))
+               ? std::make_unique<BallReach>(reference.graph(), reference.surface(), radius, reachTolerance(reference.surface(), noise),
+                                             BallObstacles{reference.scanned().riddenPoints(), moves_share * settings.chord_error})
                : nullptr;
   }
   void count(std::size_t i, const SampleResult& result);

@@ -2,6 +2,7 @@
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/verify/impl/reference_surface.h>
 
+#include "cleaning/standing_clusters.h"
 #include "surface/noise_warning.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/frame.h>
@@ -40,6 +41,10 @@ ReferenceSurface::ReferenceSurface(Surface::ConstPtr surface)
 {
   if (strayPoints() > 0)
     warnings_.push_back(textOf(strayPoints(), " isolated outliers of the reference were left out"));
+  if (const std::vector<StandingCluster>& clusters = scanned_->clusters(); !clusters.empty())
+    warnings_.push_back(clustersText(clusters) + (scanned_->settings().clusters == ClusterHandling::Ride
+                                                      ? "; the ball must ride over what is there"
+                                                      : "; what is there is not judged (setClusterHandling)"));
   for (const std::string& warning : sideWarnings(scanned_->side()))
     warnings_.push_back(warning);
   findRim();

@@ -57,7 +57,8 @@ RemovalSampler::zoneOf(const SurfaceFoot& foot, const Eigen::Vector3d& position,
 {
   if (reference_.inCreaseBand(position))
     return Zone::Crease;
-  if (ball_ && ball_->isNearUnreached(position, reference_.graph().spacing()))
+  if (ball_ && (ball_->isNearUnreached(position, reference_.graph().spacing()) ||
+                ball_->isNearObstacle(position + ball_->radius() * foot.normal, ball_->radius() + step))) // a turn beside it may be lifted
     return Zone::Unreached;
   return foot.overhang > 0.0 || reference_.rimDistance(position, step) < step ? Zone::Rim : Zone::Main;
 }

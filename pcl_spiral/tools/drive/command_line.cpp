@@ -38,6 +38,7 @@ files(Job& job)
   addOptions(group, readOptions(job));
   addOptions(group, scanOptions(job));
   addOptions(group, placeOptions(job.choice));
+  addOptions(group, {clustersOption(job.choice)});
   addOptions(group, {configOption(job)});
   return group;
 }

@@ -83,7 +83,7 @@ completeScallop(Job& job)
 void
 requireMeshMeant(const Job& job)
 {
-  for (const char* option : {"columns", "leave-out-strays", "largest", "thin", "view-point", "part-at", "crop", "keep-out"})
+  for (const char* option : {"columns", "leave-out-strays", "largest", "thin", "view-point", "part-at", "crop", "keep-out", "clusters"})
     if (job.mesh && isGiven(job, option))
       throw UsageError(std::string("--") + option + ": belongs to scans, and --mesh uses the faces of a mesh; leave one of them out");
   for (const char* option : {"crease-angle", "no-gouge-check"})

@@ -108,7 +108,7 @@ plan(const Job& job)
     }
   }
   else {
-    surface = readScan(job, bar, result, clock);
+    surface = heedClusters(job, bar, readScan(job, bar, result, clock), result);
     warnOfSide(job, result);
   }
   const DrivePasses passes = drivePasses(job, surface, bar, result);

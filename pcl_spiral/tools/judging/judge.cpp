@@ -32,6 +32,7 @@ prepare(Judge& judge, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, cons
     return; // oriented already
   if (settings.part_at)
     judge.setPartAt(*settings.part_at);
+  judge.setClusterHandling(settings.clusters);
   judge.setFlipNormals(settings.flip_normals);
   setSide(settings.side, judge);
 }

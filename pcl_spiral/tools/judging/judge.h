@@ -23,6 +23,7 @@ struct JudgeSettings {
   pcl_spiral::SurfaceMesh::ConstPtr mesh = nullptr; ///< to judge by instead of a scan; null: by the scan
   double sample_spacing = 0.0;                      ///< of its samples, mm; 0: chosen automatically
   std::optional<Eigen::Vector3d> part_at;           ///< of several separate parts judge by the one nearest to this place
+  pcl_spiral::ClusterHandling clusters = pcl_spiral::ClusterHandling::Ride; ///< what clusters of points on the part are
 };
 
 /** Values behind the figures, mm; see DeviationEstimation and MaterialRemoval. */

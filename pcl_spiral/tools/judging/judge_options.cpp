@@ -69,7 +69,10 @@ addPartOptions(po::options_description& options)
       "polygon of a region, as given for the path; once for each region, which are judged one by one: --region left.txt")(
       "crop", value("BOX|FILE"), "only points inside are part of the scan, as given for the path: --crop 0,200,0,150")(
       "keep-out", values("FILE"),
-      "polygon whose space the cutter must not enter, as given for the path; may be given several times: --keep-out clamp.txt");
+      "polygon whose space the cutter must not enter, as given for the path; may be given several times: --keep-out clamp.txt")(
+      "clusters", value("ride|leave-out"),
+      "two or more points near each other that stand off the surface: the cutter must ride over them, or they are false echoes; default "
+      "ride: --clusters leave-out");
 }
 
 PartChoice
@@ -80,6 +83,11 @@ partChoice(const po::variables_map& given)
     choice.crop = given["crop"].as<std::string>();
   if (given.count("keep-out") > 0)
     choice.keep_outs = given["keep-out"].as<std::vector<std::string>>();
+  choice.clusters = pcl_spiral::ClusterHandling::Ride;
+  if (given.count("clusters") > 0)
+    choice.clusters = choiceValue<pcl_spiral::ClusterHandling>("clusters", given["clusters"].as<std::string>());
+  require(choice.clusters != pcl_spiral::ClusterHandling::Refuse,
+          "--clusters refuse: a path is judged in any case; give ride, or leave-out for false echoes");
   return choice;
 }
 
@@ -162,7 +170,7 @@ meshOptions(const po::variables_map& given)
   const bool mesh = given.count("mesh") > 0;
   for (const char* name : {"crease-angle", "sample-spacing"})
     require(mesh || given.count(name) == 0, "--" + std::string(name) + " belongs to meshes; add --mesh, or leave it out");
-  for (const char* name : {"columns", "view-point", "part-at", "region", "crop", "keep-out"})
+  for (const char* name : {"columns", "view-point", "part-at", "region", "crop", "keep-out", "clusters"})
     require(!mesh || given.count(name) == 0, "--" + std::string(name) +
                                                  " belongs to scans; the faces of a mesh define its side: leave "
                                                  "it out, or turn the mesh over (--flip-normals)");

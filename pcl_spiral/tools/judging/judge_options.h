@@ -30,7 +30,7 @@ void addScanOptions(boost::program_options::options_description& options);
  * --scallop, --chord-error, --view-point, --flip-normals */
 void addCutterOptions(boost::program_options::options_description& options, const char* radius_meaning);
 
-/** --part-at, --region, --crop, --keep-out */
+/** --part-at, --region, --crop, --keep-out, --clusters */
 void addPartOptions(boost::program_options::options_description& options);
 
 /** Crop and keep-outs. */

@@ -116,9 +116,12 @@ faultsBeside(const JudgedPart& part, const Surface& reference, const pcl::PointC
   for (std::size_t i = 0; !part.mesh && i < reference.leftOut().why.size(); ++i)
     if (reference.leftOut().why[i] == LeftOut::OtherPart)
       beside.push_back(reference.leftOut().positions[i]);
-  std::string words;
-  if (const auto cut = cutBeside(beside, path, settings, words); cut && cut->depth > allowed)
-    faults.push_back(
-        textOf(words, " cuts ", cut->depth, " mm into the scan at ", placeText(cut->place), ", beside the part that was chosen"));
+  const auto requireClear = [&](const std::vector<Eigen::Vector3f>& points, const char* where) {
+    std::string words;
+    if (const auto cut = cutBeside(points, path, settings, words); cut && cut->depth > allowed)
+      faults.push_back(textOf(words, " cuts ", cut->depth, " mm into the scan at ", placeText(cut->place), where));
+  };
+  requireClear(beside, ", beside the part that was chosen");
+  requireClear(reference.riddenPoints(), ", where a cluster of points stands on the part");
   return faults;
 }

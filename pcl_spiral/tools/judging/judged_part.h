@@ -35,7 +35,8 @@ std::vector<JudgedPart> readParts(const std::string& file, const pcl_spiral::Rea
                                   const ScanSide& side, const JudgedRegion& asked);
 
 /** What is wrong where the path meets the limits of the part: its cutter enters a keep-out, or cuts into the scan beside, also into the
- *  parts that \p reference leaves out. Empty: nothing. \p settings: cutter and tips. \p allowed: depth of a cut that counts as none, mm. */
+ *  parts that \p reference leaves out and the clusters that stand on it. Empty: nothing. \p settings: cutter and tips.
+ *  \p allowed: depth of a cut that counts as none, mm. */
 std::vector<std::string> faultsBeside(const JudgedPart& part, const pcl_spiral::Surface& reference,
                                       const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
                                       double allowed);

@@ -3,6 +3,7 @@
 #include "terminal/scan_places.h"
 #include "terminal/setter_names.h"
 
+#include "cleaning/standing_clusters.h"
 #include <pcl_spiral/cleaning/stray_removal.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
@@ -11,9 +12,25 @@
 
 #include <pcl/common/io.h>
 
+#include <cstdint>
+#include <vector>
+
 using namespace pcl_spiral;
 
 namespace {
+
+/** Keeps the points of the scan with these \p indices. */
+void
+keepOnly(const pcl::Indices& indices, PassResult& result)
+{
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr kept(new pcl::PointCloud<pcl::PointXYZ>);
+  pcl::copyPointCloud(*result.scan.cloud, indices, *kept);
+  if (const auto normals = result.scan.normals) {
+    result.scan.normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+    pcl::copyPointCloud(*normals, indices, *result.scan.normals);
+  }
+  result.scan.cloud = kept;
+}
 
 /** Removes the outliers from the scan, with a warning. */
 void
@@ -22,7 +39,6 @@ leaveOutStrays(const PassJob& job, PassResult& result)
   StrayRemoval<pcl::PointXYZ> removal;
   removal.setNumberOfThreads(job.threads);
   removal.setInputCloud(result.scan.cloud);
-  const pcl::PointCloud<pcl::PointXYZ>::Ptr kept(new pcl::PointCloud<pcl::PointXYZ>);
   pcl::Indices indices;
   removal.filter(indices);
   require(job.scan, removal.getStatus());
@@ -33,12 +49,7 @@ leaveOutStrays(const PassJob& job, PassResult& result)
                                      "group has ",
                                      f.largest_group, ", at ", placeText(f.largest_group_place),
                                      f.largest_group > largest_echo ? ": such a group is not a false echo; check what is there" : ""));
-  pcl::copyPointCloud(*result.scan.cloud, indices, *kept);
-  if (const auto normals = result.scan.normals) {
-    result.scan.normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
-    pcl::copyPointCloud(*normals, indices, *result.scan.normals);
-  }
-  result.scan.cloud = kept;
+  keepOnly(indices, result);
 }
 
 /** The surface of the scan; null if the points form none. */
@@ -50,6 +61,7 @@ surfaceOf(const PassJob& job, ProgressBar& bar, const PassResult& result)
   scanned.setStrict(false); // a rough surface is accepted, with a warning
   scanned.setQuiet(true);
   setSurface(job, scanned);
+  scanned.setClusterHandling(job.choice.clusters);
   if (result.chosen.part_at)
     scanned.setPartAt(*result.chosen.part_at);
   setSide(result.asked_side, scanned);
@@ -100,4 +112,29 @@ readScan(const PassJob& job, ProgressBar& bar, PassResult& result, StageClock& c
     result.side = surface->side();
   clock.end("surface");
   return surface;
+}
+
+Surface::ConstPtr
+heedClusters(const PassJob& job, ProgressBar& bar, const Surface::ConstPtr& surface, PassResult& result)
+{
+  if (!surface || surface->clusters().empty())
+    return surface;
+  if (job.choice.clusters == ClusterHandling::Refuse)
+    require(job.scan, refusalOf(surface->clusters()));
+  const bool rides = job.choice.clusters == ClusterHandling::Ride;
+  result.warnings.push_back(clustersText(surface->clusters()) + (rides
+                                                                     ? "; the cutter rides over what is there"
+                                                                     : "; they were left out, and the cutter goes through what is there"));
+  if (rides)
+    return surface; // locations stay clear of every point of the scan
+  std::vector<std::uint8_t> stands(result.scan.cloud->size(), 0);
+  for (const StandingCluster& cluster : surface->clusters())
+    for (const std::uint32_t i : cluster.indices)
+      stands[i] = 1;
+  pcl::Indices others;
+  for (std::size_t i = 0; i < stands.size(); ++i)
+    if (stands[i] == 0)
+      others.push_back(static_cast<int>(i));
+  keepOnly(others, result);
+  return surfaceOf(job, bar, result);
 }

@@ -42,3 +42,8 @@ setPart(const PassJob& job, const PassResult& result, const pcl_spiral::Surface:
 /** Reads the scan, without its outliers if asked for, and makes the surface through its points; null if they form
  *  none. \throw UsageError, pcl_spiral::FileError, Cancelled */
 pcl_spiral::Surface::ConstPtr readScan(const PassJob& job, ProgressBar& bar, PassResult& result, pcl_spiral::StageClock& clock);
+
+/** Refuses clusters that stand on \p surface, with ClusterHandling::LeaveOut removes them from the scan, and warns of those that stay.
+ *  \return the surface of the scan as it is then \throw pcl_spiral::FileError */
+pcl_spiral::Surface::ConstPtr heedClusters(const PassJob& job, ProgressBar& bar, const pcl_spiral::Surface::ConstPtr& surface,
+                                           PassResult& result);

@@ -164,8 +164,9 @@ Option
 clustersOption(PartChoice& choice)
 {
   return choiceOption("clusters",
-                      "two or more points near each other that stand off the surface, as a screw or spatter, are refused, or left out "
-                      "as false echoes, and the path goes through them; default refuse: --clusters leave-out",
+                      "two or more points near each other that stand off the surface, as a screw or spatter, are refused, ridden over "
+                      "without cutting into them, or left out as false echoes, and the path goes through them; default refuse: "
+                      "--clusters ride",
                       choice.clusters);
 }
 

@@ -27,6 +27,14 @@ struct PartChoice {
   bool cuts() const { return !crop.empty() || !region.empty() || !keep_outs.empty(); } ///< whether points are left out by their place
 };
 
+/** Clusters are false echoes if they are said to be; else a path is judged as one that must ride over them. */
+inline pcl_spiral::ClusterHandling
+judgedClusters(const PartChoice& choice)
+{
+  using pcl_spiral::ClusterHandling;
+  return choice.clusters == ClusterHandling::LeaveOut ? ClusterHandling::LeaveOut : ClusterHandling::Ride;
+}
+
 /** --part-at, --crop, --keep-out */
 std::vector<Option> placeOptions(PartChoice& choice);
 

@@ -8,10 +8,11 @@
 namespace {
 
 /** Each first text is replaced by the second if the program has the first option in it. */
-constexpr std::array<std::pair<const char*, const char*>, 68> words{{
+constexpr std::array<std::pair<const char*, const char*>, 69> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setPartAt", "--part-at"},
+    {"setClusterHandling with Ride", "--clusters ride"},
     {"setClusterHandling", "--clusters leave-out"},
     {"addKeepOut", "--keep-out"},
     {"setCrop", "--crop"},

@@ -106,8 +106,12 @@ printTight(const pcl_spiral::SpiralReport& report)
   constexpr std::size_t most = 6;
   for (std::size_t i = 0; i < std::min(most, report.tight_places.size()); ++i) {
     const pcl_spiral::TightPlace& tight = report.tight_places[i];
-    std::printf("not reached     %.3g mm stay on %.4g mm2 at %.1f, %.1f, %.1f; a ball of radius %.4g mm reaches it\n", tight.height,
-                tight.area, tight.place.x(), tight.place.y(), tight.place.z(), tight.radius);
+    std::printf("%s %.3g mm stay on %.4g mm2 at %.1f, %.1f, %.1f; ", tight.under_cluster ? "under cluster  " : "not reached    ",
+                tight.height, tight.area, tight.place.x(), tight.place.y(), tight.place.z());
+    if (tight.under_cluster)
+      std::printf("the ball rides over it\n");
+    else
+      std::printf("a ball of radius %.4g mm reaches it\n", tight.radius);
   }
   if (report.tight_places.size() > most)
     std::printf("                and %zu other places; the .json report lists all\n", report.tight_places.size() - most);

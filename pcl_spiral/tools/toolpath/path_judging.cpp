@@ -34,6 +34,7 @@ judgeOne(const Job& job, Result& result)
   settings.side = result.side;
   settings.part_at = result.part.part_at;
   settings.flip_normals = s.flip_normals;
+  settings.clusters = judgedClusters(job.part);
   settings.threads = s.threads;
   settings.sample_spacing = job.sample_spacing;
   if (result.mesh)

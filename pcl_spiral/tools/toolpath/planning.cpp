@@ -80,8 +80,9 @@ choosePoints(const Job& job, ProgressBar& bar, StageClock& clock, Result& result
   clock.end("reading");
   if (cancelled())
     throw Cancelled();
-  const bool one_part = job.part.part_at || job.settings.largest_part; // the other parts are looked at again when the path is there
-  if (!job.mesh && job.reach.empty() && !one_part && !(job.verify && judgedByTheSameSurface(job.settings)))
+  // The other parts and the clusters are looked at again when the path is there.
+  const bool apart = job.part.part_at || job.settings.largest_part || job.part.clusters == ClusterHandling::Ride;
+  if (!job.mesh && job.reach.empty() && !apart && !(job.verify && judgedByTheSameSurface(job.settings)))
     return;
   result.surface = surfaceOf(job, result, bar);
   if (result.mesh)
@@ -131,6 +132,9 @@ checkWay(const Job& job, const Result& result)
   for (std::size_t i = 0; result.surface && !result.mesh && i < result.surface->leftOut().why.size(); ++i)
     if (result.surface->leftOut().why[i] == LeftOut::OtherPart)
       beside.push_back(result.surface->leftOut().positions[i]);
+  if (result.surface)
+    for (const Eigen::Vector3f& point : result.surface->riddenPoints())
+      beside.push_back(point);
   const auto cut = deepestPoint(*result.path, radius, beside);
   if (cut && cut->depth > allowed)
     throw FileError(job.scan, textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", cut->depth,

@@ -15,6 +15,7 @@ scanReference(const VerifyJob& job, const JudgedPart& part)
   ScannedSurface<pcl::PointXYZ> scanned;
   scanned.setInputCloud(part.cloud);
   scanned.setStrict(false); // a rough reference is accepted, with a warning
+  scanned.setClusterHandling(job.part.clusters);
   scanned.setFlipNormals(job.settings.flip_normals);
   setSide(part.side, scanned);
   if (part.chosen.part_at)

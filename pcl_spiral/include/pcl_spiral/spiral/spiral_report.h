@@ -24,12 +24,13 @@ struct HoleReport {
   HoleHandling handling = HoleHandling::Around;    ///< Around or Over
 };
 
-/** A place that the ball does not reach: where more than the scallop height stays. */
+/** A place that the ball does not reach: where more than the scallop height stays, in a hollow or under a cluster that it rides over. */
 struct TightPlace {
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< of the surface, under the most stock
   double height = 0.0;                             ///< of the stock there, mm
   double area = 0.0;                               ///< of the surface under more stock than the scallop height, mm^2
-  double radius = 0.0;                             ///< of the largest ball that reaches all of it, mm
+  double radius = 0.0;                             ///< of the largest ball that reaches all of it, mm, apart from clusters
+  bool under_cluster = false;                      ///< a cluster of points stands there, see ClusterHandling::Ride
 };
 
 /** Figures of a run: counts, lengths in mm, times in s. */

@@ -69,8 +69,8 @@ public:
   const std::optional<Eigen::Vector3d>& getPartAt() const { return settings_.part_at; } ///< The value of setPartAt.
   void clearPartAt() { settings_.part_at.reset(); }                                     ///< Takes back setPartAt.
 
-  /** What to do with two or more points near each other that stand off the surface by more than its noise. Single ones are left
-   *  out. ClusterHandling::Refuse by default; unless strict they are left out, with a warning. */
+  /** What to do with two or more points near each other that stand off the surface by more than its noise (Surface::clusters). Single
+   *  ones are left out. ClusterHandling::Refuse by default; unless strict that only warns. */
   void setClusterHandling(ClusterHandling handling) { settings_.clusters = handling; }
   ClusterHandling getClusterHandling() const { return settings_.clusters; } ///< The value of setClusterHandling.
 

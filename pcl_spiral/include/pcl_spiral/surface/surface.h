@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/cleaning/standing_cluster.h>
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
@@ -22,8 +23,9 @@ namespace pcl_spiral {
 
 /** What to do with points that stand off the surface together: a screw, a clamp, weld spatter; or several false echoes. */
 enum class ClusterHandling {
-  Refuse,  ///< fail, with place, size and height of each
-  LeaveOut ///< leave them out as outliers, with a warning: a path goes through them
+  Refuse,   ///< fail, with place, size and height of each
+  LeaveOut, ///< leave them out as outliers, with a warning: a path goes through them
+  Ride      ///< leave them out of the surface; the ball of a spiral rides over them and never cuts into them
 };
 
 /** Settings of ScannedSurface; its setters explain them. Lengths in mm. */
@@ -97,14 +99,15 @@ public:
 
   /** The parts of a Surface; see makeSurface. */
   struct Parts {
-    SurfaceGraph graph;                ///< order, normals, spacing, triangles
-    std::vector<std::uint32_t> source; ///< cloud index of each point that the graph was built from; empty: the whole cloud, in order
-    SurfaceSettings settings;          ///< by which it was made
-    SurfaceCounts counts;              ///< what happened to the points
-    LeftOutPoints left_out;            ///< points that are not part of it
-    std::size_t input_size = 0;        ///< number of points in the cloud
-    OuterSide side;                    ///< see side()
-    std::vector<std::string> warnings; ///< see warnings()
+    SurfaceGraph graph;                    ///< order, normals, spacing, triangles
+    std::vector<std::uint32_t> source;     ///< cloud index of each point that the graph was built from; empty: the whole cloud, in order
+    SurfaceSettings settings;              ///< by which it was made
+    SurfaceCounts counts;                  ///< what happened to the points
+    LeftOutPoints left_out;                ///< points that are not part of it
+    std::size_t input_size = 0;            ///< number of points in the cloud
+    OuterSide side;                        ///< see side()
+    std::vector<StandingCluster> clusters; ///< see clusters()
+    std::vector<std::string> warnings;     ///< see warnings()
   };
   explicit Surface(Parts parts);    ///< Takes the parts and fits the surface to them.
   Surface(const Surface&) = delete; // the fit refers to the graph
@@ -144,6 +147,10 @@ public:
   bool sideIsClear() const { return parts_.side.vote != SideVote::Convex; }
   /** What decided the outer side, and how clearly. */
   const OuterSide& side() const { return parts_.side; }
+  /** Clusters of points that stand on it, the highest first. */
+  const std::vector<StandingCluster>& clusters() const { return parts_.clusters; }
+  /** Points of the clusters that a ball must clear: all with ClusterHandling::Ride, else none. */
+  std::vector<Eigen::Vector3f> riddenPoints() const;
   /** Which points were left out and whether the side is guessed, as text. */
   const std::vector<std::string>& warnings() const { return parts_.warnings; }
 

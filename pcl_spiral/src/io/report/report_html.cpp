@@ -52,10 +52,15 @@ tightRows(const SpiralReport& r)
 {
   constexpr std::size_t most = 12;
   HtmlRows rows;
-  for (std::size_t i = 0; i < std::min(most, r.tight_places.size()); ++i)
-    rows.push_back({"Not reached by the ball", formatted("%.4g mm stay, on %.4g mm\u00b2; a ball of radius %.4g mm reaches it; at ",
-                                                         r.tight_places[i].height, r.tight_places[i].area, r.tight_places[i].radius) +
-                                                   place(r.tight_places[i].place)});
+  for (std::size_t i = 0; i < std::min(most, r.tight_places.size()); ++i) {
+    const TightPlace& tight = r.tight_places[i];
+    const std::string stays = formatted("%.4g mm stay, on %.4g mm\u00b2; ", tight.height, tight.area);
+    rows.push_back(
+        tight.under_cluster
+            ? std::vector<std::string>{"Under a cluster of points", stays + "the ball rides over it; at " + place(tight.place)}
+            : std::vector<std::string>{"Not reached by the ball",
+                                       stays + formatted("a ball of radius %.4g mm reaches it; at ", tight.radius) + place(tight.place)});
+  }
   if (r.tight_places.size() > most)
     rows.push_back({"Other places not reached", std::to_string(r.tight_places.size() - most)});
   if (r.lifted_length > 0.0)
@@ -221,7 +226,8 @@ addJudged(HtmlPage& page, const RunFiles& files, const SpiralSettings& settings,
   for (const std::string& warning : warningsOf(verification))
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
       warnings.push_back(warning);
-  const VerificationRun run{files.scan, files.unit, CutterShape::ball(settings.tool_radius), settings.scallop_height, settings.chord_error, {}, {}};
+  const VerificationRun run{files.scan, files.unit, CutterShape::ball(settings.tool_radius), settings.scallop_height, settings.chord_error,
+                            {},         {}};
   addVerification(page, run, verification, pictures);
 }
 

@@ -97,7 +97,11 @@ tightJson(const SpiralReport& report)
     return {};
   Json places = Json::array();
   for (const TightPlace& place : report.tight_places)
-    places.push_back({{"place", toJson(place.place)}, {"height", place.height}, {"area", place.area}, {"radius", place.radius}});
+    places.push_back({{"place", toJson(place.place)},
+                      {"height", place.height},
+                      {"area", place.area},
+                      {"radius", place.radius},
+                      {"under_cluster", place.under_cluster}});
   return {{"fitting_radius", report.fitting_radius},
           {"lifted_length", report.lifted_length},
           {"largest_lift", report.largest_lift},

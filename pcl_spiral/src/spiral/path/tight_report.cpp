@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace pcl_spiral {
 namespace {
@@ -16,31 +17,45 @@ constexpr double noise_share = 0.1;   // of the chord error: the least tolerance
 constexpr double least_reached = 0.5; // of the points
 constexpr double well_reached = 0.9;  // of the points
 constexpr double surely = 0.95;       // of the largest radius there
+constexpr double moves_share = 2.0;   // of the chord error: straight moves between places of the ball cut a corner over a point
+
+/** Adds the places where more than the scallop height stays: of \p points, their indices \p of in reach.unreached() and \p heights. */
+void
+addPlaces(const BallReach& reach, const Polyline& points, const std::vector<std::size_t>& of, const std::vector<float>& heights,
+          std::vector<TightPlace>& places)
+{
+  std::size_t count = 0;
+  const std::size_t first = places.size();
+  const std::vector<std::size_t> groups = placeGroups(points, 0.5 * reach.radius(), count);
+  places.resize(first + count);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const UnreachedPoint& point = reach.unreached()[of[i]];
+    TightPlace& place = places[first + groups[i]];
+    place.area += point.area;
+    place.under_cluster = point.covered;
+    place.radius = place.radius > 0.0 ? std::min<double>(place.radius, point.reach) : point.reach;
+    if (heights[of[i]] > place.height) {
+      place.height = heights[of[i]];
+      place.place = points[i];
+    }
+  }
+}
 
 /** Places where more than the scallop height stays, the highest stock first. */
 std::vector<TightPlace>
 placesOf(const BallReach& reach, double scallop_height)
 {
   const std::vector<float> heights = reach.heightsLeft();
-  Polyline points;
-  std::vector<std::size_t> kept;
-  for (std::size_t k = 0; k < heights.size(); ++k)
-    if (heights[k] > scallop_height + reach.tolerance()) {
-      points.push_back(reach.position(reach.unreached()[k].index));
-      kept.push_back(k);
-    }
-  std::size_t count = 0;
-  const std::vector<std::size_t> groups = placeGroups(points, 0.5 * reach.radius(), count);
-  std::vector<TightPlace> places(count);
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    const UnreachedPoint& point = reach.unreached()[kept[i]];
-    TightPlace& place = places[groups[i]];
-    place.area += point.area;
-    place.radius = place.radius > 0.0 ? std::min<double>(place.radius, point.reach) : point.reach;
-    if (heights[kept[i]] > place.height) {
-      place.height = heights[kept[i]];
-      place.place = points[i];
-    }
+  std::vector<TightPlace> places;
+  for (const bool covered : {false, true}) {
+    Polyline points;
+    std::vector<std::size_t> kept;
+    for (std::size_t k = 0; k < heights.size(); ++k)
+      if (reach.unreached()[k].covered == covered && heights[k] > scallop_height + reach.tolerance()) {
+        points.push_back(reach.position(reach.unreached()[k].index));
+        kept.push_back(k);
+      }
+    addPlaces(reach, points, kept, heights, places);
   }
   std::stable_sort(places.begin(), places.end(), [](const TightPlace& a, const TightPlace& b) { return a.height > b.height; });
   return places;
@@ -56,7 +71,49 @@ measureLifts(const SpiralPath& path, double tolerance, SpiralReport& report)
   }
 }
 
+/** "1 place: ... up to 2 mm, the most at (1, 2, 3), and more than the scallop height on 4 mm^2 in all; no scallop ..." */
+std::string
+stockText(const std::vector<TightPlace>& places)
+{
+  double area = 0.0;
+  for (const TightPlace& place : places)
+    area += place.area;
+  const TightPlace& highest = places.front();
+  return textOf(places.size(), places.size() == 1 ? " place" : " places", ": it stays above the surface there and leaves up to ",
+                highest.height, " mm, the most at ", placeText(highest.place), ", and more than the scallop height on ", area,
+                " mm^2 in all; no scallop height is promised there");
+}
+
+std::string
+hollowWarning(const std::vector<TightPlace>& places, double fitting_radius)
+{
+  return textOf("the ball does not reach ", stockText(places), ". A ball of radius ", fitting_radius,
+                " mm reaches everything (setToolRadius); BallReach maps the largest ball at each point, and setTightHandling refuses such "
+                "parts");
+}
+
+std::string
+clusterWarning(const std::vector<TightPlace>& places)
+{
+  return "the ball rides over clusters of points at " + stockText(places) +
+         ", nor within a step-over of them (setClusterHandling with Ride)";
+}
+
 } // namespace
+
+Status
+checkRidden(const Surface& surface, const SpiralSettings& settings)
+{
+  if (surface.riddenPoints().empty())
+    return Status::success();
+  if (settings.method == SpiralMethod::Published)
+    return {StatusCode::InvalidArgument, "the published method does not ride over the clusters on the scan (setClusterHandling with Ride): "
+                                         "choose another method (setMethod)"};
+  if (settings.tight == TightHandling::Refuse)
+    return {StatusCode::InvalidArgument, "the ball must be lifted to ride over the clusters on the scan (setClusterHandling with Ride), "
+                                         "but setTightHandling refuses to lift it: leave one of them out"};
+  return Status::success();
+}
 
 std::unique_ptr<BallReach>
 makeReach(const Surface& surface, const SpiralSettings& settings)
@@ -64,7 +121,8 @@ makeReach(const Surface& surface, const SpiralSettings& settings)
   if (settings.tight == TightHandling::Refuse)
     return nullptr;
   return std::make_unique<BallReach>(surface.graph(), surface.fit(), settings.tool_radius,
-                                     reachTolerance(surface.fit(), noise_share * settings.chord_error));
+                                     reachTolerance(surface.fit(), noise_share * settings.chord_error),
+                                     BallObstacles{surface.riddenPoints(), moves_share * settings.chord_error});
 }
 
 Status
@@ -72,7 +130,9 @@ checkReach(const BallReach* reach)
 {
   if (!reach || reach->unreached().empty())
     return Status::success();
-  std::vector<UnreachedPoint> tight = reach->unreached();
+  std::vector<UnreachedPoint> tight;
+  std::copy_if(reach->unreached().begin(), reach->unreached().end(), std::back_inserter(tight),
+               [reach](const UnreachedPoint& point) { return point.reach < static_cast<float>(reach->radius()); });
   const auto all = static_cast<double>(reach->size());
   const double reached = 1.0 - static_cast<double>(tight.size()) / all;
   if (reached >= least_reached)
@@ -94,18 +154,13 @@ reportTight(const BallReach& reach, const SpiralPath& path, const SpiralSettings
     report.fitting_radius = std::min<double>(report.fitting_radius, point.reach);
   measureLifts(path, reach.tolerance(), report);
   report.tight_places = placesOf(reach, settings.scallop_height);
-  if (report.tight_places.empty())
-    return;
-  double area = 0.0;
-  for (const TightPlace& place : report.tight_places)
-    area += place.area;
-  const TightPlace& highest = report.tight_places.front();
-  report.warnings.push_back(textOf(
-      "the ball does not reach ", report.tight_places.size(), report.tight_places.size() == 1 ? " place" : " places",
-      ": it stays above the surface there and leaves up to ", highest.height, " mm, the most at ", placeText(highest.place),
-      ", and more than the scallop height on ", area, " mm^2 in all; no scallop height is promised there. A ball of radius ",
-      report.fitting_radius,
-      " mm reaches everything (setToolRadius); BallReach maps the largest ball at each point, and setTightHandling refuses such parts"));
+  for (const bool under_cluster : {false, true}) {
+    std::vector<TightPlace> places;
+    std::copy_if(report.tight_places.begin(), report.tight_places.end(), std::back_inserter(places),
+                 [&](const TightPlace& place) { return place.under_cluster == under_cluster; });
+    if (!places.empty())
+      report.warnings.push_back(under_cluster ? clusterWarning(places) : hollowWarning(places, report.fitting_radius));
+  }
 }
 
 } // namespace pcl_spiral

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int most_rounds = 8;        // of halved moves
 constexpr int most_bisections = 10;   // of a jump from place to place
+constexpr double way_step = 0.05;     // of the radius: between places that are looked at on a move
 constexpr double least_piece = 0.05;  // spacings: shorter moves are not halved again
 constexpr double near_spacings = 6.0; // an unreached place is no farther from an unreached point: the widest void between points
 
@@ -50,6 +51,7 @@ private:
   }
   void place(Ridden& point) const;
   bool halve();
+  bool gouges(const Ridden& from, const Ridden& to) const;
   void join(const Ridden& from, const Ridden& to, int depth, std::vector<Ridden>& points) const;
 
   const Surface& surface_;
@@ -62,8 +64,8 @@ void
 Ride::place(Ridden& point) const
 {
   const Eigen::Vector3d touching = point.foot + radius_ * point.normal;
-  point.centre =
-      reach_.isNearUnreached(point.foot, near_spacings * surface_.spacing()) ? reach_.centre(point.foot, point.normal) : touching;
+  point.centre = reach_.isNearUnreached(point.foot, near_spacings * surface_.spacing()) ? reach_.centre(point.foot, point.normal)
+                                                                                        : reach_.overObstacles(touching, point.normal);
   point.lifted = point.centre != touching;
 }
 
@@ -80,7 +82,8 @@ Ride::take(const SpiralPath& path)
     point.normal = path.normals[i];
     point.turn = path.turns[i];
     point.over_gap = path.over_gap[i];
-    point.fresh = reach_.isNearUnreached(point.foot, longest_ + near_spacings * surface_.spacing());
+    point.fresh = reach_.isNearUnreached(point.foot, longest_ + near_spacings * surface_.spacing()) ||
+                  reach_.isNearObstacle(point.foot + radius_ * point.normal, longest_ + 1.1 * radius_);
     place(point);
     lifted = lifted || point.lifted;
   }
@@ -145,6 +148,17 @@ Ride::halveMoves()
     ;
 }
 
+/** True if the ball cuts too deep on the straight way between two places. */
+bool
+Ride::gouges(const Ridden& from, const Ridden& to) const
+{
+  const auto pieces = static_cast<int>(std::ceil((to.centre - from.centre).norm() / (way_step * radius_)));
+  for (int k = 1; k < std::max(2, pieces); ++k)
+    if (reach_.excess(from.centre + (to.centre - from.centre) * k / std::max(2, pieces)) > chord_error_)
+      return true;
+  return false;
+}
+
 /** Appends points between \p from and \p to, on the way from ball to ball, so that no move is too long or gouges. */
 void
 Ride::join(const Ridden& from, const Ridden& to, int depth, std::vector<Ridden>& points) const
@@ -156,10 +170,9 @@ Ride::join(const Ridden& from, const Ridden& to, int depth, std::vector<Ridden>&
   middle.normal = (from.normal + to.normal).norm() > 0.1 ? Eigen::Vector3d((from.normal + to.normal).normalized()) : from.normal;
   middle.centre = 0.5 * (from.centre + to.centre);
   middle.turn = 0.5f * (from.turn + to.turn);
-  const bool gouges = reach_.excess(middle.centre) > chord_error_;
-  if (depth >= most_bisections || (!gouges && (contact(to) - contact(from)).norm() <= longest_))
+  if (depth >= most_bisections || (!gouges(from, to) && (contact(to) - contact(from)).norm() <= longest_))
     return;
-  if (gouges) {
+  if (reach_.excess(middle.centre) > chord_error_) {
     const Eigen::Vector3d free = reach_.freeAlong(middle.centre, middle.normal);
     if ((free - middle.centre).norm() < 2.0 * radius_)
       middle.centre = free;
@@ -215,7 +228,7 @@ rideTightPlaces(const Surface& surface, const BallReach* given, const SpiralSett
 {
   const std::unique_ptr<BallReach> own = given ? nullptr : makeReach(surface, settings);
   const BallReach& reach = given ? *given : *own;
-  if (reach.unreached().empty())
+  if (reach.unreached().empty() && surface.riddenPoints().empty())
     return Status::success();
   Ride ride(surface, reach, settings, longest_step);
   if (!ride.take(path))

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/common/status.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 #include <pcl_spiral/spiral/spiral_report.h>
 #include <pcl_spiral/surface/impl/ball_reach.h>
@@ -12,6 +13,9 @@
 #include <memory>
 
 namespace pcl_spiral {
+
+/** Ok, or an error if \p surface has clusters to ride over, but \p settings do not lift the ball. */
+Status checkRidden(const Surface& surface, const SpiralSettings& settings);
 
 /** Reach of the ball of \p settings on \p surface; null with TightHandling::Refuse. */
 std::unique_ptr<BallReach> makeReach(const Surface& surface, const SpiralSettings& settings);

@@ -20,19 +20,27 @@ struct UnreachedPoint {
   std::uint32_t index = 0; ///< in the order of the graph
   float reach = 0.0f;      ///< radius of the largest ball that reaches it
   float area = 0.0f;       ///< of the surface about it, mm^2
+  bool covered = false;    ///< an obstacle is in the way of the ball
+};
+
+/** Points over a surface that a ball must not touch, nor pass under. Lengths in mm. */
+struct BallObstacles {
+  std::vector<Eigen::Vector3f> points; ///< each stands on a post from the surface
+  double clearance = 0.0;              ///< between them and the ball
 };
 
 /** A ball on the outer side of a fitted surface: how large it may be to reach a place, and where it rests if it is too large.
  *
  *  The surface is the fit at the points of the graph, with a patch of second order at each point. A ball is free if no patch is deeper
  *  in it than tolerance(). The largest ball at a foot is found by shrinking (Ma, Bae and Choi 2012, 3D medial axis point approximation
- *  using nearest neighbors and the normal field). A ball that is too large rests at the free place nearest to the largest one.
+ *  using nearest neighbors and the normal field). A ball that is too large rests at the free place nearest to the largest one. Over
+ *  obstacles the ball is lifted along the normal of its foot, as when a cutter is dropped onto points (drop cutter).
  *
  *  Every point is looked at once: near-linear, in parallel, the same for any number of threads. Memory: about 70 bytes per point. */
 class BallReach {
 public:
   /** \p graph and \p fit must outlive it. \p tolerance, mm: depth that counts as noise of the surface. */
-  BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance);
+  BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance, const BallObstacles& obstacles = {});
 
   double radius() const { return radius_; }       ///< Of the ball, mm.
   double tolerance() const { return tolerance_; } ///< As given, mm.
@@ -45,12 +53,18 @@ public:
   Eigen::Vector3d normal(std::size_t i) const { return patches_[place_[i]].normal.cast<double>(); }
   /** True if a point that the ball does not reach lies within \p distance of \p place. */
   bool isNearUnreached(const Eigen::Vector3d& place, double distance) const;
+  /** True if an obstacle, or its post, lies within \p distance of \p place. */
+  bool isNearObstacle(const Eigen::Vector3d& place, double distance) const;
 
-  /** Radius of the largest free ball that touches the surface at \p foot, where its outer normal is \p normal; at most radius(). */
+  /** Radius of the largest free ball that touches the surface at \p foot, where its outer normal is \p normal; at most radius(). Without
+   *  regard to obstacles. */
   double reach(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal) const;
-  /** Centre of the ball for the contact \p foot: foot + radius() normal where that is free, else the free place nearest to the largest
-   *  ball that touches there. Not finite if there is none: the surface closes round the place. */
+  /** Centre of the ball for the contact \p foot: foot + radius() normal where that is free, above that where only an obstacle is in
+   *  the way, else the free place nearest to the largest ball that touches there. Not finite if there is none: the surface closes round
+   *  the place. */
   Eigen::Vector3d centre(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal) const;
+  /** The first free centre from \p centre along the unit vector \p up if an obstacle is in the ball there; else \p centre. */
+  Eigen::Vector3d overObstacles(const Eigen::Vector3d& centre, const Eigen::Vector3d& up) const;
   /** The first free centre from \p from along the unit vector \p direction. */
   Eigen::Vector3d freeAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const;
   /** How much deeper than tolerance() the surface is in the ball at \p centre, mm; 0 if that is free. */
@@ -72,7 +86,13 @@ private:
   Eigen::Vector3d nearestOn(std::size_t place, const Eigen::Vector3d& from) const;
   /** The point of the surface nearest to \p from, if it is nearer than \p within. Near \p own, the steps between neighbouring patches
    *  would count as hollows: points there are left out. */
-  bool nearest(const Eigen::Vector3d& from, double within, Eigen::Vector3d& point, const Eigen::Vector3d* own = nullptr) const;
+  bool nearestOnSurface(const Eigen::Vector3d& from, double within, Eigen::Vector3d& point, const Eigen::Vector3d* own = nullptr) const;
+  /** The same of the spheres of the clearance about the obstacles. */
+  bool nearestObstacle(const Eigen::Vector3d& from, double within, Eigen::Vector3d& point) const;
+  /** The nearer of both. */
+  bool nearest(const Eigen::Vector3d& from, double within, Eigen::Vector3d& point) const;
+  void setObstacles(const BallObstacles& obstacles);
+  bool isCovered(std::size_t i) const;
   /** Mean normal of the surface \p within a distance of \p from; of the whole surface if that is not clear. */
   Eigen::Vector3d wayOut(const Eigen::Vector3d& from, double within) const;
   bool isFreeAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& direction, Eigen::Vector3d& free) const;
@@ -87,6 +107,8 @@ private:
   std::vector<Eigen::Vector3f> block_normals_; // mean of each block of feet_
   std::vector<UnreachedPoint> unreached_;
   PointBlocks unreached_feet_;
+  PointBlocks obstacles_;  // with points of their posts
+  double clearance_ = 0.0; // mm
   Eigen::Vector3d side_;
   float widest_ = 0.0f; // extent of a patch
 };

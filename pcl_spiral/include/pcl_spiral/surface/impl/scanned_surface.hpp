@@ -140,6 +140,9 @@ ScannedSurface<PointT, PointNT>::run(Surface::ConstPtr& surface)
       reasons.push_back(static_cast<LeftOut>(why[i]));
     }
   addLeftOut(dropped, reasons, parts.left_out);
+  for (StandingCluster& cluster : parts.clusters)
+    for (std::uint32_t& i : cluster.indices)
+      i = all ? i : usable.source[i];
   parts.input_size = this->input_->size();
   const auto made = std::make_shared<Surface>(std::move(parts));
   if (const Status status = settings_.strict ? checkSingleSheet(*made) : Status::success(); !status.ok())

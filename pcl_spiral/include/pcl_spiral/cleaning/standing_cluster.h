@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Things on a scanned surface.
+ */
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Points near each other that stand off the surface: a screw, a clamp, spatter. Lengths in mm. */
+struct StandingCluster {
+  std::vector<std::uint32_t> indices;              ///< of its points in the cloud
+  std::vector<Eigen::Vector3f> positions;          ///< of its points, mm
+  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< its mean
+  double size = 0.0;                               ///< diagonal of its box
+  double height = 0.0;                             ///< of its highest point over the surface
+};
+
+} // namespace pcl_spiral

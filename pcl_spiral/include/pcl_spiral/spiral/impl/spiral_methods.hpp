@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  SpiralToolpathGenerator: turns by each method.
+ */
+#pragma once
+
+#include <pcl_spiral/spiral/impl/method_choice.h>
+#include <pcl_spiral/spiral/impl/settings_check.h>
+#include <pcl_spiral/spiral/impl/stage_reports.h>
+#include <pcl_spiral/spiral/impl/tight_places.h>
+#include <pcl_spiral/spiral/radial_lines.h>
+#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
+
+namespace pcl_spiral {
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLines(const Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops,
+                                                                 RadialLineSet& lines)
+{
+  RadialLines<PointInT, PointNT> radial;
+  radial.setInputSurface(surface);
+  radial.setBoundaryLoops(loops);
+  if (settings_.centre)
+    radial.setCenter(*settings_.centre);
+  if (settings_.start_point)
+    radial.setStartPoint(*settings_.start_point);
+  radial.setLineMethod(settings_.lines);
+  radial.setTolerance(lineTolerance(settings_));
+  radial.setFitTolerance(lineFitTolerance(settings_));
+  radial.setNumberOfThreads(settings_.threads);
+  radial.setProgressCallback(partOf(progress_, 0.2, 0.6));
+  radial.setQuiet(true);
+  radial.compute(lines);
+  return radial.getStatus();
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOnLines(Surface::ConstPtr& surface, const RadialLineSet& lines,
+                                                                   StageClock& clock, SpiralTurns& turns)
+{
+  report_.method = SpiralMethod::Radial;
+  reportLines(lines, settings_, report_);
+  const double area = surfaceArea(surface->graph());
+  if (given_lines_ || methodAsked(settings_) == SpiralMethod::Radial)
+    dropTriangulation(surface); // the projection needs only neighbourhoods; makeShortest may need it
+  clock.end("radial lines");
+  if (progress_ && !progress_(0.6, "spiral"))
+    return {StatusCode::Cancelled, "cancelled"};
+  if (settings_.tight == TightHandling::Refuse)
+    if (const Status status = checkLinesFit(lines.lines, *surface, settings_.tool_radius); !status.ok())
+      return status;
+  const Status status = makeTurns(lines, surface->spacing(), area, settings_, turns);
+  reportTurns(turns, report_);
+  clock.end("spiral");
+  return status;
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeRadial(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops,
+                                                                  StageClock& clock, SpiralTurns& turns)
+{
+  if (settings_.hole_margin > 0.0 && report_.boundaries > 1)
+    return {StatusCode::InvalidArgument, "turns of the radial method begin at the edge of the hole, but a margin about holes is asked "
+                                         "for (setHoleMargin): choose constant scallop height (setMethod), or leave the margin out"};
+  RadialLineSet lines;
+  if (const Status status = makeLines(surface, loops, lines); !status.ok())
+    return status;
+  return makeOnLines(surface, lines, clock, turns);
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops,
+                                                                           StageClock& clock, SpiralTurns& turns)
+{
+  report_.method = SpiralMethod::ConstantScallop;
+  ScallopFigures figures;
+  const Status status = planConstantScallop(surface, loops, settings_, partOf(progress_, 0.4, 0.65), clock, turns, figures);
+  report_.largest_allowed_step = turns.largest_allowed_step;
+  if (status.ok())
+    reportScallop(figures, settings_, report_);
+  return status;
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeShortest(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops,
+                                                                    StageClock& clock, SpiralTurns& turns)
+{
+  const MethodForesight foresight = foreseeMethods(*surface, loops, settings_);
+  report_.foreseen_radial = foresight.radial_length;
+  report_.foreseen_scallop = foresight.scallop_length;
+  clock.end("choice of method");
+  if (foresight.method == SpiralMethod::Radial) {
+    const SpiralReport before = report_;
+    const Status status = makeRadial(surface, loops, clock, turns);
+    return putBackIfReversed(turns, before, report_) ? makeConstantScallop(*surface, loops, clock, turns) : status;
+  }
+  const Status status = makeConstantScallop(*surface, loops, clock, turns);
+  if (status.code() != StatusCode::Failed || !foresight.why_not_radial.empty())
+    return status;
+  report_.warnings.push_back("the radial method made the path, though a shorter one was foreseen at constant scallop height: " +
+                             status.message());
+  const Status radial = makeRadial(surface, loops, clock, turns);
+  return radial.ok() && curveReversals(turns.curve).count > 0 ? status : radial;
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePublished(const Surface& surface, StageClock& clock, SpiralPath& path)
+{
+  if (given_lines_)
+    return {StatusCode::InvalidArgument, "radial lines were given, but the published method makes its own: call "
+                                         "clearRadialLines, or setMethod with another method"};
+  PublishedResult published;
+  const ProgressCallback progress = partOf(progress_, 0.25, 1.0);
+  const Status status = given_loops_.empty() ? planPublished(surface.graph(), settings_, progress, published)
+                                             : planPublishedWithin(surface.graph(), given_loops_, settings_, progress, published);
+  for (const StageCost& stage : published.stages)
+    report_.stages.push_back(stage);
+  clock.restart();
+  reportPublished(surface, settings_, published, report_, path);
+  if (!status.ok())
+    return status;
+  GapFigures gaps;
+  const Status marked = measureGaps(path, settings_, gaps);
+  reportGaps(gaps, report_);
+  return marked;
+}
+
+} // namespace pcl_spiral

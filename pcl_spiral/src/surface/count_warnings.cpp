@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "count_warnings.h"
+
+#include <pcl_spiral/common/impl/message.h>
+
+namespace pcl_spiral {
+
+std::vector<std::string>
+countWarnings(const SurfaceCounts& counts, double spacing)
+{
+  std::vector<std::string> warnings;
+  if (counts.surplus > 0)
+    warnings.push_back(textOf(counts.surplus,
+                              " surplus points were left out: they lie much closer to each other than to the next scan line, or than "
+                              "points in the sparser part beside them; the path follows the others, ",
+                              spacing, " mm apart"));
+  if (const std::size_t off = counts.strays(); off > 0) {
+    std::string message = textOf(off, off == 1 ? " outlier was" : " outliers were", " left out: ");
+    if (counts.isolated > 0)
+      message += textOf(counts.isolated, " isolated");
+    if (counts.speck > 0)
+      message += textOf(counts.isolated > 0 ? ", " : "", counts.speck, " in clusters apart from the surface");
+    warnings.push_back(message);
+  }
+  return warnings;
+}
+
+} // namespace pcl_spiral
