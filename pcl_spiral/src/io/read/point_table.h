@@ -38,8 +38,9 @@ PointTable readStlTable(const std::string& file, std::string_view bytes);
 PointTable readLasTable(const std::string& file, std::string_view bytes);
 /** x y z of a text that begins with the number of its points; several such blocks may follow each other. */
 PointTable readPtsTable(const std::string& file, std::string_view bytes);
-/** Points, Normals, ToolAxis, ArcLength, Turn and, if present, Feed of a polyline written by this library. */
-PointTable readVtpTable(const std::string& file, std::string_view bytes);
+/** Points, Normals, ToolAxis, ArcLength, Turn and, if present, Feed of a polyline written by this library. OverGap and Lift, if present,
+ *  are the last columns: \p later gets their names in other formats. */
+PointTable readVtpTable(const std::string& file, std::string_view bytes, Names& later);
 /** The columns of Tip, if present. */
 PointTable readVtpTips(const std::string& file, std::string_view bytes);
 /** First points of its second and of each further polyline; the points of all polylines are in order. */

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -232,7 +233,7 @@ private:
 } // namespace
 
 PointTable
-readVtpTable(const std::string& file, std::string_view bytes)
+readVtpTable(const std::string& file, std::string_view bytes, Names& later)
 {
   const VtpFile vtp(file, bytes);
   PointTable table;
@@ -243,6 +244,11 @@ readVtpTable(const std::string& file, std::string_view bytes)
   vtp.append(table, "Turn", 1);
   if (vtp.has("Feed"))
     vtp.append(table, "Feed", 1);
+  for (const auto& [array, column] : {std::pair{"OverGap", "over_gap"}, std::pair{"Lift", "lift"}})
+    if (vtp.has(array)) {
+      vtp.append(table, array, 1);
+      later.emplace_back(column);
+    }
   return table;
 }
 

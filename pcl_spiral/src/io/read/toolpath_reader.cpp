@@ -156,7 +156,9 @@ readToolpath(const std::string& file, const Eigen::Vector3d& origin)
     return readColumns(readPly, {"x", "y", "z", "nx", "ny", "nz"});
   if (extension == ".vtp") {
     const auto bytes = readBytes(file);
-    ToolpathFile read = fromColumns(readVtpTable(file, bytes), origin);
+    Names later;
+    const PointTable table = readVtpTable(file, bytes, later);
+    ToolpathFile read = fromColumns(table, origin, later);
     liftBetween(readVtpPasses(file, bytes), read.path);
     if (const PointTable tips = readVtpTips(file, bytes); !tips.empty())
       for (std::size_t i = 0; i < read.path.size(); ++i)
