@@ -115,7 +115,7 @@ TEST(AnyCutterRemoval, RidgesOnThePlaneHaveTheHeightAskedFor)
     const int half = static_cast<int>(std::ceil(25.0 / step));
     pcl::PointCloud<pcl::PointXYZI> stock;
     const auto passes = straightPasses(*surface, columns(-half * step, step, 2 * half + 1), 27.0, 2.0);
-    const auto f = measured(*surface, wayOf(passes, cutter, 0.0), cutter, 20000, stock);
+    const auto f = measured(*surface, wayOf(passes, cutter, 0.0), cutter, 8000, stock);
     EXPECT_NEAR(f.scallop.max.value / h, 1.0, 0.005) << cutter.radius << ' ' << cutter.corner_radius;
     EXPECT_NEAR(f.scallop.p50 / h, 1.0, 0.005);
     EXPECT_LT(f.gouge.value, 1e-5);
@@ -160,10 +160,10 @@ TEST(AnyCutterRemoval, APlantedGougeHasItsDepth)
       const std::size_t at = nearestContact(way.contacts, surface->lift({2.0, 3.0}));
       way.tips[at] -= deep * way.contacts.normals[at];
       pcl::PointCloud<pcl::PointXYZI> stock;
-      const auto f = measured(*surface, way, cutter, 6000, stock);
+      const auto f = measured(*surface, way, cutter, 3000, stock);
       double most = 0.0; // of a point of the surface in the cutter on the moves to and from the place
-      for (double u = -1.0; u <= 1.0; u += 0.04)
-        for (double v = -1.0; v <= 1.0; v += 0.04) {
+      for (double u = -1.0; u <= 1.0; u += 0.05)
+        for (double v = -1.0; v <= 1.0; v += 0.05) {
           const Eigen::Vector2d chart = surface->chart(way.contacts.contacts[at]) + Eigen::Vector2d(u, v);
           for (const std::size_t move : {at - 1, at})
             most = std::max(most, depthOnMove(way, cutter, move, surface->lift(chart)));
@@ -182,9 +182,9 @@ TEST(AnyCutterRemoval, TipsFollowFromTheContactsWhereNoneAreGiven)
   const CutterShape cutter = CutterShape::bullNose(6.0, 1.5);
   CutterWay way = wayOf(straightPasses(*surface, columns(-13.0, 1.0, 27), 14.0, 0.7), cutter, 12.0);
   pcl::PointCloud<pcl::PointXYZI> given, found;
-  measured(*surface, way, cutter, 3000, given);
+  measured(*surface, way, cutter, 1500, given);
   way.tips.clear();
-  measured(*surface, way, cutter, 3000, found);
+  measured(*surface, way, cutter, 1500, found);
   ASSERT_EQ(given.size(), found.size());
   for (std::size_t i = 0; i < given.size(); ++i)
     ASSERT_NEAR(given[i].intensity, found[i].intensity, 1e-5);

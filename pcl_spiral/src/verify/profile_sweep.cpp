@@ -102,48 +102,17 @@ ProfileSweep::deepest(const Piece& piece, const Eigen::Vector3d& x, const Eigen:
   return largestOf([&](double f) { return depthAt(piece, f, x, n); }, 0.0, 1.0, least, settled);
 }
 
-/** Finds a place \p t of the ray in [start, end] inside the piece, whose depth at both ends is below 0. */
-bool
-ProfileSweep::inside(const Piece& piece, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double end, double& t) const
-{
-  Tangent first = alongRay(piece, x, n, start), last = alongRay(piece, x, n, end);
-  for (int i = 0; i < most_rounds && first.slope > 0.0 && last.slope < 0.0; ++i) {
-    const TangentMeeting meeting = meetingOf(start, first, end, last);
-    if (meeting.bound <= settled)
-      return false;
-    const Tangent middle = alongRay(piece, x, n, meeting.at);
-    if (middle.value > 0.0) {
-      t = meeting.at;
-      return true;
-    }
-    (middle.slope > 0.0 ? start : end) = meeting.at;
-    (middle.slope > 0.0 ? first : last) = middle;
-  }
-  return false;
-}
-
-/** The depth of a place of the ray, and its slope along it. */
-Tangent
-ProfileSweep::alongRay(const Piece& piece, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double t) const
-{
-  const Tangent most = deepest(piece, x + t * n, n, -std::numeric_limits<double>::infinity());
-  return {most.value, most.other, 0.0};
-}
-
-/** The first place in [low, high] that is inside; that at \p high is, that at \p low is not. */
+/** The first place of the ray behind \p low, which is outside, that is inside, before \p high; \p high if there is none. */
 double
 ProfileSweep::firstInside(const Piece& piece, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double low, double high) const
 {
-  Tangent below = alongRay(piece, x, n, low), above = alongRay(piece, x, n, high);
-  for (int i = 0; i < most_rounds && high - low > settled && above.value > settled; ++i) {
-    // Between the place of the tangent at the lower end and that of the chord: the depth is concave.
-    const double chord = high - above.value * (high - low) / (above.value - below.value);
-    low = std::clamp(below.slope > 0.0 ? low - below.value / below.slope : low, low, chord);
-    below = alongRay(piece, x, n, low);
-    if (below.value >= 0.0)
+  for (int i = 0; i < most_rounds && low < high; ++i) {
+    const Tangent below = deepest(piece, x + low * n, n, low - high); // depth changes by at most the way along the ray
+    if (below.value > -settled)
       return low;
-    high = std::min(high, chord);
-    above = alongRay(piece, x, n, high);
+    if (below.value <= low - high || below.other <= 0.0)
+      return high;
+    low -= below.value / below.other; // not beyond the first place inside: the depth is concave
   }
   return high;
 }
@@ -154,18 +123,13 @@ ProfileSweep::enterPiece(const Piece& piece, const Eigen::Vector3d& x, const Eig
   const double last = t - settled, range = last + start;
   if (range <= 0.0)
     return false;
-  const Tangent end = deepest(piece, x + last * n, n, -range); // depth changes by at most the way along the ray
+  const Tangent end = deepest(piece, x + last * n, n, -range);
   if (end.value <= -range || (end.value <= 0.0 && end.other >= 0.0))
     return false;
-  const Tangent begin = deepest(piece, x - start * n, n, -range);
-  double place = -start;
-  if (begin.value < 0.0) {
-    place = last;
-    if (end.value <= 0.0 && (begin.value <= -range || !inside(piece, x, n, -start, last, place)))
-      return false;
-    place = firstInside(piece, x, n, -start, place);
-  }
-  t = place;
+  const double first = firstInside(piece, x, n, -start, last);
+  if (first >= last)
+    return false;
+  t = first;
   return true;
 }
 

@@ -42,8 +42,6 @@ private:
   Piece piece(std::size_t move, std::size_t number, std::size_t count) const;
   Tangent depthAt(const Piece& piece, double f, const Eigen::Vector3d& x, const Eigen::Vector3d& n) const;
   Tangent deepest(const Piece& piece, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double least) const;
-  Tangent alongRay(const Piece& piece, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double t) const;
-  bool inside(const Piece& piece, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double end, double& t) const;
   double firstInside(const Piece& piece, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double low, double high) const;
   bool staysOutside(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double t) const;
   bool enterPiece(const Piece& piece, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double& t) const;
