@@ -6,12 +6,18 @@
 
 #include "verify/ball_way.h"
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace pcl_spiral;
 
 namespace {
+
+constexpr double most_lean = 60.0; // degrees
 
 JudgedPart
 meshPart(const std::string& file, const ReadOptions& read, const MeshChoice& mesh)
@@ -35,7 +41,7 @@ regionOf(const std::string& file, const ReadOptions& read, const NamedRegion& re
   part.whole = scan.cloud;
   scan.warnings.clear();
   part.side = sideOf(scan, view_point);
-  part.chosen = choosePart(region.part, file, read, asked.tool_radius, {part.side, asked.flip_normals, asked.threads}, scan);
+  part.chosen = choosePart(region.part, file, read, asked.tool, {part.side, asked.flip_normals, asked.threads}, scan);
   part.side = sideOf(scan, view_point);
   part.cloud = scan.cloud;
   part.warnings = ofRegion(region.name, inOptions(scan.warnings));
@@ -62,6 +68,20 @@ readParts(const std::string& file, const ReadOptions& read, const std::optional<
   return parts;
 }
 
+double
+leanOf(const pcl::PointCloud<ToolpathPoint>& path)
+{
+  constexpr double share = 0.01; // of the points may lean more
+  std::vector<double> cosines;
+  for (const ToolpathPoint& p : path)
+    cosines.push_back(p.getNormalVector3fMap().cast<double>().dot(p.getAxisVector3fMap().cast<double>()));
+  if (cosines.empty())
+    return 0.0;
+  const auto least = cosines.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(cosines.size()));
+  std::nth_element(cosines.begin(), least, cosines.end());
+  return std::min(most_lean, std::acos(std::clamp(*least, -1.0, 1.0)) / degree);
+}
+
 std::vector<std::string>
 faultsBeside(const JudgedPart& part, const Surface& reference, const pcl::PointCloud<ToolpathPoint>& path, double tool_radius,
              double allowed)
@@ -69,6 +89,9 @@ faultsBeside(const JudgedPart& part, const Surface& reference, const pcl::PointC
   std::vector<std::string> faults;
   if (const auto entry = deepestEntry(path, tool_radius, part.chosen.keep_outs))
     faults.push_back(textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place)));
+  if (const auto cut = deepestPoint(path, tool_radius, part.chosen.kept_out); cut && cut->depth > allowed)
+    faults.push_back(textOf("the shank, taken as ", shank_radii, " radii long, cuts ", cut->depth,
+                            " mm into what stands in a keep-out, at ", placeText(cut->place)));
   std::vector<Eigen::Vector3f> beside = part.chosen.beside;
   for (std::size_t i = 0; !part.mesh && i < reference.leftOut().why.size(); ++i)
     if (reference.leftOut().why[i] == LeftOut::OtherPart)
