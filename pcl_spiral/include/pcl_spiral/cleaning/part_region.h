@@ -25,7 +25,7 @@ class PointBlocks;
 struct RegionFigures {
   std::size_t cropped = 0;   ///< outside the crop
   std::size_t kept_out = 0;  ///< inside a keep-out
-  std::size_t too_close = 0; ///< outside, but the ball on the surface there is too close to a keep-out, or its shank to an obstacle
+  std::size_t too_close = 0; ///< outside, but the ball is too close to a keep-out, or its shank to an obstacle
 };
 
 /** Keeps the points of a scan that are to be cut: those inside the crop at which a ball can touch the surface without entering a
