@@ -29,8 +29,8 @@ struct RegionFigures {
 };
 
 /** Keeps the points of a scan that are to be cut: those inside the crop at which a ball can touch the surface without entering a
- *  keep-out, its shank without touching what stands there. A keep-out has no end along its axis, so the ball is also out of the space over it. Points that are not finite are
- *  left out. Lengths in mm.
+ *  keep-out, its shank without touching what stands there. A keep-out has no end along its axis, so the ball is also out of the space
+ *  over it. Points that are not finite are left out. Lengths in mm.
  *  \code
  *  PartRegion<pcl::PointXYZ> region;
  *  region.setInputCloud(scan);
