@@ -15,6 +15,7 @@
 #include "verify/limit_verdicts.h"
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/toolpath_reader.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 
 #include <pcl/console/print.h>
@@ -119,6 +120,22 @@ judgeAndShow(const VerifyJob& job, const JudgedPart& part, const std::string& fi
   return judged.verification.broken.empty();
 }
 
+/** The tool that the points near keep-outs are left to: it leans as that of the paths, and as asked for by default for programs, which
+ *  have no normals. */
+PartTool
+judgedTool(const VerifyJob& job)
+{
+  const SpiralSettings usual;
+  PartTool tool{job.settings.cutter.radius, usual.tilt_angle + usual.axis_deviation};
+  if (job.part.keep_outs.empty())
+    return tool;
+  double most = 0.0;
+  for (const std::string& file : job.paths)
+    most = std::max(most, isProgramFile(file) ? tool.lean : leanOf(readToolpath(file).path));
+  tool.lean = most;
+  return tool;
+}
+
 /** Judges every path by every region. \return whether all limits hold */
 bool
 run(const VerifyJob& job)
@@ -127,7 +144,7 @@ run(const VerifyJob& job)
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // errors are reported below, once
   const std::vector<JudgedPart> parts =
       readParts(job.scan, job.read, job.mesh, job.settings.side,
-                {job.part, job.regions, job.settings.cutter.radius, job.settings.flip_normals, job.settings.threads});
+                {job.part, job.regions, judgedTool(job), job.settings.flip_normals, job.settings.threads});
   for (const JudgedPart& part : parts)
     warn(job, part.warnings);
   std::vector<std::shared_ptr<const ReferenceSurface>> references(parts.size());

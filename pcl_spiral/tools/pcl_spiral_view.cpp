@@ -35,7 +35,7 @@ requireWindow()
 JudgedPart
 shownPart(const ViewJob& job)
 {
-  const JudgedRegion asked{job.part, job.regions, job.settings.cutter.radius, job.settings.flip_normals, job.settings.threads};
+  const JudgedRegion asked{job.part, job.regions, {job.settings.cutter.radius, 0.0}, job.settings.flip_normals, job.settings.threads};
   const JudgedPart part = readParts(job.scan, job.read, job.mesh, job.settings.side, asked).front();
   if (!job.quiet)
     for (const std::string& warning : part.warnings)

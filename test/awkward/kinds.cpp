@@ -68,7 +68,7 @@ clampOnPart(Scene& s, test::Random& random)
   clamp.top = under.z() + random.uniform(8.0, 20.0);
   addBox(s, clamp);
   s.keep_out = clamp.outline(0.5);
-  const double around = 2.0 * s.radius + 3.0;
+  const double around = 2.0 * s.radius + 3.0 + 0.5 * (clamp.top - under.z()); // the shank leans by 17 degrees and the slope
   s.exempt = [clamp, around](const Vector3d& x) { return clamp.covers(x.head<2>(), around); };
   Vector3d on = innerPlace(*s.part, 3.0, random);
   for (int i = 0; i < 100 && clamp.covers(on.head<2>(), 3.0); ++i)

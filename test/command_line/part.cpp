@@ -21,7 +21,7 @@ using Arguments = std::vector<std::string>;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double ball = 100.0, rim = 40.0, radius = 4.0, scallop = 0.05, table = -70.0; // mm
+constexpr double ball = 100.0, rim = 40.0, radius = 4.0, scallop = 0.05, table = -70.0, clamp_top = 12.0; // mm
 const std::vector<Vector2d> clamp{{14.0, -6.0}, {29.0, -3.0}, {27.0, 7.0}, {12.0, 4.0}};
 
 /** Coordinates of the file: (mm) / unit + origin. */
@@ -56,9 +56,37 @@ clampDistance(const Vector2d& p)
   if (inClamp(p))
     return 0.0;
   double least = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < clamp.size(); ++i)
-    for (int k = 0; k <= 1000; ++k)
-      least = std::min(least, (clamp[i] + (clamp[(i + 1) % clamp.size()] - clamp[i]) * (k / 1000.0) - p).norm());
+  for (std::size_t i = 0; i < clamp.size(); ++i) {
+    const Vector2d side = clamp[(i + 1) % clamp.size()] - clamp[i];
+    const double share = std::clamp((p - clamp[i]).dot(side) / side.squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (clamp[i] + share * side - p).norm());
+  }
+  return least;
+}
+
+/** Distance of the shank, ten radii long over \p centre along \p axis, from the clamp, whose top is flat; negative: in it. */
+double
+shankClearance(const Vector3d& centre, const Vector3d& axis)
+{
+  double least = std::numeric_limits<double>::max();
+  for (double s = 0.0; s <= 10.0 * radius; s += 0.25) {
+    const Vector3d place = centre + s * axis;
+    least = std::min(least, std::hypot(clampDistance(place.head<2>()), std::max(place.z() - clamp_top, 0.0)) - radius);
+  }
+  return least;
+}
+
+/** The same for all axes that lean from \p normal by \p lean degrees. */
+double
+leaningClearance(const Vector3d& centre, const Vector3d& normal, double lean)
+{
+  const Vector3d across = normal.unitOrthogonal(), other = normal.cross(across);
+  double least = shankClearance(centre, normal);
+  for (int k = 0; k < 24; ++k) {
+    const double angle = M_PI * k / 12.0, by = lean * M_PI / 180.0;
+    const Vector3d axis = std::cos(by) * normal + std::sin(by) * (std::cos(angle) * across + std::sin(angle) * other);
+    least = std::min(least, shankClearance(centre, axis));
+  }
   return least;
 }
 
@@ -80,7 +108,7 @@ scene(bool with_clamp, bool with_table)
     const double r = rim * std::sqrt(unit(random)), angle = 2.0 * M_PI * unit(random);
     const Vector2d p(r * std::cos(angle), r * std::sin(angle));
     const bool up = with_clamp && inClamp(p);
-    points.push_back(up ? Vector3d(p.x(), p.y(), 12.0) : onCap(p.x(), p.y()) + Vector3d(0.0, 0.0, noise(random)));
+    points.push_back(up ? Vector3d(p.x(), p.y(), clamp_top) : onCap(p.x(), p.y()) + Vector3d(0.0, 0.0, noise(random)));
   }
   for (int i = 0; with_table && i < 20000; ++i) {
     const Vector3d p(240.0 * unit(random) - 120.0, 240.0 * unit(random) - 120.0, table + noise(random));
@@ -126,8 +154,8 @@ protected:
     return all;
   }
 
-  /** The path lies on the cap, and cuts it but for a band at the rim, and where the ball would be within \p band of the clamp. */
-  void expectCapCut(bool keeps_out)
+  /** The path lies on the cap, and cuts it but for a band at the rim, and where ball or shank could come near the clamp. */
+  void expectCapCut(bool keeps_out, double lean = 17.0)
   {
     const std::vector<Vector3d> way = centres();
     ASSERT_GT(way.size(), 500U);
@@ -150,7 +178,7 @@ protected:
           continue;
         const Vector3d p = onCap(x, y);
         const Vector3d centre = p + radius * (p + Vector3d(0.0, 0.0, ball)) / ball;
-        if (keeps_out && clampDistance(centre.head<2>()) < radius + band)
+        if (keeps_out && leaningClearance(centre, (p + Vector3d(0.0, 0.0, ball)) / ball, lean) < band)
           continue;
         ++counted;
         double least = std::numeric_limits<double>::max();
@@ -158,7 +186,17 @@ protected:
           least = std::min(least, (c - p).squaredNorm());
         EXPECT_LT(std::sqrt(least) - radius, 2.0 * scallop) << "not cut: " << p.transpose();
       }
-    EXPECT_GT(counted, 500);
+    EXPECT_GT(counted, 400);
+  }
+
+  /** The shank is not in the clamp anywhere. */
+  void expectShankClear() const
+  {
+    for (const auto& p : pcl_spiral::readToolpath(folder_.path("a.csv")).path) {
+      const Vector3d axis = p.getAxisVector3fMap().cast<double>();
+      const Vector3d centre = p.getVector3fMap().cast<double>() + radius * p.getNormalVector3fMap().cast<double>();
+      ASSERT_GT(shankClearance(centre, axis), -0.02) << centre.transpose();
+    }
   }
 
   /** The numbers of "... at (1, 2, 3)" behind \p words. */
@@ -221,12 +259,43 @@ TEST_F(Part, TheBallKeepsOutOfTheClampAndCutsAllElse)
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_NE(result.err.find("in a keep-out"), std::string::npos) << result.err;
   expectCapCut(true);
+  expectShankClear();
   const RunResult judged = verify(chosen);
   EXPECT_EQ(judged.code, 0) << judged.err << judged.out;
   const std::string path = readText(folder_.path("a.csv"));
   writeText(folder_.path("report.json"), readText(folder_.path("a.json")));
   ASSERT_EQ(endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM, {"--config", "report.json"}, folder_), folder_).code, 0) << "replayed";
   EXPECT_EQ(readText(folder_.path("a.csv")), path);
+}
+
+TEST_F(Part, AStraightToolGoesNearerToTheClamp)
+{
+  write(scene(true, false));
+  ASSERT_EQ(run({"--keep-out", "keep.txt"}).code, 0);
+  const auto nearest = [&] {
+    double least = std::numeric_limits<double>::max();
+    for (const Vector3d& c : centres())
+      least = std::min(least, clampDistance(c.head<2>()));
+    return least;
+  };
+  const double leaning = nearest();
+  const RunResult straight = run({"--keep-out", "keep.txt", "--tilt", "0"});
+  ASSERT_EQ(straight.code, 0) << straight.err;
+  expectShankClear();
+  expectCapCut(true, 2.0);
+  EXPECT_LT(nearest(), leaning - 0.2);
+}
+
+TEST_F(Part, VerifyFindsAShankInTheClamp)
+{
+  write(scene(false, false)); // without the clamp the path goes on beside it
+  writeText(folder_.path("beside.txt"), "14 -6\n29 -3\n27 7\n12 4\n");
+  ASSERT_EQ(run({"--keep-out", "beside.txt"}).code, 0);
+  EXPECT_EQ(verify({"--keep-out", "beside.txt"}).code, 0);
+  write(scene(true, false));
+  const RunResult judged = verify({"--keep-out", "beside.txt"});
+  EXPECT_EQ(judged.code, 1);
+  EXPECT_NE((judged.err + judged.out).find("where something stands in a keep-out"), std::string::npos) << judged.err << judged.out;
 }
 
 TEST_F(Part, CoordinatesAreThoseOfTheFile)

@@ -241,3 +241,48 @@ TEST(PolygonReader, RefusesWithTheLine)
   refused("0 0\n2 2\n2 0\n0 2\n", "crosses");
   refused("0 0\n1 nan\n", "line 2");
 }
+
+TEST(PartRegion, AShankThatLeansAnyWayStaysClearOfAnObstacle)
+{
+  constexpr double radius = 4.0, length = 40.0, lean = 17.0;
+  const Eigen::Vector3d obstacle(0.0, 0.0, 12.0);
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+  for (int i = 0; i < 400; ++i) {
+    cloud->emplace_back(0.05f * static_cast<float>(i), 0.0f, 0.0f);
+    normals->emplace_back(0.0f, 0.0f, 1.0f);
+  }
+  PartRegion<pcl::PointXYZ> region;
+  region.setInputCloud(cloud);
+  region.setInputNormals(normals);
+  region.setToolRadius(radius);
+  region.setShank(length, lean);
+  region.setObstacles({obstacle.cast<float>()});
+  pcl::Indices kept;
+  region.filter(kept);
+  ASSERT_TRUE(region.getStatus().ok());
+  EXPECT_EQ(region.getFigures().too_close, cloud->size() - kept.size());
+  const auto clearance = [&](double x) { // of the shank that leans towards the obstacle by any angle up to the lean
+    double least = 1e30;
+    for (double angle = -lean; angle <= lean; angle += 0.5)
+      for (double s = 0.0; s <= length; s += 0.02) {
+        const double by = angle * 3.14159265358979 / 180.0;
+        const Eigen::Vector3d place(x + s * std::sin(by), 0.0, radius + s * std::cos(by));
+        least = std::min(least, (place - obstacle).norm() - radius);
+      }
+    return least;
+  };
+  std::vector<bool> is_kept(cloud->size(), false);
+  for (const auto i : kept)
+    is_kept[static_cast<std::size_t>(i)] = true;
+  for (std::size_t i = 0; i < cloud->size(); i += 5) {
+    const double clear = clearance((*cloud)[i].x);
+    if (is_kept[i])
+      EXPECT_GE(clear, 0.0) << (*cloud)[i].x;
+    else
+      EXPECT_LT(clear, 0.5) << "left out for nothing: " << (*cloud)[i].x;
+  }
+  region.setShank(length, 90.0);
+  region.filter(kept);
+  EXPECT_NE(region.getStatus().message().find("(setShank)"), std::string::npos);
+}

@@ -35,6 +35,8 @@ addPath(HtmlPage& page, const Job& job, const Result& result)
   for (std::size_t i = 0; i < location_states; ++i)
     if (f.states[i] > 0)
       rows.push_back({formatted("Locations: %s", nameOf(static_cast<LocationState>(i))), std::to_string(f.states[i])});
+  if (result.kept_out > 0)
+    rows.push_back({"Locations left out because of keep-outs", std::to_string(result.kept_out)});
   if (f.collisions > 0)
     rows.push_back({"Collisions of shank or holder", formatted("%zu, up to %.4g mm deep", f.collisions, f.deepest_collision)});
   if (result.program)

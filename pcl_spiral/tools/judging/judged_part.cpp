@@ -6,15 +6,20 @@
 
 #include "verify/ball_way.h"
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 using namespace pcl_spiral;
 
 namespace {
+
+constexpr double most_lean = 60.0; // degrees
 
 JudgedPart
 meshPart(const std::string& file, const ReadOptions& read, const MeshChoice& mesh)
@@ -38,7 +43,7 @@ regionOf(const std::string& file, const ReadOptions& read, const NamedRegion& re
   part.whole = scan.cloud;
   scan.warnings.clear();
   part.side = sideOf(scan, view_point);
-  part.chosen = choosePart(region.part, file, read, asked.tool_radius, {part.side, asked.flip_normals, asked.threads}, scan);
+  part.chosen = choosePart(region.part, file, read, asked.tool, {part.side, asked.flip_normals, asked.threads}, scan);
   part.side = sideOf(scan, view_point);
   part.cloud = scan.cloud;
   part.warnings = ofRegion(region.name, inOptions(scan.warnings));
@@ -98,6 +103,20 @@ readParts(const std::string& file, const ReadOptions& read, const std::optional<
   return parts;
 }
 
+double
+leanOf(const pcl::PointCloud<ToolpathPoint>& path)
+{
+  constexpr double share = 0.01; // of the points may lean more
+  std::vector<double> cosines;
+  for (const ToolpathPoint& p : path)
+    cosines.push_back(p.getNormalVector3fMap().cast<double>().dot(p.getAxisVector3fMap().cast<double>()));
+  if (cosines.empty())
+    return 0.0;
+  const auto least = cosines.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(cosines.size()));
+  std::nth_element(cosines.begin(), least, cosines.end());
+  return std::min(most_lean, std::acos(std::clamp(*least, -1.0, 1.0)) / degree);
+}
+
 std::vector<std::string>
 faultsBeside(const JudgedPart& part, const Surface& reference, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path,
              const JudgeSettings& settings, double allowed)
@@ -121,6 +140,7 @@ faultsBeside(const JudgedPart& part, const Surface& reference, const pcl::PointC
     if (const auto cut = cutBeside(points, path, settings, words); cut && cut->depth > allowed)
       faults.push_back(textOf(words, " cuts ", cut->depth, " mm into the scan at ", placeText(cut->place), where));
   };
+  requireClear(part.chosen.kept_out, ", where something stands in a keep-out");
   requireClear(beside, ", beside the part that was chosen");
   requireClear(reference.riddenPoints(), ", where a cluster of points stands on the part");
   return faults;

@@ -24,7 +24,7 @@ struct JudgedPart {
 struct JudgedRegion {
   PartChoice choice;
   RegionChoice regions = {};
-  double tool_radius = 0.0; ///< mm
+  PartTool tool = {};
   bool flip_normals = false;
   unsigned int threads = 0;
 };
@@ -34,8 +34,11 @@ struct JudgedRegion {
 std::vector<JudgedPart> readParts(const std::string& file, const pcl_spiral::ReadOptions& read, const std::optional<MeshChoice>& mesh,
                                   const ScanSide& side, const JudgedRegion& asked);
 
-/** What is wrong where the path meets the limits of the part: its cutter enters a keep-out, or cuts into the scan beside, also into the
- *  parts that \p reference leaves out and the clusters that stand on it. Empty: nothing. \p settings: cutter and tips.
+/** How far the tool axis leans from the normals of \p path, degrees: all but one point in a hundred lean less. */
+double leanOf(const pcl::PointCloud<pcl_spiral::ToolpathPoint>& path);
+
+/** What is wrong where the path meets the limits of the part: its cutter enters a keep-out, or cuts into what stands there, into the scan
+ *  beside, into the parts that \p reference leaves out, or into a cluster that stands on it. Empty: nothing. \p settings: cutter and tips.
  *  \p allowed: depth of a cut that counts as none, mm. */
 std::vector<std::string> faultsBeside(const JudgedPart& part, const pcl_spiral::Surface& reference,
                                       const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,

@@ -26,17 +26,10 @@ locationsOf(const PassResult& result)
 {
   const LocationFigures& f = result.locations;
   const BisectionFigures& b = result.bisection;
-  return {{"count", result.poseCount()},
-          {"put_in", b.inserted},
-          {"largest_error", b.largest_error},
-          {"unresolved_moves", b.unresolved},
-          {"states", statesOf(f)},
-          {"off_scan", result.off_scan},
-          {"over_rim", f.over_rim},
-          {"retilted", f.retilted},
-          {"largest_retilt", f.largest_retilt},
-          {"collisions", f.collisions},
-          {"deepest_collision", f.deepest_collision},
+  return {{"count", result.poseCount()},         {"put_in", b.inserted},       {"largest_error", b.largest_error},
+          {"unresolved_moves", b.unresolved},    {"states", statesOf(f)},      {"off_scan", result.off_scan},
+          {"kept_out", result.kept_out},         {"over_rim", f.over_rim},     {"retilted", f.retilted},
+          {"largest_retilt", f.largest_retilt},  {"collisions", f.collisions}, {"deepest_collision", f.deepest_collision},
           {"noise_allowance", f.noise_allowance}};
 }
 

@@ -6,6 +6,7 @@
 #include "terminal.h"
 
 #include "common/formatted_text.h"
+#include "verify/ball_way.h"
 #include <pcl_spiral/cleaning/part_region.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
@@ -118,8 +119,10 @@ cut(Region& region, CutScan& from)
   for (const auto i : *region.getRemovedIndices()) {
     const pcl::PointXYZ& p = (*scan.cloud)[static_cast<std::size_t>(i)];
     const auto contains = [&](const Prism& prism) { return prism.contains(p.getVector3fMap().cast<double>()); };
-    if (pcl::isFinite(p) && std::none_of(from.part.keep_outs.begin(), from.part.keep_outs.end(), contains))
-      from.part.beside.push_back(p.getVector3fMap());
+    const std::vector<Prism>& keep_outs = from.part.keep_outs;
+    const bool kept_out = std::any_of(keep_outs.begin(), keep_outs.end(), contains);
+    if (pcl::isFinite(p))
+      (kept_out ? from.part.kept_out : from.part.beside).push_back(p.getVector3fMap());
   }
   scan.cloud = selected(*scan.cloud, kept);
   if (scan.normals)
@@ -137,7 +140,9 @@ warnOfCuts(const PartChoice& choice, const RegionFigures& figures, std::size_t a
   if (!choice.keep_outs.empty())
     scan.warnings.push_back(
         textOf(figures.kept_out, " of ", all, " points are in a keep-out",
-               tool_radius > 0.0 ? textOf(", and ", figures.too_close, " so near to one that the ball would enter it") : "",
+               tool_radius > 0.0
+                   ? textOf(", and ", figures.too_close, " so near to one that the ball would enter it, or the shank what stands there")
+                   : "",
                ": they are not cut (--keep-out)"));
 }
 
@@ -193,7 +198,7 @@ placeInFile(const Eigen::Vector3d& place, const ReadOptions& asked)
 }
 
 ChosenPart
-choosePart(const PartChoice& choice, const std::string& file, const ReadOptions& asked, double tool_radius, const PartSide& side,
+choosePart(const PartChoice& choice, const std::string& file, const ReadOptions& asked, const PartTool& tool, const PartSide& side,
            Scan& scan)
 {
   const ReadOptions read = readAsScan(asked);
@@ -221,15 +226,17 @@ choosePart(const PartChoice& choice, const std::string& file, const ReadOptions&
     cut(inside, from);
     figures.cropped += inside.getFigures().cropped;
   }
-  if (!part.keep_outs.empty() && tool_radius > 0.0) {
+  if (!part.keep_outs.empty() && tool.radius > 0.0) {
     double spacing = 0.0;
     region.setInputNormals(surfaceNormals(file, side, scan, spacing));
-    region.setToolRadius(tool_radius);
+    region.setToolRadius(tool.radius);
+    region.setShank(shank_radii * tool.radius, tool.lean);
+    region.setObstacles(part.kept_out);
     region.setMargin(spacing); // the outline may lie up to a spacing beyond the last points
     cut(region, from);
     figures.too_close = region.getFigures().too_close;
   }
-  warnOfCuts(choice, figures, all, tool_radius, scan);
+  warnOfCuts(choice, figures, all, tool.radius, scan);
   return part;
 }
 

@@ -54,7 +54,14 @@ Eigen::Vector3d placeInFile(const Eigen::Vector3d& place, const pcl_spiral::Read
 struct ChosenPart {
   std::vector<pcl_spiral::Prism> keep_outs; ///< in the coordinates of the scan that was read
   std::vector<Eigen::Vector3f> beside;      ///< points left out by their place, without those in a keep-out
+  std::vector<Eigen::Vector3f> kept_out;    ///< points in a keep-out
   std::optional<Eigen::Vector3d> part_at;   ///< in the coordinates of the scan that was read
+};
+
+/** The tool that goes over a scan. */
+struct PartTool {
+  double radius = 0.0; ///< of the ball, mm; 0: any cutter, looked at later
+  double lean = 0.0;   ///< of its axis from the normal, degrees
 };
 
 /** How the side of a scan is found, to know where the ball stands. */
@@ -64,10 +71,11 @@ struct PartSide {
   unsigned int threads = 0;
 };
 
-/** Removes from \p scan, which was read from \p file, the points outside the crop and those that a ball of \p tool_radius cannot
- *  touch without entering a keep-out (radius 0: those in a keep-out); adds to its warnings how many.
+/** Removes from \p scan, which was read from \p file, the points outside the crop and those that \p tool cannot touch without entering
+ *  a keep-out, its shank (see ball_way.h) without touching what was scanned there (radius 0: those in a keep-out); adds to its warnings
+ *  how many.
  *  \throw pcl_spiral::FileError, UsageError */
-ChosenPart choosePart(const PartChoice& choice, const std::string& file, const pcl_spiral::ReadOptions& read, double tool_radius,
+ChosenPart choosePart(const PartChoice& choice, const std::string& file, const pcl_spiral::ReadOptions& read, const PartTool& tool,
                       const PartSide& side, pcl_spiral::Scan& scan);
 
 /** \p message with the places of parts ("mm2 at (1, 2, 3)") also in the coordinates of the file, if these are others. */

@@ -13,6 +13,10 @@
 
 #include "verify/ball_way.h"
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace pcl_spiral;
 
@@ -69,11 +73,20 @@ readInput(const Job& job, ProgressBar& bar, Result& result)
   result.whole_scan = result.scan.cloud;
 }
 
+/** How far the tool axis leans from the normal, degrees: the tilt asked for, and what smoothing may add. */
+double
+leanOf(const SpiralSettings& s)
+{
+  constexpr double most = 60.0; // a shank that leans more would touch the surface itself
+  const double asked = std::acos(std::cos(s.tilt_angle * degree) * std::cos(s.lead_angle * degree)) / degree;
+  return std::min(most, asked + s.axis_deviation);
+}
+
 /** Takes the points of the part out of the scan, and makes their surface if more than the planner needs it. */
 void
 choosePoints(const Job& job, ProgressBar& bar, StageClock& clock, Result& result)
 {
-  result.part = choosePart(job.part, job.scan, job.read, job.settings.tool_radius,
+  result.part = choosePart(job.part, job.scan, job.read, {job.settings.tool_radius, leanOf(job.settings)},
                            {result.side, job.settings.flip_normals, job.settings.threads}, result.scan);
   if (job.part.cuts())
     result.side = sideOf(result.scan, fromScan(job.settings.view_point));
@@ -128,6 +141,10 @@ checkWay(const Job& job, const Result& result)
   if (const auto entry = deepestEntry(*result.path, ballCentres(*result.path, radius), radius, result.part.keep_outs))
     throw FileError(job.scan, textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place),
                                      ": enlarge the polygon there by that much (--keep-out)"));
+  if (const auto cut = deepestPoint(*result.path, radius, result.part.kept_out); cut && cut->depth > allowed)
+    throw FileError(job.scan, textOf("the shank, taken as ", shank_radii, " radii long, would cut ", cut->depth,
+                                     " mm into what stands in a keep-out, at ", placeText(cut->place),
+                                     ": enlarge the polygon there by that much (--keep-out), or tilt the tool less (--tilt)"));
   std::vector<Eigen::Vector3f> beside = result.part.beside;
   for (std::size_t i = 0; result.surface && !result.mesh && i < result.surface->leftOut().why.size(); ++i)
     if (result.surface->leftOut().why[i] == LeftOut::OtherPart)

@@ -13,21 +13,24 @@
 #include <Eigen/Geometry>
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace pcl_spiral {
 
+class PointBlocks;
+
 /** What PartRegion left out: points. */
 struct RegionFigures {
   std::size_t cropped = 0;   ///< outside the crop
   std::size_t kept_out = 0;  ///< inside a keep-out
-  std::size_t too_close = 0; ///< outside, but a ball that touches the surface there is too close to a keep-out
+  std::size_t too_close = 0; ///< outside, but the ball is too close to a keep-out, or its shank to an obstacle
 };
 
 /** Keeps the points of a scan that are to be cut: those inside the crop at which a ball can touch the surface without entering a
- *  keep-out. A keep-out has no end along its axis, so the ball is also out of the space over it. Points that are not finite are
- *  left out. Lengths in mm.
+ *  keep-out, its shank without touching what stands there. A keep-out has no end along its axis, so the ball is also out of the space
+ *  over it. Points that are not finite are left out. Lengths in mm.
  *  \code
  *  PartRegion<pcl::PointXYZ> region;
  *  region.setInputCloud(scan);
@@ -71,6 +74,20 @@ public:
   void setMargin(double distance) { margin_ = distance; }
   double getMargin() const { return margin_; } ///< The value of setMargin.
 
+  /** Shank above the ball, as wide as the ball: its length, mm, and how far the tool axis may lean from the normal in any direction,
+   *  degrees, below 90. Length 0, the default: no shank. */
+  void setShank(double length, double lean)
+  {
+    shank_length_ = length;
+    lean_ = lean;
+  }
+  double getShankLength() const { return shank_length_; } ///< The length of setShank.
+  double getLean() const { return lean_; }                ///< The lean of setShank.
+
+  /** Points that the shank must not touch where normals are known, as those of a clamp in a keep-out: the scanner sees the top of a
+   *  clamp, and the shank meets it. */
+  void setObstacles(const std::vector<Eigen::Vector3f>& points);
+
   /** Normals of the input, one per point, out of the material: the ball that touches the surface at a point has its centre one
    *  radius along them. Where the normal is zero, or without normals, its centre may be anywhere within one radius. */
   void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
@@ -86,12 +103,15 @@ protected:
 private:
   Status check() const;
   bool keeps(std::size_t i);
+  bool shankMeets(const Eigen::Vector3d& centre, const Eigen::Vector3d& normal) const;
 
   std::optional<Eigen::AlignedBox3d> crop_box_;
   std::optional<Prism> crop_;
   std::vector<Prism> keep_outs_;
   double tool_radius_ = 0.0;
   double margin_ = 0.0;
+  double shank_length_ = 0.0, lean_ = 0.0;
+  std::shared_ptr<const PointBlocks> obstacles_; ///< null: none
   NormalsConstPtr normals_;
   Status status_;
   RegionFigures figures_;
