@@ -120,18 +120,32 @@ judgeAndShow(const VerifyJob& job, const JudgedPart& part, const std::string& fi
   return judged.verification.broken.empty();
 }
 
-/** The tool that the points near keep-outs are left to: it leans as that of the paths, and as asked for by default for programs, which
- *  have no normals. */
+/** How far the tool of a program leans from the normals of the scan, degrees; \p tool does not lean, so that no place is left out. With
+ *  several regions it is the lean that pcl_spiral_toolpath has by default. */
+double
+programLean(const VerifyJob& job, const std::string& file, const PartTool& tool)
+{
+  const SpiralSettings usual;
+  const std::vector<JudgedPart> parts = readParts(job.scan, job.read, job.mesh, job.settings.side,
+                                                  {job.part, job.regions, tool, job.settings.flip_normals, job.settings.threads});
+  if (parts.size() > 1)
+    return usual.tilt_angle + usual.axis_deviation;
+  std::shared_ptr<const ReferenceSurface> reference;
+  JudgedPath judged;
+  readJudgedProgram(job, parts.front(), file, {}, reference, judged);
+  return leanOf(*judged.path);
+}
+
+/** The tool that the points near keep-outs are left to: it leans as that of the paths. */
 PartTool
 judgedTool(const VerifyJob& job)
 {
-  const SpiralSettings usual;
-  PartTool tool{job.settings.cutter.radius, usual.tilt_angle + usual.axis_deviation};
+  PartTool tool{job.settings.cutter.radius, 0.0};
   if (job.part.keep_outs.empty())
     return tool;
   double most = 0.0;
   for (const std::string& file : job.paths)
-    most = std::max(most, isProgramFile(file) ? tool.lean : leanOf(readToolpath(file).path));
+    most = std::max(most, isProgramFile(file) ? programLean(job, file, tool) : leanOf(readToolpath(file).path));
   tool.lean = most;
   return tool;
 }

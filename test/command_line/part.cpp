@@ -286,6 +286,22 @@ TEST_F(Part, AStraightToolGoesNearerToTheClamp)
   EXPECT_LT(nearest(), leaning - 0.2);
 }
 
+TEST_F(Part, AProgramIsJudgedByThePointsThatItsToolCanReach)
+{
+  write(scene(true, false));
+  for (const char* tilt : {"0", "15"}) {
+    const RunResult made = run({"--keep-out", "keep.txt", "--tilt", tilt, "-o", "a.ngc"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    const RunResult judged =
+        endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM,
+                           {"scan.xyz", "a.ngc", "--machine", PCL_SPIRAL_MACHINES_DIR "/xyzac.yaml", "--tool-radius", "4", "--scallop",
+                            "0.05", "--keep-out", "keep.txt", "--max-gouge", "0.03", "--max-uncut", "0"},
+                           folder_),
+              folder_);
+    EXPECT_EQ(judged.code, 0) << tilt << ": " << judged.err << judged.out;
+  }
+}
+
 TEST_F(Part, VerifyFindsAShankInTheClamp)
 {
   write(scene(false, false)); // without the clamp the path goes on beside it

@@ -154,10 +154,11 @@ checkWay(const Job& job, const Result& result)
       beside.push_back(point);
   const auto cut = deepestPoint(*result.path, radius, beside);
   if (cut && cut->depth > allowed)
-    throw FileError(job.scan, textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", cut->depth,
-                                     " mm into the scan at ", placeText(cut->place),
-                                     ", beside the part that was chosen: keep out of what stands there with a polygon that covers it "
-                                     "(--keep-out), tilt the tool less (--tilt), or change the crop (--crop)"));
+    throw FileError(job.scan,
+                    textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", cut->depth, " mm into the scan at ",
+                           placeText(cut->place),
+                           ", beside the part that was chosen: keep out of what stands there with a polygon that covers it (--keep-out)",
+                           job.settings.tilt_angle > 0.0 ? ", or, if the shank hits it, tilt the tool less (--tilt)" : ""));
 }
 
 /** The path over the region that job.part chooses. \p result has what readInput gave. */

@@ -89,7 +89,7 @@ checkPace(const VerifyJob& job, const ProgramFile& read, Verification& verificat
         textOf("line ", read.lines[hurried.front().block], ": the cutter moves ", hurried.front().times,
                " times as fast as on the lines before and after",
                hurried.size() > 1 ? textOf(", and so on ", hurried.size() - 1, " other lines") : std::string(),
-               ": if there is no sharp edge, a block is missing before it; write the program again"));
+               ": if the path has no sharp edge and no sharp turn there, a block is missing before it; write the program again"));
 }
 
 } // namespace
