@@ -141,6 +141,21 @@ TEST(StandingClusters, AreRefusedWithPlaceSizeAndHeight)
       }
 }
 
+TEST(StandingClusters, PointsFarApartInOnePlaceAreOneToo)
+{
+  // Each three to five spacings from the next: alone they look like single echoes.
+  for (std::uint32_t seed = 1; seed <= 6; ++seed) {
+    const Cloud::Ptr cloud = dome(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> height(3.0, 6.0), jitter(-0.5, 0.5);
+    for (const auto& [x, y] : {std::pair(0.0, 0.0), {3.5, 0.0}, {0.0, 3.5}, {3.5, 3.5}, {7.0, 1.7}})
+      add(*cloud, onDome(x - 5.0 + jitter(random), y + 4.0 + jitter(random), height(random)));
+    const Status status = statusOf(cloud);
+    EXPECT_EQ(status.code(), StatusCode::InvalidInput) << seed;
+    EXPECT_NE(status.message().find("5 points at ("), std::string::npos) << status.message();
+  }
+}
+
 TEST(StandingClusters, AreLeftOutIfAskedFor)
 {
   for (const double height : {0.5, 2.0, 10.0}) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "standing_clusters.h"
 
+#include "cluster_chance.h"
+
 #include "search/neighbour_search.h"
 #include "surface/local_fit.h"
 
@@ -18,6 +20,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double link = 2.0;           // spacings
+constexpr double loose_link = 6.0;     // spacings: of points that stand far apart for their cluster
 constexpr std::size_t least_patch = 2; // points
 
 /** Height of a point over the surface. */
@@ -132,69 +135,70 @@ usualNoise(const SurePoints& sure)
   return std::sqrt(sum / static_cast<double>(places.size()));
 }
 
-/** Number of pairs of different groups whose points are nearest at 1 to 3 times \p reach, both ends counted once. */
-std::size_t
-pairsAround(const std::vector<StandingCluster>& groups, double reach)
-{
-  constexpr double farther = 3.0;
-  std::vector<Eigen::Vector3f> middles;
-  for (const StandingCluster& group : groups)
-    middles.push_back(group.place.cast<float>());
-  const PointBlocks blocks(middles);
-  const auto squared = static_cast<float>(farther * farther * reach * reach);
-  std::size_t pairs = 0;
-  for (std::uint32_t i = 0; i < middles.size(); ++i) {
-    Box place;
-    place.extend(middles[i].data());
-    blocks.forBlocksNear(place, squared, [&](std::size_t block) {
-      for (std::size_t k = blocks.blockBegin(block); k < blocks.blockEnd(block); ++k)
-        pairs += blocks.originalIndex(k) < i && (blocks.point(k) - middles[i]).squaredNorm() <= squared;
-    });
+/** Points off the surface. */
+struct StandingSet {
+  std::vector<Eigen::Vector3f> points;
+  std::vector<std::uint32_t> members; ///< their indices among those given
+  std::vector<double> heights;
+
+  void add(const Eigen::Vector3f& point, std::uint32_t member, double height)
+  {
+    points.push_back(point);
+    members.push_back(member);
+    heights.push_back(height);
   }
-  return pairs;
-}
+};
 
-/** Number of points from which on a group is larger than chance makes it; see standingPoints. */
-std::size_t
-leastCluster(const std::vector<StandingCluster>& groups, double reach)
-{
-  constexpr double shell = 8.0;      // times the area within reach
-  constexpr double unlikely = 0.3;   // groups
-  constexpr std::size_t most = 1000; // echoes as close as this are no single ones
-  const double all = static_cast<double>(groups.size());
-  const double another = 2.0 * static_cast<double>(pairsAround(groups, reach)) / shell / std::max(1.0, all); // within reach of an echo
-  double expected = all * another;
-  std::size_t least = 2;
-  for (; expected >= unlikely && least < most; ++least)
-    expected *= std::min(another, 1.0);
-  return least;
-}
-
-/** The groups of \p points, which stand off the surface by \p heights; \p members are their indices among those given. */
 std::vector<StandingCluster>
-groupsOf(const std::vector<Eigen::Vector3f>& points, const std::vector<std::uint32_t>& members, const std::vector<double>& heights,
-         double reach)
+groupsOf(const StandingSet& standing, double reach)
 {
   std::vector<StandingCluster> groups;
   std::vector<Eigen::AlignedBox3d> boxes;
-  const std::vector<std::uint32_t> group = pointGroups(points, reach);
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  const std::vector<std::uint32_t> group = pointGroups(standing.points, reach);
+  for (std::size_t i = 0; i < standing.points.size(); ++i) {
     if (group[i] == groups.size()) {
       groups.emplace_back();
       boxes.emplace_back();
     }
     StandingCluster& own = groups[group[i]];
-    own.indices.push_back(members[i]);
-    own.positions.push_back(points[i]);
-    own.place += points[i].cast<double>();
-    own.height = std::max(own.height, heights[i]);
-    boxes[group[i]].extend(points[i].cast<double>());
+    own.indices.push_back(standing.members[i]);
+    own.positions.push_back(standing.points[i]);
+    own.place += standing.points[i].cast<double>();
+    own.height = std::max(own.height, standing.heights[i]);
+    boxes[group[i]].extend(standing.points[i].cast<double>());
   }
   for (std::size_t g = 0; g < groups.size(); ++g) {
     groups[g].place /= static_cast<double>(groups[g].indices.size());
     groups[g].size = boxes[g].diagonal().norm();
   }
   return groups;
+}
+
+/** Groups larger than chance makes them: first of points that are near each other among all, then of the others, which stand farther
+ *  apart but in one place of the \p area. \p is_far: of the indices among the points given. */
+std::vector<StandingCluster>
+clustersOf(const StandingSet& standing, const std::vector<std::uint8_t>& is_far, double spacing, double area)
+{
+  const auto isCluster = [&](const StandingCluster& group, std::size_t least) {
+    return group.indices.size() >= least &&
+           std::count_if(group.indices.begin(), group.indices.end(), [&](std::uint32_t i) { return is_far[i] != 0; }) > 1;
+  };
+  std::vector<StandingCluster> clusters;
+  const std::vector<StandingCluster> groups = groupsOf(standing, link * spacing);
+  const std::size_t least = leastCluster(groups, link * spacing);
+  StandingSet others;
+  for (const StandingCluster& group : groups) {
+    if (isCluster(group, least))
+      clusters.push_back(group);
+    else
+      for (std::size_t i = 0; i < group.indices.size(); ++i)
+        others.add(group.positions[i], group.indices[i], group.height);
+  }
+  const std::size_t least_loose = leastSpread(others.points.size(), loose_link * spacing, area);
+  for (const StandingCluster& group : groupsOf(others, loose_link * spacing))
+    if (isCluster(group, least_loose))
+      clusters.push_back(group);
+  return clusters;
 }
 
 } // namespace
@@ -210,30 +214,23 @@ standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& po
   if (sure.blocks.size() == 0)
     return found;
   const std::vector<Height> heights = heightsOver(sure, points);
-  const double noise = usualNoise(sure);
-  std::vector<Eigen::Vector3f> standing;
-  std::vector<std::uint32_t> members;
-  std::vector<double> standing_heights, sizes;
+  const double spacing = graph.spacing(), usual = usualNoise(sure);
+  StandingSet standing;
+  std::vector<double> sizes;
+  std::vector<std::uint8_t> is_far(points.size(), 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Height& height = heights[i];
+    const double noise = std::max(height.noise, usual);
     sizes.push_back(std::abs(height.value));
-    if (height.over && height.value > std::max(over_noise * std::max(height.noise, noise), over_spacing * graph.spacing())) {
-      standing.push_back(points[i]);
-      members.push_back(static_cast<std::uint32_t>(i));
-      standing_heights.push_back(height.value);
-    }
+    is_far[i] = height.value > far_over_noise * noise;
+    if (height.over && height.value > std::max(over_noise * noise, over_spacing * spacing))
+      standing.add(points[i], static_cast<std::uint32_t>(i), height.value);
   }
   found.largest_height = *std::max_element(sizes.begin(), sizes.end());
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
   found.median_height = *middle;
-  const double reach = link * graph.spacing();
-  std::vector<StandingCluster> groups = groupsOf(standing, members, standing_heights, reach);
-  const std::size_t least = leastCluster(groups, reach);
-  const auto isFar = [&](std::uint32_t i) { return heights[i].value > far_over_noise * std::max(heights[i].noise, noise); };
-  for (const StandingCluster& group : groups)
-    if (group.indices.size() >= least && std::count_if(group.indices.begin(), group.indices.end(), isFar) > 1)
-      found.clusters.push_back(group);
+  found.clusters = clustersOf(standing, is_far, spacing, static_cast<double>(sure.blocks.size()) * spacing * spacing);
   std::stable_sort(found.clusters.begin(), found.clusters.end(),
                    [](const StandingCluster& a, const StandingCluster& b) { return a.height > b.height; });
   return found;

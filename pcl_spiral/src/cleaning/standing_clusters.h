@@ -28,8 +28,9 @@ struct StandingPoints {
  *  A point stands off the surface if its height over the surface of its neighbours, on the outer side, is more than eight times
  *  the noise, theirs and the usual one, and 0.3 of the spacing, and it is not beyond the rim by more than a spacing.
  *  Two or more points of a cluster are higher than twelve times the noise.
- *  Steps of two spacings link the points of a cluster. False echoes that fly about at random meet by chance: how often is estimated
- *  from the pairs two to six spacings apart, which are eight times as many on a plane, and more in space. Groups of a size that is
+ *  Steps of two spacings link the points of a cluster. Points that stand farther apart are linked by steps of six spacings. False echoes
+ *  that fly about at random meet by chance: how often is estimated from their distances (leastCluster), for the second links from their
+ *  number on the whole surface (leastSpread). Groups of a size that is
  *  expected 0.3 times or more are no clusters. The surface is that of spikeOutliers, fitted to the points of the graph that are not
  *  doubtful. */
 StandingPoints standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& points);
