@@ -4,6 +4,7 @@
 #include <pcl_spiral/verify/impl/cutter_sweep.h>
 
 #include "support/move_tree.h"
+#include "support/random_vectors.h"
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
@@ -13,20 +14,10 @@
 
 using namespace pcl_spiral;
 using test::Random;
+using test::randomUnit;
+using test::randomVector;
 
 namespace {
-
-Eigen::Vector3d
-randomVector(Random& random, double reach)
-{
-  return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
-}
-
-Eigen::Vector3d
-randomUnit(Random& random)
-{
-  return Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
-}
 
 SurfaceFoot
 footOf(const test::AnalyticSurface& surface, const Eigen::Vector3d& x, double k1, double k2)

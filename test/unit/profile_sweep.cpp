@@ -3,6 +3,7 @@
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 
 #include "support/cutters.h"
+#include "support/random_vectors.h"
 #include "support/sampling.h"
 
 #include <gtest/gtest.h>
@@ -12,20 +13,10 @@
 
 using namespace pcl_spiral;
 using test::Random;
+using test::randomUnit;
+using test::randomVector;
 
 namespace {
-
-Eigen::Vector3d
-randomVector(Random& random, double reach)
-{
-  return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
-}
-
-Eigen::Vector3d
-randomUnit(Random& random)
-{
-  return Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
-}
 
 double
 topOf(const CutterShape& cutter)

@@ -15,6 +15,17 @@ namespace {
 
 constexpr double rounding = 0.001; // mm: of the single precision of contacts, on parts of a few metres
 
+/** Counts the tip of path point \p i, which is \p off by some mm. */
+void
+countTip(double off, const Eigen::Vector3d& contact, std::size_t i, Verification& verification)
+{
+  if (!(off > rounding))
+    return;
+  ++verification.tips_off;
+  if (off > verification.tip_error.value)
+    verification.tip_error = {off, contact, i};
+}
+
 std::string
 checkContacts(const ToolpathFile& file, const CutterShape& cutter, Verification& verification)
 {
@@ -23,11 +34,7 @@ checkContacts(const ToolpathFile& file, const CutterShape& cutter, Verification&
     const ToolpathPoint& point = file.path[i];
     const Eigen::Vector3d contact = point.getVector3fMap().cast<double>();
     const double off = std::abs(profile.at(contact, file.tips[i], point.getAxisVector3fMap().cast<double>()));
-    if (!(off > rounding))
-      continue;
-    ++verification.tips_off;
-    if (off > verification.tip_error.value)
-      verification.tip_error = {off, contact, i};
+    countTip(off, contact, i, verification);
   }
   if (verification.tips_off == 0)
     return "";
@@ -49,11 +56,7 @@ checkBall(const ToolpathFile& file, double tool_radius, Verification& verificati
     along += arm.dot(file.tips[i] - contact);
     squared += arm.squaredNorm();
     const double off = (file.tips[i] - toolTip(point, tool_radius)).norm();
-    if (!(off > rounding))
-      continue;
-    ++verification.tips_off;
-    if (off > verification.tip_error.value)
-      verification.tip_error = {off, contact, i};
+    countTip(off, contact, i, verification);
   }
   if (verification.tips_off == 0)
     return "";
