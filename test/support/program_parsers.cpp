@@ -71,6 +71,14 @@ vectorOf(const std::map<std::string, double>& words, const std::string& x, const
   return Eigen::Vector3d(words.at(x), words.at(y), words.at(z));
 }
 
+/** A move to X Y Z that begins with one of \p codes. */
+bool
+namesPlace(const std::string& line, const std::vector<std::string>& codes)
+{
+  return line.find(" X") != std::string::npos && line.find(" Z") != std::string::npos &&
+         std::any_of(codes.begin(), codes.end(), [&line](const std::string& code) { return line.rfind(code, 0) == 0; });
+}
+
 } // namespace
 
 bool
@@ -103,7 +111,7 @@ parseFanuc(const std::string& file)
   bool inverse_time = false;
   for (const std::string& line : linesOf(file)) {
     inverse_time = line == "G93" || (inverse_time && line != "G94");
-    if (line.find(" X") == std::string::npos || (line.rfind("G0 ", 0) != 0 && line.rfind("G1 ", 0) != 0)) {
+    if (!namesPlace(line, {"G0 ", "G1 "})) {
       program.addOther(line);
       continue;
     }
@@ -126,7 +134,7 @@ parseSiemens(const std::string& file)
 {
   ParsedProgram program;
   for (const std::string& line : linesOf(file)) {
-    if (line.find("A3=") == std::string::npos) {
+    if (!namesPlace(line, {"G0 ", "G1 "})) {
       program.addOther(line);
       continue;
     }
@@ -152,11 +160,11 @@ parseHeidenhain(const std::string& file)
     if (decimal(line.substr(0, space)) != static_cast<double>(number++))
       throw std::runtime_error("lines do not count on: " + line);
     const std::string text = line.substr(space + 1);
-    if (text.rfind("LN ", 0) != 0) {
+    if (!namesPlace(text, {"LN ", "L "})) {
       program.addOther(text);
       continue;
     }
-    const auto words = wordsOf(text.substr(3), false);
+    const auto words = wordsOf(text.substr(text.find(' ') + 1), false);
     ParsedMove move;
     move.rapid = words.count("FMAX") > 0;
     takePlace(move, words);

@@ -71,7 +71,9 @@ TEST(MachineReader, ReadsEveryLineOfAFile)
   EXPECT_EQ(m.tool_length, 0.0);
   EXPECT_TRUE(m.rtcp);
   EXPECT_FALSE(m.retract_z.has_value());
-  EXPECT_EQ(m.path_tolerance, 0.01);
+  EXPECT_FALSE(m.path_tolerance.has_value());
+  EXPECT_EQ(m.words.tip_control_on, "M428");
+  EXPECT_EQ(m.words.tip_control_off, "M429");
   const Machine fork = readMachine(machines + "/head_head.yaml");
   EXPECT_EQ(fork.rotary[1].mount, RotaryMount::Head);
   EXPECT_EQ(fork.rotary[1].point.z(), 150.0);
@@ -79,6 +81,78 @@ TEST(MachineReader, ReadsEveryLineOfAFile)
   EXPECT_EQ(fork.retract_z, 1200.0);
   EXPECT_EQ(readMachine(machines + "/xyzbc.yaml").rotary[1].letter, 'B');
   EXPECT_FALSE(readMachine(machines + "/head_table.yaml").rtcp);
+}
+
+TEST(MachineReader, LinesOfTheShopAndWordsOfTheControlAreRead)
+{
+  const ScratchFolder folder;
+  writeText(folder.path("m.yaml"), whole + "path_tolerance: 0.02\n"
+                                           "program:\n"
+                                           "  header: [\"M98 P9000\", \"(part {part}, {spindle} rev/min)\"]\n"
+                                           "  footer: M98 P9001\n"
+                                           "  pass_begin: [M62 P0]\n"
+                                           "  pass_end: [M63 P0]\n"
+                                           "  coolant: {mist: M107, flood: M108, through: M88, off: M109}\n"
+                                           "  kinematics: {on: M68 E3 Q0, off: M68 E3 Q1}\n"
+                                           "  smoothing: {on: [\"G8 P1\"], off: []}\n");
+  const Machine m = readMachine(folder.path("m.yaml"));
+  EXPECT_EQ(m.path_tolerance, 0.02);
+  EXPECT_EQ(m.lines.header, (std::vector<std::string>{"M98 P9000", "(part {part}, {spindle} rev/min)"}));
+  EXPECT_EQ(m.lines.footer, std::vector<std::string>{"M98 P9001"});
+  EXPECT_EQ(m.lines.pass_begin, std::vector<std::string>{"M62 P0"});
+  EXPECT_EQ(m.lines.pass_end, std::vector<std::string>{"M63 P0"});
+  EXPECT_EQ(m.words.mist + m.words.flood + m.words.through + m.words.coolant_off, "M107M108M88M109");
+  EXPECT_EQ(m.words.tip_control_off, "M68 E3 Q1");
+  EXPECT_EQ(m.words.smoothing_on, std::vector<std::string>{"G8 P1"});
+  EXPECT_EQ(m.words.smoothing_off, std::vector<std::string>{});
+}
+
+TEST(MachineReader, WrongLinesOfTheShopAreNamed)
+{
+  const std::string program = whole + "program:\n  ";
+  expectHas(said(program + "header: [\"M3 S{speed}\"]\n"), "line 5: the line 'M3 S{speed}' of header has {speed}, which is no name of a "
+                                                           "value; the names are {spindle} {tool} {part} {safe_z}");
+  expectHas(said(program + "header: [\"%\"]\n"), "has %, which ends the program");
+  expectHas(said(program + "pass_begin: [M62 P0]\n"), "of pass_begin and pass_end only one is given");
+  expectHas(said(program + "kinematics: {on: M428}\n"), "only one is given; give both, such as M428 and M429");
+  expectHas(said(program + "coolant: {air: M7}\n"), "'air' is not a setting of coolant; its settings are mist, flood, through, off");
+}
+
+TEST(MachineReader, ConventionalDirectionsTurnTablesAlone)
+{
+  const ScratchFolder folder;
+  writeText(folder.path("m.yaml"), "conventional_directions: true\n" + replaced("axis: A, mount: table", "axis: A, mount: head"));
+  const Machine m = readMachine(folder.path("m.yaml"));
+  EXPECT_EQ(m.rotary[0].direction, Eigen::Vector3d(0, 0, -1));
+  EXPECT_EQ(m.rotary[1].direction, Eigen::Vector3d(1, 0, 0));
+}
+
+TEST(MachineReader, AThreeAxisMachineHasNoRotaryAxes)
+{
+  const Machine m = readMachine(machines + "/three_axes.yaml");
+  EXPECT_TRUE(m.three_axes);
+  EXPECT_FALSE(m.takesTips());
+  expectHas(said("rotary: [{axis: C}]\n"), "or [] for a machine with three axes");
+}
+
+/** Without RTCP a program holds places of the axes, and a place that the file leaves out would be a silent guess. */
+TEST(MachineReader, WithoutRtcpThePlacesOfTheAxesMustBeGiven)
+{
+  const auto axis = [](const char* letter, const char* mount, const char* direction, bool point) {
+    return std::string("  - {axis: ") + letter + ", mount: " + mount + ", direction: " + direction + ", limits: [-100, 100], max_rpm: 10" +
+           (point ? ", point: [0, 0, 5]}\n" : "}\n");
+  };
+  const std::string c_table = axis("C", "table", "[0, 0, 1]", true), b_head = axis("B", "head", "[0, 1, 0]", true);
+  const std::string zero = "work_zero: [1, 2, 3]\n", length = "tool_length: 80\n", none = "rtcp: false\n";
+  expectHas(said("rotary:\n" + axis("C", "table", "[0, 0, 1]", false) + b_head + zero + length + none),
+            "line 2: rtcp: false, so the program depends on point, and none is given; give point: [0, 0, 0], on the axis C");
+  expectHas(said("rotary:\n" + c_table + b_head + length + none), "depends on work_zero, and none is given; give work_zero: [0, 0, 0]");
+  expectHas(said("rotary:\n" + c_table + b_head + zero + none), "depends on tool_length, and none is given; give tool_length: 120");
+  const ScratchFolder folder;
+  writeText(folder.path("m.yaml"), "rotary:\n" + c_table + b_head + zero + length + none);
+  EXPECT_FALSE(readMachine(folder.path("m.yaml")).rtcp);
+  writeText(folder.path("m.yaml"), "rotary:\n" + c_table + axis("A", "table", "[1, 0, 0]", true) + zero + none);
+  EXPECT_FALSE(readMachine(folder.path("m.yaml")).rtcp) << "two tables do not move the tool: its length is the control's affair";
 }
 
 TEST(MachineReader, ALeastFileIsNamedByItself)

@@ -176,7 +176,7 @@ TEST(ProgramReader, WhatIsNotUnderstoodIsRefusedWithLineAndWord)
       {"M98 P100", "line 4: M98: a subprogram"},
       {"O100 call", "line 4: "},
       {"G91", "line 4: G91: relative coordinates"},
-      {"G55", "line 4: G55: another work offset"},
+      {"G54\nG55", "line 5: G55: another work offset than G54"},
       {"G41 D1", "line 4: G41: "},
       {"G68 R10", "line 4: G68: it turns"},
       {"#1=5", "line 4: '#1=5' is not understood"},
@@ -189,7 +189,7 @@ TEST(ProgramReader, WhatIsNotUnderstoodIsRefusedWithLineAndWord)
       {"G1 X1 X2 F100", "line 4: X2: the axis is named twice"},
       {"G49\nG1 X1 F100", "line 5: the tool length is not on"},
       {"TRAORI", "line 4: TRAORI: not a word"},
-      {"M428", "line 4: M428: it changes the kinematics"},
+      {"M430", "line 4: M430: it changes the kinematics"},
       {"G1 X1.2.3 F1", "line 4: 'X1.2.3' has no number"},
       {"T4 M6", "line 4: M6: another tool"},
       {"G1 X1 (F100", "line 4: a comment begins"}};

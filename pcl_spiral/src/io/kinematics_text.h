@@ -16,6 +16,8 @@ constexpr const char* kinematics_opening = "from work to tool "; ///< kinematics
 inline std::string
 kinematicsText(const Machine& machine)
 {
+  if (machine.three_axes)
+    return std::string(kinematics_opening) + "no rotary axes, X Y Z of the machine";
   const auto word = [](const RotaryAxis& axis) { return std::string(axis.mount == RotaryMount::Table ? "table " : "head ") + axis.letter; };
   return kinematics_opening + word(machine.rotary[0]) + " " + word(machine.rotary[1]) +
          (machine.rtcp ? ", X Y Z of the tool tip" : ", X Y Z of the machine");

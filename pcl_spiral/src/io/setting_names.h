@@ -100,6 +100,21 @@ struct ChoiceNames<LeadKind> {
   static constexpr std::array<std::pair<LeadKind, const char*>, 2> words{{{LeadKind::Normal, "normal"}, {LeadKind::Arc, "arc"}}};
 };
 template <>
+struct ChoiceNames<SpindleDirection> {
+  static constexpr std::array<std::pair<SpindleDirection, const char*>, 2> words{
+      {{SpindleDirection::Clockwise, "cw"}, {SpindleDirection::CounterClockwise, "ccw"}}};
+};
+template <>
+struct ChoiceNames<Coolant> {
+  static constexpr std::array<std::pair<Coolant, const char*>, 4> words{
+      {{Coolant::None, "none"}, {Coolant::Mist, "mist"}, {Coolant::Flood, "flood"}, {Coolant::Through, "through"}}};
+};
+template <>
+struct ChoiceNames<FeedMode> {
+  static constexpr std::array<std::pair<FeedMode, const char*>, 2> words{
+      {{FeedMode::InverseTime, "inverse-time"}, {FeedMode::PerMinute, "per-minute"}}};
+};
+template <>
 struct ChoiceNames<DriveKind> {
   static constexpr std::array<std::pair<DriveKind, const char*>, 5> words{{{DriveKind::Planes, "planes"},
                                                                            {DriveKind::Helix, "helix"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "half_turn.h"
 
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/machine/impl/kinematics.h>
 #include <pcl_spiral/machine/impl/tool_pose.h>
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double pole = 1e-6;      ///< radians: closer to the pole the first angle is meaningless
 constexpr double rounding = 1e-12; ///< tolerance of a cosine just above 1
+constexpr double upright = 1e-6;   ///< radians: the tool axis of a three-axis machine is no farther from +Z
 
 Eigen::Matrix3d
 rotation(const RotaryAxis& axis, double angle)
@@ -35,6 +37,8 @@ Kinematics::Kinematics(Machine machine) : machine_(std::move(machine))
   const Status status = checkMachine(machine_);
   if (!status.ok())
     throw std::invalid_argument(status.message());
+  if (machine_.three_axes)
+    machine_.rotary = {}; // they never turn
   for (int i = 0; i < 2; ++i) {
     machine_.rotary[i].direction.normalize();
     sign_[i] = machine_.rotary[i].mount == RotaryMount::Table ? -1.0 : 1.0;
@@ -44,6 +48,8 @@ Kinematics::Kinematics(Machine machine) : machine_(std::move(machine))
 Eigen::Vector3d
 Kinematics::toolAxis(const RotaryAngles& angles) const
 {
+  if (machine_.three_axes)
+    return Eigen::Vector3d::UnitZ();
   return rotation(machine_.rotary[0], sign_[0] * angles.first) *
          (rotation(machine_.rotary[1], sign_[1] * angles.second) * Eigen::Vector3d::UnitZ());
 }
@@ -51,6 +57,8 @@ Kinematics::toolAxis(const RotaryAngles& angles) const
 std::optional<RotaryAngles>
 Kinematics::anglesOf(const Eigen::Vector3d& axis, Branch branch) const
 {
+  if (machine_.three_axes)
+    return axis.z() > 0.0 && std::hypot(axis.x(), axis.y()) < upright ? std::optional(RotaryAngles()) : std::nullopt;
   const Eigen::Vector3d& d1 = machine_.rotary[0].direction;
   const Eigen::Vector3d& d2 = machine_.rotary[1].direction;
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
@@ -76,6 +84,8 @@ Kinematics::anglesOf(const Eigen::Vector3d& axis, Branch branch) const
 double
 Kinematics::poleAngle(const Eigen::Vector3d& axis) const
 {
+  if (machine_.three_axes)
+    return 0.5 * pi; // there is no pole
   const Eigen::Vector3d& d1 = machine_.rotary[0].direction;
   return std::atan2(d1.cross(axis).norm(), std::abs(d1.dot(axis)));
 }
@@ -94,6 +104,8 @@ Kinematics::tipFromGauge(const RotaryAngles& angles) const
 Eigen::Vector3d
 Kinematics::programmed(const Eigen::Vector3d& tip, const RotaryAngles& angles) const
 {
+  if (machine_.three_axes)
+    return tip;
   Eigen::Vector3d x = tip + machine_.work_zero;
   if (machine_.rotary[0].mount == RotaryMount::Table)
     x = turned(machine_.rotary[0], angles.first, x);
@@ -105,6 +117,8 @@ Kinematics::programmed(const Eigen::Vector3d& tip, const RotaryAngles& angles) c
 Eigen::Vector3d
 Kinematics::tipOf(const Eigen::Vector3d& programmed, const RotaryAngles& angles) const
 {
+  if (machine_.three_axes)
+    return programmed;
   Eigen::Vector3d x = gaugePoint(programmed) + tipFromGauge(angles);
   if (machine_.rotary[1].mount == RotaryMount::Table)
     x = turned(machine_.rotary[1], -angles.second, x);

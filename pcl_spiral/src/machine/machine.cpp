@@ -42,6 +42,27 @@ rotaryFault(const RotaryAxis& axis)
   return {};
 }
 
+Status
+checkRotary(const Machine& machine)
+{
+  for (const RotaryAxis& axis : machine.rotary)
+    if (const std::string what = rotaryFault(axis); !what.empty())
+      return fault(machine, what);
+  const auto& [first, second] = machine.rotary;
+  if (first.letter == second.letter)
+    return fault(machine, textOf("both rotary axes are called ", first.letter, "; give each its own letter"));
+  if (first.mount == RotaryMount::Head && second.mount == RotaryMount::Table)
+    return fault(machine, textOf("the table ", second.letter, " comes after the head ", first.letter,
+                                 "; list rotary axes in the order from the workpiece to the tool, tables first"));
+  if (!(first.direction.normalized().cross(second.direction.normalized()).norm() > 1e-3))
+    return fault(machine, textOf(first.letter, " and ", second.letter,
+                                 " turn about the same direction; tilting a tool needs two different directions"));
+  if (!(second.direction.normalized().cross(Eigen::Vector3d::UnitZ()).norm() > 1e-3))
+    return fault(machine, textOf(second.letter, ", the axis nearer to the tool, turns about the tool itself; list rotary "
+                                                "axes in the order from the workpiece to the tool"));
+  return Status::success();
+}
+
 } // namespace
 
 Machine
@@ -64,21 +85,9 @@ checkMachine(const Machine& machine)
   for (int i = 0; i < 3; ++i)
     if (const std::string what = rangeFault(std::string(1, "XYZ"[i]), machine.linear[i]); !what.empty())
       return fault(machine, what);
-  for (const RotaryAxis& axis : machine.rotary)
-    if (const std::string what = rotaryFault(axis); !what.empty())
-      return fault(machine, what);
-  const auto& [first, second] = machine.rotary;
-  if (first.letter == second.letter)
-    return fault(machine, textOf("both rotary axes are called ", first.letter, "; give each its own letter"));
-  if (first.mount == RotaryMount::Head && second.mount == RotaryMount::Table)
-    return fault(machine, textOf("the table ", second.letter, " comes after the head ", first.letter,
-                                 "; list rotary axes in the order from the workpiece to the tool, tables first"));
-  if (!(first.direction.normalized().cross(second.direction.normalized()).norm() > 1e-3))
-    return fault(machine, textOf(first.letter, " and ", second.letter,
-                                 " turn about the same direction; tilting a tool needs two different directions"));
-  if (!(second.direction.normalized().cross(Eigen::Vector3d::UnitZ()).norm() > 1e-3))
-    return fault(machine, textOf(second.letter, ", the axis nearer to the tool, turns about the tool itself; list rotary "
-                                                "axes in the order from the workpiece to the tool"));
+  if (!machine.three_axes)
+    if (const Status status = checkRotary(machine); !status.ok())
+      return status;
   if (!machine.work_zero.allFinite() || !(machine.tool_length >= 0.0) || !std::isfinite(machine.tool_length))
     return fault(machine, textOf("work_zero ", placeText(machine.work_zero), " and tool_length ", machine.tool_length,
                                  " must be finite, the length not below 0"));
@@ -86,8 +95,10 @@ checkMachine(const Machine& machine)
   if (machine.retract_z && !(*machine.retract_z >= z.lower && *machine.retract_z <= z.upper))
     return fault(machine, textOf("retract_z is ", *machine.retract_z, ", beyond the limits of Z, ", z.lower, " to ", z.upper,
                                  "; give a height within them that is clear of everything"));
-  if (!(machine.path_tolerance >= 0.0) || !std::isfinite(machine.path_tolerance))
-    return fault(machine, textOf("path_tolerance is ", machine.path_tolerance, "; it must be 0 mm or above"));
+  if (const double tolerance = machine.path_tolerance.value_or(0.0); !(tolerance >= 0.0) || !std::isfinite(tolerance))
+    return fault(machine, textOf("path_tolerance is ", tolerance, "; it must be 0 mm or above"));
+  if (machine.words.tip_control_on.empty() != machine.words.tip_control_off.empty())
+    return fault(machine, "of the two words that switch the kinematics only one is given; give both, such as M428 and M429");
   return Status::success();
 }
 

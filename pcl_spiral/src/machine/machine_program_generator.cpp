@@ -118,6 +118,28 @@ layPass(const Kinematics& kinematics, const ProgramSettings& settings, const Too
   return Status::success();
 }
 
+/** The block above \p at at the machine's height of the retract. */
+ProgramBlock
+retracted(const Kinematics& kinematics, const ProgramBlock& at, BlockSection section)
+{
+  ProgramBlock block = at;
+  block.section = section;
+  block.rapid = true;
+  block.machine.z() += *kinematics.machine().retract_z - kinematics.gaugePoint(at.machine).z();
+  block.tip = kinematics.tipOf(block.machine, at.angles);
+  return block;
+}
+
+/** Where the machine has a height for the retract, the program begins and ends there. */
+void
+addRetracts(const Kinematics& kinematics, std::vector<ProgramBlock>& blocks)
+{
+  if (!kinematics.machine().retract_z)
+    return;
+  blocks.insert(blocks.begin(), retracted(kinematics, blocks.front(), BlockSection::Start));
+  blocks.push_back(retracted(kinematics, blocks.back(), BlockSection::End));
+}
+
 void
 reportAngles(MachineProgram& program)
 {
@@ -235,6 +257,7 @@ MachineProgramGenerator::computeProgram(MachineProgram& program) const
       addPass(kinematics, leads, pass.path, turn, program.blocks);
     }
   program.blocks.erase(std::unique(program.blocks.begin(), program.blocks.end(), samePose), program.blocks.end());
+  addRetracts(kinematics, program.blocks);
   setBlockTimes(kinematics, settings_.feed, program);
   reportAngles(program);
   return checkLimits(kinematics, program.blocks);

@@ -2,6 +2,7 @@
 #include "half_turn.h"
 
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/machine/impl/rotary_path.h>
 
 #include <Eigen/Geometry>
@@ -142,6 +143,12 @@ rotaryPath(const Kinematics& kinematics, const ToolPoses& poses, const RotaryPat
   BranchPath larger, smaller;
   if (const std::optional<std::size_t> i = branchPath(kinematics, poses, Branch::Larger, larger)) {
     const auto& rotary = kinematics.machine().rotary;
+    if (kinematics.machine().three_axes)
+      return {
+          StatusCode::InvalidInput,
+          textOf("pose ", *i, " at ", placeText(poses[*i].tip), ": the tool axis ", placeText(poses[*i].axis), " leans by ",
+                 angleBetween(poses[*i].axis, Eigen::Vector3d::UnitZ()) * in_degrees,
+                 " degrees, and a machine with three axes cannot tilt the tool; make the path with the tool axis along +Z (setFixedAxis)")};
     return {StatusCode::InvalidInput,
             textOf("pose ", *i, " at ", placeText(poses[*i].tip), ": no angles of ", rotary[0].letter, " and ", rotary[1].letter,
                    " reach the tool axis ", placeText(poses[*i].axis), "; turn the part, or tilt the tool less")};

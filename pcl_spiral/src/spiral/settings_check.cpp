@@ -57,6 +57,9 @@ checkSettings(const SpiralSettings& s)
     return refused("the tilt angle", s.tilt_angle, "it must lie between -90 and 90 degrees");
   if (!(std::abs(s.lead_angle) < 90.0))
     return refused("the lead angle", s.lead_angle, "it must lie between -90 and 90 degrees");
+  if (s.fixed_axis && !(s.fixed_axis->allFinite() && s.fixed_axis->norm() > 1e-9))
+    return {StatusCode::InvalidArgument,
+            textOf("the fixed tool axis is ", placeText(*s.fixed_axis), ": give a direction such as (0, 0, 1)")};
   if (!(s.max_axis_rate > 0.0))
     return refused("the largest axis rate", s.max_axis_rate, "it must be above 0 degrees per mm");
   if (!(s.axis_smoothing >= 0.0) || !std::isfinite(s.axis_smoothing))

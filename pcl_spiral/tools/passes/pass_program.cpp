@@ -42,7 +42,10 @@ addProgram(const PassJob& job, const Machine& machine, PassResult& result)
   if (!isBall(job))
     program.settings.pole_cone = 0.0; // a blended axis would move any other tool off its path
   result.program = makeProgram(program, machine, job.feed, isBall(job) ? job.cutter.radius : 0.0, result.passes, result.warnings);
-  if (!(job.cutter.radius > 0.0))
+  if (job.cutter.radius > 0.0)
+    for (const std::string& warning : spindleWarnings(program, machine, job.outputs))
+      result.warnings.push_back(warning);
+  else
     requireSteadyBeam(job, *result.program);
   if (!(job.cutter.radius > 0.0) || !result.whole_scan)
     return;

@@ -14,6 +14,7 @@ const char*
 wayOf(BlockSection section)
 {
   switch (section) {
+  case BlockSection::Start:
   case BlockSection::Position:
     return "on its way over the part";
   case BlockSection::Approach:
@@ -23,6 +24,7 @@ wayOf(BlockSection section)
   case BlockSection::LeadOut:
     return "in its lead off the path";
   case BlockSection::Retract:
+  case BlockSection::End:
     return "on its way up from the path";
   default:
     return "while it unwinds";

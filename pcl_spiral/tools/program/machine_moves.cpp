@@ -10,7 +10,10 @@
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/machine_reader.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <regex>
 
 using namespace pcl_spiral;
 
@@ -44,7 +47,7 @@ machineOf(const ProgramJob& program)
   if (program.machine_file.empty())
     return xyzacTrunnion();
   Machine machine = readMachine(program.machine_file);
-  if (!machine.rtcp && entryOf(program.dialect).needs_rtcp)
+  if (!machine.rtcp && !machine.three_axes && entryOf(program.dialect).needs_rtcp)
     throw FileError(program.machine_file, "rtcp: false, but --dialect " + choiceName(program.dialect) +
                                               " needs tips and tool axes; use linuxcnc or fanuc, or rtcp: true");
   return machine;
@@ -83,22 +86,44 @@ makeProgram(const ProgramJob& job, const Machine& machine, double feed, double b
   return program;
 }
 
+std::vector<std::string>
+spindleWarnings(const ProgramJob& job, const Machine& machine, const std::vector<std::string>& outputs)
+{
+  const std::regex starts("\\{spindle\\}|(^|[^A-Za-z])M0?[34]($|[^0-9])");
+  const auto& header = machine.lines.header;
+  std::vector<std::string> warnings;
+  if (job.header.spindle_speed > 0.0 ||
+      std::any_of(header.begin(), header.end(), [&starts](const std::string& line) { return std::regex_search(line, starts); }))
+    return warnings;
+  for (const std::string& output : outputs)
+    if (isProgram(output))
+      warnings.push_back(output + ": the spindle stands still: no --spindle is given, and no line of the machine file starts it; give "
+                                  "--spindle 12000, or start it in program: {header: [...]} of the machine file");
+  return warnings;
+}
+
 void
-writeProgramFile(const ProgramJob& job, const MachineProgram& program, const std::string& title, const std::string& output,
+writeProgramFile(const ProgramJob& job, const MachineProgram& program, const ProgramTexts& texts, const std::string& output,
                  const std::string& file)
 {
   ProgramHeader header = job.header;
-  header.title = title;
-  writeProgram(file, program, extensionOf(output) == ".ngc" ? Dialect::LinuxCNC : job.dialect, header);
+  header.title = texts.title;
+  header.notes = texts.notes;
+  if (!job.machine_file.empty())
+    header.notes.push_back("machine file " + std::filesystem::path(job.machine_file).filename().string());
+  header.smoothing = job.smoothing.value_or(texts.chord_error);
+  writeProgram(file, program, languageOf(job, output), header);
 }
 
 void
 printProgram(const MachineProgram& program)
 {
   const ProgramReport& report = program.report;
-  const auto& [first, second] = program.machine.rotary;
   std::printf("program         %s: %zu blocks, %zu added, %zu left out, %s at feed\n", program.machine.name.c_str(), program.blocks.size(),
               report.split_blocks, report.thinned_poses, duration(60.0 * report.minutes).c_str());
+  if (program.machine.three_axes)
+    return;
+  const auto& [first, second] = program.machine.rotary;
   std::printf("rotary axes     %c %.1f to %.1f degrees, %.1f turns in total; %c %.2f to %.2f degrees\n", first.letter,
               report.lowest_first * in_degrees, report.highest_first * in_degrees, report.first_travel * in_degrees / 360.0, second.letter,
               report.lowest_second * in_degrees, report.highest_second * in_degrees);

@@ -21,10 +21,21 @@ std::optional<pcl_spiral::Machine> machineOf(const ProgramJob& program, const st
 pcl_spiral::MachineProgram makeProgram(const ProgramJob& job, const pcl_spiral::Machine& machine, double feed, double ball_radius,
                                        const std::vector<pcl_spiral::ToolPoses>& passes, std::vector<std::string>& warnings);
 
+/** What a program says of its path: comments, and the chord error to which the control may round corners, mm. */
+struct ProgramTexts {
+  std::string title;
+  std::vector<std::string> notes;
+  double chord_error = 0.0;
+};
+
+/** A warning for each output that is a program and leaves the spindle still: no --spindle, and no line of the machine file starts it. */
+std::vector<std::string> spindleWarnings(const ProgramJob& job, const pcl_spiral::Machine& machine,
+                                         const std::vector<std::string>& outputs);
+
 /** Writes \p program for \p output as the file \p file: a .ngc in the language of LinuxCNC, others in that of the job. \throw
  *  pcl_spiral::FileError */
-void writeProgramFile(const ProgramJob& job, const pcl_spiral::MachineProgram& program, const std::string& title, const std::string& output,
-                      const std::string& file);
+void writeProgramFile(const ProgramJob& job, const pcl_spiral::MachineProgram& program, const ProgramTexts& texts,
+                      const std::string& output, const std::string& file);
 
 /** Prints a summary of the program. */
 void printProgram(const pcl_spiral::MachineProgram& program);

@@ -34,6 +34,17 @@ checkCodes(const ProgramHeader& header, bool any_program, const std::set<std::st
   }
 }
 
+/** The work offset must be one of every control that gets a program. */
+void
+checkOffset(const ProgramJob& program, const std::vector<std::string>& outputs)
+{
+  const std::string& offset = program.header.work_offset;
+  for (const std::string& output : outputs)
+    if (isProgram(output) && !offset.empty())
+      if (const std::string fault = faultOfOffset(languageOf(program, output), offset); !fault.empty())
+        throw UsageError("-o " + output + ": --work-offset " + readableText(offset) + " " + fault);
+}
+
 } // namespace
 
 bool
@@ -41,6 +52,12 @@ isProgram(const std::string& output)
 {
   const std::string extension = extensionOf(output);
   return extension == ".ngc" || extension == ".nc";
+}
+
+Dialect
+languageOf(const ProgramJob& program, const std::string& output)
+{
+  return extensionOf(output) == ".ngc" ? Dialect::LinuxCNC : program.dialect;
 }
 
 bool
@@ -99,6 +116,9 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
   const ProgramHeader& header = program.header;
   requireOption(header.spindle_speed >= 0.0, "spindle", header.spindle_speed, "must be above 0 rev/min");
   requireOption(header.tool >= 0, "tool", header.tool, "must be above 0");
+  requireOption(header.line_step >= 0 && header.line_step <= 1000, "line-numbers", header.line_step, "must be 1 to 1000");
+  requireOption(program.smoothing.value_or(0.0) >= 0.0, "smoothing", program.smoothing.value_or(0.0), "must not be below 0 mm");
   requireOption(header.decimals >= 3 && header.decimals <= 6, "decimals", header.decimals, "must be 3 to 6");
+  checkOffset(program, outputs);
   checkCodes(header, std::any_of(outputs.begin(), outputs.end(), isProgram), given);
 }

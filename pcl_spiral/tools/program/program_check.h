@@ -13,6 +13,8 @@
 
 /** Whether an output is a program, by its extension: .ngc .nc */
 bool isProgram(const std::string& output);
+/** The language of a program: a .ngc is always for LinuxCNC. */
+pcl_spiral::Dialect languageOf(const ProgramJob& program, const std::string& output);
 /** .apt .cls .yaml */
 bool isExchange(const std::string& output);
 /** CLDATA and robot frames have no moves from one pass to the next. \p remedy: how to make one pass. \throw FileError */

@@ -7,12 +7,14 @@
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 
+#include <optional>
 #include <string>
 
 struct ProgramJob {
   std::string machine_file;
   pcl_spiral::Dialect dialect = pcl_spiral::Dialect::LinuxCNC; ///< of .nc
   pcl_spiral::ProgramSettings settings;                        ///< feed and ball radius come from the path
-  pcl_spiral::ProgramHeader header;
-  bool accept_collisions = false; ///< of shank and holder, and of the tool on its leads
+  pcl_spiral::ProgramHeader header;                            ///< title, notes and smoothing come from the path
+  std::optional<double> smoothing;                             ///< mm; none: the chord error
+  bool accept_collisions = false;                              ///< of shank and holder, and of the tool on its leads
 };

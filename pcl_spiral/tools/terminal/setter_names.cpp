@@ -8,7 +8,8 @@
 namespace {
 
 /** Each first text is replaced by the second if the program has the first option in it. */
-constexpr std::array<std::pair<const char*, const char*>, 69> words{{
+constexpr std::array<std::pair<const char*, const char*>, 70> words{{
+    {"setFixedAxis", "--axis"},
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setPartAt", "--part-at"},

@@ -41,6 +41,9 @@ checkCutter(const Job& job)
   requireOption(s.max_step >= 0.0, "max-step", s.max_step, "must be above 0 mm, or 0 for the tool radius");
   requireOption(std::abs(s.tilt_angle) < 90.0, "tilt", s.tilt_angle, "must be between -90 and 90 degrees");
   requireOption(std::abs(s.lead_angle) < 90.0, "lead", s.lead_angle, "must be between -90 and 90 degrees");
+  for (const char* option : {"tilt", "lead", "axis-smoothing", "axis-deviation", "max-axis-rate"})
+    if (s.fixed_axis && job.given.count(option) > 0)
+      throw UsageError(std::string("--") + option + " changes the tool axis along the path, and --axis keeps it; leave one of the two out");
   requireOption(s.max_axis_rate > 0.0, "max-axis-rate", s.max_axis_rate, "must be above 0 degrees per mm");
   requireOption(s.axis_smoothing >= 0.0, "axis-smoothing", s.axis_smoothing, "must be above 0 mm, or 0 for none");
   requireOption(s.axis_deviation > 0.0 && s.axis_deviation < 90.0, "axis-deviation", s.axis_deviation, "must be between 0 and 90 degrees");

@@ -85,6 +85,10 @@ cutter(SpiralSettings& s)
        numberOption("max-step", "L", "longest linear move; default the tool radius: --max-step 5", s.max_step),
        numberOption("tilt", "A", "side tilt of the axis about the feed direction; default 15: --tilt 0", s.tilt_angle),
        numberOption("lead", "A", "lead of the axis along the feed direction; default 0: --lead 5", s.lead_angle),
+       placeOption("axis",
+                   "one tool axis for the whole path, from tip to shank, instead of tilt and lead, for machines with three axes or one "
+                   "fixed tilt: --axis 0,0,1",
+                   s.fixed_axis),
        numberOption("max-axis-rate", "D", "largest turn of the axis, degrees per mm; default 10: --max-axis-rate 4", s.max_axis_rate),
        numberOption("axis-smoothing", "L",
                     "smooths changes of the axis shorter than this along the path; default 50, 0 for no smoothing: "

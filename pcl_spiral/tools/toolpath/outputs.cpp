@@ -9,8 +9,10 @@
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 
+#include "io/report/cutter_text.h"
 #include "io/report/report_writer.h"
 #include "io/write/stock_files.h"
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
 #include <pcl_spiral/io/toolpath_writer.h>
@@ -120,6 +122,16 @@ writeReport(const Job& job, const Result& result, const std::string& title, cons
                     pictures.files.forReport(judging_kinds), regions);
 }
 
+/** What a program says of its path. */
+ProgramTexts
+textsOf(const SpiralSettings& s, const std::string& title)
+{
+  return {title,
+          {"cutter " + cutterText(CutterShape::ball(s.tool_radius)),
+           textOf("scallop height ", s.scallop_height, " mm, chord error ", s.chord_error, " mm, feed ", s.feed, " mm/min")},
+          s.chord_error};
+}
+
 /** A program, CLDATA or robot frames. */
 void
 writeMoves(const Job& job, const Result& result, const std::string& title, const std::string& output, const std::string& file)
@@ -127,7 +139,7 @@ writeMoves(const Job& job, const Result& result, const std::string& title, const
   if (extensionOf(output) == ".yaml")
     return writeRobotFrames(file, *result.path);
   if (isProgram(output))
-    return writeProgramFile(job.program, *result.program, title, output, file);
+    return writeProgramFile(job.program, *result.program, textsOf(job.settings, title), output, file);
   writeAPT(file, ballPoses(*result.path, job.settings.tool_radius),
            {title, ballCutter(job.settings.tool_radius), job.program.header.spindle_speed, job.settings.feed});
 }

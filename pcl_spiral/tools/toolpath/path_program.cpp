@@ -26,7 +26,7 @@ void
 addProgram(const Job& job, const Machine& machine, Result& result)
 {
   StageClock clock(result.report.stages);
-  std::vector<std::string> made;
+  std::vector<std::string> made = spindleWarnings(job.program, machine, job.outputs);
   result.program = freeProgram(job, machine, ballPasses(*result.path, job.settings.tool_radius), result, made);
   result.report.warnings.insert(result.report.warnings.end(), made.begin(), made.end());
   if (!result.regions.empty())

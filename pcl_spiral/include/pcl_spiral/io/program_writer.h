@@ -8,6 +8,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace pcl_spiral {
 
@@ -20,6 +21,26 @@ enum class Dialect {
   Heidenhain    ///< LN with NX NY NZ and TX TY TZ, M128
 };
 
+/** Turning direction of the spindle, seen from it to the tool. */
+enum class SpindleDirection {
+  Clockwise,       ///< M3
+  CounterClockwise ///< M4
+};
+
+/** What cools the cutter. */
+enum class Coolant {
+  None,   ///< no word for it
+  Mist,   ///< M7
+  Flood,  ///< M8
+  Through ///< through the spindle, by ControlWords::through
+};
+
+/** What F means. */
+enum class FeedMode {
+  InverseTime, ///< G93: the time of the block. Programs whose rotary axes stand still, and Heidenhain's, have mm/min all the same.
+  PerMinute    ///< G94: mm/min of the tip, on Fanuc and Siemens controls with their tip control
+};
+
 /** Contents of a program apart from its moves. */
 struct ProgramHeader {
   std::string title;           ///< a comment
@@ -28,21 +49,37 @@ struct ProgramHeader {
   int decimals = 4;            ///< for mm and degrees, 3 to 6
   std::string pass_begin = {}; ///< a line before each run of cutting blocks, such as M62 P0 for a beam; empty: none
   std::string pass_end = {};   ///< a line after each of these runs, such as M63 P0; empty: none
+  SpindleDirection spindle_direction = SpindleDirection::Clockwise; ///< of the spindle
+  Coolant coolant = Coolant::None;                                  ///< from the start to the end of the program
+  std::string work_offset = {};                                     ///< such as G55; empty: G54, for Heidenhain the preset in use
+  std::vector<std::string> notes = {};                              ///< more comments, one a line
+  int line_step = 0;                                                ///< N10 N20 for 10; 0: no line numbers. Heidenhain always counts by 1
+  FeedMode feed_mode = FeedMode::InverseTime;                       ///< of blocks that turn rotary axes
+  double smoothing = 0.01; ///< the control may round corners by this, mm, if the machine has no path_tolerance; 0: it stops exactly
 };
 
 /** Why \p code cannot be a line of its own, with the remedy: it is not one line of
  *  plain characters, it opens a comment, or it ends the program. Empty if it can. */
 std::string faultOfCode(const std::string& code);
 
-/** Writes a program in the language of \p dialect. Rotary axes are in degrees and continue over 360. F is inverse
- *  time (G93) and is in every G1; Heidenhain is the exception. The codes of a pass are where the tool is at the
- *  first point of a row, after its lead, and at the last point. So a beam is off on leads, between rows, and
- *  while an axis unwinds in a row. \throw FileError the file cannot be written, the program has no blocks, a
- *  code is not a valid line, or the language takes only tips and tool axes and the machine has no RTCP */
+/** The same for a line of ShopLines, which may be a comment and may hold names in braces. */
+std::string faultOfShopLine(const std::string& line);
+
+/** Why \p offset is no work offset of the language, with the remedy; empty if it is one. LinuxCNC: G54 to G59.3; Fanuc: G54 to G59, G54.1
+ *  P1 to P300; Siemens: G54 to G57, G505 to G599; Heidenhain: the number of a preset. */
+std::string faultOfOffset(Dialect dialect, const std::string& offset);
+
+/** Writes a program in the language of \p dialect. Its order is the same in all: units and plane, the shop's header, retract, tool,
+ *  spindle, coolant, work offset, smoothing, rotary axes to their first angles, over the first point, tip control, the blocks; tip control
+ *  off, retract, spindle and coolant off, the shop's footer, end. Rotary axes are in degrees and continue over 360. F is inverse time (G93)
+ *  and is in every G1, unless FeedMode says otherwise. The codes of a pass are where the tool is at the first point of a row, after its
+ *  lead, and at the last point. So a beam is off on leads, between rows, and while an axis unwinds in a row. \throw FileError the file
+ *  cannot be written, the program has no blocks, a code is not a valid line, the control has no word for what the header asks, or the
+ *  language takes only tips and tool axes and the machine has no RTCP */
 void writeProgram(const std::string& file, const MachineProgram& program, Dialect dialect, const ProgramHeader& header);
 
-/** Writes LinuxCNC: G21 G90 G64 P, G93 with an F on every G1, G94, M2. With RTCP, X Y Z are those of the tip,
- *  as xyzac-trt-kins and xyzbc-trt-kins take them; without RTCP, those of the machine. \throw FileError */
+/** Writes LinuxCNC: G21 G90 G64 P, G93 with an F on every G1, G94, M2. With RTCP, X Y Z are those of the tip, as xyzac-trt-kins and
+ *  xyzbc-trt-kins take them, between ControlWords::tip_control_on and off; without RTCP, those of the machine. \throw FileError */
 void writeLinuxCNC(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
 
 /** Writes Fanuc: G43.4 H X Y Z with A B C, all on every line, G93, G49, M30. Without RTCP:
@@ -52,10 +89,10 @@ void writeFanuc(const std::string& file, const MachineProgram& program, const Pr
 /** The same with G43.5 H and I J K, the vector of the tool axis. \throw FileError */
 void writeFanucVectors(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
 
-/** Writes Siemens 840D: TRAORI, ORIWKS, ORIVECT, A3= B3= C3= on every line, G93, TRAFOOF, M30. \throw FileError */
+/** Writes Siemens 840D: CYCLE832, TRAORI, ORIWKS, ORIVECT, A3= B3= C3= on every line, G93, TRAFOOF, M30. \throw FileError */
 void writeSiemens(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
 
-/** Writes Heidenhain Klartext: M128, LN X Y Z NX NY NZ TX TY TZ, F in mm/min
+/** Writes Heidenhain Klartext: CYCL DEF 32, M128, LN X Y Z NX NY NZ TX TY TZ, F in mm/min
  *  of the tip, which gives the block its time, M129, M30. \throw FileError */
 void writeHeidenhain(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/machine/control_lines.h>
 
 #include <Eigen/Core>
 
@@ -59,18 +60,24 @@ enum class Branch {
   Smaller ///< the smaller second angle
 };
 
-/** A machine with X, Y and Z and two rotary axes. At zero,
+/** A machine with X, Y and Z, and two rotary axes or none. At zero,
  *  the tool points along +Z from its tip to the spindle. */
 struct Machine {
   std::string name;                                    ///< for messages and comments
   std::array<AxisRange, 3> linear;                     ///< of the gauge point, in machine coordinates
+  bool three_axes = false;                             ///< there are no rotary axes: the tool stays along +Z
   std::array<RotaryAxis, 2> rotary;                    ///< in order from the workpiece to the tool; tables come before heads
   Eigen::Vector3d work_zero = Eigen::Vector3d::Zero(); ///< zero of the program in machine coordinates, with the rotary axes at zero
   double tool_length = 0.0;                            ///< from the gauge point to the tip, mm
-  bool rtcp = true;                ///< the control keeps the tip in place while the rotary axes turn: programs contain tips
-  std::optional<double> retract_z; ///< machine coordinate of Z that is clear of everything;
-                                   ///< used before the first and after the last move
-  double path_tolerance = 0.01;    ///< the control may round corners by this (G64 P), mm
+  bool rtcp = true;                     ///< the control keeps the tip in place while the rotary axes turn: programs contain tips
+  std::optional<double> retract_z;      ///< machine coordinate of Z that is clear of everything;
+                                        ///< used before the first and after the last move
+  std::optional<double> path_tolerance; ///< the control may round corners by this, mm; 0: it stops exactly; empty: the program decides
+  ShopLines lines;                      ///< of the shop, in every program
+  ControlWords words;                   ///< of the control
+
+  /** The control is given tips and tool axes. */
+  bool takesTips() const { return rtcp && !three_axes; }
 };
 
 /** LinuxCNC's xyzac-trt-kins with all offsets zero: table C on

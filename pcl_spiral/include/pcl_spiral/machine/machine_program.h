@@ -34,13 +34,15 @@ struct BlockTolerance {
 
 /** Purpose of a block. */
 enum class BlockSection {
+  Start,    ///< over the first point at Machine::retract_z, with the rotary axes at their first angles
   Position, ///< above the start, above everything
   Approach, ///< down to where the feed begins
   LeadIn,   ///< from there to the surface
   Cut,      ///< along the path
   LeadOut,  ///< off the surface
   Retract,  ///< up again
-  Unwind    ///< the first rotary axis turns back at the top
+  Unwind,   ///< the first rotary axis turns back at the top
+  End       ///< up to Machine::retract_z
 };
 
 /** One linear move of all five axes to this position. */

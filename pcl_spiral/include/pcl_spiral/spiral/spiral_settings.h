@@ -78,6 +78,7 @@ struct SpiralSettings {
   double max_axis_rate = 10.0;                          ///< largest turn of the axis per mm of path
   double axis_smoothing = 50.0;                         ///< shorter changes along the path are smoothed out of the axis; 0: no smoothing
   double axis_deviation = 2.0;                          ///< of the smoothed axis from the requested tilt, in the mean over its length
+  std::optional<Eigen::Vector3d> fixed_axis;            ///< of the tool at every point, from tip to shank, instead of tilt and lead
   double feed = 1000.0;                                 ///< mm/min at the contact
   double acceleration = 2000.0;                         ///< of the machine along the path, mm/s2: a sharp turn costs time
   double least_turn_radius = 0.2;                       ///< of turns, in step-overs: the report of ConstantScallop warns of sharper ones

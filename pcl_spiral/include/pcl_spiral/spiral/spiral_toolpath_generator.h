@@ -72,6 +72,13 @@ public:
   void setLeadAngle(double degrees) { settings_.lead_angle = degrees; }
   double getLeadAngle() const { return settings_.lead_angle; } ///< The value of setLeadAngle.
 
+  /** One tool axis for the whole path, from tip to shank, of any length, for machines with three axes or one fixed tilt; by default there
+   *  is none, and tilt and lead count. A surface that leans away from it by 89 degrees or more is refused. */
+  void setFixedAxis(const Eigen::Vector3d& axis) { settings_.fixed_axis = axis; }
+  /** Back to tilt and lead. */
+  void clearFixedAxis() { settings_.fixed_axis.reset(); }
+  const std::optional<Eigen::Vector3d>& getFixedAxis() const { return settings_.fixed_axis; } ///< The value of setFixedAxis.
+
   /** Largest turn of the tool axis, degrees per mm of path; 10 by default. Published ignores it. */
   void setMaxAxisRate(double degrees_per_mm) { settings_.max_axis_rate = degrees_per_mm; }
   double getMaxAxisRate() const { return settings_.max_axis_rate; } ///< The value of setMaxAxisRate.

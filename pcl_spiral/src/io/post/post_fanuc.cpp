@@ -1,85 +1,104 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "post_text.h"
+#include "post.h"
 
 #include <algorithm>
 
 namespace pcl_spiral {
 namespace {
 
-void
-writeRetract(PostText& out, const Machine& machine)
-{
-  if (!machine.retract_z)
-    return;
-  out.word("G0 G53 Z", *machine.retract_z);
-  out.endLine();
-}
+class FanucPost : public Post {
+public:
+  FanucPost(const std::string& file, const MachineProgram& program, const ProgramHeader& header, bool vectors)
+  : Post(file, vectors ? Dialect::FanucVectors : Dialect::Fanuc, program, header), vectors_(vectors)
+  {}
 
-/** X Y Z and the tool direction, always all of them. */
-void
-writePlace(PostText& out, const MachineProgram& program, const ProgramBlock& block, bool vectors)
-{
-  const Eigen::Vector3d& position = positionOf(program, block);
-  out.word("X", position.x());
-  out.word("Y", position.y());
-  out.word("Z", position.z());
-  if (vectors)
-    writeVector(out, {"I", "J", "K"}, block.axis);
-  else
-    writeAngles(out, program, block);
-}
+private:
+  void writeOpening() override
+  {
+    out_.text("%\nO0001 (" + commentText(header_.title) + ")\n");
+    writeComments();
+    out_.line("G21 G90 G94 G17 G40 G49 G80");
+  }
 
-void
-writeStart(PostText& out, const MachineProgram& program, const ProgramHeader& header, bool vectors)
-{
-  out.text("%\nO0001 (" + commentText(header.title) + ")\n(" + machineText(program) + ")\n");
-  out.text("G21 G90 G94 G17 G40 G49 G80\n");
-  writeTool(out, header);
-  writeRetract(out, program.machine);
-  out.text("G0 ");
-  writeAngles(out, program, program.blocks.front()); // before the control keeps the tip in place
-  out.endLine();
-  out.text((!program.machine.rtcp ? "G43 H" : vectors ? "G43.5 H" : "G43.4 H") + std::to_string(std::max(1, header.tool)) + " ");
-  writePlace(out, program, program.blocks.front(), vectors);
-  out.endLine();
-  out.text("G93\n");
-}
+  void writeRetract(double z) override
+  {
+    out_.code("G0 G53");
+    out_.word("Z", z);
+    out_.endLine();
+  }
 
-void
-writeFile(const std::string& file, const MachineProgram& program, const ProgramHeader& header, bool vectors)
-{
-  PostText out(file, header.decimals);
-  writeStart(out, program, header, vectors);
-  writeBlocks(out, program, header, [&](const ProgramBlock& block) {
-    out.text(block.rapid ? "G0 " : "G1 ");
-    writePlace(out, program, block, vectors);
+  void writeSmoothing(double tolerance) override
+  {
+    if (tolerance > 0.0)
+      out_.line("G5.1 Q1");
+  }
+
+  void writeSmoothingOff() override { out_.line("G5.1 Q0"); }
+
+  void writeTipControl(const ProgramBlock& first) override
+  {
+    out_.code((!takesTips() ? "G43" : vectors_ ? "G43.5" : "G43.4") + length());
+    writePlace(first);
+    out_.endLine();
+    if (!isPerMinute())
+      out_.line("G93");
+  }
+
+  void writeTipControlOff() override
+  {
+    if (!isPerMinute())
+      out_.line("G94");
+    out_.line("G49");
+  }
+
+  void writeBlock(const ProgramBlock& before, const ProgramBlock& block) override
+  {
+    if (vectors_ && (block.section == BlockSection::Unwind) != by_angles_) { // a vector is the same after a whole turn
+      by_angles_ = !by_angles_;
+      out_.line("G49");
+      out_.line((by_angles_ ? "G43.4" : "G43.5") + length());
+    }
+    out_.code(block.rapid ? "G0" : "G1");
+    writePlace(block);
     if (!block.rapid)
-      out.word("F", 1.0 / block.minutes);
-    out.endLine();
-  });
-  out.text("G94\nG49\n");
-  writeRetract(out, program.machine);
-  if (header.spindle_speed > 0.0)
-    out.text("M5\n");
-  out.text("M30\n%\n");
-  out.close();
-}
+      writeFeed(before, block);
+    out_.endLine();
+  }
+
+  void writeClosing() override
+  {
+    out_.line("M30");
+    out_.text("%\n");
+  }
+
+  std::string length() const { return " H" + std::to_string(std::max(1, header_.tool)); }
+
+  /** X Y Z and the tool direction, always all of them; without the direction where it never changes. */
+  void writePlace(const ProgramBlock& block)
+  {
+    writePosition(block);
+    if (vectors_ && !by_angles_)
+      writeVector(out_, {"I", "J", "K"}, block.axis);
+    else if (hasAngles() && !isFixed())
+      writeAngles(block);
+  }
+
+  bool vectors_;
+  bool by_angles_ = false; ///< vectors are given up while an axis unwinds
+};
 
 } // namespace
 
 void
 writeFanuc(const std::string& file, const MachineProgram& program, const ProgramHeader& header)
 {
-  requireProgram(file, program, header);
-  writeFile(file, program, header, false);
+  FanucPost(file, program, header, false).write();
 }
 
 void
 writeFanucVectors(const std::string& file, const MachineProgram& program, const ProgramHeader& header)
 {
-  requireProgram(file, program, header);
-  requireRTCP(file, program, "fanuc's G43.5");
-  writeFile(file, program, header, true);
+  FanucPost(file, program, header, true).write();
 }
 
 } // namespace pcl_spiral

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "post_text.h"
+#include "post.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 namespace pcl_spiral {
 namespace {
+
+constexpr double axis_tolerance = 10.0; ///< degrees for each mm of the smoothing tolerance: 0.05 for 0.005
 
 /** Program name from the file name: letters, digits, _ and -. */
 std::string
@@ -20,79 +23,131 @@ programName(const std::string& title)
   return name.empty() ? "SPIRAL" : name;
 }
 
-/** Numbered lines. */
-class NumberedLines {
+class HeidenhainPost : public Post {
 public:
-  explicit NumberedLines(PostText& out) : out_(out) {}
-  PostText& begin()
+  HeidenhainPost(const std::string& file, const MachineProgram& program, const ProgramHeader& header)
+  : Post(file, Dialect::Heidenhain, program, header), name_(programName(header.title))
   {
-    out_.text(std::to_string(next_++) + " ");
-    return out_;
+    out_.numberLines("", 0, 1, std::numeric_limits<std::size_t>::max() - 1);
   }
-  void line(const std::string& text) { begin().text(text + "\n"); }
 
 private:
-  PostText& out_;
-  std::size_t next_ = 0;
+  void writeOpening() override
+  {
+    out_.line("BEGIN PGM " + name_ + " MM");
+    writeComment(header_.title);
+    writeComments();
+  }
+
+  void writeComment(const std::string& text) override { out_.line("; " + commentText(text)); }
+
+  void writeRetract(double z) override
+  {
+    out_.code("L");
+    out_.word("Z", z, 3, true);
+    out_.endLine(" R0 FMAX M91\n");
+  }
+
+  void writeTool() override
+  {
+    if (header_.tool == 0 && !(header_.spindle_speed > 0.0))
+      return;
+    out_.line("TOOL CALL " + (header_.tool > 0 ? std::to_string(header_.tool) + " " : std::string()) + "Z S" +
+              std::to_string(std::lround(header_.spindle_speed)));
+  }
+
+  void writeSpindle() override
+  {
+    if (header_.spindle_speed > 0.0)
+      out_.line(header_.spindle_direction == SpindleDirection::Clockwise ? "M3" : "M4");
+  }
+
+  void writeOffset() override
+  {
+    if (!header_.work_offset.empty())
+      out_.line("CYCL DEF 247 DATUM SETTING Q339=+" + header_.work_offset);
+  }
+
+  void writeSmoothing(double tolerance) override
+  {
+    if (!(tolerance > 0.0))
+      return;
+    out_.line("CYCL DEF 32.0 TOLERANCE");
+    out_.code("CYCL DEF 32.1 T");
+    out_.number(tolerance, 6);
+    out_.endLine();
+    out_.code("CYCL DEF 32.2 HSC-MODE:0 TA");
+    out_.number(axis_tolerance * tolerance, 6);
+    out_.endLine();
+  }
+
+  void writeSmoothingOff() override
+  {
+    out_.line("CYCL DEF 32.0 TOLERANCE");
+    out_.line("CYCL DEF 32.1");
+  }
+
+  void writeFirstAngles() override
+  {
+    out_.code("L");
+    writeAngles(program_.blocks.front(), true);
+    out_.endLine(" R0 FMAX\n");
+  }
+
+  void writeOverFirst(const ProgramBlock& start) override
+  {
+    out_.code("L");
+    out_.word("X", start.machine.x(), header_.decimals, true);
+    out_.word("Y", start.machine.y(), header_.decimals, true);
+    out_.endLine(" R0 FMAX\n");
+  }
+
+  void writeTipControl(const ProgramBlock&) override
+  {
+    if (takesTips())
+      out_.line("M128");
+  }
+
+  void writeTipControlOff() override
+  {
+    if (takesTips())
+      out_.line("M129");
+  }
+
+  void writeBlock(const ProgramBlock& before, const ProgramBlock& block) override
+  {
+    const bool by_angles = block.section == BlockSection::Unwind; // a vector is the same after a whole turn
+    const Eigen::Vector3d& position = positionOf(block);
+    out_.code(takesTips() && !by_angles ? "LN" : "L");
+    out_.word("X", position.x(), header_.decimals, true);
+    out_.word("Y", position.y(), header_.decimals, true);
+    out_.word("Z", position.z(), header_.decimals, true);
+    if (by_angles)
+      writeAngles(block, true);
+    else if (takesTips()) {
+      writeVector(out_, {"NX", "NY", "NZ"}, block.normal, true);
+      writeVector(out_, {"TX", "TY", "TZ"}, block.axis, true);
+    }
+    if (!block.rapid)
+      out_.word("F", std::max(0.001, tipFeed(before, block)), 3);
+    out_.endLine(block.rapid ? " FMAX\n" : "\n");
+  }
+
+  void writeClosing() override
+  {
+    out_.line("M30");
+    out_.line("END PGM " + name_ + " MM");
+  }
+
+  std::string name_;
 };
-
-void
-writeRetract(NumberedLines& lines, const Machine& machine)
-{
-  if (!machine.retract_z)
-    return;
-  PostText& out = lines.begin();
-  out.text("L ");
-  out.word("Z", *machine.retract_z, 3, true);
-  out.endLine(" R0 FMAX M91\n");
-}
-
-/** Feed of the tip, mm/min, that gives the block its time; the least feed if the tip does not move. */
-double
-tipFeed(const ProgramBlock& before, const ProgramBlock& block)
-{
-  return std::max(0.001, (block.tip - before.tip).norm() / block.minutes);
-}
 
 } // namespace
 
 void
 writeHeidenhain(const std::string& file, const MachineProgram& program, const ProgramHeader& header)
 {
-  requireProgram(file, program, header);
-  requireRTCP(file, program, "heidenhain");
-  PostText out(file, header.decimals);
-  NumberedLines lines(out);
-  const std::string name = programName(header.title);
-  lines.line("BEGIN PGM " + name + " MM");
-  lines.line("; " + commentText(header.title));
-  lines.line("; " + machineText(program));
-  if (header.tool > 0)
-    lines.line("TOOL CALL " + std::to_string(header.tool) + " Z S" + std::to_string(std::lround(header.spindle_speed)));
-  if (header.spindle_speed > 0.0)
-    lines.line("M3");
-  writeRetract(lines, program.machine);
-  lines.line("M128");
-  const ProgramBlock* before = &program.blocks.front();
-  writeBlocks(lines, program, header, [&](const ProgramBlock& block) {
-    lines.begin().text("LN ");
-    out.word("X", block.tip.x(), header.decimals, true);
-    out.word("Y", block.tip.y(), header.decimals, true);
-    out.word("Z", block.tip.z(), header.decimals, true);
-    writeVector(out, {"NX", "NY", "NZ"}, block.normal, true);
-    writeVector(out, {"TX", "TY", "TZ"}, block.axis, true);
-    if (!block.rapid)
-      out.word("F", tipFeed(*before, block), 3);
-    out.endLine(block.rapid ? " FMAX\n" : "\n");
-    before = &block;
-  });
-  lines.line("M129");
-  writeRetract(lines, program.machine);
-  if (header.spindle_speed > 0.0)
-    lines.line("M5");
-  lines.line("M30");
-  lines.line("END PGM " + name + " MM");
-  out.close();
+  HeidenhainPost(file, program, header).write();
 }
 
 } // namespace pcl_spiral

@@ -1,63 +1,84 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "post_text.h"
+#include "post.h"
 
 namespace pcl_spiral {
 namespace {
 
-void
-writeRetract(PostText& out, const Machine& machine)
-{
-  if (!machine.retract_z)
-    return;
-  out.word("G53 G0 Z", *machine.retract_z);
-  out.endLine();
-}
+class LinuxCNCPost : public Post {
+public:
+  using Post::Post;
 
-void
-writeStart(PostText& out, const MachineProgram& program, const ProgramHeader& header)
-{
-  out.text("(" + commentText(header.title) + ")\n(" + machineText(program) + ")\n");
-  out.text("G21 G90 G17 G40 G49 G80 G94\n");
-  if (program.machine.path_tolerance > 0.0) {
-    out.word("G64 P", program.machine.path_tolerance, 6);
-    out.endLine();
+private:
+  void writeOpening() override
+  {
+    writeComment(header_.title);
+    writeComments();
+    out_.line("G21 G90 G17 G40 G49 G80 G94");
+    switchKinematics(program_.machine.words.tip_control_off); // G53 is the machine's Z there
   }
-  else
-    out.text("G61\n"); // P0 would round corners without limit
-  if (header.tool == 0)
-    out.text("G43\n"); // the length of the loaded tool
-  writeTool(out, header, "G43\n");
-  writeRetract(out, program.machine);
-  out.text("G0 ");
-  writeAngles(out, program, program.blocks.front());
-  out.endLine();
-  out.text("G93\n");
-}
+
+  void writeRetract(double z) override
+  {
+    out_.code("G53 G0");
+    out_.word("Z", z);
+    out_.endLine();
+  }
+
+  void writeTool() override
+  {
+    Post::writeTool();
+    out_.line("G43"); // the length of the loaded tool
+  }
+
+  void writeSmoothing(double tolerance) override
+  {
+    if (!(tolerance > 0.0))
+      return out_.line("G61"); // P0 would round corners without limit
+    out_.code("G64");
+    out_.word("P", tolerance, 6);
+    out_.endLine();
+  }
+
+  void writeTipControl(const ProgramBlock&) override
+  {
+    switchKinematics(program_.machine.words.tip_control_on);
+    if (!isPerMinute())
+      out_.line("G93");
+  }
+
+  void writeTipControlOff() override
+  {
+    if (!isPerMinute())
+      out_.line("G94");
+    switchKinematics(program_.machine.words.tip_control_off);
+  }
+
+  void writeBlock(const ProgramBlock& before, const ProgramBlock& block) override
+  {
+    out_.code(block.rapid ? "G0" : "G1");
+    writePosition(block);
+    if (hasAngles() && !isFixed())
+      writeAngles(block);
+    if (!block.rapid)
+      writeFeed(before, block);
+    out_.endLine();
+  }
+
+  void writeClosing() override { out_.line("M2"); }
+
+  void switchKinematics(const std::string& word)
+  {
+    if (takesTips() && !word.empty())
+      out_.line(word);
+  }
+};
 
 } // namespace
 
 void
 writeLinuxCNC(const std::string& file, const MachineProgram& program, const ProgramHeader& header)
 {
-  requireProgram(file, program, header);
-  PostText out(file, header.decimals);
-  writeStart(out, program, header);
-  writeBlocks(out, program, header, [&](const ProgramBlock& block) {
-    const Eigen::Vector3d& position = positionOf(program, block);
-    out.word(block.rapid ? "G0 X" : "G1 X", position.x());
-    out.word("Y", position.y());
-    out.word("Z", position.z());
-    writeAngles(out, program, block);
-    if (!block.rapid)
-      out.word("F", 1.0 / block.minutes);
-    out.endLine();
-  });
-  out.text("G94\n");
-  writeRetract(out, program.machine);
-  if (header.spindle_speed > 0.0)
-    out.text("M5\n");
-  out.text("M2\n");
-  out.close();
+  LinuxCNCPost(file, Dialect::LinuxCNC, program, header).write();
 }
 
 } // namespace pcl_spiral

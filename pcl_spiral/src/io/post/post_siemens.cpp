@@ -1,52 +1,89 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "post_text.h"
+#include "post.h"
 
 namespace pcl_spiral {
 namespace {
 
-void
-writeRetract(PostText& out, const Machine& machine)
-{
-  if (!machine.retract_z)
-    return;
-  out.word("SUPA G0 Z", *machine.retract_z);
-  out.endLine(" D0\n");
-}
+constexpr double axis_tolerance = 10.0; ///< degrees for each mm of the smoothing tolerance: 0.05 for 0.005
 
-void
-writeStart(PostText& out, const MachineProgram& program, const ProgramHeader& header)
-{
-  out.text("; " + commentText(header.title) + "\n; " + machineText(program) + "\n");
-  out.text("G71 G90 G94 G17 G40\n");
-  writeTool(out, header);
-  writeRetract(out, program.machine);
-  out.text("D1\nTRAORI\nORIWKS\nORIVECT\nG93\n");
-}
+class SiemensPost : public Post {
+public:
+  using Post::Post;
+
+private:
+  void writeOpening() override
+  {
+    writeComment(header_.title);
+    writeComments();
+    out_.line("G71 G90 G94 G17 G40");
+  }
+
+  void writeComment(const std::string& text) override { out_.text("; " + commentText(text) + "\n"); }
+
+  void writeRetract(double z) override
+  {
+    out_.code("SUPA G0");
+    out_.word("Z", z);
+    out_.endLine(" D0\n");
+  }
+
+  void writeOffset() override { out_.line(offset() + " D1"); }
+
+  void writeSmoothing(double tolerance) override
+  {
+    if (!(tolerance > 0.0))
+      return out_.line("G60"); // exact stop
+    out_.code("CYCLE832(");
+    out_.number(tolerance, 6);
+    out_.text(",_ORI_FINISH,");
+    out_.number(axis_tolerance * tolerance, 6);
+    out_.endLine(")\n");
+  }
+
+  void writeSmoothingOff() override { out_.line("CYCLE832(0,_OFF,1)"); }
+
+  void writeTipControl(const ProgramBlock&) override
+  {
+    if (takesTips()) {
+      out_.line("TRAORI");
+      out_.line(offset()); // TRAORI may take the offset away
+      out_.line("ORIWKS");
+      out_.line("ORIVECT");
+    }
+    if (!isPerMinute())
+      out_.line("G93");
+  }
+
+  void writeTipControlOff() override
+  {
+    if (!isPerMinute())
+      out_.line("G94");
+    if (takesTips())
+      out_.line("TRAFOOF");
+  }
+
+  void writeBlock(const ProgramBlock& before, const ProgramBlock& block) override
+  {
+    out_.code(block.rapid ? "G0" : "G1");
+    writePosition(block);
+    if (block.section == BlockSection::Unwind)
+      writeAngles(block); // a vector is the same after a whole turn
+    else if (takesTips())
+      writeVector(out_, {"A3=", "B3=", "C3="}, block.axis);
+    if (!block.rapid)
+      writeFeed(before, block);
+    out_.endLine();
+  }
+
+  void writeClosing() override { out_.line("M30"); }
+};
 
 } // namespace
 
 void
 writeSiemens(const std::string& file, const MachineProgram& program, const ProgramHeader& header)
 {
-  requireProgram(file, program, header);
-  requireRTCP(file, program, "siemens");
-  PostText out(file, header.decimals);
-  writeStart(out, program, header);
-  writeBlocks(out, program, header, [&](const ProgramBlock& block) {
-    out.word(block.rapid ? "G0 X" : "G1 X", block.tip.x());
-    out.word("Y", block.tip.y());
-    out.word("Z", block.tip.z());
-    writeVector(out, {"A3=", "B3=", "C3="}, block.axis);
-    if (!block.rapid)
-      out.word("F", 1.0 / block.minutes);
-    out.endLine();
-  });
-  out.text("G94\nTRAFOOF\n");
-  writeRetract(out, program.machine);
-  if (header.spindle_speed > 0.0)
-    out.text("M5\n");
-  out.text("M30\n");
-  out.close();
+  SiemensPost(file, Dialect::Siemens, program, header).write();
 }
 
 } // namespace pcl_spiral

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "post_text.h"
 
-#include "io/kinematics_text.h"
-
-#include <pcl_spiral/common/impl/message.h>
-
-#include <pcl_spiral/io/file_error.h>
-
 #include <charconv>
 
 namespace pcl_spiral {
@@ -14,7 +8,8 @@ namespace {
 
 constexpr std::size_t full = 1 << 20; ///< bytes to write at once
 
-/** \p text with special characters, and those of \p others, turned to spaces. */
+} // namespace
+
 std::string
 plainText(std::string text, std::string_view others)
 {
@@ -24,7 +19,34 @@ plainText(std::string text, std::string_view others)
   return text;
 }
 
-} // namespace
+void
+PostText::numberLines(std::string_view letter, std::size_t first, std::size_t step, std::size_t last)
+{
+  letter_ = letter;
+  next_ = first;
+  step_ = step;
+  last_ = last;
+}
+
+/** What stands before a word: a space, or the number of its line. */
+void
+PostText::separate()
+{
+  if (!at_start_)
+    bytes_ += ' ';
+  else if (step_ > 0) {
+    bytes_ += letter_ + std::to_string(next_) + ' ';
+    next_ = next_ + step_ > last_ ? step_ : next_ + step_;
+  }
+  at_start_ = false;
+}
+
+void
+PostText::code(std::string_view word)
+{
+  separate();
+  bytes_ += word;
+}
 
 void
 PostText::word(std::string_view letters, double value)
@@ -35,9 +57,7 @@ PostText::word(std::string_view letters, double value)
 void
 PostText::word(std::string_view letters, double value, int decimals, bool signs)
 {
-  if (!at_start_)
-    bytes_ += ' ';
-  at_start_ = false;
+  separate();
   bytes_ += letters;
   number(value, decimals, signs);
 }
@@ -75,29 +95,6 @@ PostText::close()
 }
 
 void
-writeAngles(PostText& out, const MachineProgram& program, const ProgramBlock& block)
-{
-  const auto& rotary = program.machine.rotary;
-  const bool swap = rotary[0].letter > rotary[1].letter; // A before C
-  const double values[2] = {block.angles.first * in_degrees, block.angles.second * in_degrees};
-  for (int i : {swap ? 1 : 0, swap ? 0 : 1})
-    out.word(std::string_view(&rotary[i].letter, 1), values[i]);
-}
-
-void
-writeTool(PostText& out, const ProgramHeader& header, std::string_view after)
-{
-  if (header.tool > 0) {
-    out.text("T" + std::to_string(header.tool) + " M6\n");
-    out.text(after);
-  }
-  if (header.spindle_speed > 0.0) {
-    out.word("S", header.spindle_speed, 0);
-    out.endLine(" M3\n");
-  }
-}
-
-void
 writeVector(PostText& out, const std::array<std::string_view, 3>& letters, const Eigen::Vector3d& v, bool signs)
 {
   for (int i = 0; i < 3; ++i)
@@ -105,54 +102,9 @@ writeVector(PostText& out, const std::array<std::string_view, 3>& letters, const
 }
 
 std::string
-faultOfCode(const std::string& code)
-{
-  constexpr std::string_view remedy = "; give one line such as M62 P0";
-  constexpr std::size_t longest = 80; // LinuxCNC reads 255 characters per line, older controls fewer
-  const auto fault = [&](std::string_view what) { return std::string(what) + std::string(remedy); };
-  if (code != plainText(code, ""))
-    return fault("has a line break or a special character");
-  if (code.find_first_not_of(' ') == std::string::npos)
-    return fault("has only spaces");
-  if (code.size() > longest)
-    return fault("has more than " + std::to_string(longest) + " characters");
-  for (const char* const mark : {"(", ")", ";", "%"})
-    if (code.find(mark) != std::string::npos)
-      return fault(std::string("has ") + mark + (*mark == '%' ? ", which ends the program" : ", which belongs to comments"));
-  return {};
-}
-
-void
-requireProgram(const std::string& file, const MachineProgram& program, const ProgramHeader& header)
-{
-  if (program.blocks.empty())
-    throw FileError(file, "not written: the program has no blocks");
-  if (header.decimals < 3 || header.decimals > 6)
-    throw FileError(file, textOf("not written: ", header.decimals, " decimals were asked for; give 3 to 6"));
-  for (const std::string& code : {header.pass_begin, header.pass_end})
-    if (const std::string fault = code.empty() ? std::string() : faultOfCode(code); !fault.empty())
-      throw FileError(file, "not written: the code '" + plainText(code, "") + "' of a pass " + fault);
-}
-
-void
-requireRTCP(const std::string& file, const MachineProgram& program, const std::string& language)
-{
-  if (!program.machine.rtcp)
-    throw FileError(file, "not written: " + language + " needs tips and tool axes, but the machine file has rtcp: false; " +
-                              "use linuxcnc or fanuc, or rtcp: true");
-}
-
-std::string
 commentText(const std::string& title)
 {
   return plainText(title, "()[]{};\"%");
-}
-
-std::string
-machineText(const MachineProgram& program)
-{
-  const Machine& machine = program.machine;
-  return commentText((machine.name.empty() ? "machine" : machine.name) + ", " + kinematicsText(machine));
 }
 
 } // namespace pcl_spiral

@@ -26,7 +26,6 @@ constexpr RefusedCodes refused_g[] = {
     {410, 429, "the control shifts the path by a cutter radius of its table; write the path of the tip, with G40"},
     {431, 432, "a tool length from the program; use the length in the machine file, with G43"},
     {500, 529, "it scales or shifts coordinates; write X Y Z of the workpiece"},
-    {550, 599, "another work offset than G54; the machine file has one work_zero, which stands for G54"},
     {650, 679, "a subprogram; write all moves in one program"},
     {680, 699, "it turns coordinates; write X Y Z of the workpiece"},
     {730, 769, "a cycle; write straight moves (G0, G1)"},
@@ -34,6 +33,14 @@ constexpr RefusedCodes refused_g[] = {
     {910, 919, "relative coordinates; write the program with G90"},
     {920, 929, "it shifts coordinates; set work_zero in the machine file"},
 };
+
+/** "54", or "59.1" */
+std::string
+wholeOrTenths(double code)
+{
+  const int tenths = static_cast<int>(std::lround(10.0 * code));
+  return std::to_string(tenths / 10) + (tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10));
+}
 
 std::string
 reasonOf(int tenths)
@@ -47,7 +54,7 @@ reasonOf(int tenths)
 bool
 isHarmless(Dialect dialect, int tenths)
 {
-  constexpr int everywhere[] = {90, 170, 180, 190, 400, 540, 600, 610, 611, 640, 800, 900};
+  constexpr int everywhere[] = {51, 80, 90, 170, 180, 190, 400, 600, 610, 611, 640, 800, 900};
   constexpr int siemens[] = {601, 602, 641, 642, 643, 644, 645, 5000, 6010, 6020, 6410, 6420, 6430, 6440, 6450};
   if (std::find(std::begin(everywhere), std::end(everywhere), tenths) != std::end(everywhere))
     return true;
@@ -98,9 +105,32 @@ takeToolLength(Dialect dialect, int tenths, GCodeModes& modes)
   if (tenths != 430 && tenths != 490 && !guides)
     return false;
   modes.tool_length = tenths != 490;
-  modes.guides_tip = guides;
+  if (fanuc)
+    modes.guides_tip = guides;
   modes.vectors = tenths == 435;
   return true;
+}
+
+bool
+isOffset(Dialect dialect, int tenths)
+{
+  if (dialect == Dialect::Siemens)
+    return (tenths >= 540 && tenths <= 570 && tenths % 10 == 0) || (tenths >= 5050 && tenths <= 5990 && tenths % 10 == 0);
+  if (tenths >= 540 && tenths <= 590 && tenths % 10 == 0)
+    return true;
+  return dialect == Dialect::LinuxCNC ? tenths > 590 && tenths < 594 : tenths == 541;
+}
+
+/** The machine file has one work_zero, which stands for the one offset of the program. */
+std::string
+takeOffset(double code, GCodeModes& modes)
+{
+  const std::string name = "G" + wholeOrTenths(code);
+  modes.takes_values = true; // the P of G54.1
+  if (!modes.offset.empty() && modes.offset != name)
+    return "another work offset than " + modes.offset + " before; judge one program for each work offset";
+  modes.offset = name;
+  return {};
 }
 
 } // namespace
@@ -109,7 +139,9 @@ std::string
 takeG(Dialect dialect, double code, GCodeModes& modes)
 {
   const int tenths = static_cast<int>(std::lround(10.0 * code));
-  if (tenths == 640 && dialect == Dialect::LinuxCNC)
+  if (isOffset(dialect, tenths))
+    return takeOffset(code, modes);
+  if ((tenths == 640 && dialect == Dialect::LinuxCNC) || tenths == 51 || tenths == 80)
     modes.takes_values = true;
   if (takeMotion(tenths, modes) || takeUnit(dialect, tenths, modes) || takeToolLength(dialect, tenths, modes) ||
       isHarmless(dialect, tenths))
@@ -118,7 +150,7 @@ takeG(Dialect dialect, double code, GCodeModes& modes)
 }
 
 std::string
-takeM(double code, bool moved, GCodeModes& modes)
+takeM(Dialect dialect, double code, bool moved, GCodeModes& modes)
 {
   modes.takes_values = true;
   const int whole = static_cast<int>(std::lround(code));
@@ -141,6 +173,8 @@ takeM(double code, bool moved, GCodeModes& modes)
     return "it restores modes; write the modes themselves";
   case 428:
   case 429:
+    modes.guides_tip = dialect == Dialect::LinuxCNC ? whole == 428 : modes.guides_tip;
+    return {};
   case 430:
     return "it changes the kinematics; the machine file has one kinematics: leave it out";
   default:

@@ -20,7 +20,8 @@ struct GCodeModes {
   bool inverse_time = false;
   double unit = 1.0;         ///< mm
   bool tool_length = false;  ///< it is added to Z
-  bool guides_tip = false;   ///< G43.4, G43.5, TRAORI: the control keeps the tip in place
+  bool guides_tip = false;   ///< G43.4, G43.5, TRAORI, M428: the control keeps the tip in place
+  std::string offset;        ///< the work offset; empty: none named yet
   bool vectors = false;      ///< G43.5: I J K are the tool axis
   bool ended = false;        ///< M2, M30
   bool of_machine = false;   ///< only in this line: G53, SUPA
@@ -31,7 +32,7 @@ struct GCodeModes {
 /** Takes a G code. \return why it is refused; empty if it was taken */
 std::string takeG(Dialect dialect, double code, GCodeModes& modes);
 /** The same for an M code. \p moved: whether the program has moved before. */
-std::string takeM(double code, bool moved, GCodeModes& modes);
+std::string takeM(Dialect dialect, double code, bool moved, GCodeModes& modes);
 /** The same for a word without a number, such as TRAORI. */
 std::string takeKeyword(Dialect dialect, const std::string& word, GCodeModes& modes);
 

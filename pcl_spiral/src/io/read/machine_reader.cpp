@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "shop_lines.h"
+#include "yaml_settings.h"
+
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/machine_reader.h>
-
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,83 +14,8 @@
 namespace pcl_spiral {
 namespace {
 
-/** A map of a machine file: every value is read once; names that were not read are not settings. */
-class Settings {
-public:
-  Settings(std::string file, const YAML::Node& node, std::string what) : file_(std::move(file)), node_(node), what_(std::move(what))
-  {
-    if (!node_.IsMap())
-      fail(node_, what_ + " needs lines such as 'name: value'");
-  }
-
-  [[noreturn]] void fail(const YAML::Node& node, const std::string& reason) const
-  {
-    throw FileError(file_, "line " + std::to_string(node.Mark().line + 1) + ": " + reason);
-  }
-  bool has(const std::string& name)
-  {
-    asked_.push_back(name);
-    return static_cast<bool>(node_[name]);
-  }
-  /** \throw FileError if there is none */
-  YAML::Node at(const std::string& name, const std::string& example)
-  {
-    if (!has(name))
-      fail(node_, what_ + " has no " + name + "; give it, such as " + name + ": " + example);
-    return node_[name];
-  }
-  template <typename Value>
-  Value value(const std::string& name, const std::string& example)
-  {
-    const YAML::Node node = at(name, example);
-    try {
-      return node.as<Value>();
-    }
-    catch (const YAML::Exception&) {
-      fail(node, name + " of " + what_ + " cannot be read; write it as " + name + ": " + example);
-    }
-  }
-  double number(const std::string& name, const std::string& example)
-  {
-    const double number = value<double>(name, example);
-    if (!std::isfinite(number))
-      fail(node_[name], name + " of " + what_ + " is not finite; write it as " + name + ": " + example);
-    return number;
-  }
-  Eigen::Vector3d vector(const std::string& name, const std::string& example)
-  {
-    const auto v = value<std::vector<double>>(name, example);
-    if (v.size() != 3)
-      fail(node_[name], name + " of " + what_ + " needs three numbers, such as " + name + ": " + example);
-    return {v[0], v[1], v[2]};
-  }
-  /** Call this last. */
-  void refuseOthers() const
-  {
-    for (const auto& entry : node_) {
-      const std::string name = entry.first.as<std::string>();
-      if (std::find(asked_.begin(), asked_.end(), name) == asked_.end())
-        fail(entry.first, "'" + name + "' is not a setting of " + what_ + "; its settings are " + listed());
-    }
-  }
-
-private:
-  std::string listed() const
-  {
-    std::string list;
-    for (const std::string& name : asked_)
-      list += (list.empty() ? "" : ", ") + name;
-    return list;
-  }
-
-  std::string file_;
-  YAML::Node node_;
-  std::string what_;
-  std::vector<std::string> asked_;
-};
-
 void
-readLimits(Settings& settings, double unit, AxisRange& range)
+readLimits(YamlSettings& settings, double unit, AxisRange& range)
 {
   const YAML::Node node = settings.at("limits", "[-100, 50]");
   if (node.IsScalar() && node.as<std::string>() == "unlimited")
@@ -104,7 +30,7 @@ readLimits(Settings& settings, double unit, AxisRange& range)
 RotaryAxis
 readRotary(const std::string& file, const YAML::Node& node)
 {
-  Settings settings(file, node, "a rotary axis");
+  YamlSettings settings(file, node, "a rotary axis");
   RotaryAxis axis;
   const auto letter = settings.value<std::string>("axis", "C");
   if (letter.size() != 1)
@@ -128,7 +54,7 @@ readRotary(const std::string& file, const YAML::Node& node)
 AxisRange
 readLinear(const std::string& file, const YAML::Node& node, const std::string& name)
 {
-  Settings settings(file, node, name);
+  YamlSettings settings(file, node, name);
   AxisRange range;
   if (settings.has("limits"))
     readLimits(settings, 1.0, range);
@@ -139,7 +65,7 @@ readLinear(const std::string& file, const YAML::Node& node, const std::string& n
 }
 
 void
-readOptional(Settings& settings, Machine& machine)
+readOptional(const std::string& file, YamlSettings& settings, Machine& machine)
 {
   if (settings.has("name"))
     machine.name = settings.value<std::string>("name", "xyzac-trt");
@@ -153,27 +79,69 @@ readOptional(Settings& settings, Machine& machine)
     machine.retract_z = settings.number("retract_z", "300");
   if (settings.has("path_tolerance"))
     machine.path_tolerance = settings.number("path_tolerance", "0.01");
+  if (settings.has("program"))
+    readProgramWords(file, settings.at("program", "{header: [G55]}"), machine);
+}
+
+/** With ISO 841 a positive angle counts the tool against the work: tables turn the other way. */
+void
+countToolAgainstWork(Machine& machine)
+{
+  for (RotaryAxis& axis : machine.rotary)
+    if (axis.mount == RotaryMount::Table)
+      axis.direction = -axis.direction;
+}
+
+void
+readRotaryAxes(const std::string& file, YamlSettings& settings, Machine& machine)
+{
+  const YAML::Node rotary = settings.at("rotary", "[{axis: C, mount: table, ...}, {axis: A, mount: table, ...}]");
+  if (!rotary.IsSequence() || (rotary.size() != 2 && rotary.size() != 0))
+    settings.fail(rotary,
+                  "rotary must be a list of the two rotary axes, from the workpiece to the tool, or [] for a machine with three axes");
+  machine.three_axes = rotary.size() == 0;
+  for (std::size_t i = 0; i < rotary.size(); ++i)
+    machine.rotary[i] = readRotary(file, rotary[i]);
+  if (settings.has("conventional_directions") && settings.value<bool>("conventional_directions", "true"))
+    countToolAgainstWork(machine);
+}
+
+/** Without RTCP the program contains the places of the axes: what they depend on must be given. */
+void
+requirePlaces(YamlSettings& settings, const YAML::Node& rotary, const Machine& machine)
+{
+  if (machine.rtcp || machine.three_axes)
+    return;
+  const auto require = [&](bool needed, const YAML::Node& node, const std::string& name, const std::string& example) {
+    if (needed && !node[name])
+      settings.fail(node, "rtcp: false, so the program depends on " + name + ", and none is given; give " + name + ": " + example);
+  };
+  bool table = false, head = false;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const RotaryAxis& axis = machine.rotary[i];
+    (axis.mount == RotaryMount::Table ? table : head) = true;
+    require(true, rotary[i], "point", std::string("[0, 0, 0], on the axis ") + axis.letter);
+  }
+  require(table, settings.node(), "work_zero", "[0, 0, 0]");
+  require(head, settings.node(), "tool_length", "120");
 }
 
 Machine
 machineFrom(const std::string& file, const YAML::Node& root)
 {
-  Settings settings(file, root, "a machine file");
+  YamlSettings settings(file, root, "a machine file");
   Machine machine;
-  const YAML::Node rotary = settings.at("rotary", "[{axis: C, mount: table, ...}, {axis: A, mount: table, ...}]");
-  if (!rotary.IsSequence() || rotary.size() != 2)
-    settings.fail(rotary, "rotary must be a list of the two rotary axes, from the workpiece to the tool");
-  for (std::size_t i = 0; i < 2; ++i)
-    machine.rotary[i] = readRotary(file, rotary[i]);
+  readRotaryAxes(file, settings, machine);
   if (settings.has("linear")) {
-    Settings linear(file, root["linear"], "linear");
+    YamlSettings linear(file, root["linear"], "linear");
     for (int i = 0; i < 3; ++i)
       if (const std::string name(1, "XYZ"[i]); linear.has(name))
         machine.linear[i] = readLinear(file, root["linear"][name], name);
     linear.refuseOthers();
   }
-  readOptional(settings, machine);
+  readOptional(file, settings, machine);
   settings.refuseOthers();
+  requirePlaces(settings, root["rotary"], machine);
   return machine;
 }
 

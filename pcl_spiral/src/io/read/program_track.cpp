@@ -23,10 +23,26 @@ isWithin(double angle, const AxisRange& range)
   return angle >= range.lower - rounding && angle <= range.upper + rounding;
 }
 
+using Coordinates = std::array<std::optional<double>, 3>;
+
+bool
+allOf(const Coordinates& xyz)
+{
+  return xyz[0] && xyz[1] && xyz[2];
+}
+
+Eigen::Vector3d
+vectorOf(const Coordinates& xyz)
+{
+  return {*xyz[0], *xyz[1], *xyz[2]};
+}
+
 } // namespace
 
 ProgramTrack::ProgramTrack(const Machine& machine, bool in_workpiece) : kinematics_(machine), in_workpiece_(in_workpiece)
 {
+  if (machine.three_axes)
+    angles_ = {0.0, 0.0};
   file_.program.machine = kinematics_.machine();
 }
 
@@ -56,29 +72,35 @@ ProgramTrack::turnTo(const Eigen::Vector3d& axis)
   return {};
 }
 
+/** The place of the machine that belongs to the tip. */
+void
+ProgramTrack::placeMachine()
+{
+  if (!allOf(tip_) || !angles_[0] || !angles_[1])
+    return;
+  const Eigen::Vector3d place = kinematics_.programmed(vectorOf(tip_), {*angles_[0], *angles_[1]});
+  machine_ = {place.x(), place.y(), place.z()};
+}
+
 void
 ProgramTrack::goTo(const ProgramTarget& target)
 {
-  if (!target.of_machine) {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (target.xyz[i])
-        xyz_[i] = target.xyz[i];
-    return;
-  }
-  if (!begun())
-    return; // from the present place of the machine, which is not known
   const Machine& machine = kinematics_.machine();
-  const RotaryAngles angles{*angles_[0], *angles_[1]};
-  const bool tips = machine.rtcp && in_workpiece_;
+  const bool tips = target.of_tip && (!target.of_machine || in_workpiece_);
   const Eigen::Vector3d shift = machine.work_zero + Eigen::Vector3d(0.0, 0.0, machine.tool_length);
-  Eigen::Vector3d place = tips || !machine.rtcp ? Eigen::Vector3d(*xyz_[0], *xyz_[1], *xyz_[2])
-                                                : kinematics_.programmed({*xyz_[0], *xyz_[1], *xyz_[2]}, angles);
-  for (int i = 0; i < 3; ++i)
-    if (target.xyz[static_cast<std::size_t>(i)])
-      place[i] = *target.xyz[static_cast<std::size_t>(i)] - shift[i];
-  if (!tips && machine.rtcp)
-    place = kinematics_.tipOf(place, angles);
-  xyz_ = {place.x(), place.y(), place.z()};
+  if (target.of_machine && tips && !begun())
+    return; // from the present place of the machine, which is not known
+  if (target.of_tip)
+    placeMachine(); // the tip stays while the rotary axes turn
+  for (std::size_t i = 0; i < 3; ++i)
+    if (target.xyz[i])
+      (tips ? tip_ : machine_)[i] = *target.xyz[i] - (target.of_machine ? shift[static_cast<int>(i)] : 0.0);
+  if (tips)
+    placeMachine();
+  else if (allOf(machine_) && angles_[0] && angles_[1]) {
+    const Eigen::Vector3d tip = kinematics_.tipOf(vectorOf(machine_), {*angles_[0], *angles_[1]});
+    tip_ = {tip.x(), tip.y(), tip.z()};
+  }
 }
 
 std::string
@@ -91,7 +113,7 @@ ProgramTrack::move(std::size_t line, const ProgramTarget& target)
     if (const std::string fault = turnTo(*target.axis); !fault.empty())
       return fault;
   goTo(target);
-  const bool known = xyz_[0] && xyz_[1] && xyz_[2] && angles_[0] && angles_[1];
+  const bool known = allOf(tip_) && allOf(machine_) && angles_[0] && angles_[1];
   if (!target.rapid && !begun())
     return "the place from which this feed move starts is not known; go there with a G0 that names all five axes";
   if (!target.rapid && !(target.feed > 0.0))
@@ -110,10 +132,8 @@ ProgramTrack::add(std::size_t line, const ProgramTarget& target)
   block.rapid = target.rapid;
   block.section = target.rapid ? BlockSection::Position : BlockSection::Cut;
   block.angles = {*angles_[0], *angles_[1]};
-  const Eigen::Vector3d xyz(*xyz_[0], *xyz_[1], *xyz_[2]);
-  const bool rtcp = kinematics_.machine().rtcp;
-  block.tip = rtcp ? xyz : kinematics_.tipOf(xyz, block.angles);
-  block.machine = rtcp ? kinematics_.programmed(xyz, block.angles) : xyz;
+  block.tip = vectorOf(tip_);
+  block.machine = vectorOf(machine_);
   block.axis = target.axis ? target.axis->normalized() : kinematics_.toolAxis(block.angles);
   block.normal = block.axis;
   file_.by_vectors = file_.by_vectors || target.axis;

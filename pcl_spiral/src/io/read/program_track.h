@@ -19,6 +19,7 @@ struct ProgramTarget {
   std::array<std::optional<double>, 2> angles; ///< in the order of Machine::rotary
   std::optional<Eigen::Vector3d> axis;         ///< of the tool, instead of the angles
   bool of_machine = false;                     ///< xyz is that of the gauge point in machine coordinates
+  bool of_tip = false;                         ///< xyz is that of the tip; false: as programmed without RTCP
   bool rapid = false;
   bool inverse_time = false; ///< the feed is 1 / minutes; false: mm/min of the tip
   double feed = 0.0;
@@ -41,11 +42,13 @@ public:
 private:
   std::string turnTo(const Eigen::Vector3d& axis);
   void goTo(const ProgramTarget& target);
+  void placeMachine();
   void add(std::size_t line, const ProgramTarget& target);
 
   Kinematics kinematics_;
   bool in_workpiece_;
-  std::array<std::optional<double>, 3> xyz_; ///< as programmed: tip with RTCP, machine without
+  std::array<std::optional<double>, 3> tip_;     ///< in the workpiece
+  std::array<std::optional<double>, 3> machine_; ///< as programmed without RTCP
   std::array<std::optional<double>, 2> angles_;
   ProgramFile file_;
 };

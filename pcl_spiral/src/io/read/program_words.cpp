@@ -89,7 +89,8 @@ ProgramLines::takeComment(std::size_t begin)
 std::size_t
 ProgramLines::takeWord(std::size_t begin)
 {
-  if (!words_.empty() && words_.back().name == "PGM") { // the name of a program in Klartext
+  const bool klartext_name = !words_.empty() && (words_.back().name == "PGM" || words_.back().name == "DEF");
+  if (klartext_name) { // of a program, or of a cycle with its values
     words_.push_back({"", std::nullopt, std::string(text_.substr(begin))});
     return text_.size();
   }

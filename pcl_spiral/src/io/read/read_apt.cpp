@@ -91,6 +91,7 @@ private:
     if (!(axis_.norm() > 1e-6))
       fail("the tool axis of the GOTO has no length; write its direction");
     target.axis = axis_.normalized();
+    target.of_tip = true;
     target.rapid = rapid_ || from || !track_.begun();
     target.feed = feed_ > 0.0 ? feed_ : 1.0; // a path without FEDRAT has no times
     rapid_ = false;

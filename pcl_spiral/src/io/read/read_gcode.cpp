@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "control_program.h"
 #include "gcode_words.h"
+#include "known_lines.h"
 #include "program_track.h"
 
 #include <pcl_spiral/core/impl/angles.h>
@@ -17,6 +18,7 @@ public:
   GCodeReader(const std::string& file, std::string_view text, const Machine& machine, Dialect dialect)
   : lines_(file, text), machine_(machine), dialect_(dialect), track_(machine, dialect == Dialect::LinuxCNC)
   {
+    modes_.guides_tip = dialect == Dialect::LinuxCNC && machine.takesTips();
     names_ = dialect == Dialect::Siemens ? std::array<const char*, 3>{"A3", "B3", "C3"} : std::array<const char*, 3>{"I", "J", "K"};
   }
 
@@ -36,6 +38,14 @@ public:
 private:
   void takeLine()
   {
+    const ControlWords& words = machine_.words;
+    const std::string_view line = lineWithoutNumber(lines_.text());
+    if (isShopLine(machine_, line))
+      return;
+    if (machine_.takesTips() && (line == words.tip_control_on || line == words.tip_control_off)) {
+      modes_.guides_tip = line == words.tip_control_on;
+      return;
+    }
     modes_.of_machine = modes_.dwells = modes_.takes_values = false;
     for (const ProgramWord& word : lines_.words())
       if (const std::string fault = takeCode(word); !fault.empty())
@@ -56,7 +66,9 @@ private:
     if (word.name == "G" && word.value)
       return takeG(dialect_, *word.value, modes_);
     if (word.name == "M" && word.value)
-      return takeM(*word.value, track_.begun(), modes_);
+      return takeM(dialect_, *word.value, track_.begun(), modes_);
+    if (word.name == "CYCLE" && word.value == 832.0 && dialect_ == Dialect::Siemens)
+      return {}; // smoothing
     if (!word.value)
       return takeKeyword(dialect_, word.name, modes_);
     if (word.name == "D" && dialect_ == Dialect::Siemens)
@@ -67,7 +79,7 @@ private:
   void takeValue(const ProgramWord& word, ProgramTarget& target, std::array<std::optional<double>, 3>& vector)
   {
     const std::string& name = word.name;
-    if (name == "G" || name == "M" || !word.value)
+    if (name == "G" || name == "M" || name == "CYCLE" || !word.value)
       return;
     if (name == "F") {
       feed_ = *word.value * (modes_.inverse_time ? 1.0 : modes_.unit);
@@ -86,7 +98,7 @@ private:
       if (name == names_[i] && modes_.vectors)
         return set(word, vector[i], 1.0);
     }
-    for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t i = 0; i < 2 && !machine_.three_axes; ++i)
       if (name == std::string(1, machine_.rotary[i].letter))
         return set(word, target.angles[i], degree);
     lines_.fail(word, reasonOf(name));
@@ -100,6 +112,8 @@ private:
 
   std::string reasonOf(const std::string& name) const
   {
+    if (machine_.three_axes && (name == "A" || name == "B" || name == "C"))
+      return "the machine file has three axes; give the machine file for which the program was made";
     const std::string axes = std::string(1, machine_.rotary[0].letter) + " and " + machine_.rotary[1].letter;
     if (name == "A" || name == "B" || name == "C")
       return "the rotary axes of the machine file are " + axes + "; give the machine file for which the program was made";
@@ -128,19 +142,20 @@ private:
     target.axis = axis.normalized();
   }
 
-  /** Refuses X Y Z that are not those of the machine file: before the control knows the tool, or with another meaning. */
+  /** Refuses X Y Z that are not those of the machine file: before the control knows the tool, or with another meaning. A rapid along X and
+   *  Y alone is the way over the first point. */
   void requireGuided(const ProgramTarget& target) const
   {
-    if (target.of_machine || !(target.xyz[0] || target.xyz[1] || target.xyz[2] || track_.begun()))
+    if (target.of_machine || !(target.xyz[0] || target.xyz[1] || target.xyz[2] || !target.rapid) || (target.rapid && !target.xyz[2]))
       return;
     if (!modes_.tool_length)
       lines_.fail(dialect_ == Dialect::Siemens
                       ? "the tool length is not on, and the control would move the spindle's end to X Y Z; write D1 before"
                       : "the tool length is not on, and the control would move the spindle's end to X Y Z; write G43 before");
-    if (dialect_ == Dialect::LinuxCNC || modes_.guides_tip == machine_.rtcp)
+    if (modes_.guides_tip == machine_.takesTips())
       return;
-    lines_.fail(machine_.rtcp
-                    ? "X Y Z are those of the machine, without G43.4, G43.5 or TRAORI, but the machine file has rtcp: true; give the "
+    lines_.fail(machine_.takesTips()
+                    ? "X Y Z are those of the machine, without G43.4, G43.5, TRAORI or M428, but the machine file has rtcp: true; give the "
                       "machine file for which the program was made, or set rtcp: false"
                     : "X Y Z are those of the tip, but the machine file has rtcp: false; give the machine file for which the program "
                       "was made, or set rtcp: true");
@@ -151,8 +166,9 @@ private:
     target.of_machine = modes_.of_machine;
     if (!modes_.rapid)
       lines_.fail("axes are named, but neither G0 nor G1 is on; write one of them");
-    requireGuided(target);
     target.rapid = *modes_.rapid;
+    target.of_tip = modes_.guides_tip && machine_.takesTips();
+    requireGuided(target);
     target.inverse_time = modes_.inverse_time;
     target.feed = modes_.inverse_time && fed_ != lines_.number() ? 0.0 : feed_;
     if (const std::string fault = track_.move(lines_.number(), target); !fault.empty())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "control_program.h"
+#include "known_lines.h"
 #include "program_track.h"
 #include "program_words.h"
 
@@ -38,8 +39,8 @@ private:
       lines_.fail("the line has the number " + wholeNumber(number) + ", and " + wholeNumber(next_) +
                   " follows: a block is missing; write the program again");
     next_ = number + 1.0;
-    if (words.size() == 1)
-      return; // only a comment
+    if (words.size() == 1 || isShopLine(machine_, lineWithoutNumber(lines_.text())))
+      return; // only a comment, or a line of the shop
     const std::string& first = words[1].name;
     if (first == "BEGIN")
       takeBegin();
@@ -49,6 +50,8 @@ private:
       takeMove();
     else if (first == "M")
       takeSwitches();
+    else if (first == "CYCL")
+      takeCycle();
     else if (first == "TOOL") {
       if (track_.begun())
         lines_.fail("another tool is called; judge one program for each tool");
@@ -62,6 +65,17 @@ private:
     const std::string_view text = lines_.text();
     if (text.size() > 5 && text.substr(text.size() - 5) == " INCH")
       unit_ = 25.4;
+  }
+
+  /** The tolerance (32) and the preset (247): neither moves the tool. */
+  void takeCycle()
+  {
+    const std::vector<ProgramWord>& words = lines_.words();
+    const double number = words.size() > 2 && words[2].name == "DEF" ? std::floor(words[2].value.value_or(0.0)) : 0.0;
+    if (number != 32.0 && number != 247.0)
+      lines_.fail(words[1], "a cycle; write straight moves (L, LN)");
+    if (number == 247.0 && track_.begun())
+      lines_.fail(words[1], "another preset; judge one program for each preset");
   }
 
   /** A line of M codes, some with a value such as P0. */
@@ -99,9 +113,11 @@ private:
     if (!target.names())
       return;
     target.of_machine = of_machine_;
-    if (!of_machine_ && !guides_tip_)
+    target.of_tip = guides_tip_;
+    const bool over_first = target.rapid && !target.xyz[2]; // X, Y and rotary axes alone, at the height of the retract
+    if (!of_machine_ && !guides_tip_ && machine_.takesTips() && !over_first)
       lines_.fail("M128 is not on, and the control would not keep the tip in place; write M128 before");
-    if (!of_machine_ && !machine_.rtcp)
+    if (guides_tip_ && !machine_.takesTips())
       lines_.fail(
           "with M128 X Y Z are those of the tip, but the machine file has rtcp: false; give the machine file for which the program was "
           "made, or set rtcp: true");
@@ -136,7 +152,7 @@ private:
       if (name == letter || name == "T" + letter || name == "N" + letter || name == "R")
         return;
     }
-    for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t i = 0; i < 2 && !machine_.three_axes; ++i)
       if (name == std::string(1, machine_.rotary[i].letter)) {
         target.angles[i] = *word.value * degree;
         return;

@@ -12,7 +12,7 @@ cutterText(const CutterShape& c)
     return textOf("radius ", c.radius, " mm, a ball");
   return textOf("radius ", c.radius, " mm, corner ", c.corner_radius, " mm") +
          (c.flank_length > 0.0 || c.flank_angle > 0.0
-              ? textOf(", flank ", c.flank_length, " mm long, ", c.flank_angle, "\u00b0 to the axis")
+              ? textOf(", flank ", c.flank_length, " mm long, ", c.flank_angle, " degrees to the axis")
               : std::string());
 }
 

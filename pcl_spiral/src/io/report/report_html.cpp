@@ -5,6 +5,7 @@
 #include "mesh/mesh_findings.h"
 #include "report_writer.h"
 
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/surface/impl/side_text.h>
 
 #include <algorithm>
@@ -164,7 +165,9 @@ addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
                  {"Scallop height h", formatted("%g mm", s.scallop_height)},
                  {"Chord error e", formatted("%g mm", s.chord_error)},
                  {"Longest linear move allowed", formatted("%g mm", s.max_step > 0.0 ? s.max_step : s.tool_radius)},
-                 {"Side tilt, lead of the axis", formatted("%g\u00b0, %g\u00b0", s.tilt_angle, s.lead_angle)},
+                 s.fixed_axis
+                     ? std::vector<std::string>{"Tool axis", "fixed, " + placeText(*s.fixed_axis)}
+                     : std::vector<std::string>{"Side tilt, lead of the axis", formatted("%g\u00b0, %g\u00b0", s.tilt_angle, s.lead_angle)},
                  {"Largest turn of the axis", formatted("%g\u00b0 per mm", s.max_axis_rate)},
                  {"Axis smoothed over",
                   s.axis_smoothing > 0.0 ? formatted("%g mm, by up to %g\u00b0", s.axis_smoothing, s.axis_deviation) : "nothing"},

@@ -35,6 +35,7 @@ settingsJson(const SpiralSettings& s)
           {"max_step", s.max_step > 0.0 ? s.max_step : s.tool_radius},
           {"tilt", s.tilt_angle},
           {"lead", s.lead_angle},
+          {"axis", toJson(s.fixed_axis)},
           {"max_axis_rate", s.max_axis_rate},
           {"axis_smoothing", s.axis_smoothing},
           {"axis_deviation", s.axis_deviation},

@@ -129,6 +129,21 @@ axesOf(const SpiralPath& path, const SpiralSettings& settings, std::vector<Eigen
   return all;
 }
 
+/** The same axis everywhere; a ball touches the surface with its shank where they lie along each other. */
+Status
+setFixedAxis(const Eigen::Vector3d& axis, SpiralPath& path, AxisFigures& figures)
+{
+  constexpr double flattest = 89.0; // degrees
+  const AxisLean lean = largestLean(path.normals, std::vector<Eigen::Vector3d>(path.normals.size(), axis));
+  if (degrees(lean.angle) > flattest)
+    return {StatusCode::Failed,
+            textOf("the fixed tool axis leans ", degrees(lean.angle), " degrees from the normal at ", placeText(path.contacts[lean.point]),
+                   ", and the shank would touch the part: choose another axis (setFixedAxis), or leave it out")};
+  path.axes.assign(path.contacts.size(), axis.cast<float>());
+  figures.largest_lean = degrees(lean.angle);
+  return Status::success();
+}
+
 /** Number of moves, without lifts, on which the normal turns faster than \p rate. */
 std::size_t
 fastMoves(const SpiralPath& path, double rate)
@@ -223,6 +238,8 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
 Status
 setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, std::vector<std::string>& warnings)
 {
+  if (settings.fixed_axis)
+    return setFixedAxis(settings.fixed_axis->normalized(), path, figures);
   std::vector<Eigen::Vector3d> wanted;
   const SmoothAxes field = axesOf(path, settings, wanted);
   const AxisLean lean = largestLean(path.normals, field.axes);

@@ -96,7 +96,9 @@ publishedContacts(const MlsSurface& surface, const SpiralSettings& settings, con
 void
 publishedAxes(const SpiralSettings& settings, PublishedResult& result)
 {
-  const auto axes = tiltedAxes(result.contacts, result.normals, settings.tilt_angle * degree, settings.lead_angle * degree);
+  const auto axes = settings.fixed_axis
+                        ? std::vector<Eigen::Vector3d>(result.contacts.size(), settings.fixed_axis->normalized())
+                        : tiltedAxes(result.contacts, result.normals, settings.tilt_angle * degree, settings.lead_angle * degree);
   PublishedFigures& figures = result.figures;
   result.axes.resize(axes.size());
   for (std::size_t i = 0; i < axes.size(); ++i) {

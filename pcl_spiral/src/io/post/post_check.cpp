@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "post_check.h"
+
+#include "post_text.h"
+
+#include "io/named_values.h"
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/io/file_error.h>
+
+#include <algorithm>
+#include <regex>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr std::size_t longest_line = 80; // LinuxCNC reads 255 characters per line, older controls fewer
+
+/** Why \p line cannot be a line, with \p remedy. */
+std::string
+faultOfText(const std::string& line, std::string_view remedy)
+{
+  const auto fault = [&](std::string_view what) { return std::string(what) + std::string(remedy); };
+  if (line != plainText(line, ""))
+    return fault("has a line break or a special character");
+  if (line.find_first_not_of(' ') == std::string::npos)
+    return fault("has only spaces");
+  if (line.size() > longest_line)
+    return fault("has more than " + std::to_string(longest_line) + " characters");
+  if (line.find('%') != std::string::npos)
+    return fault("has %, which ends the program");
+  return {};
+}
+
+/** Why the machine's axes do not suit the language. */
+std::string
+faultOfKinematics(Dialect dialect, const MachineProgram& program)
+{
+  const Machine& machine = program.machine;
+  const std::string language = entryOf(dialect).word;
+  if (machine.three_axes)
+    return dialect == Dialect::FanucVectors ? language + " writes tool axes, and the machine has three axes; use fanuc" : "";
+  if (!machine.rtcp && entryOf(dialect).needs_rtcp)
+    return language + " needs tips and tool axes, but the machine file has rtcp: false; use linuxcnc or fanuc, or rtcp: true";
+  return {};
+}
+
+std::string
+faultOfHeader(Dialect dialect, const Machine& machine, const ProgramHeader& header)
+{
+  if (header.decimals < 3 || header.decimals > 6)
+    return textOf(header.decimals, " decimals were asked for; give 3 to 6");
+  for (const std::string& code : {header.pass_begin, header.pass_end})
+    if (const std::string fault = code.empty() ? std::string() : faultOfCode(code); !fault.empty())
+      return "the code '" + plainText(code, "") + "' of a pass " + fault;
+  if (const std::string fault = header.work_offset.empty() ? std::string() : faultOfOffset(dialect, header.work_offset); !fault.empty())
+    return "the work offset '" + plainText(header.work_offset, "") + "' " + fault;
+  if (header.coolant == Coolant::Through && machine.words.through.empty())
+    return "coolant through the spindle has another word on each machine; give it in the machine file, such as program: {coolant: "
+           "{through: "
+           "M88}}";
+  const bool follows = dialect == Dialect::Fanuc || dialect == Dialect::FanucVectors || dialect == Dialect::Siemens;
+  if (header.feed_mode == FeedMode::PerMinute && !machine.three_axes && !(follows && machine.rtcp))
+    return std::string("a feed in mm/min of the tip needs ") + (follows ? "rtcp: true" : "fanuc, fanuc-ijk or siemens") +
+           "; leave it out to write the time of each block";
+  return {};
+}
+
+} // namespace
+
+std::string
+faultOfCode(const std::string& code)
+{
+  constexpr std::string_view remedy = "; give one line such as M62 P0";
+  if (const std::string fault = faultOfText(code, remedy); !fault.empty())
+    return fault;
+  for (const char* const mark : {"(", ")", ";"})
+    if (code.find(mark) != std::string::npos)
+      return std::string("has ") + mark + ", which belongs to comments" + std::string(remedy);
+  return {};
+}
+
+std::string
+faultOfShopLine(const std::string& line)
+{
+  std::string fault = faultOfText(line, "; give one line such as M98 P9000");
+  takePieces(line, [&fault](std::string_view piece, bool is_name) {
+    if (!is_name || !fault.empty() || std::find(value_names.begin(), value_names.end(), piece) != value_names.end())
+      return;
+    fault = "has {" + std::string(piece) + "}, which is no name of a value; the names are";
+    for (const std::string_view name : value_names)
+      fault += " {" + std::string(name) + "}";
+  });
+  return fault;
+}
+
+std::string
+faultOfOffset(Dialect dialect, const std::string& offset)
+{
+  const auto check = [&offset](const char* pattern, const char* forms) {
+    return std::regex_match(offset, std::regex(pattern)) ? std::string() : "is none of this control; give " + std::string(forms);
+  };
+  switch (dialect) {
+  case Dialect::LinuxCNC:
+    return check("G5[4-9]|G59\\.[123]", "G54 to G59, or G59.1 to G59.3");
+  case Dialect::Fanuc:
+  case Dialect::FanucVectors:
+    return check("G5[4-9]|G54\\.1 P([1-9]|[1-9][0-9]|[12][0-9][0-9]|300)", "G54 to G59, or G54.1 P1 to G54.1 P300");
+  case Dialect::Siemens:
+    return check("G5[4-7]|G50[5-9]|G5[1-9][0-9]", "G54 to G57, or G505 to G599");
+  case Dialect::Heidenhain:
+    return check("[0-9]{1,4}", "the number of a preset, such as 1");
+  }
+  return {};
+}
+
+void
+requireProgram(const std::string& file, Dialect dialect, const MachineProgram& program, const ProgramHeader& header)
+{
+  if (program.blocks.empty())
+    throw FileError(file, "not written: the program has no blocks");
+  for (const std::string& fault : {faultOfHeader(dialect, program.machine, header), faultOfKinematics(dialect, program)})
+    if (!fault.empty())
+      throw FileError(file, "not written: " + fault);
+}
+
+} // namespace pcl_spiral
