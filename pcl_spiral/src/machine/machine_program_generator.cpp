@@ -2,6 +2,7 @@
 #include "block_times.h"
 #include "half_turn.h"
 #include "limit_check.h"
+#include "tiny_moves.h"
 #include "tool_leads.h"
 #include "turn_passes.h"
 
@@ -22,6 +23,8 @@
 
 namespace pcl_spiral {
 namespace {
+
+constexpr double held_share = 0.1; ///< of the tolerance of blocks: for linear axes that stay during a turn
 
 /** The tool direction at the pole, fixed in the workpiece. */
 Eigen::Vector3d
@@ -98,7 +101,8 @@ layPass(const Kinematics& kinematics, const ProgramSettings& settings, const Too
       zone.end += last.arc_length;
     }
   }
-  const MachineLocations split = splitBlocks(kinematics, rotary.branch, rotary.locations, settings.block);
+  const BlockTolerance block{(1.0 - held_share) * settings.block.tip, settings.block.axis};
+  const MachineLocations split = splitBlocks(kinematics, rotary.branch, rotary.locations, block);
   pass.path = thinnedBlocks(kinematics, split, settings.thinning);
   if (before.empty())
     report.branch = rotary.branch;
@@ -240,6 +244,8 @@ MachineProgramGenerator::computeProgram(MachineProgram& program) const
     }
   program.blocks.erase(std::unique(program.blocks.begin(), program.blocks.end(), samePose), program.blocks.end());
   setBlockTimes(kinematics, settings_, program);
+  if (holdTinyMoves(kinematics, held_share * settings_.block.tip, program.blocks))
+    setBlockTimes(kinematics, settings_, program);
   reportAngles(program);
   return checkLimits(kinematics, program.blocks);
 }
