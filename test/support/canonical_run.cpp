@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/canonical_run.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 
 namespace pcl_spiral::test {
+
+double
+minutesOf(const CanonicalMotion& from, const CanonicalMotion& to)
+{
+  const auto way = [&](std::size_t i) { return std::abs(to.xyzabc[i] - from.xyzabc[i]); };
+  const auto length = [&](std::size_t i) { return std::hypot(way(i), way(i + 1), way(i + 2)); };
+  constexpr double tiny = 1e-7;
+  const bool moves = way(0) > tiny || way(1) > tiny || way(2) > tiny;
+  return (moves ? length(0) : length(3)) / to.feed;
+}
 
 CanonicalRun
 interpret(const std::string& program, const ScratchFolder& folder)

@@ -33,6 +33,10 @@ struct CanonicalRun {
   std::vector<CanonicalOutput> outputs;
 };
 
+/** Minutes that LinuxCNC gives a motion: its speed is that of X, Y and Z, in mm/min, or, where they stand, that of the rotary axes, in
+ *  degrees/min (NIST RS274, 2.1.2.5; find_straight_length in interp_find.cc). */
+double minutesOf(const CanonicalMotion& from, const CanonicalMotion& to);
+
 /** Runs the interpreter; motions in order. */
 CanonicalRun interpret(const std::string& program, const ScratchFolder& folder);
 

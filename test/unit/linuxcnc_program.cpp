@@ -57,6 +57,30 @@ expectPath(const Machine& machine, const CanonicalRun& run, const MachineProgram
   std::printf("%s: %zu motions, tip within %.2g mm, axis within %.2g degrees\n", machine.name.c_str(), run.motions.size(), tip, axis);
 }
 
+/** Every feed motion takes the time of its block, by the speed that the interpreter sets. */
+void
+expectTimes(const CanonicalRun& run, const MachineProgram& program)
+{
+  std::vector<const ProgramBlock*> blocks;
+  for (const ProgramBlock& block : program.blocks)
+    if (!block.rapid)
+      blocks.push_back(&block);
+  std::size_t at = 0;
+  double largest = 0.0;
+  for (std::size_t i = 1; i < run.motions.size(); ++i) {
+    if (run.motions[i].rapid)
+      continue;
+    ASSERT_LT(at, blocks.size());
+    const double minutes = minutesOf(run.motions[i - 1], run.motions[i]);
+    if (minutes > 0.0) // else nothing moves, in 4 decimals
+      largest = std::max(largest, std::abs(minutes / blocks[at]->minutes - 1.0));
+    ++at;
+  }
+  EXPECT_EQ(at, blocks.size());
+  EXPECT_LT(largest, 1e-3);
+  std::printf("times of %zu blocks within %.2g\n", at, largest);
+}
+
 } // namespace
 
 TEST(LinuxCNC, DomeSpiralOfHundredTurnsRuns)
@@ -84,6 +108,7 @@ TEST(LinuxCNC, DomeSpiralOfHundredTurnsRuns)
       EXPECT_EQ(run.code, 0);
       EXPECT_EQ(run.messages, "");
       expectPath(machine, run, program, poses);
+      expectTimes(run, program);
       double lowest = 0.0, highest = 0.0, largest = 0.0;
       for (std::size_t i = 1; i < run.motions.size(); ++i) {
         const double c = word(machine, run.motions[i], 0);

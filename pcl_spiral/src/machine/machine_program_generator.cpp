@@ -2,6 +2,7 @@
 #include "block_times.h"
 #include "half_turn.h"
 #include "limit_check.h"
+#include "tiny_moves.h"
 #include "tool_leads.h"
 #include "turn_passes.h"
 
@@ -22,6 +23,8 @@
 
 namespace pcl_spiral {
 namespace {
+
+constexpr double held_share = 0.1; ///< of the tolerance of blocks: for linear axes that stay during a turn
 
 /** The tool direction at the pole, fixed in the workpiece. */
 Eigen::Vector3d
@@ -98,7 +101,8 @@ layPass(const Kinematics& kinematics, const ProgramSettings& settings, const Too
       zone.end += last.arc_length;
     }
   }
-  const MachineLocations split = splitBlocks(kinematics, rotary.branch, rotary.locations, settings.block);
+  const BlockTolerance block{(1.0 - held_share) * settings.block.tip, settings.block.axis};
+  const MachineLocations split = splitBlocks(kinematics, rotary.branch, rotary.locations, block);
   pass.path = thinnedBlocks(kinematics, split, settings.thinning);
   if (before.empty())
     report.branch = rotary.branch;
@@ -209,8 +213,12 @@ MachineProgramGenerator::check() const
   const auto require = [](bool holds, const char* what, double value, const char* rule) {
     return holds ? std::string() : textOf("the ", what, " is ", value, "; ", rule);
   };
+  const char* own_feed = "it must be above 0 mm/min, or 0 for the feed";
   for (const std::string& fault :
        {require(s.feed > 0.0 && std::isfinite(s.feed), "feed", s.feed, "it must be above 0 mm/min"),
+        require(s.plunge_feed >= 0.0 && std::isfinite(s.plunge_feed), "plunge feed", s.plunge_feed, own_feed),
+        require(s.lead_feed >= 0.0 && std::isfinite(s.lead_feed), "lead feed", s.lead_feed, own_feed),
+        require(s.link_feed >= 0.0 && std::isfinite(s.link_feed), "link feed", s.link_feed, own_feed),
         require(s.ball_radius >= 0.0 && std::isfinite(s.ball_radius), "ball radius", s.ball_radius, "it must not be below 0 mm"),
         require(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole cone", s.pole_cone, "it must lie between 0 and 90 degrees"),
         require(s.block.tip >= BlockTolerance::least_tip, "block tolerance", s.block.tip, "it must be 0.0001 mm or more"),
@@ -258,7 +266,9 @@ MachineProgramGenerator::computeProgram(MachineProgram& program) const
     }
   program.blocks.erase(std::unique(program.blocks.begin(), program.blocks.end(), samePose), program.blocks.end());
   addRetracts(kinematics, program.blocks);
-  setBlockTimes(kinematics, settings_.feed, program);
+  setBlockTimes(kinematics, settings_, program);
+  if (holdTinyMoves(kinematics, held_share * settings_.block.tip, program.blocks))
+    setBlockTimes(kinematics, settings_, program);
   reportAngles(program);
   return checkLimits(kinematics, program.blocks);
 }

@@ -29,10 +29,14 @@ warningsOf(const MachineProgram& program)
   for (const PoleZone& zone : report.poles)
     warnings.push_back(textOf("near the pole, ", first, " would turn faster than its limit: the tool axis was blended from ", zone.begin,
                               " to ", zone.end, " mm of the path, by up to ", zone.largest_change * in_degrees, " degrees"));
-  if (report.slowed_blocks > 0)
-    warnings.push_back(textOf(report.slowed_blocks, " of ", report.cut_blocks,
+  if (const std::size_t by_axis = report.slowed_blocks - report.tool_slowed_blocks; by_axis > 0)
+    warnings.push_back(textOf(by_axis, " of ", report.cut_blocks,
                               " blocks run below the feed because of the rate limit of an axis, the slowest at ",
                               100.0 * report.least_feed_share, " % of it, at ", report.least_feed_at, " mm of the path"));
+  if (report.tool_slowed_blocks > 0)
+    warnings.push_back(textOf(report.tool_slowed_blocks, " of ", report.cut_blocks,
+                              " blocks run below the feed because the tool moves more than twice as far as its contact; it keeps to twice "
+                              "the feed"));
   if (!report.unwound_at.empty())
     warnings.push_back(textOf("the tool leaves the surface ", report.unwound_at.size(), " times so that ", first,
                               " can unwind at its limit, first at ", report.unwound_at.front(), " mm of the path"));

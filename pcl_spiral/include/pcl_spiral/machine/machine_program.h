@@ -39,6 +39,7 @@ enum class BlockSection {
   Approach, ///< down to where the feed begins
   LeadIn,   ///< from there to the surface
   Cut,      ///< along the path
+  Link,     ///< over the surface to the next pass, without a lift
   LeadOut,  ///< off the surface
   Retract,  ///< up again
   Unwind,   ///< the first rotary axis turns back at the top
@@ -69,22 +70,23 @@ struct PoleZone {
 
 /** Report of a program. Lengths in mm, angles in radians. */
 struct ProgramReport {
-  Branch branch = Branch::Larger; ///< used by the whole path
-  std::vector<PoleZone> poles;    ///< where axes were blended
-  std::size_t cut_blocks = 0;     ///< blocks that cut
-  std::size_t split_blocks = 0;   ///< added so that the machine stays near the path
-  std::size_t thinned_poses = 0;  ///< left out
-  std::size_t slowed_blocks = 0;  ///< below the feed, so that an axis keeps to its largest rate
-  double least_feed_share = 1.0;  ///< of the feed, in the slowest of these blocks
-  double least_feed_at = 0.0;     ///< arc length at that block
-  std::vector<double> unwound_at; ///< arc lengths where the first axis turns back
-  double first_travel = 0.0;      ///< sum of all turning of the first rotary axis while cutting
-  double lowest_first = 0.0;      ///< angle of the first rotary axis
-  double highest_first = 0.0;     ///< angle of the first rotary axis
-  double lowest_second = 0.0;     ///< angle of the second rotary axis
-  double highest_second = 0.0;    ///< angle of the second rotary axis
-  double largest_turn = 0.0;      ///< of a rotary axis in one cutting block
-  double minutes = 0.0;           ///< without rapids
+  Branch branch = Branch::Larger;     ///< used by the whole path
+  std::vector<PoleZone> poles;        ///< where axes were blended
+  std::size_t cut_blocks = 0;         ///< blocks that cut
+  std::size_t split_blocks = 0;       ///< added so that the machine stays near the path
+  std::size_t thinned_poses = 0;      ///< left out
+  std::size_t slowed_blocks = 0;      ///< whose contact is below the feed: by an axis at its largest rate, or by the tool
+  std::size_t tool_slowed_blocks = 0; ///< of these, by the tool: its tip or the centre of its ball is at twice the feed
+  double least_feed_share = 1.0;      ///< of the feed, in the block that an axis slows most
+  double least_feed_at = 0.0;         ///< arc length at that block
+  std::vector<double> unwound_at;     ///< arc lengths where the first axis turns back
+  double first_travel = 0.0;          ///< sum of all turning of the first rotary axis while cutting
+  double lowest_first = 0.0;          ///< angle of the first rotary axis
+  double highest_first = 0.0;         ///< angle of the first rotary axis
+  double lowest_second = 0.0;         ///< angle of the second rotary axis
+  double highest_second = 0.0;        ///< angle of the second rotary axis
+  double largest_turn = 0.0;          ///< of a rotary axis in one cutting block
+  double minutes = 0.0;               ///< without rapids
 };
 
 /** Moves in order, and their machine. */

@@ -22,6 +22,9 @@ enum class LeadKind {
 /** Settings of a program. */
 struct ProgramSettings {
   double feed = 1000.0;              ///< at the contact, mm/min
+  double plunge_feed = 0.0;          ///< of the tip down to the lead, mm/min; 0: the feed
+  double lead_feed = 0.0;            ///< of the tip along the leads and off the surface, mm/min; 0: the feed
+  double link_feed = 0.0;            ///< of links between passes, mm/min; 0: the feed
   double ball_radius = 0.0;          ///< of a ball cutter, mm: its centre stays while an axis is blended; 0: the tip stays
   double pole_cone = 5.0;            ///< axes are blended only within this angle of the pole, degrees
   BlockTolerance block;              ///< kept by the machine between poses
@@ -41,7 +44,8 @@ std::vector<ToolPoses> ballPasses(const pcl::PointCloud<ToolpathPoint>& path, do
 /** Makes a program for a machine from a path. Angles are on one branch, unwound, and blended at the pole.
  *  Blocks are split where the machine would leave the path, and thinned where it would not. A first axis
  *  with limits retracts, unwinds and comes back at its limit. Leads are added. Every block gets its time,
- *  at the feed or as slow as the slowest axis needs. The limits of every axis are checked.
+ *  at the feed of the contact, but with the tip and the centre of the ball at no more than twice the feed, and as slow as the
+ *  slowest axis needs. The limits of every axis are checked.
  *
  *  \code
  *  MachineProgramGenerator generator;
