@@ -47,11 +47,17 @@ writeRetract(NumberedLines& lines, const Machine& machine)
   out.endLine(" R0 FMAX M91\n");
 }
 
-/** Feed of the tip, mm/min, that gives the block its time; the least feed if the tip does not move. */
+/** The F that gives the block its time: mm/min of the tip, or, where the tip stands in the text and only the rotary axes turn,
+ *  degrees/min (iTNC 530, 60642x-03, M116: the feed of rotary axes). A floor would stop such a turn, which has no way of the tip.
+ *  FT, the time of a block, is not on every control of this language. */
 double
-tipFeed(const ProgramBlock& before, const ProgramBlock& block)
+feedOf(const ProgramBlock& before, const ProgramBlock& block, int decimals)
 {
-  return std::max(0.001, (block.tip - before.tip).norm() / block.minutes);
+  constexpr double least = 0.001; // the last decimal of F
+  const double unit = std::pow(10.0, decimals);
+  const double way = ((block.tip * unit).array().round() - (before.tip * unit).array().round()).matrix().norm() / unit;
+  const double turn = std::hypot(block.angles.first - before.angles.first, block.angles.second - before.angles.second);
+  return std::max(least, (way > 0.0 ? way : turn * in_degrees) / block.minutes);
 }
 
 } // namespace
@@ -82,7 +88,7 @@ writeHeidenhain(const std::string& file, const MachineProgram& program, const Pr
     writeVector(out, {"NX", "NY", "NZ"}, block.normal, true);
     writeVector(out, {"TX", "TY", "TZ"}, block.axis, true);
     if (!block.rapid)
-      out.word("F", tipFeed(*before, block), 3);
+      out.word("F", feedOf(*before, block, header.decimals), 3);
     out.endLine(block.rapid ? " FMAX\n" : "\n");
     before = &block;
   });
