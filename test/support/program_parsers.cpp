@@ -170,8 +170,10 @@ parseHeidenhain(const std::string& file)
     takePlace(move, words);
     move.vector = vectorOf(words, "TX", "TY", "TZ");
     move.normal = vectorOf(words, "NX", "NY", "NZ");
-    if (!move.rapid)
-      move.minutes = (move.xyz - program.moves.back().xyz).norm() / words.at("F");
+    if (!move.rapid) {
+      move.feed = words.at("F");
+      move.minutes = (move.xyz - program.moves.back().xyz).norm() / move.feed;
+    }
     program.moves.push_back(move);
   }
   return program;

@@ -21,7 +21,8 @@ struct ParsedMove {
   std::map<char, double> degrees;        ///< of rotary axes, by letter
   std::optional<Eigen::Vector3d> vector; ///< tool axis
   std::optional<Eigen::Vector3d> normal;
-  double minutes = 0.0; ///< of a feed move, from its F
+  double feed = 0.0;    ///< F as it stands there
+  double minutes = 0.0; ///< of a feed move, from its F; 0 if F is a feed a minute and X Y Z stand
 };
 
 /** A program: its moves and all other lines. */

@@ -129,8 +129,9 @@ private:
   void* handle_;
 };
 
+/** \p sense: of the module's angles, -1 if the machine counts them the other way. */
 void
-expectTheSame(const Machine& machine, const std::string& name, const Eigen::Vector3d& offset)
+expectTheSame(const Machine& machine, const std::string& name, const Eigen::Vector3d& offset, double sense = 1.0)
 {
   const Module module(name);
   ASSERT_TRUE(module.isThere()) << name << " of LinuxCNC is missing; run cmake/install_dependencies.sh test";
@@ -153,7 +154,7 @@ expectTheSame(const Machine& machine, const std::string& name, const Eigen::Vect
     const Eigen::Vector3d tip(place(random), place(random), place(random));
     const RotaryAngles angles{turns(random), tilt(random)};
     const Eigen::Vector3d gauge = kinematics.gaugePoint(kinematics.programmed(tip, angles));
-    const double degrees = 180.0 / M_PI;
+    const double degrees = sense * 180.0 / M_PI;
     const EmcPosition found = module.forward({gauge.x(), gauge.y(), gauge.z(), angles.second * degrees, angles.first * degrees});
     const Eigen::Vector3d back = Eigen::Vector3d(found.x, found.y, found.z - machine.tool_length) - machine.work_zero;
     largest = std::max(largest, (back - tip).norm());
@@ -177,4 +178,22 @@ TEST(LinuxCNCKinematics, XyzbcTrunnionTable)
   const Eigen::Vector3d offset(15.0, 0.0, -8.0);
   machine.rotary[1].point = machine.rotary[0].point + offset;
   expectTheSame(machine, "xyzbc-trt-kins", offset);
+}
+
+// Newer modules have a pin conventional-directions, which Debian 12's have not: where it is set, every sine of an angle has the other
+// sign, and a positive angle turns the table left-handed (LinuxCNC's pull request 3482). That is these modules at the negative angles.
+TEST(LinuxCNCKinematics, WithConventionalDirectionsTheTablesTurnTheOtherWay)
+{
+  Machine machine = testMachines()[5];
+  EXPECT_EQ(machine.rotary[0].direction, -Eigen::Vector3d::UnitZ());
+  EXPECT_EQ(machine.rotary[1].direction, -Eigen::Vector3d::UnitX());
+  Eigen::Vector3d offset(0.0, 20.0, 10.0);
+  machine.rotary[1].point = machine.rotary[0].point + offset;
+  expectTheSame(machine, "xyzac-trt-kins", offset, -1.0);
+  machine = testMachines()[1];
+  for (RotaryAxis& axis : machine.rotary)
+    axis.direction *= -1.0;
+  offset = {15.0, 0.0, -8.0};
+  machine.rotary[1].point = machine.rotary[0].point + offset;
+  expectTheSame(machine, "xyzbc-trt-kins", offset, -1.0);
 }

@@ -77,7 +77,7 @@ expectTimes(const CanonicalRun& run, const MachineProgram& program)
     ++at;
   }
   EXPECT_EQ(at, blocks.size());
-  EXPECT_LT(largest, 1e-3);
+  EXPECT_LT(largest, 1e-5);
   std::printf("times of %zu blocks within %.2g\n", at, largest);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Turns with a tiny linear part: none is written that LinuxCNC would run too fast, by its text and by its own interpreter.
+#include <pcl_spiral/io/program_reader.h>
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/impl/tool_pose.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
@@ -169,6 +170,37 @@ TEST(TinyMoves, LinuxCNCsInterpreterGivesEveryBlockItsTime)
     ++at;
   }
   EXPECT_EQ(at, wanted.size());
+}
+
+TEST(TinyMoves, HeidenhainsFeedIsThatOfTheTipOrOfTheTurnAndNeverAFloor)
+{
+  const ScratchFolder folder;
+  std::size_t turns_alone = 0;
+  for (const Machine& kind : testMachines()) {
+    const Machine machine = slowed(kind, 5.0);
+    const MachineProgram program = made(machine, rollingPass(9));
+    writeProgram(folder.path("a.h"), program, Dialect::Heidenhain, {"rolls", 0.0, 0, 4});
+    const ParsedProgram parsed = parseHeidenhain(folder.path("a.h"));
+    ASSERT_EQ(parsed.moves.size(), program.blocks.size());
+    for (std::size_t i = 1; i < parsed.moves.size(); ++i) {
+      const ProgramBlock &a = program.blocks[i - 1], &b = program.blocks[i];
+      if (b.rapid)
+        continue;
+      const double turn = std::hypot(b.angles.first - a.angles.first, b.angles.second - a.angles.second) * 180.0 / M_PI;
+      const bool stands = parsed.moves[i].xyz == parsed.moves[i - 1].xyz;
+      if (stands && turn == 0.0)
+        continue; // less than the last decimal
+      turns_alone += stands;
+      ASSERT_GT(parsed.moves[i].feed, 0.05) << machine.name << ", block " << i;
+      ASSERT_NEAR((stands ? turn / parsed.moves[i].feed : parsed.moves[i].minutes) / b.minutes, 1.0, 0.01)
+          << machine.name << ", block " << i;
+    }
+    double minutes = 0.0;
+    for (const ProgramBlock& block : readProgram(folder.path("a.h"), machine).program.blocks)
+      minutes += block.minutes;
+    EXPECT_NEAR(minutes / program.report.minutes, 1.0, 0.01) << machine.name << ", read back";
+  }
+  EXPECT_GT(turns_alone, 100U);
 }
 
 TEST(TinyMoves, TheCheckOfThisTestSeesTheFault)

@@ -124,6 +124,15 @@ ProgramTrack::move(std::size_t line, const ProgramTarget& target)
   return {};
 }
 
+double
+ProgramTrack::fedWay(const ProgramBlock& block) const
+{
+  const ProgramBlock& before = file_.program.blocks.back();
+  const double way = kinematics_.machine().rtcp ? (block.tip - before.tip).norm() : (block.machine - before.machine).norm();
+  const double turn = std::hypot(block.angles.first - before.angles.first, block.angles.second - before.angles.second);
+  return way > 0.0 ? way : turn * in_degrees;
+}
+
 void
 ProgramTrack::add(std::size_t line, const ProgramTarget& target)
 {
@@ -140,7 +149,7 @@ ProgramTrack::add(std::size_t line, const ProgramTarget& target)
   const double way = blocks.empty() ? 0.0 : (block.tip - blocks.back().tip).norm();
   block.arc_length = blocks.empty() ? 0.0 : blocks.back().arc_length + way;
   if (!target.rapid)
-    block.minutes = target.inverse_time ? 1.0 / target.feed : way / target.feed;
+    block.minutes = target.inverse_time ? 1.0 / target.feed : fedWay(block) / target.feed;
   blocks.push_back(block);
   file_.lines.push_back(line);
 }

@@ -21,7 +21,7 @@ struct ProgramTarget {
   bool of_machine = false;                     ///< xyz is that of the gauge point in machine coordinates
   bool of_tip = false;                         ///< xyz is that of the tip; false: as programmed without RTCP
   bool rapid = false;
-  bool inverse_time = false; ///< the feed is 1 / minutes; false: mm/min of the tip
+  bool inverse_time = false; ///< the feed is 1 / minutes; false: mm/min, or degrees/min where X Y Z stand
   double feed = 0.0;
   bool names() const { return xyz[0] || xyz[1] || xyz[2] || angles[0] || angles[1] || axis; }
 };
@@ -43,6 +43,8 @@ private:
   std::string turnTo(const Eigen::Vector3d& axis);
   void goTo(const ProgramTarget& target);
   void placeMachine();
+  /** The way that a feed a minute counts: of X Y Z, mm, or, where they stand, of the rotary axes, degrees (NIST RS274, 2.1.2.5). */
+  double fedWay(const ProgramBlock& block) const;
   void add(std::size_t line, const ProgramTarget& target);
 
   Kinematics kinematics_;
