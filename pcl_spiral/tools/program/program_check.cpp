@@ -107,6 +107,9 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
   requireOption(s.lead_length > 0.0, "lead-length", s.lead_length, "must be above 0 mm");
   requireOption(s.clearance > 0.0, "clearance", s.clearance, "must be above 0 mm");
   requireOption(s.rapid_height > 0.0, "rapid-height", s.rapid_height, "must be above 0 mm");
+  for (const auto& [name, feed] :
+       {std::pair("plunge-feed", s.plunge_feed), std::pair("lead-feed", s.lead_feed), std::pair("link-feed", s.link_feed)})
+    requireOption(feed >= 0.0, name, feed, "must be above 0 mm/min, or 0 for the feed");
   requireOption(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole-cone", s.pole_cone, "must be from 0 to below 90 degrees");
   requireOption(s.block.tip >= BlockTolerance::least_tip, "block-tolerance", s.block.tip, "must be 0.0001 mm or more");
   requireOption(s.block.axis >= BlockTolerance::least_axis, "block-tolerance", s.block.axis * in_degrees,

@@ -35,6 +35,12 @@ programOptions(ProgramJob& program)
                     "height of rapids above the highest tip, and above the scan if the part is chosen; default 50: "
                     "--rapid-height 100",
                     settings.rapid_height),
+       numberOption("plunge-feed", "F", "feed of the way down to the lead, mm/min; default the feed: --plunge-feed 500",
+                    settings.plunge_feed),
+       numberOption("lead-feed", "F", "feed of leads to the path and off it, mm/min; default the feed: --lead-feed 400",
+                    settings.lead_feed),
+       numberOption("link-feed", "F", "feed of links that stay down between passes, mm/min; default the feed: --link-feed 3000",
+                    settings.link_feed),
        switchOption("accept-collisions",
                     "write the output even if the tool would touch the scan on its way to the path, or its holder would",
                     program.accept_collisions),

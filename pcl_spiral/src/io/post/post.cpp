@@ -175,8 +175,10 @@ Post::writeComments()
 {
   const Machine& machine = program_.machine;
   writeComment((machine.name.empty() ? "machine" : machine.name) + ", " + kinematicsText(machine));
-  writeComment(textOf("work zero ", placeText(machine.work_zero), " in machine coordinates, tool length ", machine.tool_length,
-                      " mm, as in the machine file"));
+  const Eigen::Vector3d& zero = machine.work_zero;
+  writeComment(textOf("checked for work zero ", zero.x(), " ", zero.y(), " ", zero.z(), " and tool length ", machine.tool_length,
+                      " of the machine file"));
+  writeComment(offset_opening + offset());
   for (const std::string& note : header_.notes)
     writeComment(note);
 }

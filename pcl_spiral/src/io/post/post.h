@@ -58,7 +58,7 @@ protected:
   /** Speed of the tip, mm/min, that gives \p block its time. */
   double tipFeed(const ProgramBlock& before, const ProgramBlock& block) const;
   /** The work offset, G54 if none is given. */
-  std::string offset() const { return header_.work_offset.empty() ? "G54" : header_.work_offset; }
+  virtual std::string offset() const { return header_.work_offset.empty() ? "G54" : header_.work_offset; }
   bool hasAngles() const { return !program_.machine.three_axes; }
   /** The rotary axes stand still while the tool cuts: they are written once. */
   bool isFixed() const { return fixed_; }

@@ -77,6 +77,8 @@ private:
       out_.line(header_.spindle_direction == SpindleDirection::Clockwise ? "M3" : "M4");
   }
 
+  std::string offset() const override { return header_.work_offset.empty() ? "of the preset in use" : "preset " + header_.work_offset; }
+
   void writeOffset() override
   {
     if (!header_.work_offset.empty())

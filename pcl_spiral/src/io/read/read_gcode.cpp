@@ -4,6 +4,7 @@
 #include "known_lines.h"
 #include "program_track.h"
 
+#include "io/kinematics_text.h"
 #include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
@@ -50,6 +51,7 @@ private:
     for (const ProgramWord& word : lines_.words())
       if (const std::string fault = takeCode(word); !fault.empty())
         lines_.fail(word, fault);
+    requireOffset();
     ProgramTarget target;
     std::array<std::optional<double>, 3> vector;
     for (const ProgramWord& word : lines_.words())
@@ -74,6 +76,21 @@ private:
     if (word.name == "D" && dialect_ == Dialect::Siemens)
       modes_.tool_length = *word.value > 0.0;
     return {};
+  }
+
+  /** Refuses a work offset other than that of the program's own comment. */
+  void requireOffset() const
+  {
+    for (const std::string& comment : lines_.comments()) {
+      const std::string_view text = trimmed(comment);
+      const std::string_view opening = offset_opening;
+      if (text.substr(0, opening.size()) != opening || modes_.offset.empty())
+        continue;
+      const std::string_view made_for = text.substr(opening.size());
+      if (made_for.substr(0, made_for.find(' ')) != modes_.offset)
+        lines_.fail(modes_.offset + ": the comment says that the program was made for the work offset " + std::string(made_for) +
+                    "; write that one, or correct the comment if the part is set up there");
+    }
   }
 
   void takeValue(const ProgramWord& word, ProgramTarget& target, std::array<std::optional<double>, 3>& vector)
