@@ -2,10 +2,10 @@
 #include <pcl_spiral/verify/impl/holder_check_engine.h>
 
 #include "cutter/mesh_collision.h"
+#include "drive/drive_kinds.h"
 
 #include <pcl_spiral/cutter/impl/holder_collision.h>
 #include <pcl_spiral/machine/impl/tool_pose.h>
-#include <pcl_spiral/verify/impl/profile_sweep.h>
 
 #include <algorithm>
 #include <cmath>
@@ -213,7 +213,7 @@ upperTool(const CutterShape& shape, const std::vector<ToolSegment>& holder, doub
 {
   constexpr double endless = 1e6; // mm
   const CutterProfile cutter(shape);
-  const double begin = isBall(shape) ? cutter.cornerHeight() : cutter.topHeight();
+  const double begin = hasBallEnd(shape) ? cutter.cornerHeight() : cutter.topHeight();
   const double length = holder.empty() ? endless : cutter.topHeight() - begin;
   UpperTool tool;
   if (length > 0.0) // nothing below: a point just above the lower face has its shortest way out downwards
