@@ -4,7 +4,9 @@
 #include <pcl_spiral/verify/holder_check.h>
 
 #include "support/dome_spiral.h"
+#include "support/machine_way.h"
 #include "support/plain_mesh.h"
+#include "support/test_machines.h"
 
 #include <gtest/gtest.h>
 
@@ -238,8 +240,8 @@ TEST(HolderCheck, TheSameMovedInAnotherOrderAndOnAnyNumberOfThreads)
   Tool tool{CutterShape::ball(4.0, 8.0), {ToolSegment::cylinder(12.0, 20.0, "chuck")}};
   Cloud cloud;
   for (int i = 0; i < 40; ++i)
-    cloud.push_back({static_cast<float>(60.0 * unit(random)), static_cast<float>(60.0 * unit(random)),
-                     static_cast<float>(25.0 + 30.0 * unit(random))});
+    cloud.push_back(
+        {static_cast<float>(60.0 * unit(random)), static_cast<float>(60.0 * unit(random)), static_cast<float>(25.0 + 30.0 * unit(random))});
   const LeadFigures found = figures(cloud, tool, passes);
   ASSERT_GT(found.collided, 20U);
   ASSERT_LT(found.collided, found.moves - 20U);
@@ -271,6 +273,73 @@ TEST(HolderCheck, TheSameMovedInAnotherOrderAndOnAnyNumberOfThreads)
   }
 }
 
+/** The machine blends the axis at its pole; what it then does is told by the oracle's kinematics, sample by sample. */
+TEST(HolderCheck, ABlendedAxisIsLookedAtAsTheMachineTurnsIt)
+{
+  constexpr double ball = 5.0, tolerance = 0.05;
+  const Tool tool{CutterShape::ball(ball, 20.0), {ToolSegment::cylinder(12.0, 60.0, "chuck")}, 0.0, tolerance};
+  ToolPoses poses; // straight over a dome, 0.5 mm beside its pole
+  for (int i = -150; i <= 150; ++i) {
+    ToolPose pose;
+    const double x = 0.1 * i / 200.0, y = 0.5 / 200.0;
+    pose.normal = pose.axis = Vector3d(x, y, std::sqrt(1.0 - x * x - y * y));
+    pose.contact = pose.tip = 200.0 * pose.normal;
+    poses.push_back(pose);
+  }
+  std::size_t only_blended = 0;
+  for (Machine machine : testMachines()) {
+    machine.rotary[0].range.largest_rate = 8.0 * 2.0 * M_PI;
+    MachineProgramGenerator generator;
+    generator.setMachine(machine);
+    generator.setInputPoses(poses);
+    ProgramSettings settings;
+    settings.ball_radius = ball;
+    MachineProgram programs[2];
+    for (int k = 0; k < 2; ++k) {
+      settings.pole_cone = k == 0 ? 5.0 : 0.0;
+      generator.setSettings(settings);
+      generator.compute(programs[k]);
+      ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+    }
+    ASSERT_EQ(programs[0].report.poles.size(), 1U);
+    for (const double beside : {-1.0, 0.3, 0.8, 5.0}) { // a row of points beside the highest ring of the chuck
+      Cloud cloud;
+      for (int i = -300; i <= 300; ++i)
+        for (const float side : {-1.0f, 1.0f})
+          cloud.push_back({0.05f * static_cast<float>(i), side * static_cast<float>(12.0 + beside), 284.0f});
+      double brute[2] = {0.0, 0.0};
+      for (int k = 0; k < 2; ++k)
+        for (std::size_t i = 1; i < programs[k].blocks.size(); ++i)
+          for (int s = 0; programs[k].blocks[i].section == BlockSection::Cut && s <= 4; ++s) {
+            const TipAndAxis at = onTheWay(machine, programs[k].blocks[i - 1], programs[k].blocks[i], s / 4.0);
+            for (const pcl::PointXYZ& point : cloud) {
+              const Vector3d way = point.getVector3fMap().cast<double>() - at.tip;
+              const double up = way.dot(at.axis);
+              if (up > 25.0 && up < 85.0)
+                brute[k] = std::max(brute[k], 12.0 - (way - up * at.axis).norm());
+            }
+          }
+      for (int k = 0; k < 2; ++k) {
+        Check check = checkOf(tool);
+        check.setInputCloud(pcl::make_shared<Cloud>(cloud));
+        check.compute(programs[k]);
+        ASSERT_TRUE(check.getStatus().ok()) << check.getStatus().message();
+        const LeadFigures& found = check.getFigures();
+        if (std::abs(brute[k] - tolerance) > 0.05) {
+          EXPECT_EQ(found.collided > 0, brute[k] > tolerance) << machine.name << " beside " << beside << ": " << brute[k];
+        }
+        if (found.collided == 0)
+          continue;
+        EXPECT_NEAR(found.deepest.depth, brute[k], 0.05) << machine.name;
+        EXPECT_EQ(programs[k].blocks[found.deepest.block].section, BlockSection::Cut);
+        EXPECT_LT((programs[k].blocks[found.deepest.block].tip - found.deepest.tip).norm(), 1.0) << "the number of its block";
+      }
+      only_blended += brute[0] > tolerance + 0.05 && brute[1] < tolerance;
+    }
+  }
+  EXPECT_GT(only_blended, 3U) << "points that only the blended tool touches";
+}
+
 /** A wall of two triangles has no vertex near the tool. */
 TEST(HolderCheck, AMeshIsLookedAtBetweenItsVertices)
 {
@@ -279,8 +348,8 @@ TEST(HolderCheck, AMeshIsLookedAtBetweenItsVertices)
     PlainMesh mesh;
     mesh.addQuad({-300, -300, 0}, {300, -300, 0}, {300, 300, 0}, {-300, 300, 0});
     mesh.addQuad({wall, -500, -500}, {wall, -500, 500}, {wall, 500, 500}, {wall, 500, -500});
-    Check check = checkOf(
-        {CutterShape::ball(3.0, 5.0), {ToolSegment::cylinder(3.0, 10.0, "shank"), ToolSegment::cylinder(10.0, 30.0, "chuck")}});
+    Check check =
+        checkOf({CutterShape::ball(3.0, 5.0), {ToolSegment::cylinder(3.0, 10.0, "shank"), ToolSegment::cylinder(10.0, 30.0, "chuck")}});
     check.setInputMesh(mesh.surface());
     check.compute(passes);
     ASSERT_TRUE(check.getStatus().ok()) << check.getStatus().message();

@@ -27,8 +27,7 @@ findCollision(const PointBlocks& blocks, const HolderProfile& holder, const Axis
   const auto keep = [&](const Box& box) {
     const AxisBox seen = view.see(box);
     double depth = 0.0;
-    return holder.mayBeInside(seen.nearest - slack, seen.low - tip - slack, seen.high - tip + slack, depth) >= 0 &&
-           depth + slack > deepest;
+    return holder.mayBeInside(seen.nearest - slack, seen.low - tip - slack, seen.high - tip + slack, depth) >= 0 && depth + slack > deepest;
   };
   blocks.forBlocks(keep, [&](std::size_t block) {
     for (std::size_t i = blocks.blockBegin(block); i < blocks.blockEnd(block); ++i) {

@@ -47,8 +47,9 @@ public:
     const auto keep = [&](const Box& box) {
       const AxisBox seen = view.see(box);
       double depth = 0.0;
-      return !isDone() && depthWithin(seen.nearest - slack, seen.low - tip_ - slack, seen.high - tip_ + slack,
-                                      sway_.at(farthestCorner(box, frame_.origin)), depth) >= 0 &&
+      return !isDone() &&
+             depthWithin(seen.nearest - slack, seen.low - tip_ - slack, seen.high - tip_ + slack,
+                         sway_.at(farthestCorner(box, frame_.origin)), depth) >= 0 &&
              depth > least_;
     };
     patches_.boxes().forItems(keep, [&](std::uint32_t place) {
@@ -136,7 +137,8 @@ findCollision(const PatchTree& patches, const HolderProfile& holder, const AxisF
 }
 
 bool
-mayCollide(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, const ToolSway& sway, double tolerance, double sag)
+mayCollide(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, const ToolSway& sway, double tolerance,
+           double sag)
 {
   return !holder.empty() && CollisionSearch(patches, holder, frame, 0.0, tolerance, sag).anyWithin(sway);
 }

@@ -82,7 +82,8 @@ private:
   {
     const Eigen::Vector3d way = b.tip - a.tip;
     const double turn = angleBetween(a.axis, b.axis), aside = (way - way.dot(a.axis) * a.axis).norm();
-    if (sweptError(cutter_, {a.tip, a.axis}, {b.tip, b.axis}) > 0.5 * tolerance_ || aside + turn * farthestCorner(points_.box(), a.tip) > shank_step_)
+    if (sweptError(cutter_, {a.tip, a.axis}, {b.tip, b.axis}) > 0.5 * tolerance_ ||
+        aside + turn * farthestCorner(points_.box(), a.tip) > shank_step_)
       return false;
     return holder_.empty() || way.norm() + turn * holder_.top() <= holder_step_;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pass_program.h"
 
+#include "free_passes.h"
 #include "pass_check.h"
 #include "program/free_leads.h"
 #include "program/machine_moves.h"
@@ -49,4 +50,5 @@ addProgram(const PassJob& job, const Machine& machine, PassResult& result)
   requireFreeLeads(job.part, result.whole_scan,
                    {job.cutter, job.holder, job.holder_clearance, job.tolerance + result.locations.noise_allowance, job.threads},
                    *result.program, job.program.accept_collisions, job.quiet, result.warnings);
+  requireFreeProgram(job, result);
 }

@@ -36,7 +36,7 @@ programOptions(ProgramJob& program)
                     "--rapid-height 100",
                     settings.rapid_height),
        switchOption("accept-collisions",
-                    "write the output even if the tool would touch the scan on its way to the path, or its holder would",
+                    "write the output even if the tool would touch the scan on its way to the path, or its shank or holder on the path",
                     program.accept_collisions),
        numberOption("pole-cone", "A",
                     "blends tool axes within this angle of the direction of the rotary axis, where that axis would turn too "

@@ -41,7 +41,7 @@ template <typename PointT>
 void
 HolderCheck<PointT>::compute(const MachineProgram& program)
 {
-  constexpr double share = 0.25;       // of the tolerance: the way between two places is that straight
+  constexpr double share = 0.25;      // of the tolerance: the way between two places is that straight
   constexpr double longest_arm = 1e3; // mm, of a shank without an end
   this->report("HolderCheck", [&] {
     return find([&](const UpperTool& tool, CutRuns& runs) {
