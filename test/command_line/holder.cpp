@@ -21,7 +21,8 @@ const std::string spiral = PCL_SPIRAL_TOOLPATH_PROGRAM, drive = PCL_SPIRAL_DRIVE
 const std::string machines = PCL_SPIRAL_MACHINES_DIR;
 using Words = std::vector<std::string>;
 
-constexpr double wall_x = 52.0, wall_top = 60.0;
+constexpr double disc_radius = 24.0, wall_x = 36.0, wall_top = 60.0;
+const Words tool{"--flank-length", "20", "--holder", "16,20"}; // from 25 to 45 mm above the tip
 
 void
 expectHas(const std::string& text, const std::string& part)
@@ -39,16 +40,16 @@ textOf(const std::vector<Vector3d>& points)
   return text.str();
 }
 
-/** A flat disc of radius 40 mm about the origin. */
+/** A flat disc about the origin. */
 std::vector<Vector3d>
 disc()
 {
   std::vector<Vector3d> points;
   std::mt19937 random(4);
   std::uniform_real_distribution<double> unit(-0.2, 0.2);
-  for (int i = -40; i <= 40; ++i)
-    for (int k = -40; k <= 40; ++k)
-      if (std::hypot(i, k) <= 40.0)
+  for (int i = -30; i <= 30; ++i)
+    for (int k = -30; k <= 30; ++k)
+      if (std::hypot(i, k) <= disc_radius)
         points.push_back({i + unit(random), k + unit(random), 0.0});
   return points;
 }
@@ -122,9 +123,9 @@ depthSaid(const std::string& text)
 
 class SpiralHolder : public testing::Test {
 protected:
-  RunResult run(const Words& more, const std::string& scan = "part.xyz")
+  RunResult run(const Words& more, const std::string& tilt = "0")
   {
-    Words call{scan, "--tool-radius", "5", "--scallop", "0.4", "--tilt", "0", "--part-at", "0,0,0", "-o", "a.csv"};
+    Words call{"part.xyz", "--tool-radius", "5", "--scallop", "0.8", "--part-at", "0,0,0", "-o", "a.csv", "--tilt", tilt};
     call.insert(call.end(), more.begin(), more.end());
     std::filesystem::remove(folder.path("a.csv"));
     return endOf(startProgram(spiral, call, folder), folder);
@@ -141,36 +142,33 @@ TEST_F(SpiralHolder, AWallBesideThePartIsMetByTheHolderAndEveryRemedyHelps)
   writeText(folder.path("part.xyz"), textOf(joined(disc(), wall())));
   const RunResult plain = run({});
   ASSERT_EQ(plain.code, 0) << plain.err;
-  const double expected = deepest(readText(folder.path("a.csv")), wall(), 20.0, 25.0, 65.0);
-  ASSERT_GT(expected, 5.0);
+  const double expected = deepest(readText(folder.path("a.csv")), wall(), 16.0, 25.0, 45.0);
+  ASSERT_GT(expected, 3.0);
   ASSERT_LT(deepest(readText(folder.path("a.csv")), wall(), 5.0, 5.0, 25.0), 1e-9) << "the shank passes";
 
-  const Words tool{"--flank-length", "20", "--holder", "20,40"};
-  const auto with = [&](Words more) {
-    more.insert(more.begin(), tool.begin(), tool.end());
-    return more;
-  };
   const RunResult refused = run(tool);
   EXPECT_EQ(refused.code, 1);
   EXPECT_FALSE(isWritten());
   EXPECT_NEAR(depthSaid(refused.err), expected, 0.01) << refused.err;
-  for (const char* part : {"segment 1 of the holder would be ", " mm deep in the part on the path, at (52, ", "the tip at (", " of the ",
+  for (const char* part : {"segment 1 of the holder would be ", " mm deep in the part on the path, at (36, ", "the tip at (", " of the ",
                            " cutting moves collide", "--tilt", "--lead", "--flank-length", "--holder", "--accept-collisions"})
     expectHas(refused.err, part);
 
-  const RunResult accepted = run(with({"--accept-collisions"}));
+  Words accept = tool;
+  accept.push_back("--accept-collisions");
+  const RunResult accepted = run(accept);
   EXPECT_EQ(accepted.code, 0) << accepted.err;
   EXPECT_TRUE(isWritten());
   expectHas(accepted.err, "warning: segment 1 of the holder would be ");
 
-  for (const Words& remedy : {Words{"--flank-length", "60", "--holder", "20,40"}, Words{"--flank-length", "20", "--holder", "11,40"}}) {
+  for (const Words& remedy : {Words{"--flank-length", "60", "--holder", "16,20"}, Words{"--flank-length", "20", "--holder", "11,20"}}) {
     const RunResult done = run(remedy);
     EXPECT_EQ(done.code, 0) << done.err;
     EXPECT_EQ(done.err.find("would be"), std::string::npos) << done.err;
   }
-  const RunResult leaning = run(with({"--tilt", "-30"}));
+  const RunResult leaning = run(tool, "-20");
   EXPECT_EQ(leaning.code, 0) << leaning.err;
-  EXPECT_LT(deepest(readText(folder.path("a.csv")), wall(), 20.0, 25.0, 65.0), 1e-9) << "inwards";
+  EXPECT_LT(deepest(readText(folder.path("a.csv")), wall(), 16.0, 25.0, 45.0), 1e-9) << "inwards";
 }
 
 TEST_F(SpiralHolder, TheClearanceIsKept)
@@ -178,8 +176,8 @@ TEST_F(SpiralHolder, TheClearanceIsKept)
   writeText(folder.path("part.xyz"), textOf(joined(disc(), wall())));
   const RunResult plain = run({});
   ASSERT_EQ(plain.code, 0) << plain.err;
-  const double reach = 20.0 - deepest(readText(folder.path("a.csv")), wall(), 20.0, 25.0, 65.0); // of the axis to the wall
-  const auto radius = [&](double off) { return std::to_string(reach + off) + ",40"; };
+  const double reach = 16.0 - deepest(readText(folder.path("a.csv")), wall(), 16.0, 25.0, 45.0); // of the axis to the wall
+  const auto radius = [&](double off) { return std::to_string(reach + off) + ",20"; };
   EXPECT_EQ(run({"--flank-length", "20", "--holder", radius(-0.1)}).code, 0);
   const RunResult near = run({"--flank-length", "20", "--holder", radius(-0.1), "--holder-clearance", "0.2"});
   EXPECT_EQ(near.code, 1);
@@ -190,7 +188,7 @@ TEST_F(SpiralHolder, TheClearanceIsKept)
 TEST_F(SpiralHolder, TheWholeMeshIsLookedAtNotOnlyThePart)
 {
   std::ostringstream text;
-  constexpr int n = 40;
+  constexpr int n = 24;
   for (int i = 0; i <= n; ++i)
     for (int k = 0; k <= n; ++k)
       text << "v " << 2.0 * i - n << ' ' << 2.0 * k - n << " 0\n";
@@ -205,7 +203,7 @@ TEST_F(SpiralHolder, TheWholeMeshIsLookedAtNotOnlyThePart)
   text << "f " << first << ' ' << first + 1 << ' ' << first + 2 << "\nf " << first << ' ' << first + 2 << ' ' << first + 3 << '\n';
   writeText(folder.path("part.obj"), text.str());
   const auto made = [&](const Words& more) {
-    Words call{"part.obj", "--mesh", "--largest", "--tool-radius", "5", "--scallop", "0.4", "--tilt", "0", "-o", "a.csv"};
+    Words call{"part.obj", "--mesh", "--largest", "--tool-radius", "5", "--scallop", "0.8", "--tilt", "0", "-o", "a.csv"};
     call.insert(call.end(), more.begin(), more.end());
     std::filesystem::remove(folder.path("a.csv"));
     return endOf(startProgram(spiral, call, folder), folder);
@@ -215,10 +213,10 @@ TEST_F(SpiralHolder, TheWholeMeshIsLookedAtNotOnlyThePart)
   for (const std::vector<double>& row : columns(readText(folder.path("a.csv")), {"tip_x", "tip_y"}))
     if (std::abs(row[1]) < 30.0)
       nearest = std::min(nearest, wall_x - row[0]);
-  const RunResult refused = made({"--flank-length", "20", "--holder", "20,30"});
+  const RunResult refused = made(tool);
   EXPECT_EQ(refused.code, 1);
-  EXPECT_NEAR(depthSaid(refused.err), 20.0 - nearest, 0.02) << refused.err;
-  EXPECT_EQ(made({"--flank-length", "20", "--holder", std::to_string(nearest - 0.1) + ",30"}).code, 0);
+  EXPECT_NEAR(depthSaid(refused.err), 16.0 - nearest, 0.02) << refused.err;
+  EXPECT_EQ(made({"--flank-length", "20", "--holder", std::to_string(nearest - 0.1) + ",20"}).code, 0);
 }
 
 TEST_F(SpiralHolder, WrongCallsAreRefused)
