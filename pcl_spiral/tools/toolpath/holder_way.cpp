@@ -38,12 +38,11 @@ check(const Job& job, const Way& way, Result& result)
   asked.mesh = result.whole_mesh;
   if (!asked.mesh)
     asked.points = obstaclesOf(result);
-  asked.remedy = "lean the tool another way (--tilt, --lead), take a longer tool (--flank-length) or a thinner --holder";
+  asked.remedy = std::string("lean the tool another way (") + (job.settings.fixed_axis ? "--axis" : "--tilt, --lead") +
+                 "), take a longer tool (--flank-length) or a thinner --holder";
   asked.accepted = job.program.accept_collisions;
   asked.quiet = job.quiet;
-  StageClock clock(result.report.stages);
   requireFreePath(asked, way, result.report.warnings);
-  clock.end("holder");
 }
 
 } // namespace
@@ -64,8 +63,11 @@ toolOf(const Job& job, const SpiralReport& report)
 void
 checkHolder(const Job& job, Result& result)
 {
-  if (!job.holder.empty())
-    check(job, ballPasses(*result.path, job.settings.tool_radius), result);
+  if (job.holder.empty())
+    return;
+  StageClock clock(result.report.stages);
+  check(job, ballPasses(*result.path, job.settings.tool_radius), result);
+  clock.end("holder");
 }
 
 void
