@@ -227,6 +227,81 @@ TEST(LeadCheck, FindsWhatDenseSamplesOfTheMachineFind)
   EXPECT_GT(free, 2U);
 }
 
+/** A post as high as \p top, 2 mm wide, at (\p x, \p y). */
+Cloud::Ptr
+post(float x, float y, float top)
+{
+  Cloud::Ptr cloud(new Cloud);
+  for (int corner = 0; corner < 4; ++corner)
+    for (float z = 0.0f; z <= top; z += 1.0f)
+      cloud->push_back({x + (corner % 2 ? 1.0f : -1.0f), y + (corner / 2 ? 1.0f : -1.0f), z});
+  return cloud;
+}
+
+/** Between a pass that ends and one that begins, 80 mm apart, the tool crosses at the rapid height. */
+TEST(LeadCheck, APostBetweenTwoPassesIsMet)
+{
+  ToolPoses second = overTheFloor();
+  for (ToolPose& pose : second) {
+    pose.contact.y() += 80.0;
+    pose.tip = pose.contact;
+  }
+  ProgramSettings settings;
+  settings.rapid_height = 20.0;
+  for (const Machine& machine : testMachines()) {
+    const MachineProgram program = made(machine, {overTheFloor(), second}, settings);
+    const CutterShape cutter = CutterShape::ball(3.0, 10.0);
+    double lowest = 1e9; // of the tip, over the post
+    std::size_t between = 0;
+    for (std::size_t i = 1; i < program.blocks.size(); ++i)
+      for (int k = 0; k <= 200; ++k) {
+        const TipAndAxis tool = onTheWay(machine, program.blocks[i - 1], program.blocks[i], k / 200.0);
+        if (std::abs(tool.tip.y() - 40.0) < 1.0) {
+          lowest = std::min(lowest, tool.tip.z());
+          between = i;
+        }
+      }
+    ASSERT_GT(between, 0U);
+    const float x = -5.0f; // half the length of a pass: the way goes from the end of one to the beginning of the other
+    EXPECT_EQ(figures(post(x, 40.0f, static_cast<float>(lowest) - 2.0f), cutter, program, 0.05).collided, 0U) << machine.name;
+    const LeadFigures met = figures(post(x, 40.0f, static_cast<float>(lowest) + 9.0f), cutter, program, 0.05);
+    EXPECT_EQ(met.collided, 1U) << machine.name;
+    EXPECT_EQ(met.deepest.block, between);
+    EXPECT_EQ(met.deepest.section, BlockSection::Position);
+    MachineProgram relabelled = program; // a rapid never cuts, whatever its section
+    relabelled.blocks[between].section = BlockSection::Cut;
+    EXPECT_EQ(figures(post(x, 40.0f, static_cast<float>(lowest) + 9.0f), cutter, relabelled, 0.05).collided, 1U);
+  }
+}
+
+/** The first rotary axis turns back at the top, and the leaning tool swings round on the other side of its tip. */
+TEST(LeadCheck, APostInTheSwingOfTheUnwindingToolIsMet)
+{
+  for (Machine machine : testMachines()) {
+    machine.rotary[0].range.lower = -7.0;
+    machine.rotary[0].range.upper = 8.0;
+    ProgramSettings settings;
+    settings.ball_radius = 4.0;
+    MachineProgram program = made(machine, {domeSpiral(80.0, 2.0, 8, 60, 4.0, 25.0)}, settings);
+    const auto first = std::find_if(program.blocks.begin(), program.blocks.end(),
+                                    [](const ProgramBlock& block) { return block.section == BlockSection::Unwind; });
+    ASSERT_NE(first, program.blocks.end()) << machine.name;
+    const auto last =
+        std::find_if(first, program.blocks.end(), [](const ProgramBlock& block) { return block.section != BlockSection::Unwind; });
+    program.blocks = std::vector<ProgramBlock>(first - 1, last);
+    const ProgramBlock &from = program.blocks[0], &to = program.blocks[1];
+    const TipAndAxis swung = onTheWay(machine, from, to, 0.5);
+    ASSERT_GT(angleBetween(swung.axis, from.axis), 0.1) << machine.name;
+    const Eigen::Vector3d place = swung.tip + 60.0 * swung.axis;
+    Cloud::Ptr clamp(new Cloud);
+    clamp->push_back({static_cast<float>(place.x()), static_cast<float>(place.y()), static_cast<float>(place.z())});
+    const LeadFigures met = figures(clamp, CutterShape::ball(4.0), program, 0.1);
+    EXPECT_GE(met.collided, 1U) << machine.name;
+    EXPECT_EQ(met.deepest.section, BlockSection::Unwind);
+    EXPECT_EQ(met.moves, program.blocks.size() - 1);
+  }
+}
+
 TEST(LeadCheck, RefusesWhatCannotBe)
 {
   const MachineProgram program = made(testMachines().front(), {overTheFloor()}, ProgramSettings());

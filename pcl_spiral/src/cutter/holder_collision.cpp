@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/cutter/impl/holder_collision.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace pcl_spiral {
+
+double
+farthestCorner(const Box& box, const Eigen::Vector3d& place)
+{
+  Eigen::Vector3d way;
+  for (int d = 0; d < 3; ++d)
+    way[d] = std::max(std::abs(place[d] - box.low[d]), std::abs(place[d] - box.high[d]));
+  return way.norm();
+}
 
 HolderCollision
 findCollision(const PointBlocks& blocks, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance)
@@ -11,12 +23,12 @@ findCollision(const PointBlocks& blocks, const HolderProfile& holder, const Axis
     return worst;
   constexpr double slack = 1e-9;
   const AxisView view(frame);
-  const double low = tip + holder.bottom() - slack, high = tip + holder.top() + slack;
+  double deepest = tolerance;
   const auto keep = [&](const Box& box) {
     const AxisBox seen = view.see(box);
-    return seen.high >= low && seen.low <= high && seen.nearest <= holder.radius() + slack;
+    double depth = 0.0;
+    return holder.mayBeInside(seen.nearest - slack, seen.low - tip - slack, seen.high - tip + slack, depth) >= 0 && depth + slack > deepest;
   };
-  double deepest = tolerance;
   blocks.forBlocks(keep, [&](std::size_t block) {
     for (std::size_t i = blocks.blockBegin(block); i < blocks.blockEnd(block); ++i) {
       const Eigen::Vector3d p = blocks.position(i);
@@ -29,6 +41,32 @@ findCollision(const PointBlocks& blocks, const HolderProfile& holder, const Axis
     }
   });
   return worst;
+}
+
+bool
+mayCollide(const PointBlocks& blocks, const HolderProfile& holder, const AxisFrame& frame, const ToolSway& sway, double tolerance)
+{
+  constexpr double slack = 1e-9;
+  const AxisView view(frame);
+  bool met = false;
+  const auto isDeep = [&](double nearest, double low, double high, double reach) {
+    double depth = 0.0;
+    return holder.mayBeInside(std::max(0.0, nearest - reach), low - reach, high + reach, depth) >= 0 && depth > tolerance;
+  };
+  const auto keep = [&](const Box& box) {
+    if (met)
+      return false;
+    const AxisBox seen = view.see(box);
+    return isDeep(seen.nearest, seen.low, seen.high, sway.at(farthestCorner(box, frame.origin)) + slack);
+  };
+  blocks.forBlocks(keep, [&](std::size_t block) {
+    for (std::size_t i = blocks.blockBegin(block); i < blocks.blockEnd(block) && !met; ++i) {
+      const Eigen::Vector3d p = blocks.position(i);
+      const double along = frame.along(p);
+      met = isDeep(frame.across(p).norm(), along, along, sway.at((p - frame.origin).norm()) + slack);
+    }
+  });
+  return met;
 }
 
 } // namespace pcl_spiral

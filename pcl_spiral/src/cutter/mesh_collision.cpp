@@ -32,6 +32,14 @@ public:
     axes_ << frame.e1.transpose(), frame.e2.transpose(), frame.axis.transpose();
   }
 
+  /** Instead of the depth: whether it may be more than the tolerance within \p sway. */
+  bool anyWithin(const ToolSway& sway)
+  {
+    sway_ = sway;
+    any_ = true;
+    return run().found();
+  }
+
   HolderCollision run()
   {
     constexpr double slack = 1e-9;
@@ -39,14 +47,17 @@ public:
     const auto keep = [&](const Box& box) {
       const AxisBox seen = view.see(box);
       double depth = 0.0;
-      return holder_.mayBeInside(seen.nearest - slack, seen.low - tip_ - slack, seen.high - tip_ + slack, depth) >= 0 && depth > least_;
+      return !isDone() &&
+             depthWithin(seen.nearest - slack, seen.low - tip_ - slack, seen.high - tip_ + slack,
+                         sway_.at(farthestCorner(box, frame_.origin)), depth) >= 0 &&
+             depth > least_;
     };
     patches_.boxes().forItems(keep, [&](std::uint32_t place) {
       const PatchCell cell = patches_.cell(place);
       const Vector3d base = frame_.origin + tip_ * frame_.axis;
       look({axes_ * (cell.corners.colwise() - base), axes_ * cell.bows}, patches_.index(place));
     });
-    for (std::size_t looked = 0; !parts_.empty(); ++looked) {
+    for (std::size_t looked = 0; !parts_.empty() && !isDone(); ++looked) {
       std::pop_heap(parts_.begin(), parts_.end());
       const DeepPart top = parts_.back();
       parts_.pop_back();
@@ -63,6 +74,14 @@ public:
   }
 
 private:
+  bool isDone() const { return any_ && worst_.found(); }
+
+  /** The bound of the depth within \p reach, as HolderProfile::mayBeInside. */
+  int depthWithin(double nearest, double low, double high, double reach, double& depth) const
+  {
+    return holder_.mayBeInside(std::max(0.0, nearest - reach), low - reach, high + reach, depth);
+  }
+
   /** Take the deepest of some places of \p cell; keep the cell if other places may be deeper. */
   void look(const PatchCell& cell, std::uint32_t face)
   {
@@ -73,13 +92,14 @@ private:
     for (const Vector3d& b : {nearest, Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, 1)}) {
       const Vector3d p = std::isfinite(sag_) ? cell.position(b) : cell.corners * b;
       double depth = 0.0;
-      if (const int segment = holder_.inside(p.head<2>().norm(), p.z(), depth); segment >= 0)
+      if (const int segment = depthWithin(p.head<2>().norm(), p.z(), p.z(), sway_.at(p.norm()), depth); segment >= 0)
         take(p, depth, segment, face);
     }
     const double off = flat ? 0.0 : cell.sag();
     double bound = 0.0;
-    const int segment = holder_.mayBeInside(std::max(0.0, (across * nearest).norm() - off), cell.corners.row(2).minCoeff() - off,
-                                            cell.corners.row(2).maxCoeff() + off, bound);
+    const double reach = off + sway_.at(cell.corners.colwise().norm().maxCoeff() + off);
+    const int segment =
+        depthWithin((across * nearest).norm(), cell.corners.row(2).minCoeff(), cell.corners.row(2).maxCoeff(), reach, bound);
     if (segment >= 0 && bound > least_ + precision) {
       parts_.push_back({cell, bound, segment, face});
       std::push_heap(parts_.begin(), parts_.end());
@@ -99,6 +119,8 @@ private:
   const AxisFrame& frame_;
   double tip_, least_; ///< the depth found, or the tolerance
   double sag_;
+  ToolSway sway_;    ///< of the tool; none for the depth where it stands
+  bool any_ = false; ///< ends at the first place found
   Matrix3d axes_;
   std::vector<DeepPart> parts_; ///< a heap
   HolderCollision worst_;
@@ -112,6 +134,13 @@ findCollision(const PatchTree& patches, const HolderProfile& holder, const AxisF
   if (holder.empty())
     return {};
   return CollisionSearch(patches, holder, frame, tip, tolerance, sag).run();
+}
+
+bool
+mayCollide(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, const ToolSway& sway, double tolerance,
+           double sag)
+{
+  return !holder.empty() && CollisionSearch(patches, holder, frame, 0.0, tolerance, sag).anyWithin(sway);
 }
 
 } // namespace pcl_spiral

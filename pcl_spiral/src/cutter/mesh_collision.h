@@ -17,4 +17,9 @@ namespace pcl_spiral {
 HolderCollision findCollision(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance,
                               double sag);
 
+/** Whether a place of the \p patches may be deeper than \p tolerance in the holder, with the tip at the origin of \p frame or at any
+ *  place within \p sway of it. False only if none is deeper by more than 1e-3 mm. */
+bool mayCollide(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, const ToolSway& sway, double tolerance,
+                double sag);
+
 } // namespace pcl_spiral

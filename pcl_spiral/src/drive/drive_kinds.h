@@ -33,7 +33,7 @@ DrivePass passAlong(const Polyline& line, bool closed, double spacing);
 
 /** Whether the cutter is a ball on a cylinder. */
 inline bool
-isBall(const CutterShape& cutter)
+hasBallEnd(const CutterShape& cutter)
 {
   return cutter.corner_radius == cutter.radius && cutter.flank_angle == 0.0;
 }

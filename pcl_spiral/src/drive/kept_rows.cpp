@@ -77,7 +77,7 @@ keptRows(const Surface& surface, const DriveSettings& settings, const Vector3d& 
 {
   const double height = settings.scallop_height, step = cornerStep(settings), flattest = flattestOf(surface, settings);
   const CutterProfile profile(*settings.cutter);
-  const bool fixed = settings.axisMode() == DriveAxisMode::Fixed, ball = isBall(*settings.cutter);
+  const bool fixed = settings.axisMode() == DriveAxisMode::Fixed, ball = hasBallEnd(*settings.cutter);
   const RowsThrough through = fixed ? RowsThrough::Centres : RowsThrough::Contacts;
   const double edge = cell_share * step;
   std::vector<SurfaceFoot> feet;

@@ -134,7 +134,7 @@ planMeshDrive(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& settings, 
     return {StatusCode::InvalidArgument,
             "offsets of the boundary run over the points of a scan, not over a mesh: call setKind(DriveKind::Planes), "
             "or give the mesh's vertices as a cloud (setInputCloud)"};
-  if (settings.rows == DriveRows::Kept && settings.cutter && !isBall(*settings.cutter))
+  if (settings.rows == DriveRows::Kept && settings.cutter && !hasBallEnd(*settings.cutter))
     return {StatusCode::InvalidArgument, "on a mesh only a ball keeps rows to a scallop height: give the mesh's vertices as a cloud "
                                          "(setInputCloud), or take even rows (setRows, setStepOver)"};
   if (settings.kind != DriveKind::Planes) {

@@ -86,8 +86,8 @@ layPass(const Kinematics& kinematics, const ProgramSettings& settings, const Too
         MachinePass& pass, ProgramReport& report)
 {
   RotaryPath rotary;
-  if (const Status status = rotaryPath(kinematics, poses, {settings.feed, settings.ball_radius, settings.pole_cone * degree}, rotary);
-      !status.ok())
+  const double cone = settings.ball_radius > 0.0 ? settings.pole_cone * degree : 0.0; // any other tool would be tilted off its path
+  if (const Status status = rotaryPath(kinematics, poses, {settings.feed, settings.ball_radius, cone}, rotary); !status.ok())
     return status;
   if (!before.empty()) {
     const MachineLocation& last = before.back().path.back();

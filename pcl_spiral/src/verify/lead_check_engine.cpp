@@ -82,19 +82,10 @@ private:
   {
     const Eigen::Vector3d way = b.tip - a.tip;
     const double turn = angleBetween(a.axis, b.axis), aside = (way - way.dot(a.axis) * a.axis).norm();
-    if (sweptError(cutter_, {a.tip, a.axis}, {b.tip, b.axis}) > 0.5 * tolerance_ || aside + turn * farthestFrom(a.tip) > shank_step_)
+    if (sweptError(cutter_, {a.tip, a.axis}, {b.tip, b.axis}) > 0.5 * tolerance_ ||
+        aside + turn * farthestCorner(points_.box(), a.tip) > shank_step_)
       return false;
     return holder_.empty() || way.norm() + turn * holder_.top() <= holder_step_;
-  }
-
-  /** Distance of the scan's farthest corner, limited to the length of shank that matters. */
-  double farthestFrom(const Eigen::Vector3d& place) const
-  {
-    const Box& box = points_.box();
-    Eigen::Vector3d way;
-    for (int d = 0; d < 3; ++d)
-      way[d] = std::max(std::abs(place[d] - box.low[d]), std::abs(place[d] - box.high[d]));
-    return way.norm();
   }
 
   void lookAt(const ToolPose& pose, LeadCollision& deepest) const
@@ -150,7 +141,7 @@ findLeadCollisions(const PointBlocks& points, const CutterProfile& cutter, const
     return {StatusCode::InvalidInput, "the program has no moves; make it first with MachineProgramGenerator"};
   std::vector<std::size_t> moves;
   for (std::size_t i = 1; i < program.blocks.size(); ++i)
-    if (program.blocks[i].section != BlockSection::Cut)
+    if (program.blocks[i].section != BlockSection::Cut || program.blocks[i].rapid)
       moves.push_back(i);
   const LeadSearch search(points, cutter, holder, program, tolerance);
   std::vector<LeadCollision> found(moves.size());

@@ -3,6 +3,7 @@
 #include "column_ends.h"
 #include "mesh_part.h"
 #include "passes/cutter_locations.h"
+#include "passes/free_passes.h"
 #include "passes/mesh_samples.h"
 #include "passes/pass_axes.h"
 #include "passes/scan_surface.h"
@@ -121,6 +122,7 @@ plan(const Job& job)
   takePoses(CutterProfile(job.cutter), located, result);
   if (result.passes.empty())
     throw FileError(job.scan, "no pass has two cutter locations over the part; check the drive path and the tool axis");
+  requireFreePasses(job, result);
   if (job.drive.goesRound())
     warnOfEnds(job, located, result);
   requireScallop(job, surface, result);

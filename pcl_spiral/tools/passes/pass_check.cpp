@@ -2,6 +2,7 @@
 #include "pass_check.h"
 
 #include "pass_files.h"
+#include "program/holder_options.h"
 #include "program/program_check.h"
 #include "terminal/cutter_shape.h"
 #include "terminal/file_names.h"
@@ -35,15 +36,8 @@ isBall(const PassJob& job)
 void
 completeCutter(PassJob& job)
 {
-  const CutterShape& c = job.cutter;
   completeCutter(isGiven(job, "corner-radius"), job.cutter);
-  if (const std::string fault = faultOf(job.holder); !fault.empty())
-    throw UsageError("--holder: " + fault);
-  if (isGiven(job, "holder-clearance") && job.holder.empty())
-    throw UsageError("--holder-clearance: no --holder is given; give one, or leave it out");
-  requireOption(job.holder_clearance >= 0.0, "holder-clearance", job.holder_clearance, "must not be below 0 mm");
-  if (!job.holder.empty() && !(c.flank_length > 0.0))
-    throw UsageError("--holder: no --flank-length is given; give the length of the flank, the holder begins above it");
+  checkHolder(job.given, job.holder, job.holder_clearance, job.cutter.flank_length);
 }
 
 void

@@ -1,32 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pass_options.h"
+#include "program/holder_options.h"
 #include "terminal/cutter_shape.h"
 #include "terminal/scan_places.h"
-
-#include <algorithm>
-
-namespace {
-
-/** Segments as RADIUS,LENGTH or LOWER,UPPER,LENGTH, separated by slashes, from the flank upwards. */
-std::vector<pcl_spiral::ToolSegment>
-segmentsOf(const std::string& value)
-{
-  std::vector<pcl_spiral::ToolSegment> segments;
-  for (const std::string& piece : piecesOf(value)) {
-    const std::vector<std::string> words = listValue(piece);
-    if (words.size() != 2 && words.size() != 3)
-      throw UsageError("--holder " + value +
-                       ": give segments as radius,length or lower radius,upper radius,length, separated by slashes, from the flank "
-                       "upwards, such as 6,40/20,25,60");
-    const double lower = numberValue("holder", words[0]);
-    const double upper = words.size() == 3 ? numberValue("holder", words[1]) : lower;
-    segments.push_back(
-        {lower, upper, numberValue("holder", words.back()), "segment " + std::to_string(segments.size() + 1) + " of the holder"});
-  }
-  return segments;
-}
-
-} // namespace
 
 std::vector<Option>
 readOptions(PassJob& job)
@@ -66,18 +42,16 @@ configOption(PassJob& job)
 OptionGroup
 cutterOptions(PassJob& job, const std::string& need)
 {
-  return {"Cutter (mm, degrees): tapered bull-nose and its special cases",
-          {numberOption("tool-radius", "R", "radius at the upper end of the flank; " + need + ": --tool-radius 6", job.cutter.radius),
-           numberOption("corner-radius", "r", corner_radius_help, job.cutter.corner_radius),
-           numberOption("flank-length", "L", "length of the cutting flank, along the flank; default 0: --flank-length 20",
-                        job.cutter.flank_length),
-           numberOption("flank-angle", "A", flank_angle_help, job.cutter.flank_angle),
-           {"holder", "SEGMENTS",
-            "shank and holder above the flank, upwards, each part as radius,length or lower,upper,length: --holder 6,40/20,25,60",
-            [&job](const std::string& value) { job.holder = segmentsOf(value); }},
-           numberOption("holder-clearance", "L", "least distance between holder and scan; default 0: --holder-clearance 1",
-                        job.holder_clearance),
-           numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", job.feed)}};
+  OptionGroup group{
+      "Cutter (mm, degrees): tapered bull-nose and its special cases",
+      {numberOption("tool-radius", "R", "radius at the upper end of the flank; " + need + ": --tool-radius 6", job.cutter.radius),
+       numberOption("corner-radius", "r", corner_radius_help, job.cutter.corner_radius),
+       numberOption("flank-length", "L", "length of the cutting flank, along the flank; default 0: --flank-length 20",
+                    job.cutter.flank_length),
+       numberOption("flank-angle", "A", flank_angle_help, job.cutter.flank_angle)}};
+  addOptions(group, holderOptions(job.holder, job.holder_clearance));
+  addOptions(group, {numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", job.feed)});
+  return group;
 }
 
 Option

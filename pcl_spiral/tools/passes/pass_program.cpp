@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pass_program.h"
 
+#include "free_passes.h"
 #include "pass_check.h"
 #include "program/free_leads.h"
 #include "program/machine_moves.h"
@@ -38,12 +39,9 @@ requireSteadyBeam(const PassJob& job, const MachineProgram& program)
 void
 addProgram(const PassJob& job, const Machine& machine, PassResult& result)
 {
-  ProgramJob program = job.program;
-  if (!isBall(job))
-    program.settings.pole_cone = 0.0; // a blended axis would move any other tool off its path
-  result.program = makeProgram(program, machine, job.feed, isBall(job) ? job.cutter.radius : 0.0, result.passes, result.warnings);
+  result.program = makeProgram(job.program, machine, job.feed, isBall(job) ? job.cutter.radius : 0.0, result.passes, result.warnings);
   if (job.cutter.radius > 0.0)
-    for (const std::string& warning : spindleWarnings(program, machine, job.outputs))
+    for (const std::string& warning : spindleWarnings(job.program, machine, job.outputs))
       result.warnings.push_back(warning);
   else
     requireSteadyBeam(job, *result.program);
@@ -51,5 +49,6 @@ addProgram(const PassJob& job, const Machine& machine, PassResult& result)
     return;
   requireFreeLeads(job.part, result.whole_scan,
                    {job.cutter, job.holder, job.holder_clearance, job.tolerance + result.locations.noise_allowance, job.threads},
-                   *result.program, program.accept_collisions, job.quiet, result.warnings);
+                   *result.program, job.program.accept_collisions, job.quiet, result.warnings);
+  requireFreeProgram(job, result);
 }

@@ -26,6 +26,8 @@ wayOf(BlockSection section)
   case BlockSection::Retract:
   case BlockSection::End:
     return "on its way up from the path";
+  case BlockSection::Cut:
+    return "on the path";
   default:
     return "while it unwinds";
   }
@@ -34,15 +36,20 @@ wayOf(BlockSection section)
 std::string
 textOfCollision(const LedTool& tool, const LeadFigures& figures)
 {
-  const LeadCollision& deepest = figures.deepest;
-  const std::string what = deepest.part == ToolPart::Cutter  ? "the cutter"
-                           : deepest.part == ToolPart::Shank ? "a shank as wide as the cutter"
-                                                             : tool.holder[static_cast<std::size_t>(deepest.segment)].name;
-  return textOf(what, " would be ", deepest.depth, " mm deep in the part ", wayOf(deepest.section), ", at ", placeText(deepest.place),
-                ", the tip at ", placeText(deepest.tip), "; ", figures.collided, " of the ", figures.moves, " moves off the path collide");
+  return textOf(collisionText(tool, figures.deepest), "; ", figures.collided, " of the ", figures.moves, " moves off the path collide");
 }
 
 } // namespace
+
+std::string
+collisionText(const LedTool& tool, const LeadCollision& collision)
+{
+  const std::string what = collision.part == ToolPart::Cutter  ? "the cutter"
+                           : collision.part == ToolPart::Shank ? "a shank as wide as the cutter"
+                                                               : tool.holder[static_cast<std::size_t>(collision.segment)].name;
+  return textOf(what, " would be ", collision.depth, " mm deep in the part ", wayOf(collision.section), ", at ", placeText(collision.place),
+                ", the tip at ", placeText(collision.tip));
+}
 
 void
 requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const LedTool& tool,
@@ -68,8 +75,7 @@ requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointX
   if (all.collided == 0)
     return;
   if (obstacles.collided == 0)
-    warnings.push_back(textOfCollision(tool, all) +
-                       ": only single points off the scanned surface are there, usually false echoes; check that nothing else is there");
+    warnings.push_back(textOfCollision(tool, all) + only_echoes);
   else if (accepted)
     warnings.push_back(textOfCollision(tool, obstacles));
   else

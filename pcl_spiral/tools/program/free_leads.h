@@ -8,6 +8,7 @@
 
 #include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/core/tool_holder.h>
+#include <pcl_spiral/verify/figures.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -23,6 +24,13 @@ struct LedTool {
   double tolerance = 0.05;
   unsigned int threads = 0;
 };
+
+/** What \p tool would do at the place of \p collision: which part of it, how deep, where. */
+std::string collisionText(const LedTool& tool, const pcl_spiral::LeadCollision& collision);
+
+/** The end of a warning about collisions with echoes alone. */
+constexpr const char* only_echoes =
+    ": only single points off the scanned surface are there, usually false echoes; check that nothing else is there";
 
 /** Looks at the moves of \p program that do not cut. Where only single points off the scan's surface are in their way, or
  *  collisions are accepted, that goes to \p warnings. \p scan_name is for messages. \throw pcl_spiral::FileError, Cancelled */

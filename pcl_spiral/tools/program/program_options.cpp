@@ -42,7 +42,7 @@ programOptions(ProgramJob& program)
        numberOption("link-feed", "F", "feed of links that stay down between passes, mm/min; default the feed: --link-feed 3000",
                     settings.link_feed),
        switchOption("accept-collisions",
-                    "write the output even if the tool would touch the scan on its way to the path, or its holder would",
+                    "write the output even if the tool would touch the scan on its way to the path, or its shank or holder on the path",
                     program.accept_collisions),
        numberOption("pole-cone", "A",
                     "blends tool axes within this angle of the direction of the rotary axis, where that axis would turn too "

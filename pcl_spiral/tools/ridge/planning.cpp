@@ -2,6 +2,7 @@
 #include "planning.h"
 
 #include "passes/cutter_locations.h"
+#include "passes/free_passes.h"
 #include "passes/mesh_samples.h"
 #include "passes/pass_axes.h"
 #include "passes/scan_surface.h"
@@ -135,6 +136,7 @@ takeCutter(const Job& job, const Surface::ConstPtr& surface, const DrivePasses& 
   takePoses(CutterProfile(job.cutter), located, result);
   if (result.passes.empty())
     throw FileError(job.scan, "no row has two cutter locations over the part: check that lines and scan are in the same coordinates");
+  requireFreePasses(job, result);
   warnOfLocations(job, result);
 }
 

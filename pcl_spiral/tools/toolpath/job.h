@@ -10,6 +10,7 @@
 #include "terminal/scan_places.h"
 #include "verify/verification.h"
 
+#include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
 
@@ -29,8 +30,11 @@ struct Job {
   std::vector<std::string> stock; ///< files for the surface after cutting; with verify
   pcl_spiral::ReadOptions read = readFindingOrigin();
   pcl_spiral::SpiralSettings settings;
-  PartChoice part;      ///< of the scan; with several regions that of the present one
-  RegionChoice regions; ///< of the scan
+  PartChoice part;           ///< of the scan; with several regions that of the present one
+  RegionChoice regions;      ///< of the scan
+  double flank_length = 0.0; ///< mm, between the centre of the ball and the holder
+  std::vector<pcl_spiral::ToolSegment> holder;
+  double holder_clearance = 0.0; ///< mm
   ProgramJob program;
   bool mesh = false;           ///< the scan is a mesh, and its faces are used
   double sample_spacing = 0.0; ///< of the samples of the mesh, mm; 0: found from the mesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job_check.h"
 #include "judging/stock_option.h"
+#include "program/holder_options.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
@@ -158,6 +159,9 @@ checkJob(const Job& job)
   checkOutputs(job);
   checkRegions(job);
   checkProgram(job.program, job.outputs, job.given);
-  if (job.given.count("accept-collisions") > 0 && !job.regions.several() && !hasProgram(job.program, job.outputs))
-    throw UsageError("--accept-collisions: no output is a program, and only the leads of a program are checked; leave it out");
+  checkHolder(job.given, job.holder, job.holder_clearance, job.flank_length);
+  if (job.given.count("flank-length") > 0 && job.holder.empty())
+    throw UsageError("--flank-length: no --holder is given, and only the holder begins there; give one, or leave it out");
+  if (job.given.count("accept-collisions") > 0 && job.holder.empty() && !job.regions.several() && !hasProgram(job.program, job.outputs))
+    throw UsageError("--accept-collisions: no --holder is given, and no output is a program with leads that are checked; leave it out");
 }

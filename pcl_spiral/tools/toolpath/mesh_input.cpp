@@ -143,6 +143,7 @@ readMeshSamples(const Job& job, ProgressBar& bar, Result& result)
     normals->emplace_back(sample.normal_x, sample.normal_y, sample.normal_z);
   }
   input.normals = normals;
+  result.whole_mesh = input.mesh;
   warnOfSide(job, *normals, result);
   result.mesh = std::move(input);
 }

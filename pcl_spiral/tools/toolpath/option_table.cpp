@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_table.h"
 #include "judging/stock_option.h"
+#include "program/holder_options.h"
 #include "program/program_options.h"
 #include "terminal/scan_places.h"
 
@@ -74,9 +75,10 @@ files(Job& job)
 }
 
 OptionGroup
-cutter(SpiralSettings& s)
+cutter(Job& job)
 {
-  return {
+  SpiralSettings& s = job.settings;
+  OptionGroup group{
       "Cutter and finish (mm, degrees)",
       {numberOption("tool-radius", "R", "radius of the ball cutter; required: --tool-radius 10", s.tool_radius),
        numberOption("scallop", "H", "scallop height, the largest ridge between turns; required: --scallop 0.05", s.scallop_height),
@@ -99,7 +101,13 @@ cutter(SpiralSettings& s)
        numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", s.feed),
        numberOption("acceleration", "A",
                     "acceleration of the machine, mm/s2; used for the time of sharp turns; default 2000: --acceleration 500",
-                    s.acceleration)}};
+                    s.acceleration),
+       numberOption("flank-length", "L",
+                    "length of the shank, as wide as the ball, from the centre of the ball up to the holder; needed with --holder: "
+                    "--flank-length 20",
+                    job.flank_length)}};
+  addOptions(group, holderOptions(job.holder, job.holder_clearance));
+  return group;
 }
 
 OptionGroup
@@ -203,5 +211,5 @@ running(Job& job)
 OptionTable
 optionTable(Job& job)
 {
-  return {files(job), cutter(job.settings), spiral(job.settings), surface(job), programOptions(job.program), running(job)};
+  return {files(job), cutter(job), spiral(job.settings), surface(job), programOptions(job.program), running(job)};
 }

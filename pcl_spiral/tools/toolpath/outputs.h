@@ -43,6 +43,8 @@ struct Result {
   RegionLinks links;                                   ///< between the regions
   pcl_spiral::Scan scan;                               ///< or the samples of the mesh
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole_scan; ///< with what the choice of the part left out
+  pcl_spiral::SurfaceMesh::ConstPtr whole_mesh;        ///< with the parts that the path does not run over; null for a scan
+  std::vector<Eigen::Vector3f> echoes;                 ///< clusters that are left out as false echoes, if a holder is given
   ChosenPart part;
   ScanSide side; ///< what decides the side of the scan
   std::optional<SampledMesh> mesh;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_program.h"
+#include "holder_way.h"
 #include "program/free_leads.h"
 #include "program/machine_moves.h"
 #include "region_links.h"
@@ -9,16 +10,12 @@ using namespace pcl_spiral;
 MachineProgram
 freeProgram(const Job& job, const Machine& machine, const std::vector<ToolPoses>& passes, Result& result, std::vector<std::string>& made)
 {
-  constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
   const SpiralSettings& s = job.settings;
   ProgramJob asked = job.program;
   asked.settings.clear_box = boxToClear(job, result);
   MachineProgram program = makeProgram(asked, machine, s.feed, s.tool_radius, passes, made);
-  LedTool tool;
-  tool.cutter = CutterShape::ball(s.tool_radius);
-  tool.tolerance = s.chord_error + deviations * result.report.noise;
-  tool.threads = s.threads;
-  requireFreeLeads(job.scan, result.whole_scan, tool, program, job.program.accept_collisions, job.quiet, result.report.warnings);
+  requireFreeLeads(job.scan, result.whole_scan, toolOf(job, result.report), program, job.program.accept_collisions, job.quiet,
+                   result.report.warnings);
   return program;
 }
 
@@ -29,6 +26,7 @@ addProgram(const Job& job, const Machine& machine, Result& result)
   std::vector<std::string> made = spindleWarnings(job.program, machine, job.outputs);
   result.program = freeProgram(job, machine, ballPasses(*result.path, job.settings.tool_radius), result, made);
   result.report.warnings.insert(result.report.warnings.end(), made.begin(), made.end());
+  checkHolder(job, *result.program, result);
   if (!result.regions.empty())
     result.links = linksOf(result, *result.program);
   clock.end("machine");

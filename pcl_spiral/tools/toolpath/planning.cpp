@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
+#include "holder_way.h"
 #include "job_failure.h"
 #include "joined_regions.h"
 #include "mesh_input.h"
@@ -94,12 +95,16 @@ choosePoints(const Job& job, ProgressBar& bar, StageClock& clock, Result& result
   if (cancelled())
     throw Cancelled();
   // The other parts and the clusters are looked at again when the path is there.
-  const bool apart = job.part.part_at || job.settings.largest_part || job.part.clusters == ClusterHandling::Ride;
+  const bool echoes = !job.holder.empty() && job.part.clusters == ClusterHandling::LeaveOut;
+  const bool apart = job.part.part_at || job.settings.largest_part || job.part.clusters == ClusterHandling::Ride || echoes;
   if (!job.mesh && job.reach.empty() && !apart && !(job.verify && judgedByTheSameSurface(job.settings)))
     return;
   result.surface = surfaceOf(job, result, bar);
   if (result.mesh)
     keepUsedParts(*result.surface, result);
+  for (std::size_t i = 0; echoes && i < result.surface->clusters().size(); ++i)
+    for (const std::uint32_t index : result.surface->clusters()[i].indices)
+      result.echoes.push_back((*result.scan.cloud)[index].getVector3fMap());
   clock.end("surface");
 }
 
@@ -186,6 +191,7 @@ planned(const Job& job, ProgressBar& bar, Result result)
   requireOk(job, result.mesh ? withSpacings(generator.getStatus(), *result.mesh) : generator.getStatus());
   result.report = generator.getReport();
   checkWay(job, result);
+  checkHolder(job, result);
   for (std::string& warning : result.report.warnings)
     warning = inWords(job, warning);
   if (result.mesh)

@@ -25,8 +25,8 @@ struct ProgramSettings {
   double plunge_feed = 0.0;          ///< of the tip down to the lead, mm/min; 0: the feed
   double lead_feed = 0.0;            ///< of the tip along the leads and off the surface, mm/min; 0: the feed
   double link_feed = 0.0;            ///< of links between passes, mm/min; 0: the feed
-  double ball_radius = 0.0;          ///< of a ball cutter, mm: its centre stays while an axis is blended; 0: the tip stays
-  double pole_cone = 5.0;            ///< axes are blended only within this angle of the pole, degrees
+  double ball_radius = 0.0;          ///< of a ball cutter, mm: its centre stays while an axis is blended; 0: no axis is blended
+  double pole_cone = 5.0;            ///< axes are blended only within this angle of the pole, degrees; elsewhere blocks are slower
   BlockTolerance block;              ///< kept by the machine between poses
   BlockTolerance thinning{0.0, 0.0}; ///< poses are left out within this tolerance; 0: none
   LeadKind lead = LeadKind::Normal;  ///< how the tool comes and leaves

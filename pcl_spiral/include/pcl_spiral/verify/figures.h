@@ -131,17 +131,17 @@ enum class ToolPart {
 /** A place where the tool would be in the scan. Lengths in mm. */
 struct LeadCollision {
   ToolPart part = ToolPart::Cutter;              ///< that collides
-  BlockSection section = BlockSection::Position; ///< purpose of the move
-  std::size_t block = 0;                         ///< of the program: the end of the move
+  BlockSection section = BlockSection::Position; ///< purpose of the move; Cut from HolderCheck
+  std::size_t block = 0;                         ///< of the program: the end of the move; of passes: the pose there, over all passes
   int segment = -1;                              ///< of the holder, from the cutter upwards; -1: none
   double depth = 0.0; ///< of the point in the tool; for cutter and shank the shorter way out, along the axis or across it
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< the point of the scan
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();   ///< of the tool, in that place of the move
 };
 
-/** What LeadCheck found. */
+/** What LeadCheck or HolderCheck found. */
 struct LeadFigures {
-  std::size_t moves = 0;    ///< moves that do not cut
+  std::size_t moves = 0;    ///< moves looked at: those that do not cut, or of HolderCheck those that do
   std::size_t collided = 0; ///< number of these moves with a collision
   LeadCollision deepest;    ///< if there is one
 };

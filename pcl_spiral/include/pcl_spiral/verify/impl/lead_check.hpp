@@ -1,71 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_spiral/common/impl/message.h>
-#include <pcl_spiral/common/impl/thread_limit.h>
-#include <pcl_spiral/search/impl/usable_points.h>
 #include <pcl_spiral/verify/lead_check.h>
 
-#include <pcl/console/print.h>
-#include <pcl/impl/pcl_base.hpp>
-
-#include <cmath>
-#include <utility>
-
 namespace pcl_spiral {
-
-template <typename PointT>
-Status
-LeadCheck<PointT>::check() const
-{
-  if (!input_ || input_->empty())
-    return {StatusCode::InvalidInput, "the input cloud is missing or empty; call setInputCloud with points"};
-  if (const Status status = checkIndices(this->fake_indices_ ? nullptr : indices_.get(), input_->size()); !status.ok())
-    return status;
-  for (const std::string& fault : {faultOf(cutter_), faultOf(holder_)})
-    if (!fault.empty())
-      return {StatusCode::InvalidArgument, fault};
-  if (!(holder_clearance_ >= 0.0) || !std::isfinite(holder_clearance_))
-    return {StatusCode::InvalidArgument, textOf("the holder's clearance is ", holder_clearance_, " mm; set it to 0 or more")};
-  if (!(tolerance_ > 0.0) || !std::isfinite(tolerance_))
-    return {StatusCode::InvalidArgument, textOf("the tolerance is ", tolerance_, " mm; set it above 0")};
-  return checkThreads(thread_count_);
-}
-
-template <typename PointT>
-Status
-LeadCheck<PointT>::findCollisions(const MachineProgram& program)
-{
-  const ThreadLimit limit(thread_count_);
-  const PointBlocks points(usablePoints(*input_, indices_.get()).positions);
-  if (points.size() == 0)
-    return {StatusCode::InvalidInput, "no point of the cloud is finite; check the scan"};
-  const CutterProfile cutter(cutter_);
-  const HolderProfile holder(holder_, cutter.topHeight(), cutter.radius(), holder_clearance_);
-  const auto find = [&](const PointBlocks& some, LeadFigures& figures) {
-    return findLeadCollisions(some, cutter, holder, program, tolerance_, progress_, figures);
-  };
-  if (const Status status = find(points, figures_); !status.ok())
-    return status;
-  obstacle_figures_ = figures_;
-  if (figures_.collided == 0 || largest_echo_ == 0)
-    return Status::success();
-  std::vector<Eigen::Vector3f> obstacles = withoutEchoes(points.points(), largest_echo_);
-  return obstacles.size() < points.size() ? find(PointBlocks(std::move(obstacles)), obstacle_figures_) : Status::success();
-}
 
 template <typename PointT>
 void
 LeadCheck<PointT>::compute(const MachineProgram& program)
 {
-  figures_ = obstacle_figures_ = LeadFigures();
-  status_ = check();
-  if (status_.ok())
-    status_ = findCollisions(program);
-  if (!status_.ok())
-    figures_ = obstacle_figures_ = LeadFigures();
-  if (!status_.ok() && status_.code() != StatusCode::Cancelled)
-    PCL_ERROR("[pcl_spiral::LeadCheck::compute] %s\n", status_.message().c_str());
+  this->report("LeadCheck", [&]() -> Status {
+    for (const Status& status : {this->checkCloud(), this->checkTool()})
+      if (!status.ok())
+        return status;
+    const CutterProfile cutter(this->getCutter());
+    const HolderProfile holder = this->holderProfile();
+    return this->findAmongPoints([&](const PointBlocks& points, LeadFigures& figures) {
+      return findLeadCollisions(points, cutter, holder, program, this->getTolerance(), this->progress(), figures);
+    });
+  });
 }
 
 } // namespace pcl_spiral

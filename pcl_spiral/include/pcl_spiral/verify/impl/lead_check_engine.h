@@ -16,7 +16,7 @@
 
 namespace pcl_spiral {
 
-/** Checks all moves of \p program that do not cut, also rapids, as the machine makes them. No point may be deeper
+/** Checks all moves of \p program that do not cut, and every rapid, as the machine makes them. No point may be deeper
  *  inside than \p tolerance mm in \p cutter (along its normals), in a shank of the same width above it, or in \p holder.
  *  A move is checked at places close together. Between two places, cutter and shank miss at most half the tolerance
  *  (sweptError, and the wedge between two shanks up to the top of the scan). A holder misses at most half of 0.1 mm
