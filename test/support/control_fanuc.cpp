@@ -20,7 +20,8 @@ public:
     }
     if (marks_ != 1)
       throw ControlFault("outside of %");
-    if (std::regex_match(line, std::regex("O[0-9]{4}"))) {
+    static const std::regex name("O[0-9]{4}");
+    if (std::regex_match(line, name)) {
       named_ = true;
       return;
     }

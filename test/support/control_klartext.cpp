@@ -21,18 +21,20 @@ public:
 
   void run(const std::string& line) override
   {
+    static const std::regex frame("(BEGIN|END) PGM ([A-Za-z0-9_-]+) (MM|INCH)"), tool("TOOL CALL(?: ([0-9]+) Z)?(?: S([0-9]+))?"),
+        code("M([0-9]+)"), motion("(LN?) (.*)");
     std::smatch parts;
-    if (std::regex_match(line, parts, std::regex("(BEGIN|END) PGM ([A-Za-z0-9_-]+) (MM|INCH)")))
+    if (std::regex_match(line, parts, frame))
       runFrame(parts);
     else if (name_.empty())
       throw ControlFault("before BEGIN PGM");
-    else if (std::regex_match(line, parts, std::regex("TOOL CALL(?: ([0-9]+) Z)?(?: S([0-9]+))?")))
+    else if (std::regex_match(line, parts, tool))
       runTool(parts);
     else if (line.rfind("CYCL DEF ", 0) == 0)
       runCycle(line.substr(9));
-    else if (std::regex_match(line, parts, std::regex("M([0-9]+)")))
+    else if (std::regex_match(line, parts, code))
       runCode(std::stoi(parts[1]));
-    else if (std::regex_match(line, parts, std::regex("(LN?) (.*)")))
+    else if (std::regex_match(line, parts, motion))
       runLine(parts[1] == "LN", parts[2]);
     else
       throw ControlFault("unknown line");

@@ -46,7 +46,8 @@ struct ControlJob {
   double largest_feed = std::numeric_limits<double>::infinity(); ///< of the tip against the part, mm/min
   /** Distance of the cutter and its shank from the finished part; below zero: inside. */
   std::function<double(const TipAndAxis&)> clearance = [](const TipAndAxis&) { return std::numeric_limits<double>::infinity(); };
-  double gouge = 0.01; ///< so deep may feed moves cut into the finished part, mm
+  double first_step = 0.01; ///< so far may tool-tip control, as it begins, move the slides, mm
+  double gouge = 0.01;      ///< so deep may feed moves cut into the finished part, mm
 };
 
 /** One motion, at its end. */
@@ -65,6 +66,16 @@ struct ControlRun {
   std::vector<std::pair<std::string, std::size_t>> hooks; ///< lines of the shop, and the motions before each
   std::string fault;                                      ///< "line 12 'G1 X...': why it was refused"; empty: the program ran to its end
 };
+
+/** Time of all feed moves. */
+inline double
+feedMinutes(const ControlRun& run)
+{
+  double minutes = 0.0;
+  for (const ControlMotion& motion : run.motions)
+    minutes += motion.minutes;
+  return minutes;
+}
 
 /** Runs the text of a program. */
 ControlRun runProgram(const std::string& text, Dialect dialect, const ControlJob& job);

@@ -12,16 +12,16 @@ using Lines = std::vector<std::string>;
 using Edit = std::function<bool(Lines&)>;
 
 bool
-has(const std::string& line, const std::string& pattern)
+has(const std::string& line, const std::regex& pattern)
 {
-  return std::regex_search(line, std::regex(pattern));
+  return std::regex_search(line, pattern);
 }
 
 Edit
 withoutFirst(const std::string& pattern)
 {
-  return [=](Lines& lines) {
-    const auto found = std::find_if(lines.begin(), lines.end(), [&](const std::string& line) { return has(line, pattern); });
+  return [shape = std::regex(pattern)](Lines& lines) {
+    const auto found = std::find_if(lines.begin(), lines.end(), [&](const std::string& line) { return has(line, shape); });
     if (found == lines.end())
       return false;
     lines.erase(found);
@@ -32,8 +32,8 @@ withoutFirst(const std::string& pattern)
 Edit
 withoutLast(const std::string& pattern)
 {
-  return [=](Lines& lines) {
-    const auto found = std::find_if(lines.rbegin(), lines.rend(), [&](const std::string& line) { return has(line, pattern); });
+  return [shape = std::regex(pattern)](Lines& lines) {
+    const auto found = std::find_if(lines.rbegin(), lines.rend(), [&](const std::string& line) { return has(line, shape); });
     if (found == lines.rend())
       return false;
     lines.erase(std::next(found).base());
@@ -44,10 +44,10 @@ withoutLast(const std::string& pattern)
 Edit
 first(const std::string& pattern, const std::string& by)
 {
-  return [=](Lines& lines) {
+  return [by, shape = std::regex(pattern)](Lines& lines) {
     for (std::string& line : lines)
-      if (has(line, pattern)) {
-        line = std::regex_replace(line, std::regex(pattern), by, std::regex_constants::format_first_only);
+      if (has(line, shape)) {
+        line = std::regex_replace(line, shape, by, std::regex_constants::format_first_only);
         return true;
       }
     return false;
@@ -72,20 +72,18 @@ everywhere(const std::function<std::string(const std::string&)>& edit)
 Edit
 swapped(const std::string& a, const std::string& b)
 {
-  return everywhere([=](std::string line) {
-    line = std::regex_replace(line, std::regex(" " + a + "(?=[-+.0-9])"), " @");
-    line = std::regex_replace(line, std::regex(" " + b + "(?=[-+.0-9])"), " " + a);
-    return std::regex_replace(line, std::regex(" @"), " " + b);
+  return everywhere([a, b, shape_a = std::regex(" " + a + "(?=[-+.0-9])"), shape_b = std::regex(" " + b + "(?=[-+.0-9])"),
+                     mark = std::regex(" @")](const std::string& line) {
+    return std::regex_replace(std::regex_replace(std::regex_replace(line, shape_a, " @"), shape_b, " " + a), mark, " " + b);
   });
 }
 
 Edit
 negated(const std::string& name)
 {
-  return everywhere([=](std::string line) {
-    line = std::regex_replace(line, std::regex(" " + name + "-"), " @");
-    line = std::regex_replace(line, std::regex(" " + name + "\\+?(?=[.0-9])"), " " + name + "-");
-    return std::regex_replace(line, std::regex(" @"), " " + name);
+  return everywhere([name, minus = std::regex(" " + name + "-"), plus = std::regex(" " + name + "\\+?(?=[.0-9])"),
+                     mark = std::regex(" @")](const std::string& line) {
+    return std::regex_replace(std::regex_replace(std::regex_replace(line, minus, " @"), plus, " " + name + "-"), mark, " " + name);
   });
 }
 
@@ -105,15 +103,17 @@ change(std::string& line, const std::string& name, const std::function<double(do
 std::size_t
 firstFeed(const Lines& lines)
 {
-  const auto found = std::find_if(lines.begin(), lines.end(), [](const std::string& l) { return has(l, "^(G1 |LN .* F[0-9])"); });
+  static const std::regex feed("^(G1 |LN .* F[0-9])");
+  const auto found = std::find_if(lines.begin(), lines.end(), [](const std::string& line) { return has(line, feed); });
   return static_cast<std::size_t>(found - lines.begin());
 }
 
 bool
 throughThePart(Lines& lines)
 {
+  static const std::regex rapid("^G0 |FMAX");
   for (std::size_t i = std::min(firstFeed(lines), lines.size() - 1); i > 0; --i)
-    if (has(lines[i], "^G0 |FMAX"))
+    if (has(lines[i], rapid))
       return change(lines[i], "Z", [](double z) { return z - 40.0; });
   return false;
 }
@@ -131,11 +131,11 @@ feedTimes(double factor)
 Edit
 earlier(const std::string& moved, const std::string& before)
 {
-  return [=](Lines& lines) {
-    const auto line = [&](const std::string& p) {
-      return std::find_if(lines.begin(), lines.end(), [&](const std::string& l) { return has(l, p); });
+  return [later = std::regex(moved), sooner = std::regex(before)](Lines& lines) {
+    const auto lineWith = [&](const std::regex& shape) {
+      return std::find_if(lines.begin(), lines.end(), [&](const std::string& line) { return has(line, shape); });
     };
-    const auto from = line(moved), to = line(before);
+    const auto from = lineWith(later), to = lineWith(sooner);
     if (from == lines.end() || to >= from)
       return false;
     std::rotate(to, from, std::next(from));
@@ -197,7 +197,7 @@ plantedFaults(Dialect dialect, const std::string& rotary_letters)
       {"a word that no control has", first("^M8$", "G199"), "unknown "}};
   if (!klartext) {
     faults.push_back({"inches", first("G[27]1 ", dialect == Dialect::Siemens ? "G70 " : "G20 "), "units are inches"});
-    faults.push_back({"back to feed per minute", withoutFirst("^G93$"), "without F"});
+    faults.push_back({"no inverse time", withoutFirst("^G93$"), {}});
   }
   if (dialect == Dialect::LinuxCNC)
     faults.push_back({"tool length not counted", withoutFirst("^G43"), "without a tool length"});

@@ -199,7 +199,8 @@ TEST(ControlRun, EveryPlantedFaultIsNamed)
       if (!fault.words.empty())
         EXPECT_NE(run.fault.find(fault.words), std::string::npos) << entry.word << ", " << fault.name << ": " << run.fault;
       else
-        EXPECT_TRUE(!run.fault.empty() || !missedPose(run, {{shortPass()}, ball, {}}).empty()) << entry.word << ", " << fault.name;
+        EXPECT_TRUE(!run.fault.empty() || !missedPose(run, {{shortPass()}, ball, {}}).empty() || std::abs(feedMinutes(run) - 0.035) > 0.005)
+            << entry.word << ", " << fault.name;
     }
   }
 }
@@ -209,7 +210,7 @@ TEST(ControlRun, AnotherLengthOrPlaceInTheControlMissesThePath)
   for (const DialectEntry& entry : dialect_entries) {
     ControlJob job = jobFor(entry.dialect);
     const std::string text = handWritten(job, entry.dialect);
-    job.gouge = 5.0;
+    job.gouge = job.first_step = 5.0;
     job.set.tool_length += 1.0; // the cutter comes 1 mm short of what the tool table has
     EXPECT_NE(missedPose(runProgram(text, entry.dialect, job), {{shortPass()}, ball, {}}).find(" 1 along the tool"), std::string::npos);
     job.set.tool_length -= 2.0;
@@ -217,7 +218,7 @@ TEST(ControlRun, AnotherLengthOrPlaceInTheControlMissesThePath)
     job.gouge = 0.01;
     EXPECT_NE(runProgram(text, entry.dialect, job).fault.find("enters the part"), std::string::npos);
     job = jobFor(entry.dialect);
-    job.gouge = 5.0;
+    job.gouge = job.first_step = 5.0;
     job.set.work_zero.x() += 1.0;
     EXPECT_NE(missedPose(runProgram(text, entry.dialect, job), {{shortPass()}, ball, {}}).find("the tip is off by "), std::string::npos);
   }
