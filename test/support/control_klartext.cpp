@@ -21,7 +21,7 @@ public:
 
   void run(const std::string& line) override
   {
-    static const std::regex frame("(BEGIN|END) PGM ([A-Za-z0-9_-]+) (MM|INCH)"), tool("TOOL CALL(?: ([0-9]+) Z)?(?: S([0-9]+))?"),
+    static const std::regex frame("(BEGIN|END) PGM ([A-Za-z0-9_-]+) (MM|INCH)"), tool("TOOL CALL(?: ([0-9]+))? Z(?: S([0-9]+))?"),
         code("M([0-9]+)"), motion("(LN?) (.*)");
     std::smatch parts;
     if (std::regex_match(line, parts, frame))

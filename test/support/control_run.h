@@ -46,7 +46,7 @@ struct ControlJob {
   double largest_feed = std::numeric_limits<double>::infinity(); ///< of the tip against the part, mm/min
   /** Distance of the cutter and its shank from the finished part; below zero: inside. */
   std::function<double(const TipAndAxis&)> clearance = [](const TipAndAxis&) { return std::numeric_limits<double>::infinity(); };
-  double first_step = 0.01; ///< so far may tool-tip control, as it begins, move the slides, mm
+  double first_step = 0.01; ///< so far may the first block under tool-tip control move X and Y, mm
   double gouge = 0.01;      ///< so deep may feed moves cut into the finished part, mm
 };
 

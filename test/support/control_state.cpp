@@ -214,8 +214,8 @@ Control::requireNoSwing(const AxisPosition& from, const AxisPosition& to) const
   const double height = job_.retract_z.value_or(-std::numeric_limits<double>::infinity());
   if (!modal.tool_tip && job_.tool_tip && turn > 1e-6 && std::min(from.gauge.z(), to.gauge.z()) < height - 1e-3)
     refuse("a rotary axis turns below the retract height without tool-tip control");
-  if (first_under_tip_ && job_.retract_z && (to.gauge - from.gauge).norm() > job_.first_step)
-    refuse("the first block under tool-tip control moves the machine by ", (to.gauge - from.gauge).transpose());
+  if (first_under_tip_ && job_.retract_z && (to.gauge - from.gauge).head<2>().norm() > job_.first_step)
+    refuse("the first block under tool-tip control moves X Y by ", (to.gauge - from.gauge).head<2>().transpose());
 }
 
 void

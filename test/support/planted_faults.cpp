@@ -12,9 +12,15 @@ using Lines = std::vector<std::string>;
 using Edit = std::function<bool(Lines&)>;
 
 bool
+isComment(const std::string& line)
+{
+  return line[0] == '(' || line[0] == ';' || line[0] == 'O';
+}
+
+bool
 has(const std::string& line, const std::regex& pattern)
 {
-  return std::regex_search(line, pattern);
+  return !isComment(line) && std::regex_search(line, pattern);
 }
 
 Edit
@@ -60,7 +66,7 @@ everywhere(const std::function<std::string(const std::string&)>& edit)
   return [=](Lines& lines) {
     bool changed = false;
     for (std::string& line : lines) {
-      const std::string after = line[0] == '(' || line[0] == ';' ? line : edit(line);
+      const std::string after = isComment(line) ? line : edit(line);
       changed = changed || after != line;
       line = after;
     }
@@ -193,7 +199,7 @@ plantedFaults(Dialect dialect, const std::string& rotary_letters)
       {"two words of the tool's direction swapped", swapped(a, b), {}},
       {"a sign of the tool's direction wrong", negated(b), {}},
       {"a rapid through the part", throughThePart, "a rapid enters the part by "},
-      {"a feed of a hundred times", feedTimes(100.0), "but its largest speed is "},
+      {"a feed of a hundred times", feedTimes(100.0), "/min, but "},
       {"a word that no control has", first("^M8$", "G199"), "unknown "}};
   if (!klartext) {
     faults.push_back({"inches", first("G[27]1 ", dialect == Dialect::Siemens ? "G70 " : "G20 "), "units are inches"});

@@ -17,7 +17,7 @@ using namespace pcl_spiral::test;
 
 namespace {
 
-const double sphere = 100.0, ball = 6.0, retract = 500.0;
+const double sphere = 100.0, ball = 6.0, retract = 350.0;
 
 ControlJob
 tiltingTable()
@@ -144,25 +144,25 @@ handWritten(const ControlJob& job, Dialect dialect)
   const Moves m = movesOf(job, dialect);
   switch (dialect) {
   case Dialect::LinuxCNC:
-    return "(part)\nG21 G90 G17 G40 G49 G80 G94\nM429\nG53 G0 Z500.\nT3 M6\nG43\nS12000 M3\nM8\nG54\nG64 P0.005\nG0" + m.rotary_start +
-           "\nG0" + m.over_start + "\nM428\nG93\n" + m.blocks + "G94\nM429\nG53 G0 Z500.\nM5\nM9\nM2\n";
+    return "(part)\nG21 G90 G17 G40 G49 G80 G94\nM429\nG53 G0 Z350.\nT3 M6\nG43\nS12000 M3\nM8\nG54\nG64 P0.005\nG0" + m.rotary_start +
+           "\nG0" + m.over_start + "\nM428\nG93\n" + m.blocks + "G94\nM429\nG53 G0 Z350.\nM5\nM9\nM2\n";
   case Dialect::Fanuc:
   case Dialect::FanucVectors:
-    return "%\nO0001 (part)\nG21 G90 G94 G17 G40 G49 G80\nG0 G53 Z500.\nT3 M6\nS12000 M3\nM8\nG54\nG5.1 Q1\nG0" + m.rotary_start + "\nG0" +
+    return "%\nO0001 (part)\nG21 G90 G94 G17 G40 G49 G80\nG0 G53 Z350.\nT3 M6\nS12000 M3\nM8\nG54\nG5.1 Q1\nG0" + m.rotary_start + "\nG0" +
            m.over_start + "\n" + (dialect == Dialect::Fanuc ? "G43.4" : "G43.5") + " H3" + m.place_start + "\nG93\n" + m.blocks +
-           "G94\nG49\nG0 G53 Z500.\nM5\nM9\nG5.1 Q0\nM30\n%\n";
+           "G94\nG49\nG0 G53 Z350.\nM5\nM9\nG5.1 Q0\nM30\n%\n";
   case Dialect::Siemens:
-    return "; part\nG71 G90 G94 G17 G40\nSUPA G0 Z500 D0\nT3 M6\nS12000 M3\nM8\nG54 D1\nCYCLE832(0.005,_ORI_FINISH,0.5)\nG0" +
+    return "; part\nG71 G90 G94 G17 G40\nSUPA G0 Z350 D0\nT3 M6\nS12000 M3\nM8\nG54 D1\nCYCLE832(0.005,_ORI_FINISH,0.5)\nG0" +
            m.rotary_start + "\nG0" + m.over_start + "\nTRAORI\nG54\nORIWKS\nORIVECT\nG93\n" + m.blocks +
-           "G94\nTRAFOOF\nSUPA G0 Z500 D0\nM5\nM9\nCYCLE832(0,_OFF,1)\nM30\n";
+           "G94\nTRAFOOF\nSUPA G0 Z350 D0\nM5\nM9\nCYCLE832(0,_OFF,1)\nM30\n";
   default:
     return withFault(
-        "0 BEGIN PGM part MM\n1 ; part\n2 L Z+500 R0 FMAX M91\n3 TOOL CALL 3 Z S12000\n4 M3\n5 M8\n"
+        "0 BEGIN PGM part MM\n1 ; part\n2 L Z+350 R0 FMAX M91\n3 TOOL CALL 3 Z S12000\n4 M3\n5 M8\n"
         "6 CYCL DEF 247 DATUM SETTING Q339=+1\n7 CYCL DEF 32.0 TOLERANCE\n8 CYCL DEF 32.1 T0.005\n"
         "9 CYCL DEF 32.2 HSC-MODE:0 TA0.5\n10 L" +
             m.rotary_start + " R0 FMAX\n11 L" + m.over_start + " R0 FMAX\n12 M128\n" +
             std::regex_replace(m.blocks, std::regex("LN"), "- LN") +
-            "- M129\n- L Z+500 R0 FMAX M91\n- M5\n- M9\n- CYCL DEF 32.0 TOLERANCE\n- CYCL DEF 32.1\n- M30\n- END PGM part MM\n",
+            "- M129\n- L Z+350 R0 FMAX M91\n- M5\n- M9\n- CYCL DEF 32.0 TOLERANCE\n- CYCL DEF 32.1\n- M30\n- END PGM part MM\n",
         dialect, {"", [](std::vector<std::string>&) { return true; }, ""});
   }
 }
