@@ -21,7 +21,7 @@ jobOf(const Machine& machine)
   job.real = job.set = chainOf(machine);
   for (int i = 0; i < 3; ++i)
     job.linear[i] = {machine.linear[i].lower, machine.linear[i].upper, machine.linear[i].largest_rate};
-  for (std::size_t i = 0; i < machine.rotary.size(); ++i) {
+  for (std::size_t i = 0; i < job.real.rotary.size(); ++i) {
     const AxisRange& range = machine.rotary[i].range;
     job.rotary[i] = {range.lower * degrees, range.upper * degrees, range.largest_rate * degrees};
   }

@@ -8,6 +8,8 @@
 namespace pcl_spiral::test {
 namespace {
 
+constexpr double uneven = 2.0; ///< within a block between two vectors the control slows down where an axis would be too fast
+
 template <typename... Parts>
 [[noreturn]] void
 refuse(const Parts&... parts)
@@ -167,11 +169,11 @@ Control::minutesOf(const MotionWords& words, const AxisPosition& from, const Axi
 }
 
 void
-Control::requireSpeeds(const AxisPosition& from, const AxisPosition& to, double minutes) const
+Control::requireSpeeds(const AxisPosition& from, const AxisPosition& to, double minutes, double excess) const
 {
   constexpr double rounding = 1.02; // of F and of the words
   const auto check = [&](char axis, double way, double largest, const char* unit) {
-    if (std::abs(way) > rounding * minutes * largest + 2e-4) // and of the places
+    if (std::abs(way) > rounding * excess * minutes * largest + 2e-4) // and of the places
       refuse(axis, " at ", std::abs(way) / minutes, unit, ", but its largest speed is ", largest);
   };
   for (int i = 0; i < 3; ++i)
@@ -231,7 +233,7 @@ Control::move(const MotionWords& words, bool rapid)
   for (int i = 1; i <= steps; ++i) {
     const AxisPosition next = onTheWay(words, from, to, at_, static_cast<double>(i) / steps);
     if (!rapid)
-      requireSpeeds(at_, next, minutes / steps);
+      requireSpeeds(at_, next, minutes / steps, words.vector && words.great_circle ? uneven : 1.0);
     requireTravel(next);
     requireClear(next, rapid);
     at_ = next;

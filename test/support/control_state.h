@@ -69,7 +69,7 @@ private:
   AxisPosition onTheWay(const MotionWords& words, const AxisPosition& from, const AxisPosition& to, const AxisPosition& before,
                         double share) const;
   double minutesOf(const MotionWords& words, const AxisPosition& from, const AxisPosition& to) const;
-  void requireSpeeds(const AxisPosition& from, const AxisPosition& to, double minutes) const;
+  void requireSpeeds(const AxisPosition& from, const AxisPosition& to, double minutes, double excess) const;
   void requireTravel(const AxisPosition& at) const;
   void requireClear(const AxisPosition& at, bool rapid) const;
   void requireNoSwing(const AxisPosition& from, const AxisPosition& to) const;

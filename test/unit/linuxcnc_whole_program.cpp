@@ -52,11 +52,15 @@ expectTheSame(const Machine& machine, const WholeRun& run)
 {
   ASSERT_EQ(run.canon.motions.size(), run.own.motions.size());
   std::size_t feeds = 0;
+  bool at_tip = false;
   for (std::size_t i = 1; i < run.own.motions.size(); ++i) { // from the first retract on, before the tool is called
     const CanonicalMotion& canon = run.canon.motions[i];
     const ControlMotion &own = run.own.motions[i], &before = run.own.motions[i - 1];
     const Eigen::Vector3d to(canon.xyzabc[0], canon.xyzabc[1], canon.xyzabc[2]);
-    ASSERT_LT((to - programmed(machine, own)).norm(), 3e-4) << machine.name << ", line " << own.line;
+    const Eigen::Vector3d off = to - programmed(machine, own);
+    at_tip = at_tip || own.tool_tip;
+    const bool knows_place = own.tool_tip || !at_tip; // after M429 a machine reads its slides anew, the interpreter alone does not
+    ASSERT_LT(knows_place ? off.norm() : std::abs(off.z()), 3e-4) << machine.name << ", line " << own.line;
     ASSERT_EQ(canon.rapid, own.rapid);
     ASSERT_EQ(canon.tool_tip, own.tool_tip) << machine.name << ", line " << own.line;
     for (int k = 0; k < 2 && !machine.three_axes; ++k)
@@ -71,8 +75,7 @@ expectTheSame(const Machine& machine, const WholeRun& run)
     ASSERT_TRUE(way < 1e-7 || way > 5e-5) << "LinuxCNC takes the rotary axes' speed from such a way, line " << own.line;
     const double expected = (way > 1e-7 ? way : turn) / own.minutes;
     ASSERT_NEAR(canon.feed, expected, 1e-3 + 1e-4 * expected) << machine.name << ", line " << own.line;
-    if (machine.takesTips() || machine.three_axes)
-      ASSERT_LT(canon.feed, 1.1 * 1500.0) << machine.name << ", line " << own.line;
+    ASSERT_TRUE(canon.feed < 1.1 * 1500.0 || !(machine.takesTips() || machine.three_axes)) << machine.name << ", line " << own.line;
   }
   EXPECT_GT(feeds, 50U);
   EXPECT_EQ(run.canon.motions.back().rapid, true);
