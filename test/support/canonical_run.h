@@ -16,7 +16,10 @@ namespace pcl_spiral::test {
 struct CanonicalMotion {
   bool rapid;
   std::array<double, 6> xyzabc;
-  double feed; ///< speed from the interpreter, mm/min
+  double feed;    ///< speed from the interpreter, mm/min
+  double spindle; ///< rev/min, below 0 counter-clockwise, 0: off
+  bool flood;     ///< the coolant is on
+  bool tool_tip;  ///< the kinematics of the tool tip are on (M428)
 };
 
 /** A digital output, switched when the next motion begins. */
@@ -37,7 +40,7 @@ struct CanonicalRun {
  *  degrees/min (NIST RS274, 2.1.2.5; find_straight_length in interp_find.cc). */
 double minutesOf(const CanonicalMotion& from, const CanonicalMotion& to);
 
-/** Runs the interpreter; motions in order. */
-CanonicalRun interpret(const std::string& program, const ScratchFolder& folder);
+/** Runs the interpreter; motions in order. \p settings: a folder with rs274.ini; \p length: of tool 3, mm. */
+CanonicalRun interpret(const std::string& program, const ScratchFolder& folder, const std::string& settings = {}, double length = 0.0);
 
 } // namespace pcl_spiral::test

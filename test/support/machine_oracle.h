@@ -22,7 +22,7 @@ struct ChainRotary {
 /** A machine as in its drawing. Table joints from the workpiece outward, head joints from the slides to
  * the tool. */
 struct MachineChain {
-  std::vector<ChainRotary> rotary; ///< from the workpiece to the tool
+  std::vector<ChainRotary> rotary; ///< from the workpiece to the tool; none: a three-axis machine
   Eigen::Vector3d work_zero = Eigen::Vector3d::Zero();
   double tool_length = 0.0;
 };
@@ -49,13 +49,14 @@ forward(const MachineChain& chain, const AxisValues& at)
   };
   const double angles[2] = {at.first, at.second};
   Pose work = Pose::Identity(); // machine <- table with the workpiece
-  for (int i = 1; i >= 0; --i)
+  const int axes = static_cast<int>(chain.rotary.size());
+  for (int i = axes - 1; i >= 0; --i)
     if (chain.rotary[i].table)
       work = work * about(chain.rotary[i], angles[i]);
   work = work * Eigen::Translation3d(chain.work_zero);
   const Eigen::Vector3d length(0.0, 0.0, chain.tool_length);
   Pose tool(Eigen::Translation3d(at.xyz + chain.work_zero + length)); // machine <- gauge point
-  for (int i = 0; i < 2; ++i)
+  for (int i = 0; i < axes; ++i)
     if (!chain.rotary[i].table)
       tool = tool * about(chain.rotary[i], angles[i]);
   tool = tool * Eigen::Translation3d(-length);

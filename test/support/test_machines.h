@@ -53,7 +53,8 @@ inline MachineChain
 chainOf(const Machine& machine)
 {
   MachineChain chain;
-  for (const RotaryAxis& axis : machine.rotary)
+  for (const RotaryAxis& axis :
+       machine.three_axes ? std::vector<RotaryAxis>() : std::vector<RotaryAxis>(machine.rotary.begin(), machine.rotary.end()))
     chain.rotary.push_back({axis.letter, axis.mount == RotaryMount::Table, axis.direction, axis.point});
   chain.work_zero = machine.work_zero;
   chain.tool_length = machine.tool_length;
