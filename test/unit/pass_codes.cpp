@@ -116,6 +116,10 @@ TEST(PassCodes, OffWhileAnAxisUnwindsWithinARow)
     const MachineProgram program = programFor(machine, rows);
     std::size_t broken = 0;
     for (const Dialect dialect : dialects) {
+      if (dialect == Dialect::FanucVectors) { // a vector is the same after a whole turn
+        EXPECT_THROW(writeProgram(file, program, dialect, withCodes()), FileError);
+        continue;
+      }
       writeProgram(file, program, dialect, withCodes());
       const ParsedProgram read = parsed(file, dialect);
       const std::size_t times = expectBeamsOnRows(machine, read, rows);
@@ -144,7 +148,7 @@ TEST(PassCodes, OffWhileAnAxisUnwindsWithinARow)
 TEST(PassCodes, WithoutThemTheProgramIsTheSame)
 {
   const ScratchFolder folder;
-  const MachineProgram program = programFor(withLimits(testMachines()[0]), threeRows());
+  const MachineProgram program = programFor(testMachines()[0], threeRows());
   const auto written = [&](Dialect dialect, const ProgramHeader& header) {
     writeProgram(folder.path("a.nc"), program, dialect, header);
     const std::string text = readText(folder.path("a.nc"));

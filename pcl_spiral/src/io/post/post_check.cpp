@@ -41,6 +41,8 @@ faultOfKinematics(Dialect dialect, const MachineProgram& program)
     return dialect == Dialect::FanucVectors ? language + " writes tool axes, and the machine has three axes; use fanuc" : "";
   if (!machine.rtcp && entryOf(dialect).needs_rtcp)
     return language + " needs tips and tool axes, but the machine file has rtcp: false; use linuxcnc or fanuc, or rtcp: true";
+  if (dialect == Dialect::FanucVectors && !program.report.unwound_at.empty()) // a vector is the same after a whole turn
+    return textOf(machine.rotary[0].letter, " turns back at its limit, and ", language, " has no words for it; use fanuc");
   return {};
 }
 

@@ -37,7 +37,8 @@ private:
 
   void writeTipControl(const ProgramBlock& first) override
   {
-    out_.code((!takesTips() ? "G43" : vectors_ ? "G43.5" : "G43.4") + length());
+    const std::string length = " H" + std::to_string(std::max(1, header_.tool));
+    out_.code((!takesTips() ? "G43" : vectors_ ? "G43.5" : "G43.4") + length);
     writePlace(first);
     out_.endLine();
     if (!isPerMinute())
@@ -53,11 +54,6 @@ private:
 
   void writeBlock(const ProgramBlock& before, const ProgramBlock& block) override
   {
-    if (vectors_ && (block.section == BlockSection::Unwind) != by_angles_) { // a vector is the same after a whole turn
-      by_angles_ = !by_angles_;
-      out_.line("G49");
-      out_.line((by_angles_ ? "G43.4" : "G43.5") + length());
-    }
     out_.code(block.rapid ? "G0" : "G1");
     writePlace(block);
     if (!block.rapid)
@@ -71,20 +67,17 @@ private:
     out_.text("%\n");
   }
 
-  std::string length() const { return " H" + std::to_string(std::max(1, header_.tool)); }
-
   /** X Y Z and the tool direction, always all of them; without the direction where it never changes. */
   void writePlace(const ProgramBlock& block)
   {
     writePosition(block);
-    if (vectors_ && !by_angles_)
+    if (vectors_)
       writeVector(out_, {"I", "J", "K"}, block.axis);
     else if (hasAngles() && !isFixed())
       writeAngles(block);
   }
 
   bool vectors_;
-  bool by_angles_ = false; ///< vectors are given up while an axis unwinds
 };
 
 } // namespace
