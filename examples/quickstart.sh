@@ -4,6 +4,7 @@
 # Usage: examples/quickstart.sh [SCAN] [options of pcl_spiral_toolpath]
 #   without SCAN it simulates a line-laser scan of a tank dome, for a ball of 10 mm radius and a scallop of 0.05 mm
 #   with SCAN, give the cutter: examples/quickstart.sh part.ply --tool-radius 6 --scallop 0.02
+# It also writes a program for LinuxCNC's XYZAC machine (examples/machines/xyzac.yaml); of your own scan only with --machine FILE.
 # The files are written to quickstart_output in the current folder.
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -11,7 +12,7 @@ build=${PCL_SPIRAL_BUILD_DIR:-$top/build}
 output=$PWD/quickstart_output
 
 case "${1:-}" in
-  -h | --help) sed -n '3,7s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  -h | --help) sed -n '3,8s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
   "" | -*) scan= ;;
   *)
     scan=$1
@@ -50,13 +51,22 @@ if [ -z "$scan" ]; then
   "$build/bin/pcl_spiral_simulate_scan" -o "$scan"
   default --tool-radius 10
   default --scallop 0.05
+  default --machine "$top/examples/machines/xyzac.yaml"
+  default --tool 1
+  default --spindle 8000
 fi
 
 name=$(basename "$scan")
 part=$output/${name%.*}_spiral
+program=()
+machine=
+for ((i = 0; i < ${#options[@]}; ++i)); do
+  case "${options[i]}" in --machine) machine=${options[i + 1]:-} ;; --machine=*) machine=${options[i]#*=} ;; esac
+done
+[ -z "$machine" ] || program=(-o "$part.ngc")
 echo "Making the toolpath"
 "${display[@]}" "$build/bin/pcl_spiral_toolpath" "$scan" -o "$part.csv" -o "$part.vtp" -o "$part.json" \
-  -o "$part.png" -o "$part.html" --verify ${options[@]+"${options[@]}"}
+  -o "$part.png" -o "$part.html" ${program[@]+"${program[@]}"} --verify ${options[@]+"${options[@]}"}
 
 echo "Written:"
 ls -1 "$part"*
@@ -85,6 +95,8 @@ call() { # WORD ...: as a line to copy into a shell
   done
   echo
 }
+[ -z "$machine" ] || echo "Before the first run of $part.ngc ($machine): check work zero, tool length, limits and clamps, and run it above the part"
 echo "To look at it in a window, and to judge it again:"
 call "$build/bin/pcl_spiral_view" "$scan" "$part.csv" "${same[@]}"
 call "$build/bin/pcl_spiral_verify" "$scan" "$part.csv" "${same[@]}"
+[ -z "$machine" ] || call "$build/bin/pcl_spiral_verify" "$scan" "$part.ngc" --machine "$machine" "${same[@]}"

@@ -35,25 +35,34 @@ struct Curve {
   }
 };
 
-/** Both angles at every cut, and the speed of the contact. */
+/** The first two curves at the end of a block: both rotary axes; without them Z of the tip and its speed. */
+std::array<double, 2>
+valuesAt(const MachineProgram& program, const ProgramBlock& before, const ProgramBlock& block)
+{
+  if (program.machine.three_axes)
+    return {block.tip.z(), (block.tip - before.tip).norm() / block.minutes};
+  return {block.angles.first * in_degrees / 360.0, block.angles.second * in_degrees};
+}
+
+/** Both rotary axes at every cut, and the speed of the contact. */
 std::array<Curve, 3>
 curvesOf(const MachineProgram& program)
 {
-  const auto& rotary = program.machine.rotary;
+  const Machine& machine = program.machine;
   std::array<Curve, 3> curves;
-  curves[0].name = std::string(1, rotary[0].letter) + ", turns";
-  curves[1].name = std::string(1, rotary[1].letter) + ", degrees";
+  curves[0].name = machine.three_axes ? "Z of the tip, mm" : std::string(1, machine.rotary[0].letter) + ", turns";
+  curves[1].name = machine.three_axes ? "speed of the tip, mm/min" : std::string(1, machine.rotary[1].letter) + ", degrees";
   curves[2].name = "speed of the contact, mm/min";
   for (std::size_t i = 1; i < program.blocks.size(); ++i) {
     const ProgramBlock &before = program.blocks[i - 1], &block = program.blocks[i];
     if (block.section != BlockSection::Cut)
       continue;
     const bool join = before.section == BlockSection::Cut;
-    if (!join)
+    if (!join && !machine.three_axes)
       for (int k : {0, 1})
-        curves[k].add(before.arc_length, k == 0 ? before.angles.first * in_degrees / 360.0 : before.angles.second * in_degrees, false);
-    curves[0].add(block.arc_length, block.angles.first * in_degrees / 360.0, true);
-    curves[1].add(block.arc_length, block.angles.second * in_degrees, true);
+        curves[k].add(before.arc_length, valuesAt(program, before, before)[k], false);
+    for (int k : {0, 1})
+      curves[k].add(block.arc_length, valuesAt(program, before, block)[k], join || !machine.three_axes);
     curves[2].add(block.arc_length, (block.arc_length - before.arc_length) / block.minutes, join);
   }
   return curves;
@@ -164,10 +173,13 @@ writeRotaryAngles(const std::string& file, const std::string& title, const Machi
                                      })->largest_change);
   if (!report.unwound_at.empty())
     places += formatted("; red: unwinds, %.0f times", static_cast<double>(report.unwound_at.size()));
-  sheet.addTitle(title + ": rotary axes of " + program.machine.name,
-                 formatted("%.1f turns in total, at most %.3g degrees in one block", report.first_travel * in_degrees / 360.0,
-                           report.largest_turn * in_degrees) +
-                     places);
+  if (program.machine.three_axes)
+    sheet.addTitle(title + ": motion on " + program.machine.name, formatted("%.1f minutes at feed", report.minutes));
+  else
+    sheet.addTitle(title + ": rotary axes of " + program.machine.name,
+                   formatted("%.1f turns in total, at most %.3g degrees in one block", report.first_travel * in_degrees / 360.0,
+                             report.largest_turn * in_degrees) +
+                       places);
   sheet.save(file);
 }
 

@@ -26,8 +26,8 @@ programName(const std::string& title)
 }
 
 /** The F that gives the block its time: mm/min from \p from to \p to, or, where both are the same place in the text and only the rotary
- *  axes turn, degrees/min (iTNC 530, 60642x-03, M116: the feed of rotary axes). A floor would stop such a turn, which has no way of the tip.
- *  FT, the time of a block, is not on every control of this language. */
+ *  axes turn, degrees/min (iTNC 530, 60642x-03, M116: the feed of rotary axes). A floor would stop such a turn, which has no way of the
+ *  tip. FT, the time of a block, is not on every control of this language. */
 double
 feedOf(const ProgramBlock& before, const ProgramBlock& block, const Eigen::Vector3d& from, const Eigen::Vector3d& to, int decimals)
 {
