@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <random>
 #include <sstream>
 
@@ -52,7 +53,8 @@ TEST(Program, FromAScanToWhatTheInterpreterRuns)
   const std::string text = readText(folder.path("part.ngc"));
   const std::size_t rows = linesWith(readText(folder.path("part.csv")), ",") - 1;
   EXPECT_GE(linesWith(text, "G1 X"), rows);
-  const std::string call = "cd '" + folder.root().string() + "' && rs274 -g part.ngc canon.txt 2>messages.txt";
+  const std::string call = "cd '" + machines + "/rs274' && rs274 -i rs274.ini -g '" + folder.path("part.ngc") + "' '" +
+                           folder.path("canon.txt") + "' 2>'" + folder.path("messages.txt") + "'";
   ASSERT_EQ(std::system(call.c_str()), 0) << "run cmake/install_dependencies.sh test where rs274 is missing: "
                                           << readText(folder.path("messages.txt"));
   EXPECT_EQ(linesWith(readText(folder.path("canon.txt")), "STRAIGHT_FEED("), linesWith(text, "G1 X"));
@@ -262,4 +264,52 @@ TEST(Program, AMachineThatCannotMakeItIsNamedAndNothingIsWritten)
     expectHas(done.err, part);
   EXPECT_FALSE(std::filesystem::exists(folder.path("a.ngc")));
   EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv")));
+}
+
+/** Where the spindle stands still, one line says so; a speed, or a line of the shop that starts it, takes the warning away. */
+TEST(Program, ASpindleThatStandsStillIsWarnedOf)
+{
+  const ScratchFolder folder;
+  const std::string warning = "part.nc: the spindle stands still: no --spindle is given, and no line of the machine file starts it; give "
+                              "--spindle 12000";
+  const std::vector<std::string> siemens{"-o", "part.nc", "--dialect", "siemens", "--tool", "3", "--machine"};
+  const auto with = [&](const std::string& machine, std::vector<std::string> more) {
+    std::vector<std::string> all = siemens;
+    all.push_back(machine);
+    all.insert(all.end(), more.begin(), more.end());
+    const RunResult done = run(folder, all);
+    EXPECT_EQ(done.code, 0) << done.err;
+    return done.err;
+  };
+  EXPECT_EQ(linesWith(with(machines + "/head_head.yaml", {}), warning), 1U);
+  EXPECT_EQ(linesWith(with(machines + "/head_head.yaml", {"--spindle", "12000"}), "spindle"), 0U);
+  writeText(folder.path("shop.yaml"), readText(machines + "/head_head.yaml") + "program: {header: [\"S8000 M3\"]}\n");
+  EXPECT_EQ(linesWith(with(folder.path("shop.yaml"), {}), "spindle"), 0U);
+}
+
+/** A machine with three axes refuses a leaning tool; the option that its message names makes a program, which the judge accepts. */
+TEST(Program, OfThreeAxes)
+{
+  const ScratchFolder folder;
+  std::vector<std::string> call{"-o", "part.ngc", "--spindle", "9000", "--machine", machines + "/three_axes.yaml"};
+  const RunResult refused = run(folder, call);
+  EXPECT_EQ(refused.code, 1);
+  expectHas(refused.err, "a machine with three axes cannot tilt the tool; make the path with the tool axis along +Z (--axis)");
+  EXPECT_FALSE(std::filesystem::exists(folder.path("part.ngc")));
+  call.insert(call.end(), {"--axis", "0,0,1"});
+  const RunResult done = run(folder, call);
+  ASSERT_EQ(done.code, 0) << done.err;
+  const std::string text = readText(folder.path("part.ngc"));
+  EXPECT_EQ(linesWith(text, "G93"), 0U);
+  EXPECT_EQ(linesWith(text, " A"), 0U);
+  const RunResult judged = endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM,
+                                              {"cap.xyz", "part.ngc", "--machine", machines + "/three_axes.yaml", "--tool-radius", "8",
+                                               "--scallop", "0.2", "--max-gouge", "0.05", "--max-uncut", "1"},
+                                              folder),
+                                 folder);
+  EXPECT_EQ(judged.code, 0) << judged.err << judged.out;
+  call.insert(call.end(), {"--tilt", "10"});
+  const RunResult both = run(folder, call);
+  EXPECT_EQ(both.code, 2);
+  expectHas(both.err, "--tilt changes the tool axis along the path, and --axis keeps it; leave one of the two out");
 }
