@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace pcl_spiral;
 using namespace pcl_spiral::test;
@@ -97,6 +98,15 @@ hurriedMoves(const ParsedProgram& parsed)
   return hurried;
 }
 
+double
+minutesOf(const ProgramFile& read)
+{
+  double minutes = 0.0;
+  for (const ProgramBlock& block : read.program.blocks)
+    minutes += block.minutes;
+  return minutes;
+}
+
 } // namespace
 
 TEST(TinyMoves, NoTurnWithATinyLinearPartIsWritten)
@@ -105,17 +115,14 @@ TEST(TinyMoves, NoTurnWithATinyLinearPartIsWritten)
   std::size_t turns_alone = 0;
   for (Machine machine : testMachines())
     for (const bool rtcp : {true, false})
-      for (const double turns_a_minute : {0.5, 5.0, 30.0}) {
+      for (const auto& [turns_a_minute, decimals] : {std::pair(0.5, 3), std::pair(5.0, 4), std::pair(30.0, 6)}) {
         machine = slowed(machine, turns_a_minute);
         machine.rtcp = rtcp;
-        const MachineProgram program = made(machine, rollingPass(5));
-        for (const int decimals : {3, 4, 6}) {
-          writeProgram(folder.path("a.ngc"), program, Dialect::LinuxCNC, {"rolls", 0.0, 0, decimals});
-          const ParsedProgram parsed = parseFanuc(folder.path("a.ngc"));
-          EXPECT_EQ(hurriedMoves(parsed), 0U) << machine.name << ", " << turns_a_minute << " rev/min, " << decimals << " decimals";
-          for (std::size_t i = 1; i < parsed.moves.size(); ++i)
-            turns_alone += parsed.moves[i].xyz == parsed.moves[i - 1].xyz && parsed.moves[i].degrees != parsed.moves[i - 1].degrees;
-        }
+        writeProgram(folder.path("a.ngc"), made(machine, rollingPass(5)), Dialect::LinuxCNC, {"rolls", 0.0, 0, decimals});
+        const ParsedProgram parsed = parseFanuc(folder.path("a.ngc"));
+        EXPECT_EQ(hurriedMoves(parsed), 0U) << machine.name << ", " << turns_a_minute << " rev/min, " << decimals << " decimals";
+        for (std::size_t i = 1; i < parsed.moves.size(); ++i)
+          turns_alone += parsed.moves[i].xyz == parsed.moves[i - 1].xyz && parsed.moves[i].degrees != parsed.moves[i - 1].degrees;
       }
   EXPECT_GT(turns_alone, 1000U) << "the tip was planted to rest";
 }
@@ -195,10 +202,11 @@ TEST(TinyMoves, HeidenhainsFeedIsThatOfTheTipOrOfTheTurnAndNeverAFloor)
       ASSERT_NEAR((stands ? turn / parsed.moves[i].feed : parsed.moves[i].minutes) / b.minutes, 1.0, 0.01)
           << machine.name << ", block " << i;
     }
-    double minutes = 0.0;
-    for (const ProgramBlock& block : readProgram(folder.path("a.h"), machine).program.blocks)
-      minutes += block.minutes;
-    EXPECT_NEAR(minutes / program.report.minutes, 1.0, 0.01) << machine.name << ", read back";
+    EXPECT_NEAR(minutesOf(readProgram(folder.path("a.h"), machine)) / program.report.minutes, 1.0, 0.01) << machine.name << ", read back";
+    ProgramHeader header{"rolls", 0.0, 1, 4};
+    header.feed_mode = FeedMode::PerMinute;
+    writeProgram(folder.path("a.nc"), program, Dialect::Fanuc, header);
+    EXPECT_NEAR(minutesOf(readProgram(folder.path("a.nc"), machine)) / program.report.minutes, 1.0, 0.01) << machine.name << ", Fanuc, G94";
   }
   EXPECT_GT(turns_alone, 100U);
 }

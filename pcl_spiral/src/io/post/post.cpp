@@ -203,16 +203,20 @@ Post::writeAngles(const ProgramBlock& block, bool signs)
 }
 
 double
-Post::tipFeed(const ProgramBlock& before, const ProgramBlock& block) const
+Post::minuteFeed(const ProgramBlock& before, const ProgramBlock& block) const
 {
-  return (positionOf(block) - positionOf(before)).norm() / block.minutes;
+  constexpr double least = 0.001; // the last decimal of F
+  const double unit = std::pow(10.0, header_.decimals);
+  const double way = ((positionOf(block) * unit).array().round() - (positionOf(before) * unit).array().round()).matrix().norm() / unit;
+  const double turn = std::hypot(block.angles.first - before.angles.first, block.angles.second - before.angles.second);
+  return std::max(least, (way > 0.0 ? way : turn * in_degrees) / block.minutes);
 }
 
 void
 Post::writeFeed(const ProgramBlock& before, const ProgramBlock& block)
 {
   if (per_minute_)
-    out_.word("F", std::max(0.001, tipFeed(before, block)), 3);
+    out_.word("F", minuteFeed(before, block), 3);
   else
     out_.word("F", 1.0 / block.minutes);
 }

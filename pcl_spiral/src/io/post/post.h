@@ -55,8 +55,9 @@ protected:
   void writeAngles(const ProgramBlock& block, bool signs = false);
   /** F of \p block, by the meaning of F. */
   void writeFeed(const ProgramBlock& before, const ProgramBlock& block);
-  /** Speed of the tip, mm/min, that gives \p block its time. */
-  double tipFeed(const ProgramBlock& before, const ProgramBlock& block) const;
+  /** The feed a minute that gives \p block its time: mm/min of the written X Y Z, or, where they stand in the text and only the rotary
+   *  axes turn, degrees/min (NIST RS274, 2.1.2.5; iTNC 530, 60642x-03, M116). A floor would stop such a turn. */
+  double minuteFeed(const ProgramBlock& before, const ProgramBlock& block) const;
   /** The work offset, G54 if none is given. */
   virtual std::string offset() const { return header_.work_offset.empty() ? "G54" : header_.work_offset; }
   bool hasAngles() const { return !program_.machine.three_axes; }

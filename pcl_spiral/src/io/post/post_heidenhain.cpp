@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "post.h"
 
-#include <pcl_spiral/core/impl/angles.h>
-
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -23,19 +20,6 @@ programName(const std::string& title)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-')
       c = '_';
   return name.empty() ? "SPIRAL" : name;
-}
-
-/** The F that gives the block its time: mm/min from \p from to \p to, or, where both are the same place in the text and only the rotary
- *  axes turn, degrees/min (iTNC 530, 60642x-03, M116: the feed of rotary axes). A floor would stop such a turn, which has no way of the
- *  tip. FT, the time of a block, is not on every control of this language. */
-double
-feedOf(const ProgramBlock& before, const ProgramBlock& block, const Eigen::Vector3d& from, const Eigen::Vector3d& to, int decimals)
-{
-  constexpr double least = 0.001; // the last decimal of F
-  const double unit = std::pow(10.0, decimals);
-  const double way = ((to * unit).array().round() - (from * unit).array().round()).matrix().norm() / unit;
-  const double turn = std::hypot(block.angles.first - before.angles.first, block.angles.second - before.angles.second);
-  return std::max(least, (way > 0.0 ? way : turn * in_degrees) / block.minutes);
 }
 
 class HeidenhainPost : public Post {
@@ -146,7 +130,7 @@ private:
       writeVector(out_, {"TX", "TY", "TZ"}, block.axis, true);
     }
     if (!block.rapid)
-      out_.word("F", feedOf(before, block, positionOf(before), position, header_.decimals), 3);
+      out_.word("F", minuteFeed(before, block), 3);
     out_.endLine(block.rapid ? " FMAX\n" : "\n");
   }
 
