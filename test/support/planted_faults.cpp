@@ -194,6 +194,8 @@ plantedFaults(Dialect dialect, const std::string& rotary_letters)
       {"tool-tip control not off", withoutLast(words.tool_tip_off), "in the machine's frame under tool-tip control"},
       {"spindle left on", withoutLast("^M5$"), "ends with the spindle on"},
       {"coolant left on", withoutLast("^M9$"), "ends with the coolant on"},
+      {"no retract at the begin", withoutFirst("G53|SUPA|M91"), "below the retract height"},
+      {"no retract at the end", withoutLast("G53|SUPA|M91"), "ends below the retract height"},
       {"no end", withoutLast(words.end), "the text ends before the program does"},
       {"a feed missing", [](Lines& lines) { return first(" FT?[0-9.]+", "")(lines); }, "a feed move without F"},
       {"two words of the tool's direction swapped", swapped(a, b), {}},
