@@ -209,8 +209,12 @@ plantedFaults(Dialect dialect, const std::string& rotary_letters)
   }
   if (dialect == Dialect::LinuxCNC)
     faults.push_back({"tool length not counted", withoutFirst("^G43"), "without a tool length"});
-  if (dialect == Dialect::Siemens)
+  if (dialect == Dialect::Siemens) {
     faults.push_back({"tool length not counted", first(" D1$", ""), "without a tool length"});
+    const std::regex off(" D0$");
+    faults.push_back({"tool length counted in the retract",
+                      everywhere([off](const std::string& line) { return std::regex_replace(line, off, ""); }), "D0 is missing"});
+  }
   if (dialect == Dialect::Fanuc || dialect == Dialect::FanucVectors)
     faults.push_back({"length of another tool", first(" H3 ", " H4 "), "the tool length of H4, but the tool is 3"});
   return faults;
