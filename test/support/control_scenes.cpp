@@ -118,7 +118,7 @@ std::vector<Machine>
 limitedMachines(const DomeScene& scene)
 {
   const std::vector<Machine> all = testMachines();
-  std::vector<Machine> machines = {all[0], all[2], all[3]};
+  std::vector<Machine> machines = {all[0], all[2], all[3], all[4]};
   for (Machine& machine : machines) {
     for (AxisRange& axis : machine.linear)
       axis = {-600.0, 600.0, 20000.0};

@@ -33,7 +33,7 @@ DomeScene tiltedSpiral();   ///< one leaning tool axis at every point
 /** The same from the other end. */
 DomeScene reversed(DomeScene scene);
 
-/** Tilting table, swivel head, head over a table: with travels, speeds and a height for the retract. */
+/** Tilting table, fork head, head over a table, nutating head: with travels, speeds and a height for the retract. */
 std::vector<Machine> limitedMachines(const DomeScene& scene);
 Machine threeAxisMill();
 

@@ -29,6 +29,8 @@ public:
     }
     MotionWords motion = placeOf(words);
     motion.machine_frame = words.take("SUPA").has_value();
+    if (motion.machine_frame && control_.modal.length)
+      throw ControlFault("SUPA with the tool length on; D0 is missing");
     motion.vector = words.vector({"A3", "B3", "C3"});
     motion.great_circle = true;
     if (motion.vector && (!work_frame_ || !vectors_))

@@ -30,7 +30,8 @@ require(bool holds, const std::string& fault)
 
 Control::Control(const ControlJob& job) : job_(job)
 {
-  at_.gauge.z() = job.retract_z.value_or(job.real.work_zero.z() + job.real.tool_length + 300.0);
+  constexpr double below = 20.0; // so that the program has to retract
+  at_.gauge.z() = job.retract_z ? *job.retract_z - below : job.real.work_zero.z() + job.real.tool_length + 300.0;
 }
 
 void

@@ -75,7 +75,7 @@ private:
   void requireNoSwing(const AxisPosition& from, const AxisPosition& to) const;
 
   ControlJob job_;
-  AxisPosition at_; ///< at the begin: at the retract height, the rest at zero
+  AxisPosition at_; ///< at the begin a little below the retract height, the rest at zero
   bool cut_ = false, first_under_tip_ = false;
 };
 

@@ -194,6 +194,8 @@ plantedFaults(Dialect dialect, const std::string& rotary_letters)
       {"tool-tip control not off", withoutLast(words.tool_tip_off), "in the machine's frame under tool-tip control"},
       {"spindle left on", withoutLast("^M5$"), "ends with the spindle on"},
       {"coolant left on", withoutLast("^M9$"), "ends with the coolant on"},
+      {"no retract at the begin", withoutFirst("G53|SUPA|M91"), "below the retract height"},
+      {"no retract at the end", withoutLast("G53|SUPA|M91"), "ends below the retract height"},
       {"no end", withoutLast(words.end), "the text ends before the program does"},
       {"a feed missing", [](Lines& lines) { return first(" FT?[0-9.]+", "")(lines); }, "a feed move without F"},
       {"two words of the tool's direction swapped", swapped(a, b), {}},
@@ -207,8 +209,12 @@ plantedFaults(Dialect dialect, const std::string& rotary_letters)
   }
   if (dialect == Dialect::LinuxCNC)
     faults.push_back({"tool length not counted", withoutFirst("^G43"), "without a tool length"});
-  if (dialect == Dialect::Siemens)
+  if (dialect == Dialect::Siemens) {
     faults.push_back({"tool length not counted", first(" D1$", ""), "without a tool length"});
+    const std::regex off(" D0$");
+    faults.push_back({"tool length counted in the retract",
+                      everywhere([off](const std::string& line) { return std::regex_replace(line, off, ""); }), "D0 is missing"});
+  }
   if (dialect == Dialect::Fanuc || dialect == Dialect::FanucVectors)
     faults.push_back({"length of another tool", first(" H3 ", " H4 "), "the tool length of H4, but the tool is 3"});
   return faults;

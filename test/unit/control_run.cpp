@@ -79,7 +79,6 @@ stepsOf(const ControlJob& job)
   for (const ToolPose& pose : poses)
     add(pose.tip, pose.axis, 0.005);
   add(poses.back().tip + 50.0 * poses.back().axis, poses.back().axis, 0.0);
-  top(poses.back());
   return steps;
 }
 

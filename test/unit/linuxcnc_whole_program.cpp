@@ -4,6 +4,7 @@
 #include "support/canonical_run.h"
 #include "support/control_scenes.h"
 #include "support/linuxcnc_module.h"
+#include "support/test_machines.h"
 
 #include <gtest/gtest.h>
 
@@ -98,24 +99,32 @@ TEST(LinuxCNCWholeProgram, ThreeAxes)
 
 TEST(LinuxCNCWholeProgram, TheMachinesOwnModuleMovesTheSameJoints)
 {
-  const LinuxCNCModule module("xyzac-trt-kins");
-  ASSERT_TRUE(module.isThere()) << "LinuxCNC is missing; run cmake/install_dependencies.sh test";
-  Machine machine = zeroed(limitedMachines({})[0]);
-  const Eigen::Vector3d offset(0.0, 20.0, 10.0);
-  machine.rotary[1].point = machine.rotary[0].point + offset;
-  ASSERT_EQ(module.set(machine.rotary[0].point, offset, machine.tool_length), "");
-  for (const DomeScene& scene : {spiralFromThePole(), threePasses()}) {
-    const WholeRun run = whole(scene, machine);
-    ASSERT_EQ(run.canon.motions.size(), run.own.motions.size());
-    std::size_t checked = 0;
-    for (std::size_t i = 0; i < run.own.motions.size(); ++i) {
-      const auto& v = run.canon.motions[i].xyzabc;
-      if (!run.canon.motions[i].tool_tip)
-        continue;
-      const std::array<double, 5> joints = module.inverse({v[0], v[1], v[2] + machine.tool_length}, 'A', v[3], v[5]);
-      ASSERT_LT((Eigen::Vector3d(joints[0], joints[1], joints[2]) - run.own.motions[i].gauge).norm(), 1e-3) << run.own.motions[i].line;
-      ++checked;
+  for (const std::size_t which : {0, 1}) { // xyzac, xyzbc
+    Machine machine = zeroed(limitedMachines({})[0]);
+    const double limit = machine.rotary[1].range.upper;
+    machine.rotary = testMachines()[which].rotary;
+    machine.rotary[1].range.lower = -limit;
+    machine.rotary[1].range.upper = limit;
+    const Eigen::Vector3d offset = which == 0 ? Eigen::Vector3d(0.0, 20.0, 10.0) : Eigen::Vector3d(15.0, 0.0, -8.0);
+    machine.rotary[1].point = machine.rotary[0].point + offset;
+    const char tilt = machine.rotary[1].letter;
+    const LinuxCNCModule module(which == 0 ? "xyzac-trt-kins" : "xyzbc-trt-kins");
+    ASSERT_TRUE(module.isThere()) << "LinuxCNC is missing; run cmake/install_dependencies.sh test";
+    ASSERT_EQ(module.set(machine.rotary[0].point, offset, machine.tool_length), "");
+    for (const DomeScene& scene : {spiralFromThePole(), threePasses()}) {
+      const WholeRun run = whole(scene, machine);
+      ASSERT_EQ(run.canon.motions.size(), run.own.motions.size());
+      std::size_t checked = 0;
+      for (std::size_t i = 0; i < run.own.motions.size(); ++i) {
+        const auto& v = run.canon.motions[i].xyzabc;
+        if (!run.canon.motions[i].tool_tip)
+          continue;
+        const std::size_t tilt_word = 3 + static_cast<std::size_t>(tilt - 'A');
+        const std::array<double, 5> joints = module.inverse({v[0], v[1], v[2] + machine.tool_length}, tilt, v[tilt_word], v[5]);
+        ASSERT_LT((Eigen::Vector3d(joints[0], joints[1], joints[2]) - run.own.motions[i].gauge).norm(), 1e-3) << run.own.motions[i].line;
+        ++checked;
+      }
+      EXPECT_GT(checked, 100U);
     }
-    EXPECT_GT(checked, 100U);
   }
 }
