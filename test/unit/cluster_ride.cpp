@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Paths over a dome on which things stand: the ball rides over them and never cuts into them, by brute force over their points, and cuts
 // everything else.
+#include "support/ball_turns.h"
+
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/verify/material_removal.h>
 
@@ -106,18 +108,15 @@ pathOver(const Scene& scene, SpiralMethod method, ClusterHandling clusters, Tigh
 std::vector<Vector3d>
 wayOf(const Path& path, double step)
 {
-  const auto centre = [](const ToolpathPoint& p) -> Vector3d {
-    return p.getVector3fMap().cast<double>() + ball * p.getNormalVector3fMap().cast<double>();
-  };
   std::vector<Vector3d> way;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const Vector3d begin = centre(path[i]), end = centre(path[i + 1]);
+    const Vector3d begin = test::ballCentre(path[i], ball), end = test::ballCentre(path[i + 1], ball);
     const bool cuts = path[i + 1].arc_length > path[i].arc_length;
     const int pieces = cuts ? std::max(1, static_cast<int>(std::ceil((end - begin).norm() / step))) : 1;
     for (int k = 0; k < pieces; ++k)
       way.push_back(begin + (end - begin) * k / pieces);
   }
-  way.push_back(centre(path.back()));
+  way.push_back(test::ballCentre(path.back(), ball));
   return way;
 }
 
@@ -219,6 +218,7 @@ TEST_P(ClusterRide, NeverCutsIntoAThingAndCutsAllElse)
         std::printf("  deepest in a point %.5f, in a post %.4f, lift up to %.3f, %zu places, %.1f mm lifted\n", depth,
                     deepestInPosts(scene.standing, *made.path), lift, made.report.tight_places.size(), made.report.lifted_length);
         EXPECT_LE(depth, 1e-4);
+        EXPECT_EQ(test::ballTurns(*made.path, ball), 0U);
         EXPECT_LT(deepestInPosts(scene.standing, *made.path), 0.02 * ball);
         expectAllElseCut(scene, *made.path, noise);
       }

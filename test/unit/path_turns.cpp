@@ -124,6 +124,44 @@ TEST(PathTurns, AReversalIsRefusedWithPlaceAngleCountAndRemedy)
   EXPECT_NE(checkReversals(figures.reversals, centred).message().find("setCenter"), std::string::npos);
 }
 
+TEST(PathTurns, ReversalsOfTheLiftedBallAreThoseOfItsCentre)
+{
+  // The feet go straight on in steps of 1 mm. The ball of radius 5 rests 7 mm over the feet 10 to 30, and is held back once.
+  const double radius = 5.0;
+  SpiralPath path;
+  for (int i = 0; i < 40; ++i) {
+    const bool lifted = i >= 10 && i <= 30;
+    const double tilt = lifted ? 0.02 * (20 - i) : 0.0; // normals that turn move the contacts, not the centres
+    const Vector3d foot(i, 0.0, 0.0), normal(std::sin(tilt), 0.0, std::cos(tilt));
+    const Vector3d centre(i == 20 ? 18.5 : i, 0.0, lifted ? 7.0 : radius);
+    path.feet.push_back(foot);
+    path.normals.push_back(normal);
+    path.contacts.push_back(centre - radius * normal);
+    path.lifts.push_back(lifted ? 2.0f : 0.0f);
+    path.turns.push_back(0.1f * static_cast<float>(i));
+  }
+  const PathReversals found = ballReversals(path, radius);
+  EXPECT_EQ(found.count, 2u); // back to 18.5, and on again
+  EXPECT_NEAR(found.angle, 180.0, 1e-6);
+  EXPECT_EQ(found.place, path.contacts[19]);
+  EXPECT_FLOAT_EQ(static_cast<float>(found.turn), 1.9f);
+
+  SpiralPath feet_too = path; // where the feet turn back with it, the reversal is theirs
+  feet_too.feet[20].x() = 18.5;
+  EXPECT_EQ(ballReversals(feet_too, radius).count, 0u);
+
+  SpiralPath passes = path; // the way from pass to pass is no move
+  passes.passes = {20};
+  EXPECT_EQ(ballReversals(passes, radius).count, 0u);
+
+  SpiralPath on_surface = path;
+  on_surface.lifts.assign(path.lifts.size(), 0.0f);
+  EXPECT_EQ(ballReversals(on_surface, radius).count, 0u);
+  on_surface.lifts.clear();
+  on_surface.feet.clear();
+  EXPECT_EQ(ballReversals(on_surface, radius).count, 0u);
+}
+
 TEST(PathTurns, ReversalsAtCornersOfTheOutlineAreAllowed)
 {
   // Turns like a rhombus, which turn by 180 - 2 atan(0.15) = 162.9 degrees at two corners.

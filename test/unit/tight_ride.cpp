@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Paths over places that the ball does not reach, against parts in closed form: no gouge, and what stays is reported.
+#include "support/ball_turns.h"
 #include "support/sampling.h"
 #include "support/surfaces.h"
 #include "support/tight_parts.h"
@@ -50,12 +51,6 @@ pathOver(const Cloud::Ptr& cloud, SpiralMethod method, double ball, unsigned int
   return made;
 }
 
-Vector3d
-centreOf(const ToolpathPoint& point, double ball)
-{
-  return (point.getVector3fMap() + static_cast<float>(ball) * point.getNormalVector3fMap()).cast<double>();
-}
-
 /** The deepest that the ball is in the true surface, at the points of the path and on the way between them. */
 double
 deepest(const TightPart& part, const Path& path, double ball)
@@ -63,10 +58,22 @@ deepest(const TightPart& part, const Path& path, double ball)
   double depth = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i)
     for (const double share : {0.0, 0.25, 0.5, 0.75}) {
-      const Vector3d centre = (1.0 - share) * centreOf(path[i - 1], ball) + share * centreOf(path[i], ball);
+      const Vector3d centre = (1.0 - share) * ballCentre(path[i - 1], ball) + share * ballCentre(path[i], ball);
       depth = std::max(depth, ball - part.distance(centre));
     }
   return depth;
+}
+
+/** The highest that the ball runs over the true surface where it is lifted, at the points of the path and on the way between them. */
+double
+highest(const TightPart& part, const Path& path, double ball)
+{
+  double height = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+    for (const double share : {0.0, 0.5})
+      if (path[i].lift > 0.0f && path[i - 1].lift > 0.0f)
+        height = std::max(height, part.distance((1.0 - share) * ballCentre(path[i], ball) + share * ballCentre(path[i - 1], ball)) - ball);
+  return height;
 }
 
 /** The largest move of the ball between points, and the largest change of the axis, degrees. */
@@ -75,7 +82,7 @@ expectSmooth(const Path& path, double ball)
 {
   double jump = 0.0, turn = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    jump = std::max(jump, (centreOf(path[i], ball) - centreOf(path[i - 1], ball)).norm());
+    jump = std::max(jump, (ballCentre(path[i], ball) - ballCentre(path[i - 1], ball)).norm());
     const double cosine = path[i].getAxisVector3fMap().dot(path[i - 1].getAxisVector3fMap());
     turn = std::max(turn, std::acos(std::min(1.0, cosine)) * 180.0 / M_PI);
   }
@@ -117,6 +124,12 @@ TEST_P(TightRide, OverAValleyNeverGouges)
     EXPECT_NEAR(made.report.fitting_radius, fillet, 0.1 * fillet);
     EXPECT_GT(made.report.lifted_length, 2.0 * half_width);
     expectSmooth(*made.path, ball);
+    const std::size_t back = ballTurns(*made.path, ball);
+    const double over = highest(part, *made.path, ball);
+    std::printf("  turns back at %zu places, reported %zu; up to %.4f mm over the offset\n", back, made.report.reversals, over);
+    EXPECT_EQ(back, 0U);
+    EXPECT_EQ(made.report.reversals, 0U);
+    EXPECT_LT(over, 0.005 + 0.015 + 4.0 * noise);
     EXPECT_TRUE(pathOver(part.scan(0.5, noise, 11), GetParam(), made.report.fitting_radius).report.tight_places.empty());
     ASSERT_FALSE(made.report.warnings.empty());
     EXPECT_TRUE(std::any_of(made.report.warnings.begin(), made.report.warnings.end(),
@@ -133,7 +146,7 @@ TEST_P(TightRide, OverAPitRestsOnItsRim)
   const double height = pitCentre(pit, rim, ball) + pit - ball;
   double lowest = 1e9;
   for (const ToolpathPoint& point : *made.path)
-    lowest = std::min(lowest, centreOf(point, ball).z());
+    lowest = std::min(lowest, ballCentre(point, ball).z());
   std::printf("  lowest centre %.4f of %.4f, deepest %.4f, height %.4f of %.4f\n", lowest, pitCentre(pit, rim, ball),
               deepest(part, *made.path, ball), made.report.tight_places.front().height, height);
   EXPECT_NEAR(lowest, pitCentre(pit, rim, ball), 0.05);
@@ -141,6 +154,7 @@ TEST_P(TightRide, OverAPitRestsOnItsRim)
   ASSERT_EQ(made.report.tight_places.size(), 1U);
   EXPECT_NEAR(made.report.tight_places.front().height, height, 0.05);
   expectSmooth(*made.path, ball);
+  EXPECT_EQ(ballTurns(*made.path, ball), 0U);
 }
 
 TEST_P(TightRide, BesideASphereNeverGouges)
@@ -151,6 +165,7 @@ TEST_P(TightRide, BesideASphereNeverGouges)
   ASSERT_FALSE(made.path->empty());
   std::printf("  deepest %.4f, %.4f high\n", deepest(part, *made.path, ball), made.report.tight_places.front().height);
   EXPECT_LT(deepest(part, *made.path, ball), 0.03);
+  EXPECT_EQ(ballTurns(*made.path, ball), 0U);
 }
 
 /** The judge: gouge 0 up to what the scan shows, stock reported where it stays, the scallop height kept elsewhere. */

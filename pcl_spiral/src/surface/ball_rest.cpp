@@ -61,9 +61,15 @@ BallReach::averageNormals()
 double
 BallReach::excess(const Eigen::Vector3d& centre) const
 {
+  return -height(centre, 0.0);
+}
+
+double
+BallReach::height(const Eigen::Vector3d& centre, double most) const
+{
   Eigen::Vector3d point;
   const double free = radius_ - tolerance_;
-  return nearest(centre, free, point) ? free - (centre - point).norm() : 0.0;
+  return nearest(centre, free + most, point) ? (centre - point).norm() - free : most;
 }
 
 Eigen::Vector3d

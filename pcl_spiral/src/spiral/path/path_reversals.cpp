@@ -152,6 +152,33 @@ curveReversals(const std::vector<SpiralPoint>& curve)
   return findReversals(path, betweenEnds(path));
 }
 
+PathReversals
+ballReversals(const SpiralPath& path, double tool_radius)
+{
+  PathReversals found;
+  if (path.lifts.empty())
+    return found;
+  Polyline centres;
+  centres.reserve(path.contacts.size());
+  for (std::size_t i = 0; i < path.contacts.size(); ++i)
+    centres.push_back(path.contacts[i] + tool_radius * path.normals[i]);
+  std::vector<std::uint8_t> counted(path.contacts.size());
+  std::transform(path.lifts.begin(), path.lifts.end(), counted.begin(), [](float lift) { return lift > 0.0f; });
+  for (const Bend& bend : findBends({path.feet, path.turns, path.passes}, reversal))
+    counted[bend.at] = 0;
+  for (const Bend& bend : findBends({centres, path.turns, path.passes}, reversal)) {
+    if (!counted[bend.at])
+      continue;
+    ++found.count;
+    if (bend.angle > found.angle) {
+      found.angle = bend.angle;
+      found.turn = path.turns[bend.at];
+      found.place = path.contacts[bend.at];
+    }
+  }
+  return found;
+}
+
 std::string
 reversalText(const PathReversals& reversals)
 {

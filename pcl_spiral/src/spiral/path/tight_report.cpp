@@ -5,6 +5,7 @@
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
+#include <pcl_spiral/spiral/impl/path_reversals.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,6 +100,19 @@ clusterWarning(const std::vector<TightPlace>& places)
          ", nor within a step-over of them (setClusterHandling with Ride)";
 }
 
+/** Counts the places where the lifted ball turns back, and warns of them. */
+void
+reportBallReversals(const SpiralPath& path, const SpiralSettings& settings, SpiralReport& report)
+{
+  const PathReversals reversals = ballReversals(path, settings.tool_radius);
+  report.reversals += reversals.count;
+  if (reversals.count > 0)
+    report.warnings.push_back(
+        textOf("where the ball is lifted it turns back at ", reversals.count, reversals.count == 1 ? " place, by " : " places, by up to ",
+               reversals.angle, " degrees at ", placeText(reversals.place), " in turn ", reversals.turn,
+               ": the path turns round there, over a place that a ball of radius ", report.fitting_radius, " mm reaches (setToolRadius)"));
+}
+
 } // namespace
 
 Status
@@ -153,6 +167,7 @@ reportTight(const BallReach& reach, const SpiralPath& path, const SpiralSettings
   for (const UnreachedPoint& point : reach.unreached())
     report.fitting_radius = std::min<double>(report.fitting_radius, point.reach);
   measureLifts(path, reach.tolerance(), report);
+  reportBallReversals(path, settings, report);
   report.tight_places = placesOf(reach, settings.scallop_height);
   for (const bool under_cluster : {false, true}) {
     std::vector<TightPlace> places;

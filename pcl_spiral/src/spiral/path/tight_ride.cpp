@@ -2,9 +2,11 @@
 #include "tight_ride.h"
 
 #include "path_feet.h"
+#include "straightened_ride.h"
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
+#include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/spiral/impl/tight_report.h>
 
 #include <algorithm>
@@ -19,49 +21,39 @@ constexpr int most_rounds = 8;        // of halved moves
 constexpr int most_bisections = 10;   // of a jump from place to place
 constexpr double way_step = 0.05;     // of the radius: between places that are looked at on a move
 constexpr double least_piece = 0.05;  // spacings: shorter moves are not halved again
+constexpr double aside_share = 0.1;   // of a flat step-over: how far a straight way may be from the places where the ball rests
+constexpr double hairpin_share = 0.5; // of it: what stays beyond the end of a hairpin that is cut off is below the scallop height
 constexpr double near_spacings = 6.0; // an unreached place is no farther from an unreached point: the widest void between points
-
-/** A point of the path with its ball. */
-struct Ridden {
-  Eigen::Vector3d foot, normal, centre;
-  float turn = 0.0f;
-  std::uint8_t over_gap = 0;
-  bool begins_pass = false;
-  bool fresh = false; ///< the move to it is still to be checked
-  bool lifted = false;
-};
 
 class Ride {
 public:
   Ride(const Surface& surface, const BallReach& reach, const SpiralSettings& settings, double longest_step)
-  : surface_(surface), reach_(reach), radius_(settings.tool_radius), chord_error_(settings.chord_error), longest_(longest_step)
+  : surface_(surface), reach_(reach), radius_(settings.tool_radius), chord_error_(settings.chord_error),
+    step_over_(stepOver(settings.tool_radius, 0.0, settings.scallop_height).value_or(settings.tool_radius)), longest_(longest_step)
   {}
 
   bool take(const SpiralPath& path);
   void halveMoves();
   void joinJumps();
+  void straighten();
   /** The first point without a free place; null if there is none. */
-  const Ridden* unfree() const;
+  const RiddenPoint* unfree() const;
   void write(SpiralPath& path) const;
 
 private:
-  Eigen::Vector3d contact(const Ridden& point) const
-  {
-    return point.lifted ? Eigen::Vector3d(point.centre - radius_ * point.normal) : point.foot;
-  }
-  void place(Ridden& point) const;
+  void place(RiddenPoint& point) const;
   bool halve();
-  bool gouges(const Ridden& from, const Ridden& to) const;
-  void join(const Ridden& from, const Ridden& to, int depth, std::vector<Ridden>& points) const;
+  bool gouges(const RiddenPoint& from, const RiddenPoint& to) const;
+  void join(const RiddenPoint& from, const RiddenPoint& to, int depth, RiddenPath& points) const;
 
   const Surface& surface_;
   const BallReach& reach_;
-  double radius_, chord_error_, longest_;
-  std::vector<Ridden> points_;
+  double radius_, chord_error_, step_over_, longest_;
+  RiddenPath points_;
 };
 
 void
-Ride::place(Ridden& point) const
+Ride::place(RiddenPoint& point) const
 {
   const Eigen::Vector3d touching = point.foot + radius_ * point.normal;
   point.centre = reach_.isNearUnreached(point.foot, near_spacings * surface_.spacing()) ? reach_.centre(point.foot, point.normal)
@@ -77,7 +69,7 @@ Ride::take(const SpiralPath& path)
   bool lifted = false;
 #pragma omp parallel for schedule(dynamic, 256) reduction(|| : lifted)
   for (std::int64_t i = 0; i < count; ++i) {
-    Ridden& point = points_[i];
+    RiddenPoint& point = points_[i];
     point.foot = path.contacts[i];
     point.normal = path.normals[i];
     point.turn = path.turns[i];
@@ -107,12 +99,12 @@ Ride::halve()
   }
   std::vector<SurfaceFoot> feet;
   pathFeet(surface_, queries, feet);
-  std::vector<Ridden> middles(ends.size());
+  RiddenPath middles(ends.size());
   const auto count = static_cast<std::int64_t>(ends.size());
 #pragma omp parallel for schedule(dynamic, 64)
   for (std::int64_t k = 0; k < count; ++k) {
-    const Ridden &from = points_[ends[k] - 1], &to = points_[ends[k]];
-    Ridden& middle = middles[k];
+    const RiddenPoint &from = points_[ends[k] - 1], &to = points_[ends[k]];
+    RiddenPoint& middle = middles[k];
     if (!feet[k].valid)
       continue;
     middle.foot = feet[k].position;
@@ -122,9 +114,9 @@ Ride::halve()
     place(middle);
     const bool any = from.lifted || to.lifted || middle.lifted;
     const double off = (middle.centre - 0.5 * (from.centre + to.centre)).norm();
-    middle.fresh = any && (off > chord_error_ || (contact(to) - contact(from)).norm() > longest_);
+    middle.fresh = any && (off > chord_error_ || (to.contact(radius_) - from.contact(radius_)).norm() > longest_);
   }
-  std::vector<Ridden> halved;
+  RiddenPath halved;
   std::size_t next = 0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (next < ends.size() && ends[next] == i) {
@@ -150,7 +142,7 @@ Ride::halveMoves()
 
 /** True if the ball cuts too deep on the straight way between two places. */
 bool
-Ride::gouges(const Ridden& from, const Ridden& to) const
+Ride::gouges(const RiddenPoint& from, const RiddenPoint& to) const
 {
   const auto pieces = static_cast<int>(std::ceil((to.centre - from.centre).norm() / (way_step * radius_)));
   for (int k = 1; k < std::max(2, pieces); ++k)
@@ -161,16 +153,16 @@ Ride::gouges(const Ridden& from, const Ridden& to) const
 
 /** Appends points between \p from and \p to, on the way from ball to ball, so that no move is too long or gouges. */
 void
-Ride::join(const Ridden& from, const Ridden& to, int depth, std::vector<Ridden>& points) const
+Ride::join(const RiddenPoint& from, const RiddenPoint& to, int depth, RiddenPath& points) const
 {
-  Ridden middle = from;
+  RiddenPoint middle = from;
   middle.begins_pass = false;
   middle.lifted = true;
   middle.foot = 0.5 * (from.foot + to.foot);
   middle.normal = (from.normal + to.normal).norm() > 0.1 ? Eigen::Vector3d((from.normal + to.normal).normalized()) : from.normal;
   middle.centre = 0.5 * (from.centre + to.centre);
   middle.turn = 0.5f * (from.turn + to.turn);
-  if (depth >= most_bisections || (!gouges(from, to) && (contact(to) - contact(from)).norm() <= longest_))
+  if (depth >= most_bisections || (!gouges(from, to) && (to.contact(radius_) - from.contact(radius_)).norm() <= longest_))
     return;
   if (reach_.excess(middle.centre) > chord_error_) {
     const Eigen::Vector3d free = reach_.freeAlong(middle.centre, middle.normal);
@@ -185,11 +177,11 @@ Ride::join(const Ridden& from, const Ridden& to, int depth, std::vector<Ridden>&
 void
 Ride::joinJumps()
 {
-  std::vector<Ridden> joined;
+  RiddenPath joined;
   joined.reserve(points_.size());
-  for (const Ridden& point : points_) {
+  for (const RiddenPoint& point : points_) {
     if (!joined.empty() && !point.begins_pass && (joined.back().lifted || point.lifted)) {
-      const Ridden before = joined.back();
+      const RiddenPoint before = joined.back();
       join(before, point, 0, joined);
     }
     joined.push_back(point);
@@ -197,10 +189,16 @@ Ride::joinJumps()
   points_ = std::move(joined);
 }
 
-const Ridden*
+void
+Ride::straighten()
+{
+  points_ = straightenedRide(points_, reach_, {chord_error_, aside_share * step_over_, hairpin_share * step_over_, longest_});
+}
+
+const RiddenPoint*
 Ride::unfree() const
 {
-  const auto found = std::find_if(points_.begin(), points_.end(), [](const Ridden& point) { return !point.centre.allFinite(); });
+  const auto found = std::find_if(points_.begin(), points_.end(), [](const RiddenPoint& point) { return !point.centre.allFinite(); });
   return found == points_.end() ? nullptr : &*found;
 }
 
@@ -209,10 +207,10 @@ Ride::write(SpiralPath& path) const
 {
   path = SpiralPath();
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const Ridden& point = points_[i];
+    const RiddenPoint& point = points_[i];
     if (point.begins_pass)
       path.passes.push_back(i);
-    path.contacts.push_back(contact(point));
+    path.contacts.push_back(point.contact(radius_));
     path.feet.push_back(point.foot);
     path.lifts.push_back(static_cast<float>((path.contacts.back() - point.foot).norm()));
     path.normals.push_back(point.normal);
@@ -236,8 +234,9 @@ rideTightPlaces(const Surface& surface, const BallReach* given, const SpiralSett
   if (!ride.unfree()) {
     ride.halveMoves();
     ride.joinJumps();
+    ride.straighten();
   }
-  if (const Ridden* const point = ride.unfree())
+  if (const RiddenPoint* const point = ride.unfree())
     return {StatusCode::Failed,
             textOf("the ball of radius ", settings.tool_radius, " mm finds no free place over ", placeText(point->foot), " in turn ",
                    point->turn, ": the surface closes round it; use a smaller tool (setToolRadius): a radius of ",

@@ -32,6 +32,10 @@ PathReversals findReversals(const TurnedPath& path, const std::vector<std::uint8
 /** The same between the ends of a \p curve that is not yet on the surface. */
 PathReversals curveReversals(const std::vector<SpiralPoint>& curve);
 
+/** Turns of the centre of the ball of radius \p tool_radius, mm, by more than 150 degrees from one move to the next, at lifted points of
+ *  \p path whose feet do not turn back. */
+PathReversals ballReversals(const SpiralPath& path, double tool_radius);
+
 /** Ok, or an error with the remedy. Reversals at corners of the outline are allowed, and all those of SpiralMethod::ConstantScallop, whose
  *  fingers turn back. */
 Status checkReversals(const PathReversals& reversals, const SpiralSettings& settings);

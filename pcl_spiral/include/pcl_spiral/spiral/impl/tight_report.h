@@ -24,7 +24,8 @@ std::unique_ptr<BallReach> makeReach(const Surface& surface, const SpiralSetting
  *  tightest place and the radius that reaches nine tenths of the points. Ok for null. */
 Status checkReach(const BallReach* reach);
 
-/** Places of \p reach where more than the scallop height stays, and lifts of \p path, with a warning if there are such places. */
+/** Places of \p reach where more than the scallop height stays, lifts of \p path, and reversals of the ball there (ballReversals), with
+ *  warnings. */
 void reportTight(const BallReach& reach, const SpiralPath& path, const SpiralSettings& settings, SpiralReport& report);
 
 } // namespace pcl_spiral

@@ -69,6 +69,9 @@ public:
   Eigen::Vector3d freeAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const;
   /** How much deeper than tolerance() the surface is in the ball at \p centre, mm; 0 if that is free. */
   double excess(const Eigen::Vector3d& centre) const;
+  /** Distance of the ball at \p centre from the surface in which it may be as deep as tolerance(), mm; at most \p most, and negative by
+   *  excess(). */
+  double height(const Eigen::Vector3d& centre, double most) const;
   /** Height of the material that the ball leaves above each unreached point, mm. */
   std::vector<float> heightsLeft() const;
 
