@@ -10,7 +10,7 @@
 
 namespace pcl_spiral {
 
-constexpr const char* offset_opening = "work offset "; ///< what follows it in a comment is the work offset of the program
+constexpr const char* offset_opening = "work offset ";           ///< what follows it in a comment is the work offset of the program
 constexpr const char* kinematics_opening = "from work to tool "; ///< kinematicsText begins with it
 
 /** "from work to tool table C table A, X Y Z of the tool tip" */
